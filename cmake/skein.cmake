@@ -1,0 +1,59 @@
+# One call per folder: a library skein_<name>, its tests as one program <name>_test.
+#
+#   skein_module(<name> SOURCES a.cpp... TESTS test/a_test.cpp...
+#                NEEDS <modules and public libraries>... HIDES <private libraries>...)
+#
+# NEEDS entries that are modules of this project are linked as skein_<entry>.
+function(skein_link target visibility)
+  foreach(need IN LISTS ARGN)
+    if(TARGET skein_${need})
+      target_link_libraries(${target} ${visibility} skein_${need})
+    else()
+      target_link_libraries(${target} ${visibility} ${need})
+    endif()
+  endforeach()
+endfunction()
+
+function(skein_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;TESTS;NEEDS;HIDES;TEST_NEEDS" ${ARGN})
+  if(ARG_SOURCES)
+    add_library(skein_${name} STATIC ${ARG_SOURCES})
+    target_include_directories(skein_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    skein_link(skein_${name} PUBLIC ${ARG_NEEDS})
+    skein_link(skein_${name} PRIVATE skein_warnings ${ARG_HIDES})
+  else()
+    add_library(skein_${name} INTERFACE)
+    target_include_directories(skein_${name} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    skein_link(skein_${name} INTERFACE ${ARG_NEEDS})
+  endif()
+  if(ARG_TESTS AND SKEIN_TESTS)
+    add_executable(${name}_test ${ARG_TESTS})
+    skein_link(${name}_test PRIVATE ${name} ${ARG_TEST_NEEDS} skein_warnings GTest::gtest_main)
+    target_compile_definitions(${name}_test PRIVATE
+      SKEIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+      SKEIN_SHARED_DATA="${SKEIN_SHARED_DATA}")
+    gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
+                         PROPERTIES TIMEOUT 300)
+  endif()
+endfunction()
+
+# skein_bench(<name> SOURCES... NEEDS...): a Google Benchmark program bench_<name>.
+function(skein_bench name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;NEEDS" ${ARGN})
+  if(SKEIN_BENCH)
+    add_executable(bench_${name} ${ARG_SOURCES})
+    skein_link(bench_${name} PRIVATE ${ARG_NEEDS} skein_warnings benchmark::benchmark_main)
+    target_compile_definitions(bench_${name} PRIVATE
+      SKEIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKEIN_SHARED_DATA="${SKEIN_SHARED_DATA}")
+  endif()
+endfunction()
+
+# skein_fuzz(<name> SOURCES... NEEDS...): a libFuzzer program fuzz_<name> (clang only).
+function(skein_fuzz name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;NEEDS" ${ARGN})
+  if(SKEIN_FUZZ)
+    add_executable(fuzz_${name} ${ARG_SOURCES})
+    skein_link(fuzz_${name} PRIVATE ${ARG_NEEDS} skein_warnings)
+    target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+  endif()
+endfunction()

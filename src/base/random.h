@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace skein {
+
+/// What a random stream is for. Each purpose of each entity has a stream of its own, so
+/// that adding a sensor never shifts another's noise. Append only: the numbers are part
+/// of what makes an old run repeatable.
+enum class Purpose : std::uint32_t {
+  kTest = 0,
+  kFireShape = 1,
+  kFireRate = 2,
+  kGnss = 3,
+  kFireSensor = 4,
+  kRadio = 5,
+  kEnsemble = 6,
+  kParticles = 7,
+  kStudy = 8,
+  kTerrain = 9,
+  kAgent = 10,
+};
+
+/// A stream of independent random numbers, by counter: number k of the stream is a pure
+/// function of (seed, entity, purpose, k), whatever thread asks and in whatever order
+/// streams are used. Generator: Philox4x32-10 (Salmon et al. 2011), 2^64 blocks.
+class RandomStream {
+ public:
+  RandomStream(std::uint64_t seed, std::uint32_t entity, Purpose purpose);
+
+  /// Uniform over all 64-bit numbers.
+  std::uint64_t bits();
+  /// Uniform in [0, 1), 53 bits.
+  double uniform();
+  /// Uniform in [low, high).
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// Standard normal (Box-Muller).
+  double normal();
+
+  /// Continues at block `index` of the stream (two 64-bit numbers a block), so that a
+  /// stream can be addressed by, say, message number.
+  void seek(std::uint64_t index);
+
+ private:
+  void refill();
+
+  std::array<std::uint32_t, 2> key_;
+  std::array<std::uint32_t, 2> stream_;
+  std::uint64_t index_ = 0;
+  std::array<std::uint64_t, 2> block_{};
+  int left_ = 0;
+  double spare_normal_ = 0;
+  bool has_spare_ = false;
+};
+
+}  // namespace skein

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "base/id.h"
+#include "base/time.h"
+
+namespace skein {
+
+/// Something worth telling the user that happened at one moment of a run.
+struct Event {
+  Time time;
+  EntityId entity;
+  std::string kind;  ///< short and stable, for scripts: "joined", "crossing", "outlier"...
+  std::string text;  ///< for people
+};
+
+}  // namespace skein

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "base/id.h"
+#include "base/time.h"
+#include "data/fire.h"
+#include "data/task.h"
+#include "data/vehicle.h"
+
+namespace skein {
+
+/// What an aircraft tells the team about itself, once a second.
+struct AircraftReport {
+  NavEstimate nav;
+  FlightLimits limits;
+  std::uint32_t task_number = 0;  ///< the task it works on; 0 = none yet
+  bool task_done = false;
+};
+
+/// A message between agents. `number` counts the sender's messages.
+struct Message {
+  EntityId from;
+  EntityId to;
+  std::uint64_t number = 0;
+  Time sent;
+  int size_bytes = 0;  ///< as coded on the air
+  std::variant<FireReading, AircraftReport, Task> content;
+};
+
+}  // namespace skein

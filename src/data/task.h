@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "geo/vec.h"
+
+namespace skein {
+
+/// Fly to a point and through it.
+struct FlyTo {
+  Vec2 point = Vec2::Zero();  ///< [m]
+};
+
+/// Follow the real edge of the fire with the in/out sensor.
+struct FollowEdge {
+  bool clockwise = true;         ///< around the fire, on the map
+  Vec2 start = Vec2::Zero();     ///< where to look for the edge first [m]
+  Vec2 tangent = Vec2::Zero();   ///< believed direction of the edge there; 0 = unknown
+};
+
+/// Follow a line of points, once.
+struct FollowLine {
+  std::vector<Vec2> points;  ///< [m]
+};
+
+/// Fly a fixed course (a transect).
+struct FlyCourse {
+  double course = 0;  ///< [rad]
+};
+
+/// Circle a point until told otherwise.
+struct Loiter {
+  Vec2 centre = Vec2::Zero();
+};
+
+/// One order for one aircraft. Numbers grow; an agent keeps the newest.
+struct Task {
+  std::uint32_t number = 0;
+  std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse> what = Loiter{};
+};
+
+}  // namespace skein

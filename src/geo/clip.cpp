@@ -1,0 +1,80 @@
+#include "geo/clip.h"
+
+#include <polyclipping/clipper.hpp>
+
+#include "base/check.h"
+
+namespace skein::geo {
+namespace {
+
+using ClipperLib::Path;
+using ClipperLib::Paths;
+
+constexpr double kScale = 1e4;  // units per metre
+
+Paths to_paths(const Region& region) {
+  Paths paths;
+  paths.reserve(region.size());
+  for (const Ring& ring : region) {
+    Path path;
+    path.reserve(ring.size());
+    for (const Vec2& p : ring) {
+      SKEIN_CHECK(p.allFinite() && p.cwiseAbs().maxCoeff() < 4e7, p.x(), p.y());
+      path.emplace_back(std::llround(p.x() * kScale), std::llround(p.y() * kScale));
+    }
+    paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+Region to_region(const Paths& paths) {
+  Region region;
+  region.reserve(paths.size());
+  for (const Path& path : paths) {
+    Ring ring;
+    ring.reserve(path.size());
+    for (const auto& p : path)
+      ring.emplace_back(static_cast<double>(p.X) / kScale, static_cast<double>(p.Y) / kScale);
+    region.push_back(std::move(ring));
+  }
+  return region;
+}
+
+Region execute(ClipperLib::ClipType type, const Region& a, const Region& b,
+               ClipperLib::PolyFillType fill) {
+  ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
+  clipper.AddPaths(to_paths(a), ClipperLib::ptSubject, true);
+  clipper.AddPaths(to_paths(b), ClipperLib::ptClip, true);
+  Paths solution;
+  clipper.Execute(type, solution, fill, fill);
+  return to_region(solution);
+}
+
+}  // namespace
+
+Region clean(const Region& rings, FillRule rule) {
+  const auto fill = rule == FillRule::kEvenOdd    ? ClipperLib::pftEvenOdd
+                    : rule == FillRule::kPositive ? ClipperLib::pftPositive
+                                                  : ClipperLib::pftNonZero;
+  return execute(ClipperLib::ctUnion, rings, {}, fill);
+}
+
+Region unite(const Region& a, const Region& b) {
+  return execute(ClipperLib::ctUnion, a, b, ClipperLib::pftNonZero);
+}
+
+Region intersect(const Region& a, const Region& b) {
+  return execute(ClipperLib::ctIntersection, a, b, ClipperLib::pftNonZero);
+}
+
+Region subtract(const Region& a, const Region& b) {
+  return execute(ClipperLib::ctDifference, a, b, ClipperLib::pftNonZero);
+}
+
+double iou(const Region& a, const Region& b) {
+  const double both = area(intersect(a, b));
+  const double either = area(a) + area(b) - both;
+  return either > 0 ? both / either : 1.0;
+}
+
+}  // namespace skein::geo

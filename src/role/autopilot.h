@@ -1,0 +1,29 @@
+#pragma once
+
+#include "data/autopilot.h"
+#include "data/sensing.h"
+#include "data/vehicle.h"
+
+namespace skein {
+
+/// Flies one vehicle: estimates its state from sensors and follows commands. Never sees
+/// the truth.
+class Autopilot {
+ public:
+  virtual ~Autopilot() = default;
+
+  /// Takes in one sample of the vehicle's own sensors.
+  virtual void sense(const SensorSample& sample) = 0;
+
+  /// Replaces what to do next.
+  virtual void command(const AutopilotCommand& command) = 0;
+
+  /// The control for the next `dt` [s], from the estimate carried on to `now`.
+  virtual FlightCommand control(Time now, double dt) = 0;
+
+  /// The estimate at the last control().
+  virtual const NavEstimate& estimate() const = 0;
+  virtual AutopilotStatus status() const = 0;
+};
+
+}  // namespace skein

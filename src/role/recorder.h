@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "data/event.h"
+#include "data/fire.h"
+#include "data/message.h"
+#include "data/vehicle.h"
+#include "geo/polygon.h"
+
+namespace skein {
+
+/// Keeps what happens in a run. Called by the simulation thread only, in a defined order;
+/// everything that is given counts for the content hash.
+class Recorder {
+ public:
+  virtual ~Recorder() = default;
+
+  /// An entity exists. Before anything else about it.
+  virtual void entity(EntityId id, const std::string& name, const std::string& kind) = 0;
+  virtual void truth(Time time, EntityId id, const VehicleState& state) = 0;
+  virtual void estimate(EntityId id, const NavEstimate& estimate) = 0;
+  virtual void reading(const FireReading& reading) = 0;
+  /// A message that arrived at `arrived`, or was lost (`lost`, then `arrived` is when).
+  virtual void message(const Message& message, Time arrived, bool lost) = 0;
+  /// The true burnt region and what an agent believes about its boundary at that time.
+  virtual void perimeter(Time time, const geo::Region& truth, EntityId believer,
+                         const BoundaryEstimate& belief) = 0;
+  virtual void event(const Event& event) = 0;
+
+  /// Called at the end of every step; may write out what has gathered.
+  /// Fails: kUnavailable when the records can no longer be written (disk full...).
+  virtual Result<void> step_done(Time time) = 0;
+};
+
+}  // namespace skein
