@@ -29,9 +29,9 @@ std::string join_values(const Values&... values) {
 }  // namespace skein
 
 /// Stops with a Bug when `condition` is false; further arguments are printed.
-#define SKEIN_CHECK(condition, ...)                                     \
-  do {                                                                  \
-    if (!(condition)) [[unlikely]]                                      \
-      ::skein::detail::fail_check(#condition, __FILE__, __LINE__,       \
+#define SKEIN_CHECK(condition, ...)                                           \
+  do {                                                                        \
+    if (!(condition)) [[unlikely]]                                            \
+      ::skein::detail::fail_check(#condition, __FILE__, __LINE__,             \
                                   ::skein::detail::join_values(__VA_ARGS__)); \
   } while (false)

@@ -28,7 +28,9 @@ std::uint64_t RandomStream::bits() {
   return block_[static_cast<std::size_t>(--left_)];
 }
 
-double RandomStream::uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+double RandomStream::uniform() {
+  return static_cast<double>(bits() >> 11) * 0x1.0p-53;
+}
 
 double RandomStream::normal() {
   if (has_spare_) {

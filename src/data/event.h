@@ -11,7 +11,8 @@ namespace skein {
 struct Event {
   Time time;
   EntityId entity;
-  std::string kind;  ///< short and stable, for scripts: "joined", "crossing", "outlier"...
+  std::string
+      kind;  ///< short and stable, for scripts: "joined", "crossing", "outlier"...
   std::string text;  ///< for people
 };
 

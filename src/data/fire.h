@@ -8,8 +8,8 @@
 
 namespace skein {
 
-/// "At `time` the ground at `point` was (not) burning", as an agent believes it: the point
-/// comes from the aircraft's estimated position.
+/// "At `time` the ground at `point` was (not) burning", as an agent believes it: the
+/// point comes from the aircraft's estimated position.
 struct FireReading {
   Time time;
   EntityId aircraft;
@@ -20,7 +20,7 @@ struct FireReading {
 
 /// Two successive readings of one aircraft that differ: the boundary passed between them.
 struct Crossing {
-  Time time;                  ///< of the later reading
+  Time time;  ///< of the later reading
   EntityId aircraft;
   Vec2 point = Vec2::Zero();  ///< middle of the two readings [m]
   Vec2 track = Vec2::Zero();  ///< from the earlier to the later point [m]
@@ -45,13 +45,13 @@ struct BoundaryEstimate {
 
 /// What is known of a fire before the first observation.
 struct PerimeterPrior {
-  Vec2 origin = Vec2::Zero();      ///< believed origin of the fire [m]
-  double radius = 500;             ///< believed distance of the boundary at the start [m]
-  double radius_sd = 104;          ///< of the boundary at the start [m]
-  double rate = 3;                 ///< believed spread [m/s]
-  double rate_sd = 0.058;          ///< of the spread [m/s]
-  Vec2 wind = Vec2::Zero();        ///< believed drift of the boundary [m/s]
-  double wind_sd = 1;              ///< per axis, of the drift that is not known [m/s]
+  Vec2 origin = Vec2::Zero();  ///< believed origin of the fire [m]
+  double radius = 500;         ///< believed distance of the boundary at the start [m]
+  double radius_sd = 104;      ///< of the boundary at the start [m]
+  double rate = 3;             ///< believed spread [m/s]
+  double rate_sd = 0.058;      ///< of the spread [m/s]
+  Vec2 wind = Vec2::Zero();    ///< believed drift of the boundary [m/s]
+  double wind_sd = 1;          ///< per axis, of the drift that is not known [m/s]
 };
 
 }  // namespace skein

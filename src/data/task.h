@@ -15,9 +15,9 @@ struct FlyTo {
 
 /// Follow the real edge of the fire with the in/out sensor.
 struct FollowEdge {
-  bool clockwise = true;         ///< around the fire, on the map
-  Vec2 start = Vec2::Zero();     ///< where to look for the edge first [m]
-  Vec2 tangent = Vec2::Zero();   ///< believed direction of the edge there; 0 = unknown
+  bool clockwise = true;        ///< around the fire, on the map
+  Vec2 start = Vec2::Zero();    ///< where to look for the edge first [m]
+  Vec2 tangent = Vec2::Zero();  ///< believed direction of the edge there; 0 = unknown
 };
 
 /// Follow a line of points, once.

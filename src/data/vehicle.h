@@ -41,9 +41,9 @@ struct NavEstimate {
   Time time;
   Vec3 p_N = Vec3::Zero();
   Vec3 v_N = Vec3::Zero();
-  double heading = 0;              ///< of the air-relative velocity [rad]
-  Vec2 wind_N = Vec2::Zero();      ///< estimated horizontal wind [m/s]
-  double position_sd = 0;          ///< per horizontal axis [m]
+  double heading = 0;          ///< of the air-relative velocity [rad]
+  Vec2 wind_N = Vec2::Zero();  ///< estimated horizontal wind [m/s]
+  double position_sd = 0;      ///< per horizontal axis [m]
 };
 
 }  // namespace skein

@@ -34,7 +34,8 @@ Region to_region(const Paths& paths) {
     Ring ring;
     ring.reserve(path.size());
     for (const auto& p : path)
-      ring.emplace_back(static_cast<double>(p.X) / kScale, static_cast<double>(p.Y) / kScale);
+      ring.emplace_back(static_cast<double>(p.X) / kScale,
+                        static_cast<double>(p.Y) / kScale);
     region.push_back(std::move(ring));
   }
   return region;
@@ -73,7 +74,7 @@ Region subtract(const Region& a, const Region& b) {
 
 double iou(const Region& a, const Region& b) {
   const double both = area(intersect(a, b));
-  const double either = area(a) + area(b) - both;
+  const double either = area(unite(a, b));
   return either > 0 ? both / either : 1.0;
 }
 

@@ -15,17 +15,16 @@ LocalFrame::LocalFrame(const Geodetic& origin,
 
 Result<LocalFrame> LocalFrame::at(const Geodetic& origin) {
   if (!std::isfinite(origin.latitude_deg) || std::abs(origin.latitude_deg) > 90)
-    return Error{ErrorCode::kBadInput, "origin",
-                 fmt::format("latitude {} is outside -90 to 90 degrees.",
-                             origin.latitude_deg),
-                 ""};
+    return Error{
+        ErrorCode::kBadInput, "origin",
+        fmt::format("latitude {} is outside -90 to 90 degrees.", origin.latitude_deg),
+        ""};
   if (!std::isfinite(origin.longitude_deg) || !std::isfinite(origin.height_m))
     return Error{ErrorCode::kBadInput, "origin", "longitude and height must be finite.",
                  ""};
-  return LocalFrame(origin, std::make_shared<const Projection>(
-                                Projection{GeographicLib::LocalCartesian(
-                                    origin.latitude_deg, origin.longitude_deg,
-                                    origin.height_m)}));
+  return LocalFrame(
+      origin, std::make_shared<const Projection>(Projection{GeographicLib::LocalCartesian(
+                  origin.latitude_deg, origin.longitude_deg, origin.height_m)}));
 }
 
 Vec3 LocalFrame::to_local(const Geodetic& position) const {

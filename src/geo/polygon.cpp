@@ -56,7 +56,9 @@ bool contains(const Region& region, const Vec2& p) {
   return inside;
 }
 
-Vec2 outward_normal(const Vec2& tangent) { return turned_left(tangent.normalized()); }
+Vec2 outward_normal(const Vec2& tangent) {
+  return turned_left(tangent.normalized());
+}
 
 Ring resample(std::span<const Vec2> ring, int count) {
   SKEIN_CHECK(count > 0 && !ring.empty(), count, ring.size());
@@ -109,13 +111,16 @@ BoundaryIndex::BoundaryIndex(const Region& region) {
 
   const auto cells = static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_);
   const auto for_cells = [&](const Edge& e, auto&& visit) {
-    const int x0 = cell_x(std::min(e.a.x(), e.b.x())), x1 = cell_x(std::max(e.a.x(), e.b.x()));
-    const int y0 = cell_y(std::min(e.a.y(), e.b.y())), y1 = cell_y(std::max(e.a.y(), e.b.y()));
+    const int x0 = cell_x(std::min(e.a.x(), e.b.x())),
+              x1 = cell_x(std::max(e.a.x(), e.b.x()));
+    const int y0 = cell_y(std::min(e.a.y(), e.b.y())),
+              y1 = cell_y(std::max(e.a.y(), e.b.y()));
     for (int x = x0; x <= x1; ++x)
       for (int y = y0; y <= y1; ++y) visit(static_cast<std::size_t>(x * ny_ + y));
   };
   const auto for_rows = [&](const Edge& e, auto&& visit) {
-    const int x0 = cell_x(std::min(e.a.x(), e.b.x())), x1 = cell_x(std::max(e.a.x(), e.b.x()));
+    const int x0 = cell_x(std::min(e.a.x(), e.b.x())),
+              x1 = cell_x(std::max(e.a.x(), e.b.x()));
     for (int x = x0; x <= x1; ++x) visit(static_cast<std::size_t>(x));
   };
   const auto fill = [&](std::vector<int>& start, std::vector<int>& members,
@@ -150,7 +155,8 @@ NearestPoint BoundaryIndex::nearest(const Vec2& p) const {
     if (x < 0 || y < 0 || x >= nx_ || y >= ny_) return;
     const auto cell = static_cast<std::size_t>(x * ny_ + y);
     for (int k = start_[cell]; k < start_[cell + 1]; ++k) {
-      const Edge& e = edges_[static_cast<std::size_t>(members_[static_cast<std::size_t>(k)])];
+      const Edge& e =
+          edges_[static_cast<std::size_t>(members_[static_cast<std::size_t>(k)])];
       const Vec2 ab = e.b - e.a;
       const double l2 = ab.squaredNorm();
       const double along = l2 > 0 ? std::clamp((p - e.a).dot(ab) / l2, 0.0, 1.0) : 0.0;
@@ -171,7 +177,8 @@ NearestPoint BoundaryIndex::nearest(const Vec2& p) const {
       const double inside =
           std::min({p.x() - (base.x() - (k - 1) * cell_), base.x() + k * cell_ - p.x(),
                     p.y() - (base.y() - (k - 1) * cell_), base.y() + k * cell_ - p.y()});
-      const bool p_in_grid = (p.array() >= low_.array()).all() && (p.array() <= high_.array()).all();
+      const bool p_in_grid =
+          (p.array() >= low_.array()).all() && (p.array() <= high_.array()).all();
       if (p_in_grid && inside > 0 && best2 <= inside * inside) break;
       if (!p_in_grid && best2 < std::numeric_limits<double>::infinity()) {
         // Outside the grid: cells k away in both axes are at least this far from p.
@@ -195,12 +202,14 @@ NearestPoint BoundaryIndex::nearest(const Vec2& p) const {
 }
 
 bool BoundaryIndex::contains(const Vec2& p) const {
-  if (edges_.empty() || (p.array() < low_.array()).any() || (p.array() > high_.array()).any())
+  if (edges_.empty() || (p.array() < low_.array()).any() ||
+      (p.array() > high_.array()).any())
     return false;
   bool inside = false;
   const auto row = static_cast<std::size_t>(cell_x(p.x()));
   for (int k = row_start_[row]; k < row_start_[row + 1]; ++k) {
-    const Edge& e = edges_[static_cast<std::size_t>(row_members_[static_cast<std::size_t>(k)])];
+    const Edge& e =
+        edges_[static_cast<std::size_t>(row_members_[static_cast<std::size_t>(k)])];
     if (ray_crosses(e.a, e.b, p)) inside = !inside;
   }
   return inside;

@@ -34,11 +34,11 @@ Ring resample(std::span<const Vec2> ring, int count);
 Ring resample_by_spacing(std::span<const Vec2> ring, double spacing, int least = 3);
 
 struct NearestPoint {
-  Vec2 point;         ///< on the boundary
-  double distance;    ///< [m]
-  int ring = 0;       ///< index of the ring
-  int edge = 0;       ///< edge from point `edge` to the next
-  double along = 0;   ///< position on the edge, 0 to 1
+  Vec2 point;        ///< on the boundary
+  double distance;   ///< [m]
+  int ring = 0;      ///< index of the ring
+  int edge = 0;      ///< edge from point `edge` to the next
+  double along = 0;  ///< position on the edge, 0 to 1
 };
 
 /// Answers "how far is the boundary" for many points: edges sorted into square cells.
@@ -67,9 +67,9 @@ class BoundaryIndex {
   Vec2 low_ = Vec2::Zero(), high_ = Vec2::Zero();
   double cell_ = 1;
   int nx_ = 0, ny_ = 0;
-  std::vector<int> start_;           // per cell, into members_
-  std::vector<int> members_;         // edge indices by cell
-  std::vector<int> row_start_;       // per row of equal x cell, into row_members_
+  std::vector<int> start_;      // per cell, into members_
+  std::vector<int> members_;    // edge indices by cell
+  std::vector<int> row_start_;  // per row of equal x cell, into row_members_
   std::vector<int> row_members_;
 };
 

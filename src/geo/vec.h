@@ -16,8 +16,12 @@ namespace geo {
 
 inline constexpr double kPi = std::numbers::pi;
 
-constexpr double radians(double degrees) { return degrees * (kPi / 180); }
-constexpr double degrees(double radians) { return radians * (180 / kPi); }
+constexpr double radians(double degrees) {
+  return degrees * (kPi / 180);
+}
+constexpr double degrees(double radians) {
+  return radians * (180 / kPi);
+}
 
 /// The angle in (-pi, pi] that differs from `angle` [rad] by whole turns.
 inline double wrap_pi(double angle) {
@@ -33,21 +37,33 @@ inline double wrap_2pi(double angle) {
 }
 
 /// The unit vector that points to `bearing` [rad, clockwise from north].
-inline Vec2 unit(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
+inline Vec2 unit(double bearing) {
+  return {std::cos(bearing), std::sin(bearing)};
+}
 
 /// The bearing [rad, clockwise from north, (-pi, pi]] of `v`.
-inline double bearing(const Vec2& v) { return std::atan2(v.y(), v.x()); }
+inline double bearing(const Vec2& v) {
+  return std::atan2(v.y(), v.x());
+}
 
 /// a.north b.east - a.east b.north: positive when b lies clockwise of a (on the map).
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// `v` turned a quarter clockwise (on the map): north becomes east.
-inline Vec2 turned_right(const Vec2& v) { return {-v.y(), v.x()}; }
+inline Vec2 turned_right(const Vec2& v) {
+  return {-v.y(), v.x()};
+}
 /// `v` turned a quarter counter-clockwise (on the map): north becomes west.
-inline Vec2 turned_left(const Vec2& v) { return {v.y(), -v.x()}; }
+inline Vec2 turned_left(const Vec2& v) {
+  return {v.y(), -v.x()};
+}
 
 /// The horizontal part of a vector in N.
-inline Vec2 horizontal(const Vec3& v) { return v.head<2>(); }
+inline Vec2 horizontal(const Vec3& v) {
+  return v.head<2>();
+}
 
 }  // namespace geo
 }  // namespace skein

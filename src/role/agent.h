@@ -24,7 +24,8 @@ struct AgentInput {
 
 /// What an agent does at one step.
 struct AgentOutput {
-  std::vector<Message> outbox;  ///< `from`, `number` and `sent` are filled in by the sender
+  std::vector<Message>
+      outbox;  ///< `from`, `number` and `sent` are filled in by the sender
   std::optional<AutopilotCommand> command;
   std::vector<Event> events;
 };

@@ -10,8 +10,8 @@ namespace skein {
 struct RunProgress {
   Time now;
   Time end;
-  double speed = 0;       ///< simulated over wall time
-  std::string headline;   ///< key figures in one line
+  double speed = 0;      ///< simulated over wall time
+  std::string headline;  ///< key figures in one line
 };
 
 /// The operator's view of a run: sees progress, may ask to stop.

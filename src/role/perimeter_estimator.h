@@ -14,9 +14,9 @@ struct EstimatorHealth {
 
 /// A belief about where a fire's boundary is, with its uncertainty.
 ///
-/// Used in this order: predict to the time of an observation, observe, ask. Times never go
-/// back; observations that arrive late are the business of the caller, who replays them on
-/// a clone().
+/// Used in this order: predict to the time of an observation, observe, ask. Times never
+/// go back; observations that arrive late are the business of the caller, who replays
+/// them on a clone().
 class PerimeterEstimator {
  public:
   virtual ~PerimeterEstimator() = default;

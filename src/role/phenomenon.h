@@ -13,8 +13,8 @@ class Phenomenon {
   /// Moves to `time`, which never goes back.
   virtual void advance(Time time) = 0;
 
-  /// Whether `p` burns or has burnt, at the time of the last advance(). Any thread may ask
-  /// between advances.
+  /// Whether `p` burns or has burnt, at the time of the last advance(). Any thread may
+  /// ask between advances.
   virtual bool inside(const Vec2& p) const = 0;
 
   /// The burnt region at the time of the last advance().

@@ -10,7 +10,8 @@ class WindField {
  public:
   virtual ~WindField() = default;
 
-  /// Velocity of the air over ground in N [m/s] (the way it blows to) at `p_N` and `time`.
+  /// Velocity of the air over ground in N [m/s] (the way it blows to) at `p_N` and
+  /// `time`.
   virtual Vec3 wind(const Vec3& p_N, Time time) const = 0;
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 Ring circle(const Vec2& centre, double radius, int count) {
   Ring ring;
-  for (int i = 0; i < count; ++i) ring.push_back(centre + radius * unit(2 * kPi * i / count));
+  for (int i = 0; i < count; ++i)
+    ring.push_back(centre + radius * unit(2 * kPi * i / count));
   return ring;
 }
 
