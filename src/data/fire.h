@@ -35,6 +35,9 @@ struct BoundaryPoint {
   double sigma = 0;              ///< standard deviation along the normal [m]
   double sigma_growth = 0;       ///< d sigma/dt while nothing is observed [m/s]
   double rate = 0;               ///< believed speed along the normal [m/s]
+  /// Major semi-axis of the 1-sigma ellipse of the position [m]; zero where only the
+  /// uncertainty along the normal is known.
+  Vec2 major_axis = Vec2::Zero();
 };
 
 /// A believed boundary: closed rings of points, outer ones positive (see geo/polygon.h).

@@ -1,0 +1,179 @@
+#include "layer/reasoning/monitoring/coordinator/coordinator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace skein::monitoring {
+namespace {
+
+constexpr int kTaskBytes = 48;
+constexpr double kStaleAfter = 5;   // no readings for this long: predict the belief [s]
+constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
+
+// Where an aircraft that has not crossed for long is sure to find the boundary: from
+// outside at the fire's origin, from inside beyond the nearest believed boundary.
+Vec2 sure_crossing(const AircraftStatus& aircraft, const BoundaryEstimate& boundary,
+                   const Vec2& origin) {
+  const Vec2 here = geo::horizontal(aircraft.nav.p_N);
+  if (!aircraft.inside.value_or(false)) return origin;
+  const BoundaryPoint* nearest = nullptr;
+  for (const auto& ring : boundary.rings)
+    for (const BoundaryPoint& point : ring)
+      if (!nearest || (point.position - here).squaredNorm() <
+                          (nearest->position - here).squaredNorm())
+        nearest = &point;
+  if (!nearest) return here + 1000 * geo::unit(aircraft.nav.heading);
+  return nearest->position + (3 * nearest->sigma + 200) * nearest->normal;
+}
+
+void send_order(const Member& member, AgentOutput& out) {
+  Message message;
+  message.to = member.status.id;
+  message.size_bytes = kTaskBytes;
+  message.content = member.status.task;
+  out.outbox.push_back(std::move(message));
+}
+
+}  // namespace
+
+Coordinator::Coordinator(const CoordinatorOptions& options,
+                         std::unique_ptr<PerimeterEstimator> estimator,
+                         std::unique_ptr<MonitoringStrategy> strategy)
+    : options_(options),
+      belief_(std::move(estimator), options.late_window),
+      strategy_(std::move(strategy)),
+      roster_(options.team, options.lost_after),
+      boundary_(belief_.boundary_at(Time())) {}
+
+void Coordinator::step(const AgentInput& in, AgentOutput& out) {
+  listen(in, out);
+  if ((in.now - belief_.time()).seconds() > kStaleAfter) belief_.predict(in.now);
+  boundary_ = belief_.boundary_at(in.now);
+  deploy(in.now, out);
+  force_crossings(in.now, out);
+  allocate(in.now, out);
+  resend_lost_orders(in.now, out);
+}
+
+void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
+  std::vector<FireReading> readings;
+  for (const Message& message : in.inbox) {
+    if (const auto* report = std::get_if<AircraftReport>(&message.content))
+      roster_.take(*report, message.from, in.now);
+    else if (const auto* reading = std::get_if<FireReading>(&message.content))
+      readings.push_back(*reading);
+  }
+  for (const FireReading& reading : readings)
+    if (Member* member = roster_.find(reading.aircraft))
+      member->status.inside = reading.inside;
+  for (const Crossing& crossing : belief_.take(std::move(readings)))
+    note_crossing(crossing, out);
+  if (const int outliers = belief_.health().outliers; outliers != outliers_) {
+    out.events.push_back(
+        {in.now, EntityId{}, "outlier",
+         fmt::format("{} observations so far were all but impossible", outliers)});
+    outliers_ = outliers;
+  }
+  for (const EntityId id : roster_.update(in.now))
+    out.events.push_back({in.now, id, "silent", "no report for a while"});
+}
+
+void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
+  Member* member = roster_.find(crossing.aircraft);
+  if (!member) return;
+  member->status.has_crossed = true;
+  member->status.last_crossing = std::max(member->status.last_crossing, crossing.time);
+  member->deploying = member->forced = false;
+  out.events.push_back({crossing.time, crossing.aircraft, "crossing",
+                        fmt::format("{} the fire at {:.0f} m north, {:.0f} m east",
+                                    crossing.entered ? "into" : "out of",
+                                    crossing.point.x(), crossing.point.y())});
+}
+
+void Coordinator::order(Member& member, decltype(Task::what) what, Time now,
+                        AgentOutput& out) {
+  member.status.task.number += 1;
+  member.status.task.what = std::move(what);
+  member.status.task_done = false;
+  member.task_sent = now;
+  send_order(member, out);
+}
+
+void Coordinator::deploy(Time now, AgentOutput& out) {
+  bool all = true, any = false;
+  for (std::size_t k = 0; k < roster_.members().size(); ++k) {
+    Member& member = roster_.members()[k];
+    if (!member.available) continue;
+    any = true;
+    if (!member.deploying) continue;
+    all = false;
+    if (member.status.task.number == 0) {
+      const Vec2 here = geo::horizontal(member.status.nav.p_N);
+      const double course =
+          options_.entry_courses.empty()
+              ? geo::bearing(options_.origin - here)
+              : options_.entry_courses[k % options_.entry_courses.size()];
+      member.deployed = now;
+      order(member, FlyCourse{course}, now, out);
+    } else if ((now - member.deployed).seconds() > options_.deployment_limit) {
+      member.deploying = false;  // the transect found nothing: the strategy decides
+      out.events.push_back({now, member.status.id, "no-crossing",
+                            "the deployment transect met no boundary"});
+    }
+  }
+  if (any && all && !allocating_) {
+    allocating_ = true;
+    out.events.push_back({now, EntityId{}, "allocation",
+                          "all aircraft have met the boundary: allocation begins"});
+  }
+}
+
+void Coordinator::force_crossings(Time now, AgentOutput& out) {
+  if (options_.forced_crossing <= 0) return;
+  for (Member& member : roster_.members()) {
+    if (!member.available || member.deploying) continue;
+    if (member.forced) {
+      if (!member.status.task_done) continue;
+      member.forced = false;  // got there without crossing: the strategy may try again
+      member.deployed = now;
+    }
+    const Time since = std::max(member.status.last_crossing, member.deployed);
+    if ((now - since).seconds() < options_.forced_crossing) continue;
+    member.forced = true;
+    order(member, FlyTo{sure_crossing(member.status, boundary_, options_.origin)}, now,
+          out);
+    out.events.push_back({now, member.status.id, "forced-crossing",
+                          "no crossing for long: sent across the boundary"});
+  }
+}
+
+void Coordinator::allocate(Time now, AgentOutput& out) {
+  std::vector<AircraftStatus> ready;
+  for (const Member& member : roster_.members())
+    if (member.available && !member.deploying && !member.forced) {
+      ready.push_back(member.status);
+      NavEstimate& nav = ready.back().nav;
+      nav.p_N += (now - nav.time).seconds() * nav.v_N;
+      nav.time = now;
+    }
+  if (ready.empty()) return;
+  const MonitoringSituation situation{now, &boundary_, ready, options_.origin,
+                                      options_.zones};
+  for (Assignment& assignment : strategy_->assign(situation))
+    if (Member* member = roster_.find(assignment.aircraft))
+      order(*member, std::move(assignment.what), now, out);
+}
+
+void Coordinator::resend_lost_orders(Time now, AgentOutput& out) {
+  for (Member& member : roster_.members()) {
+    if (!member.available || member.status.task.number == 0 ||
+        member.reported_task == member.status.task.number ||
+        (now - member.task_sent).seconds() < kResendAfter)
+      continue;
+    member.task_sent = now;
+    send_order(member, out);
+  }
+}
+
+}  // namespace skein::monitoring

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "layer/reasoning/monitoring/coordinator/belief.h"
+#include "layer/reasoning/monitoring/coordinator/roster.h"
+#include "role/agent.h"
+#include "role/monitoring_strategy.h"
+
+namespace skein::monitoring {
+
+struct CoordinatorOptions {
+  std::vector<EntityId> team;  ///< the aircraft it commands
+  Vec2 origin = Vec2::Zero();  ///< believed origin of the fire [m]
+  /// Courses of the deployment transects, one per aircraft, repeated when there are fewer
+  /// [rad]; empty = each flies towards the origin.
+  std::vector<double> entry_courses;
+  double forced_crossing = 300;  ///< no crossing for this long: go and cross [s]; 0 = off
+  double deployment_limit = 600;  ///< a transect without crossing ends after this [s]
+  double lost_after = 5;          ///< an aircraft not heard for this long is lost [s]
+  double late_window = 60;        ///< readings this late still count [s]
+  std::vector<Zone> zones;        ///< no-flight zones
+};
+
+/// The ground station's agent of a perimeter mission: keeps the belief from all readings,
+/// runs the deployment phase, lets the strategy decide, and orders the aircraft about.
+///
+/// Deployment: each aircraft flies its transect until its first crossing; then it is
+/// allocated. When all that are heard are allocated, the event "allocation" marks the
+/// start of that phase. Reference: spec/fire.md section 13.
+class Coordinator : public Agent {
+ public:
+  Coordinator(const CoordinatorOptions& options,
+              std::unique_ptr<PerimeterEstimator> estimator,
+              std::unique_ptr<MonitoringStrategy> strategy);
+
+  void step(const AgentInput& in, AgentOutput& out) override;
+  const BoundaryEstimate* perimeter() const override { return &boundary_; }
+
+ private:
+  void listen(const AgentInput& in, AgentOutput& out);
+  void deploy(Time now, AgentOutput& out);
+  void force_crossings(Time now, AgentOutput& out);
+  void allocate(Time now, AgentOutput& out);
+  void resend_lost_orders(Time now, AgentOutput& out);
+  void order(Member& member, decltype(Task::what) what, Time now, AgentOutput& out);
+  void note_crossing(const Crossing& crossing, AgentOutput& out);
+
+  CoordinatorOptions options_;
+  Belief belief_;
+  std::unique_ptr<MonitoringStrategy> strategy_;
+  Roster roster_;
+  BoundaryEstimate boundary_;
+  int outliers_ = 0;
+  bool allocating_ = false;
+};
+
+}  // namespace skein::monitoring

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "data/fire.h"
+
+namespace skein::monitoring {
+
+/// Finds the moments when an aircraft passed the boundary: two successive readings that
+/// differ.
+class CrossingDetector {
+ public:
+  /// @param longest_gap  readings further apart in time than this make no crossing [s].
+  explicit CrossingDetector(double longest_gap = 3) : longest_gap_(longest_gap) {}
+
+  /// Takes the next reading of an aircraft (times do not go back for one aircraft) and
+  /// gives the crossing that it completes, if any.
+  std::optional<Crossing> take(const FireReading& reading);
+
+ private:
+  double longest_gap_;
+  std::map<EntityId, FireReading> last_;
+};
+
+}  // namespace skein::monitoring

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "layer/reasoning/monitoring/strategy/boundary_line.h"
+#include "layer/reasoning/monitoring/strategy/gus.h"
+#include "layer/reasoning/monitoring/strategy/orders.h"
+#include "role/monitoring_strategy.h"
+
+namespace skein::monitoring {
+
+/// Each aircraft watches its own arc of the boundary, all arcs equally long, and flies
+/// inside it where a crossing removes most variance per second (as gus-rate does).
+class PartitionStrategy : public MonitoringStrategy {
+ public:
+  explicit PartitionStrategy(const GusOptions& options);
+
+  std::vector<Assignment> assign(const MonitoringSituation& situation) override;
+
+ private:
+  GusOptions options_;
+  Orders orders_;
+};
+
+}  // namespace skein::monitoring

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+
+#include "layer/reasoning/monitoring/strategy/boundary_line.h"
+#include "role/monitoring_strategy.h"
+
+namespace skein::monitoring {
+
+struct SweepOptions {
+  double window = 90;         ///< plan this far ahead along the edge [s]
+  double follow_speed = 15;   ///< progress along the edge while following it [m/s]
+  double decide_period = 10;  ///< think about leaving the edge this often [s]
+  double leave_ratio = 1.5;   ///< leave when elsewhere is this many times better
+  double commit = 60;         ///< stay at least this long with a new place [s]
+};
+
+/// Arc sweeps: every aircraft follows the real edge with its in/out sensor, on the arc
+/// and in the direction that remove most variance per second, counted over a window of
+/// flight and without what the others will see; it cuts across to another arc when that
+/// is clearly better.
+///
+///   value(arc) = sum over the arc's points of (sigma + sigma' t)^2 ds / (t_go + window)
+class SweepStrategy : public MonitoringStrategy {
+ public:
+  explicit SweepStrategy(const SweepOptions& options);
+
+  std::vector<Assignment> assign(const MonitoringSituation& situation) override;
+
+ private:
+  struct Sweep {
+    bool clockwise = true;
+    Time begun;
+    Time decided;
+    Time arrived_after;  ///< before this it is on its way to the arc
+    Vec2 start = Vec2::Zero();
+  };
+  struct Arc {
+    std::size_t start = 0;
+    bool clockwise = true;
+    double t_go = 0;
+    double value = 0;
+  };
+
+  double gain(const BoundaryLine& line, std::size_t start, bool clockwise, double t_go,
+              const std::vector<char>& covered) const;
+  void cover(const BoundaryLine& line, std::size_t start, bool clockwise,
+             std::vector<char>& covered) const;
+  Arc best_arc(const BoundaryLine& line, const AircraftStatus& aircraft,
+               std::span<const Zone> zones, const std::vector<char>& covered) const;
+
+  SweepOptions options_;
+  std::map<EntityId, Sweep> sweeps_;
+};
+
+}  // namespace skein::monitoring

@@ -1,0 +1,210 @@
+#include "simulation/run.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cmath>
+
+#include "simulation/entity_step.h"
+#include "simulation/pace.h"
+
+namespace skein::simulation {
+namespace {
+
+EntityId id_of(std::size_t index) {
+  return EntityId{static_cast<std::uint32_t>(index)};
+}
+
+bool due(Time now, Time period) {
+  return now.ns() % period.ns() == 0;
+}
+
+bool takes_part(const Entity& entity, Time now) {
+  for (const ActiveSpan& span : entity.active)
+    if (span.from <= now && now < span.until) return true;
+  return false;
+}
+
+bool finite(const VehicleState& s) {
+  return s.p_N.allFinite() && s.v_N.allFinite() && std::isfinite(s.airspeed) &&
+         std::isfinite(s.roll) && std::isfinite(s.heading);
+}
+
+// One run: the world, what is between its phases, and where it is recorded.
+class Stepper {
+ public:
+  Stepper(World& world, const RunOptions& options, Recorder& recorder)
+      : world_(world),
+        options_(options),
+        recorder_(recorder),
+        arena_(options.threads),
+        states_(world.entities.size()) {}
+
+  Result<void> step(Time now) {
+    if (due(now, options_.environment_period)) world_.fire->advance(now);
+    update_presence(now);
+    for_each([&](std::size_t i) { sense(world_, now, world_.entities[i], states_[i]); });
+    for_each([&](std::size_t i) { think(now, world_.entities[i], states_[i]); });
+    exchange(now);
+    record(now);
+    const double dt = options_.step.seconds();
+    for_each(
+        [&](std::size_t i) { fly(world_, now, dt, world_.entities[i], states_[i]); });
+    if (auto checked = check(now); !checked) return checked;
+    return recorder_.step_done(now);
+  }
+
+  void introduce() {
+    for (std::size_t i = 0; i < world_.entities.size(); ++i)
+      recorder_.entity(id_of(i), world_.entities[i].name, world_.entities[i].kind);
+  }
+
+ private:
+  template <class Body>
+  void for_each(const Body& body) {
+    constexpr std::size_t kGrain = 16;  // below this, starting tasks costs more than work
+    const std::size_t count = states_.size();
+    if (options_.threads <= 1 || count < 2 * kGrain) {
+      for (std::size_t i = 0; i < count; ++i) body(i);
+      return;
+    }
+    arena_.execute([&] {
+      oneapi::tbb::parallel_for(
+          oneapi::tbb::blocked_range<std::size_t>(0, count, kGrain),
+          [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+          });
+    });
+  }
+
+  void tell(Time now, std::size_t i, const char* kind, std::string text) {
+    recorder_.event({now, id_of(i), kind, std::move(text)});
+  }
+
+  void update_presence(Time now) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      EntityState& state = states_[i];
+      const bool active = !state.ended && takes_part(world_.entities[i], now);
+      if (active == state.active) continue;
+      state.active = active;
+      if (!active) state.inbox.clear();
+      tell(now, i, active ? "joined" : "left",
+           fmt::format("{} {}", world_.entities[i].name,
+                       active ? "takes part" : "no longer takes part"));
+    }
+  }
+
+  // Sends what agents wrote, in entity order, and hands out what has arrived.
+  void exchange(Time now) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      AgentOutput& output = states_[i].output;
+      for (Message& message : output.outbox) {
+        message.from = id_of(i);
+        message.number = states_[i].sent++;
+        message.sent = now;
+        if (const auto* reading = std::get_if<FireReading>(&message.content))
+          recorder_.reading(*reading);
+        world_.radio->send(message);
+      }
+      for (const Event& event : output.events) recorder_.event(event);
+      output.outbox.clear();
+      output.events.clear();
+    }
+    arrived_.clear();
+    lost_.clear();
+    world_.radio->deliver(now, arrived_, lost_);
+    for (const Message& message : arrived_) {
+      if (options_.record_messages) recorder_.message(message, now, false);
+      if (message.to.value < states_.size() && states_[message.to.value].active)
+        states_[message.to.value].inbox.push_back(message);
+    }
+    if (options_.record_messages)
+      for (const Message& message : lost_) recorder_.message(message, now, true);
+  }
+
+  void record(Time now) {
+    if (due(now, options_.record_period))
+      for (std::size_t i = 0; i < states_.size(); ++i)
+        if (states_[i].active && world_.entities[i].vehicle) {
+          recorder_.truth(now, id_of(i), world_.entities[i].vehicle->state);
+          recorder_.estimate(id_of(i), world_.entities[i].vehicle->autopilot->estimate());
+        }
+    if (due(now, options_.perimeter_period))
+      for (std::size_t i = 0; i < states_.size(); ++i)
+        if (const BoundaryEstimate* belief = world_.entities[i].agent->perimeter())
+          recorder_.perimeter(now, world_.fire->region(), id_of(i), *belief);
+  }
+
+  Result<void> check(Time now) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      const Entity& entity = world_.entities[i];
+      if (!states_[i].active || !entity.vehicle) continue;
+      const VehicleState& s = entity.vehicle->state;
+      if (!finite(s))
+        return Error{ErrorCode::kBadInput,
+                     fmt::format("{} at {:.3f} s", entity.name, now.seconds()),
+                     "its motion is no longer finite.",
+                     "Run again with the same scenario and seed to see it."};
+      if (-s.p_N.z() < world_.terrain->elevation_msl(geo::horizontal(s.p_N))) {
+        states_[i].ended = true;
+        tell(now, i, "accident", fmt::format("{} hit the ground", entity.name));
+      }
+    }
+    return {};
+  }
+
+  World& world_;
+  const RunOptions& options_;
+  Recorder& recorder_;
+  oneapi::tbb::task_arena arena_;
+  std::vector<EntityState> states_;
+  std::vector<Message> arrived_, lost_;
+};
+
+// The most certain thing to say about a run in one line: how well the fire is known.
+std::string headline(const World& world) {
+  for (const Entity& entity : world.entities)
+    if (const BoundaryEstimate* belief = entity.agent->perimeter()) {
+      double sum = 0;
+      int count = 0;
+      for (const auto& ring : belief->rings)
+        for (const BoundaryPoint& point : ring) {
+          sum += point.sigma * point.sigma;
+          ++count;
+        }
+      if (count > 0) return fmt::format("sigma {:.1f} m", std::sqrt(sum / count));
+    }
+  return {};
+}
+
+}  // namespace
+
+Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& recorder,
+                       OperatorConsole& console) {
+  Stepper stepper(world, options, recorder);
+  Pace pace(options.speed, options.step);
+  RunOutcome outcome;
+  stepper.introduce();
+  Time now;
+  for (; now <= options.duration; now += options.step) {
+    if (console.stop_requested()) {
+      outcome.end = RunOutcome::End::kStopped;
+      break;
+    }
+    pace.wait_for(now);
+    if (auto stepped = stepper.step(now); !stepped) return stepped.error();
+    if (pace.show_due())
+      console.show(
+          {now, options.duration, now.seconds() / pace.wall_s(), headline(world)});
+  }
+  outcome.simulated = std::min(now, options.duration);
+  outcome.wall_s = pace.wall_s();
+  outcome.deadline_misses = pace.misses();
+  console.show({outcome.simulated, options.duration,
+                outcome.simulated.seconds() / outcome.wall_s, headline(world)});
+  return outcome;
+}
+
+}  // namespace skein::simulation

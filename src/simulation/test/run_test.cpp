@@ -1,0 +1,270 @@
+#include "simulation/run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace skein::simulation {
+namespace {
+
+class Ground : public Terrain {
+ public:
+  double elevation_msl(const Vec2&) const override { return 0; }
+  Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+};
+
+class Calm : public WindField {
+ public:
+  Vec3 wind(const Vec3&, Time) const override { return Vec3::Zero(); }
+};
+
+class NoFire : public Phenomenon {
+ public:
+  void advance(Time) override {}
+  bool inside(const Vec2&) const override { return false; }
+  const geo::Region& region() const override { return region_; }
+
+ private:
+  geo::Region region_;
+};
+
+// Delivers every message `delay` after it was sent.
+class Post : public Radio {
+ public:
+  explicit Post(Time delay) : delay_(delay) {}
+  void send(const Message& message) override { mail_.push_back(message); }
+  void deliver(Time now, std::vector<Message>& arrived, std::vector<Message>&) override {
+    std::erase_if(mail_, [&](const Message& m) {
+      if (m.sent + delay_ > now) return false;
+      arrived.push_back(m);
+      return true;
+    });
+  }
+
+ private:
+  Time delay_;
+  std::vector<Message> mail_;
+};
+
+// Flies straight on at the commanded climb rate.
+class Glider : public Plant {
+ public:
+  explicit Glider(double break_after = std::numeric_limits<double>::infinity())
+      : break_after_(break_after) {}
+  FlightLimits limits() const override { return {}; }
+  VehicleState step(const VehicleState& s, const FlightCommand& c, const Air&,
+                    double dt) const override {
+    VehicleState next = s;
+    next.v_N = {20, 0, -c.climb_rate};
+    next.p_N += dt * next.v_N;
+    if (next.p_N.x() > break_after_) next.p_N.x() = std::nan("");
+    return next;
+  }
+
+ private:
+  double break_after_;
+};
+
+class Hands : public Autopilot {
+ public:
+  explicit Hands(double climb) : climb_(climb) {}
+  void sense(const SensorSample&) override {}
+  void command(const AutopilotCommand&) override {}
+  FlightCommand control(Time, double) override { return {0, 20, climb_}; }
+  const NavEstimate& estimate() const override { return estimate_; }
+  AutopilotStatus status() const override { return {}; }
+
+ private:
+  double climb_;
+  NavEstimate estimate_;
+};
+
+// Sends one message a step to `to`, and notes what it hears.
+class Talker : public Agent {
+ public:
+  explicit Talker(EntityId to) : to_(to) {}
+  void step(const AgentInput& in, AgentOutput& out) override {
+    for (const Message& message : in.inbox)
+      out.events.push_back(
+          {in.now, message.from, "heard", std::to_string(message.number)});
+    Message message;
+    message.to = to_;
+    message.content = AircraftReport{};
+    out.outbox.push_back(message);
+  }
+
+ private:
+  EntityId to_;
+};
+
+// Everything as text, in order.
+class Notes : public Recorder {
+ public:
+  void entity(EntityId id, const std::string& name, const std::string&) override {
+    text += fmt::format("{}={};", id.value, name);
+  }
+  void truth(Time t, EntityId id, const VehicleState& s) override {
+    text += fmt::format("T{} {} {};", t.ns(), id.value, s.p_N.x());
+    ++truths;
+  }
+  void estimate(EntityId, const NavEstimate&) override {}
+  void reading(const FireReading&) override {}
+  void message(const Message& m, Time t, bool) override {
+    text += fmt::format("M{} {} {};", t.ns(), m.from.value, m.number);
+    ++messages;
+  }
+  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
+  void event(const Event& e) override {
+    text += fmt::format("E{} {} {} {};", e.time.ns(), e.entity.value, e.kind, e.text);
+    if (e.kind != "heard") kinds += e.kind + " ";
+  }
+  Result<void> step_done(Time now) override {
+    if (full_at && now >= *full_at)
+      return Error{ErrorCode::kUnavailable, "disk", "it is full.", ""};
+    return {};
+  }
+  std::string text, kinds;
+  int truths = 0, messages = 0;
+  std::optional<Time> full_at;
+};
+
+class Silent : public OperatorConsole {
+ public:
+  void show(const RunProgress&) override {}
+  bool stop_requested() const override { return asked++ >= stop_after; }
+  mutable int asked = 0;
+  int stop_after = std::numeric_limits<int>::max();
+};
+
+World make_world(int count, Time delay = Time(), double climb = 0) {
+  World world;
+  world.terrain = std::make_unique<Ground>();
+  world.wind = std::make_unique<Calm>();
+  world.fire = std::make_unique<NoFire>();
+  world.radio = std::make_unique<Post>(delay);
+  const auto plant = std::make_shared<Glider>();
+  for (int i = 0; i < count; ++i) {
+    Entity entity;
+    entity.name = fmt::format("a{}", i);
+    entity.kind = "aircraft";
+    entity.agent =
+        std::make_unique<Talker>(EntityId{static_cast<std::uint32_t>((i + 1) % count)});
+    entity.agent_period = Time::from_seconds(0.5);
+    entity.vehicle = std::make_unique<Vehicle>();
+    entity.vehicle->plant = plant;
+    entity.vehicle->autopilot = std::make_unique<Hands>(climb);
+    entity.vehicle->state.p_N = {0, 0, -50};
+    entity.active = {{Time(), Time::from_seconds(1e6)}};
+    world.entities.push_back(std::move(entity));
+  }
+  return world;
+}
+
+RunOptions seconds(double duration, int threads = 1) {
+  RunOptions options;
+  options.duration = Time::from_seconds(duration);
+  options.threads = threads;
+  return options;
+}
+
+TEST(Run, RecordsAtItsRateAndDeliversMessages) {
+  World world = make_world(2);
+  Notes notes;
+  Silent console;
+  const auto outcome = run(world, seconds(10), notes, console);
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome.value().end, RunOutcome::End::kDone);
+  EXPECT_EQ(notes.truths, 2 * 101);
+  EXPECT_EQ(notes.messages, 2 * 21);
+  EXPECT_NEAR(world.entities[0].vehicle->state.p_N.x(), 20 * 10.1, 1e-9);
+}
+
+TEST(Run, IsTheSameForAnyNumberOfThreads) {
+  std::string first;
+  for (const int threads : {1, 2, 4}) {
+    World world = make_world(100, Time::from_seconds(0.3));
+    Notes notes;
+    Silent console;
+    ASSERT_TRUE(run(world, seconds(5, threads), notes, console).ok());
+    if (first.empty()) first = notes.text;
+    EXPECT_EQ(notes.text, first) << threads << " threads";
+  }
+}
+
+TEST(Run, EntitiesJoinAndLeave) {
+  World world = make_world(2);
+  world.entities[1].active = {{Time::from_seconds(1), Time::from_seconds(2)},
+                              {Time::from_seconds(3), Time::from_seconds(4)}};
+  Notes notes;
+  Silent console;
+  ASSERT_TRUE(run(world, seconds(5), notes, console).ok());
+  EXPECT_EQ(notes.kinds, "joined joined left joined left ");
+  EXPECT_EQ(notes.truths, 51 + 20);
+}
+
+TEST(Run, AnAircraftThatHitsTheGroundEndsAsAnAccident) {
+  World world = make_world(2, Time(), -10);
+  world.entities[0].vehicle->state.p_N.z() = -1000;
+  Notes notes;
+  Silent console;
+  ASSERT_TRUE(run(world, seconds(10), notes, console).ok());
+  EXPECT_NE(notes.text.find("1 accident"), std::string::npos);
+  EXPECT_EQ(notes.text.find("0 accident"), std::string::npos);
+}
+
+TEST(Run, StopsCleanlyWhenAsked) {
+  World world = make_world(1);
+  Notes notes;
+  Silent console;
+  console.stop_after = 30;
+  const auto outcome = run(world, seconds(10), notes, console);
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome.value().end, RunOutcome::End::kStopped);
+  EXPECT_EQ(notes.truths, 30);
+}
+
+TEST(Run, ReportsARecorderThatFails) {
+  World world = make_world(1);
+  Notes notes;
+  notes.full_at = Time::from_seconds(2);
+  Silent console;
+  const auto outcome = run(world, seconds(10), notes, console);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error().code, ErrorCode::kUnavailable);
+}
+
+TEST(Run, NamesWhatIsNoLongerFinite) {
+  World world = make_world(2);
+  world.entities[1].vehicle->plant = std::make_shared<Glider>(50);
+  Notes notes;
+  Silent console;
+  const auto outcome = run(world, seconds(10), notes, console);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_NE(outcome.error().place.find("a1 at 2.5"), std::string::npos)
+      << outcome.error().place;
+}
+
+TEST(Run, TakesNoEntitiesAndNoTime) {
+  World world = make_world(0);
+  Notes notes;
+  Silent console;
+  const auto outcome = run(world, seconds(0), notes, console);
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome.value().simulated, Time());
+}
+
+TEST(Run, KeepsPaceWithTheClock) {
+  World world = make_world(1);
+  Notes notes;
+  Silent console;
+  RunOptions options = seconds(2);
+  options.speed = 10;
+  const auto outcome = run(world, options, notes, console);
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_GE(outcome.value().wall_s, 0.2);  // never faster than asked; how much slower
+                                           // depends on the machine
+}
+
+}  // namespace
+}  // namespace skein::simulation

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/id.h"
+#include "base/time.h"
+#include "data/vehicle.h"
+#include "role/agent.h"
+#include "role/autopilot.h"
+#include "role/phenomenon.h"
+#include "role/plant.h"
+#include "role/radio.h"
+#include "role/sensor.h"
+#include "role/terrain.h"
+#include "role/wind_field.h"
+
+namespace skein::simulation {
+
+/// A span of time in which an entity takes part; `until` is exclusive.
+struct ActiveSpan {
+  Time from;
+  Time until;
+};
+
+/// The flying part of an entity.
+struct Vehicle {
+  std::shared_ptr<const Plant> plant;
+  std::unique_ptr<Autopilot> autopilot;
+  std::vector<std::unique_ptr<Sensor>> sensors;
+  VehicleState state;  ///< the truth
+};
+
+/// An aircraft or a ground station: an agent and, for an aircraft, what it flies with.
+struct Entity {
+  std::string name;
+  std::string kind;                  ///< "aircraft" or "station"
+  std::unique_ptr<Agent> agent;      ///< never null
+  std::unique_ptr<Vehicle> vehicle;  ///< null for a station
+  Time agent_period;                 ///< a multiple of the step
+  std::vector<ActiveSpan> active;    ///< in order of time; empty = never takes part
+};
+
+/// Everything that exists in a run. Entity k has EntityId k.
+struct World {
+  std::unique_ptr<Terrain> terrain;
+  std::unique_ptr<WindField> wind;
+  std::unique_ptr<Phenomenon> fire;
+  std::unique_ptr<Radio> radio;
+  std::vector<Entity> entities;
+};
+
+}  // namespace skein::simulation
