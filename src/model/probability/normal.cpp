@@ -1,0 +1,75 @@
+#include "model/probability/normal.h"
+
+#include <limits>
+
+#include "base/check.h"
+#include "model/probability/error_function.h"
+
+namespace skein::model {
+
+namespace {
+
+constexpr double kSqrt2 = std::numbers::sqrt2;
+constexpr double kSqrtHalfPi = 1.2533141373155002512;
+
+}  // namespace
+
+double erfcx(double x) {
+  if (x < 0) {
+    const double square = x * x;
+    if (x > -cody::kSmall) return std::exp(square) * (1 - cody::erf_small(x));
+    return 2 * std::exp(square) - erfcx(-x);
+  }
+  if (x < cody::kSmall) return std::exp(x * x) * (1 - cody::erf_small(x));
+  if (x <= cody::kLarge) {
+    const cody::Ratio ratio = cody::erfcx_middle(x);
+    return ratio.above / ratio.below;
+  }
+  return (1 - cody::deficit_large(x)) * std::numbers::inv_sqrtpi / x;
+}
+
+double mills_ratio(double x) {
+  return kSqrtHalfPi * erfcx(x / kSqrt2);
+}
+
+double normal_upper(double x) {
+  const double u = x / kSqrt2;
+  if (std::abs(u) < cody::kSmall) return 0.5 - 0.5 * cody::erf_small(u);
+  const double tail = normal_pdf(x) * mills_ratio(std::abs(x));
+  return x > 0 ? tail : 1 - tail;
+}
+
+double log_normal_upper(double x) {
+  if (x < 0.5) return std::log1p(-normal_upper(-x));
+  return -0.5 * x * x + std::log(kInvSqrt2Pi * mills_ratio(x));
+}
+
+double normal_quantile(double p) {
+  SKEIN_CHECK(p >= 0 && p <= 1, p);
+  if (p == 0 || p == 1) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return p == 0 ? -infinity : infinity;
+  }
+  if (p == 0.5) return 0;
+  // The x >= 0 with upper tail q; 1 - p is exact for p >= 1/2.
+  const double q = p < 0.5 ? p : 1 - p;
+  const double t = std::sqrt(-2 * std::log(q));
+  double x = t - ((0.010328 * t + 0.802853) * t + 2.515517) /
+                     (((0.001308 * t + 0.189269) * t + 1.432788) * t + 1);
+  // The start is good to 4.5e-4 and Halley's method cubes the error.
+  for (int step = 0; step < 2; ++step) {
+    const double newton = mills_ratio(x) * (1 - q / normal_upper(x));
+    x += newton / (1 - 0.5 * x * newton);
+  }
+  return p < 0.5 ? -x : x;
+}
+
+double gaussian_crps(double mean, double sd, double value) {
+  SKEIN_CHECK(sd >= 0, sd);
+  if (sd == 0) return std::abs(value - mean);
+  const double w = (value - mean) / sd;
+  return sd *
+         (w * (1 - 2 * normal_upper(w)) + 2 * normal_pdf(w) - std::numbers::inv_sqrtpi);
+}
+
+}  // namespace skein::model
