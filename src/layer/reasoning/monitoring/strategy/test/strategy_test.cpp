@@ -68,7 +68,7 @@ TEST(BoundaryLine, GivesTangentsWithTheFireOnTheRight) {
 TEST(Gus, SendsTheFirstAircraftToTheGreatestUncertainty) {
   Scene scene;
   scene.boundary.rings[0][20].sigma = 80;
-  scene.boundary.rings[0][40].sigma = 60;
+  scene.boundary.rings[0][33].sigma = 60;
   GusStrategy gus({}, false);
   const auto orders = gus.assign(scene.situation());
   ASSERT_EQ(orders.size(), 2u);
@@ -76,7 +76,7 @@ TEST(Gus, SendsTheFirstAircraftToTheGreatestUncertainty) {
   // Aircraft 0 comes through the fire: the aim is 0.6745 sigma outside. Aircraft 1 comes
   // from outside: the aim is inside.
   EXPECT_LT((target(orders[0]) - (500 + 0.6745 * 80) * ring[20].normal).norm(), 1e-9);
-  EXPECT_LT((target(orders[1]) - (500 - 0.6745 * 60) * ring[40].normal).norm(), 1e-9);
+  EXPECT_LT((target(orders[1]) - (500 - 0.6745 * 60) * ring[33].normal).norm(), 1e-9);
 }
 
 TEST(Gus, CountsTheGrowthDuringTheFlight) {
