@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "data/event.h"
+#include "data/fire.h"
+#include "data/message.h"
+#include "data/vehicle.h"
+#include "geo/polygon.h"
+
+namespace skein::record {
+
+struct EntityRow {
+  EntityId id;
+  std::string name, kind;
+};
+
+struct TruthRow {
+  Time time;
+  EntityId id;
+  VehicleState state;
+};
+
+struct EstimateRow {
+  EntityId id;
+  NavEstimate estimate;
+};
+
+struct MessageRow {
+  EntityId from, to;
+  std::uint64_t number = 0;
+  Time sent, arrived;
+  int size_bytes = 0;
+  int content = 0;  ///< index of Message::content
+  bool lost = false;
+};
+
+/// The order that a message carried.
+struct TaskRow {
+  Time sent, arrived;
+  EntityId from, to;
+  Task task;
+  bool lost = false;
+};
+
+struct PerimeterRow {
+  Time time;
+  EntityId believer;
+  geo::Region truth;
+  BoundaryEstimate belief;
+};
+
+struct TerrainRow {
+  int rows = 0, columns = 0;
+  Vec2 low = Vec2::Zero();
+  double spacing = 0;
+  std::vector<float> heights;
+};
+
+/// One thing to be stored. Rare and large kinds are held by pointer: the common ones
+/// decide the size.
+using Row = std::variant<TruthRow, EstimateRow, FireReading, MessageRow, EntityRow, Event,
+                         std::unique_ptr<TaskRow>, std::unique_ptr<PerimeterRow>,
+                         std::unique_ptr<TerrainRow>>;
+
+}  // namespace skein::record

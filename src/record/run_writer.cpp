@@ -1,0 +1,188 @@
+#include "record/run_writer.h"
+
+#include <utility>
+
+namespace skein::record {
+namespace {
+
+constexpr std::size_t kBatchRows = 1 << 15;
+constexpr std::size_t kMostPending = 2 * kBatchRows;
+constexpr auto kGatherFor = std::chrono::milliseconds(200);
+constexpr auto kLongestTransaction = std::chrono::milliseconds(300);
+
+}  // namespace
+
+RunWriter::RunWriter(RunDatabase database, Time perimeter_period)
+    : database_(std::move(database)), perimeter_period_(perimeter_period) {
+  pending_.reserve(kBatchRows);
+  thread_ = std::thread([this] { work(); });
+}
+
+RunWriter::~RunWriter() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  rows_wanted_.notify_one();
+  if (thread_.joinable()) thread_.join();
+}
+
+void RunWriter::push(Row row) {
+  std::unique_lock lock(mutex_);
+  if (pending_.size() >= kMostPending)
+    room_made_.wait(lock, [this] { return pending_.size() < kMostPending || failed_; });
+  if (failed_) return;
+  pending_.push_back(std::move(row));
+  // The writer sleeps until the first row, then until the batch is full or old enough.
+  const bool wake = pending_.size() == 1 || pending_.size() == kBatchRows;
+  lock.unlock();
+  if (wake) rows_wanted_.notify_one();
+}
+
+Result<void> RunWriter::status() {
+  if (!failed_) return {};
+  const std::lock_guard lock(mutex_);
+  if (bug_) std::rethrow_exception(bug_);
+  return failure_;
+}
+
+Result<void> RunWriter::finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  rows_wanted_.notify_one();
+  if (thread_.joinable()) thread_.join();
+  return status();
+}
+
+void RunWriter::work() {
+  std::vector<Row> batch;
+  batch.reserve(kBatchRows);
+  const auto fail = [this](Result<void> failure, std::exception_ptr bug) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::move(failure);
+    bug_ = std::move(bug);
+    failed_ = true;
+    pending_.clear();
+    room_made_.notify_all();
+  };
+  try {
+    while (true) {
+      bool last = false;
+      {
+        std::unique_lock lock(mutex_);
+        rows_wanted_.wait(lock, [this] { return stop_ || !pending_.empty(); });
+        rows_wanted_.wait_for(lock, kGatherFor,
+                              [this] { return stop_ || pending_.size() >= kBatchRows; });
+        batch.swap(pending_);
+        last = stop_;
+      }
+      room_made_.notify_one();
+      Result<void> done = write_batch(batch);
+      batch.clear();
+      if (done.ok() && last) done = write_rest();
+      if (!done) return fail(std::move(done), nullptr);
+      if (last) return;
+    }
+  } catch (...) {
+    fail({}, std::current_exception());
+  }
+}
+
+Result<void> RunWriter::write_batch(std::vector<Row>& batch) {
+  if (batch.empty()) return {};
+  if (auto done = database_.begin(); !done) return done;
+  transaction_began_ = Clock::now();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    auto done = std::visit([this](auto& row) { return write(row); }, batch[i]);
+    if (done.ok() && i % 1024 == 1023) done = commit_if_due();
+    if (!done) {
+      // Keep what this transaction holds, if the failure left it whole.
+      static_cast<void>(database_.commit());
+      return done;
+    }
+  }
+  return database_.commit();
+}
+
+Result<void> RunWriter::write_rest() {
+  if (auto done = database_.begin(); !done) return done;
+  for (const auto& [believer, row] : not_stored_)
+    if (row)
+      if (auto done = store(*row); !done) return done;
+  return database_.commit();
+}
+
+Result<void> RunWriter::commit_if_due() {
+  const auto now = Clock::now();
+  if (now - transaction_began_ < kLongestTransaction) return {};
+  transaction_began_ = now;
+  if (auto done = database_.commit(); !done) return done;
+  return database_.begin();
+}
+
+Result<void> RunWriter::write(const EntityRow& row) {
+  statistics_.entity(row.id, row.name, row.kind);
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(const TruthRow& row) {
+  statistics_.truth(row.id, row.state);
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(const EstimateRow& row) {
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(const FireReading& row) {
+  const std::optional<Crossing> crossing = statistics_.reading(row);
+  if (auto done = database_.write(row); !done || !crossing) return done;
+  return database_.write(*crossing);
+}
+
+Result<void> RunWriter::write(const MessageRow& row) {
+  statistics_.message(row.lost);
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(const Event& row) {
+  statistics_.event(row);
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(std::unique_ptr<TaskRow>& row) {
+  return database_.write(*row);
+}
+
+Result<void> RunWriter::write(std::unique_ptr<TerrainRow>& row) {
+  return database_.write(*row);
+}
+
+Result<void> RunWriter::write(std::unique_ptr<PerimeterRow>& row) {
+  const TrueBoundary truth(row->truth);
+  const PerimeterMetrics metrics =
+      statistics_.perimeter(row->time, truth, row->believer, row->belief);
+  if (auto done = database_.write_metrics(row->time, row->believer, metrics); !done)
+    return done;
+  const auto stored = belief_stored_.find(row->believer);
+  if (stored == belief_stored_.end() || row->time >= stored->second + perimeter_period_) {
+    if (auto done = store(*row); !done) return done;
+    not_stored_[row->believer] = nullptr;
+  } else {
+    not_stored_[row->believer] = std::move(row);
+  }
+  return commit_if_due();
+}
+
+Result<void> RunWriter::store(const PerimeterRow& row) {
+  belief_stored_[row.believer] = row.time;
+  if (auto done = database_.write_belief(row.time, row.believer, row.belief); !done)
+    return done;
+  if (truth_stored_ == row.time) return {};  // another believer's, of the same time
+  truth_stored_ = row.time;
+  return database_.write_truth(row.time, row.truth);
+}
+
+}  // namespace skein::record

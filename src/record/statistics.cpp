@@ -1,0 +1,92 @@
+#include "record/statistics.h"
+
+#include <algorithm>
+
+namespace skein::record {
+
+void RunStatistics::entity(EntityId id, const std::string& name,
+                           const std::string& kind) {
+  flights_[id].name = name;
+  if (kind == "aircraft") ++aircraft_;
+}
+
+void RunStatistics::truth(EntityId id, const VehicleState& state) {
+  Flight& flight = flights_[id];
+  if (flight.last) flight.distance += (state.p_N - *flight.last).norm();
+  flight.last = state.p_N;
+}
+
+std::optional<Crossing> RunStatistics::reading(const FireReading& reading) {
+  ++observations_;
+  const std::optional<Crossing> crossing = ages_.add(reading);
+  if (crossing) ++crossings_;
+  return crossing;
+}
+
+void RunStatistics::message(bool lost) {
+  ++messages_sent_;
+  if (lost) ++messages_lost_;
+}
+
+void RunStatistics::event(const Event& event) {
+  if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
+}
+
+PerimeterMetrics RunStatistics::perimeter(Time time, const TrueBoundary& truth,
+                                          EntityId believer,
+                                          const BoundaryEstimate& belief) {
+  PerimeterMetrics now = perimeter_metrics(truth, belief);
+  if (const auto ages = ages_.ages(time, truth.index(), belief)) {
+    now.latency_mean = ages->mean;
+    now.latency_max = ages->max;
+  }
+  metrics(time, believer, now);
+  return now;
+}
+
+void RunStatistics::metrics(Time time, EntityId believer, const PerimeterMetrics& now) {
+  if (!believer_) believer_ = believer;
+  if (*believer_ != believer) return;
+  const bool allocated = allocation_start_ && time >= *allocation_start_;
+  for (std::size_t i = 0; i < gathered_.size(); ++i) {
+    const std::optional<double> value = now.*metric_fields()[i].value;
+    gathered_[i].final = value;
+    if (!value) continue;
+    gathered_[i].run.add(*value);
+    if (allocated) gathered_[i].allocation.add(*value);
+  }
+}
+
+std::map<std::string, double> RunStatistics::figures() const {
+  std::map<std::string, double> out;
+  const auto put = [&out](const MetricField& field, const char* part, double value) {
+    out[std::string(field.name) + part + std::string(field.unit)] = value;
+  };
+  for (std::size_t i = 0; i < gathered_.size(); ++i) {
+    const MetricField& field = metric_fields()[i];
+    const Gathered& g = gathered_[i];
+    if (g.allocation.count > 0)
+      put(field, "_mean", g.allocation.sum / g.allocation.count);
+    if (g.run.count > 0) put(field, "_run_mean", g.run.sum / g.run.count);
+    if (g.final) put(field, "_final", *g.final);
+  }
+  if (allocation_start_) out["allocation_start_s"] = written_seconds(*allocation_start_);
+
+  double total = 0, flown = 0;
+  for (const auto& [id, flight] : flights_) {
+    if (!flight.last) continue;
+    out["distance_flown_" + flight.name + "_m"] = flight.distance;
+    total += flight.distance;
+    flown += 1;
+  }
+  out["distance_flown_total_m"] = total;
+  if (flown > 0) out["distance_flown_mean_m"] = total / flown;
+  out["aircraft"] = static_cast<double>(aircraft_);
+  out["observations"] = static_cast<double>(observations_);
+  out["crossings"] = static_cast<double>(crossings_);
+  out["messages_sent"] = static_cast<double>(messages_sent_);
+  out["messages_lost"] = static_cast<double>(messages_lost_);
+  return out;
+}
+
+}  // namespace skein::record

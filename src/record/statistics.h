@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/event.h"
+#include "data/vehicle.h"
+#include "record/metrics.h"
+#include "record/reading_ages.h"
+#include "record/summary.h"
+
+namespace skein::record {
+
+/// Gathers the key figures of a run from its records, in the order of the calls. Shared
+/// by all recorders, so that a figure means the same wherever it comes from.
+class RunStatistics {
+ public:
+  void entity(EntityId id, const std::string& name, const std::string& kind);
+  void truth(EntityId id, const VehicleState& state);
+  /// Returns the crossing that the reading completes, if it does.
+  std::optional<Crossing> reading(const FireReading& reading);
+  void message(bool lost);
+  /// An event of the kind "allocation" starts the allocation phase.
+  void event(const Event& event);
+  /// Compares, gathers and returns the metrics with their latencies. The summary is of
+  /// the believer that came first.
+  PerimeterMetrics perimeter(Time time, const TrueBoundary& truth, EntityId believer,
+                             const BoundaryEstimate& belief);
+  /// Gathers metrics that were computed before (a reader of stored ones).
+  void metrics(Time time, EntityId believer, const PerimeterMetrics& metrics);
+
+  /// The figures so far, without those of the clock: counts, distances flown, and
+  /// `<metric>_mean`, `_final`, `_run_mean` (before the unit).
+  std::map<std::string, double> figures() const;
+
+ private:
+  struct Mean {
+    double sum = 0;
+    double count = 0;
+    void add(double value) {
+      sum += value;
+      count += 1;
+    }
+  };
+  struct Gathered {
+    Mean allocation, run;
+    std::optional<double> final;
+  };
+  struct Flight {
+    std::string name;
+    std::optional<Vec3> last;
+    double distance = 0;
+  };
+
+  std::map<EntityId, Flight> flights_;
+  ReadingAges ages_;
+  std::optional<EntityId> believer_;
+  std::optional<Time> allocation_start_;
+  std::vector<Gathered> gathered_ = std::vector<Gathered>(metric_fields().size());
+  std::uint64_t aircraft_ = 0, observations_ = 0, crossings_ = 0;
+  std::uint64_t messages_sent_ = 0, messages_lost_ = 0;
+};
+
+}  // namespace skein::record

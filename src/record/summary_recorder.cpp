@@ -1,0 +1,75 @@
+#include "record/summary_recorder.h"
+
+#include <utility>
+
+namespace skein::record {
+
+SummaryRecorder::SummaryRecorder(RunInfo info) : info_(std::move(info)) {}
+
+void SummaryRecorder::entity(EntityId id, const std::string& name,
+                             const std::string& kind) {
+  hash_.entity(id, name, kind);
+  statistics_.entity(id, name, kind);
+}
+
+void SummaryRecorder::truth(Time time, EntityId id, const VehicleState& state) {
+  hash_.truth(time, id, state);
+  statistics_.truth(id, state);
+}
+
+void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate) {
+  hash_.estimate(id, estimate);
+}
+
+void SummaryRecorder::reading(const FireReading& reading) {
+  hash_.reading(reading);
+  statistics_.reading(reading);
+}
+
+void SummaryRecorder::message(const Message& message, Time arrived, bool lost) {
+  hash_.message(message, arrived, lost);
+  statistics_.message(lost);
+}
+
+void SummaryRecorder::perimeter(Time time, const geo::Region& truth, EntityId believer,
+                                const BoundaryEstimate& belief) {
+  hash_.perimeter(time, truth, believer, belief);
+  statistics_.perimeter(time, TrueBoundary(truth), believer, belief);
+}
+
+void SummaryRecorder::event(const Event& event) {
+  hash_.event(event);
+  statistics_.event(event);
+}
+
+Result<void> SummaryRecorder::step_done(Time time) {
+  now_ = time;
+  return {};
+}
+
+RunSummary SummaryRecorder::summary(bool interrupted) const {
+  return make_summary(info_, hash_, statistics_, extra_, now_,
+                      std::chrono::steady_clock::now() - started_, interrupted);
+}
+
+RunSummary make_summary(const RunInfo& info, const ContentHash& hash,
+                        const RunStatistics& statistics,
+                        const std::map<std::string, double>& extra, Time simulated,
+                        std::chrono::duration<double> wall, bool interrupted) {
+  RunSummary summary;
+  summary.version = info.version;
+  summary.name = info.name;
+  summary.seed = info.seed;
+  summary.content_hash = hash.hex();
+  summary.interrupted = interrupted;
+  summary.numbers = statistics.figures();
+  summary.numbers["simulated_s"] = written_seconds(simulated);
+  summary.numbers["wall_s"] = wall.count();
+  if (wall.count() > 0)
+    summary.numbers["real_time_factor"] = written_seconds(simulated) / wall.count();
+  summary.numbers["deadline_misses"] = 0;
+  for (const auto& [name, value] : extra) summary.numbers[name] = value;
+  return summary;
+}
+
+}  // namespace skein::record

@@ -1,0 +1,126 @@
+#include "record/metrics.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "record/reading_ages.h"
+#include "sample_run.h"
+
+namespace skein::record {
+namespace {
+
+const Vec2 kCentre(100, -50);
+
+TEST(PerimeterMetrics, KnowsConcentricCircles) {
+  // 2,000 edges deviate from a circle of 500 m by 500 (1 - cos(pi/2000)) = 0.6 mm.
+  const geo::Region truth = {circle(kCentre, 500, 2000)};
+  const auto m = perimeter_metrics(truth, believed_circle({}, kCentre, 530, 40, 360));
+  EXPECT_NEAR(*m.rmse, 30, 1e-3);
+  EXPECT_NEAR(*m.sigma, 40, 1e-9);
+  EXPECT_NEAR(*m.perf, 50, 1e-3);
+  // The chords of the believed 360-gon run up to 2 cm inside its circle.
+  EXPECT_NEAR(*m.boundary_rms, 30, 0.03);
+  EXPECT_NEAR(*m.boundary_hausdorff, 30, 0.03);
+  EXPECT_NEAR(*m.iou, 500.0 * 500 / (530 * 530), 1e-4);
+  EXPECT_EQ(*m.coverage_95, 1);
+  EXPECT_NEAR(*m.nees, 9.0 / 16, 1e-4);
+  EXPECT_NEAR(*m.truth_area, geo::kPi * 500 * 500, 2);
+  EXPECT_NEAR(*m.area_error, geo::kPi * (530 * 530 - 500 * 500), 60);
+}
+
+TEST(PerimeterMetrics, CrpsIsTheIntegralOfItsDefinition) {
+  // Integral of (Phi((x - err)/sigma) - [x >= 0])^2, by the midpoint rule in 1 cm steps:
+  // its error is below 1e-4 m here.
+  const double err = 30, sigma = 40;
+  double integral = 0;
+  for (double x = -600 + 0.005; x < 600; x += 0.01) {
+    const double f = 0.5 * std::erfc(-(x - err) / sigma / std::sqrt(2.0));
+    integral += 0.01 * std::pow(f - (x >= 0 ? 1 : 0), 2);
+  }
+  const geo::Region truth = {circle(kCentre, 500, 2000)};
+  const auto m = perimeter_metrics(truth, believed_circle({}, kCentre, 530, 40, 360));
+  EXPECT_NEAR(*m.crps, integral, 2e-3);
+}
+
+TEST(PerimeterMetrics, SeesWhatOnlyOneDirectionShows) {
+  // The belief misses an island: each of its points is right, the boundary is not.
+  const geo::Region truth = {circle({0, 0}, 500, 1000), circle({2000, 0}, 100, 200)};
+  const auto m = perimeter_metrics(truth, believed_circle({}, {0, 0}, 500, 5, 1000));
+  EXPECT_LT(*m.rmse, 0.01);
+  EXPECT_NEAR(*m.boundary_hausdorff, 1600, 3);  // samples stand up to 25 m apart
+  EXPECT_GT(*m.boundary_rms, 300);
+  EXPECT_NEAR(*m.iou, 25.0 / 26, 1e-4);
+}
+
+TEST(PerimeterMetrics, LeavesOutWhatCannotBeSaid) {
+  const geo::Region fire = {circle({0, 0}, 500, 100)};
+  const BoundaryEstimate nothing;
+
+  const auto unknown = perimeter_metrics(fire, nothing);
+  EXPECT_EQ(unknown.iou, 0);
+  EXPECT_FALSE(unknown.perf || unknown.boundary_rms || unknown.nees || unknown.crps);
+  EXPECT_NEAR(*unknown.area_error, -*unknown.truth_area, 1e-6);
+
+  const auto imagined = perimeter_metrics({}, believed_circle({}, {0, 0}, 500, 5));
+  EXPECT_EQ(imagined.iou, 0);
+  EXPECT_FALSE(imagined.perf || imagined.boundary_rms || imagined.coverage_95);
+
+  const auto none = perimeter_metrics(geo::Region{}, nothing);
+  EXPECT_EQ(none.iou, 1);
+  EXPECT_EQ(none.area_error, 0);
+
+  const auto certain = perimeter_metrics(fire, believed_circle({}, {0, 0}, 510, 0));
+  EXPECT_FALSE(certain.nees);
+  EXPECT_NEAR(*certain.crps, *certain.rmse, 0.2);  // CRPS of a sure belief is |err|
+  EXPECT_EQ(certain.coverage_95, 0);
+}
+
+TEST(PerimeterMetrics, ToleratesACrossedBelief) {
+  BoundaryEstimate eight;
+  eight.rings.emplace_back();
+  for (const Vec2& p : {Vec2(0, 0), Vec2(100, 100), Vec2(100, 0), Vec2(0, 100)})
+    eight.rings[0].push_back({p, {1, 0}, 5, 0, 0});
+  const auto m = perimeter_metrics({circle({50, 50}, 60, 100)}, eight);
+  for (const MetricField& field : metric_fields())
+    if (m.*field.value) {
+      EXPECT_TRUE(std::isfinite(*(m.*field.value))) << field.name;
+    }
+}
+
+TEST(ReadingAges, FollowTheFrontAfterACrossing) {
+  ReadingAges ages;
+  const EntityId uav{1};
+  EXPECT_FALSE(ages.add({Time::from_seconds(9), uav, {490, 0}, 1, true}));
+  const auto crossing = ages.add({Time::from_seconds(10), uav, {510, 0}, 1, false});
+  ASSERT_TRUE(crossing);
+  EXPECT_FALSE(crossing->entered);
+  EXPECT_LT((crossing->point - Vec2(500, 0)).norm(), 1e-12);
+
+  // The front runs 400 m further in 40 s; what is known of its northern part is 40 s old,
+  // the rest was never seen.
+  std::optional<ReadingAges::Ages> now;
+  BoundaryEstimate belief;
+  for (double t = 10; t <= 50; t += 5) {
+    const double radius = 500 + 10 * (t - 10);
+    belief = believed_circle(Time::from_seconds(t), {0, 0}, radius, 10, 4);
+    now =
+        ages.ages(belief.time, geo::BoundaryIndex({circle({0, 0}, radius, 360)}), belief);
+  }
+  ASSERT_TRUE(now);
+  EXPECT_NEAR(now->max, 50, 1e-9);
+  EXPECT_NEAR(now->mean, (40 + 3 * 50) / 4.0, 1e-9);
+}
+
+TEST(ReadingAges, IgnoreReadingsThatComeTwiceOrLate) {
+  ReadingAges ages;
+  const EntityId uav{1};
+  ages.add({Time::from_seconds(5), uav, {0, 0}, 1, true});
+  EXPECT_FALSE(ages.add({Time::from_seconds(4), uav, {9, 0}, 1, false}));
+  EXPECT_FALSE(ages.add({Time::from_seconds(5), uav, {9, 0}, 1, false}));
+  EXPECT_TRUE(ages.add({Time::from_seconds(6), uav, {9, 0}, 1, false}));
+}
+
+}  // namespace
+}  // namespace skein::record

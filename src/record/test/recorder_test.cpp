@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "record/run_recorder.h"
+#include "record/sqlite.h"
+#include "record/summary_recorder.h"
+#include "sample_run.h"
+
+namespace skein::record {
+namespace {
+
+const RunInfo kInfo{"1.2.3", 18446744073709551615u, "sample", "seed: 1\n", ""};
+
+double ask(const std::filesystem::path& run, const std::string& sql) {
+  Sqlite database = Sqlite::open(run / "run.sqlite", Sqlite::Mode::kRead).value();
+  Statement statement = database.prepare(sql).value();
+  EXPECT_TRUE(statement.next()) << sql;
+  return statement.real(0);
+}
+
+std::string ask_text(const std::filesystem::path& run, const std::string& sql) {
+  Sqlite database = Sqlite::open(run / "run.sqlite", Sqlite::Mode::kRead).value();
+  Statement statement = database.prepare(sql).value();
+  EXPECT_TRUE(statement.next()) << sql;
+  return statement.text(0);
+}
+
+TEST(RunRecorder, KeepsEverythingItWasGiven) {
+  const TemporaryFolder folder("keeps");
+  const auto run = folder.path() / "a" / "b";
+  auto recorder = RunRecorder::create(run, kInfo).value();
+  const std::vector<float> heights = {1, 2, 3, 4, 5, 6};
+  recorder->store_terrain(2, 3, {-10, -20}, 5, heights);
+  record_sample(*recorder, 300);
+  const RunSummary summary = recorder->close().value();
+  recorder.reset();
+
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM entities"), 3);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM truth"), 2 * 3001);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM estimates"), 2 * 3001);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM readings"), 2 * 301);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM tasks"), 2 * 6);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM metrics"), 61);
+  // Every 10 s, both ends included.
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM perimeters WHERE source = 'truth'"), 31);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM perimeters WHERE source = 'belief'"), 31);
+  EXPECT_EQ(ask(run, "SELECT length(data) FROM perimeters WHERE source='belief'"),
+            80 * 7 * 4);
+  EXPECT_EQ(ask(run, "SELECT length(heights_msl_m) FROM terrain"), 6 * 4);
+  EXPECT_EQ(ask(run, "SELECT altitude_msl_m FROM truth"), 400);
+  EXPECT_EQ(ask_text(run, "SELECT value FROM meta WHERE name='seed'"),
+            "18446744073709551615");
+  EXPECT_EQ(ask_text(run, "SELECT kind FROM messages WHERE to_id = 1"), "task");
+  EXPECT_EQ(ask_text(run, "PRAGMA integrity_check"), "ok");
+  EXPECT_FALSE(std::filesystem::exists(run / "run.sqlite-wal"));
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM crossings"), summary.numbers.at("crossings"));
+  EXPECT_GT(summary.numbers.at("crossings"), 10);
+}
+
+TEST(RunRecorder, WritesASummaryThatScriptsCanRead) {
+  const TemporaryFolder folder("summary");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  record_sample(*recorder, 300);
+  recorder->set_figure("deadline_misses", 4);
+  const RunSummary summary = recorder->close(true).value();
+
+  std::ifstream file(folder.path() / "summary.json");
+  const auto json = nlohmann::json::parse(file);
+  for (const char* name : {"content_hash",    "seed",
+                           "version",         "simulated_s",
+                           "wall_s",          "real_time_factor",
+                           "deadline_misses", "aircraft",
+                           "observations",    "crossings",
+                           "messages_sent",   "messages_lost",
+                           "perf_mean_m",     "boundary_rms_mean_m",
+                           "sigma_mean_m",    "boundary_hausdorff_mean_m",
+                           "iou_mean",        "coverage_95_mean",
+                           "nees_mean",       "crps_mean_m",
+                           "perf_final_m",    "boundary_rms_final_m",
+                           "sigma_final_m",   "boundary_hausdorff_final_m",
+                           "iou_final",       "coverage_95_final",
+                           "nees_final",      "crps_final_m",
+                           "perf_run_mean_m", "distance_flown_uav1_m"})
+    EXPECT_TRUE(json.contains(name)) << name;
+  EXPECT_EQ(json["seed"], 18446744073709551615u);
+  EXPECT_EQ(json["interrupted"], true);
+  EXPECT_EQ(json["deadline_misses"], 4);
+  EXPECT_EQ(json["aircraft"], 2);
+  EXPECT_EQ(json["simulated_s"], 300);
+  EXPECT_EQ(json["content_hash"], summary.content_hash);
+  EXPECT_EQ(json["allocation_start_s"], 60);
+  // Before the allocation the belief is worst: the run's mean must be above the phase's.
+  EXPECT_GT(json["sigma_run_mean_m"], json["sigma_mean_m"]);
+  EXPECT_EQ(ask(folder.path(), "SELECT avg(perf_m) FROM metrics WHERE time_s >= 60"),
+            json["perf_mean_m"].get<double>());
+}
+
+TEST(RunRecorder, HashesTheContentAndNothingElse) {
+  const TemporaryFolder folder("hash");
+  SummaryRecorder light(kInfo);
+  record_sample(light, 200);
+  const RunSummary expected = light.summary();
+
+  RunRecorderOptions options;
+  options.perimeter_period = Time::from_seconds(60);
+  auto recorder = RunRecorder::create(folder.path(), kInfo, options).value();
+  record_sample(*recorder, 200);
+  const RunSummary stored = recorder->close().value();
+  EXPECT_EQ(stored.content_hash, expected.content_hash);
+  for (const auto& [name, value] : expected.numbers)
+    if (name != "wall_s" && name != "real_time_factor") {
+      EXPECT_EQ(stored.numbers.at(name), value) << name;
+    }
+
+  SummaryRecorder longer(kInfo);
+  record_sample(longer, 201);
+  EXPECT_NE(longer.summary().content_hash, expected.content_hash);
+}
+
+TEST(RunRecorder, CountsEveryFieldForTheHash) {
+  const auto hash = [](auto&& change) {
+    SummaryRecorder recorder(kInfo);
+    FireReading reading{Time::from_seconds(1), EntityId{1}, {1, 2}, 3, true};
+    Message message{EntityId{1}, EntityId{2}, 5, Time::from_seconds(1), 32, reading};
+    Event event{Time::from_seconds(1), EntityId{1}, "joined", "text"};
+    BoundaryEstimate belief = believed_circle({}, {0, 0}, 100, 5, 8);
+    bool lost = false;
+    change(reading, message, event, belief, lost);
+    recorder.reading(reading);
+    recorder.message(message, Time::from_seconds(2), lost);
+    recorder.event(event);
+    recorder.perimeter({}, {circle({0, 0}, 90, 8)}, EntityId{0}, belief);
+    return recorder.summary().content_hash;
+  };
+  const std::string same = hash([](auto&...) {});
+  EXPECT_EQ(same, hash([](auto&...) {}));
+  EXPECT_EQ(same, hash([](auto& r, auto&...) { r.point.x() += 0.0; }));
+  EXPECT_NE(same, hash([](auto& r, auto&...) { r.inside = false; }));
+  EXPECT_NE(same, hash([](auto& r, auto&...) { r.point_sd += 1e-12; }));
+  EXPECT_NE(same, hash([](auto&, auto& m, auto&...) { m.number = 6; }));
+  EXPECT_NE(same, hash([](auto&, auto& m, auto&...) { m.content = Task{}; }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto& e, auto&...) { e.text = "texu"; }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto& e, auto&...) { e.kind = "joine"; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, auto& b, auto&) { b.rings[0][3].rate = 1; }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto&, auto&, bool& lost) { lost = true; }));
+}
+
+TEST(RunRecorder, WaitsForASlowDiskInsteadOfGrowing) {
+  // Four times the queue: only passes when rows are written while others are given.
+  const TemporaryFolder folder("slow");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  for (int i = 0; i < 4 * 65536; ++i)
+    recorder->truth(Time::from_ns(i), EntityId{1}, VehicleState{});
+  ASSERT_TRUE(recorder->close());
+  EXPECT_EQ(ask(folder.path(), "SELECT count(*) FROM truth"), 4 * 65536);
+}
+
+TEST(RunRecorder, EndsARunOfNoLength) {
+  const TemporaryFolder folder("empty");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  const RunSummary summary = recorder->close().value();
+  EXPECT_EQ(summary.numbers.at("aircraft"), 0);
+  EXPECT_EQ(summary.numbers.at("simulated_s"), 0);
+  EXPECT_FALSE(summary.number("perf_mean_m"));
+  for (const auto& [name, value] : summary.numbers)
+    EXPECT_TRUE(std::isfinite(value)) << name;
+}
+
+}  // namespace
+}  // namespace skein::record
