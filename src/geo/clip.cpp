@@ -41,9 +41,16 @@ Region to_region(const Paths& paths) {
   return region;
 }
 
+ClipperLib::PolyFillType fill_type(FillRule rule) {
+  return rule == FillRule::kEvenOdd    ? ClipperLib::pftEvenOdd
+         : rule == FillRule::kPositive ? ClipperLib::pftPositive
+                                       : ClipperLib::pftNonZero;
+}
+
 Region execute(ClipperLib::ClipType type, const Region& a, const Region& b,
-               ClipperLib::PolyFillType fill) {
-  ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
+               ClipperLib::PolyFillType fill,
+               int options = ClipperLib::ioStrictlySimple) {
+  ClipperLib::Clipper clipper(options);
   clipper.AddPaths(to_paths(a), ClipperLib::ptSubject, true);
   clipper.AddPaths(to_paths(b), ClipperLib::ptClip, true);
   Paths solution;
@@ -54,10 +61,7 @@ Region execute(ClipperLib::ClipType type, const Region& a, const Region& b,
 }  // namespace
 
 Region clean(const Region& rings, FillRule rule) {
-  const auto fill = rule == FillRule::kEvenOdd    ? ClipperLib::pftEvenOdd
-                    : rule == FillRule::kPositive ? ClipperLib::pftPositive
-                                                  : ClipperLib::pftNonZero;
-  return execute(ClipperLib::ctUnion, rings, {}, fill);
+  return execute(ClipperLib::ctUnion, rings, {}, fill_type(rule));
 }
 
 Region unite(const Region& a, const Region& b) {
@@ -72,9 +76,15 @@ Region subtract(const Region& a, const Region& b) {
   return execute(ClipperLib::ctDifference, a, b, ClipperLib::pftNonZero);
 }
 
+double shared_area(const Region& a, const Region& b, FillRule rule) {
+  // Rings that touch themselves do not change an area: the costly splitting is left out.
+  return area(execute(ClipperLib::ctIntersection, a, b, fill_type(rule), 0));
+}
+
 double iou(const Region& a, const Region& b) {
-  const double both = area(intersect(a, b));
-  const double either = area(unite(a, b));
+  const double both = shared_area(a, b, FillRule::kNonZero);
+  const double either =
+      area(execute(ClipperLib::ctUnion, a, b, ClipperLib::pftNonZero, 0));
   return either > 0 ? both / either : 1.0;
 }
 

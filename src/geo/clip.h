@@ -21,6 +21,10 @@ Region unite(const Region& a, const Region& b);
 Region intersect(const Region& a, const Region& b);
 Region subtract(const Region& a, const Region& b);
 
+/// Area [m^2] that two sets of rings have in common, each read under `rule`. Much faster
+/// than area(intersect(a, b)), because no clean region is built.
+double shared_area(const Region& a, const Region& b, FillRule rule);
+
 /// Intersection over union of two clean regions, 0 to 1; 1 when both are empty.
 double iou(const Region& a, const Region& b);
 

@@ -123,10 +123,15 @@ PerimeterMetrics perimeter_metrics(const TrueBoundary& truth,
                                    const BoundaryEstimate& belief) {
   PerimeterMetrics out;
   const geo::Region rings = believed_rings(belief);
-  const geo::Region region = geo::clean(rings, geo::FillRule::kPositive);
-  out.iou = geo::iou(truth.region(), region);
-  out.truth_area = geo::area(truth.region());
-  out.area_error = geo::area(region) - *out.truth_area;
+  // A belief may cross itself; the truth never does.
+  const double believed = geo::shared_area(rings, rings, geo::FillRule::kPositive);
+  const double real = geo::area(truth.region());
+  const double both = geo::shared_area(truth.region(), rings, geo::FillRule::kPositive);
+  const double either = believed + real - both;
+  // Clipping rounds to 0.1 mm.
+  out.iou = either > 0 ? std::min(1.0, both / either) : 1.0;
+  out.truth_area = real;
+  out.area_error = believed - real;
   if (truth.index().empty()) return out;
   compare_points(truth, belief, out);
 
