@@ -20,6 +20,7 @@ enum class Purpose : std::uint32_t {
   kStudy = 8,
   kTerrain = 9,
   kAgent = 10,
+  kAirData = 11,
 };
 
 /// A stream of independent random numbers, by counter: number k of the stream is a pure
