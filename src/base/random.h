@@ -20,6 +20,7 @@ enum class Purpose : std::uint32_t {
   kStudy = 8,
   kTerrain = 9,
   kAgent = 10,
+  kFireFuel = 11,
   kAirData = 11,
 };
 
