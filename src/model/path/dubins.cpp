@@ -21,12 +21,18 @@ struct Turns {
 
 Turns turns_of(DubinsWord word) {
   switch (word) {
-    case DubinsWord::kLSL: return {-1, -1, true};
-    case DubinsWord::kLSR: return {-1, +1, true};
-    case DubinsWord::kRSL: return {+1, -1, true};
-    case DubinsWord::kRSR: return {+1, +1, true};
-    case DubinsWord::kLRL: return {-1, -1, false};
-    case DubinsWord::kRLR: return {+1, +1, false};
+    case DubinsWord::kLSL:
+      return {-1, -1, true};
+    case DubinsWord::kLSR:
+      return {-1, +1, true};
+    case DubinsWord::kRSL:
+      return {+1, -1, true};
+    case DubinsWord::kRSR:
+      return {+1, +1, true};
+    case DubinsWord::kLRL:
+      return {-1, -1, false};
+    case DubinsWord::kRLR:
+      return {+1, +1, false};
   }
   return {};
 }
@@ -46,7 +52,8 @@ Vec2 turn_centre(const Pose& pose, double side, double radius) {
 DubinsPath dubins_word(DubinsWord word, const Pose& from, const Pose& to, double radius) {
   const Turns turns = turns_of(word);
   const Vec2 between =
-      (turn_centre(to, turns.last, radius) - turn_centre(from, turns.first, radius)) / radius;
+      (turn_centre(to, turns.last, radius) - turn_centre(from, turns.first, radius)) /
+      radius;
   const double distance = between.norm();
   // Centres that all but coincide have no direction of their own; the first turn may then
   // end anywhere, so let it be the whole turn.
@@ -58,14 +65,16 @@ DubinsPath dubins_word(DubinsWord word, const Pose& from, const Pose& to, double
     if (distance > 4) return path;
     // The middle circle touches both others: an isosceles triangle with sides 2, 2, d.
     const double half = std::acos(std::clamp(distance / 4, 0.0, 1.0));
-    // The middle arc is over pi when its centre lies on the axis' side of the outer turns.
-    // Where circles touch, the course is across the line between their centres.
+    // The middle arc is over pi when its centre lies on the axis' side of the outer
+    // turns. Where circles touch, the course is across the line between their centres.
     const double side = turns.first;
     const double to_middle = axis + side * half;
-    const double from_middle = axis + geo::kPi - side * half;  // last centre to middle centre
+    const double from_middle =
+        axis + geo::kPi - side * half;  // last centre to middle centre
     const double course1 = to_middle + side * geo::kPi / 2;
     const double course2 = from_middle + side * geo::kPi / 2;
-    path.parts = {turn_angle(side, from.course, course1), turn_angle(-side, course1, course2),
+    path.parts = {turn_angle(side, from.course, course1),
+                  turn_angle(-side, course1, course2),
                   turn_angle(side, course2, to.course)};
     return path;
   }

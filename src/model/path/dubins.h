@@ -7,7 +7,8 @@
 
 namespace skein::model {
 
-/// The six shapes of a shortest path of bounded curvature: left turn, right turn, straight.
+/// The six shapes of a shortest path of bounded curvature: left turn, right turn,
+/// straight.
 enum class DubinsWord { kLSL, kLSR, kRSL, kRSR, kLRL, kRLR };
 
 inline constexpr std::array kDubinsWords = {DubinsWord::kLSL, DubinsWord::kLSR,
@@ -34,9 +35,8 @@ DubinsPath dubins_word(DubinsWord word, const Pose& from, const Pose& to, double
 
 /// The shortest path between two poses with turns no tighter than `radius`.
 ///
-/// Equal poses give length 0. A turn within 1e-9 rad of a full one counts as none, so that
-/// rounding never adds a loop.
-/// Cost:      no allocation, about ten angle functions.
+/// Equal poses give length 0. A turn within 1e-9 rad of a full one counts as none, so
+/// that rounding never adds a loop. Cost:      no allocation, about ten angle functions.
 /// Reference: [Dubins57]; closed forms as derived in docs/aircraft.md.
 DubinsPath dubins(const Pose& from, const Pose& to, double radius);
 

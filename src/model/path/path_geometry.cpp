@@ -40,7 +40,9 @@ Pose pose_at(const PathElement& e, double s) {
   return {e.start + chord * geo::unit(e.course + half), geo::wrap_pi(e.course + turned)};
 }
 
-Pose end_of(const PathElement& element) { return pose_at(element, element.length); }
+Pose end_of(const PathElement& element) {
+  return pose_at(element, element.length);
+}
 
 double length(const Path& path) {
   double sum = 0;

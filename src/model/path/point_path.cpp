@@ -62,7 +62,9 @@ Solution turn_then_straight(double x, double y, bool right) {
 }
 
 // The point outside both circles: the near side's turn is the shorter one.
-Solution solve_outside(const Relative& p) { return turn_then_straight(p.x, p.y, true); }
+Solution solve_outside(const Relative& p) {
+  return turn_then_straight(p.x, p.y, true);
+}
 
 // The point inside the right circle: turn left, then right through the point; the second
 // circle's centre is 2 away from the left centre and 1 from the point.
@@ -99,8 +101,8 @@ struct Race {
   double airspeed, radius;
   const Vec2& wind;
 
-  // Distance still missing after `time` and its rate of change; `inside` says in which kind
-  // of piece the time is, which rounding at its ends must not change.
+  // Distance still missing after `time` and its rate of change; `inside` says in which
+  // kind of piece the time is, which rounding at its ends must not change.
   struct Gap {
     double value, rate;
   };
@@ -110,7 +112,8 @@ struct Race {
     const double end = from.course + (p.mirrored ? -path.end() : path.end());
     // Outside, the length grows by its last direction times the shift of the point. (The
     // rate is not used inside.)
-    return {path.length() * radius - airspeed * time, -wind.dot(geo::unit(end)) - airspeed};
+    return {path.length() * radius - airspeed * time,
+            -wind.dot(geo::unit(end)) - airspeed};
   }
 
   // Earliest time in [low, high] with gap <= 0, or infinite.
@@ -179,11 +182,13 @@ struct Cuts {
   }
 };
 
-Cuts circle_crossings(const Pose& from, const Vec2& point, double radius, const Vec2& wind) {
+Cuts circle_crossings(const Pose& from, const Vec2& point, double radius,
+                      const Vec2& wind) {
   Cuts cuts;
   const double w2 = wind.squaredNorm();
   for (const double side : {-1.0, 1.0}) {
-    const Vec2 centre = from.position + side * radius * geo::turned_right(geo::unit(from.course));
+    const Vec2 centre =
+        from.position + side * radius * geo::turned_right(geo::unit(from.course));
     const Vec2 d = point - centre;
     const double b = d.dot(wind);
     const double root2 = b * b - w2 * (d.squaredNorm() - radius * radius);

@@ -5,8 +5,9 @@
 
 namespace skein::model {
 
-/// Length [m] of the shortest path of bounded curvature to a point, with any course there:
-/// turn and straight, or turn and opposite turn when the point lies inside a turning circle.
+/// Length [m] of the shortest path of bounded curvature to a point, with any course
+/// there: turn and straight, or turn and opposite turn when the point lies inside a
+/// turning circle.
 ///
 /// @param radius  smallest turn radius [m], above 0.
 /// Cost:      no allocation.
@@ -24,8 +25,8 @@ Path path_to_point(const Pose& from, const Vec2& point, double radius);
 ///
 /// to 1e-6 s. L jumps where the moving point enters or leaves a turning circle; the time
 /// axis is cut there. Outside the circles no root is missed; inside, two roots within a
-/// 64th of the point's way through the circle may be. Where L jumps down below airspeed T,
-/// the moment of the jump is returned.
+/// 64th of the point's way through the circle may be. Where L jumps down below airspeed
+/// T, the moment of the jump is returned.
 ///
 /// @param from    position over ground and *heading* (of the air-relative velocity).
 /// @param radius  smallest turn radius in the air mass [m].

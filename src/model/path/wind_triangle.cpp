@@ -4,11 +4,13 @@
 
 namespace skein::model {
 
-std::optional<double> heading_for_course(double course, double airspeed, const Vec2& wind) {
+std::optional<double> heading_for_course(double course, double airspeed,
+                                         const Vec2& wind) {
   const Vec2 along = geo::unit(course);
   const double right = geo::cross(along, wind);
   if (std::abs(right) >= airspeed) return std::nullopt;
-  const double ground_speed = std::sqrt(airspeed * airspeed - right * right) + wind.dot(along);
+  const double ground_speed =
+      std::sqrt(airspeed * airspeed - right * right) + wind.dot(along);
   if (ground_speed <= 0) return std::nullopt;
   return geo::wrap_pi(course - std::asin(right / airspeed));
 }

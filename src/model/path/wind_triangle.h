@@ -13,7 +13,8 @@ namespace skein::model {
 /// @param wind  velocity of the air over ground [m/s].
 /// @returns     heading [rad, (-pi, pi]]; nothing when the crosswind is stronger than the
 ///              airspeed or the wind carries the aircraft backwards along the course.
-std::optional<double> heading_for_course(double course, double airspeed, const Vec2& wind);
+std::optional<double> heading_for_course(double course, double airspeed,
+                                         const Vec2& wind);
 
 /// Radius over ground [m] that an aircraft can fly at every heading in a steady wind.
 ///

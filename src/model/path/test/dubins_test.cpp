@@ -31,8 +31,8 @@ void expect_reaches(const DubinsPath& path, const Pose& from, const Pose& to) {
   EXPECT_LT(std::abs(geo::wrap_pi(end.course - to.course)), 2e-9);
 }
 
-// Length of the best path turn(a), middle, turn(c) with these sides, found by trying first
-// turns densely: an independent (slow) way that knows no closed form.
+// Length of the best path turn(a), middle, turn(c) with these sides, found by trying
+// first turns densely: an independent (slow) way that knows no closed form.
 double searched_length(const Pose& from, const Pose& to, double r) {
   double best = std::numeric_limits<double>::infinity();
   for (const double s1 : {-1.0, 1.0}) {
@@ -96,8 +96,8 @@ TEST(Dubins, AgreesWithSearch) {
     const Pose from = random_pose(random, 130), to = random_pose(random, 130);
     const double length = dubins(from, to, kRadius).length();
     const double searched = searched_length(from, to, kRadius);
-    // The search steps 3e-4 rad and accepts ends up to 1e-3 radii off; at grazing tangents
-    // that moves a contact by sqrt(2 * 1e-3) = 0.045 rad.
+    // The search steps 3e-4 rad and accepts ends up to 1e-3 radii off; at grazing
+    // tangents that moves a contact by sqrt(2 * 1e-3) = 0.045 rad.
     EXPECT_NEAR(length, searched, 0.1 * kRadius);
   }
 }
@@ -113,7 +113,8 @@ TEST(Dubins, IsSymmetricUnderReversalAndMirror) {
     const auto mirror = [](const Pose& p) {
       return Pose{{p.position.x(), -p.position.y()}, -p.course};
     };
-    EXPECT_NEAR(dubins(mirror(from), mirror(to), kRadius).length(), length, 1e-8 * kRadius);
+    EXPECT_NEAR(dubins(mirror(from), mirror(to), kRadius).length(), length,
+                1e-8 * kRadius);
   }
 }
 

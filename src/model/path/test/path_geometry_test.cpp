@@ -41,8 +41,9 @@ TEST(PathGeometry, PoseAgreesWithIntegration) {
 TEST(PathGeometry, GoesOnStraightBeyondItsEnds) {
   const Path path = sample_path();
   const Pose end = end_of(path.back());
-  EXPECT_LT((pose_at(path, 660).position - end.position - 10 * geo::unit(end.course)).norm(),
-            1e-9);
+  EXPECT_LT(
+      (pose_at(path, 660).position - end.position - 10 * geo::unit(end.course)).norm(),
+      1e-9);
   EXPECT_LT((pose_at(path, -10).position + 10 * geo::unit(0.3)).norm(), 1e-9);
 }
 
@@ -88,7 +89,8 @@ TEST(WindTriangle, HeadingMakesGoodTheCourse) {
   RandomStream random(2, 0, Purpose::kTest);
   for (int i = 0; i < 1000; ++i) {
     const double course = random.uniform(-geo::kPi, geo::kPi);
-    const Vec2 wind = random.uniform(0, 19.9) * geo::unit(random.uniform(0, 2 * geo::kPi));
+    const Vec2 wind =
+        random.uniform(0, 19.9) * geo::unit(random.uniform(0, 2 * geo::kPi));
     const auto heading = heading_for_course(course, 20, wind);
     ASSERT_TRUE(heading);
     const Vec2 v = 20 * geo::unit(*heading) + wind;

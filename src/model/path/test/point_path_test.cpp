@@ -30,7 +30,8 @@ TEST(PointPath, EndsAtThePointWithTheStatedLength) {
     EXPECT_LT((end_of(path.back()).position - point).norm(), 1e-9 * kRadius * 10);
     EXPECT_LT((path.front().start - from.position).norm(), 1e-12);
     EXPECT_NEAR(length(path), length_to_point(from, point, kRadius), 1e-9 * kRadius);
-    for (const PathElement& e : path) EXPECT_LE(std::abs(e.curvature), 1 / kRadius + 1e-15);
+    for (const PathElement& e : path)
+      EXPECT_LE(std::abs(e.curvature), 1 / kRadius + 1e-15);
   }
 }
 
@@ -42,8 +43,8 @@ TEST(PointPath, IsTheBestOverAllEndCourses) {
     const Vec2 point{random.uniform(-extent, extent), random.uniform(-extent, extent)};
     double best = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3600; ++k)
-      best = std::min(
-          best, dubins(from, {point, 2 * geo::kPi * k / 3600}, kRadius).length());
+      best = std::min(best,
+                      dubins(from, {point, 2 * geo::kPi * k / 3600}, kRadius).length());
     const double length = length_to_point(from, point, kRadius);
     EXPECT_LE(length, best + 1e-6);
     // The best end course is missed by up to 9e-4 rad, which costs at most two arcs of

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "base/id.h"
+#include "base/random.h"
+#include "layer/sensory/sample_clock.h"
+#include "role/sensor.h"
+
+namespace skein::sensory {
+
+struct AirDataOptions {
+  double rate_hz = 20;     ///< samples per second
+  double airspeed_sd = 0;  ///< of the airspeed error [m/s], white
+  double heading_sd = 0;   ///< of the heading error [rad], white
+};
+
+/// Airspeed and heading.
+class AirDataSensor final : public Sensor {
+ public:
+  AirDataSensor(const AirDataOptions& options, std::uint64_t seed, EntityId entity);
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override;
+
+ private:
+  AirDataOptions options_;
+  SampleClock clock_;
+  RandomStream random_;
+};
+
+}  // namespace skein::sensory

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/id.h"
+#include "base/random.h"
+#include "layer/sensory/sample_clock.h"
+#include "role/sensor.h"
+
+namespace skein::sensory {
+
+struct FireSensorOptions {
+  double rate_hz = 1;     ///< readings per second
+  double look_ahead = 0;  ///< of the looked-at point, horizontally along the heading [m]
+  double max_height = 1000;  ///< above that point; higher up there are no readings [m]
+  double false_in = 0;       ///< probability of "inside" over ground that does not burn
+  double false_out = 0;      ///< probability of "outside" over ground that does
+};
+
+/// The cheap in/out sensor: does the ground at one point burn, or has it burnt?
+class FireSensor final : public Sensor {
+ public:
+  FireSensor(const FireSensorOptions& options, std::uint64_t seed, EntityId entity);
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override;
+
+ private:
+  FireSensorOptions options_;
+  SampleClock clock_;
+  RandomStream random_;
+};
+
+}  // namespace skein::sensory
