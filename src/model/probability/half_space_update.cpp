@@ -29,4 +29,15 @@ Moments half_space_update(ControlPoint& point, const Vec2& aircraft, double nois
   return corrected;
 }
 
+void locate_point(ControlPoint& point, const Vec2& where, double sd) {
+  // The axes' errors are independent: one scalar update after the other.
+  for (int axis : {0, 1}) {
+    LineOfSight seen;
+    seen.cross = point.covariance.col(axis);
+    seen.variance = point.covariance(axis, axis) + sd * sd;
+    seen.range = point.mean(axis);
+    correct_point(point, seen, {.mean = where(axis), .variance = 0});
+  }
+}
+
 }  // namespace skein::model

@@ -62,6 +62,10 @@ inline Side side_of(bool observed_inside, bool expected_inside) {
 Moments half_space_update(ControlPoint& point, const Vec2& aircraft, double noise,
                           Side side);
 
+/// The usual Kalman update by a measured position.
+/// @param where  [m].   @param sd  of the measurement, per axis [m], positive.
+void locate_point(ControlPoint& point, const Vec2& where, double sd);
+
 inline LineOfSight look_at(const ControlPoint& point, const Vec2& aircraft,
                            double noise) {
   LineOfSight seen;

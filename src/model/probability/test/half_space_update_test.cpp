@@ -148,6 +148,23 @@ TEST(HalfSpaceUpdate, LeavesAPointUnderTheAircraftAlone) {
   EXPECT_EQ(point.covariance, point_at(500, 0).covariance);
 }
 
+TEST(LocatePoint, EqualsTheMatrixForm) {
+  ControlPoint point = point_at(500, 20);
+  predict_point(point, 200, 0.01);
+  point.covariance(0, 1) = point.covariance(1, 0) = 4000;
+  Eigen::Matrix<double, 2, 4> H = Eigen::Matrix<double, 2, 4>::Zero();
+  H(0, 0) = H(1, 1) = 1;
+  const Eigen::Matrix2d S =
+      H * point.covariance * H.transpose() + 36 * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix<double, 4, 2> K = point.covariance * H.transpose() * S.inverse();
+  const Vec2 where(1200, -30);
+  const Eigen::Vector4d mean = point.mean + K * (where - H * point.mean);
+  const Eigen::Matrix4d covariance = point.covariance - K * S * K.transpose();
+  locate_point(point, where, 6);
+  EXPECT_LT((point.mean - mean).norm(), 1e-9);
+  EXPECT_LT((point.covariance - covariance).norm(), 1e-8);
+}
+
 TEST(PredictPoint, EqualsTheMatrixForm) {
   ControlPoint point = point_at(500, 20);
   point.covariance(0, 3) = point.covariance(3, 0) = 2;
