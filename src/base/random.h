@@ -20,8 +20,8 @@ enum class Purpose : std::uint32_t {
   kStudy = 8,
   kTerrain = 9,
   kAgent = 10,
-  kFireFuel = 11,
   kAirData = 11,
+  kFireFuel = 12,
 };
 
 /// A stream of independent random numbers, by counter: number k of the stream is a pure
