@@ -1,0 +1,50 @@
+#pragma once
+
+#include "layer/autopilot/guidance.h"
+#include "layer/autopilot/nav_filter.h"
+#include "role/autopilot.h"
+
+namespace skein::autopilot {
+
+struct SimpleAutopilotOptions {
+  GuidanceOptions guidance;
+  double altitude_gain = 0.3;  ///< climb rate per altitude error [1/s]
+  double wind_lag = 15;        ///< time constant of the reported wind [s]
+};
+
+/// Flies paths, courses and circles over ground in wind, and holds altitude.
+///
+/// Lateral: a course demand (guidance.h) becomes a turn rate and, by tan(roll) =
+/// omega V / g, a roll within the vehicle's smallest turn. Vertical: climb rate in
+/// proportion to the altitude error. Airspeed: cruise.
+/// Until the first command it circles the place where it was made.
+/// Valid: turns over ground of at least model::ground_turn_radius; tighter ones are flown
+/// as tightly as the vehicle can and joined again.
+class SimpleAutopilot final : public Autopilot {
+ public:
+  /// @param limits   of the vehicle.
+  /// @param initial  where and how it flies at the start.
+  SimpleAutopilot(const SimpleAutopilotOptions& options, const FlightLimits& limits,
+                  const NavEstimate& initial);
+
+  void sense(const SensorSample& sample) override;
+  void command(const AutopilotCommand& command) override;
+  FlightCommand control(Time now, double dt) override;
+  const NavEstimate& estimate() const override { return filter_.estimate(); }
+  AutopilotStatus status() const override { return status_; }
+
+ private:
+  CourseDemand demand(const Motion& motion);
+  CourseDemand follow(const Path& path, const Motion& motion, double ground_speed);
+  Circle circle_around(const Vec2& centre) const;
+
+  SimpleAutopilotOptions options_;
+  FlightLimits limits_;
+  double roll_limit_;
+  NavFilter filter_;
+  AutopilotCommand command_;
+  AutopilotStatus status_;
+  double along_ = 0;  // of the path, where the vehicle is
+};
+
+}  // namespace skein::autopilot

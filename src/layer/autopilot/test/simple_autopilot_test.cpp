@@ -1,0 +1,266 @@
+#include "layer/autopilot/simple_autopilot.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <optional>
+
+#include "base/random.h"
+#include "model/path/path_geometry.h"
+#include "model/path/wind_triangle.h"
+
+namespace skein::autopilot {
+namespace {
+
+constexpr double kStep = 0.02;  // [s]
+constexpr double kAirspeed = 20, kRadius = 60;
+
+// A vehicle of this test's own: first-order roll at 1 rad/s, coordinated turns, steady
+// wind. (Layers do not know each other, so the plant of the asset layer is not used
+// here.)
+struct TestVehicle {
+  Vec3 p = {0, 0, -300};
+  double heading = 0, roll = 0, climb = 0;
+  Vec2 wind = Vec2::Zero();
+
+  Vec3 velocity() const {
+    const Vec2 v = kAirspeed * geo::unit(heading) + wind;
+    return {v.x(), v.y(), -climb};
+  }
+  void step(const FlightCommand& command) {
+    const double limit = std::atan(kAirspeed * kAirspeed / (9.80665 * kRadius));
+    const double wanted = std::clamp(command.roll, -limit, limit);
+    roll += std::clamp(wanted - roll, -kStep, kStep);
+    const double turn = 9.80665 * std::tan(roll) / kAirspeed * kStep;
+    climb = std::clamp(command.climb_rate, -3.0, 3.0);
+    heading += turn / 2;
+    p += kStep * velocity();
+    heading += turn / 2;
+  }
+};
+
+class Flight {
+ public:
+  explicit Flight(const Vec2& wind, double course = 0) {
+    vehicle.wind = wind;
+    vehicle.heading = course;
+    NavEstimate start;
+    start.p_N = vehicle.p;
+    start.v_N = {kAirspeed * std::cos(course), kAirspeed * std::sin(course), 0};
+    start.heading = course;
+    autopilot.emplace(SimpleAutopilotOptions{}, FlightLimits{}, start);
+  }
+
+  // Flies on; fixes at 5 Hz and air data at 20 Hz, `fix_error` added to positions.
+  void fly(double seconds, const std::function<void()>& watch = {}) {
+    const int steps = static_cast<int>(std::lround(seconds / kStep));
+    for (int i = 0; i < steps; ++i, ++tick) {
+      const Time now = Time::from_ns(tick * 20'000'000LL);
+      if (tick % 10 == 0 && !gnss_off)
+        autopilot->sense(
+            GnssFix{now, vehicle.p + fix_error(), vehicle.velocity(), fix_sd});
+      if (tick % 5 == 0)
+        autopilot->sense(AirDataSample{now, kAirspeed, geo::wrap_pi(vehicle.heading)});
+      vehicle.step(autopilot->control(now, kStep));
+      if (watch) watch();
+    }
+  }
+  Vec2 position() const { return geo::horizontal(vehicle.p); }
+  Vec3 fix_error() {
+    return fix_sd * Vec3(random.normal(), random.normal(), random.normal());
+  }
+
+  TestVehicle vehicle;
+  std::optional<SimpleAutopilot> autopilot;
+  std::int64_t tick = 0;
+  double fix_sd = 0;
+  bool gnss_off = false;
+  RandomStream random{1, 0, Purpose::kTest};
+};
+
+Path join(std::initializer_list<std::pair<double, double>> length_and_curvature) {
+  Path path;
+  model::Pose at{{0, 0}, 0};
+  for (const auto& [length, curvature] : length_and_curvature) {
+    path.push_back({at.position, at.course, length, curvature});
+    at = model::end_of(path.back());
+  }
+  return path;
+}
+
+struct Errors {
+  double straight = 0, turn = 0;  // largest cross-track [m]
+};
+
+Errors fly_path(const Path& path, const Vec2& wind) {
+  Flight flight(wind);
+  flight.fly(20);  // learns the wind while circling
+  // Come from afar, so that the start's error is gone when the path begins.
+  flight.vehicle.p = {-600, 0, -300};
+  flight.vehicle.heading = std::atan2(-wind.y(), 20);
+  flight.fly(0.5);
+  Path lead{{{-600, 0}, 0, 600, 0}};
+  lead.insert(lead.end(), path.begin(), path.end());
+  flight.autopilot->command({FollowPath{lead}, 300});
+
+  Errors worst;
+  double along = 0;
+  const double total = model::length(lead);
+  for (int i = 0; i < 40000 && !flight.autopilot->status().done; ++i) {
+    flight.fly(kStep);
+    const auto at = model::project(lead, flight.position(), along - 50, along + 100);
+    along = at.along;
+    if (along < 400 || along >= total) continue;
+    // A straight counts from 100 m after a turn: see docs/aircraft.md.
+    bool after_turn = false;
+    for (double back = 0; back <= 100; back += 10)
+      after_turn |= model::curvature_at(lead, along - back) != 0;
+    double& error = after_turn ? worst.turn : worst.straight;
+    error = std::max(error, std::abs(at.cross_track));
+  }
+  EXPECT_TRUE(flight.autopilot->status().done);
+  return worst;
+}
+
+TEST(SimpleAutopilot, TracksStraightsAndTurnsInWind) {
+  // The tightest turn that can be flown over ground at every heading: 1.4^2 radii.
+  const double k = 1 / model::ground_turn_radius(kRadius, kAirspeed, 8);
+  const double quarter = geo::kPi / 2 / k;
+  const Path path = join({{500, 0},
+                          {2 * quarter, k},
+                          {400, 0},
+                          {2 * quarter, -k},
+                          {400, 0},
+                          {quarter, k},
+                          {300, 0},
+                          {3 * quarter, -k},
+                          {300, 0}});
+  Errors worst;
+  for (int i = 0; i < 8; ++i) {
+    const Vec2 wind = 8 * geo::unit(i * geo::kPi / 4);
+    const Errors e = fly_path(path, wind);
+    EXPECT_LT(e.straight, 3) << "wind to " << i * 45;
+    EXPECT_LT(e.turn, 15) << "wind to " << i * 45;
+    worst = {std::max(worst.straight, e.straight), std::max(worst.turn, e.turn)};
+  }
+  const Errors calm = fly_path(path, Vec2::Zero());
+  EXPECT_LT(calm.straight, 1);
+  EXPECT_LT(calm.turn, 5);
+  RecordProperty("worst_straight_m", std::to_string(worst.straight));
+  RecordProperty("worst_turn_m", std::to_string(worst.turn));
+  std::printf("largest cross-track: straights %.2f m, turns %.2f m; calm %.2f, %.2f\n",
+              worst.straight, worst.turn, calm.straight, calm.turn);
+}
+
+TEST(SimpleAutopilot, HoldsACourseOverGround) {
+  for (const double course : {0.5, 2.0, -2.5}) {
+    Flight flight({0, 8});
+    flight.fly(20);
+    flight.autopilot->command({HoldCourse{course}, 300});
+    flight.fly(30);
+    const Vec2 start = flight.position();
+    flight.fly(20);
+    EXPECT_NEAR(geo::wrap_pi(geo::bearing(flight.position() - start) - course), 0, 1e-3);
+  }
+}
+
+TEST(SimpleAutopilot, CirclesBothWays) {
+  for (const bool clockwise : {true, false}) {
+    Flight flight({6, 3});
+    flight.fly(20);
+    flight.autopilot->command({Circle{{300, 200}, 150, clockwise}, 300});
+    flight.fly(90);
+    double worst = 0, turned = 0;
+    Vec2 last = flight.position() - Vec2(300, 200);
+    flight.fly(60, [&] {
+      const Vec2 now = flight.position() - Vec2(300, 200);
+      worst = std::max(worst, std::abs(now.norm() - 150));
+      turned += std::asin(geo::cross(last, now) / (last.norm() * now.norm()));
+      last = now;
+    });
+    EXPECT_LT(worst, 8);
+    EXPECT_GT(clockwise ? turned : -turned, 6);
+  }
+}
+
+TEST(SimpleAutopilot, HoldsAltitude) {
+  Flight flight({0, 0});
+  flight.autopilot->command({HoldCourse{0}, 400});
+  flight.fly(60);
+  EXPECT_NEAR(-flight.vehicle.p.z(), 400, 0.5);
+  flight.autopilot->command({HoldCourse{0}, 350});
+  flight.fly(60);
+  EXPECT_NEAR(-flight.vehicle.p.z(), 350, 0.5);
+}
+
+TEST(SimpleAutopilot, CirclesThePathsEnd) {
+  Flight flight({5, 0});
+  flight.fly(10);
+  flight.vehicle.p = {0, 0, -300};
+  flight.vehicle.heading = 0;
+  flight.fly(0.5);
+  flight.autopilot->command({FollowPath{join({{400, 0}})}, 300});
+  EXPECT_NEAR(flight.autopilot->status().remaining, 400, 1e-9);
+  flight.fly(5);
+  EXPECT_FALSE(flight.autopilot->status().done);
+  EXPECT_LT(flight.autopilot->status().remaining, 300);
+  flight.fly(15);
+  EXPECT_TRUE(flight.autopilot->status().done);
+  flight.fly(60);
+  double furthest = 0;
+  flight.fly(60, [&] {
+    furthest = std::max(furthest, (flight.position() - Vec2(400, 0)).norm());
+  });
+  EXPECT_LT(furthest, 150);  // radius 1.1 * 60 * 1.25^2 = 103 m, and a turn to join
+}
+
+TEST(SimpleAutopilot, EmptyPathIsDoneAtOnce) {
+  Flight flight({0, 0});
+  flight.autopilot->command({FollowPath{}, 300});
+  EXPECT_TRUE(flight.autopilot->status().done);
+  flight.fly(60);
+  EXPECT_LT(flight.position().norm(), 200);
+}
+
+TEST(SimpleAutopilot, LearnsTheWind) {
+  Flight flight({-5, 6});
+  flight.fly(40);
+  EXPECT_LT((flight.autopilot->estimate().wind_N - Vec2(-5, 6)).norm(), 0.1);
+  // A change arrives with the stated lag: 1 - 1/e of it after 15 s.
+  flight.vehicle.wind = {5, 6};
+  flight.fly(15);
+  EXPECT_NEAR(flight.autopilot->estimate().wind_N.x(), 5 - 10 * std::exp(-1.0), 0.5);
+}
+
+TEST(SimpleAutopilot, EstimatesBetterThanTheFixesAndStatesTheirError) {
+  Flight flight({4, 0});
+  flight.fix_sd = 3;
+  flight.fly(30);
+  double sum2 = 0;
+  int n = 0;
+  flight.fly(120, [&] {
+    sum2 += (geo::horizontal(flight.autopilot->estimate().p_N) - flight.position())
+                .squaredNorm();
+    ++n;
+  });
+  EXPECT_LT(std::sqrt(sum2 / n / 2), 2.0);  // white errors: averaging must help
+  EXPECT_GE(flight.autopilot->estimate().position_sd, 3);
+}
+
+TEST(SimpleAutopilot, CarriesOnWithoutFixes) {
+  Flight flight({4, -3});
+  flight.fly(40);
+  flight.gnss_off = true;
+  flight.autopilot->command({HoldCourse{1}, 300});
+  flight.fly(60);
+  const NavEstimate& nav = flight.autopilot->estimate();
+  // A steady wind known to 0.01 m/s, and one step of latency at 20 m/s.
+  EXPECT_LT((geo::horizontal(nav.p_N) - flight.position()).norm(), 3);
+  EXPECT_GT(nav.position_sd, 2);  // 0.3 sqrt(60)
+}
+
+}  // namespace
+}  // namespace skein::autopilot
