@@ -25,8 +25,7 @@ struct Cut {
 // A narrow interval: integrate over it, because the closed form is a difference of almost
 // equal numbers. Relative to the middle c the density is exp(-c t - t^2/2); two panels of
 // ten points are exact to rounding for half <= 1 and |c| half <= 3.
-Cut cut_narrow(double alpha, double beta) {
-  const double c = 0.5 * (alpha + beta), half = 0.5 * (beta - alpha);
+Cut cut_narrow(double c, double half) {
   double m0 = 0, m1 = 0, m2 = 0;
   for (std::size_t k = 0; k < kNode.size(); ++k)
     for (double sign : {-1.0, 1.0}) {
@@ -71,10 +70,11 @@ Cut cut_middle(double alpha, double beta) {
           1 + (alpha * pa - beta * pb) / mass - mean * mean};
 }
 
-// Of a finite interval with alpha + beta >= 0.
-Cut cut_finite(double alpha, double beta) {
-  const double half = 0.5 * (beta - alpha);
-  if (half <= 1 && half * 0.5 * (alpha + beta) <= 3) return cut_narrow(alpha, beta);
+// Of a finite interval with alpha + beta >= 0. The width is given apart: far out it may be
+// too small for the difference of the ends.
+Cut cut_finite(double alpha, double beta, double width) {
+  const double middle = 0.5 * (alpha + beta), half = 0.5 * width;
+  if (half <= 1 && half * middle <= 3) return cut_narrow(middle, half);
   return alpha >= 0 ? cut_tail(alpha, beta) : cut_middle(alpha, beta);
 }
 
@@ -84,7 +84,7 @@ TruncatedNormal truncate_normal(double mean, double sd, const Interval& interval
   const auto [lower, upper] = interval;
   SKEIN_CHECK(sd > 0 && lower < upper, sd, lower, upper);
   const double alpha = (lower - mean) / sd, beta = (upper - mean) / sd;
-  if (std::isinf(alpha) && std::isinf(beta)) return {1, 0, mean, sd * sd};
+  if (std::isinf(alpha) && std::isinf(beta) && alpha < beta) return {1, 0, mean, sd * sd};
   if (std::isinf(beta)) {
     const Moments cut = standard_above(alpha);
     return {normal_upper(alpha), log_normal_upper(alpha), mean + sd * cut.mean,
@@ -96,7 +96,9 @@ TruncatedNormal truncate_normal(double mean, double sd, const Interval& interval
             sd * sd * cut.variance};
   }
   const double sign = alpha + beta >= 0 ? 1 : -1;
-  const Cut cut = sign > 0 ? cut_finite(alpha, beta) : cut_finite(-beta, -alpha);
+  const double width = (upper - lower) / sd;
+  const Cut cut =
+      sign > 0 ? cut_finite(alpha, beta, width) : cut_finite(-beta, -alpha, width);
   return {std::exp(cut.log_mass), cut.log_mass,
           std::clamp(mean + sign * sd * cut.mean, lower, upper), sd * sd * cut.variance};
 }

@@ -89,6 +89,14 @@ TEST(TruncatedNormal, NarrowIntervalsBecomeUniform) {
   EXPECT_NEAR(cut.mass / (1e-6 * normal_pdf(1) / 2), 1, 1e-6);
 }
 
+TEST(TruncatedNormal, KeepsTheWidthOfAnIntervalThatIsThinForItsDistance) {
+  // A hundred units in the last place wide: the ends, in sigmas, have no digits to spare.
+  const double lower = 1e9, width = 1e-5;
+  const TruncatedNormal cut = truncate_normal(0, 1e9, {lower, lower + width});
+  const double held = lower + width - lower;  // the width that doubles can hold
+  EXPECT_NEAR(cut.variance / (held * held / 12), 1, 1e-9);
+}
+
 // From the thesis's formulas, derived anew; the third column is what the misprinted
 // (2.26) gives instead of the variance.
 TEST(TruncatedNormal, CorrectedFormulasHoldAndMisprintsDoNot) {
