@@ -11,6 +11,14 @@ namespace {
 
 constexpr double kGravity = 9.80665;  // [m/s^2]
 
+bool same(const Path& a, const Path& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const PathElement& x, const PathElement& y) {
+                      return x.start == y.start && x.course == y.course &&
+                             x.length == y.length && x.curvature == y.curvature;
+                    });
+}
+
 }  // namespace
 
 SimpleAutopilot::SimpleAutopilot(const SimpleAutopilotOptions& options,
@@ -30,14 +38,17 @@ void SimpleAutopilot::sense(const SensorSample& sample) {
 }
 
 void SimpleAutopilot::command(const AutopilotCommand& command) {
+  const auto* now = std::get_if<FollowPath>(&command_.guidance);
+  const auto* next = std::get_if<FollowPath>(&command.guidance);
+  const bool goes_on = now && next && same(now->path, next->path);
   command_ = command;
+  if (goes_on) return;
   status_ = {};
   along_ = 0;
-  if (const auto* follow = std::get_if<FollowPath>(&command_.guidance)) {
-    status_.remaining = model::length(follow->path);
-    status_.done = follow->path.empty();
-    if (status_.done) command_.guidance = circle_around(geo::horizontal(estimate().p_N));
-  }
+  if (!next) return;
+  status_.remaining = model::length(next->path);
+  status_.done = next->path.empty();
+  if (status_.done) end_circle_ = circle_around(geo::horizontal(estimate().p_N));
 }
 
 FlightCommand SimpleAutopilot::control(Time now, double /*dt*/) {
@@ -69,6 +80,8 @@ CourseDemand SimpleAutopilot::demand(const Motion& motion) {
 
 CourseDemand SimpleAutopilot::follow(const Path& path, const Motion& motion,
                                      double ground_speed) {
+  if (status_.done)
+    return circle(end_circle_, motion.position, ground_speed, options_.guidance);
   // Only the near part of the path counts, so that it may cross itself.
   const double window = 5 * options_.guidance.look_ahead * ground_speed;
   const model::PathProjection at =
@@ -80,11 +93,9 @@ CourseDemand SimpleAutopilot::follow(const Path& path, const Motion& motion,
   const model::Pose end = model::end_of(path.back());
   const Vec2 beyond = motion.position - end.position;
   if (at.remaining <= 0 && beyond.dot(geo::unit(end.course)) >= 0) {
-    status_.done = true;
-    status_.cross_track = 0;
-    command_.guidance = circle_around(end.position);
-    return circle(std::get<Circle>(command_.guidance), motion.position, ground_speed,
-                  options_.guidance);
+    status_ = {0, 0, true};
+    end_circle_ = circle_around(end.position);
+    return circle(end_circle_, motion.position, ground_speed, options_.guidance);
   }
   const double ahead = along_ + ground_speed * options_.guidance.anticipation;
   return track(at.course, model::curvature_at(path, ahead), at.cross_track, ground_speed,

@@ -17,6 +17,7 @@ struct SimpleAutopilotOptions {
 /// Lateral: a course demand (guidance.h) becomes a turn rate and, by tan(roll) =
 /// omega V / g, a roll within the vehicle's smallest turn. Vertical: climb rate in
 /// proportion to the altitude error. Airspeed: cruise.
+/// A repeated path goes on where it is, so that only its altitude changes.
 /// Until the first command it circles the place where it was made.
 /// Valid: turns over ground of at least model::ground_turn_radius; tighter ones are flown
 /// as tightly as the vehicle can and joined again.
@@ -44,7 +45,8 @@ class SimpleAutopilot final : public Autopilot {
   NavFilter filter_;
   AutopilotCommand command_;
   AutopilotStatus status_;
-  double along_ = 0;  // of the path, where the vehicle is
+  double along_ = 0;   // of the path, where the vehicle is
+  Circle end_circle_;  // flown when the path is done
 };
 
 }  // namespace skein::autopilot

@@ -217,6 +217,23 @@ TEST(SimpleAutopilot, CirclesThePathsEnd) {
   EXPECT_LT(furthest, 150);  // radius 1.1 * 60 * 1.25^2 = 103 m, and a turn to join
 }
 
+TEST(SimpleAutopilot, ARepeatedPathGoesOnWithItsNewAltitude) {
+  Flight once({0, 0}), often({0, 0});
+  const Path path = join({{400, 0}, {200, 0.01}, {100, 0}});
+  once.autopilot->command({FollowPath{path}, 310});
+  for (int i = 0; i < 30; ++i) {
+    often.autopilot->command({FollowPath{path}, 310});
+    once.fly(1);
+    often.fly(1);
+  }
+  EXPECT_EQ(once.vehicle.p, often.vehicle.p);
+  EXPECT_FALSE(often.autopilot->status().done);
+  often.autopilot->command({FollowPath{path}, 330});
+  often.fly(20);
+  EXPECT_TRUE(often.autopilot->status().done);
+  EXPECT_NEAR(-often.vehicle.p.z(), 330, 1);
+}
+
 TEST(SimpleAutopilot, EmptyPathIsDoneAtOnce) {
   Flight flight({0, 0});
   flight.autopilot->command({FollowPath{}, 300});

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "role/terrain.h"
+
+namespace skein::reasoning {
+
+/// The altitude above mean sea level [m] to fly now, so that the ground ahead is cleared.
+///
+/// It is the largest of
+/// - ground + height everywhere that the next seconds of flight can lead, turns included;
+/// - ground + height further ahead, less what can be climbed until then.
+///
+/// @param position    of the aircraft.
+/// @param velocity    over ground [m/s].
+/// @param height      wanted above ground [m].
+/// @param climb_rate  largest [m/s].
+double altitude_over(const Terrain& ground, const Vec2& position, const Vec2& velocity,
+                     double height, double climb_rate);
+
+}  // namespace skein::reasoning

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "data/path.h"
+#include "layer/reasoning/agent/edge_follower.h"
+#include "layer/reasoning/agent/zone_guard.h"
+#include "role/agent.h"
+#include "role/terrain.h"
+
+namespace skein::reasoning {
+
+struct MonitorAgentOptions {
+  double altitude_agl = 120;  ///< flown above the ground ahead [m]
+  double report_period = 1;   ///< between reports to the coordinator [s]
+  double replan_wind = 2;     ///< change of the wind estimate that re-plans a path [m/s]
+  double replan_cross = 60;   ///< distance off a path that re-plans it [m]
+  EdgeFollowerOptions edge;
+  ZoneGuardOptions guard;
+};
+
+/// The agent on board of an aircraft that watches a fire.
+///
+/// It sends every fire reading, placed by the estimated position, and a report each
+/// second to the coordinator, and flies the newest task it has heard of; without messages
+/// it goes on with the last. Whatever it flies stays out of the no-flight zones and above
+/// the ground of its map. Before the first task it circles where it is.
+class MonitorAgent final : public Agent {
+ public:
+  /// @param coordinator  whom to tell.
+  /// @param map          what it believes the ground to be; outlives the agent.
+  /// @param zones        no-flight zones, copied.
+  MonitorAgent(const MonitorAgentOptions& options, EntityId self, EntityId coordinator,
+               const FlightLimits& limits, const Terrain& map,
+               std::span<const Zone> zones);
+
+  void step(const AgentInput& in, AgentOutput& out) override;
+
+  const Task& task() const { return task_; }
+  bool task_done() const { return done_; }
+
+ private:
+  // What the task wants flown, and its course over ground just ahead.
+  struct Wish {
+    decltype(AutopilotCommand::guidance) guidance;
+    double course = 0;
+  };
+
+  void take_task(const Task& task, const AgentInput& in, AgentOutput& out);
+  void take_samples(const AgentInput& in, AgentOutput& out);
+  void report(const AgentInput& in, AgentOutput& out);
+
+  Wish wish(const AgentInput& in, AgentOutput& out);
+  Wish fly_to(const FlyTo& order, const AgentInput& in);
+  Wish follow_edge(const AgentInput& in, AgentOutput& out);
+  Wish follow_line(const FollowLine& order, const AgentInput& in);
+  Wish circle_at(const Vec2& centre, const NavEstimate& nav) const;
+
+  MonitorAgentOptions options_;
+  EntityId self_, coordinator_;
+  FlightLimits limits_;
+  const Terrain& map_;
+  ZoneGuard guard_;
+
+  Task task_;
+  bool has_task_ = false, done_ = false;
+  std::optional<Vec2> home_;  // circled before the first task
+  std::optional<Time> next_report_;
+
+  Path path_;                      // of FlyTo, and the line of FollowLine
+  Vec2 path_wind_ = Vec2::Zero();  // that it was planned for
+  double along_ = 0;
+  bool joined_ = false;     // FollowLine: its first point has been reached
+  bool deflected_ = false;  // by the guard, at the last step
+  std::optional<EdgeFollower> follower_;
+  bool lost_ = false;
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,1 @@
+#include "layer/reasoning/agent/monitor_agent.h"

@@ -1,0 +1,1 @@
+#include "layer/reasoning/agent/zone_guard.h"
