@@ -64,6 +64,10 @@ Region clean(const Region& rings, FillRule rule) {
   return execute(ClipperLib::ctUnion, rings, {}, fill_type(rule));
 }
 
+Region clean_touching(const Region& rings, FillRule rule) {
+  return execute(ClipperLib::ctUnion, rings, {}, fill_type(rule), 0);
+}
+
 Region unite(const Region& a, const Region& b) {
   return execute(ClipperLib::ctUnion, a, b, ClipperLib::pftNonZero);
 }

@@ -17,6 +17,10 @@ enum class FillRule {
 /// Reference: Vatti (1992), by the Clipper library.
 Region clean(const Region& rings, FillRule rule);
 
+/// As clean(), but rings may touch themselves or each other in points. Cost: n log n,
+/// where clean() is quadratic in the points of the result.
+Region clean_touching(const Region& rings, FillRule rule);
+
 Region unite(const Region& a, const Region& b);
 Region intersect(const Region& a, const Region& b);
 Region subtract(const Region& a, const Region& b);

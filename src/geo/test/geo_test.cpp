@@ -104,6 +104,15 @@ TEST(Clip, CleansASelfCrossingRing) {
   EXPECT_NEAR(area(clean(eight, FillRule::kPositive)), 25, 1e-3);
 }
 
+TEST(Clip, TouchingRingsKeepTheirArea) {
+  // Two squares that meet in a corner, and one that the first overlaps.
+  const Region squares = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}},
+                          {{10, 10}, {20, 10}, {20, 20}, {10, 20}},
+                          {{5, 5}, {8, 5}, {8, 8}, {5, 8}}};
+  EXPECT_NEAR(area(clean_touching(squares, FillRule::kPositive)), 200, 1e-3);
+  EXPECT_NEAR(area(clean(squares, FillRule::kPositive)), 200, 1e-3);
+}
+
 TEST(Clip, AreasAddUp) {
   const Region a = {circle({0, 0}, 100, 90)}, b = {circle({60, 30}, 80, 70)};
   const double both = area(intersect(a, b));

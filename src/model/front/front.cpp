@@ -48,7 +48,7 @@ Front::Front(const geo::Region& burnt, const FrontOptions& options, double time)
 
 void Front::ignite(const geo::Region& burnt) {
   rings_.insert(rings_.end(), burnt.begin(), burnt.end());
-  rings_ = geo::clean(rings_, geo::FillRule::kPositive);
+  rings_ = geo::clean_touching(rings_, geo::FillRule::kPositive);
   tidy();
 }
 
@@ -121,7 +121,7 @@ void Front::tidy() {
     cut_loops(ring, kLeastIsland * spacing_ * spacing_);
   }
   if (search_.any(rings_, 2 * spacing_)) {
-    rings_ = geo::clean(rings_, geo::FillRule::kPositive);
+    rings_ = geo::clean_touching(rings_, geo::FillRule::kPositive);
     ++merges_;
   }
   std::erase_if(rings_, [&](const geo::Ring& ring) {
@@ -137,7 +137,7 @@ void Front::limit_markers() {
   while (markers() > options_.max_markers) {
     spacing_ *= 2;
     for (geo::Ring& ring : rings_) ring = geo::resample_by_spacing(ring, spacing_, 8);
-    rings_ = geo::clean(rings_, geo::FillRule::kPositive);
+    rings_ = geo::clean_touching(rings_, geo::FillRule::kPositive);
   }
 }
 

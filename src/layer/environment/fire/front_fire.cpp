@@ -36,6 +36,8 @@ Result<void> check(const FrontFireOptions& options) {
   if (Result<void> front = check(options.front); !front) return front.error();
   if (!(options.age >= 0 && options.age <= 30 * 86400.0))
     return bad("age", options.age, "0 s to 30 days");
+  if (!(options.wind_height >= 0 && options.wind_height <= 1000))
+    return bad("wind_height", options.wind_height, "0 to 1000 m");
   for (std::size_t i = 0; i < options.ignitions.size(); ++i) {
     const Ignition& ignition = options.ignitions[i];
     const auto key = [&](const char* name) {
@@ -60,16 +62,21 @@ Result<void> check(const FrontFireOptions& options) {
   return {};
 }
 
-FrontFire::Field::Field(const model::SpreadLaw& law, const Terrain& terrain,
+FrontFire::Field::Field(const FrontFireOptions& options, const Terrain& terrain,
                         const WindField& wind, std::shared_ptr<const FuelField> fuel)
-    : law_(law), terrain_(terrain), wind_(wind), fuel_(std::move(fuel)) {}
+    : law_(options.spread),
+      wind_height_(options.wind_height),
+      terrain_(terrain),
+      wind_(wind),
+      fuel_(std::move(fuel)) {}
 
 void FrontFire::Field::wavelets(std::span<const Vec2> points, double time,
                                 std::span<model::Wavelet> out) const {
   const Time now = Time::from_seconds(std::max(time, 0.0));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2& p = points[i];
-    const Vec2 wind = geo::horizontal(wind_.wind(Vec3(p.x(), p.y(), 0), now));
+    const Vec3 above(p.x(), p.y(), -terrain_.elevation_msl(p) - wind_height_);
+    const Vec2 wind = geo::horizontal(wind_.wind(above, now));
     out[i] = model::spread_wavelet(law_, wind, terrain_.gradient(p),
                                    fuel_ ? fuel_->factor(p) : 1.0);
   }
@@ -79,7 +86,7 @@ FrontFire::FrontFire(const FrontFireOptions& options, const Terrain& terrain,
                      const WindField& wind, std::shared_ptr<const FuelField> fuel)
     : age_(checked(options).age),
       waiting_(options.ignitions),
-      field_(options.spread, terrain, wind, std::move(fuel)),
+      field_(options, terrain, wind, std::move(fuel)),
       front_(options.start, options.front, -options.age) {
   std::stable_sort(
       waiting_.begin(), waiting_.end(),

@@ -24,6 +24,7 @@ struct FrontFireOptions {
   std::vector<Ignition> ignitions = {Ignition{}};
   geo::Region start;        ///< burnt from the beginning, besides the ignitions
   double age = 0;           ///< of the fire at the run's start [s]
+  double wind_height = 10;  ///< above ground, where the wind is asked for [m]
   model::SpreadLaw spread;  ///< rate, and its response to wind and slope
   model::FrontOptions front;
 };
@@ -37,8 +38,7 @@ Result<void> check(const FrontFireOptions& options);
 ///
 /// The boundary is that of the front's last own step, so it lags by less than a quarter
 /// (`front.courant`) of the marker spacing; steps do not depend on how often advance() is
-/// called. Before the run's start (`age`) the wind is that of the start. Wind is asked at
-/// height 0 of N.
+/// called. Before the run's start (`age`) the wind is that of the start.
 class FrontFire : public Phenomenon {
  public:
   /// @param terrain, wind  outlive the fire.
@@ -57,13 +57,14 @@ class FrontFire : public Phenomenon {
  private:
   class Field : public model::WaveletField {
    public:
-    Field(const model::SpreadLaw& law, const Terrain& terrain, const WindField& wind,
+    Field(const FrontFireOptions& options, const Terrain& terrain, const WindField& wind,
           std::shared_ptr<const FuelField> fuel);
     void wavelets(std::span<const Vec2> points, double time,
                   std::span<model::Wavelet> out) const override;
 
    private:
     model::SpreadLaw law_;
+    double wind_height_;
     const Terrain& terrain_;
     const WindField& wind_;
     std::shared_ptr<const FuelField> fuel_;

@@ -90,6 +90,23 @@ TEST(FrontFire, FuelSetsTheRateAndStopsIt) {
   EXPECT_GT(east, 20 + 0.2 * 2000);
 }
 
+TEST(FrontFire, AsksForTheWindAboveTheGround) {
+  class Shear : public WindField {
+   public:
+    Vec3 wind(const Vec3& p, Time) const override {
+      EXPECT_NEAR(p.z(), -10 - kHills.elevation_msl({p.x(), p.y()}), 1e-9);
+      ++asked;
+      return Vec3::Zero();
+    }
+    mutable int asked = 0;
+  };
+  FrontFireOptions o;
+  const Shear shear;
+  FrontFire fire(o, kHills, shear, nullptr);
+  fire.advance(Time::from_seconds(60));
+  EXPECT_GT(shear.asked, 0);
+}
+
 TEST(FrontFire, LaterIgnitionsStartTheirOwnFronts) {
   FrontFireOptions o;
   o.spread.rate = 0.3;
@@ -177,6 +194,7 @@ TEST(FrontFireOptions, RefusesImpossibleValues) {
   EXPECT_TRUE(refuses([&](auto& o) { o.ignitions[0].point.y() = nan; }));
   EXPECT_TRUE(refuses([&](auto& o) { o.ignitions[0].delay = nan; }));
   EXPECT_TRUE(refuses([&](auto& o) { o.age = nan; }));
+  EXPECT_TRUE(refuses([&](auto& o) { o.wind_height = nan; }));
   EXPECT_TRUE(refuses([](auto& o) { o.spread.rate = 1e3; }));
   EXPECT_TRUE(refuses([](auto& o) { o.front.spacing = 0; }));
   EXPECT_TRUE(refuses([&](auto& o) { o.start = {{{0, 0}, {1, 0}, {nan, 1}}}; }));
