@@ -1,0 +1,214 @@
+#include "layer/reasoning/monitoring/joint/joint_estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "geo/polygon.h"
+
+namespace skein::monitoring {
+namespace {
+
+// A fire that is a disc about the origin, watched along its edge at
+// `bearings_per_second`.
+struct Disc {
+  double radius = 560, rate = 3.1;
+  double at(double time) const { return radius + rate * time; }
+};
+
+void watch(PerimeterEstimator& estimator, const Disc& disc, int from, int to) {
+  for (int second = from; second < to; ++second) {
+    const Time now = Time::from_seconds(second);
+    estimator.predict(now);
+    for (std::uint32_t id = 0; id < 2; ++id) {
+      const Vec2 e = geo::unit(0.025 * second + geo::kPi * id);
+      if (second % 6 == 0) {
+        // 8 m/s inwards: the edge is passed in the middle of the second.
+        const double middle = disc.at(second - 0.5);
+        estimator.observe(Crossing{
+            now, {id}, middle * e, -8 * e + 17 * geo::turned_right(e), 0.5, true});
+      } else {
+        estimator.observe(FireReading{now, {id}, (disc.at(second) - 30) * e, 0.5, true});
+      }
+    }
+  }
+}
+
+bool same(const BoundaryEstimate& a, const BoundaryEstimate& b) {
+  if (a.rings.size() != b.rings.size() || a.rings[0].size() != b.rings[0].size())
+    return false;
+  for (std::size_t i = 0; i < a.rings[0].size(); ++i) {
+    const BoundaryPoint& p = a.rings[0][i];
+    const BoundaryPoint& q = b.rings[0][i];
+    if (p.position != q.position || p.normal != q.normal || p.sigma != q.sigma ||
+        p.sigma_growth != q.sigma_growth || p.rate != q.rate) {
+      return false;
+    }
+  }
+  return true;
+}
+
+TEST(JointEstimator, LearnsADiscAndItsRate) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{});
+  const Disc disc;
+  watch(estimator, disc, 1, 600);
+  const BoundaryEstimate boundary = estimator.boundary();
+  for (const BoundaryPoint& point : boundary.rings[0]) {
+    // The edge crossings are 8 m wide each; some hundred of them average out.
+    EXPECT_NEAR(point.position.norm(), disc.at(599), 4);
+    EXPECT_NEAR(point.rate, disc.rate, 0.05);
+    EXPECT_LT(point.sigma, 6);
+    EXPECT_GT(point.sigma, 0.3);
+  }
+  EXPECT_EQ(estimator.health().outliers, 0);
+  EXPECT_EQ(estimator.health().observations, 2 * 599);
+}
+
+TEST(JointEstimator, RecoversFromARateThatIsManySigmaOff) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{});
+  const Disc disc{560, 1.5};  // believed: 3 with sd 0.058
+  watch(estimator, disc, 1, 900);
+  const BoundaryEstimate boundary = estimator.boundary();
+  for (const BoundaryPoint& point : boundary.rings[0]) {
+    EXPECT_NEAR(point.position.norm(), disc.at(899), 15);
+  }
+}
+
+TEST(JointEstimator, GivesAPositiveRingWithConsistentNormals) {
+  JointEstimator estimator(PerimeterPrior{.origin = {1000, -400}}, JointOptions{});
+  estimator.predict(Time::from_seconds(30));
+  const BoundaryEstimate boundary = estimator.boundary();
+  ASSERT_EQ(boundary.rings.size(), 1U);
+  ASSERT_EQ(boundary.rings[0].size(), 60U);
+  geo::Ring ring;
+  for (const BoundaryPoint& point : boundary.rings[0]) {
+    ring.push_back(point.position);
+    EXPECT_NEAR(point.normal.norm(), 1, 1e-12);
+    EXPECT_NEAR((point.position - Vec2(1000, -400)).normalized().dot(point.normal), 1,
+                1e-9);
+    EXPECT_GT(point.sigma_growth, 0);
+  }
+  EXPECT_GT(geo::signed_area(ring), 0);
+  EXPECT_EQ(boundary.time, Time::from_seconds(30));
+}
+
+TEST(JointEstimator, AdaptiveControlPointsKeepTheirSpacing) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{.spacing = 50});
+  const auto ring = estimator.boundary().rings[0];
+  EXPECT_GE(ring.size(), 63U);  // 2 pi 500 / 50
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const double gap = (ring[(i + 1) % ring.size()].position - ring[i].position).norm();
+    EXPECT_LE(gap, 50);
+    EXPECT_GE(gap, 45);
+  }
+}
+
+TEST(JointEstimator, SetsAsideAReadingThatIsAllButImpossible) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{});
+  watch(estimator, Disc{}, 1, 300);
+  const BoundaryEstimate before = estimator.boundary();
+  estimator.observe(FireReading{Time::from_seconds(299), {0}, {5000, 0}, 1, true});
+  EXPECT_EQ(estimator.health().outliers, 1);
+  EXPECT_TRUE(same(before, estimator.boundary()));
+}
+
+TEST(JointEstimator, GivesWayWhenImpossibleReadingsPersist) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{});
+  watch(estimator, Disc{}, 1, 300);
+  const double radius = Disc{}.at(299);
+  for (int i = 0; i < 6; ++i) {
+    const Time now = Time::from_seconds(300 + i);
+    estimator.predict(now);
+    estimator.observe(FireReading{now, {0}, {radius + 400, 0}, 1, true});
+  }
+  EXPECT_GT(estimator.at(0).radius, radius + 300);
+  // The other side keeps what is known of it.
+  EXPECT_NEAR(estimator.at(geo::kPi).radius, Disc{}.at(305), 15);
+}
+
+TEST(JointEstimator, CloneContinuesAsTheOriginal) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{});
+  watch(estimator, Disc{}, 1, 100);
+  const auto copy = estimator.clone();
+  watch(estimator, Disc{}, 100, 200);
+  EXPECT_FALSE(same(estimator.boundary(), copy->boundary()));
+  watch(*copy, Disc{}, 100, 200);
+  EXPECT_TRUE(same(estimator.boundary(), copy->boundary()));
+}
+
+TEST(JointEstimator, TakesInMoreAircraftThanItWasMadeFor) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{.aircraft = 1});
+  watch(estimator, Disc{}, 1, 50);
+  EXPECT_EQ(estimator.health().observations, 2 * 49);
+}
+
+// Truth drawn from a hypothesis's own prior, watched with random crossings: the errors
+// must be as large as the filter says.
+TEST(JointEstimator, IsConsistentOnItsOwnModel) {
+  PerimeterPrior prior;
+  prior.wind_sd = 0;
+  BoundaryHypothesis own;
+  own.radius = {100, 6};
+  own.rate = {0.06, 8};
+  own.mean_rate_sd = 0.1;
+  double nees = 0;
+  int points = 0, covered = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    RandomStream random(seed, 0, Purpose::kTest);
+    // A random function with the same harmonics: variance of harmonic k is 1/(1 +
+    // (k/c)^6).
+    const auto draw = [&random](const Roughness& roughness, bool with_mean) {
+      std::vector<double> c(31), s(31);
+      double total = 0;
+      for (int k = with_mean ? 0 : 1; k <= 30; ++k) {
+        const double variance = 1 / (1 + std::pow(k / roughness.cutoff, 6));
+        total += variance;
+        c[static_cast<std::size_t>(k)] = std::sqrt(variance) * random.normal();
+        s[static_cast<std::size_t>(k)] = std::sqrt(variance) * random.normal();
+      }
+      return [c, s, scale = roughness.sd / std::sqrt(total)](double bearing) {
+        double sum = 0;
+        for (std::size_t k = 0; k < c.size(); ++k) {
+          const double angle = static_cast<double>(k) * bearing;
+          sum += c[k] * std::cos(angle) + s[k] * std::sin(angle);
+        }
+        return scale * sum;
+      };
+    };
+    const auto shape = draw(own.radius, true);
+    const auto rate = draw(own.rate, false);
+    const double mean_rate = prior.rate + own.mean_rate_sd * random.normal();
+    const auto radius = [&](double bearing, double time) {
+      return prior.radius + shape(bearing) + (mean_rate + rate(bearing)) * time;
+    };
+    JointEstimator estimator(prior, JointOptions{.false_rate = 0}, {own});
+    for (int step = 1; step <= 120; ++step) {
+      const Time now = Time::from_seconds(5 * step);
+      estimator.predict(now);
+      const double bearing = random.uniform(-3.14, 3.14);
+      const Vec2 e = geo::unit(bearing);
+      // The crossing is anywhere on a 20 m long track straight in.
+      const double offset = random.uniform(-10, 10);
+      estimator.observe(Crossing{
+          now, {0}, (radius(bearing, now.seconds()) + offset) * e, -20 * e, 0, true});
+    }
+    const BoundaryEstimate boundary = estimator.boundary();
+    for (const BoundaryPoint& point : boundary.rings[0]) {
+      const double error =
+          point.position.norm() - radius(geo::bearing(point.position), 600);
+      nees += std::pow(error / point.sigma, 2);
+      covered += std::abs(error) < 1.96 * point.sigma ? 1 : 0;
+      ++points;
+    }
+  }
+  nees /= points;
+  // 12 runs with about 15 independent numbers each: sd of the mean of chi-square 0.1; the
+  // filter takes the boundary's own motion during the second for part of the track's.
+  EXPECT_GT(nees, 0.6);
+  EXPECT_LT(nees, 1.5);
+  EXPECT_GT(static_cast<double>(covered) / points, 0.88);
+}
+
+}  // namespace
+}  // namespace skein::monitoring
