@@ -1,10 +1,9 @@
 #include "record/summary.h"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "record/file.h"
 
 namespace skein::record {
 
@@ -30,21 +29,8 @@ Result<void> write_summary(const RunSummary& summary, const std::filesystem::pat
       json[name] = value;
   }
 
-  const std::filesystem::path unfinished = file.string() + ".part";
-  std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
   const auto handler = nlohmann::ordered_json::error_handler_t::replace;
-  out << json.dump(2, ' ', false, handler) << '\n';
-  out.close();
-  std::error_code failed;
-  if (out) std::filesystem::rename(unfinished, file, failed);
-  if (!out || failed) {
-    const std::string reason = failed ? failed.message() : std::strerror(errno);
-    std::filesystem::remove(unfinished, failed);
-    return Error{ErrorCode::kUnavailable, file.string(),
-                 "the summary cannot be written: " + reason,
-                 "check the place and its room"};
-  }
-  return {};
+  return write_file(file, json.dump(2, ' ', false, handler) + "\n");
 }
 
 }  // namespace skein::record

@@ -1,0 +1,327 @@
+#include "record/run_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "record/run_database.h"
+#include "record/statistics.h"
+
+namespace skein::record {
+namespace {
+
+EntityId entity_id(const Statement& row, int column) {
+  return EntityId{static_cast<std::uint32_t>(row.integer(column))};
+}
+
+std::vector<float> float_blob(const Statement& row, int column) {
+  const std::span<const std::byte> bytes = row.blob(column);
+  std::vector<float> floats(bytes.size() / sizeof(float));
+  if (!floats.empty())
+    std::memcpy(floats.data(), bytes.data(), floats.size() * sizeof(float));
+  return floats;
+}
+
+// Turns rows of one entity into samples at equal steps, by interpolation.
+class TrackBuilder {
+ public:
+  TrackBuilder(EntityId id, double step) {
+    track_.id = id;
+    track_.step = step;
+  }
+
+  void add(double time, double north, double east, double heading) {
+    if (track_.north.empty()) {
+      track_.start = time;
+      put(north, east, heading);
+    } else if (time > time_) {
+      while (next() <= time) {
+        const double f = (next() - time_) / (time - time_);
+        put(north_ + f * (north - north_), east_ + f * (east - east_), heading);
+      }
+    }
+    time_ = time;
+    north_ = north;
+    east_ = east;
+  }
+
+  StoredTrack take() { return std::move(track_); }
+
+ private:
+  double next() const {
+    return track_.start + track_.step * static_cast<double>(track_.north.size());
+  }
+  void put(double north, double east, double heading) {
+    track_.north.push_back(north);
+    track_.east.push_back(east);
+    track_.heading.push_back(heading);
+  }
+
+  StoredTrack track_;
+  double time_ = 0, north_ = 0, east_ = 0;
+};
+
+class Reader {
+ public:
+  Reader(Sqlite database, const ReadBudget& budget)
+      : database_(std::move(database)), budget_(budget) {}
+
+  Result<StoredRun> read() {
+    using Part = Result<void> (Reader::*)();
+    for (const Part part :
+         {&Reader::meta, &Reader::entities, &Reader::duration, &Reader::events,
+          &Reader::metrics, &Reader::tracks, &Reader::readings, &Reader::messages,
+          &Reader::perimeters, &Reader::crossings, &Reader::terrain, &Reader::summary})
+      if (auto done = (this->*part)(); !done) return done.error();
+    return std::move(run_);
+  }
+
+ private:
+  // Calls `take` for each row of `sql`.
+  template <class Take>
+  Result<void> rows(const std::string& sql, Take&& take) {
+    auto prepared = database_.prepare(sql);
+    if (!prepared) return prepared.error();
+    Statement row = std::move(prepared).value();
+    while (row.next()) take(row);
+    if (row.failed()) return database_.error();
+    return {};
+  }
+
+  Result<void> meta() {
+    return rows("SELECT name, value FROM meta", [this](const Statement& row) {
+      const std::string name = row.text(0), value = row.text(1);
+      if (name == "version") run_.info.version = value;
+      if (name == "name") run_.info.name = value;
+      if (name == "start_utc") run_.info.start_utc = value;
+      if (name == "scenario") run_.info.scenario_text = value;
+      if (name == "seed") run_.info.seed = std::strtoull(value.c_str(), nullptr, 10);
+    });
+  }
+
+  Result<void> entities() {
+    return rows("SELECT entity_id, name, kind FROM entities",
+                [this](const Statement& row) {
+                  run_.entities.push_back({entity_id(row, 0), row.text(1), row.text(2)});
+                  statistics_.entity(entity_id(row, 0), row.text(1), row.text(2));
+                });
+  }
+
+  Result<void> duration() {
+    return rows(
+        "SELECT max(coalesce((SELECT max(time_s) FROM truth), 0),"
+        " coalesce((SELECT max(time_s) FROM metrics), 0),"
+        " coalesce((SELECT max(time_s) FROM readings), 0),"
+        " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0)),"
+        " (SELECT count(DISTINCT entity_id) FROM truth)",
+        [this](const Statement& row) {
+          run_.duration = row.real(0);
+          movers_ = std::max(1.0, row.real(1));
+        });
+  }
+
+  Result<void> events() {
+    int total = 0;
+    auto done = rows("SELECT count(*) FROM events", [&](const Statement& row) {
+      total = static_cast<int>(row.integer(0));
+    });
+    if (!done) return done;
+    // The rarest kinds say the most: they stay when there are too many.
+    done = rows(
+        "SELECT time_s, entity_id, e.kind, text FROM events e JOIN"
+        " (SELECT kind, count(*) AS n FROM events GROUP BY kind) k ON k.kind = e.kind"
+        " ORDER BY n, time_s LIMIT " +
+            std::to_string(budget_.events),
+        [this](const Statement& row) {
+          run_.events.push_back({Time::from_seconds(row.real(0)), entity_id(row, 1),
+                                 row.text(2), row.text(3)});
+        });
+    if (!done) return done;
+    std::stable_sort(run_.events.begin(), run_.events.end(),
+                     [](const Event& a, const Event& b) { return a.time < b.time; });
+    run_.events_left_out = total - static_cast<int>(run_.events.size());
+    return rows(
+        "SELECT min(time_s) FROM events WHERE kind = 'allocation'",
+        [this](const Statement& row) {
+          if (row.is_null(0)) return;
+          run_.allocation_start = row.real(0);
+          statistics_.event({Time::from_seconds(row.real(0)), {}, "allocation", ""});
+        });
+  }
+
+  Result<void> metrics() {
+    std::string columns;
+    for (const MetricField& field : metric_fields())
+      columns += ", " + std::string(field.name) + std::string(field.unit);
+    return rows("SELECT time_s, believer_id" + columns +
+                    " FROM metrics WHERE believer_id ="
+                    " (SELECT believer_id FROM metrics ORDER BY rowid LIMIT 1)",
+                [this](const Statement& row) {
+                  PerimeterMetrics metrics;
+                  int column = 2;
+                  for (const MetricField& field : metric_fields()) {
+                    if (!row.is_null(column)) metrics.*field.value = row.real(column);
+                    ++column;
+                  }
+                  run_.metric_times.push_back(row.real(0));
+                  run_.metrics.push_back(metrics);
+                  statistics_.metrics(Time::from_seconds(row.real(0)), entity_id(row, 1),
+                                      metrics);
+                });
+  }
+
+  Result<void> tracks() {
+    const double step =
+        std::max(budget_.shortest_step, run_.duration * movers_ / budget_.track_samples);
+    std::map<EntityId, TrackBuilder> builders;
+    const auto done = rows(
+        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg FROM "
+        "truth",
+        [&](const Statement& row) {
+          const EntityId id = entity_id(row, 0);
+          VehicleState state;
+          state.p_N = Vec3(row.real(2), row.real(3), -row.real(4));
+          statistics_.truth(id, state);
+          builders.try_emplace(id, id, step)
+              .first->second.add(row.real(1), row.real(2), row.real(3),
+                                 geo::radians(row.real(5)));
+        });
+    for (auto& [id, builder] : builders) run_.tracks.push_back(builder.take());
+    return done;
+  }
+
+  // Only for the counts of a run that was cut off.
+  Result<void> readings() {
+    return rows(
+        "SELECT time_s, entity_id, north_m, east_m, inside FROM readings",
+        [this](const Statement& row) {
+          statistics_.reading({Time::from_seconds(row.real(0)), entity_id(row, 1),
+                               Vec2(row.real(2), row.real(3)), 0, row.integer(4) != 0});
+        });
+  }
+
+  Result<void> messages() {
+    run_.message_bin = std::max(10.0, std::ceil(run_.duration / 120 / 10) * 10);
+    const auto bins = static_cast<std::size_t>(run_.duration / run_.message_bin) + 1;
+    run_.messages_sent.assign(bins, 0);
+    run_.messages_lost.assign(bins, 0);
+    return rows("SELECT sent_s, lost FROM messages", [&](const Statement& row) {
+      const double bin = std::max(0.0, row.real(0) / run_.message_bin);
+      const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
+      ++run_.messages_sent[k];
+      const bool lost = row.integer(1) != 0;
+      if (lost) ++run_.messages_lost[k];
+      statistics_.message(lost);
+    });
+  }
+
+  Result<void> perimeters() {
+    if (auto done = frames("source = 'truth'", run_.truth); !done) return done;
+    return frames(
+        "source = 'belief' AND believer_id = (SELECT believer_id FROM perimeters"
+        " WHERE source = 'belief' ORDER BY rowid LIMIT 1)",
+        run_.belief);
+  }
+
+  Result<void> frames(const std::string& which, std::vector<StoredFrame>& out) {
+    std::vector<double> times;
+    auto done =
+        rows("SELECT DISTINCT time_s FROM perimeters WHERE " + which + " ORDER BY time_s",
+             [&](const Statement& row) { times.push_back(row.real(0)); });
+    if (!done || times.empty()) return done;
+    // Evenly over the run, first and last included.
+    std::set<double> wanted;
+    const std::size_t count =
+        std::min(times.size(), static_cast<std::size_t>(std::max(budget_.frames, 1)));
+    for (std::size_t k = 0; k < count; ++k)
+      wanted.insert(
+          times[count == 1 ? times.size() - 1 : k * (times.size() - 1) / (count - 1)]);
+    return rows(
+        "SELECT time_s, data FROM perimeters WHERE " + which + " ORDER BY time_s, ring",
+        [&](const Statement& row) {
+          const double time = row.real(0);
+          if (!wanted.contains(time)) return;
+          if (out.empty() || out.back().time != time) out.push_back({time, {}});
+          out.back().rings.push_back(float_blob(row, 1));
+        });
+  }
+
+  Result<void> crossings() {
+    std::vector<Crossing> all;
+    const auto done =
+        rows("SELECT time_s, entity_id, north_m, east_m, entered FROM crossings",
+             [&](const Statement& row) {
+               Crossing crossing;
+               crossing.time = Time::from_seconds(row.real(0));
+               crossing.aircraft = entity_id(row, 1);
+               crossing.point = Vec2(row.real(2), row.real(3));
+               crossing.entered = row.integer(4) != 0;
+               all.push_back(crossing);
+             });
+    const std::size_t keep_each =
+        all.size() / static_cast<std::size_t>(std::max(1, budget_.crossings)) + 1;
+    for (std::size_t i = 0; i < all.size(); i += keep_each)
+      run_.crossings.push_back(all[i]);
+    return done;
+  }
+
+  Result<void> terrain() {
+    return rows(
+        "SELECT rows, columns, low_north_m, low_east_m, spacing_m, heights_msl_m"
+        " FROM terrain LIMIT 1",
+        [this](const Statement& row) {
+          auto terrain = std::make_unique<TerrainRow>(TerrainRow{
+              static_cast<int>(row.integer(0)), static_cast<int>(row.integer(1)),
+              Vec2(row.real(2), row.real(3)), row.real(4), float_blob(row, 5)});
+          const bool fits =
+              terrain->rows > 0 && terrain->columns > 0 &&
+              terrain->heights.size() == static_cast<std::size_t>(terrain->rows) *
+                                             static_cast<std::size_t>(terrain->columns);
+          if (fits) run_.terrain = std::move(terrain);
+        });
+  }
+
+  Result<void> summary() {
+    run_.summary.version = run_.info.version;
+    run_.summary.name = run_.info.name;
+    run_.summary.seed = run_.info.seed;
+    const auto done =
+        rows("SELECT name, value FROM summary", [this](const Statement& row) {
+          const std::string name = row.text(0);
+          if (name == "content_hash") {
+            run_.summary.content_hash = row.text(1);
+            if (run_.ending == RunEnding::kCutOff) run_.ending = RunEnding::kComplete;
+          } else if (name == "interrupted") {
+            run_.summary.interrupted = row.integer(1) != 0;
+            if (run_.summary.interrupted) run_.ending = RunEnding::kInterrupted;
+          } else {
+            run_.summary.numbers[name] = row.real(1);
+          }
+        });
+    if (!done) return done;
+    if (run_.ending == RunEnding::kCutOff) {
+      run_.summary.numbers = statistics_.figures();
+      run_.summary.numbers["simulated_s"] = run_.duration;
+    }
+    return {};
+  }
+
+  Sqlite database_;
+  ReadBudget budget_;
+  RunStatistics statistics_;
+  StoredRun run_;
+  double movers_ = 1;
+};
+
+}  // namespace
+
+Result<StoredRun> read_run(const std::filesystem::path& directory,
+                           const ReadBudget& budget) {
+  auto database = Sqlite::open(directory / "run.sqlite", Sqlite::Mode::kRead);
+  if (!database) return database.error();
+  return Reader(std::move(database).value(), budget).read();
+}
+
+}  // namespace skein::record

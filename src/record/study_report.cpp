@@ -1,0 +1,74 @@
+#include "record/study_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/check.h"
+#include "record/page.h"
+
+namespace skein::record {
+namespace {
+
+using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
+
+Json cell_json(const StudyCell& cell) {
+  Json json;
+  if (const auto* text = std::get_if<std::string>(&cell.value))
+    json["text"] = *text;
+  else
+    json["number"] = std::get<double>(cell.value);
+  if (cell.highlight) json["highlight"] = true;
+  return json;
+}
+
+Json table_json(const StudyTable& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    SKEIN_CHECK(row.size() == table.columns.size(), table.title, row.size());
+    Json cells = Json::array();
+    for (const StudyCell& cell : row) cells.push_back(cell_json(cell));
+    rows.push_back(std::move(cells));
+  }
+  return {{"title", table.title},
+          {"caption", table.caption},
+          {"columns", table.columns},
+          {"rows", std::move(rows)}};
+}
+
+Json series_json(const StudySeries& series) {
+  SKEIN_CHECK(series.x.size() == series.y.size(), series.name, series.x.size());
+  SKEIN_CHECK(series.low.size() == series.high.size(), series.name, series.low.size());
+  Json json = {{"name", series.name}, {"x", series.x}, {"y", series.y}};
+  if (!series.low.empty()) {
+    SKEIN_CHECK(series.low.size() == series.x.size(), series.name, series.low.size());
+    json["low"] = series.low;
+    json["high"] = series.high;
+  }
+  if (series.dashed) json["dashed"] = true;
+  if (series.points) json["points"] = true;
+  return json;
+}
+
+Json plot_json(const StudyPlot& plot) {
+  Json series = Json::array(), levels = Json::array();
+  for (const StudySeries& one : plot.series) series.push_back(series_json(one));
+  for (const StudyLevel& level : plot.levels)
+    levels.push_back({{"y", level.y}, {"label", level.label}});
+  return {{"title", plot.title},     {"caption", plot.caption}, {"x_label", plot.x_label},
+          {"y_label", plot.y_label}, {"log_x", plot.log_x},     {"log_y", plot.log_y},
+          {"series", series},        {"lines", levels}};
+}
+
+}  // namespace
+
+Result<void> write_study_report(const StudyReport& report,
+                                const std::filesystem::path& html) {
+  Json tables = Json::array(), plots = Json::array();
+  for (const StudyTable& table : report.tables) tables.push_back(table_json(table));
+  for (const StudyPlot& plot : report.plots) plots.push_back(plot_json(plot));
+  const Json data = {{"page", "study"},           {"title", report.title},
+                     {"intro", report.intro},     {"tables", std::move(tables)},
+                     {"plots", std::move(plots)}, {"notes", report.notes}};
+  return write_page(report.title, data, html);
+}
+
+}  // namespace skein::record

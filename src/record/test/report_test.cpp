@@ -1,0 +1,227 @@
+#include "record/report.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "record/page.h"
+#include "record/run_recorder.h"
+#include "record/sqlite.h"
+#include "record/study_report.h"
+#include "sample_run.h"
+
+namespace skein::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+const RunInfo kInfo{"1.2.3", 5, "sample </script> & <b>", "seed: 5 # </script>\n", ""};
+
+void make_run(const fs::path& directory, int seconds, int aircraft = 2) {
+  auto recorder = RunRecorder::create(directory, kInfo).value();
+  std::vector<float> heights;
+  for (int r = 0; r < 40; ++r)
+    for (int c = 0; c < 40; ++c)
+      heights.push_back(
+          static_cast<float>(300 + 60 * std::sin(r / 5.0) * std::cos(c / 7.0)));
+  recorder->store_terrain(40, 40, {-1200, -1200}, 60, heights);
+  record_sample(*recorder, seconds, aircraft);
+  ASSERT_TRUE(recorder->close());
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+nlohmann::json data_of(const fs::path& file) {
+  const std::string text = text_of(file), mark = "id=\"data\">";
+  const std::size_t begin = text.find(mark) + mark.size();
+  return nlohmann::json::parse(text.substr(begin, text.find("</script>", begin) - begin));
+}
+
+// What a browser makes of the page; empty when this machine has no browser.
+std::string shown(const fs::path& page, const fs::path& scratch) {
+  if (std::system("command -v chromium >/dev/null 2>&1") != 0) return "";
+  const fs::path out = scratch / "dom.html";
+  const std::string command =
+      "timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-quic"
+      " --no-first-run --disable-background-networking --disable-component-update"
+      " --disable-sync --virtual-time-budget=3000 --user-data-dir='" +
+      (scratch / "browser").string() + "' --dump-dom 'file://" + page.string() + "' > '" +
+      out.string() + "' 2>/dev/null";
+  return std::system(command.c_str()) == 0 ? text_of(out) : "";
+}
+
+TEST(Report, HoldsTheRunAndNothingFromTheNetwork) {
+  const TemporaryFolder folder("report");
+  make_run(folder.path() / "one", 300);
+  const fs::path page = folder.path() / "report.html";
+  const fs::path runs[] = {folder.path() / "one"};
+  ASSERT_TRUE(write_report(runs, page));
+
+  const std::string html = text_of(page);
+  EXPECT_EQ(html.find(" src="), std::string::npos);
+  EXPECT_EQ(html.find("<link"), std::string::npos);
+  const nlohmann::json data = data_of(page);
+  const auto& run = data["runs"][0];
+  EXPECT_EQ(run["name"], kInfo.name);
+  EXPECT_EQ(run["state"], "complete");
+  EXPECT_EQ(run["duration_s"], 300);
+  EXPECT_EQ(run["allocation_start_s"], 60);
+  EXPECT_EQ(run["map"]["tracks"].size(), 2u);
+  EXPECT_EQ(run["map"]["truth"].size(), 31u);
+  EXPECT_EQ(run["map"]["belief"].size(), 31u);
+  EXPECT_TRUE(run["map"].contains("terrain"));
+  EXPECT_GT(run["summary"]["perf_mean_m"], 0);
+}
+
+TEST(Report, ShowsInABrowserWithoutErrors) {
+  const TemporaryFolder folder("browser");
+  make_run(folder.path() / "one", 120);
+  make_run(folder.path() / "two", 60);
+  const fs::path page = folder.path() / "report.html";
+  const fs::path runs[] = {folder.path() / "one", folder.path() / "two"};
+  ASSERT_TRUE(write_report(runs, page));
+  const std::string dom = shown(page, folder.path());
+  if (dom.empty()) GTEST_SKIP() << "no chromium on this machine";
+  EXPECT_NE(dom.find("data-state=\"ready\""), std::string::npos);
+  EXPECT_EQ(dom.find("role=\"alert\""), std::string::npos);
+  EXPECT_NE(dom.find("class=\"uplot"), std::string::npos);
+  EXPECT_NE(dom.find("class=\"map\""), std::string::npos);
+}
+
+TEST(Report, ReadsARunThatWasCutOff) {
+  // As SIGKILL leaves it: the database and its log copied while the run goes on.
+  const TemporaryFolder folder("cut");
+  const fs::path live = folder.path() / "live", copy = folder.path() / "copy";
+  auto recorder = RunRecorder::create(live, kInfo).value();
+  record_sample(*recorder, 200);
+  usleep(800000);  // several commit periods
+  fs::copy(live, copy);
+  const fs::path runs[] = {copy};
+  ASSERT_TRUE(write_report(runs, folder.path() / "cut.html"));
+  const auto cut = data_of(folder.path() / "cut.html")["runs"][0];
+  EXPECT_EQ(cut["state"], "cut off");
+
+  // Its figures are those of the full records, computed from the rows.
+  const RunSummary whole = recorder->close().value();
+  for (const char* name : {"perf_mean_m", "iou_final", "crossings", "observations",
+                           "messages_sent", "aircraft"})
+    EXPECT_NEAR(cut["summary"][name].get<double>(), whole.numbers.at(name), 1e-9) << name;
+}
+
+TEST(Report, ShowsRunsThatHoldLittle) {
+  const TemporaryFolder folder("little");
+  const auto make = [&](const char* name, auto&& fill) {
+    auto recorder = RunRecorder::create(folder.path() / name, kInfo).value();
+    fill(*recorder);
+    ASSERT_TRUE(recorder->close());
+  };
+  make("nothing", [](RunRecorder&) {});
+  make("one_row", [](RunRecorder& r) { r.truth({}, EntityId{1}, VehicleState{}); });
+  make("no_fire", [](RunRecorder& r) {
+    r.perimeter({}, {}, EntityId{0}, believed_circle({}, {0, 0}, 100, 5));
+  });
+  make("no_belief", [](RunRecorder& r) {
+    r.perimeter({}, {circle({0, 0}, 100, 8)}, EntityId{0}, BoundaryEstimate{});
+  });
+  std::vector<fs::path> runs;
+  for (const char* name : {"nothing", "one_row", "no_fire", "no_belief"})
+    runs.push_back(folder.path() / name);
+  const fs::path page = folder.path() / "little.html";
+  ASSERT_TRUE(write_report(runs, page));
+  EXPECT_EQ(data_of(page)["runs"].size(), 4u);
+  EXPECT_TRUE(data_of(page)["runs"][0]["map"].is_null());
+  for (const fs::path& run : runs)
+    EXPECT_TRUE(write_report(std::span(&run, 1), folder.path() / "single.html"));
+
+  const std::string dom = shown(page, folder.path());
+  if (!dom.empty()) {
+    EXPECT_NE(dom.find("data-state=\"ready\""), std::string::npos);
+  }
+}
+
+TEST(Report, NamesEveryRunThatCannotBeRead) {
+  const TemporaryFolder folder("unreadable");
+  fs::create_directories(folder.path() / "broken");
+  std::ofstream(folder.path() / "broken" / "run.sqlite") << std::string(8192, 'x');
+  const fs::path runs[] = {folder.path() / "absent", folder.path() / "broken"};
+  const auto done = write_report(runs, folder.path() / "report.html");
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kNotFound);
+  EXPECT_NE(done.error().text().find("absent"), std::string::npos);
+  EXPECT_NE(done.error().text().find("broken"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.path() / "report.html"));
+}
+
+TEST(Report, SaysWhenThePageCannotBeWritten) {
+  const TemporaryFolder folder("page");
+  make_run(folder.path() / "one", 10);
+  const fs::path runs[] = {folder.path() / "one"};
+  const auto done = write_report(runs, folder.path() / "no" / "such" / "place.html");
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kUnavailable);
+}
+
+TEST(Report, StaysSmall) {
+  // A run of one hour with ten aircraft: 360,000 true positions, 720 perimeters.
+  const TemporaryFolder folder("small");
+  make_run(folder.path() / "hour", 3600, 10);
+  const fs::path runs[] = {folder.path() / "hour"};
+  const fs::path page = folder.path() / "hour.html";
+  ASSERT_TRUE(write_report(runs, page));
+  EXPECT_LT(fs::file_size(page), 5u << 20);
+}
+
+TEST(StudyReport, KeepsTextNumbersAndGaps) {
+  const TemporaryFolder folder("study");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  StudyReport report;
+  report.title = "Estimators & strategies";
+  report.intro = {"What was done.", "And how."};
+  report.tables = {{"Table",
+                    "Caption",
+                    {"estimator", "Perf [m]"},
+                    {{{"qkf"}, {163.0}}, {{"joint"}, {9.6, true}}, {{"none"}, {nan}}}}};
+  StudyPlot plot{"Plot", "", "distance [m]", "sd [m]", true, true, {}, {{1, "one"}}};
+  plot.series = {{"a", {1, 10, 100}, {1, nan, 2}, {0.5, 0.5, 1}, {2, 2, 3}},
+                 {"b", {2, 20}, {3, 4}, {}, {}, true, true}};
+  report.plots = {plot};
+  report.notes = {"A note."};
+  const fs::path page = folder.path() / "study.html";
+  ASSERT_TRUE(write_study_report(report, page));
+
+  const nlohmann::json data = data_of(page);
+  EXPECT_EQ(data["page"], "study");
+  EXPECT_EQ(data["tables"][0]["rows"][1][1]["highlight"], true);
+  EXPECT_TRUE(data["tables"][0]["rows"][2][1]["number"].is_null());
+  EXPECT_TRUE(data["plots"][0]["series"][0]["y"][1].is_null());
+  EXPECT_EQ(data["plots"][0]["lines"][0]["label"], "one");
+  const std::string dom = shown(page, folder.path());
+  if (dom.empty()) GTEST_SKIP() << "no chromium on this machine";
+  EXPECT_NE(dom.find("data-state=\"ready\""), std::string::npos);
+  EXPECT_NE(dom.find("Estimators &amp; strategies"), std::string::npos);
+}
+
+TEST(Base64, EncodesEveryLength) {
+  const auto encoded = [](std::string_view text) {
+    return base64(std::as_bytes(std::span(text)));
+  };
+  // The test vectors of RFC 4648, section 10.
+  EXPECT_EQ(encoded(""), "");
+  EXPECT_EQ(encoded("f"), "Zg==");
+  EXPECT_EQ(encoded("fo"), "Zm8=");
+  EXPECT_EQ(encoded("foo"), "Zm9v");
+  EXPECT_EQ(encoded("foobar"), "Zm9vYmFy");
+}
+
+}  // namespace
+}  // namespace skein::record

@@ -1,0 +1,19 @@
+# Fetches the page's npm packages when they are missing or the lock file has changed.
+# Several build folders share web/node_modules, hence the lock.
+#   cmake -DWEB=<web folder> -DNPM=<npm> -P install.cmake
+file(LOCK ${WEB}/.install.lock TIMEOUT 300)
+file(SHA256 ${WEB}/package-lock.json wanted)
+set(stamp ${WEB}/node_modules/.skein-lock-hash)
+set(present "")
+if(EXISTS ${stamp})
+  file(READ ${stamp} present)
+endif()
+if(NOT present STREQUAL wanted)
+  execute_process(COMMAND ${NPM} ci --no-progress --loglevel=error WORKING_DIRECTORY ${WEB}
+                  RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "npm ci failed in ${WEB}: the report page needs the packages of "
+                        "package-lock.json, from the network or npm's cache.")
+  endif()
+  file(WRITE ${stamp} ${wanted})
+endif()

@@ -1,0 +1,111 @@
+/** What the program puts into the page, and how its packed numbers are read. */
+
+/** Base64 of little-endian numbers of the kind that the field's comment names. */
+export type Packed = string;
+
+export interface Track {
+  entity: number;
+  start_s: number;
+  step_s: number;
+  north: Packed; // uint16, see MapData
+  east: Packed; // uint16
+  heading: Packed; // uint8, 256 = one turn
+}
+
+export interface Frame {
+  time_s: number;
+  rings: Packed[]; // truth: uint16 north, east; belief: north, east, normal, sigma
+}
+
+export interface Terrain {
+  rows: number;
+  columns: number;
+  low_north_m: number;
+  low_east_m: number;
+  spacing_m: number;
+  low_m: number;
+  step_m: number;
+  heights: Packed; // uint16, height = low + step * number, row by row from the south
+}
+
+/** Places are uint16: coordinate = low + step * number. */
+export interface MapData {
+  low_north_m: number;
+  low_east_m: number;
+  step_m: number;
+  sigma_step_m: number;
+  tracks: Track[];
+  truth: Frame[];
+  belief: Frame[];
+  crossings: { time_s: Packed; north: Packed; east: Packed }; // float32, uint16, uint16
+  terrain?: Terrain;
+}
+
+export interface RunData {
+  label: string;
+  name: string;
+  version: string;
+  seed: string;
+  start_utc: string;
+  directory: string;
+  content_hash: string;
+  state: "complete" | "interrupted" | "cut off";
+  duration_s: number;
+  allocation_start_s: number | null;
+  summary: Record<string, number>;
+  entities: { id: number; name: string; kind: string }[];
+  metrics: { time_s: Packed; columns: Record<string, Packed> }; // float32, NaN = absent
+  messages: { bin_s: number; sent: number[]; lost: number[] };
+  events: { time_s: number; entity: number; kind: string; text: string }[];
+  events_left_out: number;
+  scenario: string;
+  map: MapData | null;
+}
+
+export interface StudyCell {
+  text?: string;
+  number?: number | null;
+  highlight?: boolean;
+}
+
+export interface StudySeries {
+  name: string;
+  x: (number | null)[];
+  y: (number | null)[];
+  low?: (number | null)[];
+  high?: (number | null)[];
+  dashed?: boolean;
+  points?: boolean;
+}
+
+export interface StudyData {
+  title: string;
+  intro: string[];
+  tables: { title: string; caption: string; columns: string[]; rows: StudyCell[][] }[];
+  plots: {
+    title: string;
+    caption: string;
+    x_label: string;
+    y_label: string;
+    log_x: boolean;
+    log_y: boolean;
+    series: StudySeries[];
+    lines: { y: number; label: string }[];
+  }[];
+  notes: string[];
+}
+
+export type PageData =
+  | { page: "runs"; title: string; runs: RunData[] }
+  | ({ page: "study" } & StudyData);
+
+function bytes(packed: Packed): ArrayBuffer {
+  const text = atob(packed);
+  const out = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) out[i] = text.charCodeAt(i);
+  return out.buffer;
+}
+
+export const floats = (packed: Packed) => new Float32Array(bytes(packed));
+export const shorts = (packed: Packed) => new Uint16Array(bytes(packed));
+export const octets = (packed: Packed) => new Uint8Array(bytes(packed));

@@ -1,0 +1,276 @@
+/** Draws a scene at one time onto a canvas, north up. */
+import type { Terrain } from "./data";
+import type { Ring, Scene } from "./scene";
+import type { Theme } from "./theme";
+
+export interface View {
+  north: number; // of the middle [m]
+  east: number;
+  scale: number; // pixels per metre
+}
+
+export interface Layers {
+  terrain: boolean;
+  truth: boolean;
+  belief: boolean;
+  band: boolean;
+  tracks: boolean;
+  crossings: boolean;
+  names: boolean;
+  tail: number; // length of the tracks [s]
+}
+
+export const kAllLayers: Layers = {
+  terrain: true, truth: true, belief: true, band: true, tracks: true, crossings: true, names: true,
+  tail: 180,
+};
+
+const kBand95 = 1.96;
+const kCrossingShown = 300; // crossings fade over this time [s]
+
+type Place = (north: number, east: number) => [number, number];
+
+/** The view that shows everything in `width` by `height` pixels. */
+export function fit(scene: Scene, width: number, height: number): View {
+  const { low, high } = scene.bounds();
+  const spanN = Math.max(high[0] - low[0], 50), spanE = Math.max(high[1] - low[1], 50);
+  return {
+    north: (low[0] + high[0]) / 2,
+    east: (low[1] + high[1]) / 2,
+    scale: 0.88 * Math.min(width / spanE, height / spanN),
+  };
+}
+
+function trace(context: CanvasRenderingContext2D, rings: Ring[], place: Place): void {
+  context.beginPath();
+  for (const ring of rings) {
+    for (let i = 0; i < ring.north.length; ++i) {
+      const [x, y] = place(ring.north[i], ring.east[i]);
+      if (i === 0) context.moveTo(x, y);
+      else context.lineTo(x, y);
+    }
+    context.closePath();
+  }
+}
+
+/** The 95 % band: one quadrangle per edge, all turning alike so that overlaps fill once. */
+function traceBand(context: CanvasRenderingContext2D, rings: Ring[], place: Place): void {
+  context.beginPath();
+  for (const ring of rings) {
+    const { north, east, normal, sigma } = ring;
+    if (!normal || !sigma) continue;
+    const end = (i: number, side: number) => place(
+      north[i] + side * kBand95 * sigma[i] * Math.cos(normal[i]),
+      east[i] + side * kBand95 * sigma[i] * Math.sin(normal[i]));
+    for (let i = 0; i < north.length; ++i) {
+      const k = (i + 1) % north.length;
+      const quad = [end(i, 1), end(k, 1), end(k, -1), end(i, -1)];
+      let area = 0;
+      for (let j = 0; j < 4; ++j) {
+        const a = quad[j], b = quad[(j + 1) % 4];
+        area += a[0] * b[1] - a[1] * b[0];
+      }
+      if (area < 0) quad.reverse();
+      quad.forEach(([x, y], j) => (j === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+      context.closePath();
+    }
+  }
+}
+
+const reliefs = new WeakMap<Terrain, Map<boolean, HTMLCanvasElement>>();
+
+/** The ground lit from the north-west, one pixel per grid point; made once per theme. */
+function relief(terrain: Terrain, heights: Uint16Array, dark: boolean, strength: number): HTMLCanvasElement {
+  let made = reliefs.get(terrain);
+  if (!made) reliefs.set(terrain, (made = new Map()));
+  const ready = made.get(dark);
+  if (ready) return ready;
+  const { rows, columns, spacing_m, step_m } = terrain;
+  const canvas = document.createElement("canvas");
+  canvas.width = columns;
+  canvas.height = rows;
+  const context = canvas.getContext("2d")!;
+  const image = context.createImageData(columns, rows);
+  const height = (r: number, c: number) => step_m *
+    heights[Math.min(Math.max(r, 0), rows - 1) * columns + Math.min(Math.max(c, 0), columns - 1)];
+  const exaggerate = 2;
+  for (let r = 0; r < rows; ++r)
+    for (let c = 0; c < columns; ++c) {
+      const gn = (exaggerate * (height(r + 1, c) - height(r - 1, c))) / (2 * spacing_m);
+      const ge = (exaggerate * (height(r, c + 1) - height(r, c - 1))) / (2 * spacing_m);
+      const light = (0.5 * -gn + 0.5 * ge + 0.707) / Math.sqrt(1 + gn * gn + ge * ge);
+      const shade = Math.min(1, Math.max(0, light)) - 0.707;
+      const at = 4 * ((rows - 1 - r) * columns + c);
+      const bright = shade > 0;
+      image.data[at] = image.data[at + 1] = image.data[at + 2] = bright ? 255 : 0;
+      image.data[at + 3] = 255 * Math.min(1, Math.abs(shade) * (bright ? 2.2 : 1.3)) * strength * (dark && bright ? 0.4 : 1);
+    }
+  context.putImageData(image, 0, 0);
+  made.set(dark, canvas);
+  return canvas;
+}
+
+const kNice = [1, 2, 5];
+function niceStep(least: number): number {
+  const power = Math.pow(10, Math.floor(Math.log10(least)));
+  return (kNice.find((n) => n * power >= least) ?? 10) * power;
+}
+
+function drawGrid(context: CanvasRenderingContext2D, view: View, width: number, height: number,
+  place: Place, theme: Theme): void {
+  const step = niceStep(110 / view.scale);
+  const n = height / 2 / view.scale, e = width / 2 / view.scale;
+  context.strokeStyle = theme.grid;
+  context.lineWidth = 1;
+  context.beginPath();
+  for (let north = Math.ceil((view.north - n) / step) * step; north <= view.north + n; north += step) {
+    const y = Math.round(place(north, 0)[1]) + 0.5;
+    context.moveTo(0, y);
+    context.lineTo(width, y);
+  }
+  for (let east = Math.ceil((view.east - e) / step) * step; east <= view.east + e; east += step) {
+    const x = Math.round(place(0, east)[0]) + 0.5;
+    context.moveTo(x, 0);
+    context.lineTo(x, height);
+  }
+  context.stroke();
+}
+
+function drawScale(context: CanvasRenderingContext2D, view: View, width: number, height: number, theme: Theme): void {
+  const length = niceStep(60 / view.scale), pixels = length * view.scale;
+  const x = 14, y = height - 16;
+  context.strokeStyle = context.fillStyle = theme.ink;
+  context.lineWidth = 2;
+  context.beginPath();
+  context.moveTo(x, y - 5);
+  context.lineTo(x, y);
+  context.lineTo(x + pixels, y);
+  context.lineTo(x + pixels, y - 5);
+  context.stroke();
+  context.font = "12px system-ui, sans-serif";
+  context.textAlign = "left";
+  context.fillText(length >= 1000 ? `${length / 1000} km` : `${length} m`, x + 4, y - 7);
+
+  const cx = width - 24, cy = 34; // north arrow
+  context.beginPath();
+  context.moveTo(cx, cy - 14);
+  context.lineTo(cx + 7, cy + 8);
+  context.lineTo(cx, cy + 3);
+  context.lineTo(cx - 7, cy + 8);
+  context.closePath();
+  context.fill();
+  context.textAlign = "center";
+  context.fillText("N", cx, cy + 22);
+}
+
+function drawTracks(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place,
+  layers: Layers, theme: Theme): void {
+  const many = scene.tracks.length > 20;
+  scene.tracks.forEach((track, index) => {
+    const pose = scene.pose(track, time);
+    const colour = theme.series[index % theme.series.length];
+    const first = Math.max(0, Math.ceil((time - layers.tail - track.start) / track.step));
+    const last = Math.min(track.north.length - 1, Math.floor((time - track.start) / track.step));
+    if (layers.tracks && last >= first) {
+      context.strokeStyle = colour;
+      context.lineWidth = many ? 0.8 : 1.4;
+      context.globalAlpha = many ? 0.5 : 0.85;
+      context.beginPath();
+      for (let i = first; i <= last; ++i) {
+        const [x, y] = place(track.north[i], track.east[i]);
+        if (i === first) context.moveTo(x, y);
+        else context.lineTo(x, y);
+      }
+      if (pose) context.lineTo(...place(pose.north, pose.east));
+      context.stroke();
+      context.globalAlpha = 1;
+    }
+    if (!pose) return;
+    const [x, y] = place(pose.north, pose.east), size = many ? 5 : 9;
+    context.save();
+    context.translate(x, y);
+    context.rotate(pose.heading); // bearing 0 points up, east to the right
+    context.beginPath();
+    context.moveTo(0, -size);
+    context.lineTo(size * 0.7, size * 0.8);
+    context.lineTo(0, size * 0.35);
+    context.lineTo(-size * 0.7, size * 0.8);
+    context.closePath();
+    context.fillStyle = colour;
+    context.strokeStyle = theme.paper;
+    context.lineWidth = 1.2;
+    context.fill();
+    context.stroke();
+    context.restore();
+    if (layers.names && !many) {
+      context.font = "12px system-ui, sans-serif";
+      context.textAlign = "left";
+      context.lineWidth = 3;
+      context.strokeStyle = theme.paper;
+      context.strokeText(track.name, x + 11, y - 6);
+      context.fillStyle = theme.ink;
+      context.fillText(track.name, x + 11, y - 6);
+    }
+  });
+}
+
+/** Draws everything; the context's units are CSS pixels. */
+export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights: Uint16Array | null,
+  time: number, view: View, width: number, height: number, layers: Layers, theme: Theme): void {
+  const place: Place = (north, east) => [
+    width / 2 + (east - view.east) * view.scale,
+    height / 2 - (north - view.north) * view.scale,
+  ];
+  context.fillStyle = theme.paper;
+  context.fillRect(0, 0, width, height);
+  context.lineJoin = "round";
+
+  if (layers.terrain && scene.terrain && heights) {
+    const t = scene.terrain, half = t.spacing_m / 2;
+    const [x0, y1] = place(t.low_north_m - half, t.low_east_m - half);
+    const [x1, y0] = place(t.low_north_m + (t.rows - 0.5) * t.spacing_m, t.low_east_m + (t.columns - 0.5) * t.spacing_m);
+    context.imageSmoothingEnabled = true;
+    context.drawImage(relief(t, heights, theme.dark, theme.shade), x0, y0, x1 - x0, y1 - y0);
+  } else {
+    drawGrid(context, view, width, height, place, theme);
+  }
+
+  const truth = scene.truth(time), belief = scene.belief(time);
+  if (layers.truth) {
+    trace(context, truth, place);
+    context.fillStyle = theme.truthFill;
+    context.fill("evenodd");
+    context.strokeStyle = theme.truth;
+    context.lineWidth = 1.6;
+    context.stroke();
+  }
+  if (layers.band) {
+    traceBand(context, belief, place);
+    context.fillStyle = theme.bandFill;
+    context.fill("nonzero");
+  }
+  if (layers.belief) {
+    trace(context, belief, place);
+    context.strokeStyle = theme.belief;
+    context.lineWidth = 2;
+    context.setLineDash([7, 4]);
+    context.stroke();
+    context.setLineDash([]);
+  }
+  if (layers.crossings) {
+    const { time: when, north, east } = scene.crossings;
+    context.fillStyle = theme.crossing;
+    for (let i = 0; i < when.length; ++i) {
+      const age = time - when[i];
+      if (age < 0 || age > kCrossingShown) continue;
+      const [x, y] = place(north[i], east[i]);
+      context.globalAlpha = 0.15 + 0.75 * (1 - age / kCrossingShown);
+      context.beginPath();
+      context.arc(x, y, 3, 0, 7);
+      context.fill();
+    }
+    context.globalAlpha = 1;
+  }
+  drawTracks(context, scene, time, place, layers, theme);
+  drawScale(context, view, width, height, theme);
+}

@@ -1,0 +1,128 @@
+/** The report of one run or several. */
+import { chart, type Chart, type ChartOptions, type Line } from "./chart";
+import { floats, type RunData } from "./data";
+import { clock, h, section } from "./dom";
+import { figuresTable, tiles } from "./figures";
+import { Player } from "./player";
+
+const kStates = {
+  complete: "complete",
+  interrupted: "interrupted by the user, records complete up to there",
+  "cut off": "cut off: the program ended without closing its records",
+};
+
+function identity(run: RunData): HTMLElement {
+  const row = (label: string, value: string) => value ? [h("dt", {}, label), h("dd", {}, value)] : [];
+  return h("dl", { class: "identity" },
+    ...row("Scenario", run.name), ...row("Directory", run.directory), ...row("Seed", run.seed),
+    ...row("Skein", run.version), ...row("Start", run.start_utc),
+    ...row("Simulated", clock(run.duration_s)), ...row("State", kStates[run.state]),
+    ...row("Content hash", run.content_hash));
+}
+
+/** Lines of metrics columns for every run; with several runs, the run has the colour. */
+function lines(runs: RunData[], columns: [string, string][]): Line[] {
+  return runs.flatMap((run, r) => columns.flatMap(([column, name], c) => {
+    const packed = run.metrics.columns[column];
+    if (!packed) return [];
+    const y = floats(packed);
+    if (!y.some(Number.isFinite)) return [];
+    const label = runs.length === 1 ? name : columns.length === 1 ? run.label : `${run.label}: ${name}`;
+    return [{ name: label, x: floats(run.metrics.time_s), y: Array.from(y),
+      colour: (runs.length === 1 ? c : r) % 8, dashed: c > 0 }];
+  }));
+}
+
+function messageLines(runs: RunData[]): Line[] {
+  return runs.flatMap((run, r) => (["sent", "lost"] as const).map((kind, k) => ({
+    name: runs.length === 1 ? kind : `${run.label}: ${kind}`,
+    x: run.messages.sent.map((_, i) => (i + 0.5) * run.messages.bin_s),
+    y: run.messages[kind].map((count) => (count * 60) / run.messages.bin_s),
+    colour: (runs.length === 1 ? k : r) % 8,
+    dashed: k > 0,
+  })));
+}
+
+function areaLines(runs: RunData[]): Line[] {
+  return runs.flatMap((run, r) => {
+    const truth = run.metrics.columns.truth_area_m2, error = run.metrics.columns.area_error_m2;
+    if (!truth || !error) return [];
+    const x = floats(run.metrics.time_s), real = floats(truth), more = floats(error);
+    const name = (text: string) => (runs.length === 1 ? text : `${run.label}: ${text}`);
+    return [
+      { name: name("true"), x, y: Array.from(real, (v) => v / 1e4), colour: (runs.length === 1 ? 1 : r) % 8 },
+      { name: name("believed"), x, y: Array.from(real, (v, i) => (v + more[i]) / 1e4),
+        colour: (runs.length === 1 ? 0 : r) % 8, dashed: true },
+    ];
+  });
+}
+
+function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
+  const marks = runs.length === 1 && runs[0].allocation_start_s != null
+    ? [{ x: runs[0].allocation_start_s, label: "allocation starts" }] : [];
+  const make = (options: Omit<ChartOptions, "sync" | "marks" | "onPick">) =>
+    chart({ ...options, marks, sync: "time", onPick });
+  return [
+    make({ title: "Perf", unit: "m", note: "error and stated deviation together; small is good",
+      lines: lines(runs, [["perf_m", "Perf"]]) }),
+    make({ title: "Error and stated deviation", unit: "m", note: "alike when the estimator knows how good it is",
+      lines: lines(runs, [["rmse_m", "RMS error"], ["sigma_m", "sigma"]]) }),
+    make({ title: "Distance between the boundaries", unit: "m", note: "both ways",
+      lines: lines(runs, [["boundary_rms_m", "RMS"], ["boundary_hausdorff_m", "largest"]]) }),
+    make({ title: "Intersection over union", note: "of the true and the believed area", range: [null, 1],
+      lines: lines(runs, [["iou", "IoU"]]) }),
+    make({ title: "Coverage of the 95 % band", note: "share of believed points whose band holds the truth",
+      range: [0, 1.02], levels: [{ y: 0.95, label: "95 %" }], lines: lines(runs, [["coverage_95", "coverage"]]) }),
+    make({ title: "NEES", note: "squared error over stated variance; consistent within 0.5 to 2", logY: true,
+      band: [0.5, 2], lines: lines(runs, [["nees", "NEES"]]) }),
+    make({ title: "CRPS", unit: "m", note: "score of the whole distribution; small is good",
+      lines: lines(runs, [["crps_m", "CRPS"]]) }),
+    make({ title: "Age of knowledge", unit: "s", note: "since the boundary was last crossed nearby",
+      lines: lines(runs, [["latency_mean_s", "mean"], ["latency_max_s", "oldest"]]) }),
+    make({ title: "Burnt area", unit: "ha", lines: areaLines(runs) }),
+    make({ title: "Messages per minute", lines: messageLines(runs) }),
+  ];
+}
+
+function eventList(runs: RunData[]): HTMLElement | null {
+  const tables = runs.filter((run) => run.events.length > 0).map((run) => {
+    const names = new Map(run.entities.map((entity) => [entity.id, entity.name]));
+    return h("details", { open: runs.length === 1 && run.events.length <= 15 },
+      h("summary", {}, `${run.label}: ${run.events.length + run.events_left_out} events`),
+      h("div", { class: "scroll" }, h("table", { class: "events" },
+        h("thead", {}, h("tr", {}, ...["Time", "Who", "Kind", "What"].map((t) => h("th", { scope: "col" }, t)))),
+        h("tbody", {}, ...run.events.map((event) => h("tr", {},
+          h("td", {}, clock(event.time_s)), h("td", {}, names.get(event.entity) ?? String(event.entity)),
+          h("td", {}, event.kind), h("td", {}, event.text)))))),
+      run.events_left_out > 0
+        ? h("p", { class: "hint" }, `${run.events_left_out} more are in the run's database.`) : null);
+  });
+  return tables.length > 0 ? section("Events", "events", ...tables) : null;
+}
+
+export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
+  const player = Player.make(runs);
+  const charts = plots(runs, (time) => player?.seek(time));
+  if (player) player.onTime = (time) => charts.forEach((c) => c.showTime(time));
+  const scenarios = runs.filter((run) => run.scenario).map((run) =>
+    h("details", {}, h("summary", {}, `${run.label}: scenario as run`), h("pre", {}, run.scenario)));
+  const several = runs.length > 1;
+  const overview = section(several ? "Comparison" : "Overview", "overview",
+    several ? h("p", {}, `${runs.length} runs; the best value of each row is marked.`) : tiles(runs[0]),
+    figuresTable(runs),
+    h("p", { class: "hint" }, "Means are over the allocation phase, from the moment the aircraft have found the fire."),
+    ...(several
+      ? runs.map((run) => h("details", {}, h("summary", {}, `What ${run.label} was`), identity(run)))
+      : [identity(runs[0])]));
+  return [
+    h("header", {}, h("h1", {}, title)),
+    overview,
+    section("Map", "map", player ? player.element
+      : h("p", { class: "empty" }, "The records hold no positions and no perimeters.")),
+    section("Over time", "plots",
+      h("p", { class: "hint" }, "Drag across a plot to zoom, double-click to see all; a click moves the map to that time."),
+      h("div", { class: "charts" }, ...charts.map((c) => c.element))),
+    ...[eventList(runs), scenarios.length > 0 ? section("Scenario", "scenario", ...scenarios) : null]
+      .filter((part): part is HTMLElement => part !== null),
+  ];
+}

@@ -1,0 +1,129 @@
+/** What is where at a time: unpacked tracks and perimeters of one run. */
+import { floats, octets, shorts, type Frame, type MapData, type RunData, type Terrain } from "./data";
+
+/** A believed ring: places, outward directions and deviations, point by point. */
+export interface Ring {
+  north: Float32Array;
+  east: Float32Array;
+  normal?: Float32Array; // bearing [rad]
+  sigma?: Float32Array; // [m]
+}
+
+export interface Track {
+  name: string;
+  start: number;
+  step: number;
+  north: Float32Array;
+  east: Float32Array;
+  heading: Uint8Array;
+}
+
+export interface Pose {
+  north: number;
+  east: number;
+  heading: number; // [rad]
+}
+
+const kTurn = 2 * Math.PI;
+
+export class Scene {
+  readonly tracks: Track[];
+  readonly crossings: { time: Float32Array; north: Float32Array; east: Float32Array };
+  readonly terrain?: Terrain;
+  readonly duration: number;
+  private readonly cache = new Map<Frame, Ring[]>();
+
+  constructor(run: RunData, private readonly map: MapData) {
+    const names = new Map(run.entities.map((entity) => [entity.id, entity.name]));
+    this.duration = run.duration_s;
+    this.terrain = map.terrain;
+    this.tracks = map.tracks.map((track) => ({
+      name: names.get(track.entity) ?? `${track.entity}`,
+      start: track.start_s,
+      step: track.step_s,
+      north: this.places(shorts(track.north), map.low_north_m),
+      east: this.places(shorts(track.east), map.low_east_m),
+      heading: octets(track.heading),
+    }));
+    this.crossings = {
+      time: floats(map.crossings.time_s),
+      north: this.places(shorts(map.crossings.north), map.low_north_m),
+      east: this.places(shorts(map.crossings.east), map.low_east_m),
+    };
+  }
+
+  private places(packed: Uint16Array, low: number): Float32Array {
+    return Float32Array.from(packed, (v) => low + v * this.map.step_m);
+  }
+
+  /** The newest rings at `time`; none before the first. */
+  truth(time: number): Ring[] {
+    return this.at(this.map.truth, time, 2);
+  }
+  belief(time: number): Ring[] {
+    return this.at(this.map.belief, time, 4);
+  }
+
+  private at(frames: Frame[], time: number, stride: number): Ring[] {
+    let low = 0, high = frames.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (frames[middle].time_s <= time + 1e-6) low = middle + 1;
+      else high = middle;
+    }
+    if (low === 0) return [];
+    const frame = frames[low - 1];
+    let rings = this.cache.get(frame);
+    if (!rings) {
+      rings = frame.rings.map((packed) => this.ring(shorts(packed), stride));
+      this.cache.set(frame, rings);
+    }
+    return rings;
+  }
+
+  private ring(values: Uint16Array, stride: number): Ring {
+    const column = (k: number, read: (v: number) => number) =>
+      Float32Array.from({ length: values.length / stride }, (_, i) => read(values[i * stride + k]));
+    const { low_north_m, low_east_m, step_m, sigma_step_m } = this.map;
+    const ring: Ring = {
+      north: column(0, (v) => low_north_m + v * step_m),
+      east: column(1, (v) => low_east_m + v * step_m),
+    };
+    if (stride === 4) {
+      ring.normal = column(2, (v) => (v / 65536) * kTurn);
+      ring.sigma = column(3, (v) => v * sigma_step_m);
+    }
+    return ring;
+  }
+
+  /** Where a track is at `time`; nothing before its start or after its end. */
+  pose(track: Track, time: number): Pose | null {
+    const exact = (time - track.start) / track.step, last = track.north.length - 1;
+    if (exact < 0 || exact > last + 1 || last < 0) return null;
+    const i = Math.min(Math.floor(exact), last), k = Math.min(i + 1, last), f = Math.min(exact - i, 1);
+    const turn = ((track.heading[k] - track.heading[i] + 384) % 256) - 128;
+    return {
+      north: track.north[i] + f * (track.north[k] - track.north[i]),
+      east: track.east[i] + f * (track.east[k] - track.east[i]),
+      heading: ((track.heading[i] + f * turn) / 256) * kTurn,
+    };
+  }
+
+  /** South-west and north-east corners of everything but the terrain. */
+  bounds(): { low: [number, number]; high: [number, number] } {
+    let n0 = Infinity, n1 = -Infinity, e0 = Infinity, e1 = -Infinity;
+    const add = (north: Float32Array, east: Float32Array) => {
+      for (let i = 0; i < north.length; ++i) {
+        n0 = Math.min(n0, north[i]);
+        n1 = Math.max(n1, north[i]);
+        e0 = Math.min(e0, east[i]);
+        e1 = Math.max(e1, east[i]);
+      }
+    };
+    for (const track of this.tracks) add(track.north, track.east);
+    for (const rings of [this.truth(this.duration), this.belief(this.duration), this.truth(0)])
+      for (const ring of rings) add(ring.north, ring.east);
+    if (!(n0 <= n1)) return { low: [-500, -500], high: [500, 500] };
+    return { low: [n0, e0], high: [n1, e1] };
+  }
+}
