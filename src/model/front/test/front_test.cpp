@@ -158,6 +158,79 @@ TEST(Front, FlowsAroundWhatDoesNotBurnAndClosesBehindIt) {
   EXPECT_NEAR(-geo::signed_area(front.region()[1]), kPi * 60 * 60, 2 * kPi * 60 * 5);
 }
 
+// Arrival times on a square grid by fast sweeping (Zhao 2005): |grad T| rate = 1, T = 0
+// in the start circle. First order in the cell.
+class Arrival {
+ public:
+  Arrival(double half_side, double cell, double start_radius, const FieldOf& field)
+      : n_(static_cast<int>(2 * half_side / cell) + 1), cell_(cell), half_(half_side) {
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; j < n_; ++j) {
+        const Vec2 p = centre(i, j);
+        Wavelet w;
+        field.wavelets({&p, 1}, 0, {&w, 1});
+        slowness_.push_back(w.length > 0 ? 1 / w.length : 1e9);
+        // Near the circle the distance is the better start than 0.
+        const double outside = p.norm() - start_radius;
+        time_.push_back(outside < 0           ? 0
+                        : outside < 2 * cell_ ? outside * slowness_.back()
+                                              : 1e12);
+      }
+    for (int round = 0; round < 6; ++round)
+      for (int way = 0; way < 4; ++way) sweep(way & 1, way & 2);
+  }
+  int size() const { return n_; }
+  Vec2 centre(int i, int j) const { return {i * cell_ - half_, j * cell_ - half_}; }
+  double at(int i, int j) const { return time_[static_cast<std::size_t>(i * n_ + j)]; }
+
+ private:
+  double get(int i, int j) const {
+    return i < 0 || j < 0 || i >= n_ || j >= n_ ? 1e12 : at(i, j);
+  }
+  void sweep(bool flip_i, bool flip_j) {
+    for (int ii = 0; ii < n_; ++ii)
+      for (int jj = 0; jj < n_; ++jj) {
+        const int i = flip_i ? n_ - 1 - ii : ii, j = flip_j ? n_ - 1 - jj : jj;
+        const auto k = static_cast<std::size_t>(i * n_ + j);
+        const double a = std::min(get(i - 1, j), get(i + 1, j));
+        const double b = std::min(get(i, j - 1), get(i, j + 1));
+        const double f = cell_ * slowness_[k];
+        const double t = std::abs(a - b) >= f
+                             ? std::min(a, b) + f
+                             : (a + b + std::sqrt(2 * f * f - (a - b) * (a - b))) / 2;
+        time_[k] = std::min(time_[k], t);
+      }
+  }
+  int n_;
+  double cell_, half_;
+  std::vector<double> slowness_, time_;
+};
+
+TEST(Front, AgreesWithArrivalTimesOnAGrid) {
+  const FieldOf field([](const Vec2& p, double) {
+    const double wave = std::sin(p.x() / 37) * std::sin(p.y() / 45 + 1);
+    const double rate = wave < -0.8 ? 0 : 0.3 * std::exp(0.9 * wave);  // with rocks
+    return Wavelet{{1, 0}, rate, rate, 0};
+  });
+  const Arrival arrival(500, 1.25, 30, field);
+  Front front({circle({0, 0}, 30)}, {});
+  for (double time : {300.0, 600.0, 1000.0}) {
+    front.advance(field, time);
+    const geo::BoundaryIndex index(front.region());
+    int both = 0, either = 0;
+    for (int i = 0; i < arrival.size(); ++i)
+      for (int j = 0; j < arrival.size(); ++j) {
+        const bool grid = arrival.at(i, j) <= time;
+        const bool line = index.contains(arrival.centre(i, j));
+        both += grid && line;
+        either += grid || line;
+      }
+    // The grid's error leads, and is of first order: measured 0.972 with cells of 2.5 m,
+    // 0.985 with 1.25 m, hardly dependent on the markers' spacing.
+    EXPECT_GT(1.0 * both / either, 0.98) << time;
+  }
+}
+
 TEST(Front, ConvergesWithSpacing) {
   const FieldOf field(rough);
   std::vector<double> areas;
@@ -169,8 +242,9 @@ TEST(Front, ConvergesWithSpacing) {
     areas.push_back(geo::area(front.region()));
   }
   const double last = areas.back();
-  EXPECT_LT(std::abs(areas[1] / last - 1), 0.02);
-  EXPECT_LT(std::abs(areas[2] / last - 1), 0.01);
+  // Measured 0.02 % at 10 m; other compilers may round cuts otherwise.
+  EXPECT_LT(std::abs(areas[1] / last - 1), 0.002);
+  EXPECT_LT(std::abs(areas[2] / last - 1), 0.002);
   EXPECT_LT(std::abs(areas[2] - last), std::abs(areas[0] - last));
 }
 
@@ -182,9 +256,9 @@ TEST(Front, NeverGivesBackWhatHasBurnt) {
     front.advance(field, 45.0 * k);
     for (const geo::Ring& ring : front.region())
       for (const Vec2& p : ring) ASSERT_TRUE(p.allFinite());
-    // Removing a marker cuts its corner: at most some square metres per step.
+    // Removing a marker cuts its corner: up to 2 m^2 of 150,000 were measured.
     const double lost = geo::area(geo::subtract(before, front.region()));
-    EXPECT_LT(lost, 2e-3 * geo::area(before)) << "at " << front.time();
+    EXPECT_LT(lost, 10) << "at " << front.time();
     before = front.region();
   }
 }
