@@ -204,7 +204,8 @@ class Reader {
 
   Result<void> messages() {
     run_.message_bin = std::max(10.0, std::ceil(run_.duration / 120 / 10) * 10);
-    const auto bins = static_cast<std::size_t>(run_.duration / run_.message_bin) + 1;
+    const double needed = std::max(1.0, std::ceil(run_.duration / run_.message_bin));
+    const auto bins = static_cast<std::size_t>(needed);
     run_.messages_sent.assign(bins, 0);
     run_.messages_lost.assign(bins, 0);
     return rows("SELECT sent_s, lost FROM messages", [&](const Statement& row) {

@@ -1,6 +1,6 @@
 /** Line plots with uPlot: one look for all, linked cursors, themes, sizes. */
 import uPlot from "uplot";
-import { clock, h, number } from "./dom";
+import { clock, h, number, tick } from "./dom";
 import { onThemeChange, theme } from "./theme";
 
 export interface Line {
@@ -140,7 +140,9 @@ function yRange(options: ChartOptions): uPlot.Scale.Range {
       high = Math.max(high, level);
     }
     if (options.logY) return uPlot.rangeLog(low, high === low ? low * 10 : high, 10, false);
-    const [from, to] = uPlot.rangeNum(low, high, { min: { pad: 0.05, soft: 0, mode: 1 }, max: { pad: 0.08, soft: 0, mode: 2 } });
+    // Zero belongs to the picture unless the values are all far from it.
+    const mode = low > 0.6 * high ? 0 : 1;
+    const [from, to] = uPlot.rangeNum(low, high, { min: { pad: 0.08, soft: 0, mode }, max: { pad: 0.08, soft: 0, mode: 2 } });
     return [options.range?.[0] ?? from, options.range?.[1] ?? to];
   };
 }
@@ -154,7 +156,7 @@ function axes(options: ChartOptions): uPlot.Axis[] {
     labelFont: "12px system-ui, sans-serif",
   };
   const time = !options.xLabel;
-  const plain = (_: uPlot, values: (number | null)[]) => values.map((v) => (v == null ? "" : number(v, 6)));
+  const plain = (_: uPlot, values: (number | null)[]) => values.map((v) => (v == null ? "" : tick(v)));
   return [
     { ...common, label: options.xLabel, labelSize: 18, size: 30, space: 64,
       incrs: time ? kTimeSteps : undefined,

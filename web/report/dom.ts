@@ -45,3 +45,10 @@ export function number(value: number | null | undefined, digits = 3): string {
   const spaced = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u2009") : whole;
   return part ? `${spaced}.${part}` : spaced;
 }
+
+/** A number on an axis: as few digits as it needs. */
+export function tick(value: number): string {
+  if (value === 0) return "0";
+  const text = number(value, 6);
+  return text.includes(".") && !text.includes("e") ? text.replace(/\.?0+$/, "") : text;
+}

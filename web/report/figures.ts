@@ -1,97 +1,135 @@
-/** The table of key figures, for one run or several side by side. */
+/** The tables of key figures, for one run or several side by side. */
 import type { RunData } from "./data";
 import { clock, h, number } from "./dom";
 
-interface Figure {
+type Best = "low" | "high" | { near: number };
+
+/** A metric over time: its mean and its last value are in the summary. */
+interface Metric {
+  name: string;
+  unit: string;
   label: string;
   help: string;
-  show: (run: RunData) => number | undefined;
-  text?: (value: number) => string;
-  best?: "low" | "high" | { near: number };
-  unit?: string;
+  best?: Best;
 }
 
+/** A single number of a run. */
+interface Count {
+  label: string;
+  unit?: string;
+  show: (run: RunData) => number | undefined;
+  text?: (value: number) => string;
+}
+
+interface Row {
+  label: string;
+  help?: string;
+  unit?: string;
+  best?: Best;
+  values: (number | undefined)[];
+  text?: (value: number) => string;
+}
+
+const kMetrics: Metric[] = [
+  { name: "perf", unit: "m", label: "Perf", help: "error and stated deviation together", best: "low" },
+  { name: "boundary_rms", unit: "m", label: "Boundary RMS", help: "between the boundaries, both ways", best: "low" },
+  { name: "boundary_hausdorff", unit: "m", label: "Hausdorff", help: "largest distance between them", best: "low" },
+  { name: "iou", unit: "", label: "IoU", help: "intersection over union of the areas", best: "high" },
+  { name: "coverage_95", unit: "", label: "95 % coverage", help: "points inside their band", best: { near: 0.95 } },
+  { name: "nees", unit: "", label: "NEES", help: "squared error over variance; 1 is consistent", best: { near: 1 } },
+  { name: "rmse", unit: "m", label: "RMS error", help: "of the believed points", best: "low" },
+  { name: "sigma", unit: "m", label: "Stated deviation", help: "of the believed points" },
+  { name: "crps", unit: "m", label: "CRPS", help: "score of the whole distribution", best: "low" },
+  { name: "latency_mean", unit: "s", label: "Age of knowledge", help: "since the last crossing nearby", best: "low" },
+];
+
 const key = (name: string) => (run: RunData) => run.summary[name];
+const of = (run: RunData, metric: Metric, part: string) =>
+  run.summary[`${metric.name}_${part}${metric.unit ? `_${metric.unit}` : ""}`];
 
-const metric = (name: string, unit: string, label: string, help: string,
-  best: Figure["best"]): Figure[] => {
-  const suffix = unit === "" ? "" : `_${unit}`;
-  return [
-    { label: `${label}, mean`, help, unit, best, show: key(`${name}_mean${suffix}`) },
-    { label: `${label}, at the end`, help, unit, best, show: key(`${name}_final${suffix}`) },
-  ];
-};
-
-const kFigures: Figure[] = [
-  ...metric("perf", "m", "Perf", "root mean square of error and stated deviation together", "low"),
-  { label: "Perf, mean of the whole run", help: "including the deployment", unit: "m", best: "low",
-    show: key("perf_run_mean_m") },
-  ...metric("boundary_rms", "m", "Boundary RMS", "distance between the boundaries, both ways", "low"),
-  ...metric("boundary_hausdorff", "m", "Hausdorff", "largest distance between the boundaries", "low"),
-  ...metric("iou", "", "IoU", "intersection over union of the areas", "high"),
-  ...metric("coverage_95", "", "95 % coverage", "share of points inside their 95 % band", { near: 0.95 }),
-  ...metric("nees", "", "NEES", "squared error over stated variance; 1 is consistent", { near: 1 }),
-  ...metric("sigma", "m", "Stated deviation", "root mean square of sigma", undefined),
-  ...metric("crps", "m", "CRPS", "continuous ranked probability score", "low"),
-  ...metric("latency_mean", "s", "Age of knowledge", "since the last crossing nearby", "low"),
-  { label: "Simulated time", help: "", show: (run) => run.duration_s, text: clock },
-  { label: "Speed", help: "simulated time over wall time", unit: "× real time", show: key("real_time_factor") },
-  { label: "Aircraft", help: "", show: key("aircraft") },
-  { label: "Distance flown", help: "all aircraft", unit: "km",
-    show: (run) => run.summary.distance_flown_total_m / 1000 },
-  { label: "Observations", help: "in/out readings", show: key("observations") },
-  { label: "Crossings", help: "of the boundary", show: key("crossings") },
-  { label: "Messages lost", help: "of those sent", unit: "%",
+const kCounts: Count[] = [
+  { label: "Simulated time", show: (run) => run.duration_s, text: clock },
+  { label: "Speed", unit: "×", show: key("real_time_factor") },
+  { label: "Missed deadlines", show: key("deadline_misses") },
+  { label: "Aircraft", show: key("aircraft") },
+  { label: "Distance flown, all", unit: "km", show: (run) => run.summary.distance_flown_total_m / 1000 },
+  { label: "Observations", show: key("observations") },
+  { label: "Crossings", show: key("crossings") },
+  { label: "Messages lost", unit: "%",
     show: (run) => run.summary.messages_sent > 0
       ? (100 * run.summary.messages_lost) / run.summary.messages_sent : undefined },
 ];
 
-/** Which values are the best ones; none when all are alike or nothing is better. */
-function bestOf(values: (number | undefined)[], best: Figure["best"]): boolean[] {
+const known = (value: number | undefined): value is number => value != null && Number.isFinite(value);
+
+/** Which values are the best ones, as far as the printed digits tell them apart. */
+function bestOf(values: (number | undefined)[], texts: string[], best?: Best): boolean[] {
   const cost = values.map((v) =>
-    v == null || !Number.isFinite(v) ? Infinity
+    !known(v) ? Infinity
       : best === "low" ? v : best === "high" ? -v
       // Ratios are judged as ratios: 0.5 is as far from 1 as 2.
       : best ? Math.abs(best.near === 1 ? Math.log(Math.max(v, 1e-9)) : v - best.near) : 0);
-  const least = Math.min(...cost);
-  const useful = best != null && values.length > 1 && new Set(cost).size > 1;
-  return cost.map((c) => useful && c === least && Number.isFinite(c));
+  const winner = texts[cost.indexOf(Math.min(...cost))];
+  const useful = best != null && new Set(texts).size > 1;
+  return values.map((v, i) => useful && known(v) && texts[i] === winner);
 }
 
-export function figuresTable(runs: RunData[]): HTMLElement {
-  const rows = kFigures.flatMap((figure) => {
-    const values = runs.map(figure.show);
-    if (values.every((v) => v == null || !Number.isFinite(v))) return [];
-    const best = bestOf(values, figure.best);
-    const cells = values.map((value, i) => {
-      const text = value == null || !Number.isFinite(value) ? "–"
-        : figure.text ? figure.text(value) : number(value);
-      return h("td", { class: best[i] ? "best" : "" }, text,
-        figure.unit && text !== "–" ? h("span", { class: "unit" }, ` ${figure.unit}`) : null,
-        best[i] ? h("span", { class: "visually-hidden" }, " (best)") : null);
-    });
-    return [h("tr", {}, h("th", { scope: "row" }, figure.label,
-      figure.help ? h("span", { class: "help" }, figure.help) : null), ...cells)];
+function table(caption: string | null, columns: (Node | string)[], rows: Row[], compare: boolean): HTMLElement {
+  const body = rows.filter((row) => row.values.some(known)).map((row) => {
+    const texts = row.values.map((value) => !known(value) ? "–" : (row.text ?? number)(value));
+    const best = compare ? bestOf(row.values, texts, row.best) : [];
+    const cells = row.values.map((value, i) =>
+      h("td", { class: best[i] ? "best" : undefined }, texts[i],
+        row.unit && known(value) ? h("span", { class: "unit" }, ` ${row.unit}`) : null,
+        best[i] ? h("span", { class: "visually-hidden" }, " (best)") : null));
+    return h("tr", {}, h("th", { scope: "row" }, row.label,
+      row.help ? h("span", { class: "help" }, row.help) : null), ...cells);
   });
-  const head = h("tr", {}, h("th", { scope: "col" }, "Figure"),
-    ...runs.map((run, i) => h("th", { scope: "col" },
-      h("span", { class: `swatch c${i % 8}`, "aria-hidden": "true" }), run.label)));
-  return h("div", { class: "scroll" },
-    h("table", { class: "figures" }, h("thead", {}, head), h("tbody", {}, ...rows)));
+  return h("div", { class: "scroll" }, h("table", { class: "figures" },
+    caption ? h("caption", {}, caption) : null,
+    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Figure"),
+      ...columns.map((column) => h("th", { scope: "col" }, column)))),
+    h("tbody", {}, ...body)));
 }
 
-/** Large tiles with what matters most, for a single run. */
+/** One run: each metric's means and last value. */
+export function figuresTable(run: RunData): HTMLElement {
+  return table(null, ["mean", "whole run", "at the end"], kMetrics.map((metric) => ({
+    ...metric, values: ["mean", "run_mean", "final"].map((part) => of(run, metric, part)),
+  })), false);
+}
+
+function headings(runs: RunData[]): HTMLElement[] {
+  return runs.map((run, i) => h("span", {},
+    h("span", { class: `swatch c${i % 8}`, "aria-hidden": "true" }), run.label));
+}
+
+/** Several runs: one column for each. */
+export function comparisonTables(runs: RunData[]): HTMLElement[] {
+  const rows = (part: string): Row[] =>
+    kMetrics.map((metric) => ({ ...metric, values: runs.map((run) => of(run, metric, part)) }));
+  const counts: Row[] = kCounts.map((count) => ({ ...count, values: runs.map(count.show) }));
+  const more = (title: string, part: string) => h("details", {}, h("summary", {}, title),
+    table(null, headings(runs), rows(part), true));
+  return [
+    table(null, headings(runs), [...rows("mean"), ...counts], true),
+    more("Means over the whole run, with the deployment", "run_mean"),
+    more("Values at the end", "final"),
+  ];
+}
+
+/** Large tiles with what matters most of a single run, and its counts. */
 export function tiles(run: RunData): HTMLElement {
-  const tile = (label: string, value: number | undefined, unit: string, text: (value: number) => string = number) =>
-    value == null || !Number.isFinite(value) ? null
+  const tile = (label: string, value: number | undefined, unit = "", text: (v: number) => string = number) =>
+    !known(value) ? null
       : h("div", { class: "tile" }, h("span", { class: "tile-label" }, label),
-        h("span", { class: "tile-value" }, text(value), h("span", { class: "unit" }, ` ${unit}`)));
+        h("span", { class: "tile-value" }, text(value), unit ? h("span", { class: "unit" }, ` ${unit}`) : null));
   const s = run.summary;
   return h("div", { class: "tiles" },
     tile("Perf, mean", s.perf_mean_m ?? s.perf_run_mean_m, "m"),
     tile("Boundary RMS, mean", s.boundary_rms_mean_m ?? s.boundary_rms_run_mean_m, "m"),
-    tile("IoU, mean", s.iou_mean ?? s.iou_run_mean, ""),
-    tile("95 % coverage, mean", s.coverage_95_mean ?? s.coverage_95_run_mean, ""),
-    tile("Aircraft", s.aircraft, ""),
-    tile("Simulated", run.duration_s, "", clock));
+    tile("IoU, mean", s.iou_mean ?? s.iou_run_mean),
+    tile("95 % coverage, mean", s.coverage_95_mean ?? s.coverage_95_run_mean),
+    ...kCounts.filter((count) => count.label !== "Missed deadlines" || count.show(run))
+      .map((count) => tile(count.label, count.show(run), count.unit, count.text)));
 }

@@ -80,8 +80,8 @@ export class Player {
     this.shown = shown;
     this.current = shown[0];
     this.end = Math.max(...shown.map((s) => s.scene.duration));
-    this.time = 0;
-    this.slider = h("input", { type: "range", min: 0, max: Math.max(this.end, 0.1), step: "any", value: 0,
+    this.time = this.end; // the first look is at the result; playing starts at the beginning
+    this.slider = h("input", { type: "range", min: 0, max: Math.max(this.end, 0.1), step: "any", value: this.end,
       "aria-label": "Simulated time", class: "time",
       oninput: () => { this.pause(); this.seek(Number(this.slider.value)); } });
     this.playButton = h("button", { type: "button", class: "play", onclick: () => this.toggle() }, "▶ Play");

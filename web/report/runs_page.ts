@@ -2,7 +2,7 @@
 import { chart, type Chart, type ChartOptions, type Line } from "./chart";
 import { floats, type RunData } from "./data";
 import { clock, h, section } from "./dom";
-import { figuresTable, tiles } from "./figures";
+import { comparisonTables, figuresTable, tiles } from "./figures";
 import { Player } from "./player";
 
 const kStates = {
@@ -37,7 +37,10 @@ function messageLines(runs: RunData[]): Line[] {
   return runs.flatMap((run, r) => (["sent", "lost"] as const).map((kind, k) => ({
     name: runs.length === 1 ? kind : `${run.label}: ${kind}`,
     x: run.messages.sent.map((_, i) => (i + 0.5) * run.messages.bin_s),
-    y: run.messages[kind].map((count) => (count * 60) / run.messages.bin_s),
+    y: run.messages[kind].map((count, i) => {
+      const left = run.duration_s - i * run.messages.bin_s; // the last bin may be short
+      return left > 0 ? (count * 60) / Math.min(run.messages.bin_s, left) : null;
+    }),
     colour: (runs.length === 1 ? k : r) % 8,
     dashed: k > 0,
   })));
@@ -107,13 +110,14 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
   const scenarios = runs.filter((run) => run.scenario).map((run) =>
     h("details", {}, h("summary", {}, `${run.label}: scenario as run`), h("pre", {}, run.scenario)));
   const several = runs.length > 1;
-  const overview = section(several ? "Comparison" : "Overview", "overview",
-    several ? h("p", {}, `${runs.length} runs; the best value of each row is marked.`) : tiles(runs[0]),
-    figuresTable(runs),
-    h("p", { class: "hint" }, "Means are over the allocation phase, from the moment the aircraft have found the fire."),
-    ...(several
-      ? runs.map((run) => h("details", {}, h("summary", {}, `What ${run.label} was`), identity(run)))
-      : [identity(runs[0])]));
+  const meaning = h("p", { class: "hint" },
+    "Means are over the allocation phase, from the moment the aircraft have found the fire.");
+  const overview = several
+    ? section("Comparison", "overview",
+      h("p", {}, `${runs.length} runs; the best value of each row is marked.`), ...comparisonTables(runs), meaning,
+      ...runs.map((run) => h("details", {}, h("summary", {}, `What ${run.label} was`), identity(run))))
+    : section("Overview", "overview", tiles(runs[0]),
+      h("div", { class: "side-by-side" }, h("div", {}, figuresTable(runs[0]), meaning), identity(runs[0])));
   return [
     h("header", {}, h("h1", {}, title)),
     overview,
