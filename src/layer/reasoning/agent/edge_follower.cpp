@@ -6,12 +6,19 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kArrived = 80;          // from the start: begin to look for the edge [m]
-constexpr double kSeekInwards = 45;      // flown straight inwards before the spiral [s]
-constexpr double kReadingsApart = 5;     // readings further apart make no crossing [s]
-constexpr double kForget = 120;          // crossings older than this give no tangent [s]
-constexpr double kSteepest = 1.4;        // a course within this of the edge's normal...
-constexpr double kFinderAge = 3;         // what an edge finder saw is valid for [s]
+constexpr double kArrived = 80;       // from the start: begin to look for the edge [m]
+constexpr double kSeekInwards = 45;   // flown straight inwards before the spiral [s]
+constexpr double kReadingsApart = 5;  // readings further apart make no crossing [s]
+constexpr double kForget = 90;        // crossings older than this teach nothing [s]
+constexpr std::size_t kMarks = 8;     // crossings that are kept
+constexpr double kSteepest =
+    1.4;  // largest angle of the edge to a perpendicular crossing
+constexpr double kCourseSd = 0.4;  // of the edge's direction, from crossing to crossing
+constexpr double kCornerSd = 0.7;  // of a direction guessed from one crossing
+constexpr double kCorner = 5;      // a crossing as overdue as this is behind a corner [s]
+constexpr double kSteepFrom = 60;  // distance at which the edge is met at 45 degrees [m]
+constexpr double kPlausible = 60;  // distance of a crossing from the believed edge [m]
+constexpr double kFinderAge = 3;   // what an edge finder saw is valid for [s]
 constexpr double kFinderLookAhead = 60;  // distance in which an offset is taken out [m]
 constexpr double kSpiralStart = 120;     // radius [m]
 constexpr double kSpiralGrowth = 3;      // of the radius [m/s]: about 120 m a round
@@ -25,62 +32,88 @@ EdgeFollower::EdgeFollower(const EdgeFollowerOptions& options, const FollowEdge&
 }
 
 void EdgeFollower::enter(Phase phase, Time now) {
-  phase_ = phase;
-  since_ = now;
+  belief_.phase = phase;
+  belief_.since = now;
 }
 
 void EdgeFollower::add(const FireReading& reading, double course) {
-  last_course_ = course;
-  const std::optional<FireReading> before = last_;
+  if (belief_.phase != Phase::kReturn) course_ = course;
+  const std::optional<FireReading> previous = last_;
   last_ = reading;
-  (reading.inside ? last_inside_ : last_outside_) = Mark{reading.time, reading.point};
-  if (!before || before->inside == reading.inside) return;
-  if ((reading.time - before->time).seconds() > kReadingsApart) return;
-  crossed({reading.time, (before->point + reading.point) / 2}, course);
+  const bool differs = previous && previous->inside != reading.inside &&
+                       (reading.time - previous->time).seconds() <= kReadingsApart;
+  if (doubtful_ && differs) {
+    // The reading in between stands alone: forget its crossing.
+    doubtful_ = false;
+    belief_ = before_;
+    return;
+  }
+  doubtful_ = false;
+  const Vec2 middle =
+      previous ? Vec2((previous->point + reading.point) / 2) : reading.point;
+  if (differs) {
+    doubtful_ = !plausible(middle);
+    before_ = belief_;
+    crossed({reading.time, middle}, course);
+  }
+  if (!doubtful_)
+    (reading.inside ? last_inside_ : last_outside_) = {reading.time, reading.point};
+}
+
+bool EdgeFollower::plausible(const Vec2& crossing) const {
+  if (!belief_.edge || belief_.overdue > 0) return belief_.phase != Phase::kApproach;
+  return std::abs(belief_.edge->right_of(crossing)) < kPlausible;
 }
 
 void EdgeFollower::crossed(const Mark& crossing, double course) {
-  ++crossings_;
-  if (phase_ == Phase::kApproach && (crossing.point - task_.start).norm() > options_.near)
+  if (belief_.phase == Phase::kApproach &&
+      (crossing.point - task_.start).norm() > options_.near)
     return;
-  enter(Phase::kFollow, crossing.time);
-
+  ++belief_.crossings;
   // Whoever enters the fire flies towards its side of the edge, so the edge runs more or
   // less like this (exactly, when it is crossed at a right angle):
   const double across = course - side_ * (last_->inside ? 1 : -1) * geo::kPi / 2;
-  // The newest crossing that is far enough away gives the edge's line; across says which
-  // way along it, as a loop may have crossed it further back.
-  for (auto mark = marks_.rbegin(); mark != marks_.rend(); ++mark) {
-    const Vec2 chord = crossing.point - mark->point;
-    if (chord.norm() < options_.chord) continue;
-    if ((crossing.time - mark->time).seconds() > kForget) break;
-    const double line = geo::bearing(chord);
-    tangent_ =
-        std::abs(geo::wrap_pi(line - across)) < geo::kPi / 2 ? line : line + geo::kPi;
-    break;
-  }
-  const double off = tangent_ ? geo::wrap_pi(*tangent_ - across) : 0;
-  tangent_ = geo::wrap_pi(across + std::clamp(off, -kSteepest, kSteepest));
+  auto& marks = belief_.marks;
+  std::erase_if(
+      marks, [&](const Mark& m) { return (crossing.time - m.time).seconds() > kForget; });
+  // What lay before a corner does not continue behind it.
+  const bool corner = belief_.overdue > kCorner || belief_.phase != Phase::kFollow ||
+                      std::abs(belief_.edge->right_of(crossing.point)) > kPlausible;
+  if (corner) marks.clear();
+  marks.push_back(crossing);
+  if (marks.size() > kMarks) marks.pop_front();
 
-  marks_.push_back(crossing);
-  if (marks_.size() > 12) marks_.pop_front();
+  double expected = across;
+  double sd = kCornerSd;
+  if (belief_.edge && !corner) {
+    expected = belief_.edge->course_at(crossing.point);
+    sd = kCourseSd;
+  } else if (!belief_.edge && tangent_) {
+    expected = *tangent_;
+  }
+  belief_.edge = fit_edge(marks, expected, sd);
+  const double off = geo::wrap_pi(belief_.edge->course - across);
+  belief_.edge->course = geo::wrap_pi(across + std::clamp(off, -kSteepest, kSteepest));
+  belief_.overdue = 0;
+  enter(Phase::kFollow, crossing.time);
 }
 
 void EdgeFollower::add(const EdgeSample& sample, const Vec2& position) {
-  edge_ = Edge{sample.time, position + sample.offset, sample.tangent};
+  found_ = Edge{sample.time, position + sample.offset, sample.tangent};
 }
 
-double EdgeFollower::turn_in(double angle) const {
+double EdgeFollower::turn_in(double along, double angle) const {
   const bool inside = last_ && last_->inside;
-  return geo::wrap_pi(*tangent_ + side_ * (inside ? -angle : angle));
+  return geo::wrap_pi(along + side_ * (inside ? -angle : angle));
 }
 
 double EdgeFollower::course(Time now, const Vec2& position) {
-  if (!started_) since_ = now;
+  if (!started_) belief_.since = now;
   started_ = true;
-  if (edge_ && (now - edge_->time).seconds() < kFinderAge) return follow_finder(position);
-  const double waited = (now - since_).seconds();
-  switch (phase_) {
+  const double waited = (now - belief_.since).seconds();
+  if (found_ && (now - found_->time).seconds() < kFinderAge)
+    return follow_finder(position);
+  switch (belief_.phase) {
     case Phase::kApproach: {
       const Vec2 to_start = task_.start - position;
       if (to_start.norm() > kArrived) return geo::bearing(to_start);
@@ -93,32 +126,47 @@ double EdgeFollower::course(Time now, const Vec2& position) {
         enter(Phase::kSpiral, now);
       }
       return seek_course(waited);
-    case Phase::kFollow: {
-      const double angle = options_.angle + options_.escalation *
-                                                std::max(0.0, waited - options_.patience);
-      if (angle < options_.give_up) return turn_in(angle);
-      goal_ = (last_->inside ? last_outside_ : last_inside_)->point;
-      last_course_ = geo::bearing(goal_ - position);
-      enter(Phase::kReturn, now);
-      return last_course_;
-    }
+    case Phase::kFollow:
+      return follow_course(now, position);
     case Phase::kReturn: {
       const Vec2 to_goal = goal_ - position;
-      if (to_goal.norm() > kArrived) return last_course_ = geo::bearing(to_goal);
+      if (to_goal.norm() > kArrived) return course_ = geo::bearing(to_goal);
       // Outwards the fire ends somewhere; inwards it should have been met by now.
       if (!last_->inside) enter(Phase::kSpiral, now);
-      return last_course_;
+      return course_;
     }
     case Phase::kSpiral:
       return spiral_course(waited, position);
   }
-  return last_course_;
+  return course_;
+}
+
+double EdgeFollower::follow_course(Time now, const Vec2& position) {
+  const bool inside = last_->inside;
+  const LocalEdge& edge = *belief_.edge;
+  // Distance still to fly to the believed edge.
+  const double missing = side_ * (inside ? 1 : -1) * edge.right_of(position);
+  const double dt = (now - std::max(updated_, belief_.since)).seconds();
+  updated_ = now;
+  if (missing < 0) belief_.overdue += dt;
+  const double angle = std::max(options_.angle, std::atan(missing / kSteepFrom)) +
+                       options_.escalation * belief_.overdue;
+  if (angle < options_.give_up) return turn_in(edge.course_at(position), angle);
+
+  const std::optional<Mark>& other = inside ? last_outside_ : last_inside_;
+  goal_ = other ? other->point : edge.point;
+  // Too near to point at, it is the far side of the edge that counts.
+  const Vec2 to_goal = goal_ - position;
+  course_ = to_goal.norm() > kArrived / 2 ? geo::bearing(to_goal)
+                                          : turn_in(edge.course, geo::kPi / 2);
+  enter(Phase::kReturn, now);
+  return course_;
 }
 
 // Straight across the believed edge; without a belief, straight on.
 double EdgeFollower::seek_course(double waited) const {
-  if (!tangent_) return last_course_;
-  return turn_in(std::min(options_.angle + 0.1 * waited, geo::kPi / 2));
+  if (!tangent_) return course_;
+  return turn_in(*tangent_, std::min(options_.angle + 0.1 * waited, geo::kPi / 2));
 }
 
 double EdgeFollower::spiral_course(double waited, const Vec2& position) const {
@@ -128,10 +176,10 @@ double EdgeFollower::spiral_course(double waited, const Vec2& position) const {
 }
 
 double EdgeFollower::follow_finder(const Vec2& position) const {
-  const Vec2 from_edge = position - edge_->point;
-  const bool right = geo::cross(edge_->tangent, from_edge) > 0;  // in the fire
+  const Vec2 from_edge = position - found_->point;
+  const bool right = geo::cross(found_->tangent, from_edge) > 0;  // in the fire
   const double outside = right ? -from_edge.norm() : from_edge.norm();
-  const double along = geo::bearing(side_ * edge_->tangent);
+  const double along = geo::bearing(side_ * found_->tangent);
   return along + side_ * std::atan2(outside - options_.offset, kFinderLookAhead);
 }
 

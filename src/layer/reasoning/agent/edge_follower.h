@@ -6,27 +6,29 @@
 #include "data/fire.h"
 #include "data/sensing.h"
 #include "data/task.h"
+#include "layer/reasoning/agent/local_edge.h"
 
 namespace skein::reasoning {
 
 struct EdgeFollowerOptions {
-  double angle = 0.61;       ///< between course and edge, to cross it again [rad]
-  double patience = 7;       ///< without a crossing before the turn grows [s]
-  double escalation = 0.26;  ///< how fast it then grows [rad/s]
-  double give_up = 4.8;      ///< turn at which the edge counts as lost [rad]
-  double chord = 60;         ///< shortest distance of crossings that give a tangent [m]
+  double angle = 0.61;       ///< least angle at which the edge is crossed again [rad]
+  double escalation = 0.26;  ///< growth of that angle while a crossing is overdue [rad/s]
+  double give_up = 4.8;      ///< angle at which the edge counts as lost [rad]
   double near = 250;         ///< crossings this near to the start begin the following [m]
   double offset = 10;        ///< kept outside the edge with an ideal edge finder [m]
 };
 
 /// Follows the edge of a fire by in/out readings, or by an ideal edge finder.
 ///
-/// It flies at `angle` to the edge, inwards while the last reading is outside and
-/// outwards while it is inside, so it crosses the edge again and again. The direction of
-/// the edge is that from an earlier crossing, at least `chord` away, to the last one.
-/// When no crossing comes for `patience`, at a corner or in a bay, the angle grows into a
+/// It believes the edge to be an arc, fitted to its last crossings (local_edge.h), and
+/// flies towards it at `angle` or more: inwards while the last reading is outside and
+/// outwards while it is inside, so that it crosses again and again. When it is beyond the
+/// believed edge without having crossed, at a corner or in a bay, the angle grows up to a
 /// full turn; after `give_up` it returns to the last place that was on the other side,
 /// and in the end flies a widening spiral there.
+///
+/// A single reading that differs from those before and after it, far from the believed
+/// edge, is taken for a false one.
 class EdgeFollower {
  public:
   EdgeFollower(const EdgeFollowerOptions& options, const FollowEdge& task);
@@ -41,9 +43,11 @@ class EdgeFollower {
   double course(Time now, const Vec2& position);
 
   /// Whether the edge was being followed and is now being looked for.
-  bool lost() const { return phase_ == Phase::kReturn || phase_ == Phase::kSpiral; }
+  bool lost() const {
+    return belief_.phase == Phase::kReturn || belief_.phase == Phase::kSpiral;
+  }
   /// Crossings so far, those of single readings that were taken back left out.
-  int crossings() const { return crossings_; }
+  int crossings() const { return belief_.crossings; }
 
  private:
   enum class Phase {
@@ -53,36 +57,44 @@ class EdgeFollower {
     kReturn,  // to the last place on the other side
     kSpiral,  // around it
   };
-  struct Mark {
-    Time time;
-    Vec2 point = Vec2::Zero();
-  };
 
   void crossed(const Mark& crossing, double course);
+  bool plausible(const Vec2& crossing) const;
   void enter(Phase phase, Time now);
-  double turn_in(double angle) const;
+  double turn_in(double along, double angle) const;
+  double follow_course(Time now, const Vec2& position);
   double seek_course(double waited) const;
   double follow_finder(const Vec2& position) const;
   double spiral_course(double waited, const Vec2& position) const;
 
+  // What crossings have taught; put back when a crossing turns out to be a false reading.
+  struct Belief {
+    Phase phase = Phase::kApproach;
+    Time since;                     // of the phase
+    std::optional<LocalEdge> edge;  // in the direction of flight
+    std::deque<Mark> marks;         // crossings, newest last
+    double overdue = 0;             // flown beyond the believed edge without crossing [s]
+    int crossings = 0;
+  };
+
   EdgeFollowerOptions options_;
   FollowEdge task_;
   double side_;  // of the fire: +1 right, -1 left
-  Phase phase_ = Phase::kApproach;
-  Time since_;  // of the phase, or of the last crossing in kFollow
-  bool started_ = false;
-  std::optional<double> tangent_;  // direction of flight along the edge [rad]
+  Belief belief_, before_;
+  bool doubtful_ = false;  // the last reading made an implausible crossing
+  std::optional<double>
+      tangent_;  // as the task says it, in the direction of flight [rad]
   std::optional<FireReading> last_;
   std::optional<Mark> last_inside_, last_outside_;
-  std::deque<Mark> marks_;    // crossings, newest last
   Vec2 goal_ = Vec2::Zero();  // of kReturn and kSpiral
-  double last_course_ = 0;
-  int crossings_ = 0;
+  double course_ = 0;         // flown, or of the return [rad]
+  Time updated_;              // of belief_.overdue
+  bool started_ = false;
   struct Edge {
     Time time;
     Vec2 point, tangent;
   };
-  std::optional<Edge> edge_;
+  std::optional<Edge> found_;  // by the ideal finder
 };
 
 }  // namespace skein::reasoning
