@@ -1,0 +1,153 @@
+#include "layer/reasoning/monitoring/ensemble/ensemble_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "layer/reasoning/monitoring/ensemble/mean_boundary.h"
+#include "model/probability/truncated_normal.h"
+
+namespace skein::monitoring {
+namespace {
+
+constexpr double kSurprise = 1e-4;       // probability below which a reading is doubted
+constexpr double kSurpriseSigma2 = 16;   // squared innovation, over its variance
+constexpr double kConfirmSeconds = 1.9;  // doubts over this time are believed
+
+}  // namespace
+
+EnsembleEstimator::EnsembleEstimator(const PerimeterPrior& prior,
+                                     const EnsembleOptions& options)
+    : options_(options), ensemble_(prior, options) {}
+
+std::unique_ptr<PerimeterEstimator> EnsembleEstimator::clone() const {
+  return std::make_unique<EnsembleEstimator>(*this);
+}
+
+void EnsembleEstimator::predict(Time time) {
+  if (time <= time_) return;
+  ensemble_.predict((time - time_).seconds());
+  time_ = time;
+}
+
+bool EnsembleEstimator::repeated(const FireReading& reading,
+                                 AircraftMemory& memory) const {
+  const auto last = memory.used.find(reading.inside);
+  return last != memory.used.end() &&
+         (reading.time - last->second.time).seconds() < options_.repeat_time &&
+         (reading.point - last->second.point).norm() < options_.repeat_distance;
+}
+
+void EnsembleEstimator::observe(const FireReading& reading) {
+  ++health_.observations;
+  AircraftMemory& memory = memory_[reading.aircraft];
+  const MemberValues distance = ensemble_.distance(reading.point);
+  const double noise = reading.point_sd * reading.point_sd +
+                       std::pow(options_.sigma_floor_cells * ensemble_.grid().cell, 2);
+  const double sd = std::sqrt(distance.variance + noise);
+  const double eps = options_.false_rate;
+  // phi < 0 is inside: "inside" is wrong with probability eps when phi > 0.
+  const double if_above = reading.inside ? eps : 1 - eps;
+  const model::MixtureMoments after =
+      model::doubtful_half_line(distance.mean, sd, 0, if_above, 1 - if_above);
+  const double expected = (after.likelihood - eps) / (1 - 2 * eps);
+
+  if (expected < kSurprise) {
+    doubt(reading, memory);
+    return;
+  }
+  memory.doubt.count = 0;
+  if (expected > options_.sure) return;
+  if (expected > 0.5 && repeated(reading, memory)) return;
+  memory.used[reading.inside] = {reading.time, reading.point};
+
+  // From the noisy distance to the distance itself (spec: P - K (S - C) K').
+  const double gain = distance.variance / (sd * sd);
+  const double shift = gain * (after.mean - distance.mean);
+  const double variance = distance.variance - gain * gain * (sd * sd - after.variance);
+  ensemble_.regress(reading.point, distance, shift,
+                    std::sqrt(std::max(variance, 0.0) / distance.variance));
+}
+
+void EnsembleEstimator::doubt(const FireReading& reading, AircraftMemory& memory) {
+  Doubt& doubt = memory.doubt;
+  if (doubt.count == 0 || doubt.inside != reading.inside)
+    doubt = {0, reading.time, reading.inside};
+  ++doubt.count;
+  if ((reading.time - doubt.first).seconds() < kConfirmSeconds) {
+    ++health_.outliers;
+    return;
+  }
+  believe(reading.point, reading.inside, ensemble_.distance(reading.point));
+}
+
+void EnsembleEstimator::believe(const Vec2& point, bool inside,
+                                const MemberValues& distance) {
+  const double deep = std::abs(distance.mean);
+  const double wanted_sd = 0.3 * deep + ensemble_.grid().cell;
+  if (deep < 0.3 * ensemble_.reach()) {
+    // The boundary is wrong by more than the members allow: move it just past the point
+    // and spread the members over what that leaves open.
+    const double past = (inside ? -1 : 1) * wanted_sd;
+    ensemble_.displace(
+        point,
+        (past - distance.mean + 0.5 * wanted_sd * ensemble_.draw().array()).matrix());
+    return;
+  }
+  // Too deep to belong to the known boundary: a part of its own.
+  const double base = 3 * ensemble_.grid().cell;
+  ensemble_.stamp(point, inside,
+                  (base * (0.4 * ensemble_.draw().array()).exp()).matrix());
+}
+
+void EnsembleEstimator::observe(const Crossing& crossing) {
+  ++health_.observations;
+  AircraftMemory& memory = memory_[crossing.aircraft];
+  const MemberValues distance = ensemble_.distance(crossing.point);
+  const Vec2 gradient = ensemble_.gradient(crossing.point);
+  const double slope = gradient.norm();
+  // The boundary is anywhere between the two readings: along the normal that is a share
+  // of the track; at least half of it because the normal is uncertain too.
+  double along = crossing.track.norm();
+  if (slope > 0.1)
+    along *= std::max(
+        0.5, std::abs(gradient.dot(crossing.track)) / std::max(slope * along, 1e-9));
+  const double variance = along * along / 12 + crossing.point_sd * crossing.point_sd +
+                          std::pow(options_.sigma_floor_cells * ensemble_.grid().cell, 2);
+  const double innovation2 =
+      distance.mean * distance.mean / (distance.variance + variance);
+  if (innovation2 > kSurpriseSigma2) {
+    Doubt& doubt = memory.doubt;
+    if (doubt.count == 0 || doubt.inside != crossing.entered)
+      doubt = {1, crossing.time, crossing.entered};
+    ++health_.outliers;
+    adapt(innovation2);
+    return;
+  }
+  memory.doubt.count = 0;
+  adapt(innovation2);
+  pass_through(crossing.point, distance, variance);
+  memory.used.clear();
+}
+
+void EnsembleEstimator::pass_through(const Vec2& point, const MemberValues& distance,
+                                     double variance) {
+  // An innovation beyond two sigma says that the members are too close together.
+  const double prior =
+      std::max(distance.variance, distance.mean * distance.mean / 4 - variance);
+  const double gain = prior / (prior + variance);
+  const double after = std::min(gain * variance, distance.variance);
+  ensemble_.regress(point, distance, -gain * distance.mean,
+                    std::sqrt(after / distance.variance));
+}
+
+void EnsembleEstimator::adapt(double innovation2) {
+  const double surprise = std::min(innovation2, 9.0) - 1;
+  ensemble_.set_noise_factor(
+      std::clamp(ensemble_.noise_factor() * std::exp(0.02 * surprise), 0.05, 20.0));
+}
+
+BoundaryEstimate EnsembleEstimator::boundary() const {
+  return mean_boundary(ensemble_, time_, options_);
+}
+
+}  // namespace skein::monitoring

@@ -1,0 +1,479 @@
+#include "layer/reasoning/monitoring/ensemble/front_ensemble.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/check.h"
+#include "layer/reasoning/monitoring/ensemble/localisation.h"
+#include "model/levelset/advance.h"
+#include "model/levelset/reinitialise.h"
+
+namespace skein::monitoring {
+namespace {
+
+constexpr double kBandCells = 6;
+constexpr int kMarginCells = 8;
+constexpr double kLongestUntidy = 45;  // between redistancings [s]
+constexpr double kMostDeviation = 3;   // of a member from the mean [standard deviations]
+
+using FloatRow = Eigen::Map<Eigen::ArrayXf>;
+
+FloatRow row_of(std::vector<float>& values, std::size_t start, int count) {
+  return {values.data() + start, count};
+}
+
+}  // namespace
+
+// Rows and columns [r0, r1) x [c0, c1) near a point, and their weights.
+struct FrontEnsemble::Window {
+  int r0 = 0, r1 = 0, c0 = 0, c1 = 0;
+  std::vector<float> weight;
+  int columns() const { return c1 - c0; }
+  bool empty() const { return r1 <= r0 || c1 <= c0; }
+};
+
+FrontEnsemble::FrontEnsemble(const PerimeterPrior& prior, const EnsembleOptions& options)
+    : options_(options), rate_sd_(prior.rate_sd), drift_sd_(prior.wind_sd) {
+  SKEIN_CHECK(options.members >= 8 && options.members <= 200, options.members);
+  SKEIN_CHECK(options.cell > 0 && options.rate_spacing_cells % 2 == 0, options.cell);
+  initialise(prior);
+}
+
+void FrontEnsemble::initialise(const PerimeterPrior& prior) {
+  const int block = options_.rate_spacing_cells;
+  grid_.cell = std::max(options_.cell, prior.radius / 20);
+  const double half =
+      prior.radius + 3 * prior.radius_sd + (kMarginCells + block) * grid_.cell;
+  const int blocks = static_cast<int>(std::ceil(half / (block * grid_.cell)));
+  grid_.low = prior.origin - Vec2(1, 1) * blocks * block * grid_.cell;
+  grid_.rows = grid_.columns = 2 * blocks * block + 1;
+
+  // The unknown shape: displacements of the boundary that are smooth over half a radius.
+  model::Grid shape_nodes;
+  shape_nodes.cell = std::max(0.6 * prior.radius, 4 * grid_.cell);
+  const int reach = static_cast<int>(std::ceil(half / shape_nodes.cell)) + 2;
+  shape_nodes.low = prior.origin - Vec2(1, 1) * reach * shape_nodes.cell;
+  shape_nodes.rows = shape_nodes.columns = 2 * reach + 1;
+
+  for (int j = 0; j < options_.members; ++j) {
+    Member m{
+        {grid_, std::vector<float>(grid_.size())},
+        {},
+        Vec2::Zero(),
+        RandomStream(options_.seed, static_cast<std::uint32_t>(j), Purpose::kEnsemble)};
+    for (int row = 0; row < grid_.rows; ++row)
+      for (int column = 0; column < grid_.columns; ++column)
+        m.phi.at(row, column) = static_cast<float>(
+            (grid_.node(row, column) - prior.origin).norm() - prior.radius);
+    noise_field(m, shape_nodes, prior.radius_sd).add_to(m.phi, 1);
+    // The common and the local part of the rate are unknown to equal parts.
+    const double common = prior.rate + std::sqrt(0.5) * prior.rate_sd * m.stream.normal();
+    m.rate = noise_field(m, spline_nodes(block), std::sqrt(0.5) * prior.rate_sd);
+    for (float& v : m.rate.coefficients.values) v += static_cast<float>(common);
+    m.drift = prior.wind + drift_sd_ * Vec2(m.stream.normal(), m.stream.normal());
+    model::reinitialise(m.phi);
+    members_.push_back(std::move(m));
+  }
+  update_mean();
+}
+
+model::Grid FrontEnsemble::spline_nodes(int spacing_cells) const {
+  model::Grid nodes;
+  nodes.cell = spacing_cells * grid_.cell;
+  nodes.low = grid_.low - Vec2(1, 1) * nodes.cell;
+  nodes.rows = (grid_.rows - 1) / spacing_cells + 4;
+  nodes.columns = (grid_.columns - 1) / spacing_cells + 4;
+  return nodes;
+}
+
+model::SplineField FrontEnsemble::noise_field(Member& member, const model::Grid& nodes,
+                                              double sd) const {
+  model::SplineField field{{nodes, std::vector<float>(nodes.size())}};
+  const double scale = sd / model::SplineField::kWhiteSd;
+  for (float& v : field.coefficients.values)
+    v = static_cast<float>(scale * member.stream.normal());
+  return field;
+}
+
+double FrontEnsemble::diffusion() const {
+  const double length = options_.noise_spacing_cells * grid_.cell;
+  return noise_factor_ * options_.roughness * options_.roughness * rate_sd_ * length;
+}
+
+double FrontEnsemble::step_length() const {
+  // Half a cell at the fastest mean speed of the rate field bounds the error of carrying
+  // values over the lag by their local speed.
+  double sum = 0;
+  for (const Member& m : members_)
+    sum += static_cast<double>(
+               Eigen::Map<const Eigen::ArrayXf>(
+                   m.rate.coefficients.values.data(),
+                   static_cast<Eigen::Index>(m.rate.coefficients.values.size()))
+                   .mean()) +
+           m.drift.norm();
+  const double speed = std::max(sum / size(), 1e-3);
+  return std::min(options_.step, 0.5 * grid_.cell / speed);
+}
+
+void FrontEnsemble::predict(double dt) {
+  lag_ += dt;
+  const double step = step_length();
+  while (lag_ >= step) {
+    move(step);
+    lag_ -= step;
+    since_noise_ += step;
+    if (since_noise_ >= std::min(kLongestUntidy, 4 * step)) {
+      add_noise(since_noise_);
+      since_noise_ = 0;
+      tidy();
+    }
+    update_mean();
+  }
+}
+
+void FrontEnsemble::move(double dt) {
+  model::Field local{grid_, std::vector<float>(grid_.size())};
+  for (Member& m : members_) {
+    std::fill(local.values.begin(), local.values.end(), 0.0F);
+    m.rate.add_to(local, 1);
+    model::advance(m.phi, {local.values, m.drift}, dt, kBandCells * grid_.cell);
+  }
+}
+
+void FrontEnsemble::add_noise(double dt) {
+  const double keep = std::exp(-dt / options_.rate_memory);
+  const double rate_noise = rate_sd_ * std::sqrt(0.5 * noise_factor_ * (1 - keep * keep));
+  const double boundary_noise = std::sqrt(diffusion() * dt);
+  const model::Grid boundary_nodes = spline_nodes(options_.noise_spacing_cells);
+
+  for (Member& m : members_) {
+    auto& rate = m.rate.coefficients;
+    const model::SplineField fresh = noise_field(m, rate.grid, rate_noise);
+    for (std::size_t i = 0; i < rate.values.size(); ++i)
+      rate.values[i] += fresh.coefficients.values[i];
+    noise_field(m, boundary_nodes, boundary_noise).add_to(m.phi, 1);
+  }
+  // Local rates forget towards the member's own mean, which stands for the common part.
+  const int n = static_cast<int>(members_[0].rate.coefficients.values.size());
+  for (Member& m : members_) {
+    FloatRow values = row_of(m.rate.coefficients.values, 0, n);
+    const float own = values.mean();
+    values = own + static_cast<float>(keep) * (values - own);
+  }
+}
+
+// A few members that have run away weigh little in any regression, and their far fronts
+// are seldom told to come back: draw them in to where a Gaussian of the others ends.
+void FrontEnsemble::draw_in() {
+  const auto n = static_cast<Eigen::Index>(grid_.size());
+  Eigen::ArrayXf mean = Eigen::ArrayXf::Zero(n), spread = Eigen::ArrayXf::Zero(n);
+  for (Member& m : members_) mean += FloatRow(m.phi.values.data(), n);
+  mean /= static_cast<float>(size());
+  for (Member& m : members_) spread += (FloatRow(m.phi.values.data(), n) - mean).abs();
+  // The mean absolute deviation of a Gaussian is sqrt(2/pi) of its standard deviation.
+  spread *= static_cast<float>(kMostDeviation * std::sqrt(geo::kPi / 2) / size());
+  for (Member& m : members_) {
+    FloatRow phi(m.phi.values.data(), n);
+    phi = phi.max(mean - spread).min(mean + spread);
+  }
+}
+
+// Parts and holes of a member that have nothing in common with the mean are remnants of
+// updates that moved its boundary past them. Nobody would ever correct them: they go.
+void FrontEnsemble::drop_remnants(model::Field& phi) const {
+  // Only nodes that differ from the mean can belong to remnants; those that touch a node
+  // of their own kind where the mean agrees are not, nor what hangs on them.
+  std::vector<std::size_t> differing;
+  std::vector<std::uint8_t> doubtful(phi.values.size(), 0);
+  const auto inside = [&](std::size_t i) { return std::signbit(phi.values[i]); };
+  for (std::size_t i = 0; i < phi.values.size(); ++i)
+    if (inside(i) != (mean_[i] < 0)) {
+      doubtful[i] = 1;
+      differing.push_back(i);
+    }
+  const auto columns = static_cast<std::size_t>(grid_.columns);
+  const auto for_neighbours = [&](std::size_t i, const auto& visit) {
+    const std::size_t column = i % columns;
+    if (column > 0) visit(i - 1);
+    if (column + 1 < columns) visit(i + 1);
+    if (i >= columns) visit(i - columns);
+    if (i + columns < phi.values.size()) visit(i + columns);
+  };
+  std::vector<std::size_t> open;
+  for (const std::size_t i : differing) {
+    bool anchored = false;
+    for_neighbours(i, [&](std::size_t k) {
+      anchored = anchored || (doubtful[k] == 0 && inside(k) == inside(i));
+    });
+    if (anchored) open.push_back(i);
+  }
+  for (const std::size_t i : open) doubtful[i] = 0;
+  while (!open.empty()) {
+    const std::size_t i = open.back();
+    open.pop_back();
+    for_neighbours(i, [&](std::size_t k) {
+      if (doubtful[k] == 0 || inside(k) != inside(i)) return;
+      doubtful[k] = 0;
+      open.push_back(k);
+    });
+  }
+  for (const std::size_t i : differing)
+    if (doubtful[i] != 0) phi.values[i] = -phi.values[i];
+}
+
+void FrontEnsemble::tidy() {
+  draw_in();
+  update_mean();
+  for (Member& m : members_) {
+    drop_remnants(m.phi);
+    model::reinitialise(m.phi);
+  }
+  // Where a front is near the edge of the grid.
+  const double margin = kMarginCells * grid_.cell;
+  Vec2 low = grid_.low, high = grid_.high();
+  for (const Member& m : members_) {
+    const auto near = [&](int row, int column) {
+      return m.phi.at(row, column) < static_cast<float>(margin);
+    };
+    for (int c = 0; c < grid_.columns; ++c) {
+      if (near(0, c)) low.x() = grid_.low.x() - margin;
+      if (near(grid_.rows - 1, c)) high.x() = grid_.high().x() + margin;
+    }
+    for (int r = 0; r < grid_.rows; ++r) {
+      if (near(r, 0)) low.y() = grid_.low.y() - margin;
+      if (near(r, grid_.columns - 1)) high.y() = grid_.high().y() + margin;
+    }
+  }
+  grow(low, high);
+}
+
+bool FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
+  const int unit = 2 * options_.rate_spacing_cells;
+  const double length = unit * grid_.cell;
+  const auto units = [&](double missing) {
+    return missing > 0 ? unit * static_cast<int>(std::ceil(missing / length)) : 0;
+  };
+  const int south = units(grid_.low.x() - low.x()), west = units(grid_.low.y() - low.y());
+  const int north = units(high.x() - grid_.high().x());
+  const int east = units(high.y() - grid_.high().y());
+  if (south + west + north + east == 0) return false;
+
+  const model::Grid old_nodes = members_[0].rate.coefficients.grid;
+  for (Member& m : members_) {
+    m.phi = model::extended(m.phi, south, west, north, east);
+    model::reinitialise(m.phi);
+  }
+  grid_ = members_[0].phi.grid;
+  const model::Grid nodes = spline_nodes(options_.rate_spacing_cells);
+  for (Member& m : members_) {
+    // Old coefficients stay; new ones are the member's mean and fresh local noise.
+    auto& old = m.rate.coefficients;
+    const float mean = row_of(old.values, 0, static_cast<int>(old.values.size())).mean();
+    model::SplineField fresh =
+        noise_field(m, nodes, rate_sd_ * std::sqrt(0.5 * noise_factor_));
+    const int dr = south / options_.rate_spacing_cells;
+    const int dc = west / options_.rate_spacing_cells;
+    for (int r = 0; r < nodes.rows; ++r)
+      for (int c = 0; c < nodes.columns; ++c) {
+        float& v = fresh.coefficients.at(r, c);
+        const int from_r = r - dr, from_c = c - dc;
+        const bool known = from_r >= 0 && from_r < old_nodes.rows && from_c >= 0 &&
+                           from_c < old_nodes.columns;
+        v = known ? old.at(from_r, from_c) : v + mean;
+      }
+    m.rate = std::move(fresh);
+  }
+  while (grid_.size() > static_cast<std::size_t>(options_.max_nodes)) coarsen();
+  update_mean();
+  return true;
+}
+
+void FrontEnsemble::coarsen() {
+  // The grid must stay a whole number of rate spacings after doubling.
+  const int unit = 2 * options_.rate_spacing_cells;
+  const int north = (unit - (grid_.rows - 1) % unit) % unit;
+  const int east = (unit - (grid_.columns - 1) % unit) % unit;
+  for (Member& m : members_)
+    m.phi = model::coarsened(model::extended(m.phi, 0, 0, north, east));
+  grid_ = members_[0].phi.grid;
+  const model::Grid nodes = spline_nodes(options_.rate_spacing_cells);
+  for (Member& m : members_) {
+    model::SplineField wide{{nodes, std::vector<float>(nodes.size())}};
+    for (int r = 0; r < nodes.rows; ++r)
+      for (int c = 0; c < nodes.columns; ++c)
+        wide.coefficients.at(r, c) = static_cast<float>(m.rate.sample(nodes.node(r, c)));
+    m.rate = std::move(wide);
+    model::reinitialise(m.phi);
+  }
+}
+
+void FrontEnsemble::update_mean() {
+  const auto n = static_cast<Eigen::Index>(grid_.size());
+  Eigen::ArrayXf sum = Eigen::ArrayXf::Zero(n);
+  for (Member& m : members_) sum += FloatRow(m.phi.values.data(), n);
+  mean_.resize(grid_.size());
+  Eigen::Map<Eigen::ArrayXd>(mean_.data(), n) = sum.cast<double>() / size();
+}
+
+MemberValues FrontEnsemble::summary(Eigen::VectorXd values) const {
+  MemberValues out;
+  out.mean = values.mean();
+  out.deviation = values.array() - out.mean;
+  out.variance = out.deviation.squaredNorm() / (size() - 1);
+  return out;
+}
+
+MemberValues FrontEnsemble::speed(const Vec2& p) const {
+  const Vec2 g = gradient(p);
+  const double length = g.norm();
+  const Vec2 normal = length > 0 ? Vec2(g / length) : Vec2(Vec2::Zero());
+  Eigen::VectorXd values(size());
+  for (int j = 0; j < size(); ++j) {
+    const Member& m = members_[static_cast<std::size_t>(j)];
+    values[j] = std::max(0.0, m.rate.sample(p) + m.drift.dot(normal));
+  }
+  return summary(std::move(values));
+}
+
+MemberValues FrontEnsemble::distance(const Vec2& p) const {
+  const model::Stencil at = model::stencil(grid_, p);
+  Eigen::VectorXd values(size());
+  for (int j = 0; j < size(); ++j)
+    values[j] = at.value(members_[static_cast<std::size_t>(j)].phi.values);
+  if (lag_ > 0) {
+    const MemberValues v = speed(p);
+    values.array() -= lag_ * (v.mean + v.deviation.array());
+  }
+  return summary(std::move(values));
+}
+
+Vec2 FrontEnsemble::gradient(const Vec2& p) const {
+  const auto value = [&](const Vec2& q) {
+    const model::Stencil s = model::stencil(grid_, q);
+    return static_cast<double>(s.w00) * mean_[s.corner] +
+           static_cast<double>(s.w01) * mean_[s.corner + 1] +
+           static_cast<double>(s.w10) * mean_[s.corner + s.stride] +
+           static_cast<double>(s.w11) * mean_[s.corner + s.stride + 1];
+  };
+  const double h = grid_.cell;
+  return {(value(p + Vec2(h, 0)) - value(p - Vec2(h, 0))) / (2 * h),
+          (value(p + Vec2(0, h)) - value(p - Vec2(0, h))) / (2 * h)};
+}
+
+FrontEnsemble::Window FrontEnsemble::window(const Vec2& p, bool by_normal) const {
+  const double reach = options_.reach_cells;
+  const double row = (p.x() - grid_.low.x()) / grid_.cell;
+  const double column = (p.y() - grid_.low.y()) / grid_.cell;
+  Window w;
+  w.r0 = std::max(1, static_cast<int>(std::ceil(row - reach)));
+  w.r1 = std::min(grid_.rows - 1, static_cast<int>(std::floor(row + reach)) + 1);
+  w.c0 = std::max(1, static_cast<int>(std::ceil(column - reach)));
+  w.c1 = std::min(grid_.columns - 1, static_cast<int>(std::floor(column + reach)) + 1);
+  if (w.empty()) return w;
+  w.weight.reserve(static_cast<std::size_t>((w.r1 - w.r0) * w.columns()));
+
+  Vec2 normal = gradient(p);
+  const double length = normal.norm();
+  const bool use_normal = by_normal && length > 0.1;
+  if (use_normal) normal /= length;
+  const auto stride = static_cast<std::size_t>(grid_.columns);
+  const double inverse = 0.5 / grid_.cell;
+  for (int r = w.r0; r < w.r1; ++r)
+    for (int c = w.c0; c < w.c1; ++c) {
+      double weight = gaspari_cohn(2 * std::hypot(r - row, c - column) / reach);
+      if (use_normal && weight > 0) {
+        const std::size_t i = grid_.index(r, c);
+        const double gx = (mean_[i + stride] - mean_[i - stride]) * inverse;
+        const double gy = (mean_[i + 1] - mean_[i - 1]) * inverse;
+        const double alike = 0.5 * (1 + gx * normal.x() + gy * normal.y());
+        weight *= std::clamp(alike * alike, 0.0, 1.0);
+      }
+      w.weight.push_back(static_cast<float>(weight));
+    }
+  return w;
+}
+
+void FrontEnsemble::regress(const Vec2& p, const MemberValues& at_p, double shift,
+                            double scale) {
+  if (!(at_p.variance > 0)) return;
+  const double inverse = 1 / ((size() - 1) * at_p.variance);
+  const Eigen::VectorXd change = (shift + (scale - 1) * at_p.deviation.array()).matrix();
+  const auto member = [&](int j) -> Member& {
+    return members_[static_cast<std::size_t>(j)];
+  };
+
+  // The rates, by distance only.
+  const model::Grid nodes = members_[0].rate.coefficients.grid;
+  const double rate_reach = 1.5 * reach();
+  for (int r = 0; r < nodes.rows; ++r)
+    for (int c = 0; c < nodes.columns; ++c) {
+      const double weight = gaspari_cohn(2 * (nodes.node(r, c) - p).norm() / rate_reach);
+      if (weight <= 0) continue;
+      double covariance = 0;
+      for (int j = 0; j < size(); ++j)
+        covariance +=
+            at_p.deviation[j] * static_cast<double>(member(j).rate.coefficients.at(r, c));
+      const double gain = weight * covariance * inverse;
+      for (int j = 0; j < size(); ++j)
+        member(j).rate.coefficients.at(r, c) += static_cast<float>(gain * change[j]);
+    }
+
+  const Window w = window(p, true);
+  if (w.empty()) return;
+  const int n = w.columns();
+  Eigen::ArrayXf gain(n);
+  for (int r = w.r0; r < w.r1; ++r) {
+    const std::size_t start = grid_.index(r, w.c0);
+    gain.setZero();
+    for (int j = 0; j < size(); ++j)
+      gain +=
+          static_cast<float>(at_p.deviation[j]) * row_of(member(j).phi.values, start, n);
+    const Eigen::Map<const Eigen::ArrayXf> weight(
+        w.weight.data() + static_cast<std::size_t>((r - w.r0) * n), n);
+    gain = (gain * static_cast<float>(inverse)).max(-0.5F).min(1.5F) * weight;
+    for (int j = 0; j < size(); ++j)
+      row_of(member(j).phi.values, start, n) += static_cast<float>(change[j]) * gain;
+    Eigen::Map<Eigen::ArrayXd>(mean_.data() + start, n) += shift * gain.cast<double>();
+  }
+}
+
+void FrontEnsemble::displace(const Vec2& p, const Eigen::VectorXd& change) {
+  const Window w = window(p, true);
+  if (w.empty()) return;
+  const int n = w.columns();
+  for (int r = w.r0; r < w.r1; ++r) {
+    const std::size_t start = grid_.index(r, w.c0);
+    const Eigen::Map<const Eigen::ArrayXf> weight(
+        w.weight.data() + static_cast<std::size_t>((r - w.r0) * n), n);
+    for (int j = 0; j < size(); ++j)
+      row_of(members_[static_cast<std::size_t>(j)].phi.values, start, n) +=
+          static_cast<float>(change[j]) * weight;
+    Eigen::Map<Eigen::ArrayXd>(mean_.data() + start, n) +=
+        change.mean() * weight.cast<double>();
+  }
+}
+
+void FrontEnsemble::stamp(const Vec2& p, bool inside, const Eigen::VectorXd& radius) {
+  const double margin = radius.maxCoeff() + kMarginCells * grid_.cell;
+  grow(p - Vec2(margin, margin), p + Vec2(margin, margin));
+  for (int j = 0; j < size(); ++j) {
+    model::Field& phi = members_[static_cast<std::size_t>(j)].phi;
+    for (int r = 0; r < grid_.rows; ++r)
+      for (int c = 0; c < grid_.columns; ++c) {
+        const auto d = static_cast<float>((grid_.node(r, c) - p).norm() - radius[j]);
+        float& v = phi.at(r, c);
+        v = inside ? std::min(v, d) : std::max(v, -d);
+      }
+  }
+  update_mean();
+}
+
+Eigen::VectorXd FrontEnsemble::draw() {
+  Eigen::VectorXd values(size());
+  for (int j = 0; j < size(); ++j)
+    values[j] = members_[static_cast<std::size_t>(j)].stream.normal();
+  return values;
+}
+
+}  // namespace skein::monitoring
