@@ -8,6 +8,16 @@ set(present "")
 if(EXISTS ${stamp})
   file(READ ${stamp} present)
 endif()
+# Packages that somebody else installed (an unpacked archive, a machine without network)
+# are good if npm finds them complete.
+if(present STREQUAL "" AND EXISTS ${WEB}/node_modules/esbuild)
+  execute_process(COMMAND ${NPM} ls --offline WORKING_DIRECTORY ${WEB}
+                  RESULT_VARIABLE incomplete OUTPUT_QUIET ERROR_QUIET)
+  if(NOT incomplete)
+    set(present ${wanted})
+    file(WRITE ${stamp} ${wanted})
+  endif()
+endif()
 if(NOT present STREQUAL wanted)
   execute_process(COMMAND ${NPM} ci --no-progress --loglevel=error WORKING_DIRECTORY ${WEB}
                   RESULT_VARIABLE failed)

@@ -266,13 +266,16 @@ export class Player {
     return this.shown.slice(0, 4).map((shown) => {
       const times = [0, 1 / 3, 2 / 3, 1].map((part) => part * shown.scene.duration);
       const view = fit(shown.scene, width, height);
-      return h("div", { class: "print-maps" }, ...times.map((time) => {
-        const canvas = h("canvas");
-        paint(canvas, width, height, (context) =>
-          drawMap(context, shown.scene, shown.heights, time, view, width, height, kAllLayers, paperTheme));
-        return h("figure", {}, canvas, h("figcaption", {},
-          `${this.shown.length > 1 ? `${shown.run.label}, ` : ""}${clock(time)}. ${figuresAt(shown, time)}`));
-      }));
+      return h("div", { class: "print-maps" },
+        h("p", {}, "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. " +
+          "Dots: crossings of the last five minutes. Coloured lines: the last three minutes of flight."),
+        ...times.map((time) => {
+          const canvas = h("canvas");
+          paint(canvas, width, height, (context) =>
+            drawMap(context, shown.scene, shown.heights, time, view, width, height, kAllLayers, paperTheme));
+          return h("figure", {}, canvas, h("figcaption", {},
+            `${this.shown.length > 1 ? `${shown.run.label}, ` : ""}${clock(time)}. ${figuresAt(shown, time)}`));
+        }));
     });
   }
 }

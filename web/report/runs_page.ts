@@ -75,7 +75,7 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
     make({ title: "Intersection over union", note: "of the true and the believed area", range: [null, 1],
       lines: lines(runs, [["iou", "IoU"]]) }),
     make({ title: "Coverage of the 95 % band", note: "share of believed points whose band holds the truth",
-      range: [0, 1.02], levels: [{ y: 0.95, label: "95 %" }], lines: lines(runs, [["coverage_95", "coverage"]]) }),
+      range: [null, 1.02], levels: [{ y: 0.95, label: "95 %" }], lines: lines(runs, [["coverage_95", "coverage"]]) }),
     make({ title: "NEES", note: "squared error over stated variance; consistent within 0.5 to 2", logY: true,
       band: [0.5, 2], lines: lines(runs, [["nees", "NEES"]]) }),
     make({ title: "CRPS", unit: "m", note: "score of the whole distribution; small is good",
