@@ -79,7 +79,7 @@ void EdgeFollower::crossed(const Mark& crossing, double course) {
   // What lay before a corner does not continue behind it.
   const bool corner = belief_.overdue > kCorner || belief_.phase != Phase::kFollow ||
                       std::abs(belief_.edge->right_of(crossing.point)) > kPlausible;
-  if (corner) marks.clear();
+  if (corner && marks.size() > 1) marks.erase(marks.begin(), marks.end() - 1);
   marks.push_back(crossing);
   if (marks.size() > kMarks) marks.pop_front();
 
