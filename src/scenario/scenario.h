@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/time.h"
+#include "data/fire.h"
+#include "geo/local_frame.h"
+#include "geo/polygon.h"
+#include "scenario/choice.h"
+#include "scenario/fields.h"
+
+namespace skein::scenario {
+
+/// What surrounds the aircraft.
+struct Environment {
+  Choice terrain{"flat"};
+  Choice wind{"uniform"};
+  Choice fire{"front"};
+  Time period = Time::from_seconds(1);  ///< of moving the fire
+  std::vector<geo::Ring> zones;         ///< no-flight zones [m]
+};
+
+/// How the aircraft of a group stand at the start.
+enum class Placement {
+  kOpposite,  ///< evenly around the centre: two on opposite sides
+  kRing,      ///< as kOpposite, flying along the ring, clockwise on the map
+  kLine,      ///< side by side on a line through the centre, across the heading
+  kList,      ///< at given points
+};
+
+struct Start {
+  Placement placement = Placement::kOpposite;
+  Vec2 centre = Vec2::Zero();     ///< [m]
+  double distance = 900;          ///< opposite, ring: from the centre [m]
+  double first_bearing = 0;       ///< opposite, ring: where the first stands [rad]
+  double spacing = 100;           ///< line: between neighbours [m]
+  std::vector<Vec2> positions;    ///< list [m]
+  std::optional<double> altitude_msl;  ///< [m]; none: altitude_agl above the ground
+  std::optional<double> heading;  ///< [rad]; none: to the centre, ring: along it
+};
+
+/// Something that happens to one aircraft of a group.
+struct Failure {
+  enum class Kind {
+    kLost,  ///< it crashes: silent for ever, or until it is replaced
+    kLand,  ///< it lands
+  };
+  Time at;
+  Kind kind = Kind::kLost;
+  int aircraft = 0;           ///< index in the group
+  std::optional<Time> until;  ///< it takes part again from then on
+};
+
+/// Aircraft that are equal but for their place.
+struct AircraftGroup {
+  std::string name = "scout";
+  int count = 1;
+  Choice plant{"kinematic"};
+  Choice autopilot{"path"};
+  std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
+  Choice agent{"scout"};
+  double altitude_agl = 120;  ///< [m]
+  Time agent_period = Time::from_seconds(0.5);
+  Start start;
+  Time join;                     ///< takes part from this time on
+  std::optional<Time> leave;     ///< lands at this time
+  std::optional<Time> comeback;  ///< takes part again from this time on
+  std::vector<Failure> failures;
+};
+
+/// The ground station, which keeps the belief and gives the orders.
+struct Station {
+  Vec2 position = Vec2::Zero();  ///< [m]
+  double antenna_agl = 5;        ///< height above the ground [m]
+  Time agent_period = Time::from_seconds(0.5);
+};
+
+/// From the start until an aircraft first crosses the perimeter.
+struct Deployment {
+  std::vector<double> courses;  ///< of the transects [rad]; empty: to the fire's origin
+  Time limit = Time::from_seconds(600);
+};
+
+/// Keeping the perimeter of a fire known.
+struct Monitoring {
+  Choice estimator{"joint"};
+  Choice strategy{"gus-rate"};
+  PerimeterPrior prior;
+  int control_points = 60;
+  Deployment deployment;
+  Time forced_crossing = Time::from_seconds(300);  ///< 0 = off
+  Time lost_after = Time::from_seconds(5);
+  Time late_window = Time::from_seconds(60);
+};
+
+struct Recording {
+  double rate_hz = 10;
+  Time metrics_period = Time::from_seconds(5);
+  Time perimeter_period = Time::from_seconds(10);
+  bool messages = true;
+};
+
+/// A run, as its file describes it. Members hold SI units and radians; keys, ranges and
+/// meanings stand in scenario_fields.cpp, defaults only here.
+struct Scenario {
+  std::string name = "unnamed";
+  std::uint64_t seed = 1;
+  Time duration = Time::from_seconds(3600);
+  Time step = Time::from_seconds(0.1);
+  geo::Geodetic origin{36.989, -122.0514, 0};
+  std::string start_utc = "2026-07-01T12:00:00Z";
+  Environment environment;
+  std::vector<AircraftGroup> aircraft = {AircraftGroup{}};
+  Choice radio{"ideal"};
+  Station station;
+  Monitoring monitoring;
+  Recording record;
+};
+
+/// The keys of a scenario file.
+Fields<Scenario> scenario_fields();
+
+}  // namespace skein::scenario

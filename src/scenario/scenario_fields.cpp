@@ -1,0 +1,241 @@
+// Every key of a scenario but those of the kinds, one line each: reading, checking,
+// writing, `skein schema` and the documentation all come from here. A new key is a member
+// in scenario.h and a line below.
+
+#include <fmt/format.h>
+
+#include "scenario/scenario.h"
+
+namespace skein::scenario {
+namespace {
+
+constexpr Range kPositive{.above = 0};
+constexpr Range kNotNegative{.at_least = 0};
+constexpr Range kLength{.above = 0, .at_most = 1e6};
+constexpr Range kPeriod{.at_least = 0.001, .at_most = 3600};
+constexpr Range kBearing{.at_least = -360, .at_most = 360};
+constexpr Count kMostGroups{.at_most = 1000};
+
+Fields<geo::Geodetic> origin_fields() {
+  using T = geo::Geodetic;
+  return Fields<T>()
+      .number("latitude_deg", &T::latitude_deg, "Latitude of the local frame's origin.",
+              {.at_least = -89, .at_most = 89})
+      .number("longitude_deg", &T::longitude_deg,
+              "Longitude of the local frame's origin, east positive.",
+              {.at_least = -180, .at_most = 180});
+}
+
+Fields<Environment> environment_fields() {
+  using T = Environment;
+  return Fields<T>()
+      .kind("terrain", &T::terrain, "terrain", "Height of the ground.")
+      .kind("wind", &T::wind, "wind", "Wind in space and time.")
+      .kind("fire", &T::fire, "fire", "The true fire.")
+      .duration_s("period_s", &T::period, "Time between two steps of the fire.", kPeriod)
+      .polygon("zones_m", &T::zones, "No-flight zones, each a list of its corners.")
+      .items({.at_most = 1000});
+}
+
+Fields<Start> start_fields() {
+  using T = Start;
+  return Fields<T>()
+      .word(
+          "placement", &T::placement, "How the aircraft stand.",
+          {{"opposite", Placement::kOpposite,
+            "evenly around the centre, facing it; two stand on opposite sides"},
+           {"ring", Placement::kRing, "evenly around the centre, flying along the ring"},
+           {"line", Placement::kLine, "side by side, across the heading"},
+           {"list", Placement::kList, "at `positions_m`"}})
+      .point("centre_m", &T::centre, "Centre of the group.")
+      .number("distance_m", &T::distance, "Opposite, ring: distance from the centre.",
+              {.at_least = 0, .at_most = 1e6})
+      .angle_deg("first_bearing_deg", &T::first_bearing,
+                 "Opposite, ring: bearing of the first aircraft, seen from the centre.",
+                 kBearing)
+      .number("spacing_m", &T::spacing, "Line: distance between neighbours.", kLength)
+      .point("positions_m", &T::positions, "List: one place for each aircraft.")
+      .number("altitude_msl_m", &T::altitude_msl,
+              "Altitude at the start, above mean sea level. Null: altitude_agl_m above the "
+              "ground there.",
+              {.at_least = -500, .at_most = 30000})
+      .angle_deg("heading_deg", &T::heading,
+                 "Heading at the start, clockwise from north. Null: to the centre (line: "
+                 "north; ring: along it, clockwise).",
+                 kBearing);
+}
+
+Fields<Failure> failure_fields() {
+  using T = Failure;
+  return Fields<T>()
+      .duration_s("at_s", &T::at, "When it happens.")
+      .required()
+      .word("kind", &T::kind, "What happens.",
+            {{"lost", Failure::Kind::kLost, "it falls silent where it is"},
+             {"land", Failure::Kind::kLand, "it lands"}})
+      .integer("aircraft", &T::aircraft, "Which aircraft of the group, from 0.",
+               {.at_least = 0, .at_most = 9999})
+      .duration_s("until_s", &T::until, "When it takes part again. Null: never.")
+      .rule("until_s", [](const T& t) {
+        const bool back_too_early = t.until && *t.until <= t.at;
+        return back_too_early ? std::string("must be after at_s.") : std::string();
+      });
+}
+
+std::string positions_fault(const AircraftGroup& group) {
+  const std::size_t points = group.start.positions.size();
+  if (group.start.placement != Placement::kList || std::cmp_equal(points, group.count)) {
+    return {};
+  }
+  return fmt::format("{} positions_m for {} aircraft; needs one each.", points,
+                     group.count);
+}
+
+std::string failures_fault(const AircraftGroup& group) {
+  for (const Failure& failure : group.failures) {
+    if (failure.aircraft >= group.count) {
+      return fmt::format("aircraft {} of a group of {}; they are counted from 0.",
+                         failure.aircraft, group.count);
+    }
+  }
+  return {};
+}
+
+Fields<AircraftGroup> aircraft_fields() {
+  using T = AircraftGroup;
+  return Fields<T>()
+      .text("name", &T::name, "Name of the group; its aircraft are name-1, name-2, ...")
+      .integer("count", &T::count, "How many aircraft.",
+               {.at_least = 0, .at_most = 10000})
+      .kind("plant", &T::plant, "plant", "How the aircraft moves.")
+      .kind("autopilot", &T::autopilot, "autopilot", "How it is flown.")
+      .kind("sensors", &T::sensors, "sensor", "What it senses with.")
+      .items({.at_most = 50})
+      .kind("agent", &T::agent, "agent", "What reasons on board.")
+      .number("altitude_agl_m", &T::altitude_agl, "Flight altitude above ground.",
+              {.above = 0, .at_most = 20000})
+      .duration_s("agent_period_s", &T::agent_period,
+                  "Time between two steps of the agent.", kPeriod)
+      .object("start", &T::start, start_fields(), "Place at the start.")
+      .duration_s("join_s", &T::join, "When the group joins.")
+      .duration_s("leave_s", &T::leave, "When the group lands. Null: never.")
+      .duration_s("return_s", &T::comeback,
+                  "When the group takes part again after leave_s. Null: never.")
+      .object("failures", &T::failures, failure_fields(),
+              "What happens to single aircraft.")
+      .items({.at_most = 10000})
+      .rule("leave_s",
+            [](const T& t) {
+              const bool early = t.leave && *t.leave <= t.join;
+              return early ? std::string("must be after join_s.") : std::string();
+            })
+      .rule("return_s",
+            [](const T& t) {
+              if (!t.comeback) return std::string();
+              if (!t.leave) return std::string("needs leave_s, which is not given.");
+              return *t.comeback <= *t.leave ? std::string("must be after leave_s.")
+                                             : std::string();
+            })
+      .rule("start", positions_fault)
+      .rule("failures", failures_fault);
+}
+
+Fields<Station> station_fields() {
+  using T = Station;
+  return Fields<T>()
+      .point("position_m", &T::position, "Where the ground station stands.")
+      .number("antenna_agl_m", &T::antenna_agl, "Height of its antenna above ground.",
+              {.at_least = 0, .at_most = 1000})
+      .duration_s("agent_period_s", &T::agent_period, "Time between two decisions.",
+                  kPeriod);
+}
+
+Fields<PerimeterPrior> prior_fields() {
+  using T = PerimeterPrior;
+  return Fields<T>()
+      .point("origin_m", &T::origin, "Believed origin of the fire.")
+      .number("radius_m", &T::radius, "Believed distance of the perimeter at the start.",
+              kLength)
+      .number("radius_sd_m", &T::radius_sd, "Its standard deviation.", kLength)
+      .number("rate_mps", &T::rate, "Believed rate of spread.",
+              {.at_least = 0, .at_most = 100})
+      .number("rate_sd_mps", &T::rate_sd, "Its standard deviation.",
+              {.at_least = 0, .at_most = 100})
+      .point("wind_mps", &T::wind, "Believed drift of the perimeter, the way it moves.",
+             {.at_least = -100, .at_most = 100})
+      .number("wind_sd_mps", &T::wind_sd,
+              "Standard deviation of the drift that is not known, per axis.",
+              {.at_least = 0, .at_most = 100});
+}
+
+Fields<Deployment> deployment_fields() {
+  using T = Deployment;
+  return Fields<T>()
+      .angle_deg("courses_deg", &T::courses,
+                 "Courses of the transects, one for each aircraft, repeated when there "
+                 "are fewer. Empty: each flies to the believed origin.",
+                 kBearing)
+      .items({.at_most = 10000})
+      .duration_s("limit_s", &T::limit, "A transect without a crossing ends after this.",
+                  kPositive);
+}
+
+Fields<Monitoring> monitoring_fields() {
+  using T = Monitoring;
+  return Fields<T>()
+      .kind("estimator", &T::estimator, "estimator", "What keeps the belief.")
+      .kind("strategy", &T::strategy, "strategy", "What sends the aircraft.")
+      .object("prior", &T::prior, prior_fields(),
+              "What is known before the first reading.")
+      .integer("control_points", &T::control_points, "Points of the believed perimeter.",
+               {.at_least = 3, .at_most = 5000})
+      .object("deployment", &T::deployment, deployment_fields(),
+              "Until the first crossing.")
+      .duration_s("forced_crossing_s", &T::forced_crossing,
+                  "An aircraft without a crossing for this long is sent to cross. 0: "
+                  "never.",
+                  kNotNegative)
+      .duration_s("lost_after_s", &T::lost_after,
+                  "An aircraft not heard for this long counts as lost.", kPositive)
+      .duration_s("late_window_s", &T::late_window, "Readings this late still count.",
+                  kNotNegative);
+}
+
+Fields<Recording> record_fields() {
+  using T = Recording;
+  return Fields<T>()
+      .number("rate_hz", &T::rate_hz,
+              "Rows of truth and estimates per second and aircraft.",
+              {.above = 0, .at_most = 1000})
+      .duration_s("metrics_period_s", &T::metrics_period, "Time between two metrics.",
+                  kPeriod)
+      .duration_s("perimeter_period_s", &T::perimeter_period,
+                  "Time between two stored perimeters.", kPeriod)
+      .boolean("messages", &T::messages, "Whether messages are stored.");
+}
+
+}  // namespace
+
+Fields<Scenario> scenario_fields() {
+  using T = Scenario;
+  return Fields<T>()
+      .text("name", &T::name, "Name of the run, for reports.")
+      .integer("seed", &T::seed, "Seed of all randomness: same seed, same run.",
+               {.at_least = 0})
+      .duration_s("duration_s", &T::duration, "Length of the run.")
+      .duration_s("step_s", &T::step, "Time step of the simulation.",
+                  {.at_least = 0.001, .at_most = 10})
+      .object("origin", &T::origin, origin_fields(),
+              "Where on Earth the local frame (north, east) starts.")
+      .utc("start_utc", &T::start_utc, "When the run starts.")
+      .object("environment", &T::environment, environment_fields(),
+              "Ground, air and fire.")
+      .object("aircraft", &T::aircraft, aircraft_fields(), "Groups of equal aircraft.")
+      .items(kMostGroups)
+      .kind("radio", &T::radio, "radio", "The channel between all of them.")
+      .object("station", &T::station, station_fields(), "The ground station.")
+      .object("monitoring", &T::monitoring, monitoring_fields(), "The mission.")
+      .object("record", &T::record, record_fields(), "What is stored.");
+}
+
+}  // namespace skein::scenario
