@@ -3,38 +3,45 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/check.h"
 #include "geo/vec.h"
-#include "layer/reasoning/monitoring/joint/step_likelihood.h"
-#include "model/probability/truncated_normal.h"
 
 namespace skein::monitoring {
 namespace {
 
 constexpr double kLeastRadius = 20;  // the polar frame ends here [m]
-constexpr double kNoiseStep = 5;     // longest time between noise and advection [s]
-constexpr double kSiteLife = 60;     // a bound older than this stays for good [s]
-constexpr double kSamePlace = 0.9;   // correlation from which two bounds are one
-constexpr int kSureCount = 4;        // so many agreeing readings are not all false
-constexpr double kBump = 0.25;       // width of what widen() opens [rad]
-constexpr double kObvious = 3.2;     // readings this many sigma off teach nothing
+constexpr double kLongestLag = 5;    // of the covariance [s]
+constexpr double kProductTime = 30;  // for which an error of wind times slope lasts [s]
 
-// Covariance of the spline's coefficients against their distance in knots, with unit
-// variance of the function at the knots.
-Eigen::VectorXd covariance_row(const PeriodicSpline& spline, const Roughness& roughness,
-                               bool with_mean) {
+// Share of harmonic k in the variance of a function, not normalised.
+double share(const Roughness& roughness, int k) {
+  return 1 / (1 + std::pow(k / roughness.cutoff, 6));
+}
+
+// Adds the covariance of the spline's coefficients against their distance in knots, when
+// harmonic k of the function has variance spectrum(k).
+template <class Spectrum>
+void add_covariance(const PeriodicSpline& spline, Spectrum&& spectrum,
+                    Eigen::VectorXd& row) {
   const int n = spline.knots();
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-  double total = 0;
-  for (int k = with_mean ? 0 : 1; k <= n / 2; ++k) {
-    const double variance = 1 / (1 + std::pow(k / roughness.cutoff, 6));
-    total += variance;
-    const double response = spline.response(k);
-    for (int d = 0; d < n; ++d) {
-      row[d] += variance / (response * response) * std::cos(k * d * spline.step());
-    }
+  for (int k = 0; k <= n / 2; ++k) {
+    const double variance = spectrum(k) / std::pow(spline.response(k), 2);
+    if (!(variance > 0)) continue;
+    for (int d = 0; d < n; ++d) row[d] += variance * std::cos(k * d * spline.step());
   }
-  return row / total;
+}
+
+double total_share(const PeriodicSpline& spline, const Roughness& roughness, int first) {
+  double total = 0;
+  for (int k = first; k <= spline.knots() / 2; ++k) total += share(roughness, k);
+  return total;
+}
+
+// Fourth-order difference of periodic samples, times their distance.
+template <class Get>
+auto periodic_slope(int j, int n, Get&& get) {
+  return (8 * (get((j + 1) % n) - get((j + n - 1) % n)) -
+          (get((j + 2) % n) - get((j + n - 2) % n))) /
+         12;
 }
 
 }  // namespace
@@ -46,422 +53,248 @@ BoundaryFilter::BoundaryFilter(const PerimeterPrior& prior,
       spline_(knots),
       hypothesis_(hypothesis),
       sites_(static_cast<std::size_t>(aircraft)) {
-  const int unknowns = 2 * n_ + 2;
+  const int unknowns = 2 + 2 * n_;
   x_.resize(unknowns);
-  x_.head(n_).setConstant(prior.radius);
-  x_.segment(n_, n_).setConstant(prior.rate);
-  x_.tail<2>() = prior.wind;
-  radius_row_ = covariance_row(spline_, hypothesis.radius, true);
-  rate_row_ = covariance_row(spline_, hypothesis.rate, false);
+  x_.head<2>() = prior.wind;
+  x_.segment(r(0), n_).setConstant(prior.radius);
+  x_.segment(v(0), n_).setConstant(prior.rate);
+
+  radius_row_ = rate_row_ = Eigen::VectorXd::Zero(n_);
+  const double radius_total = total_share(spline_, hypothesis.radius, 0);
+  const double rate_total = total_share(spline_, hypothesis.rate, 1);
+  add_covariance(
+      spline_, [&](int k) { return share(hypothesis.radius, k) / radius_total; },
+      radius_row_);
+  add_covariance(
+      spline_, [&](int k) { return k == 0 ? 0 : share(hypothesis.rate, k) / rate_total; },
+      rate_row_);
   P_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  for (int i = 0; i < n_; ++i) {
-    for (int j = i; j < n_; ++j) {
-      P_(j, i) = std::pow(hypothesis.radius.sd, 2) * radius_row_[j - i];
-      P_(n_ + j, n_ + i) = std::pow(hypothesis.rate.sd, 2) * rate_row_[j - i] +
-                           std::pow(hypothesis.mean_rate_sd, 2);
-    }
-  }
-  P_(2 * n_, 2 * n_) = P_(2 * n_ + 1, 2 * n_ + 1) = std::pow(prior.wind_sd, 2);
+  P_(0, 0) = P_(1, 1) = std::pow(hypothesis.wind_sd, 2);
+  add_circulant(r(0), radius_row_, std::pow(hypothesis.radius.sd, 2));
+  add_circulant(v(0), rate_row_, std::pow(hypothesis.rate.sd, 2));
+  P_.bottomRightCorner(n_, n_).array() += std::pow(hypothesis.mean_rate_sd, 2);
+
   for (int j = 0; j < n_; ++j) e_r_.push_back(geo::unit(j * spline_.step()));
   Ph_.resize(unknowns);
   Ph_site_.resize(unknowns);
   drift_.resize(n_);
   trial_.resize(n_);
   advect_ = Eigen::VectorXd::Zero(n_);
-  G_.resize(n_, 2);
-  shifted_.resize(n_, n_);
+  G_ = Eigen::MatrixXd::Zero(n_, 2);
+  B_.resize(n_, n_);
 }
 
-// --- linear functions of the state
-// -------------------------------------------------------
-
-BoundaryFilter::Functional BoundaryFilter::radius_at(
-    const PeriodicSpline::Tap& tap) const {
-  Functional h;
-  for (std::size_t i = 0; i < 4; ++i) h.add(tap.index[i], tap.value[i]);
-  return h;
-}
-
-Vec2 BoundaryFilter::wind_effect(double bearing, double slope_over_radius) const {
-  const Vec2 e_r = geo::unit(bearing);
-  return e_r - geo::turned_right(e_r) * slope_over_radius;
-}
-
-// The radius `age` seconds ago, carried back at the present rates.
-BoundaryFilter::Functional BoundaryFilter::aged_radius_at(double bearing,
-                                                          double age) const {
-  const PeriodicSpline::Tap tap = spline_.at(bearing);
-  Functional h = radius_at(tap);
-  double radius = 0, slope = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    h.add(n_ + tap.index[i], -age * tap.value[i]);
-    radius += tap.value[i] * x_[tap.index[i]];
-    slope += tap.slope[i] * x_[tap.index[i]];
+// Adds gain * row to a diagonal block that depends on the distance of two knots only.
+void BoundaryFilter::add_circulant(int from, const Eigen::VectorXd& row, double gain) {
+  const bool rates = from == v(0);
+  for (int i = 0; i < n_; ++i) {
+    P_.col(from + i).segment(from + i, n_ - i).noalias() += gain * row.head(n_ - i);
+    if (rates)
+      P_.col(from + i).segment(from, i).noalias() += gain * row.segment(1, i).reverse();
   }
-  const Vec2 g = wind_effect(bearing, slope / std::max(radius, kLeastRadius));
-  h.add(2 * n_, -age * g.x());
-  h.add(2 * n_ + 1, -age * g.y());
-  return h;
 }
 
-double BoundaryFilter::dot(const Functional& h, const Eigen::VectorXd& v) {
-  double sum = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(h.size); ++i)
-    sum += h.weight[i] * v[h.index[i]];
-  return sum;
-}
-
-// Ph = P h; returns h' P h.
-double BoundaryFilter::apply(const Functional& h, Eigen::VectorXd& Ph) const {
-  Ph.setZero();
-  const Eigen::Index n = P_.rows();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(h.size); ++i) {
-    const Eigen::Index j = h.index[i];
-    Ph.head(j).noalias() += h.weight[i] * P_.row(j).head(j).transpose();
-    Ph.tail(n - j).noalias() += h.weight[i] * P_.col(j).tail(n - j);
-  }
-  return dot(h, Ph);
-}
-
-void BoundaryFilter::correct(const Eigen::VectorXd& Ph, double mean_gain,
-                             double variance_gain) {
-  x_.noalias() += mean_gain * Ph;
-  correct_covariance(Ph, variance_gain);
-}
-
-// P += gain * column * column'.
-void BoundaryFilter::correct_covariance(const Eigen::VectorXd& column, double gain) {
+// P += gain * column * column', where it is kept.
+void BoundaryFilter::add_outer(const Eigen::VectorXd& column, double gain) {
   const Eigen::Index n = P_.rows();
   for (Eigen::Index j = 0; j < n; ++j) {
-    P_.col(j).tail(n - j).noalias() += (gain * column[j]) * column.tail(n - j);
+    const Eigen::Index from = j < v(0) ? j : v(0);
+    P_.col(j).tail(n - from).noalias() += (gain * column[j]) * column.tail(n - from);
   }
+}
+
+Vec2 BoundaryFilter::wind_effect(double bearing, double slope_over_radius) {
+  const Vec2 e_r = geo::unit(bearing);
+  return e_r - geo::turned_right(e_r) * slope_over_radius;
 }
 
 BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
   const PeriodicSpline::Tap tap = spline_.at(bearing);
   Local local;
-  double v = 0;
+  double rate = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    local.radius += tap.value[i] * x_[tap.index[i]];
-    local.slope += tap.slope[i] * x_[tap.index[i]];
-    v += tap.value[i] * x_[n_ + tap.index[i]];
+    local.radius += tap.value[i] * x_[r(tap.index[i])];
+    local.slope += tap.slope[i] * x_[r(tap.index[i])];
+    rate += tap.value[i] * x_[v(tap.index[i])];
   }
   const Vec2 g = wind_effect(bearing, local.slope / std::max(local.radius, kLeastRadius));
-  local.growth = v + g.dot(wind());
-  // r and u = v + g.w from their few terms.
-  const auto symmetric = [this](int a, int b) { return a >= b ? P_(a, b) : P_(b, a); };
-  const int w = 2 * n_;
+  local.growth = rate + g.dot(wind());
+  // r and its growth v + g.w from their few terms.
   for (std::size_t i = 0; i < 4; ++i) {
-    const int a = tap.index[i];
-    const double ri = tap.value[i];
+    const int ri = r(tap.index[i]), vi = v(tap.index[i]);
+    const double a = tap.value[i];
     for (std::size_t j = 0; j < 4; ++j) {
-      const int b = tap.index[j];
-      const double rj = tap.value[j];
-      local.variance += ri * rj * symmetric(a, b);
-      local.covariance += ri * rj * P_(n_ + b, a);
-      local.growth_variance += ri * rj * symmetric(n_ + a, n_ + b);
+      const int rj = r(tap.index[j]), vj = v(tap.index[j]);
+      const double ab = a * tap.value[j];
+      local.variance += ab * P_(std::max(ri, rj), std::min(ri, rj));
+      local.covariance += ab * P_(vj, ri);
+      local.growth_variance += ab * P_(vj, vi);
     }
-    local.covariance += ri * (g.x() * P_(w, a) + g.y() * P_(w + 1, a));
-    local.growth_variance += 2 * ri * (g.x() * P_(w, n_ + a) + g.y() * P_(w + 1, n_ + a));
+    local.covariance += a * (g.x() * P_(ri, 0) + g.y() * P_(ri, 1));
+    local.growth_variance += 2 * a * (g.x() * P_(vi, 0) + g.y() * P_(vi, 1));
   }
-  local.growth_variance += g.x() * g.x() * P_(w, w) + 2 * g.x() * g.y() * P_(w + 1, w) +
-                           g.y() * g.y() * P_(w + 1, w + 1);
+  local.growth_variance +=
+      g.x() * g.x() * P_(0, 0) + 2 * g.x() * g.y() * P_(1, 0) + g.y() * g.y() * P_(1, 1);
+  local.variance += lag_ * (2 * local.covariance + lag_ * local.growth_variance);
+  local.covariance += lag_ * local.growth_variance;
   const double texture = hypothesis_.texture_rate * age_;
   local.variance += texture * texture;
   return local;
 }
 
-// --- prediction
-// ----------------------------------------------------------------------------
-
-namespace {
-
-// Fourth-order difference of periodic samples, times the spacing.
-template <class Get>
-double periodic_slope(int j, int n, Get&& get) {
-  return (8 * (get((j + 1) % n) - get((j + n - 1) % n)) -
-          (get((j + 2) % n) - get((j + n - 2) % n))) /
-         12;
-}
-
-}  // namespace
-
-// Heun step of the mean's coefficients; leaves the angular speed w.e_t/r in advect_ and
-// the wind's effect in G_.
+// Heun step of the mean's coefficients. Leaves the wind's effect in G_ and adds the angle
+// by which points were moved to advect_.
 void BoundaryFilter::move_mean(double dt) {
   const double response = spline_.response(1);
-  const auto rate = [&](const auto& c, Eigen::VectorXd& out, bool keep) {
+  const Vec2 w = wind();
+  const auto rate = [&](const auto& c, Eigen::VectorXd& out, bool first) {
     for (int j = 0; j < n_; ++j) {
       const double radius =
           std::max((c[(j + n_ - 1) % n_] + 4 * c[j] + c[(j + 1) % n_]) / 6, kLeastRadius);
       const double slope =
           periodic_slope(j, n_, [&](int i) { return c[i]; }) / spline_.step();
       const Vec2& e_r = e_r_[static_cast<std::size_t>(j)];
-      const Vec2 g = e_r / response - geo::turned_right(e_r) * (slope / radius);
-      out[j] = x_[n_ + j] + g.dot(wind());
-      if (keep) {
+      const Vec2 e_t = geo::turned_right(e_r);
+      const Vec2 g = e_r / response - e_t * (slope / radius);
+      out[j] = x_[v(j)] + g.dot(w);
+      if (first) {
         G_.row(j) = g.transpose();
-        advect_[j] += dt * geo::turned_right(e_r).dot(wind()) / radius;
+        advect_[j] += dt * e_t.dot(w) / radius;
       }
     }
   };
-  rate(x_, drift_, true);
-  trial_ = x_.head(n_) + dt * drift_;
-  x_.head(n_) += 0.5 * dt * drift_;
+  auto radius = x_.segment(r(0), n_);
+  rate(radius, drift_, true);
+  trial_ = radius + dt * drift_;
+  radius += 0.5 * dt * drift_;
   rate(trial_, drift_, false);
-  x_.head(n_) += 0.5 * dt * drift_;
-}
-
-// P_rr, P_rv, P_rw under the angular shift gathered in advect_ [rad].
-void BoundaryFilter::advect_covariance() {
-  const double scale = 1 / spline_.step();
-  if (advect_.cwiseAbs().maxCoeff() * scale < 1e-6) {
-    advect_.setZero();
-    return;
-  }
-  // Columns first: rows r of P against everything; P_vr and P_wr are columns r.
-  auto lower = P_.bottomLeftCorner(n_ + 2, n_);
-  auto rr = P_.topLeftCorner(n_, n_);
-  const auto shift_columns = [&](auto&& M, Eigen::Index rows, auto&& buffer) {
-    buffer = M;
-    for (int j = 0; j < n_; ++j) {
-      const double a = -advect_[j] * scale / 12;
-      M.col(j).noalias() +=
-          (8 * a) * (buffer.col((j + 1) % n_) - buffer.col((j + n_ - 1) % n_)) -
-          a * (buffer.col((j + 2) % n_) - buffer.col((j + n_ - 2) % n_));
-    }
-    (void)rows;
-  };
-  rr.triangularView<Eigen::StrictlyUpper>() = rr.transpose();
-  shift_columns(rr, n_, shifted_);
-  rr.transposeInPlace();
-  shift_columns(rr, n_, shifted_);
-  auto vr = P_.block(n_, 0, n_, n_);
-  shift_columns(vr, n_, shifted_);
-  auto wr = P_.block(2 * n_, 0, 2, n_);
-  auto buffer = shifted_.topRows(2);
-  shift_columns(wr, 2, buffer);
-  (void)lower;
-  advect_.setZero();
-}
-
-void BoundaryFilter::add_noise(double dt) {
-  const double q_rate = hypothesis_.rate_drift * hypothesis_.rate_drift * dt;
-  const double q_radius = hypothesis_.radius_drift * hypothesis_.radius_drift * dt;
-  if (q_rate > 0) {
-    for (int i = 0; i < n_; ++i) {
-      P_.col(n_ + i).segment(n_ + i, n_ - i).noalias() += q_rate * rate_row_.head(n_ - i);
-    }
-  }
-  if (q_radius > 0) {
-    for (int i = 0; i < n_; ++i) {
-      P_.col(i).segment(i, n_ - i).noalias() += q_radius * radius_row_.head(n_ - i);
-    }
-  }
+  radius += 0.5 * dt * drift_;
 }
 
 void BoundaryFilter::predict(double dt) {
   while (dt > 0) {
-    const double step = std::min(dt, kNoiseStep);
+    const double step = std::min(dt, kLongestLag - lag_);
     dt -= step;
     age_ += step;
-    const double substep = step / std::ceil(step);
-    G_.setZero();
-    for (double done = 0; done < step - 1e-9; done += substep) move_mean(substep);
-    // Half of v and w into the cross terms, then r with the middle ones, then the other
-    // half.
-    const int w = 2 * n_;
-    const auto half = [&] {
-      for (int i = 0; i < n_; ++i) {
-        auto vr = P_.col(i).segment(n_, n_);
-        const double h = 0.5 * step;
-        vr.tail(n_ - i).noalias() += h * P_.col(n_ + i).segment(n_ + i, n_ - i);
-        vr.head(i).noalias() += h * P_.row(n_ + i).segment(n_, i).transpose();
-        vr.noalias() += h * (G_(i, 0) * P_.row(w).segment(n_, n_).transpose() +
-                             G_(i, 1) * P_.row(w + 1).segment(n_, n_).transpose());
-        P_(w, i) += h * (P_(w, n_ + i) + G_(i, 0) * P_(w, w) + G_(i, 1) * P_(w + 1, w));
-        P_(w + 1, i) += h * (P_(w + 1, n_ + i) + G_(i, 0) * P_(w + 1, w) +
-                             G_(i, 1) * P_(w + 1, w + 1));
+    lag_ += step;
+    const int substeps = static_cast<int>(std::ceil(step));
+    for (int i = 0; i < substeps; ++i) move_mean(step / substeps);
+    if (lag_ >= kLongestLag) settle();
+    for (Site& site : sites_) site.age += step;
+  }
+}
+
+// P <- F P F' + Q over the lag, with u = v + G w the growth of r.
+void BoundaryFilter::settle() {
+  if (!(lag_ > 0)) return;
+  const double dt = lag_;
+  lag_ = 0;
+  const auto w_v = P_.block(v(0), 0, n_, 2);  // cov(v, w), a column per axis
+  for (int i = 0; i < n_; ++i) {
+    auto v_r = P_.col(r(i)).segment(v(0), n_);
+    // Twice half a step; r with r half-way in between makes the quadratic term exact.
+    const double gx = G_(i, 0), gy = G_(i, 1), half = 0.5 * dt;
+    const double x_change = half * (P_(v(i), 0) + gx * P_(0, 0) + gy * P_(1, 0));
+    const double y_change = half * (P_(v(i), 1) + gx * P_(1, 0) + gy * P_(1, 1));
+    drift_.noalias() = half * P_.col(v(i)).segment(v(0), n_) + (half * gx) * w_v.col(0) +
+                       (half * gy) * w_v.col(1);
+    B_.col(i).noalias() = v_r + drift_ + (P_(r(i), 0) + x_change) * G_.col(0) +
+                          (P_(r(i), 1) + y_change) * G_.col(1);
+    v_r.noalias() += 2 * drift_;
+    P_(r(i), 0) += 2 * x_change;
+    P_(r(i), 1) += 2 * y_change;
+  }
+  for (int i = 0; i < n_; ++i) {
+    P_.col(r(i)).segment(r(i), n_ - i).noalias() +=
+        dt * (B_.col(i).tail(n_ - i) + B_.row(i).tail(n_ - i).transpose());
+  }
+  advect_covariance();
+  const double rate_noise = hypothesis_.rate_drift * hypothesis_.rate_drift;
+  if (rate_noise > 0) add_circulant(v(0), rate_row_, dt * rate_noise);
+  const double radius_noise =
+      hypothesis_.radius_drift * hypothesis_.radius_drift + product_noise();
+  if (radius_noise > 0) add_circulant(r(0), radius_row_, dt * radius_noise);
+}
+
+// Intensity of the noise [m^2/s] that stands for the product of the errors of wind and
+// slope, which the linearisation drops: its variance, averaged over the bearings, taken
+// to last for kProductTime.
+double BoundaryFilter::product_noise() const {
+  double sum = 0;
+  for (int j = 0; j < n_; ++j) {
+    const int a = r((j + n_ - 1) % n_), b = r((j + 1) % n_);
+    const double slope = (P_(a, a) + P_(b, b) - 2 * P_(std::max(a, b), std::min(a, b))) /
+                         std::pow(2 * spline_.step(), 2);
+    const Vec2 e_t = geo::turned_right(e_r_[static_cast<std::size_t>(j)]);
+    const double tangential = e_t.x() * e_t.x() * P_(0, 0) +
+                              2 * e_t.x() * e_t.y() * P_(1, 0) +
+                              e_t.y() * e_t.y() * P_(1, 1);
+    sum += tangential * slope / std::pow(std::max(x_[r(j)], kLeastRadius), 2);
+  }
+  return 2 * kProductTime * sum / n_;
+}
+
+// P_rr <- A P_rr A', and A likewise wherever r stands, with A = I - advect d/dbearing.
+void BoundaryFilter::advect_covariance() {
+  const double scale = 1 / spline_.step();
+  const double largest = advect_.cwiseAbs().maxCoeff() * scale;
+  if (largest > 1e-6) {
+    const auto shift_columns = [&](auto&& M, auto&& before) {
+      before = M;
+      for (int j = 0; j < n_; ++j) {
+        const double a = -advect_[j] * scale / 12;
+        M.col(j).noalias() +=
+            (8 * a) * (before.col((j + 1) % n_) - before.col((j + n_ - 1) % n_)) -
+            a * (before.col((j + 2) % n_) - before.col((j + n_ - 2) % n_));
       }
     };
-    half();
-    for (int i = 0; i < n_; ++i) {
-      auto rr = P_.col(i).segment(i, n_ - i);
-      rr.noalias() += step * (P_.col(i).segment(n_ + i, n_ - i) +
-                              P_.row(n_ + i).segment(i, n_ - i).transpose() +
-                              G_.col(0).tail(n_ - i) * P_(w, i) +
-                              G_.col(1).tail(n_ - i) * P_(w + 1, i) +
-                              G_(i, 0) * P_.row(w).segment(i, n_ - i).transpose() +
-                              G_(i, 1) * P_.row(w + 1).segment(i, n_ - i).transpose());
-    }
-    half();
-    pending_ += step;
-    if (pending_ >= kNoiseStep) {
-      add_noise(pending_);
-      advect_covariance();
-      pending_ = 0;
-    }
-    for (Site& site : sites_) {
-      site.age += step;
-      site.open = site.open && site.age < kSiteLife;
-    }
-  }
-}
-
-// --- observations
-// --------------------------------------------------------------------------
-
-// Takes an open site out again when it is about the same number as h (with s = h'Ph,
-// m = h x, P h in Ph_, all brought up to date). Returns whether it did.
-bool BoundaryFilter::drop_site(Site& site, const Functional& h, double& s, double& m,
-                               double least_correlation) {
-  const Functional h_site = aged_radius_at(site.bearing, site.age);
-  const double s_site = apply(h_site, Ph_site_);
-  const double m_site = dot(h_site, x_);
-  // What was known of z before the factor bounds what its removal may leave: ageing is
-  // not exact in wind, and the division would magnify that.
-  if (!(s_site > 0)) return false;
-  const double left = std::max(1 - site.precision * s_site, s_site / site.free_variance);
-  const double precision = (1 - left) / s_site;
-  const double c = dot(h, Ph_site_);
-  const double grow = precision / left;
-  const double s_free = s + grow * c * c;
-  const double s_site_free = s_site + grow * s_site * s_site;
-  const double c_free = c + grow * c * s_site;
-  if (c_free * c_free < least_correlation * least_correlation * s_free * s_site_free)
-    return false;
-  const double move = (m_site - site.shift / site.precision) * grow;
-  correct(Ph_site_, move, grow);
-  Ph_.noalias() += (grow * c) * Ph_site_;
-  s = s_free;
-  m += c * move;
-  site.open = false;
-  return true;
-}
-
-BoundaryFilter::Limits BoundaryFilter::limits(const PolarReading& reading,
-                                              const Local& local) const {
-  const double tilt = local.slope / std::max(local.radius, kLeastRadius);
-  const double texture = hypothesis_.texture_rate * age_;
-  Limits limits;
-  limits.noise =
-      (1 + tilt * tilt) * reading.position_sd * reading.position_sd + texture * texture;
-  limits.low = limits.high = reading.distance;
-  if (reading.crossing) {
-    // The track relative to the moving boundary, as radius at this bearing now.
-    const double travel =
-        reading.radial - tilt * reading.tangential - local.growth * reading.period;
-    const double half =
-        0.5 * std::max(reading.inside ? -travel : travel,
-                       0.1 * std::hypot(reading.radial, reading.tangential));
-    const double middle = reading.distance + 0.5 * local.growth * reading.period;
-    limits.low = middle - half;
-    limits.high = middle + half;
-    // The slope is not known exactly, and where on the track it was crossed is not
-    // either.
-    const PeriodicSpline::Tap tap = spline_.at(reading.bearing);
-    double slope_variance = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 4; ++j) {
-        const int a = std::max(tap.index[i], tap.index[j]);
-        const int b = std::min(tap.index[i], tap.index[j]);
-        slope_variance += tap.slope[i] * tap.slope[j] * P_(a, b);
+    auto rr = P_.block(r(0), r(0), n_, n_);
+    for (int i = 0; i < n_; ++i)
+      rr.row(i).tail(n_ - i) = rr.col(i).tail(n_ - i).transpose();
+    shift_columns(rr, B_);
+    rr.transposeInPlace();
+    shift_columns(rr, B_);
+    shift_columns(P_.block(v(0), r(0), n_, n_), B_);
+    for (int axis = 0; axis < 2; ++axis) {
+      auto r_w = P_.col(axis).segment(r(0), n_);
+      drift_ = r_w;
+      for (int j = 0; j < n_; ++j) {
+        r_w[j] -=
+            advect_[j] * scale * periodic_slope(j, n_, [&](int i) { return drift_[i]; });
       }
     }
-    const double along = reading.tangential / std::max(reading.distance, kLeastRadius);
-    limits.noise += slope_variance * along * along / 12;
   }
-  return limits;
+  advect_.setZero();
 }
 
-double BoundaryFilter::probability(const PolarReading& reading) const {
-  const Local local = at(reading.bearing);
-  const Limits l = limits(reading, local);
-  const double sd = std::sqrt(local.variance + l.noise);
-  if (!reading.crossing) {
-    return model::normal_cdf(
-        (reading.inside ? local.radius - l.low : l.low - local.radius) / sd);
+void BoundaryFilter::restart_from(const BoundaryFilter& other) {
+  x_ = other.x_;
+  P_ = other.P_;
+  G_ = other.G_;
+  advect_ = other.advect_;
+  age_ = other.age_;
+  lag_ = other.lag_;
+  for (Site& site : sites_) site.open = false;
+  settle();
+  // What the other ruled out has acted from the start.
+  const double own =
+      std::pow(hypothesis_.rate.sd, 2) / total_share(spline_, hypothesis_.rate, 1);
+  const double its = std::pow(other.hypothesis_.rate.sd, 2) /
+                     total_share(spline_, other.hypothesis_.rate, 1);
+  drift_.setZero();
+  add_covariance(
+      spline_,
+      [&](int k) {
+        return k == 0 ? 0
+                      : std::max(0.0, own * share(hypothesis_.rate, k) -
+                                          its * share(other.hypothesis_.rate, k));
+      },
+      drift_);
+  add_circulant(r(0), drift_, age_ * age_);
+  add_circulant(v(0), drift_, 1);
+  for (int i = 0; i < n_; ++i) {
+    for (int j = 0; j < n_; ++j) P_(v(j), r(i)) += age_ * drift_[std::abs(i - j)];
   }
-  return model::truncate_normal(local.radius, sd, {l.low, l.high}).mass;
-}
-
-double BoundaryFilter::observe(int slot, const PolarReading& reading, double false_rate) {
-  const Local local = at(reading.bearing);
-  const Limits l = limits(reading, local);
-  const double right = 1 - false_rate;
-  const double margin = reading.inside ? local.radius - l.low : l.low - local.radius;
-  if (!reading.crossing && margin > kObvious * std::sqrt(local.variance + l.noise))
-    return right;
-
-  const Functional h = radius_at(spline_.at(reading.bearing));
-  double s = apply(h, Ph_), m = local.radius;
-  Site& site = sites_[static_cast<std::size_t>(slot)];
-  double before = 1, bound = reading.distance;
-  int count = 1;
-  if (site.open && reading.crossing) {
-    drop_site(site, h, s, m, kSamePlace);
-  } else if (site.open && site.inside == reading.inside) {
-    const double sign = reading.inside ? 1 : -1;
-    const double old_margin =
-        sign * (dot(aged_radius_at(site.bearing, site.age), x_) - site.bound);
-    const Site old = site;
-    if (margin >= old_margin && old.count >= kSureCount &&
-        std::abs(geo::wrap_pi(reading.bearing - old.bearing)) < 0.5 * spline_.step())
-      return 1;
-    if (drop_site(site, h, s, m, kSamePlace)) {
-      before = old.evidence;
-      count = std::min(old.count + 1, kSureCount);
-      // The tighter of the two bounds is the one that counts.
-      if (margin > old_margin) bound = local.radius - sign * old_margin;
-    }
-  }
-  site.open = false;
-
-  // Readings that agree are not all false at once.
-  const double wrong = std::pow(false_rate, count);
-  StepLikelihood step{bound, bound, 1 - wrong, 0, wrong};
-  if (reading.inside) std::swap(step.below, step.above);
-  if (reading.crossing)
-    step = {l.low, l.high, right * false_rate, right * right, right * false_rate};
-  const double S = s + l.noise;
-  const StepMoments after = condition(m, S, step);
-  const double variance_gain = (after.variance - S) / (S * S);
-  correct(Ph_, (after.mean - m) / S, variance_gain);
-  if (!reading.crossing) {
-    const double s_after = s + s * s * variance_gain;
-    const double m_after = m + s / S * (after.mean - m);
-    // A false-reading mixture may leave z no better known than before: nothing to keep
-    // then.
-    site = {s_after < (1 - 1e-6) * s,
-            reading.inside,
-            count,
-            reading.bearing,
-            bound,
-            0,
-            1 / s_after - 1 / s,
-            m_after / s_after - m / s,
-            after.evidence,
-            s};
-  }
-  return std::min(1.0, after.evidence / std::max(before, 1e-12));
-}
-
-void BoundaryFilter::widen(double bearing, double distance, double surprise) {
-  const Local local = at(bearing);
-  const double off = distance - local.radius;
-  const double extra = off * off / (surprise * surprise) - local.variance;
-  if (!(extra > 0)) return;
-  // A bump of the radius and one of the rate, so that what is known elsewhere stays.
-  Ph_.setZero();
-  for (int j = 0; j < n_; ++j) {
-    const double away = geo::wrap_pi(bearing - j * spline_.step()) / kBump;
-    Ph_[j] = std::exp(-0.5 * away * away);
-  }
-  Ph_ /= dot(radius_at(spline_.at(bearing)), Ph_);
-  correct_covariance(Ph_, extra);
-  Ph_.segment(n_, n_) = Ph_.head(n_);
-  Ph_.head(n_).setZero();
-  correct_covariance(Ph_, extra / std::pow(age_ + 60, 2));
 }
 
 }  // namespace skein::monitoring

@@ -23,6 +23,7 @@ struct BoundaryHypothesis {
   Roughness radius;         ///< of the start boundary [m]
   Roughness rate;           ///< of the spread over bearing [m/s]
   double mean_rate_sd = 0;  ///< of the spread's mean over all bearings [m/s]
+  double wind_sd = 1;       ///< per axis [m/s]
   double rate_drift = 0;    ///< random walk of the rate, per root second [m/s/sqrt(s)]
   double radius_drift = 0;  ///< random walk of the radius [m/sqrt(s)]
   double texture_rate = 0;  ///< growth of what the spline cannot show [m/s]
@@ -45,9 +46,9 @@ struct PolarReading {
 ///   dr/dt = v + w . e_r - (w . e_t / r) dr/dbearing
 ///
 /// about a fixed origin (e_r, e_t: radial and tangential unit vectors): every boundary
-/// point moves with v e_r + w. r and v are periodic splines, so one number of the state
-/// is one spline coefficient. The wind's product with the slope is linearised about the
-/// mean.
+/// point moves with v e_r + w. r and v are periodic splines, so the state is w (2), then
+/// the coefficients of r and those of v. The wind's product with the slope is linearised
+/// about the mean; what the linearisation leaves out becomes noise.
 class BoundaryFilter {
  public:
   BoundaryFilter(const PerimeterPrior& prior, const BoundaryHypothesis& hypothesis,
@@ -64,11 +65,16 @@ class BoundaryFilter {
   ///          bound of the same aircraft at the same place implies: 1.
   double observe(int slot, const PolarReading& reading, double false_rate);
 
-  /// Makes room for the sites of so many aircraft.
+  /// Makes room for the bounds of so many aircraft.
   void reserve_aircraft(int count) { sites_.resize(static_cast<std::size_t>(count)); }
 
-  /// Forgets precision near `bearing` until a boundary at `distance` is no surprise.
+  /// Forgets precision near `bearing` until a boundary at `distance` is only `surprise`
+  /// standard deviations away.
   void widen(double bearing, double distance, double surprise);
+
+  /// Gives up its own belief for that of `other`, and adds what the other held to be
+  /// impossible: the harmonics that are larger in this filter's prior.
+  void restart_from(const BoundaryFilter& other);
 
   struct Local {
     double radius = 0, slope = 0, growth = 0;  ///< mean of r, dr/dbearing and dr/dt
@@ -78,11 +84,12 @@ class BoundaryFilter {
   };
   Local at(double bearing) const;
 
-  int unknowns() const { return static_cast<int>(x_.size()); }
+  /// Brings covariance() up to now; it may lag a few seconds behind otherwise.
+  void settle();
   const Eigen::VectorXd& mean() const { return x_; }
-  /// The covariance; only the lower triangle is kept.
+  /// Only the lower triangle, and the rates' block in full, are kept.
   const Eigen::MatrixXd& covariance() const { return P_; }
-  Vec2 wind() const { return x_.tail<2>(); }
+  Vec2 wind() const { return x_.head<2>(); }
 
  private:
   // A linear function of the state with at most ten terms.
@@ -104,39 +111,42 @@ class BoundaryFilter {
     double precision = 0, shift = 0;         // factor exp(-precision z^2/2 + shift z)
     double evidence = 1, free_variance = 0;  // of the reading, of z without the factor
   };
-
   // A reading as limits on the radius at its bearing now.
   struct Limits {
     double low = 0, high = 0, noise = 0;
   };
+
+  int r(int knot) const { return 2 + knot; }
+  int v(int knot) const { return 2 + n_ + knot; }
   Limits limits(const PolarReading& reading, const Local& local) const;
   Functional radius_at(const PeriodicSpline::Tap& tap) const;
   Functional aged_radius_at(double bearing, double age) const;
-  Vec2 wind_effect(double bearing, double slope_over_radius) const;
+  static Vec2 wind_effect(double bearing, double slope_over_radius);
+  double slope_variance(const PeriodicSpline::Tap& tap) const;
   double apply(const Functional& h, Eigen::VectorXd& Ph) const;
-  static double dot(const Functional& h, const Eigen::VectorXd& v);
+  static double dot(const Functional& h, const Eigen::VectorXd& x);
   void correct(const Eigen::VectorXd& Ph, double mean_gain, double variance_gain);
-  void correct_covariance(const Eigen::VectorXd& column, double gain);
+  void add_outer(const Eigen::VectorXd& column, double gain);
+  void add_circulant(int from, const Eigen::VectorXd& row, double gain);
   void move_mean(double dt);
   void advect_covariance();
-  void add_noise(double dt);
-  bool drop_site(Site& site, const Functional& h, double& s, double& m,
-                 double least_correlation);
+  double product_noise() const;
+  bool drop_site(Site& site, const Functional& h, double& s, double& m);
 
   int n_;
   PeriodicSpline spline_;
   BoundaryHypothesis hypothesis_;
-  double age_ = 0;      // since the start [s]
-  double pending_ = 0;  // prediction not yet in noise and advection [s]
+  double age_ = 0;  // since the start [s]
+  double lag_ = 0;  // by which P_ is behind x_ [s]
   Eigen::VectorXd x_;
   Eigen::MatrixXd P_;
   Eigen::VectorXd radius_row_,
       rate_row_;  // prior covariance against knot distance, unit sd
   std::vector<Site> sites_;
+  std::vector<Vec2> e_r_;
   // Scratch, so that nothing is allocated after construction.
   Eigen::VectorXd Ph_, Ph_site_, drift_, trial_, advect_;
-  Eigen::MatrixXd G_, shifted_;
-  std::vector<Vec2> e_r_;
+  Eigen::MatrixXd G_, B_;
 };
 
 }  // namespace skein::monitoring

@@ -11,6 +11,8 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   smooth.radius = {prior.radius_sd, 6};
   smooth.rate = {prior.rate_sd, 8};
   smooth.mean_rate_sd = mean_rate_sd;
+  // A wind as strong as the spread would drive the fire over its own origin.
+  smooth.wind_sd = std::min(prior.wind_sd, 0.5 * prior.rate);
   smooth.rate_drift = 0.001 * prior.rate_sd;
 
   BoundaryHypothesis medium = smooth;

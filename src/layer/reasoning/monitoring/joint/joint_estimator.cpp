@@ -12,6 +12,8 @@ constexpr double kForget =
     1e-4;  // share of the weights that returns to the prior per reading
 constexpr double kFloor =
     1e-9;  // no reading counts as less probable than this for a weight
+constexpr double kLost = 1e-3;   // weight below which a hypothesis counts for nothing
+constexpr double kWrong = 1e-3;  // of the mixture's probability of a reading
 constexpr double kSurprise = 3;  // sigma that a boundary may be off after widening
 constexpr double kDegrees = geo::kPi / 180;
 
@@ -114,7 +116,14 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
     aircraft.suspects = 0;
   }
   double total = 0;
+  const std::size_t best = static_cast<std::size_t>(
+      std::max_element(weights_.begin(), weights_.end()) - weights_.begin());
   for (std::size_t i = 0; i < filters_.size(); ++i) {
+    // A hypothesis that is out of the race and still wrong takes over the leader's
+    // belief.
+    if (weights_[i] < kLost && evidence_[i] < kWrong * probability) {
+      filters_[i].restart_from(filters_[best]);
+    }
     if (probability < options_.outlier && evidence_[i] < options_.outlier) {
       filters_[i].widen(reading.bearing, reading.distance, kSurprise);
     }
@@ -129,10 +138,11 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
 
 BoundaryFilter::Local JointEstimator::at(double bearing) const {
   BoundaryFilter::Local mixed;
-  double square = 0, product = 0, growth_square = 0;
+  double square = 0, product = 0, growth_square = 0, counted = 0;
+  for (const double weight : weights_) counted += weight < kLost ? 0 : weight;
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     const BoundaryFilter::Local local = filters_[i].at(bearing);
-    const double w = weights_[i];
+    const double w = weights_[i] < kLost ? 0 : weights_[i] / counted;
     mixed.radius += w * local.radius;
     mixed.slope += w * local.slope;
     mixed.growth += w * local.growth;

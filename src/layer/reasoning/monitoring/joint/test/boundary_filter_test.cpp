@@ -19,16 +19,12 @@ BoundaryHypothesis plain() {
   hypothesis.radius = {100, 5};
   hypothesis.rate = {0.1, 6};
   hypothesis.mean_rate_sd = 0.2;
+  hypothesis.wind_sd = 0;
   return hypothesis;
 }
 
-PerimeterPrior still_air() {
-  PerimeterPrior prior;
-  prior.wind_sd = 0;
-  return prior;
-}
-
-Eigen::MatrixXd full(const BoundaryFilter& filter) {
+Eigen::MatrixXd full(BoundaryFilter& filter) {
+  filter.settle();
   return Eigen::MatrixXd(filter.covariance().selfadjointView<Eigen::Lower>());
 }
 
@@ -36,12 +32,14 @@ Eigen::MatrixXd full(const BoundaryFilter& filter) {
 Eigen::RowVectorXd radius_row(double bearing) {
   const PeriodicSpline::Tap tap = PeriodicSpline(kKnots).at(bearing);
   Eigen::RowVectorXd h = Eigen::RowVectorXd::Zero(2 * kKnots + 2);
-  for (std::size_t i = 0; i < 4; ++i) h[tap.index[i]] = tap.value[i];
+  for (std::size_t i = 0; i < 4; ++i) h[2 + tap.index[i]] = tap.value[i];
   return h;
 }
 
 TEST(BoundaryFilter, PriorHasTheStatedMoments) {
-  const BoundaryFilter filter(PerimeterPrior{}, plain(), kKnots, 2);
+  BoundaryHypothesis windy = plain();
+  windy.wind_sd = 1;
+  const BoundaryFilter filter(PerimeterPrior{}, windy, kKnots, 2);
   for (const double bearing : {0.0, 1.0, 4.4}) {
     const BoundaryFilter::Local local = filter.at(bearing);
     EXPECT_NEAR(local.radius, 500, 1e-9);
@@ -53,12 +51,12 @@ TEST(BoundaryFilter, PriorHasTheStatedMoments) {
 }
 
 TEST(BoundaryFilter, PredictionEqualsTheDenseKalmanFilterInStillAir) {
-  BoundaryFilter filter(still_air(), plain(), kKnots, 2);
+  BoundaryFilter filter(PerimeterPrior{}, plain(), kKnots, 2);
   const Eigen::MatrixXd before = full(filter);
   const double dt = 13;
   const Eigen::Index n = before.rows();
   Eigen::MatrixXd F = Eigen::MatrixXd::Identity(n, n);
-  F.block(0, kKnots, kKnots, kKnots).diagonal().setConstant(dt);
+  F.block(2, 2 + kKnots, kKnots, kKnots).diagonal().setConstant(dt);
   const Eigen::MatrixXd expected = F * before * F.transpose();
   filter.predict(dt);
   // The same sums in another order: 1e-12 of the largest entry (10^4).
@@ -67,7 +65,7 @@ TEST(BoundaryFilter, PredictionEqualsTheDenseKalmanFilterInStillAir) {
 }
 
 TEST(BoundaryFilter, KnownWindMovesAndBendsTheBoundaryAsThePointsMove) {
-  PerimeterPrior prior = still_air();
+  PerimeterPrior prior;
   prior.wind = {1.5, 0};
   BoundaryFilter filter(prior, plain(), kKnots, 2);
   Vec2 point = 500 * geo::unit(1.2);
@@ -81,7 +79,7 @@ TEST(BoundaryFilter, KnownWindMovesAndBendsTheBoundaryAsThePointsMove) {
 }
 
 TEST(BoundaryFilter, BoundEqualsTheDenseHalfSpaceUpdate) {
-  BoundaryFilter filter(still_air(), plain(), kKnots, 2);
+  BoundaryFilter filter(PerimeterPrior{}, plain(), kKnots, 2);
   filter.predict(20);
   const Eigen::MatrixXd P = full(filter);
   const Eigen::VectorXd x = filter.mean();
@@ -103,7 +101,7 @@ TEST(BoundaryFilter, BoundEqualsTheDenseHalfSpaceUpdate) {
 }
 
 TEST(BoundaryFilter, CrossingLeavesTheBoundaryOnTheTrack) {
-  BoundaryFilter filter(still_air(), plain(), kKnots, 2);
+  BoundaryFilter filter(PerimeterPrior{}, plain(), kKnots, 2);
   filter.predict(10);
   PolarReading crossing{.bearing = 2,
                         .distance = 610,
@@ -121,7 +119,7 @@ TEST(BoundaryFilter, CrossingLeavesTheBoundaryOnTheTrack) {
 }
 
 TEST(BoundaryFilter, TheSameBoundCountsOnce) {
-  BoundaryFilter filter(still_air(), plain(), kKnots, 2);
+  BoundaryFilter filter(PerimeterPrior{}, plain(), kKnots, 2);
   PolarReading reading{.bearing = 0.7, .distance = 450, .inside = true, .position_sd = 0};
   filter.observe(0, reading, 0);
   const BoundaryFilter::Local once = filter.at(0.7);
@@ -134,7 +132,7 @@ TEST(BoundaryFilter, TheSameBoundCountsOnce) {
 }
 
 TEST(BoundaryFilter, ATighterBoundReplacesALooserOne) {
-  BoundaryFilter both(still_air(), plain(), kKnots, 2), tight(both);
+  BoundaryFilter both(PerimeterPrior{}, plain(), kKnots, 2), tight(both);
   PolarReading reading{.bearing = 0.7, .distance = 400, .inside = true, .position_sd = 0};
   both.observe(0, reading, 0);
   reading.distance = 480;
@@ -148,7 +146,9 @@ TEST(BoundaryFilter, ATighterBoundReplacesALooserOne) {
 TEST(BoundaryFilter, CovarianceStaysPositiveThroughWindAndManyReadings) {
   PerimeterPrior prior;
   prior.wind = {0.5, -0.8};
-  BoundaryFilter filter(prior, plain(), kKnots, 2);
+  BoundaryHypothesis windy = plain();
+  windy.wind_sd = 1;
+  BoundaryFilter filter(prior, windy, kKnots, 2);
   RandomStream random(3, 0, Purpose::kTest);
   for (int second = 0; second < 1500; ++second) {
     filter.predict(1);
@@ -175,7 +175,7 @@ TEST(BoundaryFilter, CovarianceStaysPositiveThroughWindAndManyReadings) {
 }
 
 TEST(BoundaryFilter, WideningMakesAFarBoundaryPossible) {
-  BoundaryFilter filter(still_air(), plain(), kKnots, 2);
+  BoundaryFilter filter(PerimeterPrior{}, plain(), kKnots, 2);
   filter.widen(1, 2000, 3);
   EXPECT_NEAR(std::sqrt(filter.at(1).variance), 500, 25);
   // Half a turn away nothing has changed.

@@ -147,11 +147,11 @@ TEST(JointEstimator, TakesInMoreAircraftThanItWasMadeFor) {
 // must be as large as the filter says.
 TEST(JointEstimator, IsConsistentOnItsOwnModel) {
   PerimeterPrior prior;
-  prior.wind_sd = 0;
   BoundaryHypothesis own;
   own.radius = {100, 6};
   own.rate = {0.06, 8};
   own.mean_rate_sd = 0.1;
+  own.wind_sd = 0;
   double nees = 0;
   int points = 0, covered = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
