@@ -17,6 +17,10 @@ constexpr double kCourseSd = 0.4;  // of the edge's direction, from crossing to 
 constexpr double kCornerSd = 0.7;  // of a direction guessed from one crossing
 constexpr double kCorner = 5;      // a crossing as overdue as this is behind a corner [s]
 constexpr double kSteepFrom = 60;  // distance at which the edge is met at 45 degrees [m]
+constexpr double kAcross = 1.75;   // angle at which an edge nearby must be met [rad]
+constexpr double kHoldAcross = 5;  // flight at that angle [s]
+constexpr double kOutwards = 60;   // flown straight to leave the fire [s]
+constexpr double kNextDirection = 2.4;  // golden angle: spreads any number of directions
 constexpr double kPlausible = 60;  // distance of a crossing from the believed edge [m]
 constexpr double kFinderAge = 3;   // what an edge finder saw is valid for [s]
 constexpr double kFinderLookAhead = 60;  // distance in which an offset is taken out [m]
@@ -56,8 +60,7 @@ void EdgeFollower::add(const FireReading& reading, double course) {
     before_ = belief_;
     crossed({reading.time, middle}, course);
   }
-  if (!doubtful_)
-    (reading.inside ? last_inside_ : last_outside_) = {reading.time, reading.point};
+  if (reading.inside && !doubtful_) last_inside_ = Mark{reading.time, reading.point};
 }
 
 bool EdgeFollower::plausible(const Vec2& crossing) const {
@@ -128,13 +131,11 @@ double EdgeFollower::course(Time now, const Vec2& position) {
       return seek_course(waited);
     case Phase::kFollow:
       return follow_course(now, position);
-    case Phase::kReturn: {
-      const Vec2 to_goal = goal_ - position;
-      if (to_goal.norm() > kArrived) return course_ = geo::bearing(to_goal);
-      // Outwards the fire ends somewhere; inwards it should have been met by now.
-      if (!last_->inside) enter(Phase::kSpiral, now);
-      return course_;
-    }
+    case Phase::kReturn:
+      // At the goal the fire should have been met; that reading must have been false.
+      if (!last_->inside && (goal_ - position).norm() < kArrived)
+        enter(Phase::kSpiral, now);
+      return return_course(waited, position);
     case Phase::kSpiral:
       return spiral_course(waited, position);
   }
@@ -150,17 +151,35 @@ double EdgeFollower::follow_course(Time now, const Vec2& position) {
   updated_ = now;
   if (missing < 0) belief_.overdue += dt;
   const double angle = std::max(options_.angle, std::atan(missing / kSteepFrom)) +
-                       options_.escalation * belief_.overdue;
+                       overdue_angle(belief_.overdue);
   if (angle < options_.give_up) return turn_in(edge.course_at(position), angle);
 
-  const std::optional<Mark>& other = inside ? last_outside_ : last_inside_;
-  goal_ = other ? other->point : edge.point;
-  // Too near to point at, it is the far side of the edge that counts.
-  const Vec2 to_goal = goal_ - position;
-  course_ = to_goal.norm() > kArrived / 2 ? geo::bearing(to_goal)
-                                          : turn_in(edge.course, geo::kPi / 2);
+  // What has burnt goes on burning, so the way back into the fire is known; the way out
+  // is only believed.
+  goal_ = last_inside_ ? last_inside_->point : edge.point;
+  course_ = turn_in(edge.course_at(position), geo::kPi / 2);
   enter(Phase::kReturn, now);
-  return course_;
+  return return_course(0, position);
+}
+
+// The turn after an edge that should have been crossed: across the believed edge,
+// straight on there for a while, then all the way round.
+double EdgeFollower::overdue_angle(double overdue) const {
+  const double across = kAcross - options_.angle;
+  const double turned = options_.escalation * overdue;
+  return std::min(turned, across) +
+         std::max(0.0, turned - across - options_.escalation * kHoldAcross);
+}
+
+double EdgeFollower::return_course(double waited, const Vec2& position) const {
+  if (!last_->inside) return geo::bearing(goal_ - position);
+  // Outwards; each time that this was wrong, in another direction for longer.
+  int tries = 0;
+  for (double leg = kOutwards; waited > leg; leg += kOutwards) {
+    waited -= leg;
+    ++tries;
+  }
+  return geo::wrap_pi(course_ + tries * kNextDirection);
 }
 
 // Straight across the believed edge; without a belief, straight on.

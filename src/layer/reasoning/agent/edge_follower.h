@@ -63,6 +63,8 @@ class EdgeFollower {
   void enter(Phase phase, Time now);
   double turn_in(double along, double angle) const;
   double follow_course(Time now, const Vec2& position);
+  double overdue_angle(double overdue) const;
+  double return_course(double waited, const Vec2& position) const;
   double seek_course(double waited) const;
   double follow_finder(const Vec2& position) const;
   double spiral_course(double waited, const Vec2& position) const;
@@ -85,7 +87,7 @@ class EdgeFollower {
   std::optional<double>
       tangent_;  // as the task says it, in the direction of flight [rad]
   std::optional<FireReading> last_;
-  std::optional<Mark> last_inside_, last_outside_;
+  std::optional<Mark> last_inside_;
   Vec2 goal_ = Vec2::Zero();  // of kReturn and kSpiral
   double course_ = 0;         // flown, or of the return [rad]
   Time updated_;              // of belief_.overdue
