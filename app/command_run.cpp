@@ -1,0 +1,149 @@
+#include <fmt/core.h>
+
+#include <charconv>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/common.h"
+#include "app/version.h"
+#include "assemble/build.h"
+#include "assemble/kinds_of.h"
+#include "layer/hmi/terminal_console.h"
+#include "record/report.h"
+#include "record/run_recorder.h"
+#include "scenario/scenario_file.h"
+
+namespace skein::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// fast = 0, real = 1, or a factor; nothing when it is none of these.
+std::optional<double> parse_speed(const std::string& text) {
+  if (text == "fast") return 0.0;
+  if (text == "real") return 1.0;
+  double factor = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), factor);
+  if (error != std::errc() || end != text.data() + text.size() || !(factor > 0) ||
+      factor > 1e9)
+    return std::nullopt;
+  return factor;
+}
+
+// The first of runs/NAME, runs/NAME-2, ... that does not exist.
+fs::path free_folder(const std::string& name) {
+  const fs::path base = fs::path("runs") / name;
+  fs::path folder = base;
+  for (int k = 2; fs::exists(folder); ++k) folder = base.string() + fmt::format("-{}", k);
+  return folder;
+}
+
+void print_table(const record::RunSummary& summary) {
+  static constexpr std::pair<const char*, const char*> kRows[] = {
+      {"perf_mean_m", "Perf, mean over the allocation phase [m]"},
+      {"boundary_rms_mean_m", "distance of boundaries, RMS, mean [m]"},
+      {"boundary_hausdorff_mean_m", "the same, largest, mean [m]"},
+      {"sigma_mean_m", "stated sigma, mean [m]"},
+      {"iou_mean", "intersection over union, mean"},
+      {"coverage_95_mean", "share of boundary in its 95 % band, mean"},
+      {"nees_mean", "NEES, mean (1 = consistent)"},
+      {"aircraft", "aircraft"},
+      {"observations", "observations"},
+      {"crossings", "crossings"},
+      {"messages_lost", "messages lost"},
+      {"simulated_s", "simulated time [s]"},
+      {"real_time_factor", "speed, times real time"}};
+  for (const auto& [name, text] : kRows)
+    if (const auto value = summary.number(name))
+      fmt::print("  {:<44}{:>12.4g}\n", text, *value);
+}
+
+}  // namespace
+
+int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
+  const auto speed = parse_speed(arguments.speed);
+  if (!speed) {
+    fmt::print(stderr, "--speed {}: must be fast, real or a factor above 0.\n",
+               arguments.speed);
+    return kBadUsage;
+  }
+  std::vector<std::string> overrides = arguments.overrides;
+  if (!arguments.seed.empty()) overrides.push_back("seed=" + arguments.seed);
+  const auto scenario = load_scenario(arguments.scenario, overrides);
+  if (!scenario) return kBadUsage;
+
+  auto built = assemble::build(*scenario);
+  if (!built) return say_error(built.error());
+  assemble::Build& ready = built.value();
+  for (const std::string& warning : ready.warnings)
+    fmt::print(stderr, "warning: {}\n", warning);
+  ready.options.speed = *speed;
+  ready.options.threads = arguments.threads;
+
+  const fs::path folder =
+      arguments.out.empty() ? free_folder(scenario->name) : arguments.out;
+  const std::string text = scenario::write_scenario(*scenario, assemble::kind_table());
+  record::RunRecorderOptions options;
+  options.perimeter_period = scenario->record.perimeter_period;
+  options.overwrite = arguments.overwrite;
+  auto created = record::RunRecorder::create(
+      folder, {kVersion, scenario->seed, scenario->name, text, scenario->start_utc},
+      options);
+  if (!created) return say_error(created.error());
+  record::RunRecorder& recorder = *created.value();
+  if (auto written = write_text(folder / "scenario.yaml", text); !written)
+    return say_error(written.error());
+  const auto patch = assemble::sample_terrain(*ready.world.terrain,
+                                              scenario->monitoring.prior.origin, 4000);
+  recorder.store_terrain(patch.rows, patch.rows, patch.low, patch.spacing, patch.heights);
+
+  std::optional<Error> failure;
+  bool interrupted = false;
+  {
+    hmi::TerminalConsole console(stop);
+    const auto outcome = simulation::run(ready.world, ready.options, recorder, console);
+    if (outcome) {
+      interrupted = outcome.value().end == simulation::RunOutcome::End::kStopped;
+      recorder.set_figure("deadline_misses",
+                          static_cast<double>(outcome.value().deadline_misses));
+    } else {
+      failure = outcome.error();
+    }
+  }
+  const auto closed = recorder.close(interrupted || failure.has_value());
+  if (failure) {
+    say_error(*failure);
+    fmt::print(stderr, "Records up to then: {}\nReplay: skein run {} --seed {}\n",
+               folder.string(), (folder / "scenario.yaml").string(), scenario->seed);
+    return kFailed;
+  }
+  if (!closed) {
+    say_error(closed.error());
+    return kFailed;
+  }
+
+  std::string written =
+      (folder / "run.sqlite").string() + "  summary.json  scenario.yaml";
+  if (arguments.report) {
+    const std::vector<fs::path> runs = {folder};
+    if (auto report = record::write_report(runs, folder / "report.html"); !report) {
+      say_error(report.error());
+      return kFailed;
+    }
+    written += "  report.html";
+  }
+  if (arguments.json) {
+    std::string summary;
+    if (auto read = read_text(folder / "summary.json", summary); !read)
+      return say_error(read.error());
+    fmt::print("{}\n", summary);
+  } else {
+    fmt::print("{}{}\n", scenario->name, interrupted ? " (interrupted)" : "");
+    print_table(closed.value());
+    fmt::print("Written: {}\n", written);
+  }
+  return interrupted ? kInterrupted : kDone;
+}
+
+}  // namespace skein::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace skein::app {
+
+/// Exit status of the program: see docs/user-guide.md.
+enum Exit { kDone = 0, kFailed = 1, kBadUsage = 2, kInterrupted = 130 };
+
+struct RunArguments {
+  std::string scenario;
+  std::filesystem::path out;           ///< empty = runs/NAME, runs/NAME-2...
+  std::vector<std::string> overrides;  ///< a.b[2].c=VALUE
+  std::string seed;                    ///< empty = the scenario's
+  std::string speed = "fast";          ///< fast, real, or a factor
+  int threads = 1;
+  bool report = false;
+  bool json = false;
+  bool overwrite = false;
+};
+
+struct StudyArguments {
+  std::string name;           ///< empty = list the studies
+  std::filesystem::path out;  ///< empty = runs/study-NAME
+  int seeds = 6;
+  int first_seed = 1;
+  int threads = 2;
+  std::vector<std::string> cases, estimators, strategies;  ///< empty = all
+  std::vector<std::string> overrides;
+  std::string cases_file, updates_file;  ///< estimators: CSV in, CSV on standard output
+  std::string data;                      ///< bridge: folder of the recorded fire
+};
+
+int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
+int check_command(const std::string& scenario, const std::vector<std::string>& overrides,
+                  bool print);
+int list_command(const std::string& role);
+int schema_command();
+int keys_command();
+int report_command(const std::vector<std::filesystem::path>& runs,
+                   const std::filesystem::path& out);
+int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop);
+int completion_command(const std::string& shell);
+
+}  // namespace skein::app

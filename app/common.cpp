@@ -1,0 +1,50 @@
+#include "app/common.h"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "app/commands.h"
+#include "assemble/kinds_of.h"
+#include "scenario/scenario_file.h"
+
+namespace skein::app {
+
+std::optional<scenario::Scenario> load_scenario(
+    const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  std::vector<scenario::Override> changes;
+  for (const std::string& text : overrides) changes.push_back({text});
+  auto outcome = scenario::read_scenario(file, assemble::kind_table(), changes);
+  if (!outcome.ok()) fmt::print(stderr, "{}", outcome.report());
+  return std::move(outcome.scenario);
+}
+
+int say_error(const Error& error) {
+  fmt::print(stderr, "error: {}\n", error.text());
+  const bool usage =
+      error.code == ErrorCode::kBadInput || error.code == ErrorCode::kNotFound;
+  return usage ? kBadUsage : kFailed;
+}
+
+Result<void> write_text(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path part = file.string() + ".part";
+  std::ofstream out(part, std::ios::binary);
+  out << text;
+  out.close();
+  std::error_code fault;
+  if (out.good()) std::filesystem::rename(part, file, fault);
+  if (!out.good() || fault)
+    return Error{ErrorCode::kUnavailable, file.string(), "cannot be written.",
+                 "Is the folder writable, the disk full?"};
+  return {};
+}
+
+Result<void> read_text(const std::filesystem::path& file, std::string& text) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return Error{ErrorCode::kNotFound, file.string(), "cannot be read.", ""};
+  text.assign(std::istreambuf_iterator<char>(in), {});
+  return {};
+}
+
+}  // namespace skein::app

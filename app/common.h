@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "scenario/scenario.h"
+
+namespace skein::app {
+
+/// Reads a scenario with overrides; says all problems on standard error when there are
+/// any.
+std::optional<scenario::Scenario> load_scenario(
+    const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Says an error on standard error; returns the exit status for it: bad input or failure.
+int say_error(const Error& error);
+
+/// Writes a small file; it appears whole or not at all.
+Result<void> write_text(const std::filesystem::path& file, const std::string& text);
+Result<void> read_text(const std::filesystem::path& file, std::string& text);
+
+}  // namespace skein::app

@@ -1,0 +1,36 @@
+#include <fmt/core.h>
+
+#include "app/commands.h"
+
+namespace skein::app {
+namespace {
+
+constexpr const char* kBash = R"sh(_skein() {
+  local cur=${COMP_WORDS[COMP_CWORD]}
+  local commands="run check list schema keys report study completion"
+  local options
+  if [ "$COMP_CWORD" = 1 ]; then
+    COMPREPLY=($(compgen -W "$commands --help --version" -- "$cur"))
+    return
+  fi
+  options=$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --help 2>/dev/null |
+            grep -oE -- '--[a-z-]+' | sort -u)
+  case "${COMP_WORDS[1]}" in
+    study) options="$options estimators monitoring bridge" ;;
+    list) options="$options $("${COMP_WORDS[0]}" list 2>/dev/null |
+                              sed -n 's/^\([a-z-]*\):$/\1/p')" ;;
+  esac
+  COMPREPLY=($(compgen -W "$options" -- "$cur") $(compgen -f -- "$cur"))
+}
+complete -o filenames -F _skein skein
+)sh";
+
+}  // namespace
+
+int completion_command(const std::string& shell) {
+  if (shell == "zsh") fmt::print("autoload -U +X bashcompinit && bashcompinit\n");
+  fmt::print("{}", kBash);
+  return kDone;
+}
+
+}  // namespace skein::app

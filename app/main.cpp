@@ -1,0 +1,147 @@
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/version.h"
+#include "base/check.h"
+
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+extern "C" void on_signal(int signal) {
+  stop_requested = true;
+  std::signal(signal, SIG_DFL);  // a second Ctrl-C ends the program at once
+}
+
+constexpr const char* kRunExamples = R"(
+Examples:
+  skein run scenarios/wildfire.yaml --report
+  skein run scenarios/wildfire.yaml --seed 7 --set aircraft[0].count=6 --out runs/six
+  skein run scenarios/wildfire.yaml --speed 10          ten times real time)";
+
+constexpr const char* kStudyExamples = R"(
+Studies:
+  estimators   mean and variance of every measurement update against distance
+  monitoring   every estimator x strategy x wind case, several seeds
+  bridge       a real fire, not star-shaped
+
+Examples:
+  skein study estimators
+  skein study monitoring --estimators qkf,joint --strategies gus,tracking-binary --seeds 6
+  skein study bridge --data ../shared/data/fires/bridge_2021
+  skein study estimators --cases values.csv > out.csv)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace skein::app;
+  CLI::App app{"Skein: teams of unmanned aircraft in mixed reality."};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", skein::app::kVersion);
+  app.failure_message(CLI::FailureMessage::help);
+
+  RunArguments run;
+  auto* run_cmd = app.add_subcommand("run", "Run a scenario.");
+  run_cmd->add_option("scenario", run.scenario, "The scenario file (YAML).")->required();
+  run_cmd->add_option("--out", run.out, "Folder for the run; default: runs/NAME.");
+  run_cmd->add_option("--seed", run.seed, "Seed instead of the scenario's.");
+  run_cmd->add_option("--speed", run.speed, "fast, real, or a factor of real time.");
+  run_cmd
+      ->add_option("--set", run.overrides, "KEY=VALUE: overrides a key of the scenario.")
+      ->take_all()
+      ->allow_extra_args(false);
+  run_cmd->add_option("--threads", run.threads, "Threads of the simulation.")
+      ->check(CLI::Range(1, 256));
+  run_cmd->add_flag("--report", run.report, "Write report.html at the end.");
+  run_cmd->add_flag("--json", run.json, "Print the summary as JSON on standard output.");
+  run_cmd->add_flag("--overwrite", run.overwrite, "Replace a run that is in the folder.");
+  run_cmd->footer(kRunExamples);
+
+  std::string scenario;
+  std::vector<std::string> overrides;
+  bool print = false;
+  auto* check_cmd =
+      app.add_subcommand("check", "Check a scenario: all problems at once.");
+  check_cmd->add_option("scenario", scenario, "The scenario file (YAML).")->required();
+  check_cmd->add_option("--set", overrides, "KEY=VALUE: overrides a key of the scenario.")
+      ->take_all()
+      ->allow_extra_args(false);
+  check_cmd->add_flag("--print", print,
+                      "Print the scenario with all defaults filled in.");
+
+  std::string role;
+  auto* list_cmd = app.add_subcommand("list", "List the kinds that a scenario can name.");
+  list_cmd->add_option("kind", role, "Only this role: estimator, strategy, fire...");
+
+  auto* schema_cmd = app.add_subcommand(
+      "schema", "Print the JSON Schema of scenario files, for editors.");
+  auto* keys_cmd =
+      app.add_subcommand("keys", "Print the documentation of all keys (Markdown).");
+
+  std::vector<std::filesystem::path> runs;
+  std::filesystem::path report_out;
+  auto* report_cmd =
+      app.add_subcommand("report", "Write an HTML report of one or more runs.");
+  report_cmd->add_option("run", runs, "Folders of runs.")->required();
+  report_cmd->add_option("--out", report_out, "The HTML file; default: RUN/report.html.");
+
+  StudyArguments study;
+  auto* study_cmd = app.add_subcommand("study", "Run a study, with report and summary.");
+  study_cmd->add_option("name", study.name, "The study; none = list them.");
+  study_cmd->add_option("--out", study.out, "Folder; default: runs/study-NAME.");
+  study_cmd->add_option("--seeds", study.seeds, "Seeds per cell.")
+      ->check(CLI::Range(1, 10000));
+  study_cmd->add_option("--first-seed", study.first_seed, "The first seed.")
+      ->check(CLI::Range(0, 1000000000));
+  study_cmd->add_option("--threads", study.threads, "Runs at the same time.")
+      ->check(CLI::Range(1, 256));
+  for (const auto& [option, target, help] :
+       {std::tuple{"--only-cases", &study.cases, "Only these cases (comma separated)."},
+        std::tuple{"--estimators", &study.estimators, "Only these estimators."},
+        std::tuple{"--strategies", &study.strategies, "Only these strategies."}})
+    study_cmd->add_option(option, *target, help)->delimiter(',');
+  study_cmd->add_option("--set", study.overrides, "KEY=VALUE for every run.")
+      ->take_all()
+      ->allow_extra_args(false);
+  study_cmd->add_option(
+      "--cases", study.cases_file,
+      "estimators: evaluate the rows of this CSV (- = standard input).");
+  study_cmd->add_option("--updates", study.updates_file,
+                        "estimators: whole updates, rows of this CSV.");
+  study_cmd->add_option("--data", study.data, "bridge: folder of the recorded fire.");
+  study_cmd->footer(kStudyExamples);
+
+  std::string shell = "bash";
+  auto* completion_cmd = app.add_subcommand(
+      "completion", "Print shell completion: source <(skein completion)");
+  completion_cmd->add_option("shell", shell, "bash or zsh.")
+      ->check(CLI::IsMember({"bash", "zsh"}));
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int status = app.exit(error);
+    return status == 0 ? kDone : kBadUsage;
+  }
+
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    if (*run_cmd) return run_command(run, stop_requested);
+    if (*check_cmd) return check_command(scenario, overrides, print);
+    if (*list_cmd) return list_command(role);
+    if (*schema_cmd) return schema_command();
+    if (*keys_cmd) return keys_command();
+    if (*report_cmd) return report_command(runs, report_out);
+    if (*study_cmd) return study_command(study, stop_requested);
+    if (*completion_cmd) return completion_command(shell);
+  } catch (const skein::Bug& bug) {
+    std::fprintf(stderr, "This is a fault in Skein, please report it:\n%s\n", bug.what());
+    return kFailed;
+  }
+  return kBadUsage;
+}

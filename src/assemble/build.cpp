@@ -1,0 +1,265 @@
+#include "assemble/build.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "assemble/kinds_of.h"
+#include "assemble/placement.h"
+#include "assemble/presence.h"
+#include "geo/polygon.h"
+#include "layer/reasoning/monitoring/coordinator/coordinator.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::AircraftGroup;
+using scenario::Scenario;
+
+constexpr EntityId kStation{0};
+
+// Wraps a shared terrain as the world's own: agents carry it as their map.
+class SharedTerrain : public Terrain {
+ public:
+  explicit SharedTerrain(std::shared_ptr<const Terrain> terrain)
+      : terrain_(std::move(terrain)) {}
+  double elevation_msl(const Vec2& p) const override {
+    return terrain_->elevation_msl(p);
+  }
+  Vec2 gradient(const Vec2& p) const override { return terrain_->gradient(p); }
+
+ private:
+  std::shared_ptr<const Terrain> terrain_;
+};
+
+// A period that is a whole number of steps, or why not.
+Result<void> whole_steps(Time period, Time step, const char* key) {
+  if (period.ns() > 0 && period.ns() % step.ns() == 0) return {};
+  return Error{ErrorCode::kBadInput, key,
+               fmt::format("{} s is not a whole number of steps of {} s.",
+                           period.seconds(), step.seconds()),
+               "Change step_s or this period."};
+}
+
+Result<simulation::RunOptions> run_options(const Scenario& scenario) {
+  simulation::RunOptions options;
+  options.step = scenario.step;
+  options.duration = scenario.duration;
+  options.environment_period = scenario.environment.period;
+  options.record_period = Time::from_seconds(1 / scenario.record.rate_hz);
+  options.perimeter_period = scenario.record.metrics_period;
+  options.record_messages = scenario.record.messages;
+  std::vector<std::pair<Time, const char*>> periods = {
+      {options.environment_period, "environment.period_s"},
+      {options.record_period, "record.rate_hz"},
+      {options.perimeter_period, "record.metrics_period_s"},
+      {scenario.station.agent_period, "station.agent_period_s"}};
+  for (const AircraftGroup& group : scenario.aircraft)
+    periods.emplace_back(group.agent_period, "aircraft.agent_period_s");
+  for (const auto& [period, key] : periods)
+    if (auto good = whole_steps(period, scenario.step, key); !good) return good.error();
+  return options;
+}
+
+// Builds the parts of a world one after the other; the first failure ends it.
+class Builder {
+ public:
+  Builder(const Scenario& scenario, geo::LocalFrame frame)
+      : scenario_(scenario), frame_(std::move(frame)) {
+    for (const geo::Ring& ring : scenario.environment.zones) zones_.push_back({ring});
+  }
+
+  Result<Build> build() {
+    auto options = run_options(scenario_);
+    if (!options) return options.error();
+    build_.options = options.value();
+    if (auto made = environment(); !made) return made.error();
+    if (auto made = station(); !made) return made.error();
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count; ++i)
+        if (auto made = aircraft(group, i); !made) return made.error();
+    if (auto made = radio(); !made) return made.error();
+    return std::move(build_);
+  }
+
+ private:
+  Result<void> environment() {
+    EnvironmentContext context{frame_,  scenario_.start_utc, scenario_.seed, nullptr,
+                               nullptr, &build_.warnings};
+    auto terrain = terrain_kinds().make(scenario_.environment.terrain, context);
+    if (!terrain) return terrain.error();
+    map_ = std::shared_ptr<const Terrain>(std::move(terrain).value());
+    build_.world.terrain = std::make_unique<SharedTerrain>(map_);
+    context.terrain = map_.get();
+    auto wind = wind_kinds().make(scenario_.environment.wind, context);
+    if (!wind) return wind.error();
+    build_.world.wind = std::move(wind).value();
+    context.wind = build_.world.wind.get();
+    auto fire = fire_kinds().make(scenario_.environment.fire, context);
+    if (!fire) return fire.error();
+    build_.world.fire = std::move(fire).value();
+    return {};
+  }
+
+  Result<void> station() {
+    const scenario::Monitoring& mission = scenario_.monitoring;
+    auto estimator = estimator_kinds().make(
+        mission.estimator, {scenario_.seed, mission.prior, mission.control_points});
+    if (!estimator) return estimator.error();
+    auto strategy = strategy_kinds().make(mission.strategy, {});
+    if (!strategy) return strategy.error();
+
+    monitoring::CoordinatorOptions options;
+    std::uint32_t next = kStation.value + 1;
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count; ++i) options.team.push_back(EntityId{next++});
+    options.origin = mission.prior.origin;
+    options.entry_courses = mission.deployment.courses;
+    options.forced_crossing = mission.forced_crossing.seconds();
+    options.deployment_limit = mission.deployment.limit.seconds();
+    options.lost_after = mission.lost_after.seconds();
+    options.late_window = mission.late_window.seconds();
+    options.zones = zones_;
+
+    simulation::Entity entity;
+    entity.name = "station";
+    entity.kind = "station";
+    entity.agent = std::make_unique<monitoring::Coordinator>(
+        options, std::move(estimator).value(), std::move(strategy).value());
+    entity.agent_period = scenario_.station.agent_period;
+    entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
+    build_.world.entities.push_back(std::move(entity));
+    return {};
+  }
+
+  Result<void> aircraft(const AircraftGroup& group, int index) {
+    const Place place = place_at_start(group.start, index, group.count);
+    const std::string name = fmt::format("{}-{}", group.name, index + 1);
+    AircraftContext context;
+    context.seed = scenario_.seed;
+    context.self = EntityId{static_cast<std::uint32_t>(build_.world.entities.size())};
+    context.station = kStation;
+    context.agent_period = group.agent_period;
+    context.altitude_agl = group.altitude_agl;
+    context.map = map_;
+    context.zones = zones_;
+
+    auto plant = plant_kinds().make(group.plant, context);
+    if (!plant) return plant.error();
+    auto vehicle = std::make_unique<simulation::Vehicle>();
+    vehicle->plant = std::move(plant).value();
+    context.limits = vehicle->plant->limits();
+    if (auto placed = put(name, place, group, context.limits, vehicle->state); !placed)
+      return placed;
+    context.initial = nav_of(vehicle->state);
+
+    auto autopilot = autopilot_kinds().make(group.autopilot, context);
+    if (!autopilot) return autopilot.error();
+    vehicle->autopilot = std::move(autopilot).value();
+    for (const scenario::Choice& choice : group.sensors) {
+      auto sensor = sensor_kinds().make(choice, context);
+      if (!sensor) return sensor.error();
+      vehicle->sensors.push_back(std::move(sensor).value());
+    }
+    auto agent = agent_kinds().make(group.agent, context);
+    if (!agent) return agent.error();
+
+    simulation::Entity entity;
+    entity.name = name;
+    entity.kind = "aircraft";
+    entity.agent = std::move(agent).value();
+    entity.vehicle = std::move(vehicle);
+    entity.agent_period = group.agent_period;
+    entity.active = presence(group, index, scenario_.duration);
+    build_.world.entities.push_back(std::move(entity));
+    return {};
+  }
+
+  // The state at the start: level flight at cruise, in the wind of that place.
+  Result<void> put(const std::string& name, const Place& place,
+                   const AircraftGroup& group, const FlightLimits& limits,
+                   VehicleState& state) {
+    const double ground = map_->elevation_msl(place.position);
+    const double altitude =
+        group.start.altitude_msl.value_or(ground + group.altitude_agl);
+    if (altitude <= ground)
+      return Error{ErrorCode::kBadInput, name,
+                   fmt::format("starts inside terrain: at {:.1f} m above mean sea level, "
+                               "where the ground is at {:.1f} m.",
+                               altitude, ground),
+                   "Raise start.altitude_msl_m or leave it out."};
+    state.p_N = {place.position.x(), place.position.y(), -altitude};
+    state.heading = place.heading;
+    state.airspeed = limits.airspeed;
+    const Vec2 air = limits.airspeed * geo::unit(place.heading);
+    state.v_N = Vec3(air.x(), air.y(), 0) + build_.world.wind->wind(state.p_N, Time());
+    state.v_N.z() = 0;
+    for (const Zone& zone : zones_)
+      if (geo::contains(zone.ring, place.position))
+        return Error{ErrorCode::kBadInput, name,
+                     fmt::format("starts inside a no-flight zone, at {:.0f} m north, "
+                                 "{:.0f} m east.",
+                                 place.position.x(), place.position.y()),
+                     "Move its start or the zone."};
+    return {};
+  }
+
+  static NavEstimate nav_of(const VehicleState& state) {
+    NavEstimate nav;
+    nav.p_N = state.p_N;
+    nav.v_N = state.v_N;
+    nav.heading = state.heading;
+    return nav;
+  }
+
+  Result<void> radio() {
+    // The radio outlives no entity: both are the world's.
+    RadioContext context;
+    context.seed = scenario_.seed;
+    std::vector<const simulation::Vehicle*> vehicles;
+    for (const simulation::Entity& entity : build_.world.entities)
+      vehicles.push_back(entity.vehicle.get());
+    const Vec2 at = scenario_.station.position;
+    const Vec3 antenna(at.x(), at.y(),
+                       -(map_->elevation_msl(at) + scenario_.station.antenna_agl));
+    context.position = [vehicles, antenna](EntityId id) -> std::optional<Vec3> {
+      if (id == kStation) return antenna;
+      if (id.value >= vehicles.size() || !vehicles[id.value]) return std::nullopt;
+      return vehicles[id.value]->state.p_N;
+    };
+    auto made = radio_kinds().make(scenario_.radio, context);
+    if (!made) return made.error();
+    build_.world.radio = std::move(made).value();
+    return {};
+  }
+
+  const Scenario& scenario_;
+  geo::LocalFrame frame_;
+  std::vector<Zone> zones_;
+  std::shared_ptr<const Terrain> map_;
+  Build build_;
+};
+
+}  // namespace
+
+Result<Build> build(const Scenario& scenario) {
+  auto frame = geo::LocalFrame::at(scenario.origin);
+  if (!frame) return frame.error();
+  return Builder(scenario, std::move(frame).value()).build();
+}
+
+TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre,
+                            double half_size) {
+  constexpr int kRows = 161;
+  TerrainPatch patch;
+  patch.rows = kRows;
+  patch.spacing = 2 * half_size / (kRows - 1);
+  patch.low = centre - Vec2::Constant(half_size);
+  for (int r = 0; r < kRows; ++r)
+    for (int c = 0; c < kRows; ++c)
+      patch.heights.push_back(static_cast<float>(
+          terrain.elevation_msl(patch.low + patch.spacing * Vec2(r, c))));
+  return patch;
+}
+
+}  // namespace skein::assemble

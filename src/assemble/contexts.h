@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/id.h"
+#include "base/time.h"
+#include "data/fire.h"
+#include "data/vehicle.h"
+#include "data/zone.h"
+#include "geo/local_frame.h"
+#include "role/terrain.h"
+#include "role/wind_field.h"
+
+namespace skein::assemble {
+
+/// What every terrain, wind and fire is given besides its options.
+struct EnvironmentContext {
+  const geo::LocalFrame& frame;
+  std::string start_utc;  ///< simulated time 0
+  std::uint64_t seed = 0;
+  const Terrain* terrain = nullptr;  ///< null while the terrain itself is made
+  const WindField* wind = nullptr;   ///< null until the wind is made
+  std::vector<std::string>* warnings = nullptr;  ///< what was repaired in the data
+};
+
+/// What every part of an aircraft is given besides its options.
+struct AircraftContext {
+  std::uint64_t seed = 0;
+  EntityId self;
+  EntityId station;
+  Time agent_period;
+  double altitude_agl = 0;             ///< flight altitude above ground [m]
+  std::shared_ptr<const Terrain> map;  ///< the terrain as the agent knows it
+  std::vector<Zone> zones;
+  FlightLimits limits;  ///< of the plant
+  NavEstimate initial;  ///< where and how it flies at the start
+};
+
+/// What every radio is given besides its options.
+struct RadioContext {
+  std::uint64_t seed = 0;
+  std::function<std::optional<Vec3>(EntityId)> position;
+};
+
+/// What every estimator is given besides its options.
+struct EstimatorContext {
+  std::uint64_t seed = 0;
+  PerimeterPrior prior;
+  int control_points = 60;
+};
+
+}  // namespace skein::assemble

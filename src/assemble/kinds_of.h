@@ -1,0 +1,34 @@
+#pragma once
+
+#include "assemble/contexts.h"
+#include "assemble/kinds.h"
+#include "role/agent.h"
+#include "role/autopilot.h"
+#include "role/monitoring_strategy.h"
+#include "role/perimeter_estimator.h"
+#include "role/phenomenon.h"
+#include "role/plant.h"
+#include "role/radio.h"
+#include "role/sensor.h"
+
+namespace skein::assemble {
+
+/// Strategies need nothing besides their options.
+struct StrategyContext {};
+
+// The table of kinds: every implementation that a scenario can name, one row each.
+Kinds<Terrain, EnvironmentContext> terrain_kinds();
+Kinds<WindField, EnvironmentContext> wind_kinds();
+Kinds<Phenomenon, EnvironmentContext> fire_kinds();
+Kinds<Plant, AircraftContext> plant_kinds();
+Kinds<Autopilot, AircraftContext> autopilot_kinds();
+Kinds<Sensor, AircraftContext> sensor_kinds();
+Kinds<Agent, AircraftContext> agent_kinds();
+Kinds<Radio, RadioContext> radio_kinds();
+Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds();
+Kinds<MonitoringStrategy, StrategyContext> strategy_kinds();
+
+/// All of them, as scenarios are read with.
+scenario::KindTable kind_table();
+
+}  // namespace skein::assemble

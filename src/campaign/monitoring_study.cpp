@@ -1,0 +1,135 @@
+#include "campaign/monitoring_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenario/scenario_file.h"
+
+namespace skein::campaign {
+
+std::vector<Variant> monitoring_cases() {
+  // Wind from the south-west moves the boundary to the north-east: equal components.
+  return {
+      {"no-wind", "3 m/s, no wind, 3,600 s", {}},
+      {"wind-0.3",
+       "3 m/s, wind 0.3 m/s that the estimator is not told, 3,600 s",
+       {"environment.fire.wind_mps=[0.212132, 0.212132]"}},
+      {"wind-1.0",
+       "3 m/s, wind 1.0 m/s that the estimator is not told, 3,600 s",
+       {"environment.fire.wind_mps=[0.707107, 0.707107]"}},
+      {"wind-1.0-known",
+       "3 m/s, wind 1.0 m/s that the estimator is told, 1,800 s",
+       {"environment.fire.wind_mps=[0.707107, 0.707107]",
+        "monitoring.prior.wind_mps=[0.707107, 0.707107]",
+        "monitoring.prior.wind_sd_mps=0.05", "duration_s=1800"}},
+      {"slow",
+       "0.2 m/s with errors up to 0.02 m/s, wind 0.1 m/s that the estimator is not told, "
+       "3,600 s",
+       {"environment.fire.rate_mps=0.2", "environment.fire.rate_error_mps=0.02",
+        "environment.fire.wind_mps=[0.0707107, 0.0707107]",
+        "monitoring.prior.rate_mps=0.2", "monitoring.prior.rate_sd_mps=0.0116",
+        "monitoring.prior.wind_sd_mps=0.1"}},
+      {"rate-2.4",
+       "the estimator is told 3 m/s, the fire spreads with 2.4 m/s, 1,800 s",
+       {"environment.fire.rate_mps=2.4", "duration_s=1800"}},
+      {"sectors",
+       "rate random per 6-degree sector (the estimator's prior is too smooth), 1,800 s",
+       {"environment.fire.rate_sectors=60", "environment.fire.rate_harmonics=0",
+        "duration_s=1800"}},
+  };
+}
+
+std::vector<Variant> monitoring_strategies() {
+  return {
+      {"gus", "the thesis's routing", {"monitoring.strategy=gus"}},
+      {"gus-rate", "the same per second of flight", {"monitoring.strategy=gus-rate"}},
+      {"ellipse", "to the largest major axis", {"monitoring.strategy=ellipse"}},
+      {"tracking-predicted",
+       "benchmark, reading (i): follows its own predicted edge",
+       {"monitoring.strategy={kind: tracking, predicted: true}",
+        "monitoring.forced_crossing_s=0"}},
+      {"tracking-binary",
+       "benchmark, reading (ii): finds the real edge with the binary sensor",
+       {"monitoring.strategy=tracking"}},
+      {"tracking-ideal",
+       "benchmark, reading (iii): ideal edge follower",
+       {"monitoring.strategy=tracking", "aircraft[0].sensors[3]=edge-finder"}},
+      {"partition", "each aircraft its own arc", {"monitoring.strategy=partition"}},
+      {"sweep", "arc sweeps along the real edge", {"monitoring.strategy=sweep"}},
+  };
+}
+
+namespace {
+
+// The variants called `names`, all when there are none.
+Result<std::vector<Variant>> select(std::vector<Variant> all,
+                                    const std::vector<std::string>& names,
+                                    const char* what) {
+  if (names.empty()) return all;
+  std::vector<Variant> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Variant& v) { return v.name == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const Variant& variant : all) known += " " + variant.name;
+      return Error{ErrorCode::kBadInput, name, fmt::format("is no {}.", what),
+                   fmt::format("There are:{}.", known)};
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
+                                        const scenario::KindTable& kinds) {
+  std::vector<Variant> estimators;
+  for (const std::string& name : kinds.names("estimator"))
+    estimators.push_back({name, "", {"monitoring.estimator=" + name}});
+  const auto cases = select(monitoring_cases(), study.cases, "case");
+  if (!cases) return cases.error();
+  const auto chosen = select(estimators, study.estimators, "estimator");
+  if (!chosen) return chosen.error();
+  const auto strategies = select(monitoring_strategies(), study.strategies, "strategy");
+  if (!strategies) return strategies.error();
+
+  StudyPlan plan;
+  for (const Variant& each : cases.value())
+    for (const Variant& strategy : strategies.value())
+      for (const Variant& estimator : chosen.value()) {
+        StudyCell cell{each.name, estimator.name, strategy.name, {}};
+        std::vector<scenario::Override> overrides;
+        for (const auto* list : {&each.overrides, &strategy.overrides,
+                                 &estimator.overrides, &study.overrides})
+          for (const std::string& text : *list) overrides.push_back({text});
+        auto read = scenario::read_scenario(study.base, kinds, overrides);
+        if (!read.ok())
+          return Error{ErrorCode::kBadInput, study.base.string(), read.report(), ""};
+        for (int k = 0; k < study.seeds; ++k) {
+          scenario::Scenario run = *read.scenario;
+          run.seed = static_cast<std::uint64_t>(study.first_seed + k);
+          run.name = fmt::format("{}/{}/{}/{}", each.name, strategy.name, estimator.name,
+                                 run.seed);
+          cell.items.push_back(plan.items.size());
+          std::string text = scenario::write_scenario(run, kinds);
+          plan.items.push_back({run.name, std::move(run), std::move(text)});
+        }
+        plan.cells.push_back(std::move(cell));
+      }
+  return plan;
+}
+
+MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
+                       const std::string& name) {
+  std::vector<double> values;
+  for (const std::size_t item : cell.items)
+    if (outcomes[item].summary)
+      if (const auto value = outcomes[item].summary->number(name))
+        values.push_back(*value);
+  return mean_interval(values);
+}
+
+}  // namespace skein::campaign
