@@ -88,12 +88,14 @@ Outcome follow(const Case& c, std::uint64_t seed = 1) {
       if (c.finder) {
         const auto at = edge.nearest(p);
         const auto k = static_cast<std::size_t>(at.edge);
-        const Vec2 along_edge = (c.ring[(k + 1) % c.ring.size()] - c.ring[k]).normalized();
+        const Vec2 along_edge =
+            (c.ring[(k + 1) % c.ring.size()] - c.ring[k]).normalized();
         const Vec2 to_edge = at.point - p;
         // The moved boundary lies `growth t` further out on the same normal.
-        const Vec2 outwards = to_edge.norm() > 1e-9
-                                  ? Vec2((edge.contains(p) ? 1 : -1) * to_edge.normalized())
-                                  : geo::outward_normal(along_edge);
+        const Vec2 outwards =
+            to_edge.norm() > 1e-9
+                ? Vec2((edge.contains(p) ? 1 : -1) * to_edge.normalized())
+                : geo::outward_normal(along_edge);
         follower.add(EdgeSample{now, to_edge + c.growth * t * outwards, along_edge}, p);
       } else {
         follower.add(FireReading{now, {1}, p, 0, inside != wrong},
@@ -131,9 +133,11 @@ Outcome follow(const Case& c, std::uint64_t seed = 1) {
 }
 
 void print(const std::string& name, const Outcome& o) {
-  std::printf("%-34s mean %5.1f m  worst %5.0f m  progress %5.1f m/s  %4.1f cross/min  gap %4.0f s\n",
-              name.c_str(), o.mean_distance, o.worst_distance, o.progress, o.crossings,
-              o.longest_gap);
+  std::printf(
+      "%-34s mean %5.1f m  worst %5.0f m  progress %5.1f m/s  %4.1f cross/min  gap %4.0f "
+      "s\n",
+      name.c_str(), o.mean_distance, o.worst_distance, o.progress, o.crossings,
+      o.longest_gap);
 }
 
 TEST(EdgeFollower, KeepsToASmoothEdge) {
@@ -156,8 +160,9 @@ TEST(EdgeFollower, TurnsCornersAndBays) {
   for (const bool clockwise : {true, false}) {
     for (const double growth : {0.0, 0.5, 2.0}) {
       for (const double wind : {0.0, 8.0}) {
-        const std::string how = " growth " + std::to_string(growth).substr(0, 3) + " wind " +
-                                std::to_string(wind).substr(0, 3) + (clockwise ? " cw" : " ccw");
+        const std::string how = " growth " + std::to_string(growth).substr(0, 3) +
+                                " wind " + std::to_string(wind).substr(0, 3) +
+                                (clockwise ? " cw" : " ccw");
         const Outcome square = follow({square_ring(2000), growth, {0, wind}, clockwise});
         print("square" + how, square);
         EXPECT_LT(square.longest_gap, 60);

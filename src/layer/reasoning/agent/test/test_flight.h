@@ -20,8 +20,8 @@ class FlatGround final : public Terrain {
   Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
 };
 
-/// Aircraft and autopilot of these tests (layers do not know each other): 20 m/s, 60 m turn
-/// radius, roll at 1 rad/s, perfect knowledge of itself and of a steady wind.
+/// Aircraft and autopilot of these tests (layers do not know each other): 20 m/s, 60 m
+/// turn radius, roll at 1 rad/s, perfect knowledge of itself and of a steady wind.
 class TestAircraft {
  public:
   Vec3 p = {0, 0, -220};
@@ -54,11 +54,12 @@ class TestAircraft {
   void step(double dt) {
     const double fastest = kAirspeed / kRadius;
     const double course = wanted_course();
-    const double aim = model::heading_for_course(course, kAirspeed, wind).value_or(course);
+    const double aim =
+        model::heading_for_course(course, kAirspeed, wind).value_or(course);
     const double limit = std::atan(fastest * kAirspeed / 9.80665);
     const double roll =
-        std::clamp(std::atan(1.2 * geo::wrap_pi(aim - heading) * kAirspeed / 9.80665), -limit,
-                   limit);
+        std::clamp(std::atan(1.2 * geo::wrap_pi(aim - heading) * kAirspeed / 9.80665),
+                   -limit, limit);
     roll_ += std::clamp(roll - roll_, -dt, dt);
     const double turn = 9.80665 * std::tan(roll_) / kAirspeed * dt;
     heading += turn / 2;
@@ -71,11 +72,13 @@ class TestAircraft {
   static constexpr double kAirspeed = 20, kRadius = 60;
 
   double wanted_course() {
-    if (const auto* hold = std::get_if<HoldCourse>(&command.guidance)) return hold->course;
+    if (const auto* hold = std::get_if<HoldCourse>(&command.guidance))
+      return hold->course;
     if (const auto* circle = std::get_if<Circle>(&command.guidance)) {
       const Vec2 out = position() - circle->centre;
       const double side = circle->clockwise ? 1 : -1;
-      const double ahead = velocity().norm() / circle->radius;  // course change in a second
+      const double ahead =
+          velocity().norm() / circle->radius;  // course change in a second
       return geo::bearing(out) +
              side * (geo::kPi / 2 + 0.8 * ahead +
                      std::atan2(out.norm() - circle->radius, 3 * velocity().norm()));
