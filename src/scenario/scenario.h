@@ -33,13 +33,13 @@ enum class Placement {
 
 struct Start {
   Placement placement = Placement::kOpposite;
-  Vec2 centre = Vec2::Zero();     ///< [m]
-  double distance = 900;          ///< opposite, ring: from the centre [m]
-  double first_bearing = 0;       ///< opposite, ring: where the first stands [rad]
-  double spacing = 100;           ///< line: between neighbours [m]
-  std::vector<Vec2> positions;    ///< list [m]
+  Vec2 centre = Vec2::Zero();          ///< [m]
+  double distance = 900;               ///< opposite, ring: from the centre [m]
+  double first_bearing = 0;            ///< opposite, ring: where the first stands [rad]
+  double spacing = 100;                ///< line: between neighbours [m]
+  std::vector<Vec2> positions;         ///< list [m]
   std::optional<double> altitude_msl;  ///< [m]; none: altitude_agl above the ground
-  std::optional<double> heading;  ///< [rad]; none: to the centre, ring: along it
+  std::optional<double> heading;       ///< [rad]; none: to the centre, ring: along it
 };
 
 /// Something that happens to one aircraft of a group.

@@ -55,10 +55,11 @@ Fields<Start> start_fields() {
                  kBearing)
       .number("spacing_m", &T::spacing, "Line: distance between neighbours.", kLength)
       .point("positions_m", &T::positions, "List: one place for each aircraft.")
-      .number("altitude_msl_m", &T::altitude_msl,
-              "Altitude at the start, above mean sea level. Null: altitude_agl_m above the "
-              "ground there.",
-              {.at_least = -500, .at_most = 30000})
+      .number(
+          "altitude_msl_m", &T::altitude_msl,
+          "Altitude at the start, above mean sea level. Null: altitude_agl_m above the "
+          "ground there.",
+          {.at_least = -500, .at_most = 30000})
       .angle_deg("heading_deg", &T::heading,
                  "Heading at the start, clockwise from north. Null: to the centre (line: "
                  "north; ring: along it, clockwise).",

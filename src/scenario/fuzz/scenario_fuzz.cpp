@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenario/scenario_file.h"
 #include "scenario/test/fake_kinds.h"
 
 // Any bytes: no crash, and whatever is accepted is written as a file that reads as the

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scenario/scenario.h"
+#include "scenario/scenario_file.h"
 #include "scenario/test/fake_kinds.h"
 #include "scenario/text.h"
 #include "scenario/units.h"
@@ -68,9 +68,7 @@ TEST(Markdown, HasARowForEveryKey) {
   for (const char* row :
        {"| `step_s` | a number from 0.001 to 10 [s] | `0.1` | Time step of the "
         "simulation. |\n",
-        "### aircraft[].start\n",
-        "| `sensors` | list of [sensor](#sensor) | `[gnss, fire]` | What it senses with. "
-        "|",
+        "### aircraft[].start\n", "| `sensors` | list of [sensor](#sensor) | `[gnss, ",
         "| `at_s` | a number from 0 to 4000000 [s] | required | When it happens. |\n",
         "#### estimator: qkf\n", "| `colour` | red or green | `red` | A \\| B. |\n",
         "### joint.layers[]\n", "<br>`heun`: second order"}) {

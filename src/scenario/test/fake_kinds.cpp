@@ -1,6 +1,6 @@
 #include "scenario/test/fake_kinds.h"
 
-#include <gtest/gtest.h>
+#include "scenario/scenario.h"
 
 namespace skein::scenario::test {
 
@@ -40,33 +40,23 @@ KindTable fake_kinds() {
       .add("estimator", "qkf", "The thesis's filter.",
            Fields<QkfOptions>().number("gain", &QkfOptions::gain, "Gain.", {.above = 0}))
       .add("plant", "kinematic", "Points.", fake_fields());
-  kinds.add("terrain", "flat", "Flat.").add("wind", "uniform", "Uniform.");
-  kinds.add("fire", "front", "Front.").add("autopilot", "path", "Paths.");
-  kinds.add("sensor", "gnss", "GNSS.").add("sensor", "fire", "In/out.");
-  kinds.add("radio", "ideal", "Ideal.").add("agent", "scout", "Scout.");
-  kinds.add("strategy", "gus-rate", "GUS per second.");
+  // Whatever else a scenario chooses by default has no options here.
+  const Scenario defaults;
+  const AircraftGroup group;
+  const auto add = [&](const std::string& role, const Choice& choice) {
+    if (!kinds.find(role, choice.kind)) kinds.add(role, choice.kind, "By default.");
+  };
+  add("terrain", defaults.environment.terrain);
+  add("wind", defaults.environment.wind);
+  add("fire", defaults.environment.fire);
+  add("radio", defaults.radio);
+  add("estimator", defaults.monitoring.estimator);
+  add("strategy", defaults.monitoring.strategy);
+  add("plant", group.plant);
+  add("autopilot", group.autopilot);
+  add("agent", group.agent);
+  for (const Choice& sensor : group.sensors) add("sensor", sensor);
   return kinds;
-}
-
-ReadOutcome read_text(std::string_view text, const std::vector<std::string>& sets) {
-  std::vector<Override> overrides;
-  for (const std::string& set : sets) overrides.push_back({set});
-  return read_scenario_text(text, "test.yaml", SKEIN_SOURCE_DIR, fake_kinds(), overrides);
-}
-
-Scenario read_good(std::string_view text, const std::vector<std::string>& sets) {
-  const ReadOutcome outcome = read_text(text, sets);
-  EXPECT_EQ(outcome.report(), "");
-  if (!outcome.ok()) return {};
-  return *outcome.scenario;
-}
-
-std::string problems_of(std::string_view text, const std::vector<std::string>& sets) {
-  const ReadOutcome outcome = read_text(text, sets);
-  EXPECT_EQ(outcome.ok(), outcome.problem_count == 0);
-  std::string lines;
-  for (const Problem& problem : outcome.problems) lines += problem.text() + "\n";
-  return lines;
 }
 
 }  // namespace skein::scenario::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/scenario_file.h"
+#include "scenario/kind_table.h"
 
 namespace skein::scenario::test {
 
@@ -40,21 +40,13 @@ struct FakeOptions {
 
 Fields<FakeOptions> fake_fields();
 
-/// Kinds for all roles of a scenario, with the names of its defaults; FakeOptions belong
-/// to the estimator "joint" and the plant "kinematic", "qkf" has one key.
+/// Kinds for all roles of a scenario, its defaults among them: FakeOptions belong to the
+/// estimator "joint" and the plant "kinematic", the estimator "qkf" has one key, the rest
+/// have none.
 KindTable fake_kinds();
 
 struct QkfOptions {
   double gain = 1;
 };
-
-/// Reads `text` as `test.yaml` in the folder of the sources.
-ReadOutcome read_text(std::string_view text, const std::vector<std::string>& sets = {});
-
-/// As read_text, for texts that must be sound; the problems become test failures.
-Scenario read_good(std::string_view text, const std::vector<std::string>& sets = {});
-
-/// All problems of a text, one per line.
-std::string problems_of(std::string_view text, const std::vector<std::string>& sets = {});
 
 }  // namespace skein::scenario::test

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "scenario/test/fake_kinds.h"
+#include "scenario/test/reading.h"
 
 namespace skein::scenario::test {
 namespace {
@@ -20,7 +21,8 @@ TEST(Override, ChangesTheDefaultWhereTheFileSaysNothing) {
                             "monitoring.prior.radius_m=80", "aircraft[1].name=late"});
   ASSERT_EQ(s.aircraft.size(), 2u);
   EXPECT_EQ(s.aircraft[0].count, 5);
-  EXPECT_EQ(s.aircraft[0].sensors.size(), 2u);  // the rest of the default group stays
+  // The rest of the default group stays.
+  EXPECT_EQ(s.aircraft[0].sensors.size(), AircraftGroup{}.sensors.size());
   EXPECT_EQ(s.aircraft[0].plant.as<FakeOptions>().airspeed, 33);
   EXPECT_EQ(s.aircraft[0].plant.as<FakeOptions>().harmonics, FakeOptions{}.harmonics);
   EXPECT_EQ(s.aircraft[1].name, "late");

@@ -6,6 +6,7 @@
 #include "geo/vec.h"
 #include "scenario/parse.h"
 #include "scenario/test/fake_kinds.h"
+#include "scenario/test/reading.h"
 
 namespace skein::scenario::test {
 namespace {
@@ -22,7 +23,7 @@ TEST(Read, GivesEveryDefaultToAThreeLineScenario) {
   EXPECT_EQ(s.step, Scenario{}.step);
   ASSERT_EQ(s.aircraft.size(), 1u);
   EXPECT_EQ(s.aircraft[0].plant.as<FakeOptions>().airspeed, 20);
-  EXPECT_EQ(s.aircraft[0].sensors.size(), 2u);
+  EXPECT_EQ(s.aircraft[0].sensors.size(), AircraftGroup{}.sensors.size());
 }
 
 TEST(Read, TakesARunThatDoesNothing) {
@@ -134,11 +135,9 @@ TEST_P(ReadRefuses, WithOneMessage) {
 INSTANTIATE_TEST_SUITE_P(
     All, ReadRefuses,
     testing::Values(
-        Case{"frobnicate: 1\nname: x",
-             "test.yaml:1:1 frobnicate: unknown key. Known here: name, seed, duration_s, "
-             "step_s, origin, start_utc, environment, aircraft, radio, station, "
-             "monitoring, "
-             "record."},
+        Case{"origin: {frobnicate: 1}",
+             "test.yaml:1:10 origin.frobnicate: unknown key. Known here: latitude_deg, "
+             "longitude_deg."},
         Case{
             "duration_min: 90",
             "test.yaml:1:1 duration_min: unknown key. The unit here is s, not min: write "
