@@ -29,11 +29,12 @@ class GridTerrain : public Terrain {
   static constexpr double kCell = 20;
 
   std::array<double, 3> sample(const Vec2& p) const {
-    const double x = std::clamp(p.x() / kCell + kCells / 2, 0.0, kCells - 1.001);
-    const double y = std::clamp(p.y() / kCell + kCells / 2, 0.0, kCells - 1.001);
+    const double x = std::clamp(p.x() / kCell + kCells / 2.0, 0.0, kCells - 1.001);
+    const double y = std::clamp(p.y() / kCell + kCells / 2.0, 0.0, kCells - 1.001);
     const int i = static_cast<int>(x), j = static_cast<int>(y);
     const double u = x - i, v = y - j;
-    const double* h = &heights_[static_cast<std::size_t>(i * kCells + j)];
+    const int index = i * kCells + j;
+    const double* h = &heights_[static_cast<std::size_t>(index)];
     const double h00 = h[0], h01 = h[1], h10 = h[kCells], h11 = h[kCells + 1];
     return {(1 - u) * ((1 - v) * h00 + v * h01) + u * ((1 - v) * h10 + v * h11),
             ((1 - v) * (h10 - h00) + v * (h11 - h01)) / kCell,

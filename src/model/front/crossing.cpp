@@ -69,7 +69,7 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
 
 void cut_loops(geo::Ring& ring, double least_area) {
   for (std::size_t m = 0; m < ring.size();) {
-    if (ring.size() < 2 * kReach) return;
+    if (static_cast<int>(ring.size()) < 2 * kReach) return;
     const Vec2& p = ring[m];
     const Vec2& before = ring[m > 0 ? m - 1 : ring.size() - 1];
     const Vec2& after = ring[m + 1 < ring.size() ? m + 1 : 0];

@@ -11,9 +11,11 @@
 namespace skein::model {
 namespace {
 
-constexpr int kLeastMarkers = 24;      // of a ring, as long as the finest spacing allows
+constexpr std::size_t kLeastMarkers =
+    24;                                // of a ring, as long as the finest spacing allows
 constexpr double kFinest = 0.1;        // finest spacing of a small ring, in spacings
 constexpr double kLeastIsland = 0.5;   // [squared spacings]
+constexpr double kWorldEnd = 1e7;      // [m], well within what clipping can hold
 constexpr double kLeastSpot = 0.0025;  // [squared spacings]: slivers that merging leaves
 
 // Outward direction at b of the circle through a, b, c; not of unit length.
@@ -62,7 +64,8 @@ double Front::ring_spacing(const geo::Ring& ring) const {
   // A bound from the number of markers spares the length of long rings.
   if (ring.size() > 2 * kLeastMarkers || geo::signed_area(ring) < 0) return spacing_;
   const double length = geo::length(std::span<const Vec2>(ring));
-  return std::clamp(length / kLeastMarkers, kFinest * spacing_, spacing_);
+  return std::clamp(length / static_cast<double>(kLeastMarkers), kFinest * spacing_,
+                    spacing_);
 }
 
 void Front::evaluate(const WaveletField& field) {
@@ -76,7 +79,8 @@ void Front::evaluate(const WaveletField& field) {
     for (std::size_t i = 0; i < n; ++i) {
       const Vec2 normal =
           normal_at(ring[i > 0 ? i - 1 : n - 1], ring[i], ring[i + 1 < n ? i + 1 : 0]);
-      const Vec2 v = spread_velocity(wavelets_[i], normal);
+      const bool beyond = ring[i].cwiseAbs().maxCoeff() > kWorldEnd;
+      const Vec2 v = beyond ? Vec2(0, 0) : spread_velocity(wavelets_[i], normal);
       SKEIN_CHECK(v.allFinite(), v.x(), v.y(), ring[i].x(), ring[i].y());
       fastest2 = std::max(fastest2, v.squaredNorm());
       velocities_.push_back(v);

@@ -27,6 +27,7 @@ Result<void> check(const FrontOptions& options);
 /// as holes that burn inwards. Islands below half a squared spacing vanish.
 ///
 /// Accuracy: first order in the spacing. A barrier narrower than the spacing may leak.
+/// Nothing burns further than 10,000 km from the origin along an axis.
 /// Outer rings shorter than 24 spacings have their own, finer spacing (down to a tenth).
 ///
 /// Reference: [Richards90] for the equation of motion; [Vatti92] for merging.

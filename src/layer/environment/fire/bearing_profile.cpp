@@ -41,12 +41,13 @@ double BearingProfile::at(const Vec2& direction) const {
     return sectors_[std::min(index, count - 1)];
   }
   // cos and sin of the multiples by repeated turning, without trigonometry.
-  double sum = 0;
-  Vec2 turned(1, 0);
+  const double c1 = direction.x(), s1 = direction.y();
+  double sum = 0, c = 1, s = 0;
   for (const Vec2& h : harmonics_) {
-    turned = {turned.x() * direction.x() - turned.y() * direction.y(),
-              turned.x() * direction.y() + turned.y() * direction.x()};
-    sum += h.dot(turned);
+    const double turned = c * c1 - s * s1;
+    s = c * s1 + s * c1;
+    c = turned;
+    sum += h.x() * c + h.y() * s;
   }
   return sum;
 }

@@ -64,7 +64,8 @@ double PatchyFuel::noise(const Vec2& p) const {
   const Between x = nodes_around(p.x() / options_.patch_size);
   const Between y = nodes_around(p.y() / options_.patch_size);
   const auto node = [&](int i, int j) {
-    return nodes_[static_cast<std::size_t>(i * kPeriod + j)];
+    const int index = i * kPeriod + j;
+    return nodes_[static_cast<std::size_t>(index)];
   };
   const double a = 1 - x.weight, b = x.weight, c = 1 - y.weight, d = y.weight;
   const double sum = a * (c * node(x.low, y.low) + d * node(x.low, y.high)) +

@@ -10,7 +10,7 @@ namespace skein::environment {
 namespace {
 
 constexpr double kLongestEdge = 1.5;  // of the mean edge that the asked number would have
-constexpr int kMostPoints = 8;        // times the asked number
+constexpr std::size_t kMostPoints = 8;  // times the asked number
 
 BearingProfile make_shape(const ThesisFireOptions& o, std::uint64_t seed) {
   RandomStream random(seed, 0, Purpose::kFireShape);
@@ -145,7 +145,7 @@ void ThesisFire::add_points() {
     for (std::int64_t k = 0; k < steps_; ++k) move(point.p);
     added.push_back(point);
   }
-  const auto most = static_cast<std::size_t>(kMostPoints * options_.points);
+  const auto most = kMostPoints * static_cast<std::size_t>(options_.points);
   if (added.empty() || points_.size() + added.size() > most) return;
   points_.insert(points_.end(), added.begin(), added.end());
   std::sort(points_.begin(), points_.end(),
@@ -153,7 +153,8 @@ void ThesisFire::add_points() {
 }
 
 void ThesisFire::update_region() {
-  geo::Ring ring;
+  region_.assign(1, {});
+  geo::Ring& ring = region_[0];
   ring.reserve(points_.size());
   for (const Point& point : points_) ring.push_back(point.p);
   // A ring whose points follow each other clockwise around the origin, once, cannot cross
@@ -166,7 +167,6 @@ void ThesisFire::update_region() {
     star = star && geo::cross(a, b) > 0;
     if (a.y() < 0 && b.y() >= 0) ++turns;
   }
-  region_.assign(1, std::move(ring));
   if (!star || turns != 1) region_ = geo::clean(region_, geo::FillRule::kPositive);
   lookup_.reset();
 }

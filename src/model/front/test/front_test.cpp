@@ -180,8 +180,12 @@ class Arrival {
       for (int way = 0; way < 4; ++way) sweep(way & 1, way & 2);
   }
   int size() const { return n_; }
+  std::size_t index(int i, int j) const {
+    const int k = i * n_ + j;
+    return static_cast<std::size_t>(k);
+  }
   Vec2 centre(int i, int j) const { return {i * cell_ - half_, j * cell_ - half_}; }
-  double at(int i, int j) const { return time_[static_cast<std::size_t>(i * n_ + j)]; }
+  double at(int i, int j) const { return time_[index(i, j)]; }
 
  private:
   double get(int i, int j) const {
@@ -191,7 +195,7 @@ class Arrival {
     for (int ii = 0; ii < n_; ++ii)
       for (int jj = 0; jj < n_; ++jj) {
         const int i = flip_i ? n_ - 1 - ii : ii, j = flip_j ? n_ - 1 - jj : jj;
-        const auto k = static_cast<std::size_t>(i * n_ + j);
+        const auto k = index(i, j);
         const double a = std::min(get(i - 1, j), get(i + 1, j));
         const double b = std::min(get(i, j - 1), get(i, j + 1));
         const double f = cell_ * slowness_[k];
@@ -302,6 +306,18 @@ TEST(Front, TooManyMarkersMakeItCoarserNotLarger) {
   EXPECT_LE(front.markers(), 300);
   EXPECT_GT(front.spacing(), options.spacing);
   EXPECT_NEAR(geo::area(front.region()) / (kPi * 7300 * 7300), 1, 0.02);
+}
+
+TEST(Front, EndsWithTheWorldInsteadOfFailing) {
+  FrontOptions options;
+  options.spacing = 1e5;
+  options.max_step = 3600;
+  Front front({circle({0, 0}, 9e6)}, options);
+  const FieldOf field = round(1e3);
+  front.advance(field, 20000);
+  ASSERT_FALSE(front.region().empty());
+  for (const geo::Ring& ring : front.region())
+    for (const Vec2& p : ring) EXPECT_LE(p.cwiseAbs().maxCoeff(), 1e7 + 1e5);
 }
 
 TEST(Front, TakesTheSameStepsWhoeverAsks) {

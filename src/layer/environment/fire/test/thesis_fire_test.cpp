@@ -131,6 +131,7 @@ TEST(ThesisFire, HundredSecondsOrOneAtATimeIsTheSame) {
 TEST(ThesisFire, StaysSmoothForAnHourOfStrongWind) {
   ThesisFireOptions o;
   o.wind = geo::unit(kPi / 4);
+  o.step = 5;
   ThesisFire fire(o, 11, kFlat);
   o.points = 1440;
   o.respace = false;
