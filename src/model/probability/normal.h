@@ -8,7 +8,8 @@ namespace skein::model {
 inline constexpr double kInvSqrt2Pi = std::numbers::inv_sqrtpi / std::numbers::sqrt2;
 
 /// Scaled complementary error function, exp(x^2) erfc(x); never underflows for x > 0.
-/// Relative error below 4e-16 x > 0; +inf where the value exceeds the range (x < -26.6).
+/// Relative error below 2e-15 for x > -0.4, and about x^2 times rounding
+/// below; +inf where the value exceeds the range (x < -26.6).
 /// Reference: [Cody69] rational Chebyshev approximations.
 double erfcx(double x);
 
@@ -48,7 +49,7 @@ double mills_ratio(double x);
 ///   sd [ w (2 Phi(w) - 1) + 2 phi(w) - 1/sqrt(pi) ],   w = (value - mean)/sd
 ///
 /// @param sd  not negative.
-/// Reference: [Gneiting05] Eq. (5).
+/// Reference: [Gneiting05].
 double gaussian_crps(double mean, double sd, double value);
 
 }  // namespace skein::model

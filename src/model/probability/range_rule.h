@@ -31,17 +31,17 @@ const char* range_rule_name(RangeRule rule);
 /// @param variance  positive.
 /// @param sigma_v   standard deviation of the bound that MLE and MAP assume, positive;
 ///                  others ignore it.
-/// Reference: [Rabinovich18] Eq. (2.25), (2.26), (2.40)-(2.60), (A.15), corrected.
+/// Reference: [Rabinovich18] Eq. (2.25), (2.26), (2.34)-(2.60), (A.15), corrected.
 Moments correct_range(RangeRule rule, double mean, double variance, double bound,
                       Side side, double sigma_v);
 
-/// The MLE's choice, two sigma_v beyond the bound. Reference: [Rabinovich18] Eq. (2.43).
+/// The MLE's choice, two sigma_v beyond the bound.
 double mle_value(double bound, Side side, double sigma_v);
 
 /// The maximum of prior density times the probability of the side under a bound with
 /// noise sigma_v; unique, because the product is log-concave. Found by Newton's method.
 /// @param sd, sigma_v  positive.
-/// Reference: [Rabinovich18] Eq. (2.45)-(2.50).
+/// Reference: [Rabinovich18] chapter 2.
 double map_value(double mean, double sd, double bound, Side side, double sigma_v);
 
 /// The two sigma points mean -+ sd, each clipped to the interval.

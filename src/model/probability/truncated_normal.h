@@ -33,7 +33,8 @@ struct Moments {
 ///
 /// Relative accuracy 1e-11 or better for every alpha (1e3 sigma included), mean included:
 /// the closed form from Phi alone has no digit left at 8.
-/// Cost: about 15 ns. Reference: [Rabinovich18] Eq. (2.25), (2.26), corrected.
+/// Cost:      about 15 ns.
+/// Reference: [Rabinovich18] Eq. (2.25), (2.26), corrected.
 inline Moments standard_above(double alpha);
 
 /// A normal variable cut to an interval.

@@ -6,8 +6,9 @@
 namespace skein::monitoring {
 
 /// Keeps each point Gaussian: the thesis's QKF, its three approximations and the ablation
-/// of its gain, which differ only in the corrected range. Reference: [Rabinovich18]
-/// algorithms 1 and 2, corrected.
+/// of its gain, which differ only in the corrected range.
+///
+/// Reference: [Rabinovich18] algorithms 1 and 2, corrected.
 class GaussianRule final : public PointRule {
  public:
   /// @param sigma_v  of the bound, for MLE and MAP [m], positive.

@@ -20,7 +20,7 @@ struct PointwiseOptions {
   bool use_crossings = true;    ///< a crossing corrects the nearest point; if not, it is
                                 ///< an ordinary reading
   double sigma_v = 10;          ///< `mle`, `map`: standard deviation of the bound [m]
-  int particles = 200;          ///< `particle`: samples per point, at least 20
+  int particles = 500;          ///< `particle`: samples per point, at least 20
   double false_rate = 0.01;     ///< `particle`: probability that a reading is false [-]
   double least_sd = 5;          ///< `point-reset`: floor after a crossing, per axis [m]
 };
