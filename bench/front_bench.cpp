@@ -100,6 +100,24 @@ BENCHMARK_CAPTURE(one_hour, 4200_ha, 0.735, false)->Unit(benchmark::kMillisecond
 BENCHMARK_CAPTURE(one_hour, 150_ha_watched, 0.131, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(one_hour, 4200_ha_watched, 0.735, true)->Unit(benchmark::kMillisecond);
 
+// One in/out question to a fire of 6,000 markers that stands still meanwhile.
+void inside(benchmark::State& state) {
+  FrontFireOptions options;
+  options.spread.rate = 0.735;
+  options.age = 3600;
+  const TurningWind wind;
+  const FrontFire fire(options, terrain(), wind, nullptr);
+  RandomStream random(1, 0, Purpose::kTest);
+  std::vector<Vec2> points;
+  for (int i = 0; i < 4096; ++i) {
+    const double north = random.uniform(-2000, 10000);
+    points.emplace_back(north, random.uniform(-4000, 4000));
+  }
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(fire.inside(points[i++ % points.size()]));
+}
+BENCHMARK(inside);
+
 void thesis_hour(benchmark::State& state) {
   ThesisFireOptions options;
   options.wind = {0.7, 0.7};

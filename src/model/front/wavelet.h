@@ -27,7 +27,7 @@ struct Wavelet {
 ///   v = drift h + (length^2 (n.h) h + width^2 (n.t) t) / |(length n.h, width n.t)|
 ///
 /// with t across the heading h. Zero when the wavelet or the normal is.
-/// Reference: [Richards90] Eqs. (1)-(2), with the tangent written as a normal.
+/// Reference: [Richards90], with the tangent written as a normal.
 inline Vec2 spread_velocity(const Wavelet& w, const Vec2& normal) {
   const Vec2 across = geo::turned_right(w.heading);
   const double nh = w.length * normal.dot(w.heading);
@@ -55,8 +55,8 @@ Result<void> check(const SpreadLaw& law);
 ///   LB = 0.936 exp(0.2566 U) + 0.461 exp(-0.1548 U) - 0.397, at most 8
 ///
 /// @param wind  speed at the flames [m/s], >= 0.
-/// Reference: [Anderson83] for the double ellipse; [Finney98] Eq. (13) for this form,
-/// which is 1 in still air.
+/// Reference: [Anderson83], whose exponents are per mile per hour; [Finney98] subtracts
+/// 0.397, which makes it 1 in still air, and sets the bound.
 double length_to_breadth(double wind);
 
 /// The wavelet under a wind and on a slope.
@@ -72,8 +72,8 @@ double length_to_breadth(double wind);
 /// 45 deg.
 /// @param fuel      factor of the rate, >= 0; 0 does not burn.
 /// @returns         finite for finite arguments; wind and |phi| / k count up to 60 m/s.
-/// Reference: [McArthur67] for slope, [Rothermel72] for (1 + phi_w + phi_s), [Finney98]
-/// Eqs. (14)-(17) for the ellipse.
+/// Reference: [McArthur67] for slope, [Rothermel72] for the sum 1 + phi, [Finney98] for the
+/// ellipse and for adding wind and slope as vectors.
 Wavelet spread_wavelet(const SpreadLaw& law, const Vec2& wind, const Vec2& gradient,
                        double fuel);
 

@@ -158,7 +158,7 @@ TEST(Front, FlowsAroundWhatDoesNotBurnAndClosesBehindIt) {
   EXPECT_NEAR(-geo::signed_area(front.region()[1]), kPi * 60 * 60, 2 * kPi * 60 * 5);
 }
 
-// Arrival times on a square grid by fast sweeping (Zhao 2005): |grad T| rate = 1, T = 0
+// Arrival times on a square grid by fast sweeping [Zhao05]: |grad T| rate = 1, T = 0
 // in the start circle. First order in the cell.
 class Arrival {
  public:
