@@ -10,6 +10,7 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kGravity = 9.80665;  // [m/s^2]
+constexpr double kSlowDown = 6;  // flight before a tight turn in which to slow down [s]
 
 bool same(const Path& a, const Path& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -61,7 +62,7 @@ FlightCommand SimpleAutopilot::control(Time now, double /*dt*/) {
   FlightCommand out;
   out.roll = std::clamp(std::atan(turn_rate * motion.airspeed / kGravity), -roll_limit_,
                         roll_limit_);
-  out.airspeed = limits_.airspeed;
+  out.airspeed = airspeed_for_turns();
   out.climb_rate =
       std::clamp(options_.altitude_gain * (command_.altitude_msl + nav.p_N.z()),
                  -limits_.climb_rate, limits_.climb_rate);
@@ -108,6 +109,26 @@ Circle SimpleAutopilot::circle_around(const Vec2& centre) const {
   return {centre,
           1.1 * model::ground_turn_radius(limits_.turn_radius, limits_.airspeed, wind),
           true};
+}
+
+double SimpleAutopilot::airspeed_for_turns() const {
+  double tightest = 0;
+  if (const auto* follow = std::get_if<FollowPath>(&command_.guidance)) {
+    if (status_.done) return limits_.airspeed;  // the end's circle is wide enough
+    const double reach = along_ + kSlowDown * geo::horizontal(estimate().v_N).norm();
+    double start = 0;
+    for (const PathElement& e : follow->path) {
+      if (start > reach) break;
+      if (start + e.length > along_) tightest = std::max(tightest, std::abs(e.curvature));
+      start += e.length;
+    }
+  } else if (const auto* around = std::get_if<Circle>(&command_.guidance)) {
+    tightest = 1 / around->radius;
+  }
+  if (tightest == 0) return limits_.airspeed;
+  const double ground_speed = std::sqrt(kGravity * std::tan(roll_limit_) / tightest);
+  return std::clamp(ground_speed - filter_.drift().norm(),
+                    options_.slowest * limits_.airspeed, limits_.airspeed);
 }
 
 }  // namespace skein::autopilot

@@ -10,17 +10,22 @@ struct SimpleAutopilotOptions {
   GuidanceOptions guidance;
   double altitude_gain = 0.3;  ///< climb rate per altitude error [1/s]
   double wind_lag = 15;        ///< time constant of the reported wind [s]
+  double slowest = 0.8;  ///< least airspeed, in cruise, for turns that are too tight
 };
 
 /// Flies paths, courses and circles over ground in wind, and holds altitude.
 ///
 /// Lateral: a course demand (guidance.h) becomes a turn rate and, by tan(roll) =
 /// omega V / g, a roll within the vehicle's smallest turn. Vertical: climb rate in
-/// proportion to the altitude error. Airspeed: cruise.
+/// proportion to the altitude error. Airspeed: cruise, less where a turn over ground is
+/// too tight for it in the wind:
+///
+///   V + |wind| <= sqrt(g tan(roll limit) / curvature)
+///
 /// A repeated path goes on where it is, so that only its altitude changes.
 /// Until the first command it circles the place where it was made.
-/// Valid: turns over ground of at least model::ground_turn_radius; tighter ones are flown
-/// as tightly as the vehicle can and joined again.
+/// Valid: turns too tight even then are flown as tightly as the vehicle can and joined
+/// again; see docs/aircraft.md.
 class SimpleAutopilot final : public Autopilot {
  public:
   /// @param limits   of the vehicle.
@@ -38,6 +43,7 @@ class SimpleAutopilot final : public Autopilot {
   CourseDemand demand(const Motion& motion);
   CourseDemand follow(const Path& path, const Motion& motion, double ground_speed);
   Circle circle_around(const Vec2& centre) const;
+  double airspeed_for_turns() const;
 
   SimpleAutopilotOptions options_;
   FlightLimits limits_;
