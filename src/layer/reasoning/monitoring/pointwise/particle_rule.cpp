@@ -35,7 +35,7 @@ Eigen::Vector4d normal_vector(RandomStream& random) {
 
 ParticleRule::ParticleRule(int count, double false_rate, std::uint64_t seed)
     : count_(count), false_rate_(false_rate), seed_(seed) {
-  SKEIN_CHECK(count >= 20 && false_rate >= 0 && false_rate < 0.5, count, false_rate);
+  SKEIN_CHECK(count >= 20 && false_rate >= 0 && false_rate <= 1, count, false_rate);
 }
 
 void ParticleRule::start(std::span<const model::ControlPoint> points) {

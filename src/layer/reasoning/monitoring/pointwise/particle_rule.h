@@ -26,7 +26,7 @@ namespace skein::monitoring {
 class ParticleRule final : public PointRule {
  public:
   /// @param count       particles per point, at least 20.
-  /// @param false_rate  probability that a reading is false, in [0, 0.5).
+  /// @param false_rate  probability that a reading is false, in [0, 1].
   ParticleRule(int count, double false_rate, std::uint64_t seed);
 
   void start(std::span<const model::ControlPoint> points) override;

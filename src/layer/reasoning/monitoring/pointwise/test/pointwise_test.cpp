@@ -245,6 +245,12 @@ TEST(PointwiseEstimator, RefusesOptionsOutOfRange) {
   PointwiseOptions options;
   options.control_points = 7;
   EXPECT_THROW(make("qkf", options), Bug);
+  options = {};
+  options.sigma_v = 0;
+  EXPECT_THROW(make("map", options), Bug);
+  options = {};
+  options.particles = 10;
+  EXPECT_THROW(make("particle", options), Bug);
 }
 
 }  // namespace
