@@ -78,6 +78,7 @@ Result<RawSeries> read_table(const std::string& path, const std::string& time_fi
   if (table.size() == 0)
     return Error{ErrorCode::kBadInput, path, "has a header but no rows", ""};
   RawSeries series;
+  VectorReader reader;
   for (std::size_t row = 0; row < table.size(); ++row) {
     const auto at = table_time(table, row, *time);
     if (!at) return at.error();
@@ -89,7 +90,7 @@ Result<RawSeries> read_table(const std::string& path, const std::string& time_fi
     if (!fs::exists(file.value(), ignored))
       return Error{ErrorCode::kNotFound, table.place(row),
                    "there is no file " + file.value(), ""};
-    auto features = read_features(file.value(), "", false, warnings);
+    auto features = reader.read(file.value(), "", false, warnings);
     if (!features) return features.error();
     RawPerimeter whole{at.value().value, file.value(), {}, {}};
     for (VectorFeature& feature : features.value()) {
@@ -127,7 +128,7 @@ Result<std::string> file_in_folder(const fs::path& folder) {
 
 Result<RawSeries> read_vector(const std::string& name, const std::string& time_field,
                               std::vector<std::string>& warnings) {
-  auto features = read_features(name, time_field, true, warnings);
+  auto features = VectorReader().read(name, time_field, true, warnings);
   if (!features) return features.error();
   RawSeries series;
   for (std::size_t i = 0; i < features.value().size(); ++i) {

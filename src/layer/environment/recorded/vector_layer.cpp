@@ -1,12 +1,15 @@
 #include "layer/environment/recorded/vector_layer.h"
 
+#include <cpl_conv.h>
 #include <fmt/format.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
 #include <cmath>
-#include <memory>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "layer/environment/raster/csv_table.h"
 #include "layer/environment/raster/gdal_guard.h"
@@ -213,20 +216,53 @@ Transform transform_to_degrees(OGRSpatialReferenceH own) {
   return Transform(OCTNewCoordinateTransformation(system.get(), degrees.get()));
 }
 
-}  // namespace
-
-const std::vector<std::string>& time_names() {
-  static const std::vector<std::string> names{"seconds",    "time_s", "time_utc",
-                                              "time_local", "time",   "datetime",
-                                              "timestamp",  "date"};
-  return names;
+// The text of a shapefile's .prj; empty for anything else.
+std::string projection_text(const std::string& name) {
+  std::filesystem::path path(name);
+  if (path.extension() != ".shp") return {};
+  std::ifstream file(path.replace_extension(".prj"), std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
-Result<std::vector<VectorFeature>> read_features(const std::string& name,
-                                                 const std::string& time_field,
-                                                 bool need_time,
-                                                 std::vector<std::string>& warnings) {
+// Sets an option of GDAL for this thread and this object's life.
+class ThreadOption {
+ public:
+  ThreadOption(const char* key, const char* value) : key_(key) {
+    if (const char* before = CPLGetThreadLocalConfigOption(key, nullptr))
+      before_ = before;
+    CPLSetThreadLocalConfigOption(key, value);
+  }
+  ~ThreadOption() {
+    CPLSetThreadLocalConfigOption(key_, before_ ? before_->c_str() : nullptr);
+  }
+  ThreadOption(const ThreadOption&) = delete;
+  ThreadOption& operator=(const ThreadOption&) = delete;
+
+ private:
+  const char* key_;
+  std::optional<std::string> before_;
+};
+
+}  // namespace
+
+struct VectorReader::Systems {
+  std::string text;      // of the last .prj
+  Transform to_degrees;  // that it stands for
+};
+
+VectorReader::VectorReader() : systems_(std::make_unique<Systems>()) {}
+VectorReader::~VectorReader() = default;
+
+Result<std::vector<VectorFeature>> VectorReader::read(
+    const std::string& name, const std::string& time_field, bool need_time,
+    std::vector<std::string>& warnings) {
   const GdalGuard guard;
+  const std::string text = projection_text(name);
+  const bool known = !text.empty() && text == systems_->text && systems_->to_degrees;
+  std::optional<ThreadOption> without_search;
+  if (known) without_search.emplace("USE_OSR_FIND_MATCHES", "NO");
   const auto fault = [&](const std::string& message, const std::string& hint = "") {
     return Error{ErrorCode::kBadInput, name, message, hint};
   };
@@ -242,19 +278,21 @@ Result<std::vector<VectorFeature>> read_features(const std::string& name,
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), l);
     OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer);
     const int time = time_index(definition, time_field);
-    Transform to_degrees;
+    Transform own_transform;
+    void* to_degrees = known ? systems_->to_degrees.get() : nullptr;
     OGR_L_ResetReading(layer);
     for (int n = 0;; ++n) {
       const std::unique_ptr<void, DestroyFeature> feature(OGR_L_GetNextFeature(layer));
       if (!feature) break;
       const std::string place = fmt::format("{}: feature {}", name, n);
-      if (!to_degrees) {
+      if (to_degrees == nullptr) {
         OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer);
         if (own == nullptr)
           return fault("has no coordinate reference system",
                        "a .prj file or an entry in the file is needed");
-        to_degrees = transform_to_degrees(own);
-        if (!to_degrees)
+        own_transform = transform_to_degrees(own);
+        to_degrees = own_transform.get();
+        if (to_degrees == nullptr)
           return fault("has a coordinate reference system that cannot be used: " +
                        guard.failure());
       }
@@ -270,15 +308,26 @@ Result<std::vector<VectorFeature>> read_features(const std::string& name,
                               OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, time)),
                               OGR_F_GetFieldAsString(feature.get(), time)),
             "name it in time_field; its attributes: " + field_names(definition)};
-      Collector collector(place, to_degrees.get(), points, warnings);
+      Collector collector(place, to_degrees, points, warnings);
       if (auto good = collector.add(OGR_F_GetGeometryRef(feature.get()), out.outline);
           !good)
         return good.error();
+    }
+    if (own_transform && !text.empty()) {
+      systems_->text = text;
+      systems_->to_degrees = std::move(own_transform);
     }
   }
   if (guard.failed()) return fault("is truncated or corrupt: " + guard.failure());
   if (features.empty()) return fault("has no features");
   return features;
+}
+
+const std::vector<std::string>& time_names() {
+  static const std::vector<std::string> names{"seconds",    "time_s", "time_utc",
+                                              "time_local", "time",   "datetime",
+                                              "timestamp",  "date"};
+  return names;
 }
 
 }  // namespace skein::environment

@@ -3,6 +3,7 @@
 #include <gdal.h>
 #include <gtest/gtest.h>
 #include <ogr_srs_api.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -14,15 +15,31 @@
 
 namespace skein::environment {
 
-/// A file name in a folder of this test's own, emptied at its start.
+/// A folder of this process's own, gone when it ends.
+class ScratchFolder {
+ public:
+  ScratchFolder()
+      : path_(std::filesystem::path(::testing::TempDir()) /
+              ("skein_environment_" + std::to_string(::getpid()))) {}
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A name for a file of the running test; nothing of this name exists yet.
 inline std::string scratch(const std::string& name) {
+  static const ScratchFolder folder;
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "skein_environment" /
-                      (std::string(info->test_suite_name()) + "." + info->name());
-  std::filesystem::create_directories(folder);
-  const auto path = folder / name;
-  std::filesystem::remove(path);
-  return path.string();
+  const auto own =
+      folder.path() / (std::string(info->test_suite_name()) + "." + info->name());
+  std::filesystem::create_directories(own);
+  std::filesystem::remove_all(own / name);
+  return (own / name).string();
 }
 
 /// What make_raster writes.

@@ -149,7 +149,6 @@ TEST(ReadPerimeters, TablesNameTheirFiles) {
 
 TEST(ReadPerimeters, AFolderHoldsATableOrOneFile) {
   const std::string one = scratch("folder");
-  std::filesystem::remove_all(one);
   std::filesystem::create_directories(one);
   Warnings warnings;
   EXPECT_EQ(read_perimeters(one, "", warnings).error().code, ErrorCode::kNotFound);
