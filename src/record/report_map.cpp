@@ -48,7 +48,8 @@ void keep_corners(const geo::Ring& ring, std::size_t first, std::size_t last,
   while (!open.empty()) {
     const auto [from, to] = open.back();
     open.pop_back();
-    const Vec2 a = ring[from], chord = ring[to % ring.size()] - a;
+    const Vec2& a = ring[from];
+    const Vec2 chord = ring[to % ring.size()] - a;
     double worst = tolerance;
     std::size_t at = from;
     for (std::size_t i = from + 1; i < to; ++i) {

@@ -229,9 +229,9 @@ Result<void> RunDatabase::write_truth(Time time, const geo::Region& truth) {
     floats.clear();
     for (const Vec2& p : truth[r])
       floats.insert(floats.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
-    const auto done = insert(perimeter_, written_seconds(time), "truth", nullptr,
-                             static_cast<std::int64_t>(r),
-                             static_cast<std::int64_t>(truth[r].size()), bytes(floats));
+    auto done = insert(perimeter_, written_seconds(time), "truth", nullptr,
+                       static_cast<std::int64_t>(r),
+                       static_cast<std::int64_t>(truth[r].size()), bytes(floats));
     if (!done) return done;
   }
   return {};
@@ -246,10 +246,9 @@ Result<void> RunDatabase::write_belief(Time time, EntityId believer,
       for (const double number : {p.position.x(), p.position.y(), p.normal.x(),
                                   p.normal.y(), p.sigma, p.sigma_growth, p.rate})
         floats.push_back(static_cast<float>(number));
-    const auto done =
-        insert(perimeter_, written_seconds(time), "belief", believer.value,
-               static_cast<std::int64_t>(r),
-               static_cast<std::int64_t>(belief.rings[r].size()), bytes(floats));
+    auto done = insert(perimeter_, written_seconds(time), "belief", believer.value,
+                       static_cast<std::int64_t>(r),
+                       static_cast<std::int64_t>(belief.rings[r].size()), bytes(floats));
     if (!done) return done;
   }
   return {};

@@ -176,7 +176,7 @@ class Reader {
     const double step =
         std::max(budget_.shortest_step, run_.duration * movers_ / budget_.track_samples);
     std::map<EntityId, TrackBuilder> builders;
-    const auto done = rows(
+    auto done = rows(
         "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg FROM "
         "truth",
         [&](const Statement& row) {
@@ -251,16 +251,15 @@ class Reader {
 
   Result<void> crossings() {
     std::vector<Crossing> all;
-    const auto done =
-        rows("SELECT time_s, entity_id, north_m, east_m, entered FROM crossings",
-             [&](const Statement& row) {
-               Crossing crossing;
-               crossing.time = Time::from_seconds(row.real(0));
-               crossing.aircraft = entity_id(row, 1);
-               crossing.point = Vec2(row.real(2), row.real(3));
-               crossing.entered = row.integer(4) != 0;
-               all.push_back(crossing);
-             });
+    auto done = rows("SELECT time_s, entity_id, north_m, east_m, entered FROM crossings",
+                     [&](const Statement& row) {
+                       Crossing crossing;
+                       crossing.time = Time::from_seconds(row.real(0));
+                       crossing.aircraft = entity_id(row, 1);
+                       crossing.point = Vec2(row.real(2), row.real(3));
+                       crossing.entered = row.integer(4) != 0;
+                       all.push_back(crossing);
+                     });
     const std::size_t keep_each =
         all.size() / static_cast<std::size_t>(std::max(1, budget_.crossings)) + 1;
     for (std::size_t i = 0; i < all.size(); i += keep_each)
@@ -288,19 +287,18 @@ class Reader {
     run_.summary.version = run_.info.version;
     run_.summary.name = run_.info.name;
     run_.summary.seed = run_.info.seed;
-    const auto done =
-        rows("SELECT name, value FROM summary", [this](const Statement& row) {
-          const std::string name = row.text(0);
-          if (name == "content_hash") {
-            run_.summary.content_hash = row.text(1);
-            if (run_.ending == RunEnding::kCutOff) run_.ending = RunEnding::kComplete;
-          } else if (name == "interrupted") {
-            run_.summary.interrupted = row.integer(1) != 0;
-            if (run_.summary.interrupted) run_.ending = RunEnding::kInterrupted;
-          } else {
-            run_.summary.numbers[name] = row.real(1);
-          }
-        });
+    auto done = rows("SELECT name, value FROM summary", [this](const Statement& row) {
+      const std::string name = row.text(0);
+      if (name == "content_hash") {
+        run_.summary.content_hash = row.text(1);
+        if (run_.ending == RunEnding::kCutOff) run_.ending = RunEnding::kComplete;
+      } else if (name == "interrupted") {
+        run_.summary.interrupted = row.integer(1) != 0;
+        if (run_.summary.interrupted) run_.ending = RunEnding::kInterrupted;
+      } else {
+        run_.summary.numbers[name] = row.real(1);
+      }
+    });
     if (!done) return done;
     if (run_.ending == RunEnding::kCutOff) {
       run_.summary.numbers = statistics_.figures();

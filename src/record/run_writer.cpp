@@ -5,16 +5,17 @@
 namespace skein::record {
 namespace {
 
-constexpr std::size_t kBatchRows = 1 << 15;
-constexpr std::size_t kMostPending = 2 * kBatchRows;
-constexpr auto kGatherFor = std::chrono::milliseconds(200);
-constexpr auto kLongestTransaction = std::chrono::milliseconds(300);
+// In ordinary rows, of which a second writes over a million: what waits is soon written.
+constexpr std::size_t kBatchWork = 1 << 13;
+constexpr std::size_t kMostPending = 2 * kBatchWork;
+constexpr auto kGatherFor = std::chrono::milliseconds(100);
+constexpr auto kLongestTransaction = std::chrono::milliseconds(200);
 
 }  // namespace
 
 RunWriter::RunWriter(RunDatabase database, Time perimeter_period)
     : database_(std::move(database)), perimeter_period_(perimeter_period) {
-  pending_.reserve(kBatchRows);
+  pending_.reserve(kBatchWork);
   thread_ = std::thread([this] { work(); });
 }
 
@@ -27,14 +28,16 @@ RunWriter::~RunWriter() {
   if (thread_.joinable()) thread_.join();
 }
 
-void RunWriter::push(Row row) {
+void RunWriter::push(Row row, std::size_t work) {
   std::unique_lock lock(mutex_);
-  if (pending_.size() >= kMostPending)
-    room_made_.wait(lock, [this] { return pending_.size() < kMostPending || failed_; });
+  if (pending_work_ >= kMostPending)
+    room_made_.wait(lock, [this] { return pending_work_ < kMostPending || failed_; });
   if (failed_) return;
-  pending_.push_back(std::move(row));
   // The writer sleeps until the first row, then until the batch is full or old enough.
-  const bool wake = pending_.size() == 1 || pending_.size() == kBatchRows;
+  const std::size_t before = std::exchange(pending_work_, pending_work_ + work);
+  const bool wake =
+      pending_.empty() || (before < kBatchWork && pending_work_ >= kBatchWork);
+  pending_.push_back(std::move(row));
   lock.unlock();
   if (wake) rows_wanted_.notify_one();
 }
@@ -58,13 +61,14 @@ Result<void> RunWriter::finish() {
 
 void RunWriter::work() {
   std::vector<Row> batch;
-  batch.reserve(kBatchRows);
+  batch.reserve(kBatchWork);
   const auto fail = [this](Result<void> failure, std::exception_ptr bug) {
     const std::lock_guard lock(mutex_);
     failure_ = std::move(failure);
     bug_ = std::move(bug);
     failed_ = true;
     pending_.clear();
+    pending_work_ = 0;
     room_made_.notify_all();
   };
   try {
@@ -74,8 +78,9 @@ void RunWriter::work() {
         std::unique_lock lock(mutex_);
         rows_wanted_.wait(lock, [this] { return stop_ || !pending_.empty(); });
         rows_wanted_.wait_for(lock, kGatherFor,
-                              [this] { return stop_ || pending_.size() >= kBatchRows; });
+                              [this] { return stop_ || pending_work_ >= kBatchWork; });
         batch.swap(pending_);
+        pending_work_ = 0;
         last = stop_;
       }
       room_made_.notify_one();
@@ -96,7 +101,7 @@ Result<void> RunWriter::write_batch(std::vector<Row>& batch) {
   transaction_began_ = Clock::now();
   for (std::size_t i = 0; i < batch.size(); ++i) {
     auto done = std::visit([this](auto& row) { return write(row); }, batch[i]);
-    if (done.ok() && i % 1024 == 1023) done = commit_if_due();
+    if (done.ok() && i % 256 == 255) done = commit_if_due();
     if (!done) {
       // Keep what this transaction holds, if the failure left it whole.
       static_cast<void>(database_.commit());

@@ -18,7 +18,7 @@ namespace skein::record {
 
 /// Takes rows from one thread and writes them to a database on a thread of its own.
 ///
-/// Rows gather for a fifth of a second or until there are many; then they are written as
+/// Rows gather for a tenth of a second or until there are many; then they are written as
 /// one transaction. Transactions that take long are split, so that each is committed
 /// within half a second of its rows being given.
 class RunWriter {
@@ -27,7 +27,8 @@ class RunWriter {
   ~RunWriter();
 
   /// Queues a row. Waits when the queue is full; drops the row after a failure.
-  void push(Row row);
+  /// @param work  the time that it takes to write, in units of an ordinary row.
+  void push(Row row, std::size_t work = 1);
 
   /// The first failure, if there was one. Fails: what the database said; a Bug that
   /// happened on the writing thread is thrown here.
@@ -72,6 +73,7 @@ class RunWriter {
   std::mutex mutex_;
   std::condition_variable rows_wanted_, room_made_;
   std::vector<Row> pending_;
+  std::size_t pending_work_ = 0;
   bool stop_ = false;
   Result<void> failure_;
   std::exception_ptr bug_;

@@ -18,7 +18,7 @@ void RunStatistics::truth(EntityId id, const VehicleState& state) {
 
 std::optional<Crossing> RunStatistics::reading(const FireReading& reading) {
   ++observations_;
-  const std::optional<Crossing> crossing = ages_.add(reading);
+  std::optional<Crossing> crossing = ages_.add(reading);
   if (crossing) ++crossings_;
   return crossing;
 }
