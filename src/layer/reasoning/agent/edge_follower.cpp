@@ -20,6 +20,7 @@ constexpr double kSteepFrom = 60;  // distance at which the edge is met at 45 de
 constexpr double kAcross = 1.75;   // angle at which an edge nearby must be met [rad]
 constexpr double kHoldAcross = 5;  // flight at that angle [s]
 constexpr double kOutwards = 60;   // flown straight to leave the fire [s]
+constexpr double kBeyond = 80;     // aimed at behind the last burning point [m]
 constexpr double kNextDirection = 2.4;  // golden angle: spreads any number of directions
 constexpr double kPlausible = 60;  // distance of a crossing from the believed edge [m]
 constexpr double kFinderAge = 3;   // what an edge finder saw is valid for [s]
@@ -64,8 +65,8 @@ void EdgeFollower::add(const FireReading& reading, double course) {
 }
 
 bool EdgeFollower::plausible(const Vec2& crossing) const {
-  if (!belief_.edge || belief_.overdue > 0) return belief_.phase != Phase::kApproach;
-  return std::abs(belief_.edge->right_of(crossing)) < kPlausible;
+  return belief_.phase == Phase::kFollow &&
+         std::abs(belief_.edge->right_of(crossing)) < kPlausible;
 }
 
 void EdgeFollower::crossed(const Mark& crossing, double course) {
@@ -157,6 +158,7 @@ double EdgeFollower::follow_course(Time now, const Vec2& position) {
   // What has burnt goes on burning, so the way back into the fire is known; the way out
   // is only believed.
   goal_ = last_inside_ ? last_inside_->point : edge.point;
+  goal_ += kBeyond * (goal_ - position).normalized();
   course_ = turn_in(edge.course_at(position), geo::kPi / 2);
   enter(Phase::kReturn, now);
   return return_course(0, position);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "base/random.h"
 #include "geo/polygon.h"
@@ -25,15 +26,60 @@ geo::Ring square_ring(double side) {
   return {{-h, -h}, {h, -h}, {h, h}, {-h, h}};
 }
 
-// Five arms with bays between them: radius 500 to 1100 m.
+// Five arms with bays between them, whose bottoms are arcs of 82 m radius.
 geo::Ring star_ring() {
   geo::Ring ring;
   for (int i = 0; i < 720; ++i) {
     const double bearing = geo::radians(i * 0.5);
-    ring.push_back((800 + 300 * std::cos(5 * bearing)) * geo::unit(bearing));
+    ring.push_back((800 + 200 * std::cos(5 * bearing)) * geo::unit(bearing));
   }
   return ring;
 }
+
+// A fire that grows along its normals.
+class GrowingFire {
+ public:
+  GrowingFire(const geo::Ring& ring, double growth)
+      : ring_(ring), growth_(growth), index_(geo::Region{ring}), arc_{0} {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      arc_.push_back(arc_.back() + side(i).norm());
+  }
+
+  // Where `p` is at time t.
+  struct Place {
+    double outside;   // distance from the edge, negative in the fire [m]
+    double along;     // of the nearest point, along the ring at the start [m]
+    EdgeSample seen;  // by an ideal finder at p
+  };
+  Place place(const Vec2& p, double t) const {
+    const geo::NearestPoint at = index_.nearest(p);
+    const bool in_start = index_.contains(p);
+    const auto k = static_cast<std::size_t>(at.edge);
+    const Vec2 to_edge = at.point - p;
+    const Vec2 tangent = side(k).normalized();
+    // The edge has moved by growth t along the normal through p.
+    const Vec2 outwards = to_edge.norm() > 1e-9
+                              ? Vec2((in_start ? 1 : -1) * to_edge.normalized())
+                              : geo::outward_normal(tangent);
+    return {(in_start ? -at.distance : at.distance) - growth_ * t,
+            arc_[k] + at.along * side(k).norm(),
+            {Time::from_seconds(t), to_edge + growth_ * t * outwards, tangent}};
+  }
+
+  double start_length() const { return arc_.back(); }
+  // A closed line that moves outwards by d grows by 2 pi d.
+  double stretch(double t) const {
+    return 1 + 2 * geo::kPi * growth_ * t / start_length();
+  }
+
+ private:
+  Vec2 side(std::size_t i) const { return ring_[(i + 1) % ring_.size()] - ring_[i]; }
+
+  geo::Ring ring_;
+  double growth_;
+  geo::BoundaryIndex index_;
+  std::vector<double> arc_;  // to each point
+};
 
 struct Case {
   geo::Ring ring;
@@ -41,8 +87,7 @@ struct Case {
   Vec2 wind = Vec2::Zero();
   bool clockwise = true;
   double false_rate = 0;
-  double duration = 1800;  // [s]
-  bool finder = false;     // an ideal edge finder instead of readings
+  bool finder = false;  // an ideal edge finder instead of readings
 };
 
 struct Outcome {
@@ -53,15 +98,12 @@ struct Outcome {
   double longest_gap = 0;     // between true crossings [s]
 };
 
-// Flies around a fire; the first 100 s (the approach) do not count. `rings` of a growing
-// fire are those of the start, moved along their normals.
-Outcome follow(const Case& c, std::uint64_t seed = 1) {
-  const geo::BoundaryIndex edge(geo::Region{c.ring});
-  RandomStream random(seed, 0, Purpose::kTest);
-  std::vector<double> arc(c.ring.size() + 1, 0);
-  for (std::size_t i = 0; i < c.ring.size(); ++i)
-    arc[i + 1] = arc[i] + (c.ring[(i + 1) % c.ring.size()] - c.ring[i]).norm();
-  const double length = arc.back();
+// Flies at a fire for half an hour; the approach does not count. Readings come at 1 Hz.
+Outcome follow(const Case& c) {
+  constexpr double kApproach = 100, kEnd = 1800;  // [s]
+  constexpr int kStepsPerSecond = 10;
+  const GrowingFire fire(c.ring, c.growth);
+  RandomStream random(1, 0, Purpose::kTest);
 
   test::TestAircraft aircraft;
   const Vec2 start = c.ring.front();
@@ -72,63 +114,45 @@ Outcome follow(const Case& c, std::uint64_t seed = 1) {
   EdgeFollower follower(EdgeFollowerOptions{}, FollowEdge{c.clockwise, start, tangent});
 
   Outcome out;
-  const double dt = 0.05, warm_up = 100;
-  double last_s = 0, last_crossing = warm_up, along = 0;
+  double last_along = 0, last_crossing = kApproach, along = 0;
   bool was_inside = false;
   int n = 0, crossings = 0;
-  const int steps = static_cast<int>(std::lround(c.duration / dt));
-  for (int i = 0; i < steps; ++i) {
-    const double t = i * dt;
-    const Time now = Time::from_ns(i * 50'000'000LL);
+  for (int i = 0; i < kStepsPerSecond * kEnd; ++i) {
+    const double t = static_cast<double>(i) / kStepsPerSecond;
     const Vec2 p = aircraft.position();
-    const double signed_distance = edge.signed_distance(p) - c.growth * t;
-    const bool inside = signed_distance < 0;
-    if (i % 20 == 0) {
+    const GrowingFire::Place place = fire.place(p, t);
+    const bool inside = place.outside < 0;
+    if (i % kStepsPerSecond == 0) {
+      const Time now = Time::from_seconds(t);
       const bool wrong = random.uniform() < c.false_rate;
-      if (c.finder) {
-        const auto at = edge.nearest(p);
-        const auto k = static_cast<std::size_t>(at.edge);
-        const Vec2 along_edge =
-            (c.ring[(k + 1) % c.ring.size()] - c.ring[k]).normalized();
-        const Vec2 to_edge = at.point - p;
-        // The moved boundary lies `growth t` further out on the same normal.
-        const Vec2 outwards =
-            to_edge.norm() > 1e-9
-                ? Vec2((edge.contains(p) ? 1 : -1) * to_edge.normalized())
-                : geo::outward_normal(along_edge);
-        follower.add(EdgeSample{now, to_edge + c.growth * t * outwards, along_edge}, p);
-      } else {
+      if (c.finder)
+        follower.add(place.seen, p);
+      else
         follower.add(FireReading{now, {1}, p, 0, inside != wrong},
                      geo::bearing(aircraft.velocity()));
-      }
       aircraft.obey({HoldCourse{follower.course(now, p)}, 220});
     }
-    aircraft.step(dt);
+    aircraft.step(1.0 / kStepsPerSecond);
 
-    const auto at = edge.nearest(p);
-    const double s = arc[static_cast<std::size_t>(at.edge)] +
-                     at.along * (arc[static_cast<std::size_t>(at.edge) + 1] -
-                                 arc[static_cast<std::size_t>(at.edge)]);
-    if (t > warm_up) {
-      // A convex ring that moves by d grows by 2 pi d.
-      const double stretch = (length + 2 * geo::kPi * c.growth * t) / length;
-      along += std::remainder(s - last_s, length) * stretch * (c.clockwise ? 1 : -1);
-      out.mean_distance += std::abs(signed_distance);
-      out.worst_distance = std::max(out.worst_distance, std::abs(signed_distance));
+    if (t > kApproach) {
       ++n;
+      along += std::remainder(place.along - last_along, fire.start_length()) *
+               fire.stretch(t) * (c.clockwise ? 1 : -1);
+      out.mean_distance += std::abs(place.outside);
+      out.worst_distance = std::max(out.worst_distance, std::abs(place.outside));
       if (inside != was_inside) {
         ++crossings;
         out.longest_gap = std::max(out.longest_gap, t - last_crossing);
         last_crossing = t;
       }
     }
-    last_s = s;
+    last_along = place.along;
     was_inside = inside;
   }
-  out.longest_gap = std::max(out.longest_gap, c.duration - last_crossing);
+  out.longest_gap = std::max(out.longest_gap, kEnd - last_crossing);
   out.mean_distance /= n;
-  out.progress = along / (c.duration - warm_up);
-  out.crossings = crossings * 60 / (c.duration - warm_up);
+  out.progress = along / (kEnd - kApproach);
+  out.crossings = crossings * 60 / (kEnd - kApproach);
   return out;
 }
 
@@ -142,8 +166,8 @@ void print(const std::string& name, const Outcome& o) {
 
 TEST(EdgeFollower, KeepsToASmoothEdge) {
   for (const bool clockwise : {true, false}) {
-    for (const double growth : {0.0, 0.2, 1.0, 3.0}) {
-      for (const double wind : {0.0, 4.0, 8.0}) {
+    for (const double growth : {0.0, 0.2, 3.0}) {
+      for (const double wind : {0.0, 8.0}) {
         const Outcome o = follow({circle_ring(500), growth, {wind, 0}, clockwise});
         print("circle growth " + std::to_string(growth).substr(0, 3) + " wind " +
                   std::to_string(wind).substr(0, 3) + (clockwise ? " cw" : " ccw"),
@@ -187,7 +211,7 @@ TEST(EdgeFollower, BearsFalseReadings) {
 
 TEST(EdgeFollower, AnIdealFinderKeepsItsOffset) {
   for (const bool clockwise : {true, false}) {
-    const Outcome o = follow({circle_ring(500), 0.5, {8, 0}, clockwise, 0, 1800, true});
+    const Outcome o = follow({circle_ring(500), 0.5, {8, 0}, clockwise, 0, true});
     print("finder", o);
     EXPECT_NEAR(o.mean_distance, EdgeFollowerOptions{}.offset, 8);
     EXPECT_GT(o.progress, 15);
