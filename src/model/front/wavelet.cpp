@@ -10,6 +10,7 @@ namespace {
 constexpr double kMaxLengthToBreadth = 8;  // as [Finney98]: longer ellipses are not seen
 constexpr double kMaxWind = 60;  // [m/s], beyond any wind a fire has been seen in
 constexpr double kMaxSlope = geo::radians(45);
+constexpr double kMaxDoublings = 60;  // far above the bound on wind, far below overflow
 
 }  // namespace
 
@@ -47,7 +48,8 @@ Wavelet spread_wavelet(const SpreadLaw& law, const Vec2& wind, const Vec2& gradi
   if (steepness2 > 0 && law.slope_doubling > 0) {
     const double steepness = std::sqrt(steepness2);
     const double angle = std::min(std::atan(steepness), kMaxSlope);
-    phi += (std::exp2(angle / law.slope_doubling) - 1) / steepness * gradient;
+    const double doublings = std::min(angle / law.slope_doubling, kMaxDoublings);
+    phi += (std::exp2(doublings) - 1) / steepness * gradient;
   }
   const double size = phi.norm();
   if (size > 0) w.heading = phi / size;

@@ -100,6 +100,14 @@ TEST(SpreadWavelet, StaysFiniteForExtremes) {
   }
 }
 
+TEST(SpreadWavelet, StaysFiniteWhenTheSmallestSlopeDoubles) {
+  SpreadLaw law;
+  law.slope_doubling = 1e-9;
+  const Wavelet w = spread_wavelet(law, Vec2(5, 0), Vec2(0, 0.5), 1);
+  EXPECT_NEAR(w.length + w.drift, law.rate * (1 + 60 * law.wind_response), 1e-12);
+  EXPECT_LT((w.heading - Vec2(0, 1)).norm(), 1e-6);
+}
+
 TEST(SpreadLaw, RefusesImpossibleValues) {
   EXPECT_TRUE(check(SpreadLaw{}).ok());
   EXPECT_FALSE(check(SpreadLaw{-1, 0.4, 0.8, 0.1}).ok());
