@@ -251,7 +251,8 @@ class Fields : public detail::FieldsBase {
     return *this;
   }
 
-  /// The key added last, a list, has this many elements.
+  /// The key added last, a list, has this many elements. Without it a list of structs or
+  /// choices has at most 10,000, any other as many as a file can hold.
   Fields& items(const Count& count) {
     set_count(count);
     return *this;

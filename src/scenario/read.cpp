@@ -163,8 +163,8 @@ void Reader::read_choice(const ChoiceType& type, const Node& node, void* target)
     return fault(node.place, "has no \"kind\".",
                  fmt::format("Kinds: {}.", any_of(kinds_.names(type.role))));
   }
-  static const Node kNoKeys = Node::of(Node::Kind::kMap);
-  read_object(*kind->options, node.scalar() ? kNoKeys : node,
+  const Node no_keys = Node::of(Node::Kind::kMap, node.place);
+  read_object(*kind->options, node.scalar() ? no_keys : node,
               kind->options->content(choice.options), &type, &kind->name);
 }
 

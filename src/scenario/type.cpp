@@ -103,6 +103,15 @@ std::string expected(const Type& type) {
 
 void detail::FieldsBase::add(Field field) {
   SKEIN_CHECK(object_.find(field.key) == nullptr, "key described twice:", field.key);
+  if (const auto* list = std::get_if<ListType>(&field.type->what)) {
+    // Structs are large: a hostile file must not ask for millions.
+    const auto& element = list->element->what;
+    const bool large = std::holds_alternative<ObjectType>(element) ||
+                       std::holds_alternative<ChoiceType>(element);
+    object_.fields.push_back(std::move(field));
+    if (large) set_count({.at_most = 10000});
+    return;
+  }
   object_.fields.push_back(std::move(field));
 }
 

@@ -4,6 +4,7 @@
 
 #include "scenario/scenario_file.h"
 #include "scenario/test/fake_kinds.h"
+#include "scenario/test/reading.h"
 #include "scenario/text.h"
 #include "scenario/units.h"
 #include "scenario/utc.h"
@@ -43,6 +44,28 @@ TEST(Description, NarrowsIntegersToTheirType) {
   kinds.add("radio", "ideal", "", Fields<Small>().integer("value", &Small::value, ""));
   const std::string schema = json_schema(kinds);
   EXPECT_NE(schema.find("\"maximum\": 255"), std::string::npos);
+}
+
+TEST(Description, LimitsListsOfStructs) {
+  std::string many = "monitoring: {estimator: {kind: joint, layers: [";
+  for (int i = 0; i <= 10000; ++i) many += "{},";
+  EXPECT_EQ(
+      problems_of(many + "]}}"),
+      "test.yaml:1:47 monitoring.estimator.layers: 10001 elements; needs a list, at "
+      "most 10000, each keys with values.\n");
+}
+
+TEST(Description, NamesTheLineOfAKindThatLacksARequiredKey) {
+  KindTable kinds = fake_kinds();
+  kinds.add("estimator", "strict", "",
+            Fields<QkfOptions>()
+                .number("gain", &QkfOptions::gain, "", {.above = 0})
+                .required());
+  const ReadOutcome outcome = read_scenario_text(
+      "name: x\nmonitoring: {estimator: strict}", "a.yaml", "/", kinds);
+  ASSERT_EQ(outcome.problems.size(), 1u);
+  EXPECT_EQ(outcome.problems[0].text(),
+            "a.yaml:2:25 monitoring.estimator.gain: is missing; needs a number above 0.");
 }
 
 TEST(Schema, DescribesKeysRangesAndKinds) {
