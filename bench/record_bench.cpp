@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "record/metrics.h"
+#include "record/reading_ages.h"
 #include "record/run_recorder.h"
 #include "record/summary_recorder.h"
 
@@ -103,6 +104,23 @@ BENCHMARK(compare_boundaries)
     ->Args({120, 2000})
     ->Args({300, 2000})
     ->Unit(benchmark::kMicrosecond);
+
+// The ages of a boundary of 6 km that grows by 15 m each time.
+void follow_ages(benchmark::State& state) {
+  std::vector<TrueBoundary> truths;
+  for (int i = 0; i < 20; ++i)
+    truths.emplace_back(geo::Region{rough_circle(1000 + 15 * i, 600, 1)});
+  const BoundaryEstimate belief = belief_of(120);
+  for (auto _ : state) {
+    ReadingAges ages;
+    for (const TrueBoundary& truth : truths)
+      benchmark::DoNotOptimize(ages.ages(Time{}, truth, belief));
+  }
+  state.counters["s_per_call"] =
+      benchmark::Counter(static_cast<double>(state.iterations() * 20),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(follow_ages)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace skein::record

@@ -5,17 +5,18 @@
 #include <vector>
 
 #include "data/fire.h"
-#include "geo/polygon.h"
+#include "record/metrics.h"
 
 namespace skein::record {
 
 /// How long ago each part of the boundary was last crossed by an aircraft.
 ///
-/// Every crossing leaves a marker. Markers are carried along with the true boundary
-/// (each is moved to its nearest point whenever the ages are asked for), because the
-/// place of an old crossing has long burnt: what stays is the part of the front it told
-/// about. The age of a believed point is that of the newest marker within 100 m of its
-/// nearest true boundary point; never crossed parts count from the start of the run.
+/// Markers on the true boundary remember when it was last crossed there. They move with
+/// the front (each to the nearest point of the newest boundary), because the place of an
+/// old crossing has long burnt: what stays is the part of the front it told about. New
+/// markers fill the gaps of a growing front and remember what their neighbour does. A
+/// crossing counts for the 100 m around it; what was never crossed, or has sprung up away
+/// from the rest, counts from the start of the run.
 class ReadingAges {
  public:
   /// Takes one reading; returns the crossing when it differs from the aircraft's last.
@@ -27,18 +28,23 @@ class ReadingAges {
   };
 
   /// The ages at `now`; absent when the truth or the belief has no boundary.
-  /// Cost: believed points times markers, of which there are at most one per 20 m.
-  std::optional<Ages> ages(Time now, const geo::BoundaryIndex& truth,
+  /// Cost: some 200 to 600 markers, squared, and times the believed points.
+  std::optional<Ages> ages(Time now, const TrueBoundary& truth,
                            const BoundaryEstimate& belief);
 
  private:
   struct Marker {
-    Time time;
+    Time crossed;
     Vec2 point;
   };
 
+  void move_markers(const TrueBoundary& truth, double spacing);
+  void fill_gaps(const TrueBoundary& truth, double spacing);
+  void apply_crossings(const TrueBoundary& truth, double spacing);
+
   std::map<EntityId, FireReading> last_;
-  std::vector<Marker> markers_;  // oldest first
+  std::vector<Marker> markers_;
+  std::vector<Marker> crossings_;  // since the last call
 };
 
 }  // namespace skein::record

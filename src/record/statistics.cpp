@@ -36,7 +36,7 @@ PerimeterMetrics RunStatistics::perimeter(Time time, const TrueBoundary& truth,
                                           EntityId believer,
                                           const BoundaryEstimate& belief) {
   PerimeterMetrics now = perimeter_metrics(truth, belief);
-  if (const auto ages = ages_.ages(time, truth.index(), belief)) {
+  if (const auto ages = ages_.ages(time, truth, belief)) {
     now.latency_mean = ages->mean;
     now.latency_max = ages->max;
   }

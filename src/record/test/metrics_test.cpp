@@ -98,19 +98,37 @@ TEST(ReadingAges, FollowTheFrontAfterACrossing) {
   EXPECT_FALSE(crossing->entered);
   EXPECT_LT((crossing->point - Vec2(500, 0)).norm(), 1e-12);
 
-  // The front runs 400 m further in 40 s; what is known of its northern part is 40 s old,
-  // the rest was never seen.
+  // The front grows to three times its length in 100 s. What is known of its northern
+  // part is 100 s old, in the same share of the boundary as at first: 200 m of 2 pi 500
+  // m.
   std::optional<ReadingAges::Ages> now;
-  BoundaryEstimate belief;
-  for (double t = 10; t <= 50; t += 5) {
+  for (double t = 10; t <= 110; t += 5) {
     const double radius = 500 + 10 * (t - 10);
-    belief = believed_circle(Time::from_seconds(t), {0, 0}, radius, 10, 4);
-    now =
-        ages.ages(belief.time, geo::BoundaryIndex({circle({0, 0}, radius, 360)}), belief);
+    now = ages.ages(Time::from_seconds(t), TrueBoundary({circle({0, 0}, radius, 720)}),
+                    believed_circle(Time::from_seconds(t), {0, 0}, radius + 7, 10, 720));
   }
   ASSERT_TRUE(now);
-  EXPECT_NEAR(now->max, 50, 1e-9);
-  EXPECT_NEAR(now->mean, (40 + 3 * 50) / 4.0, 1e-9);
+  EXPECT_NEAR(now->max, 110, 1e-9);
+  const double share = (110 - now->mean) / 10;
+  // Markers stand 25 m apart at first: each end of that part is right to one of them.
+  EXPECT_NEAR(share, 200 / (2 * geo::kPi * 500), 2 * 25 / (2 * geo::kPi * 500));
+}
+
+TEST(ReadingAges, CountAnIslandFromTheStart) {
+  ReadingAges ages;
+  const Time now = Time::from_seconds(100);
+  for (int i = 0; i < 30; ++i) {  // the main fire is crossed everywhere at 100 s
+    const EntityId uav{static_cast<std::uint32_t>(i)};
+    ages.add({Time::from_seconds(99), uav, 490 * geo::unit(0.21 * i), 1, true});
+    ages.add({now, uav, 510 * geo::unit(0.21 * i), 1, false});
+  }
+  const geo::Ring fire = circle({0, 0}, 500, 200);
+  const auto belief = believed_circle(now, {0, 0}, 500, 10);
+  EXPECT_EQ(ages.ages(now, TrueBoundary({fire}), belief)->max, 0);
+  const auto island = believed_circle(now, {2000, 0}, 50, 10);
+  const TrueBoundary both({fire, circle({2000, 0}, 50, 20)});
+  EXPECT_EQ(ages.ages(now, both, island)->mean, 100);
+  EXPECT_EQ(ages.ages(now, both, belief)->max, 0);
 }
 
 TEST(ReadingAges, IgnoreReadingsThatComeTwiceOrLate) {
