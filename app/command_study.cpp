@@ -10,6 +10,7 @@
 #include "app/common.h"
 #include "app/version.h"
 #include "assemble/kinds_of.h"
+#include "assemble/recorded_scenario.h"
 #include "assemble/run.h"
 #include "campaign/bridge_study.h"
 #include "campaign/estimators_csv.h"
@@ -187,9 +188,11 @@ int bridge(const StudyArguments& arguments, const fs::path& folder,
   study.base = shipped_scenario("bridge-fire.yaml");
   study.estimators = arguments.estimators;
   study.strategies = arguments.strategies;
-  if (!arguments.data.empty())
-    study.overrides.push_back("environment.fire.source=" +
-                              fs::absolute(arguments.data).string());
+  if (!arguments.data.empty()) {
+    auto fitted = assemble::fit_recorded_scenario(arguments.data);
+    if (!fitted) return say_error(fitted.error());
+    study.overrides = std::move(fitted).value();
+  }
   study.overrides.insert(study.overrides.end(), arguments.overrides.begin(),
                          arguments.overrides.end());
   study.first_seed = arguments.first_seed;

@@ -7,6 +7,7 @@
 #include "assemble/kinds_of.h"
 #include "assemble/placement.h"
 #include "assemble/presence.h"
+#include "geo/clip.h"
 #include "geo/polygon.h"
 #include "layer/reasoning/monitoring/coordinator/coordinator.h"
 
@@ -66,7 +67,11 @@ class Builder {
  public:
   Builder(const Scenario& scenario, geo::LocalFrame frame)
       : scenario_(scenario), frame_(std::move(frame)) {
-    for (const geo::Ring& ring : scenario.environment.zones) zones_.push_back({ring});
+    // A zone drawn the other way round, or crossing itself, means the same area.
+    const geo::Region area =
+        geo::clean(scenario.environment.zones, geo::FillRule::kNonZero);
+    for (const geo::Ring& ring : area)
+      if (geo::signed_area(ring) > 0) zones_.push_back({ring});
   }
 
   Result<Build> build() {

@@ -147,7 +147,7 @@ Fields<ThesisFireOptions> thesis_fields() {
              {.at_least = -50, .at_most = 50})
       .number("slope_weight", &T::slope_weight,
               "Effect of slope: 1 makes 30 % of rise 30 % of rate.",
-              {.at_least = -10, .at_most = 10})
+              {.at_least = -1, .at_most = 1})
       .duration_s("step_s", &T::step, "Between two boundaries.",
                   {.above = 0, .at_most = 60})
       .boolean("respace", &T::respace, "Add points where they have drawn apart.");
@@ -173,7 +173,7 @@ Fields<PatchyFuelOptions> fuel_fields() {
       .number("patch_m", &T::patch_size, "Distance over which the fuel changes.", kLength)
       .number("variation", &T::variation,
               "Standard deviation of the logarithm of the rate's factor; 0: even fuel.",
-              {.at_least = 0, .at_most = 3})
+              {.at_least = 0, .at_most = 1})
       .number("unburnable_share", &T::unburnable_share,
               "Of the area, in patches that do not burn.",
               {.at_least = 0, .at_most = 0.5});
@@ -201,6 +201,12 @@ Fields<FrontFireKind> front_fields() {
                  [](T & t) -> auto& { return t.fire.spread.slope_doubling; },
                  "Slope that doubles the rate; 0: no effect.",
                  {.at_least = 0, .below = 90})
+      .number("wind_height_m", [](T & t) -> auto& { return t.fire.wind_height; },
+              "Above ground, where the wind is asked for.",
+              {.at_least = 0, .at_most = 1000})
+      .integer("max_markers", [](T & t) -> auto& { return t.fire.front.max_markers; },
+               "Above this the marker spacing doubles.",
+               {.at_least = 100, .at_most = 10000000})
       .number("marker_spacing_m", [](T & t) -> auto& { return t.fire.front.spacing; },
               "Between neighbouring markers of the front.",
               {.at_least = 0.1, .at_most = 1000})

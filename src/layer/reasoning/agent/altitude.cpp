@@ -5,9 +5,10 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kNear = 6;     // flight in every direction [s]
-constexpr double kFar = 45;     // flight straight ahead [s]
-constexpr double kFarStep = 3;  // [s]; 60 m at 20 m/s, about the cells of terrain data
+constexpr double kNear = 6;      // flight in every direction [s]
+constexpr double kFar = 150;     // flight that is looked ahead [s]
+constexpr double kGrowth = 1.3;  // each look further ahead is at this many times the last
+constexpr int kDirections = 12;
 constexpr double kClimbReserve = 0.8;  // part of the climb rate that is counted on
 
 }  // namespace
@@ -20,9 +21,16 @@ double altitude_over(const Terrain& ground, const Vec2& position, const Vec2& ve
     for (double t = kNear / 3; t <= kNear; t += kNear / 3)
       highest = std::max(highest, ground.elevation_msl(position + t * v));
   }
-  for (double t = kNear + kFarStep; t <= kFar; t += kFarStep) {
-    const double climbed = kClimbReserve * climb_rate * t;
-    highest = std::max(highest, ground.elevation_msl(position + t * velocity) - climbed);
+  // The aircraft may be ordered to turn at any time, so the high ground that it must be
+  // able to climb over may lie in any direction.
+  const double speed = velocity.norm();
+  for (int k = 0; k < kDirections; ++k) {
+    const Vec2 v =
+        speed * geo::unit(geo::bearing(velocity) + 2 * geo::kPi * k / kDirections);
+    for (double t = kNear * kGrowth; t <= kFar; t *= kGrowth) {
+      const double climbed = kClimbReserve * climb_rate * t;
+      highest = std::max(highest, ground.elevation_msl(position + t * v) - climbed);
+    }
   }
   return highest + height;
 }

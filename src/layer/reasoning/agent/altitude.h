@@ -8,7 +8,8 @@ namespace skein::reasoning {
 ///
 /// It is the largest of
 /// - ground + height everywhere that the next seconds of flight can lead, turns included;
-/// - ground + height further ahead, less what can be climbed until then.
+/// - ground + height further away in any direction, as far as two and a half minutes of
+///   flight, less what can be climbed until then: a turn may be ordered at any time.
 ///
 /// @param position    of the aircraft.
 /// @param velocity    over ground [m/s].
