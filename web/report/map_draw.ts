@@ -27,6 +27,8 @@ export const kAllLayers: Layers = {
 
 const kBand95 = 1.96;
 const kCrossingShown = 300; // crossings fade over this time [s]
+/** From so many aircraft on, the map shows less of each. */
+export const kMany = 20;
 
 type Place = (north: number, east: number) => [number, number];
 
@@ -165,7 +167,7 @@ function drawScale(context: CanvasRenderingContext2D, view: View, width: number,
 
 function drawTracks(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place,
   layers: Layers, theme: Theme): void {
-  const many = scene.tracks.length > 20;
+  const many = scene.tracks.length > kMany;
   scene.tracks.forEach((track, index) => {
     const pose = scene.pose(track, time);
     const colour = theme.series[index % theme.series.length];
@@ -186,7 +188,7 @@ function drawTracks(context: CanvasRenderingContext2D, scene: Scene, time: numbe
       context.globalAlpha = 1;
     }
     if (!pose) return;
-    const [x, y] = place(pose.north, pose.east), size = many ? 5 : 9;
+    const [x, y] = place(pose.north, pose.east), size = many ? 6 : 9;
     context.save();
     context.translate(x, y);
     context.rotate(pose.heading); // bearing 0 points up, east to the right
@@ -259,6 +261,7 @@ export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights
   }
   if (layers.crossings) {
     const { time: when, north, east } = scene.crossings;
+    const radius = scene.tracks.length > kMany ? 1.5 : 3;
     context.fillStyle = theme.crossing;
     for (let i = 0; i < when.length; ++i) {
       const age = time - when[i];
@@ -266,7 +269,7 @@ export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights
       const [x, y] = place(north[i], east[i]);
       context.globalAlpha = 0.15 + 0.75 * (1 - age / kCrossingShown);
       context.beginPath();
-      context.arc(x, y, 3, 0, 7);
+      context.arc(x, y, radius, 0, 7);
       context.fill();
     }
     context.globalAlpha = 1;

@@ -1,7 +1,7 @@
 /** The animated map: canvas, time slider, layers, keys. */
 import { floats, shorts, type RunData } from "./data";
 import { clock, h, number } from "./dom";
-import { drawMap, fit, kAllLayers, type Layers, type View } from "./map_draw";
+import { drawMap, fit, kAllLayers, kMany, type Layers, type View } from "./map_draw";
 import { Scene } from "./scene";
 import { onThemeChange, paperTheme, theme } from "./theme";
 
@@ -80,6 +80,7 @@ export class Player {
     this.shown = shown;
     this.current = shown[0];
     this.end = Math.max(...shown.map((s) => s.scene.duration));
+    if (shown.some((s) => s.scene.tracks.length > kMany)) this.layers.tail = 20;
     this.time = this.end; // the first look is at the result; playing starts at the beginning
     this.slider = h("input", { type: "range", min: 0, max: Math.max(this.end, 0.1), step: "any", value: this.end,
       "aria-label": "Simulated time", class: "time",
@@ -90,7 +91,7 @@ export class Player {
       ...kSpeeds.map((s) => h("option", { value: s, selected: s === this.speed }, `${s}×`)));
     const tail = h("select", { "aria-label": "Length of the tracks",
       onchange: () => { this.layers.tail = Number(tail.value); this.draw(); } },
-      ...([[60, "1 min"], [180, "3 min"], [600, "10 min"], [1e9, "all"]] as const).map(([s, text]) =>
+      ...([[20, "20 s"], [60, "1 min"], [180, "3 min"], [600, "10 min"], [1e9, "all"]] as const).map(([s, text]) =>
         h("option", { value: s, selected: s === this.layers.tail }, text)));
     const button = (label: string, text: string, action: () => void) =>
       h("button", { type: "button", "aria-label": label, title: label, onclick: action }, text);
@@ -266,13 +267,14 @@ export class Player {
     return this.shown.slice(0, 4).map((shown) => {
       const times = [0, 1 / 3, 2 / 3, 1].map((part) => part * shown.scene.duration);
       const view = fit(shown.scene, width, height);
+      const layers = { ...kAllLayers, tail: this.layers.tail };
       return h("div", { class: "print-maps" },
         h("p", {}, "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. " +
-          "Dots: crossings of the last five minutes. Coloured lines: the last three minutes of flight."),
+          `Dots: crossings of the last five minutes. Coloured lines: the last ${clock(this.layers.tail)} of flight.`),
         ...times.map((time) => {
           const canvas = h("canvas");
           paint(canvas, width, height, (context) =>
-            drawMap(context, shown.scene, shown.heights, time, view, width, height, kAllLayers, paperTheme));
+            drawMap(context, shown.scene, shown.heights, time, view, width, height, layers, paperTheme));
           return h("figure", {}, canvas, h("figcaption", {},
             `${this.shown.length > 1 ? `${shown.run.label}, ` : ""}${clock(time)}. ${figuresAt(shown, time)}`));
         }));

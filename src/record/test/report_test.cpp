@@ -99,6 +99,46 @@ TEST(Report, ShowsInABrowserWithoutErrors) {
   EXPECT_NE(dom.find("class=\"map\""), std::string::npos);
 }
 
+TEST(Report, PlaysAndAnswersKeysAndClicks) {
+  const TemporaryFolder folder("play");
+  make_run(folder.path() / "one", 120);
+  make_run(folder.path() / "two", 600);
+  const fs::path page = folder.path() / "report.html";
+  const fs::path runs[] = {folder.path() / "one", folder.path() / "two"};
+  ASSERT_TRUE(write_report(runs, page));
+  std::string html = text_of(page);
+  // Uses everything once, then plays from the start, and notes the clock after a second.
+  html.insert(html.rfind("</body>"), R"html(<script>
+    const all = (what) => [...document.querySelectorAll(what)];
+    const map = document.querySelector("canvas.map");
+    const press = (key) => map.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+    all("input[type=radio]")[1].click();
+    all(".layers input").forEach((box) => { box.click(); box.click(); });
+    all(".zoom button").forEach((button) => button.click());
+    map.dispatchEvent(new WheelEvent("wheel", { deltaY: -200, cancelable: true }));
+    [",", ".", "+", "-", "0", "ArrowLeft", "ArrowUp"].forEach(press);
+    all(".u-over")[0].dispatchEvent(new MouseEvent("click"));
+    window.dispatchEvent(new Event("beforeprint"));
+    window.dispatchEvent(new Event("afterprint"));
+    const slider = document.querySelector("input.time");
+    slider.value = slider.max;
+    slider.dispatchEvent(new Event("input"));
+    press(" ");
+    setTimeout(() => {
+      document.documentElement.dataset.clock = document.querySelector(".clock").textContent;
+    }, 1000);
+  </script>)html");
+  std::ofstream(page) << html;
+  const std::string dom = shown(page, folder.path());
+  if (dom.empty()) GTEST_SKIP() << "no chromium on this machine";
+  EXPECT_NE(dom.find("data-state=\"ready\""), std::string::npos);
+  EXPECT_EQ(dom.find("role=\"alert\""), std::string::npos);
+  // 60 times real time for a second, however few frames the machine draws.
+  EXPECT_NE(dom.find(" of 10:00\""), std::string::npos);
+  EXPECT_EQ(dom.find("data-clock=\"10:00 of"), std::string::npos);
+  EXPECT_EQ(dom.find("data-clock=\"0:00 of"), std::string::npos);
+}
+
 TEST(Report, ReadsARunThatWasCutOff) {
   // As SIGKILL leaves it: the database and its log copied while the run goes on.
   const TemporaryFolder folder("cut");
