@@ -258,7 +258,8 @@ Result<PixelMap> RasterFile::map(const geo::LocalFrame& frame,
   // Grid north is where the raster's second coordinate grows: from the change of raster
   // coordinates with the place (rows of J), solve J * d = (0, 1).
   const auto knot = [&](int r, int c) {
-    return static_cast<std::size_t>(r * map.knot_columns_ + c);
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(map.knot_columns_) +
+           static_cast<std::size_t>(c);
   };
   for (int r = 0; r < knot_rows; ++r)
     for (int c = 0; c < map.knot_columns_; ++c) {

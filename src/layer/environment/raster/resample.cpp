@@ -15,7 +15,9 @@ PixelMap::Knot PixelMap::knot_mix(int row, int column) const {
   const int r0 = std::min(r, knot_rows - 2), c0 = std::min(c, knot_columns_ - 2);
   const double north = static_cast<double>(row) / step_ - r0;
   const double east = static_cast<double>(column) / step_ - c0;
-  const auto corner = static_cast<std::size_t>(r0 * knot_columns_ + c0);
+  const auto corner =
+      static_cast<std::size_t>(r0) * static_cast<std::size_t>(knot_columns_) +
+      static_cast<std::size_t>(c0);
   const Knot& sw = knots_[corner];
   const Knot& se = knots_[corner + 1];
   const Knot& nw = knots_[corner + static_cast<std::size_t>(knot_columns_)];

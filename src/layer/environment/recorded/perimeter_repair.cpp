@@ -89,8 +89,7 @@ class Repair {
   // What one ring winds around; empty, with a warning, when that is nothing.
   Region inside_of(const std::vector<Vec2>& points, const char* what) {
     const Ring ring = without_repeats(points);
-    const Region region =
-        ring.size() < 3 ? Region{} : geo::clean({ring}, FillRule::kNonZero);
+    Region region = ring.size() < 3 ? Region{} : geo::clean({ring}, FillRule::kNonZero);
     if (region.empty()) {
       warn(fmt::format("{} of {} points has no area, left out", what, points.size()));
     } else if (std::abs(geo::area(region) - std::abs(geo::signed_area(ring))) >

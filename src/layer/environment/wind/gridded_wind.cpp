@@ -45,7 +45,7 @@ Vec3 GriddedWind::wind(const Vec3& p_N, Time time) const {
     return Vec2(s.north.at(p), s.east.at(p));
   };
   const auto level = [&](std::size_t i) -> Vec2 {
-    const Vec2 below = slice(i, h.low);
+    Vec2 below = slice(i, h.low);
     if (h.part <= 0) return below;
     return below + h.part * (slice(i, h.low + 1) - below);
   };
