@@ -71,7 +71,7 @@ class Tracer {
   Vec2 position(const Node& n) const { return low_ + spacing_ * Vec2(n.row, n.column); }
 
   Vec2 crossing(const Walker& w) const {
-    const Vec2 from = position(w.right());
+    Vec2 from = position(w.right());
     if (!in_grid(w.left)) return from;
     const double a = values_[index(w.right())], b = values_[index(w.left)];
     double part = 0.5;
