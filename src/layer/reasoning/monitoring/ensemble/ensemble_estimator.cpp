@@ -120,11 +120,11 @@ void EnsembleEstimator::observe(const Crossing& crossing) {
     if (doubt.count == 0 || doubt.inside != crossing.entered)
       doubt = {1, crossing.time, crossing.entered};
     ++health_.outliers;
-    adapt(innovation2);
+    adapt(innovation2, 1);
     return;
   }
   memory.doubt.count = 0;
-  adapt(innovation2);
+  adapt(innovation2, distance.variance / (distance.variance + variance));
   pass_through(crossing.point, distance, variance);
   memory.used.clear();
 }
@@ -140,8 +140,10 @@ void EnsembleEstimator::pass_through(const Vec2& point, const MemberValues& dist
                     std::sqrt(after / distance.variance));
 }
 
-void EnsembleEstimator::adapt(double innovation2) {
-  const double surprise = std::min(innovation2, 9.0) - 1;
+void EnsembleEstimator::adapt(double innovation2, double share) {
+  // Only as far as the members' spread, not the crossing's own error, was put to the
+  // test.
+  const double surprise = share * (std::min(innovation2, 9.0) - 1);
   ensemble_.set_noise_factor(
       std::clamp(ensemble_.noise_factor() * std::exp(0.02 * surprise), 0.05, 20.0));
 }

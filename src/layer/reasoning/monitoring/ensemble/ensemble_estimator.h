@@ -44,7 +44,7 @@ class EnsembleEstimator final : public PerimeterEstimator {
   void doubt(const FireReading& reading, AircraftMemory& memory);
   void believe(const Vec2& point, bool inside, const MemberValues& distance);
   void pass_through(const Vec2& point, const MemberValues& distance, double variance);
-  void adapt(double innovation2);
+  void adapt(double innovation2, double share);
 
   EnsembleOptions options_;
   FrontEnsemble ensemble_;

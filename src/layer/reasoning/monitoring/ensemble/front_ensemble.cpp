@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kBandCells = 6;
 constexpr int kMarginCells = 8;
+// Least spread of the common rate and drift, against their first one.
+const Eigen::Vector3d kCommonFloor(0.3, 0.05, 0.05);
 constexpr double kLongestUntidy = 45;  // between redistancings [s]
 constexpr double kMostDeviation = 3;   // of a member from the mean [standard deviations]
 
@@ -34,7 +36,9 @@ struct FrontEnsemble::Window {
 };
 
 FrontEnsemble::FrontEnsemble(const PerimeterPrior& prior, const EnsembleOptions& options)
-    : options_(options), rate_sd_(prior.rate_sd), drift_sd_(prior.wind_sd) {
+    : options_(options),
+      rate_sd_(prior.rate_sd),
+      common_sd_(std::sqrt(0.5) * prior.rate_sd, prior.wind_sd, prior.wind_sd) {
   SKEIN_CHECK(options.members >= 8 && options.members <= 200, options.members);
   SKEIN_CHECK(options.cell > 0 && options.rate_spacing_cells % 2 == 0, options.cell);
   initialise(prior);
@@ -42,12 +46,17 @@ FrontEnsemble::FrontEnsemble(const PerimeterPrior& prior, const EnsembleOptions&
 
 void FrontEnsemble::initialise(const PerimeterPrior& prior) {
   const int block = options_.rate_spacing_cells;
-  grid_.cell = std::max(options_.cell, prior.radius / 20);
-  const double half =
-      prior.radius + 3 * prior.radius_sd + (kMarginCells + block) * grid_.cell;
-  const int blocks = static_cast<int>(std::ceil(half / (block * grid_.cell)));
+  // As fine as leaves some room for the fire to grow before the grid coarsens.
+  grid_.cell = options_.cell;
+  int blocks = 0;
+  double half = 0;
+  for (;; grid_.cell *= 2) {
+    half = prior.radius + 3 * prior.radius_sd + (kMarginCells + block) * grid_.cell;
+    blocks = static_cast<int>(std::ceil(half / (block * grid_.cell)));
+    grid_.rows = grid_.columns = 2 * blocks * block + 1;
+    if (4 * grid_.size() <= static_cast<std::size_t>(3 * options_.max_nodes)) break;
+  }
   grid_.low = prior.origin - Vec2(1, 1) * blocks * block * grid_.cell;
-  grid_.rows = grid_.columns = 2 * blocks * block + 1;
 
   // The unknown shape: displacements of the boundary that are smooth over half a radius.
   model::Grid shape_nodes;
@@ -60,7 +69,7 @@ void FrontEnsemble::initialise(const PerimeterPrior& prior) {
     Member m{
         {grid_, std::vector<float>(grid_.size())},
         {},
-        Vec2::Zero(),
+        Eigen::Vector3d::Zero(),
         RandomStream(options_.seed, static_cast<std::uint32_t>(j), Purpose::kEnsemble)};
     for (int row = 0; row < grid_.rows; ++row)
       for (int column = 0; column < grid_.columns; ++column)
@@ -68,10 +77,9 @@ void FrontEnsemble::initialise(const PerimeterPrior& prior) {
             (grid_.node(row, column) - prior.origin).norm() - prior.radius);
     noise_field(m, shape_nodes, prior.radius_sd).add_to(m.phi, 1);
     // The common and the local part of the rate are unknown to equal parts.
-    const double common = prior.rate + std::sqrt(0.5) * prior.rate_sd * m.stream.normal();
-    m.rate = noise_field(m, spline_nodes(block), std::sqrt(0.5) * prior.rate_sd);
-    for (float& v : m.rate.coefficients.values) v += static_cast<float>(common);
-    m.drift = prior.wind + drift_sd_ * Vec2(m.stream.normal(), m.stream.normal());
+    m.rate = noise_field(m, spline_nodes(block), common_sd_[0]);
+    m.common << prior.rate, prior.wind;
+    for (int k = 0; k < 3; ++k) m.common[k] += common_sd_[k] * m.stream.normal();
     model::reinitialise(m.phi);
     members_.push_back(std::move(m));
   }
@@ -102,16 +110,10 @@ double FrontEnsemble::diffusion() const {
 }
 
 double FrontEnsemble::step_length() const {
-  // Half a cell at the fastest mean speed of the rate field bounds the error of carrying
-  // values over the lag by their local speed.
+  // Half a cell at the members' mean speed bounds the error of carrying values over the
+  // lag by their local speed.
   double sum = 0;
-  for (const Member& m : members_)
-    sum += static_cast<double>(
-               Eigen::Map<const Eigen::ArrayXf>(
-                   m.rate.coefficients.values.data(),
-                   static_cast<Eigen::Index>(m.rate.coefficients.values.size()))
-                   .mean()) +
-           m.drift.norm();
+  for (const Member& m : members_) sum += std::max(0.0, m.common[0]) + m.drift().norm();
   const double speed = std::max(sum / size(), 1e-3);
   return std::min(options_.step, 0.5 * grid_.cell / speed);
 }
@@ -135,9 +137,9 @@ void FrontEnsemble::predict(double dt) {
 void FrontEnsemble::move(double dt) {
   model::Field local{grid_, std::vector<float>(grid_.size())};
   for (Member& m : members_) {
-    std::fill(local.values.begin(), local.values.end(), 0.0F);
+    std::fill(local.values.begin(), local.values.end(), static_cast<float>(m.common[0]));
     m.rate.add_to(local, 1);
-    model::advance(m.phi, {local.values, m.drift}, dt, kBandCells * grid_.cell);
+    model::advance(m.phi, {local.values, m.drift()}, dt, kBandCells * grid_.cell);
   }
 }
 
@@ -151,15 +153,45 @@ void FrontEnsemble::add_noise(double dt) {
     auto& rate = m.rate.coefficients;
     const model::SplineField fresh = noise_field(m, rate.grid, rate_noise);
     for (std::size_t i = 0; i < rate.values.size(); ++i)
-      rate.values[i] += fresh.coefficients.values[i];
+      rate.values[i] =
+          static_cast<float>(keep) * rate.values[i] + fresh.coefficients.values[i];
     noise_field(m, boundary_nodes, boundary_noise).add_to(m.phi, 1);
   }
-  // Local rates forget towards the member's own mean, which stands for the common part.
-  const int n = static_cast<int>(members_[0].rate.coefficients.values.size());
-  for (Member& m : members_) {
-    FloatRow values = row_of(m.rate.coefficients.values, 0, n);
-    const float own = values.mean();
-    values = own + static_cast<float>(keep) * (values - own);
+  keep_common_spread();
+}
+
+// What holds everywhere is observed thousands of times; without a floor the members would
+// agree on it, and on what is wrong with it, for ever.
+void FrontEnsemble::keep_common_spread() {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero(), square = Eigen::Vector3d::Zero();
+  for (const Member& m : members_) mean += m.common / size();
+  for (const Member& m : members_) square += (m.common - mean).cwiseAbs2() / (size() - 1);
+  for (int k = 0; k < 3; ++k) {
+    const double sd = std::sqrt(square[k]), least = kCommonFloor[k] * common_sd_[k];
+    if (sd >= least || sd <= 0) continue;
+    for (Member& m : members_)
+      m.common[k] = mean[k] + (m.common[k] - mean[k]) * least / sd;
+  }
+}
+
+void FrontEnsemble::teach_common(const MemberValues& at_p,
+                                 const Eigen::VectorXd& change) {
+  for (int k = 0; k < 3; ++k) {
+    double mean = 0, square = 0, product = 0;
+    for (const Member& m : members_) mean += m.common[k] / size();
+    for (int j = 0; j < size(); ++j) {
+      const double d = members_[static_cast<std::size_t>(j)].common[k] - mean;
+      square += d * d;
+      product += d * at_p.deviation[j];
+    }
+    if (!(square > 0)) continue;
+    // How much of a correlation among so few members is to be believed.
+    const double share = product * product / (square * (size() - 1) * at_p.variance);
+    const double trust = share > 0 ? 1 - (1 - share) / (share * (size() - 2)) : 0.0;
+    if (trust <= 0) continue;
+    const double gain = trust * product / ((size() - 1) * at_p.variance);
+    for (int j = 0; j < size(); ++j)
+      members_[static_cast<std::size_t>(j)].common[k] += gain * change[j];
   }
 }
 
@@ -267,9 +299,8 @@ bool FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
   grid_ = members_[0].phi.grid;
   const model::Grid nodes = spline_nodes(options_.rate_spacing_cells);
   for (Member& m : members_) {
-    // Old coefficients stay; new ones are the member's mean and fresh local noise.
-    auto& old = m.rate.coefficients;
-    const float mean = row_of(old.values, 0, static_cast<int>(old.values.size())).mean();
+    // Old coefficients stay; new ones are fresh local noise.
+    const auto& old = m.rate.coefficients;
     model::SplineField fresh =
         noise_field(m, nodes, rate_sd_ * std::sqrt(0.5 * noise_factor_));
     const int dr = south / options_.rate_spacing_cells;
@@ -280,7 +311,7 @@ bool FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
         const int from_r = r - dr, from_c = c - dc;
         const bool known = from_r >= 0 && from_r < old_nodes.rows && from_c >= 0 &&
                            from_c < old_nodes.columns;
-        v = known ? old.at(from_r, from_c) : v + mean;
+        if (known) v = old.at(from_r, from_c);
       }
     m.rate = std::move(fresh);
   }
@@ -331,7 +362,7 @@ MemberValues FrontEnsemble::speed(const Vec2& p) const {
   Eigen::VectorXd values(size());
   for (int j = 0; j < size(); ++j) {
     const Member& m = members_[static_cast<std::size_t>(j)];
-    values[j] = std::max(0.0, m.rate.sample(p) + m.drift.dot(normal));
+    values[j] = std::max(0.0, m.rate_at(p) + m.drift().dot(normal));
   }
   return summary(std::move(values));
 }
@@ -403,7 +434,8 @@ void FrontEnsemble::regress(const Vec2& p, const MemberValues& at_p, double shif
     return members_[static_cast<std::size_t>(j)];
   };
 
-  // The rates, by distance only.
+  teach_common(at_p, change);
+  // The local rates, by distance only.
   const model::Grid nodes = members_[0].rate.coefficients.grid;
   const double rate_reach = 1.5 * reach();
   for (int r = 0; r < nodes.rows; ++r)

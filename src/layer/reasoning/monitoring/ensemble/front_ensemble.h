@@ -71,8 +71,10 @@ class FrontEnsemble {
  private:
   struct Member {
     model::Field phi;
-    model::SplineField rate;  // with the common part
-    Vec2 drift = Vec2::Zero();
+    model::SplineField rate;                           // local part [m/s]
+    Eigen::Vector3d common = Eigen::Vector3d::Zero();  // rate and drift everywhere [m/s]
+    double rate_at(const Vec2& p) const { return common[0] + rate.sample(p); }
+    Vec2 drift() const { return common.tail<2>(); }
     RandomStream stream;
   };
   struct Window;
@@ -81,6 +83,8 @@ class FrontEnsemble {
   void move(double dt);
   double step_length() const;
   void add_noise(double dt);
+  void keep_common_spread();
+  void teach_common(const MemberValues& at_p, const Eigen::VectorXd& change);
   void draw_in();
   void drop_remnants(model::Field& phi) const;
   void tidy();
@@ -95,7 +99,7 @@ class FrontEnsemble {
 
   EnsembleOptions options_;
   double rate_sd_;
-  double drift_sd_;
+  Eigen::Vector3d common_sd_;  // of the common parts at the start [m/s]
   model::Grid grid_;
   std::vector<Member> members_;
   std::vector<double> mean_;
