@@ -87,12 +87,14 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
       if (!whole_second) continue;
       const FireReading reading{now, id, p, 1.5, distance < radius};
       recorder.reading(reading);
-      Message message{id, ground, ++number, now, 32, reading};
+      const Message message{id, ground, ++number, now, 32, reading};
       recorder.message(message, now + Time::from_seconds(0.05), random.uniform() < 0.05);
       if (step % (60 * rows_per_second) == 0) {
-        message = {ground, id, ++number,
-                   now,    24, Task{static_cast<std::uint32_t>(1 + t), FlyTo{p}}};
-        recorder.message(message, now + Time::from_seconds(0.05), false);
+        Task task;
+        task.number = static_cast<std::uint32_t>(1 + t);
+        task.what.emplace<FlyTo>(FlyTo{p});
+        const Message order{ground, id, ++number, now, 24, task};
+        recorder.message(order, now + Time::from_seconds(0.05), false);
       }
     }
     if (step == 60 * rows_per_second)
