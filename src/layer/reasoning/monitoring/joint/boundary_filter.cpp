@@ -137,8 +137,8 @@ BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
       g.x() * g.x() * P_(0, 0) + 2 * g.x() * g.y() * P_(1, 0) + g.y() * g.y() * P_(1, 1);
   local.variance += lag_ * (2 * local.covariance + lag_ * local.growth_variance);
   local.covariance += lag_ * local.growth_variance;
-  const double texture = hypothesis_.texture_rate * age_;
-  local.variance += texture * texture;
+  local.spline_variance = local.variance;
+  local.variance += std::pow(hypothesis_.texture_rate * age_, 2);
   return local;
 }
 
@@ -265,36 +265,6 @@ void BoundaryFilter::advect_covariance() {
     }
   }
   advect_.setZero();
-}
-
-void BoundaryFilter::restart_from(const BoundaryFilter& other) {
-  x_ = other.x_;
-  P_ = other.P_;
-  G_ = other.G_;
-  advect_ = other.advect_;
-  age_ = other.age_;
-  lag_ = other.lag_;
-  for (Site& site : sites_) site.open = false;
-  settle();
-  // What the other ruled out has acted from the start.
-  const double own =
-      std::pow(hypothesis_.rate.sd, 2) / total_share(spline_, hypothesis_.rate, 1);
-  const double its = std::pow(other.hypothesis_.rate.sd, 2) /
-                     total_share(spline_, other.hypothesis_.rate, 1);
-  drift_.setZero();
-  add_covariance(
-      spline_,
-      [&](int k) {
-        return k == 0 ? 0
-                      : std::max(0.0, own * share(hypothesis_.rate, k) -
-                                          its * share(other.hypothesis_.rate, k));
-      },
-      drift_);
-  add_circulant(r(0), drift_, age_ * age_);
-  add_circulant(v(0), drift_, 1);
-  for (int i = 0; i < n_; ++i) {
-    for (int j = 0; j < n_; ++j) P_(v(j), r(i)) += age_ * drift_[std::abs(i - j)];
-  }
 }
 
 }  // namespace skein::monitoring

@@ -7,6 +7,7 @@
 
 #include "data/fire.h"
 #include "layer/reasoning/monitoring/joint/periodic_spline.h"
+#include "layer/reasoning/monitoring/joint/step_likelihood.h"
 
 namespace skein::monitoring {
 
@@ -72,13 +73,10 @@ class BoundaryFilter {
   /// standard deviations away.
   void widen(double bearing, double distance, double surprise);
 
-  /// Gives up its own belief for that of `other`, and adds what the other held to be
-  /// impossible: the harmonics that are larger in this filter's prior.
-  void restart_from(const BoundaryFilter& other);
-
   struct Local {
     double radius = 0, slope = 0, growth = 0;  ///< mean of r, dr/dbearing and dr/dt
-    double variance = 0;                       ///< of r
+    double variance = 0;                       ///< of r, texture included
+    double spline_variance = 0;                ///< of r, without
     double covariance = 0;                     ///< of r and dr/dt
     double growth_variance = 0;                ///< of dr/dt
   };
@@ -116,6 +114,13 @@ class BoundaryFilter {
     double low = 0, high = 0, noise = 0;
   };
 
+  struct Ground {
+    double share = 0, noise = 0;  // of the bearings; variance of the texture there [m^2]
+  };
+
+  std::array<Ground, 2> grounds() const;
+  StepMoments condition_on_texture(double m, double s, double noise,
+                                   const StepLikelihood& step) const;
   int r(int knot) const { return 2 + knot; }
   int v(int knot) const { return 2 + n_ + knot; }
   Limits limits(const PolarReading& reading, const Local& local) const;

@@ -14,6 +14,9 @@ constexpr double kLeastRadius = 20;  // the polar frame ends here [m]
 constexpr double kSiteLife = 60;     // a bound older than this stays for good [s]
 constexpr double kSamePlace = 0.9;   // correlation from which two bounds are one
 constexpr int kSureCount = 4;        // so many agreeing readings are not all false
+constexpr double kStepShare = 0.3;   // of the bearings that lie at steps of the boundary
+constexpr double kStepNoise = 3;     // texture there, of the mean one
+constexpr double kLevelNoise = 0.4;  // and elsewhere
 constexpr double kBump = 0.25;       // width of what widen() opens [rad]
 constexpr double kObvious = 3.2;     // readings this many sigma off teach nothing
 
@@ -111,10 +114,8 @@ bool BoundaryFilter::drop_site(Site& site, const Functional& h, double& s, doubl
 BoundaryFilter::Limits BoundaryFilter::limits(const PolarReading& reading,
                                               const Local& local) const {
   const double tilt = local.slope / std::max(local.radius, kLeastRadius);
-  const double texture = hypothesis_.texture_rate * age_;
   Limits limits;
-  limits.noise =
-      (1 + tilt * tilt) * reading.position_sd * reading.position_sd + texture * texture;
+  limits.noise = (1 + tilt * tilt) * reading.position_sd * reading.position_sd;
   limits.low = limits.high = reading.distance;
   if (reading.crossing) {
     // The track relative to the moving boundary, as radius at this bearing now.
@@ -134,15 +135,54 @@ BoundaryFilter::Limits BoundaryFilter::limits(const PolarReading& reading,
   return limits;
 }
 
+// The two grounds of the boundary's texture: level stretches, where the spline shows it
+// almost exactly, and steps, where it is far off.
+std::array<BoundaryFilter::Ground, 2> BoundaryFilter::grounds() const {
+  const double texture = std::pow(hypothesis_.texture_rate * age_, 2);
+  return {{{1 - kStepShare, kLevelNoise * kLevelNoise * texture},
+           {kStepShare, kStepNoise * kStepNoise * texture}}};
+}
+
+// Moments of the spline's radius, N(m, s), after a reading of the boundary itself, which
+// has texture: a mixture over the grounds.
+StepMoments BoundaryFilter::condition_on_texture(double m, double s, double noise,
+                                                 const StepLikelihood& step) const {
+  const auto condition_one = [&](double extra) {
+    const double S = s + noise + extra;
+    const StepMoments z = condition(m, S, step);
+    return StepMoments{z.evidence, m + s / S * (z.mean - m),
+                       s + s * s * (z.variance - S) / (S * S)};
+  };
+  if (!(hypothesis_.texture_rate > 0)) return condition_one(0);
+  StepMoments mixed;
+  double square = 0;
+  for (const Ground& ground : grounds()) {
+    const StepMoments one = condition_one(ground.noise);
+    const double weight = ground.share * one.evidence;
+    mixed.evidence += weight;
+    mixed.mean += weight * (one.mean - m);
+    square += weight * (one.variance + (one.mean - m) * (one.mean - m));
+  }
+  // An impossible reading says nothing about the ground either.
+  if (!(mixed.evidence > 0)) return condition_one(grounds()[1].noise);
+  const double move = mixed.mean / mixed.evidence;
+  return {mixed.evidence, m + move, square / mixed.evidence - move * move};
+}
+
 double BoundaryFilter::probability(const PolarReading& reading) const {
   const Local local = at(reading.bearing);
   const Limits l = limits(reading, local);
-  const double sd = std::sqrt(local.variance + l.noise);
-  if (!reading.crossing) {
-    return model::normal_cdf(
-        (reading.inside ? local.radius - l.low : l.low - local.radius) / sd);
+  double sum = 0;
+  for (const Ground& ground : grounds()) {
+    const double sd = std::sqrt(local.spline_variance + l.noise + ground.noise);
+    const double one =
+        reading.crossing
+            ? model::truncate_normal(local.radius, sd, {l.low, l.high}).mass
+            : model::normal_cdf(
+                  (reading.inside ? local.radius - l.low : l.low - local.radius) / sd);
+    sum += ground.share * one;
   }
-  return model::truncate_normal(local.radius, sd, {l.low, l.high}).mass;
+  return sum;
 }
 
 double BoundaryFilter::observe(int slot, const PolarReading& reading, double false_rate) {
@@ -150,7 +190,8 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
   const Limits l = limits(reading, local);
   const double right = 1 - false_rate;
   const double margin = reading.inside ? local.radius - l.low : l.low - local.radius;
-  if (!reading.crossing && margin > kObvious * std::sqrt(local.variance + l.noise))
+  if (!reading.crossing &&
+      margin > kObvious * std::sqrt(local.spline_variance + l.noise + grounds()[1].noise))
     return right;
 
   settle();
@@ -185,23 +226,19 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
   if (reading.inside) std::swap(step.below, step.above);
   if (reading.crossing)
     step = {l.low, l.high, right * false_rate, right * right, right * false_rate};
-  const double S = s + l.noise;
-  const StepMoments after = condition(m, S, step);
-  const double variance_gain = (after.variance - S) / (S * S);
-  correct(Ph_, (after.mean - m) / S, variance_gain);
+  const StepMoments after = condition_on_texture(m, s, l.noise, step);
+  correct(Ph_, (after.mean - m) / s, (after.variance - s) / (s * s));
   if (!reading.crossing) {
-    const double s_after = s + s * s * variance_gain;
-    const double m_after = m + s / S * (after.mean - m);
     // A false-reading mixture may leave z no better known than before: nothing to keep
     // then.
-    site = {s_after < (1 - 1e-6) * s,
+    site = {after.variance < (1 - 1e-6) * s,
             reading.inside,
             count,
             reading.bearing,
             bound,
             0,
-            1 / s_after - 1 / s,
-            m_after / s_after - m / s,
+            1 / after.variance - 1 / s,
+            after.mean / after.variance - m / s,
             after.evidence,
             s};
   }

@@ -7,7 +7,7 @@ namespace skein::monitoring {
 std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior) {
   const double mean_rate_sd = std::max(prior.rate_sd, 0.1 * prior.rate);
   BoundaryHypothesis smooth;
-  smooth.weight = 0.5;
+  smooth.weight = 0.6;
   smooth.radius = {prior.radius_sd, 6};
   smooth.rate = {prior.rate_sd, 8};
   smooth.mean_rate_sd = mean_rate_sd;
@@ -15,28 +15,20 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   smooth.wind_sd = std::min(prior.wind_sd, 0.5 * prior.rate);
   smooth.rate_drift = 0.001 * prior.rate_sd;
 
-  BoundaryHypothesis medium = smooth;
-  medium.weight = 0.25;
-  medium.radius.cutoff = 10;
-  medium.rate.cutoff = 15;
-  medium.rate_drift = 0.005 * prior.rate_sd;
-
   BoundaryHypothesis rough = smooth;
-  rough.weight = 0.15;
+  rough.weight = 0.3;
   rough.radius.cutoff = 10;
   rough.rate.cutoff = 60;
   rough.rate_drift = 0.005 * prior.rate_sd;
-  rough.texture_rate = 0.2 * prior.rate_sd;
+  rough.texture_rate = 0.13 * prior.rate_sd;
 
-  BoundaryHypothesis wild = rough;
-  wild.weight = 0.1;
-  wild.radius.cutoff = 20;
-  wild.rate.sd = 0.1 * prior.rate;
-  wild.rate.cutoff = 30;
-  wild.mean_rate_sd = 0.3 * prior.rate;
-  wild.rate_drift = 0.05 * prior.rate_sd;
-  wild.texture_rate = 0.2 * prior.rate_sd;
-  return {smooth, medium, rough, wild};
+  BoundaryHypothesis unsteady = smooth;
+  unsteady.weight = 0.1;
+  unsteady.radius.cutoff = 10;
+  unsteady.rate.sd = 2 * prior.rate_sd;
+  unsteady.rate.cutoff = 15;
+  unsteady.rate_drift = 0.03 * prior.rate_sd;
+  return {smooth, rough, unsteady};
 }
 
 }  // namespace skein::monitoring

@@ -8,13 +8,10 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kForget =
-    1e-4;  // share of the weights that returns to the prior per reading
-constexpr double kFloor =
-    1e-9;  // no reading counts as less probable than this for a weight
-constexpr double kLost = 1e-3;   // weight below which a hypothesis counts for nothing
-constexpr double kWrong = 1e-3;  // of the mixture's probability of a reading
-constexpr double kSurprise = 3;  // sigma that a boundary may be off after widening
+constexpr double kForget = 1e-6;  // share of the weights returned per reading
+constexpr double kFloor = 1e-6;   // most that one reading takes from a weight
+constexpr double kLost = 1e-3;    // weight below which a hypothesis counts for nothing
+constexpr double kSurprise = 3;   // sigma that a boundary may be off after widening
 constexpr double kDegrees = geo::kPi / 180;
 
 }  // namespace
@@ -116,19 +113,12 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
     aircraft.suspects = 0;
   }
   double total = 0;
-  const std::size_t best = static_cast<std::size_t>(
-      std::max_element(weights_.begin(), weights_.end()) - weights_.begin());
   for (std::size_t i = 0; i < filters_.size(); ++i) {
-    // A hypothesis that is out of the race and still wrong takes over the leader's
-    // belief.
-    if (weights_[i] < kLost && evidence_[i] < kWrong * probability) {
-      filters_[i].restart_from(filters_[best]);
-    }
     if (probability < options_.outlier && evidence_[i] < options_.outlier) {
       filters_[i].widen(reading.bearing, reading.distance, kSurprise);
     }
     evidence_[i] = filters_[i].observe(index, reading, options_.false_rate);
-    weights_[i] *= std::max(evidence_[i], kFloor);
+    weights_[i] *= std::max(evidence_[i], kFloor * probability);
     total += weights_[i];
   }
   for (std::size_t i = 0; i < filters_.size(); ++i) {

@@ -10,7 +10,7 @@ namespace skein::monitoring {
 struct JointOptions {
   int control_points = 60;  ///< of the reported ring, at equal bearings [-]
   double spacing = 0;       ///< if above 0: equal arc length of at most this instead [m]
-  int knots = 60;     ///< spline coefficients of the radius, and as many of the rate [-]
+  int knots = 90;     ///< spline coefficients of the radius, and as many of the rate [-]
   int aircraft = 16;  ///< room for so many at first; more are taken in as they come [-]
   double period = 1;  ///< time between readings where it cannot be seen from them [s]
   double false_rate = 1e-3;  ///< probability that a reading is wrong [-]
