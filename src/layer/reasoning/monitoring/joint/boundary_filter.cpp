@@ -8,13 +8,14 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kLeastRadius = 20;  // the polar frame ends here [m]
-constexpr double kLongestLag = 5;    // of the covariance [s]
-constexpr double kProductTime = 30;  // for which an error of wind times slope lasts [s]
+constexpr double kLeastRadius = 20;   // the polar frame ends here [m]
+constexpr double kLongestLag = 5;     // of the covariance [s]
+constexpr double kLeastShift = 0.02;  // of the covariance over the bearings [knots]
+constexpr double kProductTime = 30;   // for which an error of wind times slope lasts [s]
 
 // Share of harmonic k in the variance of a function, not normalised.
 double share(const Roughness& roughness, int k) {
-  return 1 / (1 + std::pow(k / roughness.cutoff, 6));
+  return 1 / (1 + std::pow(k / roughness.cutoff, roughness.fall));
 }
 
 // Adds the covariance of the spline's coefficients against their distance in knots, when
@@ -34,14 +35,6 @@ double total_share(const PeriodicSpline& spline, const Roughness& roughness, int
   double total = 0;
   for (int k = first; k <= spline.knots() / 2; ++k) total += share(roughness, k);
   return total;
-}
-
-// Fourth-order difference of periodic samples, times their distance.
-template <class Get>
-auto periodic_slope(int j, int n, Get&& get) {
-  return (8 * (get((j + 1) % n) - get((j + n - 1) % n)) -
-          (get((j + 2) % n) - get((j + n - 2) % n))) /
-         12;
 }
 
 }  // namespace
@@ -79,6 +72,7 @@ BoundaryFilter::BoundaryFilter(const PerimeterPrior& prior,
   Ph_site_.resize(unknowns);
   drift_.resize(n_);
   trial_.resize(n_);
+  padded_.resize(n_ + 4);
   advect_ = Eigen::VectorXd::Zero(n_);
   G_ = Eigen::MatrixXd::Zero(n_, 2);
   B_.resize(n_, n_);
@@ -142,32 +136,40 @@ BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
   return local;
 }
 
+// Growth of the radius coefficients `c`, of which padded_ gets a copy that goes on beyond
+// the ends.
+void BoundaryFilter::growth(const Eigen::Ref<const Eigen::VectorXd>& c, double moved) {
+  padded_.segment(2, n_) = c;
+  padded_.head<2>() = c.tail<2>();
+  padded_.tail<2>() = c.head<2>();
+  const double inverse_response = 1 / spline_.response(1);
+  const double inverse_step = 1 / (12 * spline_.step());
+  const Vec2 w = wind();
+  for (int j = 0; j < n_; ++j) {
+    const double* around = padded_.data() + j + 2;
+    const double radius =
+        std::max((around[-1] + 4 * around[0] + around[1]) / 6, kLeastRadius);
+    const double slope =
+        (8 * (around[1] - around[-1]) - (around[2] - around[-2])) * inverse_step;
+    const Vec2& e_r = e_r_[static_cast<std::size_t>(j)];
+    const Vec2 e_t = geo::turned_right(e_r);
+    const double angular = e_t.dot(w) / radius;
+    drift_[j] = x_[v(j)] + e_r.dot(w) * inverse_response - slope * angular;
+    if (moved > 0) {
+      G_.row(j) = (e_r * inverse_response - e_t * (slope / radius)).transpose();
+      advect_[j] += moved * angular;
+    }
+  }
+}
+
 // Heun step of the mean's coefficients. Leaves the wind's effect in G_ and adds the angle
 // by which points were moved to advect_.
 void BoundaryFilter::move_mean(double dt) {
-  const double response = spline_.response(1);
-  const Vec2 w = wind();
-  const auto rate = [&](const auto& c, Eigen::VectorXd& out, bool first) {
-    for (int j = 0; j < n_; ++j) {
-      const double radius =
-          std::max((c[(j + n_ - 1) % n_] + 4 * c[j] + c[(j + 1) % n_]) / 6, kLeastRadius);
-      const double slope =
-          periodic_slope(j, n_, [&](int i) { return c[i]; }) / spline_.step();
-      const Vec2& e_r = e_r_[static_cast<std::size_t>(j)];
-      const Vec2 e_t = geo::turned_right(e_r);
-      const Vec2 g = e_r / response - e_t * (slope / radius);
-      out[j] = x_[v(j)] + g.dot(w);
-      if (first) {
-        G_.row(j) = g.transpose();
-        advect_[j] += dt * e_t.dot(w) / radius;
-      }
-    }
-  };
   auto radius = x_.segment(r(0), n_);
-  rate(radius, drift_, true);
+  growth(radius, dt);
   trial_ = radius + dt * drift_;
   radius += 0.5 * dt * drift_;
-  rate(trial_, drift_, false);
+  growth(trial_, 0);
   radius += 0.5 * dt * drift_;
 }
 
@@ -209,11 +211,14 @@ void BoundaryFilter::settle() {
         dt * (B_.col(i).tail(n_ - i) + B_.row(i).tail(n_ - i).transpose());
   }
   advect_covariance();
-  const double rate_noise = hypothesis_.rate_drift * hypothesis_.rate_drift;
-  if (rate_noise > 0) add_circulant(v(0), rate_row_, dt * rate_noise);
-  const double radius_noise =
-      hypothesis_.radius_drift * hypothesis_.radius_drift + product_noise();
-  if (radius_noise > 0) add_circulant(r(0), radius_row_, dt * radius_noise);
+  noise_due_ += dt;
+  if (noise_due_ >= kLongestLag) {
+    const double rate_noise = hypothesis_.rate_drift * hypothesis_.rate_drift;
+    if (rate_noise > 0) add_circulant(v(0), rate_row_, noise_due_ * rate_noise);
+    const double radius_noise = product_noise();
+    if (radius_noise > 0) add_circulant(r(0), radius_row_, noise_due_ * radius_noise);
+    noise_due_ = 0;
+  }
 }
 
 // Intensity of the noise [m^2/s] that stands for the product of the errors of wind and
@@ -235,33 +240,33 @@ double BoundaryFilter::product_noise() const {
 }
 
 // P_rr <- A P_rr A', and A likewise wherever r stands, with A = I - advect d/dbearing.
+// Waits until the shift is worth the work.
 void BoundaryFilter::advect_covariance() {
   const double scale = 1 / spline_.step();
-  const double largest = advect_.cwiseAbs().maxCoeff() * scale;
-  if (largest > 1e-6) {
-    const auto shift_columns = [&](auto&& M, auto&& before) {
-      before = M;
-      for (int j = 0; j < n_; ++j) {
-        const double a = -advect_[j] * scale / 12;
-        M.col(j).noalias() +=
-            (8 * a) * (before.col((j + 1) % n_) - before.col((j + n_ - 1) % n_)) -
-            a * (before.col((j + 2) % n_) - before.col((j + n_ - 2) % n_));
-      }
-    };
-    auto rr = P_.block(r(0), r(0), n_, n_);
-    for (int i = 0; i < n_; ++i)
-      rr.row(i).tail(n_ - i) = rr.col(i).tail(n_ - i).transpose();
-    shift_columns(rr, B_);
-    rr.transposeInPlace();
-    shift_columns(rr, B_);
-    shift_columns(P_.block(v(0), r(0), n_, n_), B_);
-    for (int axis = 0; axis < 2; ++axis) {
-      auto r_w = P_.col(axis).segment(r(0), n_);
-      drift_ = r_w;
-      for (int j = 0; j < n_; ++j) {
-        r_w[j] -=
-            advect_[j] * scale * periodic_slope(j, n_, [&](int i) { return drift_[i]; });
-      }
+  if (advect_.cwiseAbs().maxCoeff() * scale < kLeastShift) return;
+  const auto wrapped = [this](int j) { return j < 0 ? j + n_ : (j < n_ ? j : j - n_); };
+  const auto shift_columns = [&](auto&& M) {
+    B_ = M;
+    for (int j = 0; j < n_; ++j) {
+      const double a = -advect_[j] * scale / 12;
+      M.col(j).noalias() += (8 * a) * (B_.col(wrapped(j + 1)) - B_.col(wrapped(j - 1))) -
+                            a * (B_.col(wrapped(j + 2)) - B_.col(wrapped(j - 2)));
+    }
+  };
+  auto rr = P_.block(r(0), r(0), n_, n_);
+  for (int i = 0; i < n_; ++i)
+    rr.row(i).tail(n_ - i) = rr.col(i).tail(n_ - i).transpose();
+  shift_columns(rr);
+  rr.transposeInPlace();
+  shift_columns(rr);
+  shift_columns(P_.block(v(0), r(0), n_, n_));
+  for (int axis = 0; axis < 2; ++axis) {
+    auto r_w = P_.col(axis).segment(r(0), n_);
+    drift_ = r_w;
+    for (int j = 0; j < n_; ++j) {
+      r_w[j] -= advect_[j] * scale / 12 *
+                (8 * (drift_[wrapped(j + 1)] - drift_[wrapped(j - 1)]) -
+                 (drift_[wrapped(j + 2)] - drift_[wrapped(j - 2)]));
     }
   }
   advect_.setZero();

@@ -12,10 +12,11 @@
 namespace skein::monitoring {
 
 /// How much a function of bearing varies, by harmonic: variance proportional to
-/// 1 / (1 + (k / cutoff)^6), scaled so that all harmonics together have variance sd^2.
+/// 1 / (1 + (k / cutoff)^fall), scaled so that all harmonics together have variance sd^2.
 struct Roughness {
   double sd = 0;
   double cutoff = 8;  ///< harmonic up to which all are alike
+  double fall = 6;    ///< how fast the variance falls beyond
 };
 
 /// One hypothesis about how smooth the fire is and how steady its rates are.
@@ -26,7 +27,6 @@ struct BoundaryHypothesis {
   double mean_rate_sd = 0;  ///< of the spread's mean over all bearings [m/s]
   double wind_sd = 1;       ///< per axis [m/s]
   double rate_drift = 0;    ///< random walk of the rate, per root second [m/s/sqrt(s)]
-  double radius_drift = 0;  ///< random walk of the radius [m/sqrt(s)]
   double texture_rate = 0;  ///< growth of what the spline cannot show [m/s]
 };
 
@@ -133,6 +133,7 @@ class BoundaryFilter {
   void correct(const Eigen::VectorXd& Ph, double mean_gain, double variance_gain);
   void add_outer(const Eigen::VectorXd& column, double gain);
   void add_circulant(int from, const Eigen::VectorXd& row, double gain);
+  void growth(const Eigen::Ref<const Eigen::VectorXd>& c, double moved);
   void move_mean(double dt);
   void advect_covariance();
   double product_noise() const;
@@ -141,8 +142,9 @@ class BoundaryFilter {
   int n_;
   PeriodicSpline spline_;
   BoundaryHypothesis hypothesis_;
-  double age_ = 0;  // since the start [s]
-  double lag_ = 0;  // by which P_ is behind x_ [s]
+  double age_ = 0;        // since the start [s]
+  double lag_ = 0;        // by which P_ is behind x_ [s]
+  double noise_due_ = 0;  // time whose noise is not in P_ yet [s]
   Eigen::VectorXd x_;
   Eigen::MatrixXd P_;
   Eigen::VectorXd radius_row_,
@@ -150,7 +152,7 @@ class BoundaryFilter {
   std::vector<Site> sites_;
   std::vector<Vec2> e_r_;
   // Scratch, so that nothing is allocated after construction.
-  Eigen::VectorXd Ph_, Ph_site_, drift_, trial_, advect_;
+  Eigen::VectorXd Ph_, Ph_site_, drift_, trial_, padded_, advect_;
   Eigen::MatrixXd G_, B_;
 };
 

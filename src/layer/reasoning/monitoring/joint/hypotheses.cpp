@@ -15,6 +15,10 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   smooth.wind_sd = std::min(prior.wind_sd, 0.5 * prior.rate);
   smooth.rate_drift = 0.001 * prior.rate_sd;
 
+  BoundaryHypothesis red = smooth;
+  red.radius = {prior.radius_sd, 2, 3.5};
+  red.rate = {prior.rate_sd, 2, 3.5};
+
   BoundaryHypothesis rough = smooth;
   rough.weight = 0.3;
   rough.radius.cutoff = 10;
@@ -28,7 +32,7 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   unsteady.rate.sd = 2 * prior.rate_sd;
   unsteady.rate.cutoff = 15;
   unsteady.rate_drift = 0.03 * prior.rate_sd;
-  return {smooth, rough, unsteady};
+  return {red, smooth, rough, unsteady};
 }
 
 }  // namespace skein::monitoring
