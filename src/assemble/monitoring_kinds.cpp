@@ -18,6 +18,7 @@ using scenario::Fields;
 
 constexpr scenario::Range kPositive{.above = 0, .at_most = 1e6};
 constexpr scenario::Range kNotNegative{.at_least = 0, .at_most = 1e6};
+constexpr scenario::Range kEdgeAngle{.above = 0, .at_most = 90};
 constexpr scenario::Range kProbability{.at_least = 0, .below = 0.5};
 
 Fields<PointwiseOptions> pointwise_fields() {
@@ -109,7 +110,7 @@ Fields<GusOptions> gus_fields() {
       .duration_s("patience_s", &T::patience, "An order not done after this is renewed.",
                   {.above = 0})
       .duration_s("settle_s", &T::settle_time,
-                  "Per second of flight: the constant in J^2 / (t_go + constant).",
+                  "Per second of flight: the constant in J / (t_go + constant).",
                   {.at_least = 0});
 }
 
@@ -131,6 +132,8 @@ Fields<TrackingOptions> tracking_fields() {
       .boolean("predicted", &T::predicted,
                "Follow the predicted edge instead of the real one.")
       .boolean("clockwise", &T::clockwise, "Way round, on the map.")
+      .angle_deg("edge_angle_deg", &T::edge_angle,
+                 "Real edge: between course and edge, to cross it again.", kEdgeAngle)
       .number("look_ahead_m", &T::look_ahead, "Predicted: length of the line ordered.",
               kPositive)
       .duration_s("renew_s", &T::renew_period,
@@ -140,6 +143,8 @@ Fields<TrackingOptions> tracking_fields() {
 Fields<SweepOptions> sweep_fields() {
   using T = SweepOptions;
   return Fields<T>()
+      .angle_deg("edge_angle_deg", &T::edge_angle,
+                 "Between course and edge, to cross it again.", kEdgeAngle)
       .duration_s("window_s", &T::window, "Plan this far ahead along the edge.",
                   {.above = 0})
       .number("follow_speed_mps", &T::follow_speed, "Progress along the edge.",

@@ -15,9 +15,12 @@ struct FlyTo {
 
 /// Follow the real edge of the fire with the in/out sensor.
 struct FollowEdge {
-  bool clockwise = true;        ///< around the fire, on the map
-  Vec2 start = Vec2::Zero();    ///< where to look for the edge first [m]
-  Vec2 tangent = Vec2::Zero();  ///< believed direction of the edge there; 0 = unknown
+  bool clockwise = true;      ///< around the fire, on the map
+  Vec2 start = Vec2::Zero();  ///< where to look for the edge first [m]
+  /// Believed direction of the edge there, fire on its right whichever way round; 0 =
+  /// unknown.
+  Vec2 tangent = Vec2::Zero();
+  double angle = 0;  ///< between course and edge [rad]; 0 = the agent's own
 };
 
 /// Follow a line of points, once.

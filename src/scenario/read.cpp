@@ -54,6 +54,9 @@ void Reader::read_list(const ListType& type, const Node& node, void* target) {
 }
 
 void Reader::patch_list(const ListType& type, const Node& node, void* target) {
+  // The elements that the patch leaves alone are defaults too.
+  for (std::size_t i = 0; i < type.size(target); ++i)
+    complete(*type.element, type.at(target, i));
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const auto index = static_cast<std::size_t>(*parse_integer(node.keys[i].text));
     path_.push_back({nullptr, index});

@@ -30,6 +30,13 @@ TEST(Override, ChangesTheDefaultWhereTheFileSaysNothing) {
   EXPECT_EQ(s.monitoring.prior.radius, 80);
 }
 
+TEST(Override, FillsInTheDefaultElementsThatItLeavesAlone) {
+  const Scenario s = read_good("name: x", {"aircraft[0].sensors[3]=gnss"});
+  ASSERT_EQ(s.aircraft[0].sensors.size(), AircraftGroup{}.sensors.size() + 1);
+  for (const Choice& sensor : s.aircraft[0].sensors)
+    EXPECT_TRUE(sensor.options.has_value()) << sensor.kind;
+}
+
 TEST(Override, SetsKeysOfAKindGivenByNameAlone) {
   const Scenario s =
       read_good("monitoring: {estimator: qkf}", {"monitoring.estimator.gain=3"});

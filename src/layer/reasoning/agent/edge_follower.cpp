@@ -32,6 +32,7 @@ constexpr double kSpiralGrowth = 3;      // of the radius [m/s]: about 120 m a r
 
 EdgeFollower::EdgeFollower(const EdgeFollowerOptions& options, const FollowEdge& task)
     : options_(options), task_(task), side_(task.clockwise ? 1 : -1) {
+  if (task.angle > 0) options_.angle = task.angle;
   // The task's tangent has the fire on its right.
   if (!task.tangent.isZero()) tangent_ = geo::bearing(side_ * task.tangent);
 }

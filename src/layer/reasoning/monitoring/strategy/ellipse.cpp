@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layer/reasoning/monitoring/strategy/time_to_go.h"
+
 namespace skein::monitoring {
 namespace {
 
@@ -44,8 +46,8 @@ std::vector<Assignment> EllipseStrategy::assign(const MonitoringSituation& situa
       if ((line[*longest].position - *place).norm() < options_.separation) continue;
     }
     orders_.give(aircraft.id, line[*longest].position, situation.now);
-    assignments.push_back(
-        {aircraft.id, FlyTo{tip(line[*longest], geo::horizontal(aircraft.nav.p_N))}});
+    assignments.push_back({aircraft.id, FlyTo{tip(meet(aircraft, line[*longest]).point,
+                                                  geo::horizontal(aircraft.nav.p_N))}});
   }
   return assignments;
 }

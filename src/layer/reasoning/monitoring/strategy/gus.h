@@ -2,6 +2,7 @@
 
 #include "layer/reasoning/monitoring/strategy/boundary_line.h"
 #include "layer/reasoning/monitoring/strategy/orders.h"
+#include "layer/reasoning/monitoring/strategy/time_to_go.h"
 #include "role/monitoring_strategy.h"
 
 namespace skein::monitoring {
@@ -21,9 +22,9 @@ struct GusOptions {
 ///
 ///   J_ij = sigma_i + sigma'_i t_go(i, j),
 ///
-/// or, with `per_second` (gus-rate), the greatest J_ij^2 / (t_go + constant): the
-/// variance that a crossing there removes per second of flight. Reference: [Rabinovich18]
-/// section 2.7; the rate form is Skein's own.
+/// or, with `per_second` (gus-rate), the greatest J_ij / (t_go + constant): the
+/// uncertainty that a crossing there removes per second of flight. Reference:
+/// [Rabinovich18] section 2.7; the rate form is Skein's own.
 class GusStrategy : public MonitoringStrategy {
  public:
   GusStrategy(const GusOptions& options, bool per_second);
@@ -31,16 +32,20 @@ class GusStrategy : public MonitoringStrategy {
   std::vector<Assignment> assign(const MonitoringSituation& situation) override;
 
  private:
-  std::optional<std::size_t> choose(const BoundaryLine& line,
-                                    const AircraftStatus& aircraft,
-                                    std::span<const Zone> zones) const;
+  std::optional<Meeting> choose(const BoundaryLine& line, const AircraftStatus& aircraft,
+                                std::span<const Zone> zones) const;
 
   GusOptions options_;
   bool per_second_;
   Orders orders_;
 };
 
-/// J of one boundary point for one aircraft [m]; `t_go` in seconds.
-double expected_sigma(const BoundaryPoint& point, double t_go);
+/// How much a target is worth: its uncertainty on arrival J [m], or with a settle time
+/// [s] J per second of flight.
+double target_value(const Meeting& meeting, std::optional<double> settle_time);
+
+/// The order to cross the boundary where the aircraft meets it.
+FlyTo order_across(const AircraftStatus& aircraft, const Meeting& meeting,
+                   const GusOptions& options);
 
 }  // namespace skein::monitoring

@@ -22,28 +22,25 @@ std::vector<Assignment> PartitionStrategy::assign(const MonitoringSituation& sit
   for (std::size_t k = 0; k < situation.aircraft.size(); ++k) {
     const AircraftStatus& aircraft = situation.aircraft[k];
     if (!orders_.open(aircraft, situation.now)) continue;
-    const Vec2 from = geo::horizontal(aircraft.nav.p_N);
-    std::optional<std::size_t> best;
+    std::optional<Meeting> best;
     double best_value = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
       const double away =
           std::remainder(line.arc(i) - line.arc(centres[k]), line.length());
-      if (std::abs(away) > half || in_zone(situation.zones, line[i].position)) continue;
-      const double t_go = time_to_go(
-          aircraft, crossing_aim(line[i], from, options_.aim_sigmas * line[i].sigma));
-      if (!std::isfinite(t_go)) continue;  // the wind keeps it away
-      const double j = expected_sigma(line[i], t_go);
-      const double value = j * j / (t_go + options_.settle_time);
+      if (std::abs(away) > half) continue;
+      const Meeting meeting = meet(aircraft, line[i]);
+      if (!std::isfinite(meeting.t_go) ||
+          in_zone(situation.zones, meeting.point.position))
+        continue;
+      const double value = target_value(meeting, options_.settle_time);
       if (!best || value > best_value) {
-        best = i;
+        best = meeting;
         best_value = value;
       }
     }
     if (!best) continue;
-    const double reach =
-        std::max(options_.aim_sigmas * line[*best].sigma, options_.least_reach);
-    orders_.give(aircraft.id, line[*best].position, situation.now);
-    assignments.push_back({aircraft.id, FlyTo{crossing_aim(line[*best], from, reach)}});
+    orders_.give(aircraft.id, best->point.position, situation.now);
+    assignments.push_back({aircraft.id, order_across(aircraft, *best, options_)});
   }
   return assignments;
 }

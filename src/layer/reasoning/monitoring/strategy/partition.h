@@ -8,7 +8,7 @@
 namespace skein::monitoring {
 
 /// Each aircraft watches its own arc of the boundary, all arcs equally long, and flies
-/// inside it where a crossing removes most variance per second (as gus-rate does).
+/// inside it where a crossing removes most uncertainty per second (as gus-rate does).
 class PartitionStrategy : public MonitoringStrategy {
  public:
   explicit PartitionStrategy(const GusOptions& options);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "layer/reasoning/monitoring/strategy/gus.h"
 #include "layer/reasoning/monitoring/strategy/orders.h"
 #include "layer/reasoning/monitoring/strategy/time_to_go.h"
 
@@ -37,8 +36,9 @@ double SweepStrategy::gain(const BoundaryLine& line, std::size_t start, bool clo
        [&](std::size_t i, double gone) {
          if (covered[i]) return;
          const double sigma =
-             expected_sigma(line[i], t_go + gone / options_.follow_speed);
-         sum += sigma * sigma * line.spacing(i);
+
+             carried_on(line[i], t_go + gone / options_.follow_speed).sigma;
+         sum += sigma * line.spacing(i);
        });
   return sum / (t_go + options_.window);
 }
@@ -58,7 +58,7 @@ SweepStrategy::Arc SweepStrategy::best_arc(const BoundaryLine& line,
   Arc best;
   for (std::size_t i = 0; i < line.size(); i += stride) {
     if (in_zone(zones, line[i].position)) continue;
-    const double t_go = time_to_go(aircraft, line[i].position);
+    const double t_go = meet(aircraft, line[i]).t_go;
     if (!std::isfinite(t_go)) continue;  // the wind keeps it away
     for (const bool clockwise : {true, false}) {
       const double value = gain(line, i, clockwise, t_go, covered);
@@ -104,8 +104,8 @@ std::vector<Assignment> SweepStrategy::assign(const MonitoringSituation& situati
                             line[best.start].position};
     assignments.push_back(
         {aircraft.id,
-         FollowEdge{best.clockwise, line[best.start].position,
-                    line.tangent(best.start) * (best.clockwise ? 1.0 : -1.0)}});
+         FollowEdge{best.clockwise, meet(aircraft, line[best.start]).point.position,
+                    line.tangent(best.start), options_.edge_angle}});
   }
   return assignments;
 }

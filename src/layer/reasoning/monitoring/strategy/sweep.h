@@ -8,19 +8,20 @@
 namespace skein::monitoring {
 
 struct SweepOptions {
-  double window = 90;         ///< plan this far ahead along the edge [s]
-  double follow_speed = 15;   ///< progress along the edge while following it [m/s]
-  double decide_period = 10;  ///< think about leaving the edge this often [s]
-  double leave_ratio = 1.5;   ///< leave when elsewhere is this many times better
-  double commit = 60;         ///< stay at least this long with a new place [s]
+  double edge_angle = 0.4363;  ///< between course and edge, 25 degrees [rad]
+  double window = 120;         ///< plan this far ahead along the edge [s]
+  double follow_speed = 15;    ///< progress along the edge while following it [m/s]
+  double decide_period = 10;   ///< think about leaving the edge this often [s]
+  double leave_ratio = 2.5;    ///< leave when elsewhere is this many times better
+  double commit = 60;          ///< stay at least this long with a new place [s]
 };
 
 /// Arc sweeps: every aircraft follows the real edge with its in/out sensor, on the arc
-/// and in the direction that remove most variance per second, counted over a window of
+/// and in the direction that remove most uncertainty per second, counted over a window of
 /// flight and without what the others will see; it cuts across to another arc when that
 /// is clearly better.
 ///
-///   value(arc) = sum over the arc's points of (sigma + sigma' t)^2 ds / (t_go + window)
+///   value(arc) = sum over the arc's points of (sigma + sigma' t) ds / (t_go + window)
 class SweepStrategy : public MonitoringStrategy {
  public:
   explicit SweepStrategy(const SweepOptions& options);

@@ -1,5 +1,7 @@
 #include "layer/reasoning/monitoring/strategy/time_to_go.h"
 
+#include <cmath>
+
 #include "model/path/point_path.h"
 
 namespace skein::monitoring {
@@ -9,6 +11,22 @@ double time_to_go(const AircraftStatus& aircraft, const Vec2& place) {
   return model::time_to_point({geo::horizontal(nav.p_N), nav.heading}, place,
                               aircraft.limits.airspeed, aircraft.limits.turn_radius,
                               nav.wind_N);
+}
+
+BoundaryPoint carried_on(const BoundaryPoint& point, double time) {
+  BoundaryPoint later = point;
+  later.position += time * point.rate * point.normal;
+  later.sigma += time * point.sigma_growth;
+  return later;
+}
+
+Meeting meet(const AircraftStatus& aircraft, const BoundaryPoint& point) {
+  Meeting meeting{point, time_to_go(aircraft, point.position)};
+  for (int k = 0; k < 2 && std::isfinite(meeting.t_go); ++k) {
+    meeting.point = carried_on(point, meeting.t_go);
+    meeting.t_go = time_to_go(aircraft, meeting.point.position);
+  }
+  return meeting;
 }
 
 }  // namespace skein::monitoring

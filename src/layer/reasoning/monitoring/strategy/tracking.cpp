@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "layer/reasoning/monitoring/strategy/time_to_go.h"
+
 namespace skein::monitoring {
 
 std::vector<std::size_t> even_starts(const BoundaryLine& line,
@@ -82,9 +84,10 @@ std::vector<Assignment> TrackingStrategy::assign(const MonitoringSituation& situ
       assignments.push_back(
           {aircraft.id, line_ahead(line, from, options_.clockwise, options_.look_ahead)});
     } else {
-      const Vec2 tangent = line.tangent(starts[k]) * (options_.clockwise ? 1.0 : -1.0);
-      assignments.push_back({aircraft.id, FollowEdge{options_.clockwise,
-                                                     line[starts[k]].position, tangent}});
+      const Meeting meeting = meet(aircraft, line[starts[k]]);
+      assignments.push_back(
+          {aircraft.id, FollowEdge{options_.clockwise, meeting.point.position,
+                                   line.tangent(starts[k]), options_.edge_angle}});
     }
   }
   return assignments;
