@@ -56,6 +56,7 @@ void EnsembleEstimator::observe(const FireReading& reading) {
     return;
   }
   memory.doubt.count = 0;
+  ensemble_.remember(reading.point, reading.inside);
   if (expected > options_.sure) return;
   if (expected > 0.5 && repeated(reading, memory)) return;
   memory.used[reading.inside] = {reading.time, reading.point};
@@ -77,6 +78,7 @@ void EnsembleEstimator::doubt(const FireReading& reading, AircraftMemory& memory
     ++health_.outliers;
     return;
   }
+  ensemble_.remember(reading.point, reading.inside);
   believe(reading.point, reading.inside, ensemble_.distance(reading.point));
 }
 

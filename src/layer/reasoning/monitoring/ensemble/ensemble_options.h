@@ -8,13 +8,13 @@ namespace skein::monitoring {
 struct EnsembleOptions {
   int members = 40;             ///< size of the ensemble, 8 to 200
   double cell = 10;             ///< finest spacing of the grid [m]
-  int max_nodes = 60000;        ///< of the grid; beyond, the spacing doubles
-  double step = 10;             ///< longest step of the fronts [s]
+  int max_nodes = 80000;        ///< of the grid; beyond, the spacing doubles
+  double step = 20;             ///< longest step of the fronts [s]
   double control_spacing = 50;  ///< longest distance between boundary points [m]
   double min_area = 5000;       ///< smaller parts and holes are not reported [m^2]
-  double reach_cells = 24;      ///< an observation changes nothing farther [cells]
+  double reach_cells = 30;      ///< an observation changes nothing farther [cells]
   int rate_spacing_cells = 12;  ///< nodes of the local rate [cells], even
-  int noise_spacing_cells = 6;  ///< nodes of the boundary's noise [cells]
+  int noise_spacing_cells = 4;  ///< nodes of the boundary's noise [cells]
   double rate_memory = 1200;    ///< in which a local rate is forgotten [s]
   double roughness = 0.25;      ///< of the boundary's noise, against its rate's [-]
   double false_rate = 0.001;    ///< probability of a wrong in/out reading

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "base/check.h"
 #include "layer/reasoning/monitoring/ensemble/localisation.h"
@@ -75,33 +74,15 @@ void FrontEnsemble::initialise(const PerimeterPrior& prior) {
       for (int column = 0; column < grid_.columns; ++column)
         m.phi.at(row, column) = static_cast<float>(
             (grid_.node(row, column) - prior.origin).norm() - prior.radius);
-    noise_field(m, shape_nodes, prior.radius_sd).add_to(m.phi, 1);
+    noise_field(m.stream, shape_nodes, prior.radius_sd).add_to(m.phi, 1);
     // The common and the local part of the rate are unknown to equal parts.
-    m.rate = noise_field(m, spline_nodes(block), common_sd_[0]);
+    m.rate = noise_field(m.stream, spline_nodes(grid_, block), common_sd_[0]);
     m.common << prior.rate, prior.wind;
     for (int k = 0; k < 3; ++k) m.common[k] += common_sd_[k] * m.stream.normal();
     model::reinitialise(m.phi);
     members_.push_back(std::move(m));
   }
   update_mean();
-}
-
-model::Grid FrontEnsemble::spline_nodes(int spacing_cells) const {
-  model::Grid nodes;
-  nodes.cell = spacing_cells * grid_.cell;
-  nodes.low = grid_.low - Vec2(1, 1) * nodes.cell;
-  nodes.rows = (grid_.rows - 1) / spacing_cells + 4;
-  nodes.columns = (grid_.columns - 1) / spacing_cells + 4;
-  return nodes;
-}
-
-model::SplineField FrontEnsemble::noise_field(Member& member, const model::Grid& nodes,
-                                              double sd) const {
-  model::SplineField field{{nodes, std::vector<float>(nodes.size())}};
-  const double scale = sd / model::SplineField::kWhiteSd;
-  for (float& v : field.coefficients.values)
-    v = static_cast<float>(scale * member.stream.normal());
-  return field;
 }
 
 double FrontEnsemble::diffusion() const {
@@ -147,15 +128,15 @@ void FrontEnsemble::add_noise(double dt) {
   const double keep = std::exp(-dt / options_.rate_memory);
   const double rate_noise = rate_sd_ * std::sqrt(0.5 * noise_factor_ * (1 - keep * keep));
   const double boundary_noise = std::sqrt(diffusion() * dt);
-  const model::Grid boundary_nodes = spline_nodes(options_.noise_spacing_cells);
+  const model::Grid boundary_nodes = spline_nodes(grid_, options_.noise_spacing_cells);
 
   for (Member& m : members_) {
     auto& rate = m.rate.coefficients;
-    const model::SplineField fresh = noise_field(m, rate.grid, rate_noise);
+    const model::SplineField fresh = noise_field(m.stream, rate.grid, rate_noise);
     for (std::size_t i = 0; i < rate.values.size(); ++i)
       rate.values[i] =
           static_cast<float>(keep) * rate.values[i] + fresh.coefficients.values[i];
-    noise_field(m, boundary_nodes, boundary_noise).add_to(m.phi, 1);
+    noise_field(m.stream, boundary_nodes, boundary_noise).add_to(m.phi, 1);
   }
   keep_common_spread();
 }
@@ -195,70 +176,12 @@ void FrontEnsemble::teach_common(const MemberValues& at_p,
   }
 }
 
-// A few members that have run away weigh little in any regression, and their far fronts
-// are seldom told to come back: draw them in to where a Gaussian of the others ends.
-void FrontEnsemble::draw_in() {
-  const auto n = static_cast<Eigen::Index>(grid_.size());
-  Eigen::ArrayXf mean = Eigen::ArrayXf::Zero(n), spread = Eigen::ArrayXf::Zero(n);
-  for (Member& m : members_) mean += FloatRow(m.phi.values.data(), n);
-  mean /= static_cast<float>(size());
-  for (Member& m : members_) spread += (FloatRow(m.phi.values.data(), n) - mean).abs();
-  // The mean absolute deviation of a Gaussian is sqrt(2/pi) of its standard deviation.
-  spread *= static_cast<float>(kMostDeviation * std::sqrt(geo::kPi / 2) / size());
-  for (Member& m : members_) {
-    FloatRow phi(m.phi.values.data(), n);
-    phi = phi.max(mean - spread).min(mean + spread);
-  }
-}
-
-// Parts and holes of a member that have nothing in common with the mean are remnants of
-// updates that moved its boundary past them. Nobody would ever correct them: they go.
-void FrontEnsemble::drop_remnants(model::Field& phi) const {
-  // Only nodes that differ from the mean can belong to remnants; those that touch a node
-  // of their own kind where the mean agrees are not, nor what hangs on them.
-  std::vector<std::size_t> differing;
-  std::vector<std::uint8_t> doubtful(phi.values.size(), 0);
-  const auto inside = [&](std::size_t i) { return std::signbit(phi.values[i]); };
-  for (std::size_t i = 0; i < phi.values.size(); ++i)
-    if (inside(i) != (mean_[i] < 0)) {
-      doubtful[i] = 1;
-      differing.push_back(i);
-    }
-  const auto columns = static_cast<std::size_t>(grid_.columns);
-  const auto for_neighbours = [&](std::size_t i, const auto& visit) {
-    const std::size_t column = i % columns;
-    if (column > 0) visit(i - 1);
-    if (column + 1 < columns) visit(i + 1);
-    if (i >= columns) visit(i - columns);
-    if (i + columns < phi.values.size()) visit(i + columns);
-  };
-  std::vector<std::size_t> open;
-  for (const std::size_t i : differing) {
-    bool anchored = false;
-    for_neighbours(i, [&](std::size_t k) {
-      anchored = anchored || (doubtful[k] == 0 && inside(k) == inside(i));
-    });
-    if (anchored) open.push_back(i);
-  }
-  for (const std::size_t i : open) doubtful[i] = 0;
-  while (!open.empty()) {
-    const std::size_t i = open.back();
-    open.pop_back();
-    for_neighbours(i, [&](std::size_t k) {
-      if (doubtful[k] == 0 || inside(k) != inside(i)) return;
-      doubtful[k] = 0;
-      open.push_back(k);
-    });
-  }
-  for (const std::size_t i : differing)
-    if (doubtful[i] != 0) phi.values[i] = -phi.values[i];
-}
-
 void FrontEnsemble::tidy() {
-  draw_in();
+  draw_in(members_);
   update_mean();
+  drop_unseen_parts(grid_, evidence_, mean_);
   for (Member& m : members_) {
-    drop_remnants(m.phi);
+    drop_remnants(mean_, m.phi);
     model::reinitialise(m.phi);
   }
   // Where a front is near the edge of the grid.
@@ -280,62 +203,22 @@ void FrontEnsemble::tidy() {
   grow(low, high);
 }
 
-bool FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
-  const int unit = 2 * options_.rate_spacing_cells;
-  const double length = unit * grid_.cell;
-  const auto units = [&](double missing) {
-    return missing > 0 ? unit * static_cast<int>(std::ceil(missing / length)) : 0;
+void FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
+  const int spacing = options_.rate_spacing_cells;
+  const double length = 2 * spacing * grid_.cell;
+  const auto rows = [&](double missing) {
+    return missing > 0 ? 2 * spacing * static_cast<int>(std::ceil(missing / length)) : 0;
   };
-  const int south = units(grid_.low.x() - low.x()), west = units(grid_.low.y() - low.y());
-  const int north = units(high.x() - grid_.high().x());
-  const int east = units(high.y() - grid_.high().y());
-  if (south + west + north + east == 0) return false;
-
-  const model::Grid old_nodes = members_[0].rate.coefficients.grid;
-  for (Member& m : members_) {
-    m.phi = model::extended(m.phi, south, west, north, east);
-    model::reinitialise(m.phi);
-  }
+  const Growth growth{rows(grid_.low.x() - low.x()), rows(grid_.low.y() - low.y()),
+                      rows(high.x() - grid_.high().x()),
+                      rows(high.y() - grid_.high().y())};
+  if (!growth.any()) return;
+  const double rate_sd = rate_sd_ * std::sqrt(0.5 * noise_factor_);
+  for (Member& m : members_) extend_member(m, growth, spacing, rate_sd);
   grid_ = members_[0].phi.grid;
-  const model::Grid nodes = spline_nodes(options_.rate_spacing_cells);
-  for (Member& m : members_) {
-    // Old coefficients stay; new ones are fresh local noise.
-    const auto& old = m.rate.coefficients;
-    model::SplineField fresh =
-        noise_field(m, nodes, rate_sd_ * std::sqrt(0.5 * noise_factor_));
-    const int dr = south / options_.rate_spacing_cells;
-    const int dc = west / options_.rate_spacing_cells;
-    for (int r = 0; r < nodes.rows; ++r)
-      for (int c = 0; c < nodes.columns; ++c) {
-        float& v = fresh.coefficients.at(r, c);
-        const int from_r = r - dr, from_c = c - dc;
-        const bool known = from_r >= 0 && from_r < old_nodes.rows && from_c >= 0 &&
-                           from_c < old_nodes.columns;
-        if (known) v = old.at(from_r, from_c);
-      }
-    m.rate = std::move(fresh);
-  }
-  while (grid_.size() > static_cast<std::size_t>(options_.max_nodes)) coarsen();
-  update_mean();
-  return true;
-}
-
-void FrontEnsemble::coarsen() {
-  // The grid must stay a whole number of rate spacings after doubling.
-  const int unit = 2 * options_.rate_spacing_cells;
-  const int north = (unit - (grid_.rows - 1) % unit) % unit;
-  const int east = (unit - (grid_.columns - 1) % unit) % unit;
-  for (Member& m : members_)
-    m.phi = model::coarsened(model::extended(m.phi, 0, 0, north, east));
-  grid_ = members_[0].phi.grid;
-  const model::Grid nodes = spline_nodes(options_.rate_spacing_cells);
-  for (Member& m : members_) {
-    model::SplineField wide{{nodes, std::vector<float>(nodes.size())}};
-    for (int r = 0; r < nodes.rows; ++r)
-      for (int c = 0; c < nodes.columns; ++c)
-        wide.coefficients.at(r, c) = static_cast<float>(m.rate.sample(nodes.node(r, c)));
-    m.rate = std::move(wide);
-    model::reinitialise(m.phi);
+  while (grid_.size() > static_cast<std::size_t>(options_.max_nodes)) {
+    for (Member& m : members_) coarsen_member(m, spacing);
+    grid_ = members_[0].phi.grid;
   }
 }
 

@@ -4,11 +4,10 @@
 
 #include <vector>
 
-#include "base/random.h"
 #include "data/fire.h"
 #include "layer/reasoning/monitoring/ensemble/ensemble_options.h"
-#include "model/levelset/field.h"
-#include "model/levelset/spline_field.h"
+#include "layer/reasoning/monitoring/ensemble/member.h"
+#include "layer/reasoning/monitoring/ensemble/parts.h"
 
 namespace skein::monitoring {
 
@@ -52,6 +51,10 @@ class FrontEnsemble {
   /// its own radius [m]. The grid grows if `p` is outside.
   void stamp(const Vec2& p, bool inside, const Eigen::VectorXd& radius);
 
+  /// Remembers that somebody was at `p`: parts and holes of the belief that nobody has
+  /// been to are given up once the edge that was seen cuts them off.
+  void remember(const Vec2& p, bool inside) { evidence_.add(p, inside); }
+
   /// Factor on the variance of all process noise.
   double noise_factor() const { return noise_factor_; }
   void set_noise_factor(double factor) { noise_factor_ = factor; }
@@ -69,14 +72,6 @@ class FrontEnsemble {
   double reach() const { return options_.reach_cells * grid_.cell; }
 
  private:
-  struct Member {
-    model::Field phi;
-    model::SplineField rate;                           // local part [m/s]
-    Eigen::Vector3d common = Eigen::Vector3d::Zero();  // rate and drift everywhere [m/s]
-    double rate_at(const Vec2& p) const { return common[0] + rate.sample(p); }
-    Vec2 drift() const { return common.tail<2>(); }
-    RandomStream stream;
-  };
   struct Window;
 
   void initialise(const PerimeterPrior& prior);
@@ -85,17 +80,11 @@ class FrontEnsemble {
   void add_noise(double dt);
   void keep_common_spread();
   void teach_common(const MemberValues& at_p, const Eigen::VectorXd& change);
-  void draw_in();
-  void drop_remnants(model::Field& phi) const;
   void tidy();
-  bool grow(const Vec2& low, const Vec2& high);
-  void coarsen();
+  void grow(const Vec2& low, const Vec2& high);
   void update_mean();
   Window window(const Vec2& p, bool by_normal) const;
   MemberValues summary(Eigen::VectorXd values) const;
-  model::SplineField noise_field(Member& member, const model::Grid& nodes,
-                                 double sd) const;
-  model::Grid spline_nodes(int spacing_cells) const;
 
   EnsembleOptions options_;
   double rate_sd_;
@@ -103,6 +92,7 @@ class FrontEnsemble {
   model::Grid grid_;
   std::vector<Member> members_;
   std::vector<double> mean_;
+  Evidence evidence_;
   double lag_ = 0;
   double since_noise_ = 0;
   double noise_factor_ = 1;

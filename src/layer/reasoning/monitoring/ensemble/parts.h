@@ -1,0 +1,37 @@
+#pragma once
+
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "model/levelset/field.h"
+
+namespace skein::monitoring {
+
+/// Where fire and where none has been seen, to 20 m.
+class Evidence {
+ public:
+  void add(const Vec2& p, bool inside) { places_[inside ? 1 : 0].insert(key(p)); }
+  bool empty(bool inside) const { return places_[inside ? 1 : 0].empty(); }
+  /// The middles of the places, in a defined order.
+  std::vector<Vec2> points(bool inside) const;
+
+ private:
+  static std::pair<int, int> key(const Vec2& p);
+  std::set<std::pair<int, int>> places_[2];
+};
+
+/// Changes the sign of parts of `mean` (negative inside) that nobody has ever seen, once
+/// anything has been seen: parts without a place of fire in them, and holes without a
+/// place without fire. The prior knows one fire; what an edge that was seen has cut off
+/// from it, on either side, is not there.
+void drop_unseen_parts(const model::Grid& grid, const Evidence& evidence,
+                       std::vector<double>& mean);
+
+/// Changes the sign of parts and holes of one member's distance that have nothing in
+/// common with the mean: remnants of updates that moved its boundary past them. Nobody
+/// would ever correct them.
+void drop_remnants(std::span<const double> mean, model::Field& phi);
+
+}  // namespace skein::monitoring
