@@ -17,6 +17,9 @@ constexpr int kSureCount = 4;        // so many agreeing readings are not all fa
 constexpr double kStepShare = 0.3;   // of the bearings that lie at steps of the boundary
 constexpr double kStepNoise = 3;     // texture there, of the mean one
 constexpr double kLevelNoise = 0.4;  // and elsewhere
+constexpr double kSurprise = 2;     // sigma from which a crossing softens the belief
+constexpr double kSoftening = 3;      // most it then adds, of the variance there was
+constexpr double kRateShare = 0.1;    // of the age, in which a rate has gone wrong
 constexpr double kBump = 0.25;       // width of what widen() opens [rad]
 constexpr double kObvious = 3.2;     // readings this many sigma off teach nothing
 
@@ -194,6 +197,7 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
       margin > kObvious * std::sqrt(local.spline_variance + l.noise + grounds()[1].noise))
     return right;
 
+  if (reading.crossing) soften(reading, local, l);
   settle();
   const Functional h = radius_at(spline_.at(reading.bearing));
   double s = apply(h, Ph_), m = local.radius;
@@ -245,13 +249,27 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
   return std::min(1.0, after.evidence / std::max(before, 1e-12));
 }
 
+// A crossing that is a surprise shows that the model is wrong near there: the rates have
+// changed, or the boundary has a feature that the spline or the linearisation misses.
+void BoundaryFilter::soften(const PolarReading& reading, const Local& local, const Limits& l) {
+  const double off = 0.5 * (l.low + l.high) - local.radius;
+  const double half = 0.5 * (l.high - l.low);
+  const double expected = local.spline_variance + l.noise + half * half / 3 + grounds()[1].noise;
+  const double surplus = off * off / (kSurprise * kSurprise) - expected;
+  if (surplus > 0) open_up(reading.bearing, std::min(surplus, kSoftening * expected));
+}
+
 void BoundaryFilter::widen(double bearing, double distance, double surprise) {
   const Local local = at(bearing);
   const double off = distance - local.radius;
   const double extra = off * off / (surprise * surprise) - local.variance;
-  if (!(extra > 0)) return;
+  if (extra > 0) open_up(bearing, extra);
+}
+
+// Adds variance to the radius near a bearing, and to the rate as if it had built up since
+// the start. What is known elsewhere stays.
+void BoundaryFilter::open_up(double bearing, double extra) {
   settle();
-  // A bump of the radius and one of the rate, so that what is known elsewhere stays.
   Ph_.setZero();
   for (int j = 0; j < n_; ++j) {
     const double away = geo::wrap_pi(bearing - j * spline_.step()) / kBump;
@@ -261,7 +279,7 @@ void BoundaryFilter::widen(double bearing, double distance, double surprise) {
   add_outer(Ph_, extra);
   Ph_.segment(v(0), n_) = Ph_.segment(r(0), n_);
   Ph_.segment(r(0), n_).setZero();
-  add_outer(Ph_, extra / std::pow(age_ + 60, 2));
+  add_outer(Ph_, extra / std::pow(kRateShare * age_ + 60, 2));
 }
 
 }  // namespace skein::monitoring

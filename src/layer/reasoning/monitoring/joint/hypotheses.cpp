@@ -13,26 +13,21 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   smooth.mean_rate_sd = mean_rate_sd;
   // A wind as strong as the spread would drive the fire over its own origin.
   smooth.wind_sd = std::min(prior.wind_sd, 0.5 * prior.rate);
-  smooth.rate_drift = 0.001 * prior.rate_sd;
+  smooth.rate_drift = 0.006 * prior.rate_sd;
 
   BoundaryHypothesis red = smooth;
   red.radius = {prior.radius_sd, 2, 3.5};
   red.rate = {prior.rate_sd, 2, 3.5};
+  red.rate_drift = 0.001 * prior.rate_sd;
 
   BoundaryHypothesis rough = smooth;
   rough.weight = 0.3;
-  rough.radius.cutoff = 10;
+  rough.radius = red.radius;
   rough.rate.cutoff = 60;
   rough.rate_drift = 0.005 * prior.rate_sd;
   rough.texture_rate = 0.13 * prior.rate_sd;
 
-  BoundaryHypothesis unsteady = smooth;
-  unsteady.weight = 0.1;
-  unsteady.radius.cutoff = 10;
-  unsteady.rate.sd = 2 * prior.rate_sd;
-  unsteady.rate.cutoff = 15;
-  unsteady.rate_drift = 0.03 * prior.rate_sd;
-  return {red, smooth, rough, unsteady};
+  return {red, smooth, rough};
 }
 
 }  // namespace skein::monitoring
