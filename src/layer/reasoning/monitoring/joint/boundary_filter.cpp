@@ -132,7 +132,7 @@ BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
   local.variance += lag_ * (2 * local.covariance + lag_ * local.growth_variance);
   local.covariance += lag_ * local.growth_variance;
   local.spline_variance = local.variance;
-  local.variance += std::pow(hypothesis_.texture_rate * age_, 2);
+  local.variance += grounds()[0].noise;
   return local;
 }
 

@@ -17,9 +17,9 @@ constexpr int kSureCount = 4;        // so many agreeing readings are not all fa
 constexpr double kStepShare = 0.3;   // of the bearings that lie at steps of the boundary
 constexpr double kStepNoise = 3;     // texture there, of the mean one
 constexpr double kLevelNoise = 0.4;  // and elsewhere
-constexpr double kSurprise = 2;     // sigma from which a crossing softens the belief
-constexpr double kSoftening = 3;      // most it then adds, of the variance there was
-constexpr double kRateShare = 0.1;    // of the age, in which a rate has gone wrong
+constexpr double kSurprise = 2.5;    // sigma from which a crossing softens the belief
+constexpr double kSoftening = 3;     // most it then adds, of the variance there was
+constexpr double kRateShare = 0.1;   // of the age, in which a rate has gone wrong
 constexpr double kBump = 0.25;       // width of what widen() opens [rad]
 constexpr double kObvious = 3.2;     // readings this many sigma off teach nothing
 
@@ -251,10 +251,12 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
 
 // A crossing that is a surprise shows that the model is wrong near there: the rates have
 // changed, or the boundary has a feature that the spline or the linearisation misses.
-void BoundaryFilter::soften(const PolarReading& reading, const Local& local, const Limits& l) {
+void BoundaryFilter::soften(const PolarReading& reading, const Local& local,
+                            const Limits& l) {
   const double off = 0.5 * (l.low + l.high) - local.radius;
   const double half = 0.5 * (l.high - l.low);
-  const double expected = local.spline_variance + l.noise + half * half / 3 + grounds()[1].noise;
+  const double expected =
+      local.spline_variance + l.noise + half * half / 3 + grounds()[1].noise;
   const double surplus = off * off / (kSurprise * kSurprise) - expected;
   if (surplus > 0) open_up(reading.bearing, std::min(surplus, kSoftening * expected));
 }

@@ -16,16 +16,16 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   smooth.rate_drift = 0.006 * prior.rate_sd;
 
   BoundaryHypothesis red = smooth;
-  red.radius = {prior.radius_sd, 2, 3.5};
-  red.rate = {prior.rate_sd, 2, 3.5};
-  red.rate_drift = 0.001 * prior.rate_sd;
+  red.radius = {prior.radius_sd, 2, 4.5};
+  red.rate = {prior.rate_sd, 2, 4.5};
+  red.rate_drift = 0.0005 * prior.rate_sd;
 
   BoundaryHypothesis rough = smooth;
   rough.weight = 0.3;
   rough.radius = red.radius;
   rough.rate.cutoff = 60;
-  rough.rate_drift = 0.005 * prior.rate_sd;
-  rough.texture_rate = 0.13 * prior.rate_sd;
+  rough.rate_drift = 0.001 * prior.rate_sd;
+  rough.texture_rate = 0.2 * prior.rate_sd;
 
   return {red, smooth, rough};
 }
