@@ -4,14 +4,16 @@
 #include <cmath>
 
 #include "layer/reasoning/monitoring/ensemble/mean_boundary.h"
+#include "model/probability/normal.h"
 #include "model/probability/truncated_normal.h"
 
 namespace skein::monitoring {
 namespace {
 
-constexpr double kSurprise = 1e-4;       // probability below which a reading is doubted
-constexpr double kSurpriseSigma2 = 16;   // squared innovation, over its variance
-constexpr double kConfirmSeconds = 1.9;  // doubts over this time are believed
+constexpr double kDoubt = 0.02;         // a reading less probable needs others that agree
+constexpr double kImpossible = 1e-4;    // less probable: the members know nothing of it
+constexpr double kSurpriseSigma2 = 16;  // squared innovation, over its variance
+constexpr double kConfirmSeconds = 0.9;  // apart, two that agree are believed
 
 }  // namespace
 
@@ -30,7 +32,7 @@ void EnsembleEstimator::predict(Time time) {
 }
 
 bool EnsembleEstimator::repeated(const FireReading& reading,
-                                 AircraftMemory& memory) const {
+                                 const AircraftMemory& memory) const {
   const auto last = memory.used.find(reading.inside);
   return last != memory.used.end() &&
          (reading.time - last->second.time).seconds() < options_.repeat_time &&
@@ -44,24 +46,29 @@ void EnsembleEstimator::observe(const FireReading& reading) {
   const double noise = reading.point_sd * reading.point_sd +
                        std::pow(options_.sigma_floor_cells * ensemble_.grid().cell, 2);
   const double sd = std::sqrt(distance.variance + noise);
-  const double eps = options_.false_rate;
-  // phi < 0 is inside: "inside" is wrong with probability eps when phi > 0.
-  const double if_above = reading.inside ? eps : 1 - eps;
-  const model::MixtureMoments after =
-      model::doubtful_half_line(distance.mean, sd, 0, if_above, 1 - if_above);
-  const double expected = (after.likelihood - eps) / (1 - 2 * eps);
+  const double z = distance.mean / sd;
+  const double expected = model::normal_cdf(reading.inside ? -z : z);
 
-  if (expected < kSurprise) {
-    doubt(reading, memory);
+  const bool doubtful = expected < kDoubt;
+  if (doubtful && !confirmed(reading, memory)) {
+    ++health_.outliers;
     return;
   }
-  memory.doubt.count = 0;
+  if (!doubtful) memory.doubt.count = 0;
   ensemble_.remember(reading.point, reading.inside);
   if (expected > options_.sure) return;
   if (expected > 0.5 && repeated(reading, memory)) return;
   memory.used[reading.inside] = {reading.time, reading.point};
-
-  // From the noisy distance to the distance itself (spec: P - K (S - C) K').
+  if (expected < kImpossible) {
+    believe(reading.point, reading.inside, distance);
+    return;
+  }
+  // Inside is phi < 0. Once others agree, a wrong reading is out of the question.
+  const double eps = doubtful ? 0 : options_.false_rate;
+  const double if_above = reading.inside ? eps : 1 - eps;
+  const model::MixtureMoments after =
+      model::doubtful_half_line(distance.mean, sd, 0, if_above, 1 - if_above);
+  // From the noisy distance to the distance itself: x + K (m - z), P - K (S - C) K'.
   const double gain = distance.variance / (sd * sd);
   const double shift = gain * (after.mean - distance.mean);
   const double variance = distance.variance - gain * gain * (sd * sd - after.variance);
@@ -69,17 +76,12 @@ void EnsembleEstimator::observe(const FireReading& reading) {
                     std::sqrt(std::max(variance, 0.0) / distance.variance));
 }
 
-void EnsembleEstimator::doubt(const FireReading& reading, AircraftMemory& memory) {
+bool EnsembleEstimator::confirmed(const FireReading& reading, AircraftMemory& memory) {
   Doubt& doubt = memory.doubt;
   if (doubt.count == 0 || doubt.inside != reading.inside)
     doubt = {0, reading.time, reading.inside};
   ++doubt.count;
-  if ((reading.time - doubt.first).seconds() < kConfirmSeconds) {
-    ++health_.outliers;
-    return;
-  }
-  ensemble_.remember(reading.point, reading.inside);
-  believe(reading.point, reading.inside, ensemble_.distance(reading.point));
+  return (reading.time - doubt.first).seconds() >= kConfirmSeconds;
 }
 
 void EnsembleEstimator::believe(const Vec2& point, bool inside,
@@ -117,15 +119,13 @@ void EnsembleEstimator::observe(const Crossing& crossing) {
                           std::pow(options_.sigma_floor_cells * ensemble_.grid().cell, 2);
   const double innovation2 =
       distance.mean * distance.mean / (distance.variance + variance);
+  // The later reading agrees with those that follow on its side.
+  memory.doubt = {1, crossing.time, crossing.entered};
   if (innovation2 > kSurpriseSigma2) {
-    Doubt& doubt = memory.doubt;
-    if (doubt.count == 0 || doubt.inside != crossing.entered)
-      doubt = {1, crossing.time, crossing.entered};
     ++health_.outliers;
     adapt(innovation2, 1);
     return;
   }
-  memory.doubt.count = 0;
   adapt(innovation2, distance.variance / (distance.variance + variance));
   pass_through(crossing.point, distance, variance);
   memory.used.clear();

@@ -40,8 +40,8 @@ class EnsembleEstimator final : public PerimeterEstimator {
     std::map<bool, Used> used;  // by side
   };
 
-  bool repeated(const FireReading& reading, AircraftMemory& memory) const;
-  void doubt(const FireReading& reading, AircraftMemory& memory);
+  bool repeated(const FireReading& reading, const AircraftMemory& memory) const;
+  bool confirmed(const FireReading& reading, AircraftMemory& memory);
   void believe(const Vec2& point, bool inside, const MemberValues& distance);
   void pass_through(const Vec2& point, const MemberValues& distance, double variance);
   void adapt(double innovation2, double share);

@@ -179,7 +179,13 @@ void FrontEnsemble::teach_common(const MemberValues& at_p,
 void FrontEnsemble::tidy() {
   draw_in(members_);
   update_mean();
-  drop_unseen_parts(grid_, evidence_, mean_);
+  const std::vector<std::size_t> unseen = unseen_nodes(grid_, evidence_, mean_);
+  for (Member& m : members_)
+    for (const std::size_t i : unseen) {
+      float& value = m.phi.values[i];
+      value = mean_[i] < 0 ? std::abs(value) : -std::abs(value);
+    }
+  for (const std::size_t i : unseen) mean_[i] = -mean_[i];
   for (Member& m : members_) {
     drop_remnants(mean_, m.phi);
     model::reinitialise(m.phi);

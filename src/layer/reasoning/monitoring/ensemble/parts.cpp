@@ -7,7 +7,12 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kPlace = 20;  // [m]
+constexpr double kPlace = 20;           // [m]
+constexpr double kHalfNeck = 25;        // of a neck that joins two parts [m]
+constexpr double kLeastHalfNeck = 1.5;  // the same in cells
+constexpr double kSight = 60;  // fire this near to a place of fire has been seen [m]
+
+using Mask = std::vector<std::uint8_t>;
 
 template <class Visit>
 void for_neighbours(const model::Grid& grid, std::size_t i, const Visit& visit) {
@@ -21,8 +26,8 @@ void for_neighbours(const model::Grid& grid, std::size_t i, const Visit& visit) 
 
 // Marks all that hangs together with the `open` nodes, which are marked already.
 template <class Together>
-void spread(const model::Grid& grid, std::vector<std::size_t> open,
-            std::vector<std::uint8_t>& marked, const Together& together) {
+void spread(const model::Grid& grid, std::vector<std::size_t> open, Mask& marked,
+            const Together& together) {
   while (!open.empty()) {
     const std::size_t i = open.back();
     open.pop_back();
@@ -32,6 +37,84 @@ void spread(const model::Grid& grid, std::vector<std::size_t> open,
       open.push_back(k);
     });
   }
+}
+
+// One round of growth of the nodes of `front` into nodes that may be entered.
+template <class Enter>
+std::vector<std::size_t> grow(const model::Grid& grid,
+                              const std::vector<std::size_t>& front, const Enter& enter) {
+  std::vector<std::size_t> next;
+  for (const std::size_t i : front)
+    for_neighbours(grid, i, [&](std::size_t k) {
+      if (enter(k)) next.push_back(k);
+    });
+  return next;
+}
+
+// Nodes on the right side of the mean where somebody has been.
+std::vector<std::size_t> visited(const model::Grid& grid, const Evidence& evidence,
+                                 std::span<const double> mean, bool inside) {
+  std::vector<std::size_t> out;
+  for (const Vec2& p : evidence.points(inside)) {
+    const Vec2 at = (p - grid.low) / grid.cell;
+    const long row = std::lround(at.x()), column = std::lround(at.y());
+    if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) continue;
+    const std::size_t i = grid.index(static_cast<int>(row), static_cast<int>(column));
+    if ((mean[i] < 0) == inside) out.push_back(i);
+  }
+  return out;
+}
+
+// 1 for nodes without fire that hang together with a visited one or the grid's edge.
+Mask seen_outside(const model::Grid& grid, const Evidence& evidence,
+                  std::span<const double> mean) {
+  Mask seen(mean.size(), 0);
+  std::vector<std::size_t> open = visited(grid, evidence, mean, false);
+  for (int r = 0; r < grid.rows; ++r)
+    for (int c = 0; c < grid.columns; ++c) {
+      const bool edge = r == 0 || c == 0 || r + 1 == grid.rows || c + 1 == grid.columns;
+      if (edge && mean[grid.index(r, c)] >= 0) open.push_back(grid.index(r, c));
+    }
+  for (const std::size_t i : open) seen[i] = 1;
+  spread(grid, std::move(open), seen,
+         [&](std::size_t, std::size_t k) { return mean[k] >= 0; });
+  return seen;
+}
+
+// 1 for nodes of fire that belong to a seen part, 2 for those of unseen ones.
+Mask seen_inside(const model::Grid& grid, const Evidence& evidence,
+                 std::span<const double> mean) {
+  const double core = -std::max(kHalfNeck, kLeastHalfNeck * grid.cell);
+  Mask part(mean.size(), 0);
+  // What has been seen from the visited places...
+  std::vector<std::size_t> front = visited(grid, evidence, mean, true);
+  for (const std::size_t i : front) part[i] = 1;
+  const auto enter_as = [&](std::uint8_t mark) {
+    return [&part, mean, mark](std::size_t k) {
+      if (part[k] != 0 || mean[k] >= 0) return false;
+      part[k] = mark;
+      return true;
+    };
+  };
+  std::vector<std::size_t> seen = front;
+  for (double far = 0; far < kSight; far += grid.cell) {
+    front = grow(grid, front, enter_as(1));
+    seen.insert(seen.end(), front.begin(), front.end());
+  }
+  // ... and what hangs together with it through more than a neck.
+  spread(grid, seen, part,
+         [&](std::size_t i, std::size_t k) { return mean[i] < core && mean[k] < core; });
+  std::vector<std::size_t> own, other;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    if (part[i] == 0 && mean[i] < core) part[i] = 2;
+    if (part[i] != 0) (part[i] == 1 ? own : other).push_back(i);
+  }
+  // The rims go to whichever is nearer.
+  while (!own.empty() || !other.empty()) {
+    own = grow(grid, own, enter_as(1));
+    other = grow(grid, other, enter_as(2));
+  }
+  return part;
 }
 
 }  // namespace
@@ -48,48 +131,23 @@ std::vector<Vec2> Evidence::points(bool inside) const {
   return out;
 }
 
-void drop_unseen_parts(const model::Grid& grid, const Evidence& evidence,
-                       std::vector<double>& mean) {
-  if (evidence.empty(true)) return;
-  std::vector<std::uint8_t> seen(mean.size(), 0);
-  std::vector<std::size_t> open;
-  const auto start = [&](std::size_t i) {
-    if (seen[i] != 0) return;
-    seen[i] = 1;
-    open.push_back(i);
-  };
-  for (const bool inside : {false, true})
-    for (const Vec2& p : evidence.points(inside)) {
-      const Vec2 at = (p - grid.low) / grid.cell;
-      const long row = std::lround(at.x()), column = std::lround(at.y());
-      if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) continue;
-      const std::size_t i = grid.index(static_cast<int>(row), static_cast<int>(column));
-      if ((mean[i] < 0) == inside) start(i);
-    }
-  // What reaches the edge of the grid is no hole.
-  for (int r = 0; r < grid.rows; ++r)
-    for (int c = 0; c < grid.columns; ++c) {
-      const bool edge = r == 0 || c == 0 || r + 1 == grid.rows || c + 1 == grid.columns;
-      if (edge && mean[grid.index(r, c)] >= 0) start(grid.index(r, c));
-    }
-  const auto alike = [&](std::size_t i, std::size_t k) {
-    return (mean[i] < 0) == (mean[k] < 0);
-  };
-  spread(grid, std::move(open), seen, alike);
-  // Never everything: a fire that nobody has touched yet stays where the prior has it.
-  bool fire_left = false;
+std::vector<std::size_t> unseen_nodes(const model::Grid& grid, const Evidence& evidence,
+                                      std::span<const double> mean) {
+  std::vector<std::size_t> out;
+  const Mask inside = seen_inside(grid, evidence, mean);
+  // A fire that nobody has touched yet stays where the prior has it.
+  if (std::find(inside.begin(), inside.end(), 1) == inside.end()) return out;
+  const Mask outside = seen_outside(grid, evidence, mean);
   for (std::size_t i = 0; i < mean.size(); ++i)
-    fire_left = fire_left || (seen[i] != 0 && mean[i] < 0);
-  if (!fire_left) return;
-  for (std::size_t i = 0; i < mean.size(); ++i)
-    if (seen[i] == 0) mean[i] = -mean[i];
+    if (mean[i] < 0 ? inside[i] != 1 : outside[i] == 0) out.push_back(i);
+  return out;
 }
 
 void drop_remnants(std::span<const double> mean, model::Field& phi) {
   // Only nodes that differ from the mean can belong to remnants; those that touch a node
   // of their own kind where the mean agrees do not, nor what hangs on them.
   std::vector<std::size_t> differing;
-  std::vector<std::uint8_t> kept(phi.values.size(), 1);
+  Mask kept(phi.values.size(), 1);
   const auto inside = [&](std::size_t i) { return std::signbit(phi.values[i]); };
   for (std::size_t i = 0; i < phi.values.size(); ++i)
     if (inside(i) != (mean[i] < 0)) {

@@ -22,12 +22,13 @@ class Evidence {
   std::set<std::pair<int, int>> places_[2];
 };
 
-/// Changes the sign of parts of `mean` (negative inside) that nobody has ever seen, once
-/// anything has been seen: parts without a place of fire in them, and holes without a
-/// place without fire. The prior knows one fire; what an edge that was seen has cut off
-/// from it, on either side, is not there.
-void drop_unseen_parts(const model::Grid& grid, const Evidence& evidence,
-                       std::vector<double>& mean);
+/// Nodes of parts of `mean` (negative inside) that nobody has ever seen, once fire has
+/// been seen at all: holes without a place without fire, and parts without a place of
+/// fire. A part counts for itself when only a neck of less than about 50 m joins it to
+/// others. The prior knows one fire; what an edge that was seen has cut off from it, on
+/// either side, is not there.
+std::vector<std::size_t> unseen_nodes(const model::Grid& grid, const Evidence& evidence,
+                                      std::span<const double> mean);
 
 /// Changes the sign of parts and holes of one member's distance that have nothing in
 /// common with the mean: remnants of updates that moved its boundary past them. Nobody

@@ -160,6 +160,36 @@ TEST(Ensemble, SigmaGrowsWithoutObservations) {
   EXPECT_NEAR(change / 60, growth, 0.5 * growth);
 }
 
+TEST(Ensemble, AFarWrongOriginIsForgottenOnceTheEdgeWasFlown) {
+  // Believed 150 m north of where the fire is.
+  PerimeterPrior p = prior();
+  p.radius_sd = 30;
+  p.rate = 0.01;
+  p.rate_sd = 0.01;
+  EnsembleEstimator e(p, {});
+  const Vec2 middle(-150, 0);
+  for (int t = 1; t <= 200; ++t) {
+    e.predict(Time::from_seconds(t));
+    // Round the fire, 30 m to either side of its edge.
+    const auto at = [&](int k) {
+      return Vec2(middle + (150 + 30 * std::sin(0.5 * k)) * geo::unit(0.09 * k));
+    };
+    const bool inside = (at(t) - middle).norm() < 150;
+    if (inside != ((at(t - 1) - middle).norm() < 150)) {
+      e.observe(crossing(t, (at(t) + at(t - 1)) / 2, at(t) - at(t - 1), inside));
+    } else {
+      e.observe(reading(t, at(t), inside));
+    }
+  }
+  double worst = 0;
+  for (const auto& ring : e.boundary().rings)
+    for (const BoundaryPoint& q : ring)
+      worst = std::max(worst, std::abs((q.position - middle).norm() - 150));
+  // The believed disc reached 200 m beyond the real one. What is left of it are lobes
+  // between the last crossings, as wide as a neck that still joins parts.
+  EXPECT_LT(worst, 60);
+}
+
 EnsembleEstimator flown() {
   EnsembleEstimator e(prior(), {});
   for (int t = 1; t <= 120; ++t) {
