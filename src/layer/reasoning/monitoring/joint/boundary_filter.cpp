@@ -15,7 +15,8 @@ constexpr double kProductTime = 30;   // for which an error of wind times slope 
 
 // Share of harmonic k in the variance of a function, not normalised.
 double share(const Roughness& roughness, int k) {
-  return 1 / (1 + std::pow(k / roughness.cutoff, roughness.fall));
+  // The mean is one number, every other harmonic is two.
+  return (k == 0 ? 0.5 : 1) / (1 + std::pow(k / roughness.cutoff, roughness.fall));
 }
 
 // Adds the covariance of the spline's coefficients against their distance in knots, when

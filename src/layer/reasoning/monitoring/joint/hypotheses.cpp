@@ -5,7 +5,7 @@
 namespace skein::monitoring {
 
 std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior) {
-  const double mean_rate_sd = std::max(prior.rate_sd, 0.1 * prior.rate);
+  const double mean_rate_sd = std::max(prior.rate_sd, 0.05 * prior.rate);
   BoundaryHypothesis smooth;
   smooth.weight = 0.6;
   smooth.radius = {prior.radius_sd, 6};
@@ -16,9 +16,9 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   smooth.rate_drift = 0.006 * prior.rate_sd;
 
   BoundaryHypothesis red = smooth;
-  red.radius = {prior.radius_sd, 2, 4.5};
-  red.rate = {prior.rate_sd, 2, 4.5};
-  red.rate_drift = 0.0005 * prior.rate_sd;
+  red.radius = {prior.radius_sd, 2, 5};
+  red.rate = {prior.rate_sd, 2, 5};
+  red.rate_drift = 0.0003 * prior.rate_sd;
 
   BoundaryHypothesis rough = smooth;
   rough.weight = 0.3;

@@ -96,6 +96,18 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
     const double period = (time_ - aircraft.last).seconds();
     if (period > 0) reading.period = period;
   }
+  if (reading.crossing) {
+    // An error that wanders slowly is the same in successive crossings: they count as
+    // few.
+    if (aircraft.has_crossed && options_.position_correlation > 0) {
+      const double apart =
+          std::max((time_ - aircraft.last_crossing).seconds(), reading.period);
+      const double same = std::exp(-apart / options_.position_correlation);
+      reading.position_sd *= std::sqrt((1 + same) / (1 - same));
+    }
+    aircraft.last_crossing = time_;
+    aircraft.has_crossed = true;
+  }
   aircraft.last = time_;
   aircraft.has_last = true;
   aircraft.crossed = reading.crossing;

@@ -13,6 +13,8 @@ struct JointOptions {
   int knots = 90;     ///< spline coefficients of the radius, and as many of the rate [-]
   int aircraft = 16;  ///< room for so many at first; more are taken in as they come [-]
   double period = 1;  ///< time between readings where it cannot be seen from them [s]
+  double position_correlation =
+      20;                    ///< time over which position errors wander; 0 = white [s]
   double false_rate = 1e-3;  ///< probability that a reading is wrong [-]
   double outlier = 1e-6;     ///< readings less probable than this are set aside [-]
   int patience = 2;  ///< outliers in a row before the belief gives way instead [-]
@@ -58,7 +60,9 @@ class JointEstimator : public PerimeterEstimator {
     Time last;  // reading before the present one
     bool has_last = false;
     bool crossed = false;  // the last reading was the later one of a crossing
-    int suspects = 0;      // outliers in a row
+    bool has_crossed = false;
+    Time last_crossing;
+    int suspects = 0;  // outliers in a row
   };
   int slot(EntityId id);
   void learn(EntityId id, PolarReading reading);

@@ -143,6 +143,46 @@ TEST(JointEstimator, TakesInMoreAircraftThanItWasMadeFor) {
   EXPECT_EQ(estimator.health().observations, 2 * 49);
 }
 
+// Steps of the boundary between sectors with rates of their own: far rougher than the
+// smoothest hypotheses believe. The filter has to notice.
+TEST(JointEstimator, NoticesARateThatJumpsFromSectorToSector) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{});
+  RandomStream random(5, 0, Purpose::kTest);
+  std::vector<double> rates;
+  for (int i = 0; i < 60; ++i) rates.push_back(3 + random.uniform(-0.1, 0.1));
+  const auto radius = [&rates](double bearing, double time) {
+    const auto sector =
+        static_cast<std::size_t>(geo::wrap_2pi(bearing) / (2 * geo::kPi) * 60);
+    return 500 + rates[std::min<std::size_t>(sector, 59)] * time;
+  };
+  double nees = 0;
+  int points = 0, covered = 0;
+  for (int second = 1; second < 1800; ++second) {
+    const Time now = Time::from_seconds(second);
+    estimator.predict(now);
+    for (std::uint32_t id = 0; id < 2 && second % 6 == 0; ++id) {
+      const double bearing = 0.005 * second + geo::kPi * id;
+      const double middle = radius(bearing, second - 0.5) + random.uniform(-5, 5);
+      estimator.observe(Crossing{
+          now, {id}, middle * geo::unit(bearing), -8 * geo::unit(bearing), 0, true});
+    }
+    if (second < 900 || second % 50 != 0) continue;
+    // In the middle of the sectors, where the boundary is well defined.
+    for (int i = 0; i < 60; ++i) {
+      const double bearing = (i + 0.5) * geo::kPi / 30;
+      const BoundaryFilter::Local local = estimator.at(bearing);
+      const double error = local.radius - radius(bearing, second);
+      nees += error * error / local.variance;
+      covered += std::abs(error) < 1.96 * std::sqrt(local.variance) ? 1 : 0;
+      ++points;
+    }
+  }
+  EXPECT_GT(estimator.weights()[2], 0.5);  // the rough one
+  // What is asked of the filter in this case; a smooth prior alone covers a third.
+  EXPECT_GT(static_cast<double>(covered) / points, 0.85);
+  EXPECT_LT(nees / points, 2);
+}
+
 // Truth drawn from a hypothesis's own prior, watched with random crossings: the errors
 // must be as large as the filter says.
 TEST(JointEstimator, IsConsistentOnItsOwnModel) {
