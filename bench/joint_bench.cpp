@@ -40,14 +40,15 @@ void predict_and_two_crossings(benchmark::State& state) {
       // track.
       const bool in = second % 2 == 0;
       const Vec2 e = geo::unit(bearing);
-      estimator.observe(Crossing{now, {id}, radius * e, (in ? -12 : 12) * e, 1, in});
+      estimator.observe(
+          Crossing{now, {id + (in ? 2U : 0U)}, radius * e, (in ? -12 : 12) * e, 1, in});
     }
   }
   state.SetItemsProcessed(state.iterations());
   state.counters["unknowns"] = 2 * static_cast<double>(options.knots) + 2;
   state.counters["hypotheses"] = static_cast<double>(estimator.weights().size());
 }
-BENCHMARK(predict_and_two_crossings)->Arg(60)->Arg(120);
+BENCHMARK(predict_and_two_crossings)->Arg(60)->Arg(90)->Arg(120);
 
 // The usual second: no reading tells anything new.
 void predict_and_two_expected_readings(benchmark::State& state) {

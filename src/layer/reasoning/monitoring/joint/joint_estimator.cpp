@@ -8,11 +8,11 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kForget = 1e-6;  // share of the weights returned per reading
-constexpr double kFloor = 1e-6;   // most that one reading takes from a weight
-constexpr double kLost = 1e-3;    // weight below which a hypothesis counts for nothing
-constexpr double kSurprise = 3;   // sigma that a boundary may be off after widening
-constexpr double kDegrees = geo::kPi / 180;
+constexpr double kForget = 1e-6;    // share of the weights returned per reading
+constexpr double kFloor = 1e-6;     // most that one reading takes from a weight
+constexpr double kLost = 1e-3;      // weight below which a hypothesis counts for nothing
+constexpr double kSurprise = 3;     // sigma that a boundary may be off after widening
+constexpr double kLeastRadius = 1;  // of a reported point [m]
 
 }  // namespace
 
@@ -160,7 +160,7 @@ BoundaryFilter::Local JointEstimator::at(double bearing) const {
 
 BoundaryPoint JointEstimator::point_at(double bearing) const {
   const BoundaryFilter::Local local = at(bearing);
-  const double radius = std::max(local.radius, 1.0);
+  const double radius = std::max(local.radius, kLeastRadius);
   const Vec2 e_r = geo::unit(bearing);
   const double tilt = local.slope / radius;
   const double upright =
@@ -179,31 +179,34 @@ BoundaryPoint JointEstimator::point_at(double bearing) const {
   return point;
 }
 
+// Bearings of points at equal arc length of at most `spacing`, from a fine polygon.
+std::vector<double> JointEstimator::spaced_bearings(double spacing) const {
+  constexpr std::size_t kFine = 720;
+  constexpr double kStep = 2 * geo::kPi / kFine;
+  std::vector<double> length(kFine + 1, 0.0);
+  Vec2 last(std::max(at(0).radius, kLeastRadius), 0);
+  for (std::size_t i = 1; i <= kFine; ++i) {
+    const double bearing = kStep * static_cast<double>(i);
+    const Vec2 point = std::max(at(bearing).radius, kLeastRadius) * geo::unit(bearing);
+    length[i] = length[i - 1] + (point - last).norm();
+    last = point;
+  }
+  const int count = std::max(8, static_cast<int>(std::ceil(length.back() / spacing)));
+  std::vector<double> bearings;
+  std::size_t cell = 0;
+  for (int i = 0; i < count; ++i) {
+    const double target = length.back() * i / count;
+    while (length[cell + 1] < target) ++cell;
+    const double part = (target - length[cell]) / (length[cell + 1] - length[cell]);
+    bearings.push_back(kStep * (static_cast<double>(cell) + part));
+  }
+  return bearings;
+}
+
 BoundaryEstimate JointEstimator::boundary() const {
   std::vector<double> bearings;
   if (options_.spacing > 0) {
-    // Bearings at equal arc length, from a fine polygon.
-    constexpr int kFine = 720;
-    std::vector<double> length(kFine + 1, 0.0);
-    std::vector<Vec2> points;
-    for (int i = 0; i <= kFine; ++i) {
-      const double bearing = 0.5 * i * kDegrees;
-      points.push_back(std::max(at(bearing).radius, 1.0) * geo::unit(bearing));
-      if (i > 0)
-        length[static_cast<std::size_t>(i)] = length[static_cast<std::size_t>(i - 1)] +
-                                              (points[static_cast<std::size_t>(i)] -
-                                               points[static_cast<std::size_t>(i - 1)])
-                                                  .norm();
-    }
-    const int count =
-        std::max(8, static_cast<int>(std::ceil(length.back() / options_.spacing)));
-    std::size_t cell = 0;
-    for (int i = 0; i < count; ++i) {
-      const double target = length.back() * i / count;
-      while (length[cell + 1] < target) ++cell;
-      const double part = (target - length[cell]) / (length[cell + 1] - length[cell]);
-      bearings.push_back(0.5 * (static_cast<double>(cell) + part) * kDegrees);
-    }
+    bearings = spaced_bearings(options_.spacing);
   } else {
     for (int i = 0; i < options_.control_points; ++i) {
       bearings.push_back(2 * geo::kPi * i / options_.control_points);

@@ -67,6 +67,7 @@ class JointEstimator : public PerimeterEstimator {
   int slot(EntityId id);
   void learn(EntityId id, PolarReading reading);
   BoundaryPoint point_at(double bearing) const;
+  std::vector<double> spaced_bearings(double spacing) const;
 
   PerimeterPrior prior_;
   JointOptions options_;
