@@ -8,7 +8,7 @@ namespace skein::monitoring {
 struct EnsembleOptions {
   int members = 40;             ///< size of the ensemble, 8 to 200
   double cell = 10;             ///< finest spacing of the grid [m]
-  int max_nodes = 80000;        ///< of the grid; beyond, the spacing doubles
+  int max_nodes = 80000;        ///< beyond, the grid's spacing doubles; 10,000 or more
   double step = 20;             ///< longest step of the fronts [s]
   double control_spacing = 50;  ///< longest distance between boundary points [m]
   double min_area = 5000;       ///< smaller parts and holes are not reported [m^2]

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kBandCells = 6;
 constexpr int kMarginCells = 8;
+constexpr int kLeastNodes = 10000;  // room for the margins around the smallest fire
 // Least spread of the common rate and drift, against their first one.
 const Eigen::Vector3d kCommonFloor(0.3, 0.05, 0.05);
 constexpr double kLongestUntidy = 45;  // between redistancings [s]
@@ -39,7 +40,10 @@ FrontEnsemble::FrontEnsemble(const PerimeterPrior& prior, const EnsembleOptions&
       rate_sd_(prior.rate_sd),
       common_sd_(std::sqrt(0.5) * prior.rate_sd, prior.wind_sd, prior.wind_sd) {
   SKEIN_CHECK(options.members >= 8 && options.members <= 200, options.members);
-  SKEIN_CHECK(options.cell > 0 && options.rate_spacing_cells % 2 == 0, options.cell);
+  SKEIN_CHECK(options.cell > 0 && options.step > 0, options.cell, options.step);
+  SKEIN_CHECK(options.rate_spacing_cells % 2 == 0 && options.noise_spacing_cells > 0,
+              options.rate_spacing_cells, options.noise_spacing_cells);
+  options_.max_nodes = std::max(options.max_nodes, kLeastNodes);
   initialise(prior);
 }
 
@@ -53,7 +57,7 @@ void FrontEnsemble::initialise(const PerimeterPrior& prior) {
     half = prior.radius + 3 * prior.radius_sd + (kMarginCells + block) * grid_.cell;
     blocks = static_cast<int>(std::ceil(half / (block * grid_.cell)));
     grid_.rows = grid_.columns = 2 * blocks * block + 1;
-    if (4 * grid_.size() <= static_cast<std::size_t>(3 * options_.max_nodes)) break;
+    if (grid_.size() / 3 <= static_cast<std::size_t>(options_.max_nodes) / 4) break;
   }
   grid_.low = prior.origin - Vec2(1, 1) * blocks * block * grid_.cell;
 
@@ -291,7 +295,8 @@ FrontEnsemble::Window FrontEnsemble::window(const Vec2& p, bool by_normal) const
   w.c0 = std::max(1, static_cast<int>(std::ceil(column - reach)));
   w.c1 = std::min(grid_.columns - 1, static_cast<int>(std::floor(column + reach)) + 1);
   if (w.empty()) return w;
-  w.weight.reserve(static_cast<std::size_t>((w.r1 - w.r0) * w.columns()));
+  w.weight.reserve(static_cast<std::size_t>(w.r1 - w.r0) *
+                   static_cast<std::size_t>(w.columns()));
 
   Vec2 normal = gradient(p);
   const double length = normal.norm();
