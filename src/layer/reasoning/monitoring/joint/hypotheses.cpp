@@ -18,7 +18,7 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   BoundaryHypothesis red = smooth;
   red.radius = {prior.radius_sd, 2, 5};
   red.rate = {prior.rate_sd, 2, 5};
-  red.rate_drift = 0.0003 * prior.rate_sd;
+  red.rate_drift = 0.0001 * prior.rate_sd;
 
   BoundaryHypothesis rough = smooth;
   rough.weight = 0.3;
