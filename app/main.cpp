@@ -130,6 +130,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
   try {
     if (*run_cmd) return run_command(run, stop_requested);
     if (*check_cmd) return check_command(scenario, overrides, print);

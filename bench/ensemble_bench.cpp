@@ -18,9 +18,9 @@ model::Field circle(int nodes) {
 }
 
 void per_item(benchmark::State& state, double items) {
-  state.counters["per_item"] = benchmark::Counter(
-      items * static_cast<double>(state.iterations()),
-      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["per_item"] =
+      benchmark::Counter(items * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 // One step of one front; an item is a node in the band.

@@ -60,6 +60,8 @@ Fields<JointOptions> joint_fields() {
       .integer("patience", &T::patience,
                "Outliers in a row before the belief gives way instead.",
                {.at_least = 1, .at_most = 1000})
+      .duration_s("position_correlation_s", &T::position_correlation,
+                  "Correlation time of the aircraft's position errors.")
       .duration_s("growth_horizon_s", &T::growth_horizon,
                   "Time over which the growth of the uncertainty is averaged.",
                   {.above = 0});
@@ -74,7 +76,7 @@ Fields<EnsembleOptions> ensemble_fields() {
               {.at_least = 0.5, .at_most = 1000})
       .integer("max_nodes", &T::max_nodes,
                "Nodes of the grid; beyond, its spacing doubles.",
-               {.at_least = 1000, .at_most = 10000000})
+               {.at_least = 10000, .at_most = 10000000})
       .duration_s("step_s", &T::step, "Longest step of the fronts.", {.above = 0})
       .number("control_spacing_m", &T::control_spacing,
               "Longest distance between boundary points.", kPositive)

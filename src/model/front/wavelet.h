@@ -72,8 +72,8 @@ double length_to_breadth(double wind);
 /// 45 deg.
 /// @param fuel      factor of the rate, >= 0; 0 does not burn.
 /// @returns         finite for finite arguments; wind and |phi| / k count up to 60 m/s.
-/// Reference: [McArthur67] for slope, [Rothermel72] for the sum 1 + phi, [Finney98] for the
-/// ellipse and for adding wind and slope as vectors.
+/// Reference: [McArthur67] for slope, [Rothermel72] for the sum 1 + phi, [Finney98] for
+/// the ellipse and for adding wind and slope as vectors.
 Wavelet spread_wavelet(const SpreadLaw& law, const Vec2& wind, const Vec2& gradient,
                        double fuel);
 

@@ -70,8 +70,8 @@ Cut cut_middle(double alpha, double beta) {
           1 + (alpha * pa - beta * pb) / mass - mean * mean};
 }
 
-// Of a finite interval with alpha + beta >= 0. The width is given apart: far out it may be
-// too small for the difference of the ends.
+// Of a finite interval with alpha + beta >= 0. The width is given apart: far out it may
+// be too small for the difference of the ends.
 Cut cut_finite(double alpha, double beta, double width) {
   const double middle = 0.5 * (alpha + beta), half = 0.5 * width;
   if (half <= 1 && half * middle <= 3) return cut_narrow(middle, half);

@@ -1,0 +1,321 @@
+// The program as a user meets it: exit statuses, messages, interrupts, kills, full disks.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/random.h"
+
+namespace skein {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class Program : public testing::Test {
+ protected:
+  struct Finished {
+    int status = -1;  // exit status, or -signal
+    std::string out, err;
+  };
+
+  Program() {
+    std::string pattern = (fs::temp_directory_path() / "program-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~Program() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+
+  // Starts the program in the scratch folder; `file_limit` bounds the size of its files.
+  pid_t start(std::vector<std::string> arguments, rlim_t file_limit = RLIM_INFINITY) {
+    arguments.insert(arguments.begin(), SKEIN_PROGRAM);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    if (chdir(folder_.c_str()) != 0) _exit(99);
+    if (!freopen("out.txt", "w", stdout) || !freopen("err.txt", "w", stderr)) _exit(99);
+    const rlimit limit{file_limit, file_limit};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    execv(SKEIN_PROGRAM, argv.data());
+    _exit(99);
+  }
+
+  Finished finish(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    Finished result;
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    result.out = read_file(folder_ / "out.txt");
+    result.err = read_file(folder_ / "err.txt");
+    return result;
+  }
+
+  Finished run(std::vector<std::string> arguments, rlim_t file_limit = RLIM_INFINITY) {
+    return finish(start(std::move(arguments), file_limit));
+  }
+
+  // The one number that a query gives; NaN when it gives none.
+  static double query(const fs::path& database, const std::string& sql) {
+    sqlite3* db = nullptr;
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (sqlite3_open_v2(database.c_str(), &db, SQLITE_OPEN_READWRITE, nullptr) ==
+        SQLITE_OK) {
+      sqlite3_exec(
+          db, sql.c_str(),
+          [](void* to, int, char** values, char**) {
+            if (values[0]) *static_cast<double*>(to) = std::atof(values[0]);
+            return 0;
+          },
+          &value, nullptr);
+    }
+    sqlite3_close(db);
+    return value;
+  }
+
+  std::string hash_of(std::vector<std::string> more) {
+    std::vector<std::string> arguments = {
+        "run",    SKEIN_SOURCE_DIR "/scenarios/wildfire.yaml",
+        "--json", "--overwrite",
+        "--out",  "run",
+        "--set",  "duration_s=90"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished finished = run(arguments);
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    const auto summary = nlohmann::json::parse(finished.out, nullptr, false);
+    return summary.is_discarded() ? "" : summary.value("content_hash", "");
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Program, SaysHowItIsUsed) {
+  EXPECT_EQ(run({"--help"}).status, 0);
+  for (const char* command : {"run", "check", "list", "report", "study", "completion"}) {
+    const Finished help = run({command, "--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_NE(help.out.find("--help"), std::string::npos) << command;
+  }
+  EXPECT_EQ(run({}).status, 2);
+  EXPECT_EQ(run({"fly"}).status, 2);
+  EXPECT_EQ(run({"run"}).status, 2);
+  EXPECT_EQ(run({"--version"}).status, 0);
+}
+
+TEST_F(Program, ListsKindsAndTheirKeys) {
+  const Finished list = run({"list", "estimator"});
+  EXPECT_EQ(list.status, 0);
+  for (const char* kind : {"qkf", "mle", "map", "ukf", "qkf-a15", "particle",
+                           "point-reset", "joint", "ensemble"})
+    EXPECT_NE(list.out.find(std::string("  ") + kind + " "), std::string::npos) << kind;
+  EXPECT_EQ(run({"list", "elephants"}).status, 2);
+  const auto schema = nlohmann::json::parse(run({"schema"}).out, nullptr, false);
+  ASSERT_FALSE(schema.is_discarded());
+  EXPECT_TRUE(schema["properties"].contains("monitoring"));
+}
+
+TEST_F(Program, TheDocumentationOfKeysIsUpToDate) {
+  EXPECT_EQ(run({"keys"}).out, read_file(SKEIN_SOURCE_DIR "/docs/scenario-keys.md"))
+      << "Renew it: build/release/skein keys > docs/scenario-keys.md";
+}
+
+TEST_F(Program, ShippedScenariosAreGood) {
+  int checked = 0;
+  for (const auto& entry : fs::directory_iterator(SKEIN_SOURCE_DIR "/scenarios")) {
+    if (entry.path().extension() != ".yaml") continue;
+    if (entry.path().filename() == "bridge-fire.yaml" && !fs::exists(SKEIN_SHARED_DATA))
+      continue;  // its data is not part of the project
+    const Finished check = run({"check", entry.path().string()});
+    EXPECT_EQ(check.status, 0) << check.err;
+    ++checked;
+  }
+  EXPECT_GE(checked, 4);
+}
+
+TEST_F(Program, ReportsEveryProblemOfAScenarioWithItsPlace) {
+  const auto file = write("bad.yaml",
+                          "sed: 1\nduration_s: -5\naircraft:\n  - count: two\n"
+                          "    plant: {kind: kinematic, airspeed_kmh: 70}\n");
+  const Finished check = run({"check", file.string()});
+  EXPECT_EQ(check.status, 2);
+  for (const char* text :
+       {"bad.yaml:1:1", "Did you mean \"seed\"?", "bad.yaml:2:13", "bad.yaml:4:12",
+        "airspeed_mps", "4 problems; nothing was run."})
+    EXPECT_NE(check.err.find(text), std::string::npos) << text << "\n" << check.err;
+  EXPECT_EQ(run({"run", file.string()}).status, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "runs"));
+}
+
+TEST_F(Program, AnswersForMissingHugeAndBinaryScenarios) {
+  EXPECT_EQ(run({"check", "nothing.yaml"}).status, 2);
+  std::string huge = "name: x\naircraft:\n";
+  while (huge.size() < 10'000'000) huge += "  - {name: a, cuont: 2}\n";
+  const Finished answer = run({"check", write("huge.yaml", huge).string()});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.err.find("problems; nothing was run."), std::string::npos);
+  std::string binary;
+  RandomStream random(1, 0, Purpose::kTest);
+  for (int i = 0; i < 5000; ++i) binary += static_cast<char>(random.bits() & 255);
+  EXPECT_EQ(run({"check", write("binary.yaml", binary).string()}).status, 2);
+}
+
+TEST_F(Program, RunsNothingAtAllCleanly) {
+  const Finished zero =
+      run({"run", write("z.yaml", "duration_s: 0").string(), "--report"});
+  EXPECT_EQ(zero.status, 0) << zero.err;
+  const Finished nobody =
+      run({"run", write("n.yaml", "duration_s: 20\naircraft: []").string(), "--out", "n",
+           "--report"});
+  EXPECT_EQ(nobody.status, 0) << nobody.err;
+  EXPECT_TRUE(fs::exists(folder_ / "n" / "report.html"));
+}
+
+TEST_F(Program, RefusesAnAircraftInsideTerrain) {
+  const auto file = write("t.yaml",
+                          "environment: {terrain: {kind: flat, elevation_m: 500}}\n"
+                          "aircraft: [{start: {altitude_msl_m: 100}}]");
+  const Finished refused = run({"run", file.string()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("inside terrain"), std::string::npos) << refused.err;
+}
+
+TEST_F(Program, RefusesDamagedData) {
+  // A raster cut off in the middle, and a wind table with a hole in it.
+  write("cut.tif", std::string("II*\0\x08\0\0\0", 8));
+  const Finished raster =
+      run({"check", write("r.yaml",
+                          "environment: {terrain: {kind: raster, file: "
+                          "cut.tif}}")
+                        .string()});
+  EXPECT_EQ(raster.status, 2);
+  EXPECT_NE(raster.err.find("cut.tif"), std::string::npos) << raster.err;
+  write("wind.csv", "t_s,speed_mps,from_deg\n0,5,200\n60,nan,210\n");
+  const Finished wind = run(
+      {"check",
+       write("w.yaml", "environment: {wind: {kind: series, file: wind.csv}}").string()});
+  EXPECT_EQ(wind.status, 2);
+  EXPECT_NE(wind.err.find("wind.csv"), std::string::npos) << wind.err;
+}
+
+TEST_F(Program, SaysWhenTheFolderCannotBeWritten) {
+  const auto file = write("s.yaml", "duration_s: 5");
+  write("occupied", "a file where the folder should be");
+  const Finished refused = run({"run", file.string(), "--out", "occupied/run"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("occupied"), std::string::npos) << refused.err;
+  EXPECT_EQ(run({"run", file.string(), "--out", "a"}).status, 0);
+  const Finished again = run({"run", file.string(), "--out", "a"});
+  EXPECT_EQ(again.status, 2) << "a run that is there is not replaced unasked";
+}
+
+TEST_F(Program, AFullDiskEndsTheRunAndKeepsWhatWasWritten) {
+  const auto file = write("s.yaml", "duration_s: 3000\naircraft: [{count: 6}]");
+  const Finished full = run({"run", file.string(), "--out", "full"}, 3'000'000);
+  EXPECT_EQ(full.status, 1) << full.err;
+  EXPECT_NE(full.err.find("run.sqlite"), std::string::npos) << full.err;
+  EXPECT_GT(query(folder_ / "full" / "run.sqlite", "select count(*) from truth"), 100);
+}
+
+TEST_F(Program, CtrlCLeavesACompleteRun) {
+  const auto file = write("s.yaml", "duration_s: 100000");
+  const pid_t child = start({"run", file.string(), "--out", "stopped", "--report"});
+  while (!fs::exists(folder_ / "stopped" / "scenario.yaml"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  kill(child, SIGINT);
+  const Finished stopped = finish(child);
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  for (const char* name : {"run.sqlite", "summary.json", "scenario.yaml", "report.html"})
+    EXPECT_TRUE(fs::exists(folder_ / "stopped" / name)) << name;
+  const auto summary = nlohmann::json::parse(
+      read_file(folder_ / "stopped" / "summary.json"), nullptr, false);
+  ASSERT_FALSE(summary.is_discarded());
+  EXPECT_GT(summary["simulated_s"].get<double>(), 0);
+}
+
+TEST_F(Program, AKillLeavesReadableRecordsUpToASecondBefore) {
+  const auto file = write("s.yaml", "duration_s: 100000\naircraft: [{count: 3}]");
+  RandomStream random(7, 0, Purpose::kTest);
+  for (int k = 0; k < 4; ++k) {
+    const std::string out = "killed" + std::to_string(k);
+    // Ten times real time: rows of the last wall second are ten simulated seconds.
+    const pid_t child = start({"run", file.string(), "--out", out, "--speed", "10"});
+    while (!fs::exists(folder_ / out / "scenario.yaml"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const auto begun = std::chrono::steady_clock::now();
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(1200 + static_cast<int>(random.uniform(0, 700))));
+    kill(child, SIGKILL);
+    const double lived_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    EXPECT_EQ(finish(child).status, -SIGKILL);
+    const fs::path database = folder_ / out / "run.sqlite";
+    EXPECT_EQ(query(database,
+                    "select count(*) from pragma_integrity_check where "
+                    "integrity_check = 'ok'"),
+              1);
+    // One second, and half a second more for a busy machine to start the run.
+    EXPECT_GT(query(database, "select max(time_s) from truth"), 10 * (lived_s - 1.5));
+    EXPECT_EQ(run({"report", out}).status, 0);
+  }
+}
+
+TEST_F(Program, TheHashIsTheSameForAnyThreadsAndSpeed) {
+  const std::string expected = hash_of({});
+  EXPECT_EQ(expected.size(), 32u);
+  EXPECT_EQ(hash_of({"--threads", "2"}), expected);
+  EXPECT_EQ(hash_of({"--threads", "4"}), expected);
+  EXPECT_EQ(hash_of({"--speed", "60"}), expected);
+  EXPECT_NE(hash_of({"--seed", "2"}), expected);
+}
+
+TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
+  const std::vector<std::string> study = {
+      "study",        "monitoring",   "--out",        "m",   "--seeds",      "2",
+      "--only-cases", "no-wind",      "--estimators", "qkf", "--strategies", "gus",
+      "--set",        "duration_s=60"};
+  const Finished first = run(study);
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_TRUE(fs::exists(folder_ / "m" / "report.html"));
+  const auto journal = read_file(folder_ / "m" / "runs.jsonl");
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(read_file(folder_ / "m" / "runs.jsonl"), journal) << "nothing was run again";
+  EXPECT_EQ(run({"study", "elephants"}).status, 2);
+  EXPECT_EQ(run({"study", "monitoring", "--estimators", "elephant"}).status, 2);
+}
+
+TEST_F(Program, EstimatorsStudyChecksRows) {
+  const auto rows =
+      write("cases.csv", "kind,mu,sigma,lower,upper,sigma_v\nTN,0,1,0,inf,\n");
+  const Finished good = run({"study", "estimators", "--cases", rows.string()});
+  EXPECT_EQ(good.status, 0) << good.err;
+  EXPECT_NE(good.out.find("0.79788456080"), std::string::npos) << good.out;
+  write("bad.csv", "kind,mu,sigma,lower,upper,sigma_v\nTN,0,-1,0,inf,\n");
+  const Finished bad = run({"study", "estimators", "--cases", "bad.csv"});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.err.find("bad.csv:2"), std::string::npos) << bad.err;
+}
+
+}  // namespace
+}  // namespace skein
