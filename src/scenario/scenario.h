@@ -18,7 +18,7 @@ namespace skein::scenario {
 struct Environment {
   Choice terrain{"flat"};
   Choice wind{"uniform"};
-  Choice fire{"front"};
+  Choice fire{"thesis"};
   Time period = Time::from_seconds(1);  ///< of moving the fire
   std::vector<geo::Ring> zones;         ///< no-flight zones [m]
 };

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLeastRadius = 20;   // the polar frame ends here [m]
 constexpr double kLongestLag = 5;     // of the covariance [s]
+constexpr double kMostTilt = 3;       // slope over radius, as tan: 72 degrees
 constexpr double kLeastShift = 0.02;  // of the covariance over the bearings [knots]
 constexpr double kProductTime = 30;   // for which an error of wind times slope lasts [s]
 
@@ -100,7 +101,8 @@ void BoundaryFilter::add_outer(const Eigen::VectorXd& column, double gain) {
 
 Vec2 BoundaryFilter::wind_effect(double bearing, double slope_over_radius) {
   const Vec2 e_r = geo::unit(bearing);
-  return e_r - geo::turned_right(e_r) * slope_over_radius;
+  return e_r -
+         geo::turned_right(e_r) * std::clamp(slope_over_radius, -kMostTilt, kMostTilt);
 }
 
 BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
@@ -132,9 +134,18 @@ BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
       g.x() * g.x() * P_(0, 0) + 2 * g.x() * g.y() * P_(1, 0) + g.y() * g.y() * P_(1, 1);
   local.variance += lag_ * (2 * local.covariance + lag_ * local.growth_variance);
   local.covariance += lag_ * local.growth_variance;
+  local.variance = std::max(local.variance, kLeastVariance);
+  local.growth_variance = std::max(local.growth_variance, 0.0);
   local.spline_variance = local.variance;
   local.variance += grounds()[0].noise;
   return local;
+}
+
+bool BoundaryFilter::sound() const {
+  constexpr double kFarthest = 1e6;  // [m]
+  // Sums, because a maximum would pass over what is not a number.
+  return x_.cwiseAbs().sum() < kFarthest * n_ &&
+         P_.diagonal().cwiseAbs().sum() < kFarthest * kFarthest;
 }
 
 // Growth of the radius coefficients `c`, of which padded_ gets a copy that goes on beyond
@@ -146,6 +157,9 @@ void BoundaryFilter::growth(const Eigen::Ref<const Eigen::VectorXd>& c, double m
   const double inverse_response = 1 / spline_.response(1);
   const double inverse_step = 1 / (12 * spline_.step());
   const Vec2 w = wind();
+  // Near the origin a wind would turn points by many knots within one step of the
+  // covariance, and the differences would no longer be stable.
+  const double most_angular = 0.5 * spline_.step() / kLongestLag;
   for (int j = 0; j < n_; ++j) {
     const double* around = padded_.data() + j + 2;
     const double radius =
@@ -154,10 +168,11 @@ void BoundaryFilter::growth(const Eigen::Ref<const Eigen::VectorXd>& c, double m
         (8 * (around[1] - around[-1]) - (around[2] - around[-2])) * inverse_step;
     const Vec2& e_r = e_r_[static_cast<std::size_t>(j)];
     const Vec2 e_t = geo::turned_right(e_r);
-    const double angular = e_t.dot(w) / radius;
-    drift_[j] = x_[v(j)] + e_r.dot(w) * inverse_response - slope * angular;
+    const double angular = std::clamp(e_t.dot(w) / radius, -most_angular, most_angular);
+    const double tilt = std::clamp(slope / radius, -kMostTilt, kMostTilt);
+    drift_[j] = x_[v(j)] + e_r.dot(w) * inverse_response - tilt * e_t.dot(w);
     if (moved > 0) {
-      G_.row(j) = (e_r * inverse_response - e_t * (slope / radius)).transpose();
+      G_.row(j) = (e_r * inverse_response - e_t * tilt).transpose();
       advect_[j] += moved * angular;
     }
   }
@@ -235,7 +250,9 @@ double BoundaryFilter::product_noise() const {
     const double tangential = e_t.x() * e_t.x() * P_(0, 0) +
                               2 * e_t.x() * e_t.y() * P_(1, 0) +
                               e_t.y() * e_t.y() * P_(1, 1);
-    sum += tangential * slope / std::pow(std::max(x_[r(j)], kLeastRadius), 2);
+    // Beyond a tilt of 45 degrees the noise would feed on the slopes that it makes.
+    const double tilt2 = slope / std::pow(std::max(x_[r(j)], kLeastRadius), 2);
+    sum += tangential * std::min(tilt2, 1.0);
   }
   return 2 * kProductTime * sum / n_;
 }

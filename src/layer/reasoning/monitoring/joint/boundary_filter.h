@@ -82,6 +82,10 @@ class BoundaryFilter {
   };
   Local at(double bearing) const;
 
+  /// Whether the numbers still mean something: all finite, no radius nor its deviation
+  /// beyond 1,000 km. A fire that is nothing like the hypothesis can drive them out.
+  bool sound() const;
+
   /// Brings covariance() up to now; it may lag a few seconds behind otherwise.
   void settle();
   const Eigen::VectorXd& mean() const { return x_; }
@@ -90,6 +94,10 @@ class BoundaryFilter {
   Vec2 wind() const { return x_.head<2>(); }
 
  private:
+  // No radius is known better than to 10 cm: below that the covariance holds nothing but
+  // rounding, which may even be negative.
+  static constexpr double kLeastVariance = 0.01;
+
   // A linear function of the state with at most ten terms.
   struct Functional {
     std::array<int, 10> index{};

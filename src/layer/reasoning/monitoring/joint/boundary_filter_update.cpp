@@ -201,6 +201,10 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
   settle();
   const Functional h = radius_at(spline_.at(reading.bearing));
   double s = apply(h, Ph_), m = local.radius;
+  if (s < kLeastVariance) {
+    open_up(reading.bearing, kLeastVariance - s);
+    s = apply(h, Ph_);
+  }
   Site& site = sites_[static_cast<std::size_t>(slot)];
   double before = 1, bound = reading.distance;
   int count = 1;
@@ -223,6 +227,7 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
     }
   }
   site.open = false;
+  s = std::max(s, kLeastVariance);
 
   // Readings that agree are not all false at once.
   const double wrong = std::pow(false_rate, count);

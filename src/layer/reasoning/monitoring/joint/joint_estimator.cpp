@@ -23,6 +23,7 @@ JointEstimator::JointEstimator(const PerimeterPrior& prior, const JointOptions& 
                                const std::vector<BoundaryHypothesis>& hypotheses)
     : prior_(prior), options_(options) {
   SKEIN_CHECK(!hypotheses.empty());
+  hypotheses_ = hypotheses;
   double total = 0;
   for (const BoundaryHypothesis& hypothesis : hypotheses) total += hypothesis.weight;
   filters_.reserve(hypotheses.size());
@@ -55,6 +56,18 @@ void JointEstimator::predict(Time time) {
   SKEIN_CHECK(dt >= 0, dt);
   time_ = time;
   for (BoundaryFilter& filter : filters_) filter.predict(dt);
+  restart_unsound();
+}
+
+// A filter whose numbers have run away starts again from what was told at the beginning.
+void JointEstimator::restart_unsound() {
+  for (std::size_t i = 0; i < filters_.size(); ++i) {
+    if (filters_[i].sound()) continue;
+    filters_[i] = BoundaryFilter(prior_, hypotheses_[i], options_.knots,
+                                 static_cast<int>(aircraft_.capacity()));
+    weights_ = prior_weights_;
+    ++health_.outliers;
+  }
 }
 
 void JointEstimator::observe(const FireReading& reading) {
@@ -136,6 +149,7 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     weights_[i] = (1 - kForget) * weights_[i] / total + kForget * prior_weights_[i];
   }
+  restart_unsound();
 }
 
 BoundaryFilter::Local JointEstimator::at(double bearing) const {

@@ -65,6 +65,7 @@ class JointEstimator : public PerimeterEstimator {
     int suspects = 0;  // outliers in a row
   };
   int slot(EntityId id);
+  void restart_unsound();
   void learn(EntityId id, PolarReading reading);
   BoundaryPoint point_at(double bearing) const;
   std::vector<double> spaced_bearings(double spacing) const;
@@ -73,6 +74,7 @@ class JointEstimator : public PerimeterEstimator {
   JointOptions options_;
   Time time_;
   EstimatorHealth health_;
+  std::vector<BoundaryHypothesis> hypotheses_;
   std::vector<BoundaryFilter> filters_;
   std::vector<double> prior_weights_, weights_, evidence_;
   std::vector<Aircraft> aircraft_;

@@ -250,5 +250,27 @@ TEST(JointEstimator, IsConsistentOnItsOwnModel) {
   EXPECT_GT(static_cast<double>(covered) / points, 0.88);
 }
 
+TEST(JointEstimator, KeepsFiniteNumbersWhereEverythingToldIsWrong) {
+  // Told 500 m and 3 m/s; there is no fire at all: every reading is outside, also at the
+  // origin.
+  PerimeterPrior prior;
+  JointEstimator estimator(prior, {});
+  RandomStream random(5, 0, Purpose::kTest);
+  for (int t = 0; t < 1500; ++t) {
+    estimator.predict(Time::from_seconds(t));
+    FireReading reading;
+    reading.time = Time::from_seconds(t);
+    reading.point = {400 * random.normal(), 400 * random.normal()};
+    reading.point_sd = 2;
+    estimator.observe(reading);
+    const BoundaryEstimate boundary = estimator.boundary();
+    for (const BoundaryPoint& point : boundary.rings.at(0)) {
+      ASSERT_TRUE(point.position.allFinite() && std::isfinite(point.sigma)) << t;
+      ASSERT_LT(point.position.norm(), 4e7) << t;
+    }
+  }
+  for (const double weight : estimator.weights()) EXPECT_TRUE(std::isfinite(weight));
+}
+
 }  // namespace
 }  // namespace skein::monitoring
