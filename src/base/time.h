@@ -16,7 +16,7 @@ class Time {
   static Time from_seconds(double seconds) { return Time(std::llround(seconds * 1e9)); }
 
   constexpr std::int64_t ns() const { return ns_; }
-  constexpr double seconds() const { return static_cast<double>(ns_) * 1e-9; }
+  constexpr double seconds() const { return static_cast<double>(ns_) / 1e9; }
 
   friend constexpr auto operator<=>(Time, Time) = default;
   friend constexpr Time operator+(Time a, Time b) { return Time(a.ns_ + b.ns_); }

@@ -176,31 +176,31 @@ Result<void> RunDatabase::write(const EntityRow& row) {
 
 Result<void> RunDatabase::write(const TruthRow& row) {
   const VehicleState& s = row.state;
-  return insert(truth_, written_seconds(row.time), row.id.value, s.p_N.x(), s.p_N.y(),
+  return insert(truth_, row.time.seconds(), row.id.value, s.p_N.x(), s.p_N.y(),
                 -s.p_N.z(), s.v_N.x(), s.v_N.y(), -s.v_N.z(), s.airspeed,
                 geo::degrees(s.heading), geo::degrees(s.roll), geo::degrees(s.pitch));
 }
 
 Result<void> RunDatabase::write(const EstimateRow& row) {
   const NavEstimate& e = row.estimate;
-  return insert(estimate_, written_seconds(e.time), row.id.value, e.p_N.x(), e.p_N.y(),
+  return insert(estimate_, e.time.seconds(), row.id.value, e.p_N.x(), e.p_N.y(),
                 -e.p_N.z(), e.v_N.x(), e.v_N.y(), -e.v_N.z(), geo::degrees(e.heading),
                 e.wind_N.x(), e.wind_N.y(), e.position_sd);
 }
 
 Result<void> RunDatabase::write(const FireReading& row) {
-  return insert(reading_, written_seconds(row.time), row.aircraft.value, row.point.x(),
+  return insert(reading_, row.time.seconds(), row.aircraft.value, row.point.x(),
                 row.point.y(), row.point_sd, row.inside);
 }
 
 Result<void> RunDatabase::write(const Crossing& row) {
-  return insert(crossing_, written_seconds(row.time), row.aircraft.value, row.point.x(),
+  return insert(crossing_, row.time.seconds(), row.aircraft.value, row.point.x(),
                 row.point.y(), row.point_sd, row.entered);
 }
 
 Result<void> RunDatabase::write(const MessageRow& row) {
-  return insert(message_, written_seconds(row.sent), written_seconds(row.arrived),
-                row.from.value, row.to.value, static_cast<std::int64_t>(row.number),
+  return insert(message_, row.sent.seconds(), row.arrived.seconds(), row.from.value,
+                row.to.value, static_cast<std::int64_t>(row.number),
                 kContentNames[static_cast<std::size_t>(row.content)], row.size_bytes,
                 row.lost);
 }
@@ -208,14 +208,13 @@ Result<void> RunDatabase::write(const MessageRow& row) {
 Result<void> RunDatabase::write(const TaskRow& row) {
   TaskColumns columns;
   std::visit(columns, row.task.what);
-  return insert(task_, written_seconds(row.sent), written_seconds(row.arrived),
-                row.from.value, row.to.value, row.task.number, columns.kind,
-                columns.north, columns.east, columns.course_deg, columns.clockwise,
-                columns.points_json, row.lost);
+  return insert(task_, row.sent.seconds(), row.arrived.seconds(), row.from.value,
+                row.to.value, row.task.number, columns.kind, columns.north, columns.east,
+                columns.course_deg, columns.clockwise, columns.points_json, row.lost);
 }
 
 Result<void> RunDatabase::write(const Event& row) {
-  return insert(event_, written_seconds(row.time), row.entity.value, row.kind, row.text);
+  return insert(event_, row.time.seconds(), row.entity.value, row.kind, row.text);
 }
 
 Result<void> RunDatabase::write(const TerrainRow& row) {
@@ -229,9 +228,9 @@ Result<void> RunDatabase::write_truth(Time time, const geo::Region& truth) {
     floats.clear();
     for (const Vec2& p : truth[r])
       floats.insert(floats.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
-    auto done = insert(perimeter_, written_seconds(time), "truth", nullptr,
-                       static_cast<std::int64_t>(r),
-                       static_cast<std::int64_t>(truth[r].size()), bytes(floats));
+    auto done =
+        insert(perimeter_, time.seconds(), "truth", nullptr, static_cast<std::int64_t>(r),
+               static_cast<std::int64_t>(truth[r].size()), bytes(floats));
     if (!done) return done;
   }
   return {};
@@ -246,7 +245,7 @@ Result<void> RunDatabase::write_belief(Time time, EntityId believer,
       for (const double number : {p.position.x(), p.position.y(), p.normal.x(),
                                   p.normal.y(), p.sigma, p.sigma_growth, p.rate})
         floats.push_back(static_cast<float>(number));
-    auto done = insert(perimeter_, written_seconds(time), "belief", believer.value,
+    auto done = insert(perimeter_, time.seconds(), "belief", believer.value,
                        static_cast<std::int64_t>(r),
                        static_cast<std::int64_t>(belief.rings[r].size()), bytes(floats));
     if (!done) return done;
@@ -258,8 +257,7 @@ Result<void> RunDatabase::write_metrics(Time time, EntityId believer,
                                         const PerimeterMetrics& metrics) {
   const auto fields = metric_fields();
   const auto with_columns = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return insert(metrics_, written_seconds(time), believer.value,
-                  metrics.*fields[I].value...);
+    return insert(metrics_, time.seconds(), believer.value, metrics.*fields[I].value...);
   };
   constexpr std::size_t kFieldCount = 13;
   SKEIN_CHECK(fields.size() == kFieldCount, fields.size());

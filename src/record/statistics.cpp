@@ -70,7 +70,7 @@ std::map<std::string, double> RunStatistics::figures() const {
     if (g.run.count > 0) put(field, "_run_mean", g.run.sum / g.run.count);
     if (g.final) put(field, "_final", *g.final);
   }
-  if (allocation_start_) out["allocation_start_s"] = written_seconds(*allocation_start_);
+  if (allocation_start_) out["allocation_start_s"] = allocation_start_->seconds();
 
   double total = 0, flown = 0;
   for (const auto& [id, flight] : flights_) {

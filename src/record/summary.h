@@ -11,12 +11,6 @@
 
 namespace skein::record {
 
-/// Seconds as they are written down: 60 s is 60, where Time::seconds() may be a rounding
-/// off.
-inline double written_seconds(Time time) {
-  return static_cast<double>(time.ns()) / 1e9;
-}
-
 /// What a run was. Kept in the database's `meta` table.
 struct RunInfo {
   std::string version;  ///< of Skein

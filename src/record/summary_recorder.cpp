@@ -63,10 +63,10 @@ RunSummary make_summary(const RunInfo& info, const ContentHash& hash,
   summary.content_hash = hash.hex();
   summary.interrupted = interrupted;
   summary.numbers = statistics.figures();
-  summary.numbers["simulated_s"] = written_seconds(simulated);
+  summary.numbers["simulated_s"] = simulated.seconds();
   summary.numbers["wall_s"] = wall.count();
   if (wall.count() > 0)
-    summary.numbers["real_time_factor"] = written_seconds(simulated) / wall.count();
+    summary.numbers["real_time_factor"] = simulated.seconds() / wall.count();
   summary.numbers["deadline_misses"] = 0;
   for (const auto& [name, value] : extra) summary.numbers[name] = value;
   return summary;

@@ -17,32 +17,7 @@
 namespace skein::environment {
 namespace {
 
-constexpr double kKnotSpacing = 250;      // [m]
 constexpr double kLargestWindow = 100e6;  // pixels
-
-struct CloseDataset {
-  void operator()(void* dataset) const { GDALClose(dataset); }
-};
-struct DestroyReference {
-  void operator()(void* reference) const {
-    OSRDestroySpatialReference(static_cast<OGRSpatialReferenceH>(reference));
-  }
-};
-struct DestroyTransform {
-  void operator()(void* transform) const {
-    OCTDestroyCoordinateTransformation(
-        static_cast<OGRCoordinateTransformationH>(transform));
-  }
-};
-using Dataset = std::unique_ptr<void, CloseDataset>;
-using Reference = std::unique_ptr<void, DestroyReference>;
-using Transform = std::unique_ptr<void, DestroyTransform>;
-
-Dataset open_dataset(const std::string& name) {
-  return Dataset(GDALOpenEx(name.c_str(),
-                            GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                            nullptr, nullptr, nullptr));
-}
 
 struct Subdataset {
   std::string name;      // for GDALOpen
@@ -70,11 +45,8 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 struct RasterFile::Handles {
-  Dataset dataset;
-  Transform to_raster;  // WGS 84 degrees (x = longitude) to the raster's system
-  Transform from_raster;
-  std::array<double, 6> geo{};  // pixel to raster's system
-  std::array<double, 6> inverse{};
+  GdalDataset dataset;
+  Georeference place;
 };
 
 RasterFile::RasterFile(std::string path, std::unique_ptr<Handles> handles)
@@ -97,7 +69,7 @@ Result<RasterFile> RasterFile::open(const std::string& path,
                  "give one raster file"};
   const GdalGuard guard;
   auto handles = std::make_unique<Handles>();
-  handles->dataset = open_dataset(path);
+  handles->dataset = open_dataset(path, DataKind::kRaster);
   if (!handles->dataset)
     return Error{ErrorCode::kBadInput, path,
                  "cannot be read as a raster: " + guard.failure(),
@@ -117,7 +89,7 @@ Result<RasterFile> RasterFile::open(const std::string& path,
                    variable.empty() ? "has several variables and none was chosen"
                                     : fmt::format("has no variable \"{}\"", variable),
                    "it has: " + joined(names)};
-    handles->dataset = open_dataset(chosen->name);
+    handles->dataset = open_dataset(chosen->name, DataKind::kRaster);
     if (!handles->dataset)
       return Error{
           ErrorCode::kBadInput, path,
@@ -126,33 +98,43 @@ Result<RasterFile> RasterFile::open(const std::string& path,
   }
 
   RasterFile file(path, std::move(handles));
-  Handles& h = *file.handles_;
-  file.columns_ = GDALGetRasterXSize(h.dataset.get());
-  file.rows_ = GDALGetRasterYSize(h.dataset.get());
-  if (GDALGetRasterCount(h.dataset.get()) < 1) return file.fault("has no raster band");
-  if (GDALGetGeoTransform(h.dataset.get(), h.geo.data()) != CE_None ||
-      GDALInvGeoTransform(h.geo.data(), h.inverse.data()) == 0)
-    return file.fault("has no georeference: nothing says where its pixels lie",
-                      "an affine transform (world file, GeoTIFF tags...) is needed");
-  OGRSpatialReferenceH own = GDALGetSpatialRef(h.dataset.get());
-  if (own == nullptr)
-    return file.fault("has no coordinate reference system",
-                      "assign one, for example with gdal_translate -a_srs");
-  const Reference system(OSRClone(own));
-  const Reference wgs84(OSRNewSpatialReference(nullptr));
-  OSRSetWellKnownGeogCS(static_cast<OGRSpatialReferenceH>(wgs84.get()), "WGS84");
-  for (const Reference* r : {&system, &wgs84})
-    OSRSetAxisMappingStrategy(static_cast<OGRSpatialReferenceH>(r->get()),
-                              OAMS_TRADITIONAL_GIS_ORDER);
-  file.geographic_ =
-      OSRIsGeographic(static_cast<OGRSpatialReferenceH>(system.get())) != 0;
-  h.to_raster.reset(OCTNewCoordinateTransformation(wgs84.get(), system.get()));
-  h.from_raster.reset(OCTNewCoordinateTransformation(system.get(), wgs84.get()));
-  if (!h.to_raster || !h.from_raster)
-    return file.fault("has a coordinate reference system that cannot be used: " +
-                      guard.failure());
+  if (auto good = file.georeference(); !good) return good.error();
   file.describe_bands();
   return file;
+}
+
+Result<void> RasterFile::georeference() {
+  const GdalGuard guard;
+  GDALDatasetH dataset = handles_->dataset.get();
+  Georeference& place = handles_->place;
+  place.columns = GDALGetRasterXSize(dataset);
+  place.rows = GDALGetRasterYSize(dataset);
+  if (GDALGetRasterCount(dataset) < 1) return fault("has no raster band");
+  if (GDALGetGeoTransform(dataset, place.geo.data()) != CE_None ||
+      GDALInvGeoTransform(place.geo.data(), place.inverse.data()) == 0)
+    return fault("has no georeference: nothing says where its pixels lie",
+                 "an affine transform (world file, GeoTIFF tags...) is needed");
+  OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
+  if (system == nullptr)
+    return fault("has no coordinate reference system",
+                 "assign one, for example with gdal_translate -a_srs");
+  place.geographic = OSRIsGeographic(system) != 0;
+  place.to_raster = transform_from_degrees(system);
+  place.from_raster = transform_to_degrees(system);
+  if (!place.to_raster || !place.from_raster)
+    return fault("has a coordinate reference system that cannot be used: " +
+                 guard.failure());
+  return {};
+}
+
+int RasterFile::columns() const {
+  return handles_->place.columns;
+}
+int RasterFile::rows() const {
+  return handles_->place.rows;
+}
+bool RasterFile::geographic() const {
+  return handles_->place.geographic;
 }
 
 void RasterFile::describe_bands() {
@@ -184,10 +166,12 @@ Result<int> RasterFile::find_band(int number, const std::string& name) const {
 
 Result<geo::Geodetic> RasterFile::geodetic(const Vec2& pixel) const {
   const GdalGuard guard;
-  double x = 0, y = 0;
-  GDALApplyGeoTransform(handles_->geo.data(), pixel.x(), pixel.y(), &x, &y);
+  const Vec2 there = affine(handles_->place.geo, pixel);
+  double x = there.x(), y = there.y();
   int good = 0;
-  OCTTransformEx(handles_->from_raster.get(), 1, &x, &y, nullptr, &good);
+  OCTTransformEx(
+      static_cast<OGRCoordinateTransformationH>(handles_->place.from_raster.get()), 1, &x,
+      &y, nullptr, &good);
   if (good == 0 || !std::isfinite(x) || !std::isfinite(y) || std::abs(y) > 90)
     return fault(fmt::format("pixel {:.1f}, {:.1f} has no latitude and longitude: {}",
                              pixel.x(), pixel.y(), guard.failure()));
@@ -208,89 +192,7 @@ Result<double> RasterFile::pixel_size(const geo::LocalFrame& frame) const {
 
 Result<PixelMap> RasterFile::map(const geo::LocalFrame& frame,
                                  const GridShape& shape) const {
-  const GdalGuard guard;
-  PixelMap map;
-  map.shape_ = shape;
-  map.raster_columns_ = columns_;
-  map.raster_rows_ = rows_;
-  map.step_ = std::max(1, static_cast<int>(kKnotSpacing / shape.spacing));
-  const int knot_rows = (shape.rows - 2) / map.step_ + 2;
-  map.knot_columns_ = (shape.columns - 2) / map.step_ + 2;
-
-  // Three points per knot: itself, a point towards true north, and later one towards grid
-  // north from the inverse direction.
-  std::vector<double> x, y;
-  std::vector<Vec2> places;
-  for (int r = 0; r < knot_rows; ++r)
-    for (int c = 0; c < map.knot_columns_; ++c) {
-      const Vec2 p = shape.node(r * map.step_, c * map.step_);
-      const geo::Geodetic g = frame.from_plane(p);
-      places.push_back(p);
-      x.push_back(g.longitude_deg);
-      y.push_back(g.latitude_deg);
-      // Towards the equator near a pole, so as not to step over it.
-      const double sign = g.latitude_deg < 89 ? 1 : -1;
-      const Vec2 along = frame.to_plane(g.latitude_deg + sign * 1e-3, g.longitude_deg) -
-                         frame.to_plane(g.latitude_deg, g.longitude_deg);
-      map.knots_.push_back({Vec2::Zero(), Vec2::UnitX(), sign * along.normalized()});
-    }
-  std::vector<int> good(x.size(), 0);
-  OCTTransformEx(handles_->to_raster.get(), static_cast<int>(x.size()), x.data(),
-                 y.data(), nullptr, good.data());
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (good[i] == 0 || !std::isfinite(x[i]) || !std::isfinite(y[i]))
-      return fault(
-          fmt::format("its coordinate system does not reach the area (north {:.0f} "
-                      "m, east {:.0f} m): {}",
-                      places[i].x(), places[i].y(), guard.failure()));
-  if (geographic_) {
-    // Longitudes of some rasters run from 0 to 360: whole turns are added to fit.
-    const double middle = handles_->geo[0] + handles_->geo[1] * columns_ / 2;
-    const double reference = x[x.size() / 2];
-    const double turns = std::round((middle - reference) / 360) * 360;
-    for (double& longitude : x)
-      longitude += std::round((reference - longitude) / 360) * 360 + turns;
-  }
-  for (std::size_t i = 0; i < x.size(); ++i)
-    GDALApplyGeoTransform(handles_->inverse.data(), x[i], y[i], &map.knots_[i].pixel.x(),
-                          &map.knots_[i].pixel.y());
-
-  // Grid north is where the raster's second coordinate grows: from the change of raster
-  // coordinates with the place (rows of J), solve J * d = (0, 1).
-  const auto knot = [&](int r, int c) {
-    return static_cast<std::size_t>(r) * static_cast<std::size_t>(map.knot_columns_) +
-           static_cast<std::size_t>(c);
-  };
-  for (int r = 0; r < knot_rows; ++r)
-    for (int c = 0; c < map.knot_columns_; ++c) {
-      const int r0 = std::min(r, knot_rows - 2), c0 = std::min(c, map.knot_columns_ - 2);
-      const std::size_t k = knot(r0, c0), kn = knot(r0 + 1, c0), ke = knot(r0, c0 + 1);
-      const Vec2 by_north(x[kn] - x[k], y[kn] - y[k]);
-      const Vec2 by_east(x[ke] - x[k], y[ke] - y[k]);
-      const double det = by_north.x() * by_east.y() - by_north.y() * by_east.x();
-      const Vec2 direction(-by_east.x() / det, by_north.x() / det);
-      if (direction.allFinite() && direction.norm() > 0)
-        map.knots_[knot(r, c)].grid_north = direction.normalized();
-    }
-
-  Vec2 low = map.pixel(0, 0), high = low;
-  const auto widen = [&](int r, int c) {
-    low = low.cwiseMin(map.pixel(r, c));
-    high = high.cwiseMax(map.pixel(r, c));
-  };
-  for (int r = 0; r < shape.rows; ++r)
-    for (const int c : {0, shape.columns - 1}) widen(r, c);
-  for (int c = 0; c < shape.columns; ++c)
-    for (const int r : {0, shape.rows - 1}) widen(r, c);
-  const auto limit = [](double value, int size) {
-    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
-  };
-  map.window_.first_column = limit(std::floor(low.x()) - 1, columns_);
-  map.window_.first_row = limit(std::floor(low.y()) - 1, rows_);
-  map.window_.columns =
-      limit(std::ceil(high.x()) + 1, columns_) - map.window_.first_column;
-  map.window_.rows = limit(std::ceil(high.y()) + 1, rows_) - map.window_.first_row;
-  return map;
+  return map_pixels(handles_->place, frame, shape, path_);
 }
 
 Result<PixelWindow> RasterFile::read(int band, const PixelWindow& window) const {
@@ -342,6 +244,20 @@ Result<PixelWindow> RasterFile::read(int band, const PixelWindow& window) const 
         "declare it as the band's \"no data\" value, or repair the file");
   }
   return pixels;
+}
+
+Result<GridField> read_grid(const std::string& path, int band, const std::string& name,
+                            const geo::LocalFrame& frame, const GridShape& shape,
+                            Missing missing) {
+  auto file = RasterFile::open(path);
+  if (!file) return file.error();
+  const auto number = file.value().find_band(band, name);
+  if (!number) return number.error();
+  const auto map = file.value().map(frame, shape);
+  if (!map) return map.error();
+  const auto pixels = file.value().read(number.value(), map.value().window());
+  if (!pixels) return pixels.error();
+  return resample(pixels.value(), map.value(), missing, path);
 }
 
 }  // namespace skein::environment

@@ -5,40 +5,9 @@
 #include <limits>
 
 #include "base/check.h"
-#include "layer/environment/raster/raster_file.h"
+#include "layer/environment/raster/pixel_map.h"
 
 namespace skein::environment {
-
-PixelMap::Knot PixelMap::knot_mix(int row, int column) const {
-  const int r = row / step_, c = column / step_;
-  const int knot_rows = static_cast<int>(knots_.size()) / knot_columns_;
-  const int r0 = std::min(r, knot_rows - 2), c0 = std::min(c, knot_columns_ - 2);
-  const double north = static_cast<double>(row) / step_ - r0;
-  const double east = static_cast<double>(column) / step_ - c0;
-  const auto corner =
-      static_cast<std::size_t>(r0) * static_cast<std::size_t>(knot_columns_) +
-      static_cast<std::size_t>(c0);
-  const Knot& sw = knots_[corner];
-  const Knot& se = knots_[corner + 1];
-  const Knot& nw = knots_[corner + static_cast<std::size_t>(knot_columns_)];
-  const Knot& ne = knots_[corner + static_cast<std::size_t>(knot_columns_) + 1];
-  const auto mix = [&](Vec2 Knot::*part) -> Vec2 {
-    return (1 - north) * ((1 - east) * sw.*part + east * (se.*part)) +
-           north * ((1 - east) * nw.*part + east * (ne.*part));
-  };
-  return {mix(&Knot::pixel), mix(&Knot::grid_north), mix(&Knot::true_north)};
-}
-
-Vec2 PixelMap::pixel(int row, int column) const {
-  return knot_mix(row, column).pixel;
-}
-double PixelMap::grid_north(int row, int column) const {
-  return geo::bearing(knot_mix(row, column).grid_north);
-}
-double PixelMap::true_north(int row, int column) const {
-  return geo::bearing(knot_mix(row, column).true_north);
-}
-
 namespace {
 
 // Bilinear between pixel centres, over those of the four that have a value; NaN when the
@@ -131,20 +100,6 @@ Result<GridField> resample(const PixelWindow& pixels, const PixelMap& map,
         "use a smaller area, or let the edge's values go on outside (outside: edge)"};
   if (lacking > 0 && missing == Missing::kNearest) fill_from_nearest(shape, values);
   return GridField(shape, std::move(values));
-}
-
-Result<GridField> read_grid(const std::string& path, int band, const std::string& name,
-                            const geo::LocalFrame& frame, const GridShape& shape,
-                            Missing missing) {
-  auto file = RasterFile::open(path);
-  if (!file) return file.error();
-  const auto number = file.value().find_band(band, name);
-  if (!number) return number.error();
-  const auto map = file.value().map(frame, shape);
-  if (!map) return map.error();
-  const auto pixels = file.value().read(number.value(), map.value().window());
-  if (!pixels) return pixels.error();
-  return resample(pixels.value(), map.value(), missing, path);
 }
 
 }  // namespace skein::environment

@@ -13,6 +13,7 @@
 
 #include "layer/environment/raster/csv_table.h"
 #include "layer/environment/raster/gdal_guard.h"
+#include "layer/environment/raster/gdal_handles.h"
 #include "layer/environment/raster/utc_time.h"
 
 namespace skein::environment {
@@ -21,9 +22,6 @@ namespace {
 constexpr std::size_t kMostPoints = 5'000'000;
 constexpr int kDeepest = 16;  // geometry collections within each other
 
-struct CloseDataset {
-  void operator()(void* dataset) const { GDALClose(dataset); }
-};
 struct DestroyFeature {
   void operator()(void* feature) const {
     OGR_F_Destroy(static_cast<OGRFeatureH>(feature));
@@ -34,19 +32,6 @@ struct DestroyGeometry {
     OGR_G_DestroyGeometry(static_cast<OGRGeometryH>(geometry));
   }
 };
-struct DestroyReference {
-  void operator()(void* reference) const {
-    OSRDestroySpatialReference(static_cast<OGRSpatialReferenceH>(reference));
-  }
-};
-struct DestroyTransform {
-  void operator()(void* transform) const {
-    OCTDestroyCoordinateTransformation(
-        static_cast<OGRCoordinateTransformationH>(transform));
-  }
-};
-using Transform = std::unique_ptr<void, DestroyTransform>;
-
 // Takes geometry apart into rings and lines, in degrees.
 class Collector {
  public:
@@ -207,15 +192,6 @@ std::string field_names(OGRFeatureDefnH definition) {
   return names.empty() ? "none" : names;
 }
 
-Transform transform_to_degrees(OGRSpatialReferenceH own) {
-  const std::unique_ptr<void, DestroyReference> system(OSRClone(own));
-  const std::unique_ptr<void, DestroyReference> degrees(OSRNewSpatialReference(nullptr));
-  OSRSetWellKnownGeogCS(degrees.get(), "WGS84");
-  OSRSetAxisMappingStrategy(system.get(), OAMS_TRADITIONAL_GIS_ORDER);
-  OSRSetAxisMappingStrategy(degrees.get(), OAMS_TRADITIONAL_GIS_ORDER);
-  return Transform(OCTNewCoordinateTransformation(system.get(), degrees.get()));
-}
-
 // The text of a shapefile's .prj; empty for anything else.
 std::string projection_text(const std::string& name) {
   std::filesystem::path path(name);
@@ -248,8 +224,8 @@ class ThreadOption {
 }  // namespace
 
 struct VectorReader::Systems {
-  std::string text;      // of the last .prj
-  Transform to_degrees;  // that it stands for
+  std::string text;          // of the last .prj
+  GdalTransform to_degrees;  // that it stands for
 };
 
 VectorReader::VectorReader() : systems_(std::make_unique<Systems>()) {}
@@ -266,9 +242,7 @@ Result<std::vector<VectorFeature>> VectorReader::read(
   const auto fault = [&](const std::string& message, const std::string& hint = "") {
     return Error{ErrorCode::kBadInput, name, message, hint};
   };
-  const std::unique_ptr<void, CloseDataset> dataset(
-      GDALOpenEx(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                 nullptr, nullptr, nullptr));
+  const GdalDataset dataset = open_dataset(name, DataKind::kVector);
   if (!dataset)
     return fault("cannot be read as vector data: " + guard.failure(),
                  "any vector format that GDAL reads is allowed");
@@ -278,7 +252,7 @@ Result<std::vector<VectorFeature>> VectorReader::read(
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), l);
     OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer);
     const int time = time_index(definition, time_field);
-    Transform own_transform;
+    GdalTransform own_transform;
     void* to_degrees = known ? systems_->to_degrees.get() : nullptr;
     OGR_L_ResetReading(layer);
     for (int n = 0;; ++n) {
