@@ -202,7 +202,9 @@ double EdgeFollower::follow_finder(const Vec2& position) const {
   const bool right = geo::cross(found_->tangent, from_edge) > 0;  // in the fire
   const double outside = right ? -from_edge.norm() : from_edge.norm();
   const double along = geo::bearing(side_ * found_->tangent);
-  return along + side_ * std::atan2(outside - options_.offset, kFinderLookAhead);
+  // To the other side and back: an edge that is never crossed is never measured.
+  const double wanted = last_ && last_->inside ? options_.offset : -options_.offset;
+  return along + side_ * std::atan2(outside - wanted, kFinderLookAhead);
 }
 
 }  // namespace skein::reasoning

@@ -15,7 +15,7 @@ struct EdgeFollowerOptions {
   double escalation = 0.2;  ///< growth of that angle while a crossing is overdue [rad/s]
   double give_up = 4.2;     ///< angle at which the edge counts as lost [rad]
   double near = 250;        ///< crossings this near to the start begin the following [m]
-  double offset = 10;       ///< kept outside the edge with an ideal edge finder [m]
+  double offset = 20;       ///< aimed at beyond the edge with an ideal edge finder [m]
 };
 
 /// Follows the edge of a fire by in/out readings, or by an ideal edge finder.

@@ -8,6 +8,18 @@
 #include "geo/polygon.h"
 
 namespace skein::monitoring {
+namespace {
+
+// Major semi-axis of the 1-sigma ellipse; of a circle, the radius along `normal`.
+Vec2 major_axis(const Eigen::Matrix2d& P, const Vec2& normal) {
+  const double middle = (P(0, 0) + P(1, 1)) / 2;
+  const Vec2 twice((P(0, 0) - P(1, 1)) / 2, P(0, 1));  // at twice the axis' bearing
+  const double longest = std::sqrt(std::max(0.0, middle + twice.norm()));
+  if (twice.norm() <= 1e-9 * middle) return longest * normal;
+  return longest * geo::unit(geo::bearing(twice) / 2);
+}
+
+}  // namespace
 
 PointwiseEstimator::PointwiseEstimator(const PointwiseOptions& options,
                                        const PerimeterPrior& prior,
@@ -135,7 +147,8 @@ BoundaryEstimate PointwiseEstimator::boundary() const {
     const double sigma = std::sqrt(std::max(0.0, n.dot(P.topLeftCorner<2, 2>() * n)));
     // d(n' Ppp n)/dt = 2 n' Ppv n, because position is the integral of the rate.
     const double growth = sigma > 0 ? n.dot(P.topRightCorner<2, 2>() * n) / sigma : 0;
-    ring.push_back({point.position(), n, sigma, growth, n.dot(point.velocity())});
+    ring.push_back({point.position(), n, sigma, growth, n.dot(point.velocity()),
+                    major_axis(P.topLeftCorner<2, 2>(), n)});
   }
   return estimate;
 }

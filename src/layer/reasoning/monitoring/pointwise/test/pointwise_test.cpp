@@ -86,6 +86,28 @@ TEST(PointwiseEstimator, SigmaGrowthIsTheDerivativeOfSigma) {
   }
 }
 
+TEST(PointwiseEstimator, MajorAxisIsTheLargestEigenvectorOfThePosition) {
+  PointwiseEstimator estimator = make("qkf");
+  const auto start = estimator.boundary().rings[0];
+  for (const BoundaryPoint& point : start)
+    EXPECT_NEAR((point.major_axis - point.sigma * point.normal).norm(), 0,
+                1e-9);  // circle
+  estimator.observe(reading(0, {560, 80}, true));
+  estimator.observe(reading(0, {0, -620}, true));
+  const auto ring = estimator.boundary().rings[0];
+  int stretched = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Matrix2d P = estimator.points()[i].covariance.topLeftCorner<2, 2>();
+    const Vec2 axis = ring[i].major_axis;
+    const double longest = axis.squaredNorm();
+    // P a = |a|^2 a, and no direction has more.
+    EXPECT_LT((P * axis - longest * axis).norm(), 1e-9 * longest * axis.norm());
+    EXPECT_GE(2 * longest, P.trace() * (1 - 1e-12));
+    if (longest > 1.05 * (P.trace() - longest)) ++stretched;
+  }
+  EXPECT_GT(stretched, 0);
+}
+
 TEST(PointwiseEstimator, AConflictPullsPointsPastTheAircraft) {
   PointwiseEstimator estimator = make("qkf");
   estimator.observe(reading(0, {450, 0}, true));  // inside, as expected
