@@ -25,6 +25,11 @@ double length(const Region& region);
 bool contains(std::span<const Vec2> ring, const Vec2& p);
 bool contains(const Region& region, const Vec2& p);
 
+/// Whether the ray from `p` towards growing east crosses the edge from `a` to `b`. A
+/// point is inside when an odd number of edges is crossed; every point of the plane is
+/// inside exactly one of the parts into which edges divide it, those on an edge included.
+bool ray_crosses(const Vec2& a, const Vec2& b, const Vec2& p);
+
 /// The outward unit normal of a positive ring's edge with direction `tangent`.
 Vec2 outward_normal(const Vec2& tangent);
 
@@ -32,45 +37,5 @@ Vec2 outward_normal(const Vec2& tangent);
 Ring resample(std::span<const Vec2> ring, int count);
 /// Points along the ring no further than `spacing` [m] apart, at least `least`.
 Ring resample_by_spacing(std::span<const Vec2> ring, double spacing, int least = 3);
-
-struct NearestPoint {
-  Vec2 point;        ///< on the boundary
-  double distance;   ///< [m]
-  int ring = 0;      ///< index of the ring
-  int edge = 0;      ///< edge from point `edge` to the next
-  double along = 0;  ///< position on the edge, 0 to 1
-};
-
-/// Answers "how far is the boundary" for many points: edges sorted into square cells.
-class BoundaryIndex {
- public:
-  /// Keeps a copy of the edges. An empty region is allowed: see nearest().
-  explicit BoundaryIndex(const Region& region);
-
-  bool empty() const { return edges_.empty(); }
-  /// The nearest boundary point. Fails: Bug when the region is empty.
-  /// Cost: about constant near the boundary.
-  NearestPoint nearest(const Vec2& p) const;
-  /// Distance to the boundary [m], negative inside. Fails: Bug when empty.
-  double signed_distance(const Vec2& p) const;
-  bool contains(const Vec2& p) const;
-
- private:
-  struct Edge {
-    Vec2 a, b;
-    int ring, edge;
-  };
-  int cell_x(double x) const;
-  int cell_y(double y) const;
-
-  std::vector<Edge> edges_;
-  Vec2 low_ = Vec2::Zero(), high_ = Vec2::Zero();
-  double cell_ = 1;
-  int nx_ = 0, ny_ = 0;
-  std::vector<int> start_;      // per cell, into members_
-  std::vector<int> members_;    // edge indices by cell
-  std::vector<int> row_start_;  // per row of equal x cell, into row_members_
-  std::vector<int> row_members_;
-};
 
 }  // namespace skein::geo

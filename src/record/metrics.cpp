@@ -10,8 +10,9 @@
 namespace skein::record {
 namespace {
 
-constexpr double kSampleSpacing = 25;  // [m]
-constexpr double kLeastSamples = 200;  // over all rings
+constexpr double kSampleSpacing = 25;    // [m]
+constexpr double kLeastSamples = 200;    // over all rings
+constexpr double kMostSamples = 20'000;  // coarser for a belief that has run away
 constexpr double kBand95 = 1.959963984540054;
 // A deviation below this says "exactly here": no ratio to it means anything. [m]
 constexpr double kLeastSigma = 1e-6;
@@ -95,7 +96,8 @@ geo::Ring boundary_samples(const geo::Region& region) {
     if (ring.size() >= 3) total += geo::length(ring);
   geo::Ring samples;
   if (total <= 0) return samples;
-  const double spacing = std::min(kSampleSpacing, total / kLeastSamples);
+  const double spacing =
+      std::clamp(kSampleSpacing, total / kMostSamples, total / kLeastSamples);
   for (const geo::Ring& ring : region) {
     if (ring.size() < 3) continue;
     const geo::Ring points = geo::resample_by_spacing(ring, spacing);

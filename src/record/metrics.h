@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "data/fire.h"
-#include "geo/polygon.h"
+#include "geo/boundary_index.h"
 
 namespace skein::record {
 

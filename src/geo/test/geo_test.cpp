@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "base/random.h"
+#include "geo/boundary_index.h"
 #include "geo/clip.h"
 #include "geo/local_frame.h"
-#include "geo/polygon.h"
 #include "geo/vec.h"
 
 namespace skein::geo {
@@ -90,12 +90,33 @@ TEST(BoundaryIndex, AgreesWithBruteForce) {
   }
 }
 
+TEST(BoundaryIndex, FindsTheSameEdgesForAnyNumberOfThem) {
+  // Leaves that are full, partly full and empty.
+  for (int n = 1; n <= 40; ++n) {
+    const Ring ring = circle({0, 0}, 100, n);
+    const BoundaryIndex index({ring});
+    for (int i = 0; i < n; ++i) {
+      const Vec2 middle = (ring[static_cast<std::size_t>(i)] +
+                           ring[static_cast<std::size_t>((i + 1) % n)]) /
+                          2;
+      const NearestPoint found = index.nearest(middle);
+      EXPECT_NEAR(found.distance, 0, 1e-9) << n << " " << i;
+      if (n > 2) {
+        EXPECT_EQ(found.edge, i) << n;
+        EXPECT_NEAR(found.along, 0.5, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(BoundaryIndex, WorksFarAwayAndForDegenerateRings) {
   const BoundaryIndex line({{{0, 0}, {0, 100}}});
   EXPECT_NEAR(line.nearest({3e4, 50}).distance, 3e4, 1e-6);
   const BoundaryIndex point({{{5, 5}}});
   EXPECT_NEAR(point.nearest({5, 105}).distance, 100, 1e-9);
-  EXPECT_TRUE(BoundaryIndex({}).empty());
+  const BoundaryIndex none({});
+  EXPECT_TRUE(none.empty());
+  EXPECT_FALSE(none.contains({0, 0}));
 }
 
 TEST(Clip, CleansASelfCrossingRing) {

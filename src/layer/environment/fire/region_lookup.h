@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-#include "geo/polygon.h"
+#include "geo/boundary_index.h"
 
 namespace skein::environment {
 

@@ -6,6 +6,7 @@
 #include "data/autopilot.h"
 #include "data/vehicle.h"
 #include "data/zone.h"
+#include "geo/boundary_index.h"
 
 namespace skein::reasoning {
 

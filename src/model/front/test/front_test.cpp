@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "geo/boundary_index.h"
 #include "geo/clip.h"
 
 namespace skein::model {

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "geo/boundary_index.h"
 #include "geo/clip.h"
 
 namespace skein::environment {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/random.h"
+#include "geo/boundary_index.h"
 #include "geo/clip.h"
 #include "layer/environment/recorded/distance_grid.h"
 #include "layer/environment/recorded/perimeter_repair.h"

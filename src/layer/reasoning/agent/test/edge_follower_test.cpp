@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "geo/polygon.h"
+#include "geo/boundary_index.h"
 #include "layer/reasoning/agent/test/test_flight.h"
 
 namespace skein::reasoning {
