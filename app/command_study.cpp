@@ -17,6 +17,7 @@
 #include "campaign/estimators_study.h"
 #include "campaign/monitoring_report.h"
 #include "campaign/monitoring_study.h"
+#include "campaign/study_summary.h"
 #include "record/study_report.h"
 
 namespace skein::app {
@@ -76,7 +77,8 @@ int estimators(const fs::path& folder) {
       "measurement update (figures 2.6 to 2.9 of the thesis).",
       "exact: by numerical integration. The variance of an approximation is its second "
       "moment about the value that it chose: never below the exact one."};
-  for (const campaign::StudyTable& table : campaign::estimators_study({})) {
+  const auto tables = campaign::estimators_study({});
+  for (const campaign::StudyTable& table : tables) {
     report.plots.push_back(plot_of(table));
     std::ofstream csv(folder / (table.name + ".csv"));
     campaign::write_csv(table, csv);
@@ -87,7 +89,12 @@ int estimators(const fs::path& folder) {
   }
   if (auto written = record::write_study_report(report, folder / "report.html"); !written)
     return say_error(written.error());
-  fmt::print("Written: {}  and one CSV per figure\n", (folder / "report.html").string());
+  if (auto written = campaign::write_study_summary(
+          "estimators", kVersion, campaign::study_figures(tables), folder);
+      !written)
+    return say_error(written.error());
+  fmt::print("Written: {}  summary.json  and one CSV per figure\n",
+             (folder / "report.html").string());
   return kDone;
 }
 
@@ -142,7 +149,7 @@ void print_table(const record::StudyTable& table) {
   }
 }
 
-int finish(const campaign::StudyPlan& plan,
+int finish(const std::string& study, const campaign::StudyPlan& plan,
            const std::vector<campaign::BatchOutcome>& outcomes,
            const record::StudyReport& report, const fs::path& folder,
            const std::atomic<bool>& stop) {
@@ -157,8 +164,13 @@ int finish(const campaign::StudyPlan& plan,
     return say_error(written.error());
   if (auto written = record::write_study_report(report, folder / "report.html"); !written)
     return say_error(written.error());
+  if (auto written = campaign::write_study_summary(
+          study, kVersion, campaign::study_figures(plan, outcomes), folder);
+      !written)
+    return say_error(written.error());
   for (const record::StudyTable& table : report.tables) print_table(table);
-  fmt::print("\nWritten: {}  runs.csv  runs.jsonl\n", (folder / "report.html").string());
+  fmt::print("\nWritten: {}  summary.json  runs.csv  runs.jsonl\n",
+             (folder / "report.html").string());
   if (stop) return kInterrupted;
   return failed ? kFailed : kDone;
 }
@@ -177,7 +189,7 @@ int monitoring(const StudyArguments& arguments, const fs::path& folder,
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
-  return finish(plan.value(), outcomes.value(),
+  return finish("monitoring", plan.value(), outcomes.value(),
                 campaign::monitoring_report(study, plan.value(), outcomes.value()),
                 folder, stop);
 }
@@ -201,7 +213,7 @@ int bridge(const StudyArguments& arguments, const fs::path& folder,
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
-  return finish(plan.value(), outcomes.value(),
+  return finish("bridge", plan.value(), outcomes.value(),
                 campaign::bridge_report(study, plan.value(), outcomes.value()), folder,
                 stop);
 }

@@ -299,6 +299,9 @@ TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
   const Finished first = run(study);
   EXPECT_EQ(first.status, 0) << first.err;
   EXPECT_TRUE(fs::exists(folder_ / "m" / "report.html"));
+  const auto summary = nlohmann::json::parse(read_file(folder_ / "m" / "summary.json"));
+  EXPECT_EQ(summary.at("runs"), 2);
+  EXPECT_GT(summary.at("no-wind/gus/qkf/perf_run_mean_m"), 0);
   const auto journal = read_file(folder_ / "m" / "runs.jsonl");
   EXPECT_EQ(run(study).status, 0);
   EXPECT_EQ(read_file(folder_ / "m" / "runs.jsonl"), journal) << "nothing was run again";

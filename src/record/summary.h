@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "base/time.h"
@@ -36,5 +38,11 @@ struct RunSummary {
 /// Writes the summary as one flat JSON object; the file appears whole or not at all.
 /// Fails: kUnavailable when the file cannot be written.
 Result<void> write_summary(const RunSummary& summary, const std::filesystem::path& file);
+
+/// Writes named texts, then named numbers (those that are finite), in the same form.
+/// Fails: kUnavailable when the file cannot be written.
+Result<void> write_flat_json(
+    const std::vector<std::pair<std::string, std::string>>& texts,
+    const std::map<std::string, double>& numbers, const std::filesystem::path& file);
 
 }  // namespace skein::record

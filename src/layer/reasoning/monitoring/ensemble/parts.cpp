@@ -81,40 +81,86 @@ Mask seen_outside(const model::Grid& grid, const Evidence& evidence,
   return seen;
 }
 
-// 1 for nodes of fire that belong to a seen part, 2 for those of unseen ones.
-Mask seen_inside(const model::Grid& grid, const Evidence& evidence,
+// Parts of the fire, numbered from 1; 0 where there is none. A part is what hangs
+// together at least half a neck deep, its core, with the rim that is nearer to it than to
+// other cores; what has no core at all is a part where it hangs together.
+struct Parts {
+  std::vector<int> of;  // node
+  int count = 0;
+};
+
+Parts parts_of(const model::Grid& grid, std::span<const double> mean, double core) {
+  Parts parts{std::vector<int>(mean.size(), 0), 0};
+  std::vector<std::size_t> all;
+  const auto flood = [&](std::size_t start, double level) {
+    ++parts.count;
+    parts.of[start] = parts.count;
+    std::vector<std::size_t> open{start};
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      all.push_back(i);
+      for_neighbours(grid, i, [&](std::size_t k) {
+        if (parts.of[k] != 0 || mean[k] >= level) return;
+        parts.of[k] = parts.count;
+        open.push_back(k);
+      });
+    }
+  };
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    if (parts.of[i] == 0 && mean[i] < core) flood(i, core);
+  for (std::vector<std::size_t> front = all; !front.empty();) {
+    std::vector<std::size_t> next;
+    for (const std::size_t i : front)
+      for_neighbours(grid, i, [&](std::size_t k) {
+        if (parts.of[k] != 0 || mean[k] >= 0) return;
+        parts.of[k] = parts.of[i];
+        next.push_back(k);
+      });
+    front = std::move(next);
+  }
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    if (parts.of[i] == 0 && mean[i] < 0) flood(i, 0);
+  return parts;
+}
+
+// 1 for nodes of fire that belong to a seen part (somebody was in it, or saw its core
+// from a place nearby), and of unseen parts larger than all that was seen.
+Mask kept_inside(const model::Grid& grid, const Evidence& evidence,
                  std::span<const double> mean) {
   const double core = -std::max(kHalfNeck, kLeastHalfNeck * grid.cell);
-  Mask part(mean.size(), 0);
-  // What has been seen from the visited places...
-  std::vector<std::size_t> front = visited(grid, evidence, mean, true);
-  for (const std::size_t i : front) part[i] = 1;
-  const auto enter_as = [&](std::uint8_t mark) {
-    return [&part, mean, mark](std::size_t k) {
-      if (part[k] != 0 || mean[k] >= 0) return false;
-      part[k] = mark;
-      return true;
-    };
+  const Parts parts = parts_of(grid, mean, core);
+  Mask seen_part(static_cast<std::size_t>(parts.count) + 1, 0);
+  const auto see = [&](std::size_t i) {
+    seen_part[static_cast<std::size_t>(parts.of[i])] = 1;
   };
-  std::vector<std::size_t> seen = front;
+  std::vector<std::size_t> front = visited(grid, evidence, mean, true);
+  Mask near(mean.size(), 0);
+  for (const std::size_t i : front) {
+    see(i);
+    near[i] = 1;
+  }
   for (double far = 0; far < kSight; far += grid.cell) {
-    front = grow(grid, front, enter_as(1));
-    seen.insert(seen.end(), front.begin(), front.end());
+    front = grow(grid, front, [&](std::size_t k) {
+      if (near[k] != 0 || mean[k] >= 0) return false;
+      near[k] = 1;
+      return true;
+    });
+    for (const std::size_t i : front)
+      if (mean[i] < core) see(i);
   }
-  // ... and what hangs together with it through more than a neck.
-  spread(grid, seen, part,
-         [&](std::size_t i, std::size_t k) { return mean[i] < core && mean[k] < core; });
-  std::vector<std::size_t> own, other;
+  std::vector<std::size_t> size(seen_part.size(), 0);
+  for (const int part : parts.of) ++size[static_cast<std::size_t>(part)];
+  std::size_t seen = 0;
+  for (std::size_t part = 1; part < size.size(); ++part)
+    if (seen_part[part] != 0) seen += size[part];
+  Mask kept(mean.size(), 0);
+  if (seen == 0) return kept;
   for (std::size_t i = 0; i < mean.size(); ++i) {
-    if (part[i] == 0 && mean[i] < core) part[i] = 2;
-    if (part[i] != 0) (part[i] == 1 ? own : other).push_back(i);
+    const auto part = static_cast<std::size_t>(parts.of[i]);
+    kept[i] = part != 0 && (seen_part[part] != 0 || size[part] > seen);
   }
-  // The rims go to whichever is nearer.
-  while (!own.empty() || !other.empty()) {
-    own = grow(grid, own, enter_as(1));
-    other = grow(grid, other, enter_as(2));
-  }
-  return part;
+  return kept;
 }
 
 }  // namespace
@@ -134,12 +180,12 @@ std::vector<Vec2> Evidence::points(bool inside) const {
 std::vector<std::size_t> unseen_nodes(const model::Grid& grid, const Evidence& evidence,
                                       std::span<const double> mean) {
   std::vector<std::size_t> out;
-  const Mask inside = seen_inside(grid, evidence, mean);
+  const Mask inside = kept_inside(grid, evidence, mean);
   // A fire that nobody has touched yet stays where the prior has it.
   if (std::find(inside.begin(), inside.end(), 1) == inside.end()) return out;
   const Mask outside = seen_outside(grid, evidence, mean);
   for (std::size_t i = 0; i < mean.size(); ++i)
-    if (mean[i] < 0 ? inside[i] != 1 : outside[i] == 0) out.push_back(i);
+    if (mean[i] < 0 ? inside[i] == 0 : outside[i] == 0) out.push_back(i);
   return out;
 }
 

@@ -26,7 +26,8 @@ class Evidence {
 /// been seen at all: holes without a place without fire, and parts without a place of
 /// fire. A part counts for itself when only a neck of less than about 50 m joins it to
 /// others. The prior knows one fire; what an edge that was seen has cut off from it, on
-/// either side, is not there.
+/// either side, is not there. A part larger than all that has been seen stays: a first
+/// glimpse of an edge says little about the body behind it.
 std::vector<std::size_t> unseen_nodes(const model::Grid& grid, const Evidence& evidence,
                                       std::span<const double> mean);
 

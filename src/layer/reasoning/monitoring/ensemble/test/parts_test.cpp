@@ -76,6 +76,26 @@ TEST(Parts, ANeckJoinsNothingButAWideBridgeDoes) {
   EXPECT_TRUE(drop(bridged(60), evidence).fire(kEast));
 }
 
+TEST(Parts, AGlimpseDoesNotCostTheBody) {
+  const auto body_and_glimpse = field([](const Vec2& p) {
+    return std::min(disc(p, Vec2(-50, 0), 180), disc(p, Vec2(270, 0), 60));
+  });
+  Evidence evidence;
+  evidence.add(Vec2(270, 0), true);
+  EXPECT_TRUE(drop(body_and_glimpse, evidence).fire(Vec2(-50, 0)));
+  EXPECT_TRUE(drop(body_and_glimpse, evidence).fire(Vec2(270, 0)));
+}
+
+TEST(Parts, ABodySeenOnlyAtItsRimStays) {
+  // Members that disagree make the mean shallow: it is not half a neck deep anywhere near
+  // the place where fire was seen first.
+  const auto shallow =
+      field([](const Vec2& p) { return 0.3 * disc(p, Vec2::Zero(), 250); });
+  Evidence evidence;
+  evidence.add(Vec2(240, 0), true);
+  EXPECT_TRUE(drop(shallow, evidence).fire(Vec2::Zero()));
+}
+
 TEST(Parts, AHoleThatNobodyHasSeenIsFilled) {
   const auto ring = field([](const Vec2& p) {
     return std::max(disc(p, Vec2::Zero(), 250), -disc(p, Vec2::Zero(), 80));

@@ -1,0 +1,61 @@
+#include "campaign/study_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "record/summary.h"
+
+namespace skein::campaign {
+
+StudyFigures study_figures(const StudyPlan& plan,
+                           const std::vector<BatchOutcome>& outcomes) {
+  StudyFigures figures{{"runs", 0}, {"runs_failed", 0}, {"runs_missing", 0}};
+  for (const BatchOutcome& outcome : outcomes)
+    ++figures[outcome.summary         ? "runs"
+              : outcome.error.empty() ? "runs_missing"
+                                      : "runs_failed"];
+  for (const StudyCell& cell : plan.cells) {
+    std::set<std::string> names;
+    for (const std::size_t item : cell.items)
+      if (outcomes[item].summary)
+        for (const auto& [name, value] : outcomes[item].summary->numbers)
+          if (name != "wall_s" && name != "real_time_factor") names.insert(name);
+    const std::string prefix =
+        cell.case_name + "/" + cell.strategy + "/" + cell.estimator + "/";
+    for (const std::string& name : names) {
+      const MeanInterval figure = figure_of(cell, outcomes, name);
+      figures[prefix + name] = figure.mean;
+      if (figure.count > 1) figures[prefix + name + "_ci95"] = figure.half_width;
+    }
+  }
+  return figures;
+}
+
+StudyFigures study_figures(std::span<const StudyTable> tables) {
+  StudyFigures figures;
+  for (const StudyTable& table : tables) {
+    const auto exact =
+        std::find_if(table.columns.begin(), table.columns.end(),
+                     [](const StudyColumn& column) { return column.name == "exact"; });
+    if (exact == table.columns.end()) continue;
+    for (auto column = table.columns.begin() + 1; column != table.columns.end();
+         ++column) {
+      if (column == exact) continue;
+      double most = 0;
+      for (std::size_t i = 0; i < column->values.size(); ++i)
+        most = std::max(most, std::abs(column->values[i] - exact->values[i]));
+      figures[table.name + "/" + column->name + "_max_error"] = most;
+    }
+  }
+  return figures;
+}
+
+Result<void> write_study_summary(const std::string& study, const std::string& version,
+                                 const StudyFigures& figures,
+                                 const std::filesystem::path& folder) {
+  return record::write_flat_json({{"study", study}, {"version", version}}, figures,
+                                 folder / "summary.json");
+}
+
+}  // namespace skein::campaign
