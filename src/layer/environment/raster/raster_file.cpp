@@ -13,6 +13,7 @@
 
 #include "layer/environment/raster/band_info.h"
 #include "layer/environment/raster/gdal_guard.h"
+#include "layer/environment/raster/whole_file.h"
 
 namespace skein::environment {
 namespace {
@@ -34,6 +35,10 @@ std::vector<Subdataset> subdatasets(GDALDatasetH dataset) {
     const std::string text = name;
     found.push_back({text, text.substr(text.find_last_of(":/") + 1)});
   }
+}
+
+std::string driver_of(GDALDatasetH dataset) {
+  return GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -74,6 +79,8 @@ Result<RasterFile> RasterFile::open(const std::string& path,
     return Error{ErrorCode::kBadInput, path,
                  "cannot be read as a raster: " + guard.failure(),
                  "any raster that GDAL reads is allowed"};
+  if (const auto whole = check_whole(path, driver_of(handles->dataset.get())); !whole)
+    return whole.error();
 
   const auto parts = subdatasets(handles->dataset.get());
   if (!parts.empty() &&

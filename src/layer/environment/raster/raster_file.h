@@ -27,7 +27,8 @@ class RasterFile {
  public:
   /// @param variable  name of the variable, for files with several (NetCDF); else empty.
   /// Fails: kNotFound when there is no such file or variable (the message lists those
-  ///        there are); kBadInput when GDAL cannot read it, or it is not georeferenced.
+  ///        there are); kBadInput when GDAL cannot read it, it is truncated
+  ///        (check_whole()), or it is not georeferenced.
   static Result<RasterFile> open(const std::string& path,
                                  const std::string& variable = "");
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cpl_string.h>
 #include <gdal.h>
 #include <gtest/gtest.h>
 #include <ogr_srs_api.h>
@@ -53,6 +54,7 @@ struct RasterRecipe {
   double scale = 1, offset = 0;
   GDALDataType type = GDT_Float64;
   std::vector<std::string> names;
+  std::vector<const char*> create;  ///< options of the driver, as "FORMAT=NC4"
 };
 
 /// Writes a small raster with GDAL itself.
@@ -88,8 +90,11 @@ inline void make_raster(const std::string& path, const RasterRecipe& recipe) {
   }
   GDALDriverH driver = GDALGetDriverByName(recipe.driver.c_str());
   ASSERT_NE(driver, nullptr) << recipe.driver;
+  char** create = nullptr;
+  for (const char* option : recipe.create) create = CSLAddString(create, option);
   GDALDatasetH copy =
-      GDALCreateCopy(driver, path.c_str(), data, FALSE, nullptr, nullptr, nullptr);
+      GDALCreateCopy(driver, path.c_str(), data, FALSE, create, nullptr, nullptr);
+  CSLDestroy(create);
   ASSERT_NE(copy, nullptr);
   GDALClose(copy);
   GDALClose(data);

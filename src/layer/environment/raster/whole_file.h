@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace skein::environment {
+
+/// Refuses a file that ends before its own header says it does. Reading such a file
+/// may give zeros for what is missing (classic NetCDF), or leave out the last
+/// messages (GRIB), without a word.
+///
+/// Known: NetCDF classic, its 64-bit offset and 64-bit data forms (CDF-1, 2 and 5), and
+/// GRIB 1 and 2. Other formats pass: their libraries see it (HDF5, and with it NetCDF 4,
+/// on opening; TIFF on reading).
+/// @param driver  GDAL's name of the format: "netCDF", "GRIB"...
+/// Fails: kBadInput: bytes are missing, or the header makes no sense.
+/// Reference: [NetCDF-classic]; [WMO-306] section 0 of both editions.
+Result<void> check_whole(const std::string& path, std::string_view driver);
+
+}  // namespace skein::environment
