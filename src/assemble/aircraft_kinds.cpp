@@ -1,5 +1,7 @@
 // Plants, autopilots, sensors, agents and radios: one row each.
 
+#include <fmt/format.h>
+
 #include "assemble/kinds_of.h"
 #include "layer/asset/kinematic_plant.h"
 #include "layer/autopilot/simple_autopilot.h"
@@ -24,7 +26,7 @@ Fields<asset::KinematicOptions> kinematic_fields() {
   using T = asset::KinematicOptions;
   return Fields<T>()
       .number("airspeed_mps", &T::airspeed, "Cruise airspeed.",
-              {.above = 0, .at_most = 500})
+              {.at_least = 0.1, .at_most = 500})
       .number("airspeed_range", &T::airspeed_range,
               "Slowest and fastest are cruise times (1 -+ this).",
               {.at_least = 0, .below = 1})
@@ -34,7 +36,14 @@ Fields<asset::KinematicOptions> kinematic_fields() {
               {.above = 0, .at_most = 200})
       .number("roll_rate_radps", &T::roll_rate, "Largest; 0: the roll angle jumps.",
               {.at_least = 0, .at_most = 100})
-      .duration_s("airspeed_lag_s", &T::airspeed_lag, "Time constant of the airspeed.");
+      .duration_s("airspeed_lag_s", &T::airspeed_lag, "Time constant of the airspeed.")
+      .rule("climb_rate_mps", [](const T& o) {
+        if (o.climb_rate < o.slowest()) return std::string();
+        return fmt::format(
+            "{:.6g} must be below the slowest airspeed, {:.6g} (airspeed_mps "
+            "times 1 - airspeed_range).",
+            o.climb_rate, o.slowest());
+      });
 }
 
 Fields<sensory::GnssOptions> gnss_fields() {
@@ -161,16 +170,17 @@ Kinds<Sensor, AircraftContext> sensor_kinds() {
   Kinds<Sensor, AircraftContext> kinds("sensor");
   kinds.add("gnss", "Satellite navigation with a position error that wanders.",
             gnss_fields(), [](const sensory::GnssOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::GnssSensor>(o, c.seed, c.self);
+              return std::make_unique<sensory::GnssSensor>(o, c.seed, c.self, c.instance);
             });
   kinds.add("air-data", "Airspeed and heading.", air_data_fields(),
             [](const sensory::AirDataOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::AirDataSensor>(o, c.seed, c.self);
+              return std::make_unique<sensory::AirDataSensor>(o, c.seed, c.self,
+                                                              c.instance);
             });
   kinds.add("fire", "The cheap in/out sensor: does the ground at one point burn?",
             fire_sensor_fields(),
             [](const sensory::FireSensorOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::FireSensor>(o, c.seed, c.self);
+              return std::make_unique<sensory::FireSensor>(o, c.seed, c.self, c.instance);
             });
   kinds.add("edge-finder",
             "Sees the nearest point of the true edge: a benchmark's ideal.",

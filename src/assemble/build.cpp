@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "assemble/kinds_of.h"
 #include "assemble/placement.h"
@@ -161,7 +162,9 @@ class Builder {
     auto autopilot = autopilot_kinds().make(group.autopilot, context);
     if (!autopilot) return autopilot.error();
     vehicle->autopilot = std::move(autopilot).value();
+    std::map<std::string, std::uint32_t> of_kind;
     for (const scenario::Choice& choice : group.sensors) {
+      context.instance = of_kind[choice.kind]++;
       auto sensor = sensor_kinds().make(choice, context);
       if (!sensor) return sensor.error();
       vehicle->sensors.push_back(std::move(sensor).value());

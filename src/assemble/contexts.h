@@ -33,6 +33,7 @@ struct EnvironmentContext {
 struct AircraftContext {
   std::uint64_t seed = 0;
   EntityId self;
+  std::uint32_t instance = 0;  ///< number among its sensors of one kind, from 0
   EntityId station;
   Time agent_period;
   double altitude_agl = 0;             ///< flight altitude above ground [m]

@@ -5,11 +5,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/check.h"
+
 namespace skein {
 
-RandomStream::RandomStream(std::uint64_t seed, std::uint32_t entity, Purpose purpose)
+RandomStream::RandomStream(std::uint64_t seed, std::uint32_t entity, Purpose purpose,
+                           std::uint32_t instance)
     : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
-      stream_{entity, static_cast<std::uint32_t>(purpose)} {}
+      stream_{entity, static_cast<std::uint32_t>(purpose) | instance << 16} {
+  SKEIN_CHECK(instance < 1u << 16, instance);
+}
 
 void RandomStream::refill() {
   const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(index_),

@@ -25,11 +25,16 @@ enum class Purpose : std::uint32_t {
 };
 
 /// A stream of independent random numbers, by counter: number k of the stream is a pure
-/// function of (seed, entity, purpose, k), whatever thread asks and in whatever order
-/// streams are used. Generator: Philox4x32-10 (Salmon et al. 2011), 2^64 blocks.
+/// function of (seed, entity, purpose, instance, k), whatever thread asks and in whatever
+/// order streams are used. Generator: Philox4x32-10 (Salmon et al. 2011), 2^64 blocks.
 class RandomStream {
  public:
-  RandomStream(std::uint64_t seed, std::uint32_t entity, Purpose purpose);
+  /// @param instance  tells several of one purpose apart, such as two equal sensors of
+  /// one
+  ///                  aircraft; below 65,536. The first one is 0, so that another one
+  ///                  does not change its numbers.
+  RandomStream(std::uint64_t seed, std::uint32_t entity, Purpose purpose,
+               std::uint32_t instance = 0);
 
   /// Uniform over all 64-bit numbers.
   std::uint64_t bits();

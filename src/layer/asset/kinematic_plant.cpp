@@ -11,6 +11,12 @@ namespace {
 
 constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kLongestStep = 0.1;  // of the quadrature [s]
+constexpr double kNoTime = 1e-15;     // no rate can be told over less [s]
+
+// `value` within [low, high]; `otherwise` when it is not a number.
+double bounded_or(double otherwise, double value, double low, double high) {
+  return std::isnan(value) ? otherwise : std::clamp(value, low, high);
+}
 
 }  // namespace
 
@@ -27,13 +33,12 @@ FlightLimits KinematicPlant::limits() const {
 
 VehicleState KinematicPlant::step(const VehicleState& state, const FlightCommand& command,
                                   const Air& air, double dt) const {
-  FlightCommand bounded = command;
-  bounded.roll = std::clamp(command.roll, -roll_limit_, roll_limit_);
-  bounded.airspeed =
-      std::clamp(command.airspeed, options_.airspeed * (1 - options_.airspeed_range),
-                 options_.airspeed * (1 + options_.airspeed_range));
+  FlightCommand bounded;
+  bounded.roll = bounded_or(0, command.roll, -roll_limit_, roll_limit_);
+  bounded.airspeed = bounded_or(options_.airspeed, command.airspeed, options_.slowest(),
+                                options_.airspeed * (1 + options_.airspeed_range));
   bounded.climb_rate =
-      std::clamp(command.climb_rate, -options_.climb_rate, options_.climb_rate);
+      bounded_or(0, command.climb_rate, -options_.climb_rate, options_.climb_rate);
 
   VehicleState next = state;
   if (options_.roll_rate <= 0) next.roll = bounded.roll;
@@ -44,8 +49,13 @@ VehicleState KinematicPlant::step(const VehicleState& state, const FlightCommand
   while (left > 0) {
     double part = std::min(left, kLongestStep);
     const double missing = std::abs(bounded.roll - next.roll);
-    if (missing > 0 && missing < options_.roll_rate * part)
+    if (missing > 0 && missing < options_.roll_rate * part) {
       part = missing / options_.roll_rate;
+      if (part < kNoTime) {
+        next.roll = bounded.roll;
+        continue;
+      }
+    }
     next = short_step(next, bounded, air, part);
     left = left - part > 1e-12 ? left - part : 0;
   }
@@ -75,8 +85,10 @@ VehicleState KinematicPlant::short_step(const VehicleState& state,
   const double turn =
       half_turn + dt / 12 * (turn_rate[2] + 4 * turn_rate[3] + turn_rate[4]);
 
+  const double steepest = std::min(airspeed[0], airspeed[4]);
+  const double climb = std::clamp(command.climb_rate, -steepest, steepest);
   const auto velocity = [&](double v, double heading) -> Vec2 {
-    const double level = std::sqrt(v * v - command.climb_rate * command.climb_rate);
+    const double level = std::sqrt(std::max(0.0, v * v - climb * climb));
     return level * geo::unit(heading);
   };
   const Vec2 middle = velocity(airspeed[2], state.heading + half_turn);
@@ -86,14 +98,14 @@ VehicleState KinematicPlant::short_step(const VehicleState& state,
   VehicleState next;
   next.p_N = state.p_N + dt * air.wind_N;
   next.p_N.head<2>() += moved;
-  next.p_N.z() -= dt * command.climb_rate;
+  next.p_N.z() -= dt * climb;
   next.v_N = air.wind_N;
   next.v_N.head<2>() += last;
-  next.v_N.z() -= command.climb_rate;
+  next.v_N.z() -= climb;
   next.airspeed = airspeed[4];
   next.roll =
       roll_step == std::abs(roll_missing) ? command.roll : state.roll + roll_rate * dt;
-  next.pitch = std::asin(command.climb_rate / airspeed[4]);
+  next.pitch = std::asin(climb / airspeed[4]);
   next.heading = geo::wrap_pi(state.heading + turn);
   return next;
 }

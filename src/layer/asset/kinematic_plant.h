@@ -5,10 +5,13 @@
 namespace skein::asset {
 
 struct KinematicOptions {
+  /// The slowest that the aircraft is told to fly [m/s].
+  double slowest() const { return airspeed * (1 - airspeed_range); }
+
   double airspeed = 20;          ///< cruise [m/s]
   double airspeed_range = 0.25;  ///< slowest and fastest are cruise (1 -+ this)
   double turn_radius = 60;       ///< smallest, in the air mass at cruise [m]
-  double climb_rate = 3;         ///< largest, up and down [m/s]
+  double climb_rate = 3;         ///< largest, up and down; below slowest() [m/s]
   double roll_rate = 1;          ///< largest [rad/s]; 0 = the roll angle jumps
   double airspeed_lag = 2;       ///< time constant of the airspeed [s]; 0 = none
 };
@@ -22,6 +25,9 @@ struct KinematicOptions {
 /// airspeed^2 / (g turn_radius). The climb rate follows its command at once. Roll and
 /// airspeed are solved exactly, heading and position by Simpson's rule over at most 0.1
 /// s. So the step size changes positions by less than 1e-4 m in a minute (see the test).
+/// Every command is bounded, one that is not a number counts as level flight at cruise;
+/// where a climb would need more than the airspeed, the aircraft climbs straight up. So
+/// the state stays finite.
 /// Valid: no side-slip, no energy; the wind is constant within one step.
 /// Reference: [Beard12] section 9.1 (kinematic guidance model).
 class KinematicPlant final : public Plant {
@@ -32,15 +38,12 @@ class KinematicPlant final : public Plant {
   VehicleState step(const VehicleState& state, const FlightCommand& command,
                     const Air& air, double dt) const override;
 
-  /// The largest roll [rad].
-  double roll_limit() const { return roll_limit_; }
-
  private:
   VehicleState short_step(const VehicleState& state, const FlightCommand& command,
                           const Air& air, double dt) const;
 
   KinematicOptions options_;
-  double roll_limit_;
+  double roll_limit_;  // [rad]
 };
 
 }  // namespace skein::asset

@@ -3,10 +3,10 @@
 namespace skein::sensory {
 
 AirDataSensor::AirDataSensor(const AirDataOptions& options, std::uint64_t seed,
-                             EntityId entity)
+                             EntityId entity, std::uint32_t instance)
     : options_(options),
       clock_(options.rate_hz),
-      random_(seed, entity.value, Purpose::kAirData) {}
+      random_(seed, entity.value, Purpose::kAirData, instance) {}
 
 void AirDataSensor::sample(const SensorView& view, std::vector<SensorSample>& out) {
   if (!clock_.due(view.now)) return;

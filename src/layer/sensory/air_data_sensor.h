@@ -16,7 +16,10 @@ struct AirDataOptions {
 /// Airspeed and heading.
 class AirDataSensor final : public Sensor {
  public:
-  AirDataSensor(const AirDataOptions& options, std::uint64_t seed, EntityId entity);
+  /// @param instance  number among the equal sensors of this entity, from 0: each has
+  ///                  errors of its own.
+  AirDataSensor(const AirDataOptions& options, std::uint64_t seed, EntityId entity,
+                std::uint32_t instance = 0);
   void sample(const SensorView& view, std::vector<SensorSample>& out) override;
 
  private:

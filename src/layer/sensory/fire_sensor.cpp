@@ -3,10 +3,10 @@
 namespace skein::sensory {
 
 FireSensor::FireSensor(const FireSensorOptions& options, std::uint64_t seed,
-                       EntityId entity)
+                       EntityId entity, std::uint32_t instance)
     : options_(options),
       clock_(options.rate_hz),
-      random_(seed, entity.value, Purpose::kFireSensor) {}
+      random_(seed, entity.value, Purpose::kFireSensor, instance) {}
 
 void FireSensor::sample(const SensorView& view, std::vector<SensorSample>& out) {
   if (!clock_.due(view.now)) return;

@@ -18,7 +18,10 @@ struct FireSensorOptions {
 /// The cheap in/out sensor: does the ground at one point burn, or has it burnt?
 class FireSensor final : public Sensor {
  public:
-  FireSensor(const FireSensorOptions& options, std::uint64_t seed, EntityId entity);
+  /// @param instance  number among the equal sensors of this entity, from 0: each has
+  ///                  errors of its own.
+  FireSensor(const FireSensorOptions& options, std::uint64_t seed, EntityId entity,
+             std::uint32_t instance = 0);
   void sample(const SensorView& view, std::vector<SensorSample>& out) override;
 
  private:

@@ -4,10 +4,11 @@
 
 namespace skein::sensory {
 
-GnssSensor::GnssSensor(const GnssOptions& options, std::uint64_t seed, EntityId entity)
+GnssSensor::GnssSensor(const GnssOptions& options, std::uint64_t seed, EntityId entity,
+                       std::uint32_t instance)
     : options_(options),
       clock_(options.rate_hz),
-      random_(seed, entity.value, Purpose::kGnss) {}
+      random_(seed, entity.value, Purpose::kGnss, instance) {}
 
 void GnssSensor::sample(const SensorView& view, std::vector<SensorSample>& out) {
   if (!clock_.due(view.now)) return;

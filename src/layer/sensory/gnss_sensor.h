@@ -22,7 +22,10 @@ struct GnssOptions {
 /// (first-order Gauss-Markov, started in its steady state).
 class GnssSensor final : public Sensor {
  public:
-  GnssSensor(const GnssOptions& options, std::uint64_t seed, EntityId entity);
+  /// @param instance  number among the equal sensors of this entity, from 0: each has
+  ///                  errors of its own.
+  GnssSensor(const GnssOptions& options, std::uint64_t seed, EntityId entity,
+             std::uint32_t instance = 0);
   void sample(const SensorView& view, std::vector<SensorSample>& out) override;
 
  private:

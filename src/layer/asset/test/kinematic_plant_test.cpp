@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+
+#include "base/random.h"
 
 namespace skein::asset {
 namespace {
+
+// Of the default options: a turn of 60 m at 20 m/s.
+const double kRollLimit = std::atan(20.0 * 20.0 / (9.80665 * 60));
 
 VehicleState level_flight() {
   VehicleState state;
@@ -34,7 +40,7 @@ TEST(KinematicPlant, FullBankIsTheStatedRadius) {
   EXPECT_NEAR(s.p_N.y(), 120, 1e-5);
   EXPECT_NEAR(s.p_N.x(), 0, 1e-5);
   EXPECT_NEAR(std::abs(s.heading), geo::kPi, 1e-9);
-  EXPECT_NEAR(s.roll, plant.roll_limit(), 1e-12);
+  EXPECT_NEAR(s.roll, kRollLimit, 1e-12);
 }
 
 TEST(KinematicPlant, StepSizeDoesNotMatter) {
@@ -73,7 +79,7 @@ TEST(KinematicPlant, KeepsItsBounds) {
   EXPECT_NEAR(s.roll, -0.2, 1e-12);  // 1 rad/s
   EXPECT_NEAR(s.v_N.z(), -3, 1e-12);
   s = fly(plant, s, {-5, 100, 50}, {}, 60, 0.1);
-  EXPECT_NEAR(s.roll, -plant.roll_limit(), 1e-12);
+  EXPECT_NEAR(s.roll, -kRollLimit, 1e-12);
   EXPECT_NEAR(s.airspeed, 25, 1e-9);
   EXPECT_NEAR(s.v_N.norm(), 25, 1e-6);
   s = fly(plant, s, {0, 0, 0}, {}, 60, 0.1);
@@ -87,6 +93,51 @@ TEST(KinematicPlant, AirspeedAndRollFollowTheirLaws) {
   EXPECT_EQ(s.roll, 0.3);
   const VehicleState half = plant.step(level_flight(), {0.3, 20, 0}, {}, 0.15);
   EXPECT_NEAR(half.roll, 0.15, 1e-12);
+}
+
+bool finite(const VehicleState& s) {
+  return s.p_N.allFinite() && s.v_N.allFinite() && std::isfinite(s.airspeed) &&
+         std::isfinite(s.roll) && std::isfinite(s.pitch) && std::isfinite(s.heading);
+}
+
+TEST(KinematicPlant, StaysFiniteWhateverItIsTold) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  RandomStream random(1, 0, Purpose::kTest);
+  const double special[] = {kNan, kInf, -kInf, 0, 1e-310, -1e300};
+  const auto any = [&] {
+    const auto pick = static_cast<std::size_t>(random.uniform(0, 9));
+    return pick < 6 ? special[pick] : random.uniform(-30, 30);
+  };
+  for (int k = 0; k < 200; ++k) {
+    KinematicOptions options;
+    options.airspeed = std::pow(10, random.uniform(-1, 2.5));
+    options.airspeed_range = random.uniform(0, 0.99);
+    options.climb_rate = std::pow(10, random.uniform(-2, 2.3));  // above the airspeed too
+    options.turn_radius = std::pow(10, random.uniform(-1, 4));
+    options.roll_rate = k % 3 == 0 ? 0 : std::pow(10, random.uniform(-3, 2));
+    options.airspeed_lag = k % 4 == 0 ? 0 : std::pow(10, random.uniform(-3, 2));
+    const KinematicPlant plant(options);
+    VehicleState s;
+    s.airspeed = options.airspeed;
+    for (int i = 0; i < 30; ++i) {
+      s = plant.step(s, {any(), any(), any()}, {}, k % 2 == 0 ? 0.1 : 1.3);
+      ASSERT_TRUE(finite(s)) << k << " " << i;
+      // A climb counts against the airspeed.
+      EXPECT_LE(s.v_N.norm(), s.airspeed * (1 + 1e-9)) << k << " " << i;
+    }
+  }
+}
+
+TEST(KinematicPlant, ClimbsStraightUpWhenTheClimbNeedsAllAirspeed) {
+  KinematicOptions options;
+  options.airspeed = 1;
+  const KinematicPlant plant(options);  // climbs 3 m/s
+  VehicleState s;
+  s.airspeed = 1;
+  s = plant.step(s, {0, 1, 3}, {}, 0.1);
+  EXPECT_EQ(s.v_N, Vec3(0, 0, -1));
+  EXPECT_NEAR(s.pitch, geo::kPi / 2, 1e-12);
 }
 
 TEST(KinematicPlant, NoTimeChangesNothing) {
