@@ -68,6 +68,15 @@ TEST(RandomStream, SeekContinuesAtThatBlock) {
   EXPECT_EQ(a.bits(), b.bits());
 }
 
+TEST(RandomStream, InstancesHaveStreamsOfTheirOwn) {
+  RandomStream plain(7, 3, Purpose::kGnss), first(7, 3, Purpose::kGnss, 0);
+  RandomStream second(7, 3, Purpose::kGnss, 1);
+  const std::uint64_t number = plain.bits();
+  EXPECT_EQ(first.bits(), number);
+  EXPECT_NE(second.bits(), number);
+  EXPECT_THROW(RandomStream(7, 3, Purpose::kGnss, 1u << 16), Bug);
+}
+
 TEST(RandomStream, NormalsHaveNormalMoments) {
   // 200,000 draws: the standard error of the mean is 0.0022, of the variance 0.0032, of
   // the fourth moment 0.022; each bound is about 4.5 of them.
