@@ -50,7 +50,6 @@ Result<simulation::RunOptions> run_options(const Scenario& scenario) {
   options.environment_period = scenario.environment.period;
   options.record_period = Time::from_seconds(1 / scenario.record.rate_hz);
   options.perimeter_period = scenario.record.metrics_period;
-  options.record_messages = scenario.record.messages;
   std::vector<std::pair<Time, const char*>> periods = {
       {options.environment_period, "environment.period_s"},
       {options.record_period, "record.rate_hz"},

@@ -17,7 +17,7 @@ struct RunRecorder::Parts {
         const RunRecorderOptions& options)
       : directory(std::move(place)),
         info(std::move(run)),
-        writer(std::move(database), options.perimeter_period) {}
+        writer(std::move(database), options.perimeter_period, options.messages) {}
 
   fs::path directory;
   RunInfo info;

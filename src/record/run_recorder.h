@@ -14,6 +14,7 @@ namespace skein::record {
 
 struct RunRecorderOptions {
   Time perimeter_period = Time::from_seconds(10);  ///< perimeters are stored this often
+  bool messages = true;             ///< messages are stored; else they are only counted
   std::int64_t max_size_bytes = 0;  ///< largest size of the database; 0 = no limit
   bool overwrite = false;           ///< replace a run that is already in the directory
 };

@@ -13,8 +13,10 @@ constexpr auto kLongestTransaction = std::chrono::milliseconds(200);
 
 }  // namespace
 
-RunWriter::RunWriter(RunDatabase database, Time perimeter_period)
-    : database_(std::move(database)), perimeter_period_(perimeter_period) {
+RunWriter::RunWriter(RunDatabase database, Time perimeter_period, bool store_messages)
+    : database_(std::move(database)),
+      perimeter_period_(perimeter_period),
+      store_messages_(store_messages) {
   pending_.reserve(kBatchWork);
   thread_ = std::thread([this] { work(); });
 }
@@ -149,7 +151,7 @@ Result<void> RunWriter::write(const FireReading& row) {
 
 Result<void> RunWriter::write(const MessageRow& row) {
   statistics_.message(row.lost);
-  return database_.write(row);
+  return store_messages_ ? database_.write(row) : Result<void>();
 }
 
 Result<void> RunWriter::write(const Event& row) {

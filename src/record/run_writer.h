@@ -23,7 +23,8 @@ namespace skein::record {
 /// within half a second of its rows being given.
 class RunWriter {
  public:
-  RunWriter(RunDatabase database, Time perimeter_period);
+  /// @param store_messages  else they are only counted.
+  RunWriter(RunDatabase database, Time perimeter_period, bool store_messages);
   ~RunWriter();
 
   /// Queues a row. Waits when the queue is full; drops the row after a failure.
@@ -64,6 +65,7 @@ class RunWriter {
   RunDatabase database_;
   RunStatistics statistics_;
   Time perimeter_period_;
+  bool store_messages_;
   Clock::time_point transaction_began_;
   std::optional<Time> truth_stored_;
   std::map<EntityId, Time> belief_stored_;

@@ -98,6 +98,44 @@ TEST(Run, SameHashForAnyThreadsAndSpeed) {
   EXPECT_NE(hash_of(other), expected);
 }
 
+TEST(Run, WhatIsStoredChangesNoFigure) {
+  Scenario scenario = read("duration_s: 60\nradio: {kind: ideal, loss: 0.2}");
+  const auto with = run_quietly(scenario, {});
+  scenario.record.messages = false;
+  const auto without = run_quietly(scenario, {});
+  ASSERT_TRUE(with.ok() && without.ok());
+  EXPECT_GT(without.value().number("messages_sent").value_or(0), 50);
+  for (const char* figure : {"messages_sent", "messages_lost"})
+    EXPECT_EQ(without.value().number(figure), with.value().number(figure)) << figure;
+  EXPECT_EQ(without.value().content_hash, with.value().content_hash);
+}
+
+TEST(Build, EachSensorOfAnAircraftErrsInItsOwnWay) {
+  const auto readings = [&](const std::string& sensors) {
+    auto built = build(read("aircraft: [{sensors: [" + sensors + "]}]"));
+    EXPECT_TRUE(built.ok());
+    const simulation::World& world = built.value().world;
+    const simulation::Vehicle& vehicle = *world.entities[1].vehicle;
+    std::vector<std::vector<bool>> all(vehicle.sensors.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      std::vector<SensorSample> samples;
+      for (int k = 0; k < 200; ++k)
+        vehicle.sensors[i]->sample(
+            {Time::from_seconds(k), vehicle.state, *world.terrain, *world.fire}, samples);
+      for (const SensorSample& sample : samples)
+        if (const auto* fire = std::get_if<FireSample>(&sample))
+          all[i].push_back(fire->inside);
+    }
+    return all;
+  };
+  const std::string doubtful = "{kind: fire, false_in: 0.3, false_out: 0.3}";
+  const auto alone = readings(doubtful);
+  const auto both = readings(doubtful + ", gnss, " + doubtful);
+  ASSERT_EQ(alone[0].size(), 200u);
+  EXPECT_EQ(both[0], alone[0]) << "another sensor does not shift the first one's errors";
+  EXPECT_NE(both[2], both[0]);
+}
+
 TEST(Run, TheWrittenScenarioGivesTheSameRun) {
   const Scenario scenario = read("duration_s: 30\nenvironment: {fire: thesis}");
   const std::string text = scenario::write_scenario(scenario, kind_table());

@@ -60,6 +60,27 @@ TEST(RunRecorder, KeepsEverythingItWasGiven) {
   EXPECT_GT(summary.numbers.at("crossings"), 10);
 }
 
+TEST(RunRecorder, MessagesThatAreNotStoredCountAllTheSame) {
+  const TemporaryFolder folder("unstored");
+  const auto summary_of = [&](const char* name, bool messages) {
+    RunRecorderOptions options;
+    options.messages = messages;
+    auto recorder = RunRecorder::create(folder.path() / name, kInfo, options).value();
+    record_sample(*recorder, 120);
+    return recorder->close().value();
+  };
+  const RunSummary with = summary_of("with", true),
+                   without = summary_of("without", false);
+  EXPECT_EQ(without.content_hash, with.content_hash);
+  EXPECT_GT(with.numbers.at("messages_sent"), 200);
+  EXPECT_GT(with.numbers.at("messages_lost"), 0);
+  EXPECT_EQ(without.numbers.at("messages_sent"), with.numbers.at("messages_sent"));
+  EXPECT_EQ(without.numbers.at("messages_lost"), with.numbers.at("messages_lost"));
+  EXPECT_EQ(ask(folder.path() / "without", "SELECT count(*) FROM messages"), 0);
+  EXPECT_EQ(ask(folder.path() / "without", "SELECT count(*) FROM tasks"),
+            ask(folder.path() / "with", "SELECT count(*) FROM tasks"));
+}
+
 TEST(RunRecorder, WritesASummaryThatScriptsCanRead) {
   const TemporaryFolder folder("summary");
   auto recorder = RunRecorder::create(folder.path(), kInfo).value();
