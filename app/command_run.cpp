@@ -86,6 +86,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   const std::string text = scenario::write_scenario(*scenario, assemble::kind_table());
   record::RunRecorderOptions options;
   options.perimeter_period = scenario->record.perimeter_period;
+  options.messages = scenario->record.messages;
   options.overwrite = arguments.overwrite;
   auto created = record::RunRecorder::create(
       folder, {kVersion, scenario->seed, scenario->name, text, scenario->start_utc},

@@ -116,12 +116,11 @@ class Stepper {
     lost_.clear();
     world_.radio->deliver(now, arrived_, lost_);
     for (const Message& message : arrived_) {
-      if (options_.record_messages) recorder_.message(message, now, false);
+      recorder_.message(message, now, false);
       if (message.to.value < states_.size() && states_[message.to.value].active)
         states_[message.to.value].inbox.push_back(message);
     }
-    if (options_.record_messages)
-      for (const Message& message : lost_) recorder_.message(message, now, true);
+    for (const Message& message : lost_) recorder_.message(message, now, true);
   }
 
   void record(Time now) {

@@ -18,7 +18,6 @@ struct RunOptions {
   Time environment_period = Time::from_seconds(1);  ///< of moving the fire
   Time record_period = Time::from_seconds(0.1);     ///< of recording truth and estimates
   Time perimeter_period = Time::from_seconds(5);    ///< of comparing belief and truth
-  bool record_messages = true;
   /// Simulated seconds per second of wall time; 0 = as fast as possible.
   double speed = 0;
   int threads = 1;
