@@ -1,7 +1,6 @@
-#include <fmt/core.h>
-
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/output.h"
 #include "record/report.h"
 
 namespace skein::app {
@@ -11,7 +10,7 @@ int report_command(const std::vector<std::filesystem::path>& runs,
   const std::filesystem::path page = out.empty() ? runs.front() / "report.html" : out;
   if (auto written = record::write_report(runs, page); !written)
     return say_error(written.error());
-  fmt::print("Written: {}\n", page.string());
+  print("Written: {}\n", page.string());
   return kDone;
 }
 

@@ -1,10 +1,9 @@
-#include <fmt/core.h>
-
 #include <charconv>
 #include <optional>
 
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/output.h"
 #include "app/version.h"
 #include "assemble/build.h"
 #include "assemble/kinds_of.h"
@@ -33,10 +32,21 @@ std::optional<double> parse_speed(const std::string& text) {
 
 // The first of runs/NAME, runs/NAME-2, ... that does not exist.
 fs::path free_folder(const std::string& name) {
-  const fs::path base = fs::path("runs") / name;
+  const fs::path base = fs::path("runs") / folder_name(name);
   fs::path folder = base;
-  for (int k = 2; fs::exists(folder); ++k) folder = base.string() + fmt::format("-{}", k);
+  std::error_code fault;  // a place that cannot be looked at fails when it is written
+  for (int k = 2; fs::exists(folder, fault); ++k)
+    folder = base.string() + fmt::format("-{}", k);
   return folder;
+}
+
+// As a shell reads it back.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(" \t\n'\"\\$`&|;<>()*?[]#~!{}") == std::string::npos)
+    return text;
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
 }
 
 void print_table(const record::RunSummary& summary) {
@@ -56,7 +66,7 @@ void print_table(const record::RunSummary& summary) {
       {"real_time_factor", "speed, times real time"}};
   for (const auto& [name, text] : kRows)
     if (const auto value = summary.number(name))
-      fmt::print("  {:<44}{:>12.4g}\n", text, *value);
+      print("  {:<44}{:>12.4g}\n", text, *value);
 }
 
 }  // namespace
@@ -64,8 +74,7 @@ void print_table(const record::RunSummary& summary) {
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   const auto speed = parse_speed(arguments.speed);
   if (!speed) {
-    fmt::print(stderr, "--speed {}: must be fast, real or a factor above 0.\n",
-               arguments.speed);
+    complain("--speed {}: must be fast, real or a factor above 0.\n", arguments.speed);
     return kBadUsage;
   }
   std::vector<std::string> overrides = arguments.overrides;
@@ -76,8 +85,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   auto built = assemble::build(*scenario);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
-  for (const std::string& warning : ready.warnings)
-    fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : ready.warnings) complain("warning: {}\n", warning);
   ready.options.speed = *speed;
   ready.options.threads = arguments.threads;
 
@@ -115,12 +123,13 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   const auto closed = recorder.close(interrupted || failure.has_value());
   if (failure) {
     say_error(*failure);
-    fmt::print(stderr, "Records up to then: {}\nReplay: skein run {} --seed {}\n",
-               folder.string(), (folder / "scenario.yaml").string(), scenario->seed);
+    complain("Records up to then: {}\nReplay: skein run {} --seed {}\n", folder.string(),
+             quoted((folder / "scenario.yaml").string()), scenario->seed);
     return kFailed;
   }
   if (!closed) {
     say_error(closed.error());
+    complain("The run itself went on to its end. Records: {}\n", folder.string());
     return kFailed;
   }
 
@@ -138,11 +147,11 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
     std::string summary;
     if (auto read = read_text(folder / "summary.json", summary); !read)
       return say_error(read.error());
-    fmt::print("{}\n", summary);
+    print("{}\n", summary);
   } else {
-    fmt::print("{}{}\n", scenario->name, interrupted ? " (interrupted)" : "");
+    print("{}{}\n", scenario->name, interrupted ? " (interrupted)" : "");
     print_table(closed.value());
-    fmt::print("Written: {}\n", written);
+    print("Written: {}\n", written);
   }
   return interrupted ? kInterrupted : kDone;
 }

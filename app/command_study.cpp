@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/output.h"
 #include "app/version.h"
 #include "assemble/kinds_of.h"
 #include "assemble/recorded_scenario.h"
@@ -46,7 +47,7 @@ int evaluate_rows(const std::string& file,
   }
   const auto problems =
       evaluate(file == "-" ? std::cin : stored, file == "-" ? "stdin" : file, std::cout);
-  for (const Error& problem : problems) fmt::print(stderr, "{}\n", problem.text());
+  for (const Error& problem : problems) complain("{}\n", problem.text());
   return problems.empty() ? kDone : kBadUsage;
 }
 
@@ -93,8 +94,8 @@ int estimators(const fs::path& folder) {
           "estimators", kVersion, campaign::study_figures(tables), folder);
       !written)
     return say_error(written.error());
-  fmt::print("Written: {}  summary.json  and one CSV per figure\n",
-             (folder / "report.html").string());
+  print("Written: {}  summary.json  and one CSV per figure\n",
+        (folder / "report.html").string());
   return kDone;
 }
 
@@ -111,7 +112,7 @@ Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& 
   options.journal = folder / "runs.jsonl";
   options.stop = &stop;
   options.progress = [terminal](std::size_t done, std::size_t all) {
-    if (terminal) fmt::print(stderr, "\r{} of {} runs", done, all);
+    if (terminal) complain("\r{} of {} runs", done, all);
   };
   auto outcomes = campaign::run_batch(
       plan.items,
@@ -122,7 +123,7 @@ Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& 
         return assemble::run_quietly(item.scenario, how);
       },
       options);
-  if (terminal) fmt::print(stderr, "\n");
+  if (terminal) complain("\n");
   return outcomes;
 }
 
@@ -138,14 +139,14 @@ void print_table(const record::StudyTable& table) {
   for (const auto& row : table.rows)
     for (std::size_t c = 0; c < row.size(); ++c)
       widths[c] = std::max(widths[c], cell_text(row[c]).size());
-  fmt::print("\n{}\n", table.title);
+  print("\n{}\n", table.title);
   for (std::size_t c = 0; c < widths.size(); ++c)
-    fmt::print("{:<{}}  ", table.columns[c], widths[c]);
-  fmt::print("\n");
+    print("{:<{}}  ", table.columns[c], widths[c]);
+  print("\n");
   for (const auto& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c)
-      fmt::print("{:<{}}  ", cell_text(row[c]), widths[c]);
-    fmt::print("\n");
+      print("{:<{}}  ", cell_text(row[c]), widths[c]);
+    print("\n");
   }
 }
 
@@ -157,7 +158,7 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
   for (std::size_t i = 0; i < outcomes.size(); ++i)
     if (!outcomes[i].error.empty()) {
       failed = true;
-      fmt::print(stderr, "{}: {}\n", plan.items[i].name, outcomes[i].error);
+      complain("{}: {}\n", plan.items[i].name, outcomes[i].error);
     }
   if (auto written = write_text(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
       !written)
@@ -169,8 +170,8 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
       !written)
     return say_error(written.error());
   for (const record::StudyTable& table : report.tables) print_table(table);
-  fmt::print("\nWritten: {}  summary.json  runs.csv  runs.jsonl\n",
-             (folder / "report.html").string());
+  print("\nWritten: {}  summary.json  runs.csv  runs.jsonl\n",
+        (folder / "report.html").string());
   if (stop) return kInterrupted;
   return failed ? kFailed : kDone;
 }
@@ -222,7 +223,7 @@ int bridge(const StudyArguments& arguments, const fs::path& folder,
 
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop) {
   if (arguments.name.empty()) {
-    fmt::print(
+    print(
         "estimators   mean and variance of every measurement update against distance\n"
         "monitoring   every estimator x strategy x wind case, several seeds\n"
         "bridge       a real fire, not star-shaped\n");
@@ -234,9 +235,8 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
     return evaluate_rows(arguments.updates_file, campaign::evaluate_updates);
   if (arguments.name != "estimators" && arguments.name != "monitoring" &&
       arguments.name != "bridge") {
-    fmt::print(stderr,
-               "There is no study \"{}\". There are: estimators monitoring bridge.\n",
-               arguments.name);
+    complain("There is no study \"{}\". There are: estimators monitoring bridge.\n",
+             arguments.name);
     return kBadUsage;
   }
   const fs::path folder = arguments.out.empty()

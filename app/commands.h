@@ -32,11 +32,12 @@ struct StudyArguments {
   std::vector<std::string> overrides;
   std::string cases_file, updates_file;  ///< estimators: CSV in, CSV on standard output
   std::string data;                      ///< bridge: folder of the recorded fire
+  std::vector<std::string> given;        ///< names of all options of the command line
 };
 
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
 int check_command(const std::string& scenario, const std::vector<std::string>& overrides,
-                  bool print);
+                  bool filled_in);
 int list_command(const std::string& role);
 int schema_command();
 int keys_command();

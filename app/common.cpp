@@ -1,11 +1,10 @@
 #include "app/common.h"
 
-#include <fmt/core.h>
-
 #include <fstream>
 #include <iterator>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "assemble/kinds_of.h"
 #include "scenario/scenario_file.h"
 
@@ -16,12 +15,27 @@ std::optional<scenario::Scenario> load_scenario(
   std::vector<scenario::Override> changes;
   for (const std::string& text : overrides) changes.push_back({text});
   auto outcome = scenario::read_scenario(file, assemble::kind_table(), changes);
-  if (!outcome.ok()) fmt::print(stderr, "{}", outcome.report());
+  if (!outcome.ok()) complain("{}", outcome.report());
   return std::move(outcome.scenario);
 }
 
+std::string folder_name(const std::string& name) {
+  constexpr std::size_t kLongest = 100;  // characters; file systems allow 255 bytes
+  std::string safe;
+  for (const char c : name.substr(0, kLongest)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    if (plain && !(safe.empty() && c == '.'))
+      safe += c;
+    else if (!safe.empty() && safe.back() != '-')
+      safe += '-';
+  }
+  while (!safe.empty() && safe.back() == '-') safe.pop_back();
+  return safe.empty() ? "run" : safe;
+}
+
 int say_error(const Error& error) {
-  fmt::print(stderr, "error: {}\n", error.text());
+  complain("error: {}\n", error.text());
   const bool usage =
       error.code == ErrorCode::kBadInput || error.code == ErrorCode::kNotFound;
   return usage ? kBadUsage : kFailed;

@@ -15,6 +15,10 @@ namespace skein::app {
 std::optional<scenario::Scenario> load_scenario(
     const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
+/// A name that is safe as the name of one folder: letters, digits, - _ and . of `name`,
+/// anything else becomes -; it neither begins with a dot nor is empty ("run").
+std::string folder_name(const std::string& name);
+
 /// Says an error on standard error; returns the exit status for it: bad input or failure.
 int say_error(const Error& error);
 

@@ -1,6 +1,5 @@
-#include <fmt/core.h>
-
 #include "app/commands.h"
+#include "app/output.h"
 
 namespace skein::app {
 namespace {
@@ -28,8 +27,8 @@ complete -o filenames -F _skein skein
 }  // namespace
 
 int completion_command(const std::string& shell) {
-  if (shell == "zsh") fmt::print("autoload -U +X bashcompinit && bashcompinit\n");
-  fmt::print("{}", kBash);
+  if (shell == "zsh") print("autoload -U +X bashcompinit && bashcompinit\n");
+  print("{}", kBash);
   return kDone;
 }
 

@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
-#include <cstdio>
+#include <filesystem>
+#include <new>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "app/version.h"
 #include "base/check.h"
 
@@ -22,6 +24,37 @@ Examples:
   skein run scenarios/wildfire.yaml --seed 7 --set aircraft[0].count=6 --out runs/six
   skein run scenarios/wildfire.yaml --speed 10          ten times real time)";
 
+constexpr const char* kCheckExamples = R"(
+Examples:
+  skein check scenarios/wildfire.yaml
+  skein check scenarios/wildfire.yaml --set monitoring.estimator=ensemble
+  skein check scenarios/wildfire.yaml --print > full.yaml     with all defaults)";
+
+constexpr const char* kListExamples = R"(
+Examples:
+  skein list                all kinds of all roles
+  skein list estimator      those of one role)";
+
+constexpr const char* kSchemaExamples = R"(
+Examples:
+  skein schema > scenario.schema.json
+  then, in the first line of a scenario, for editors with a YAML language server:
+  # yaml-language-server: $schema=scenario.schema.json)";
+
+constexpr const char* kKeysExamples = R"(
+Examples:
+  skein keys > scenario-keys.md)";
+
+constexpr const char* kReportExamples = R"(
+Examples:
+  skein report runs/wildfire                              writes runs/wildfire/report.html
+  skein report runs/gus runs/sweep --out comparison.html  side by side)";
+
+constexpr const char* kCompletionExamples = R"(
+Examples:
+  source <(skein completion)
+  source <(skein completion zsh))";
+
 constexpr const char* kStudyExamples = R"(
 Studies:
   estimators   mean and variance of every measurement update against distance
@@ -34,14 +67,12 @@ Examples:
   skein study bridge --data ../shared/data/fires/bridge_2021
   skein study estimators --cases values.csv > out.csv)";
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   using namespace skein::app;
   CLI::App app{"Skein: teams of unmanned aircraft in mixed reality."};
   app.require_subcommand(1);
   app.set_version_flag("--version", skein::app::kVersion);
-  app.failure_message(CLI::FailureMessage::help);
+  app.failure_message(CLI::FailureMessage::simple);
 
   RunArguments run;
   auto* run_cmd = app.add_subcommand("run", "Run a scenario.");
@@ -62,24 +93,28 @@ int main(int argc, char** argv) {
 
   std::string scenario;
   std::vector<std::string> overrides;
-  bool print = false;
+  bool filled_in = false;
   auto* check_cmd =
       app.add_subcommand("check", "Check a scenario: all problems at once.");
   check_cmd->add_option("scenario", scenario, "The scenario file (YAML).")->required();
   check_cmd->add_option("--set", overrides, "KEY=VALUE: overrides a key of the scenario.")
       ->take_all()
       ->allow_extra_args(false);
-  check_cmd->add_flag("--print", print,
+  check_cmd->add_flag("--print", filled_in,
                       "Print the scenario with all defaults filled in.");
+  check_cmd->footer(kCheckExamples);
 
   std::string role;
   auto* list_cmd = app.add_subcommand("list", "List the kinds that a scenario can name.");
   list_cmd->add_option("kind", role, "Only this role: estimator, strategy, fire...");
+  list_cmd->footer(kListExamples);
 
   auto* schema_cmd = app.add_subcommand(
       "schema", "Print the JSON Schema of scenario files, for editors.");
+  schema_cmd->footer(kSchemaExamples);
   auto* keys_cmd =
       app.add_subcommand("keys", "Print the documentation of all keys (Markdown).");
+  keys_cmd->footer(kKeysExamples);
 
   std::vector<std::filesystem::path> runs;
   std::filesystem::path report_out;
@@ -87,6 +122,7 @@ int main(int argc, char** argv) {
       app.add_subcommand("report", "Write an HTML report of one or more runs.");
   report_cmd->add_option("run", runs, "Folders of runs.")->required();
   report_cmd->add_option("--out", report_out, "The HTML file; default: RUN/report.html.");
+  report_cmd->footer(kReportExamples);
 
   StudyArguments study;
   auto* study_cmd = app.add_subcommand("study", "Run a study, with report and summary.");
@@ -119,6 +155,7 @@ int main(int argc, char** argv) {
       "completion", "Print shell completion: source <(skein completion)");
   completion_cmd->add_option("shell", shell, "bash or zsh.")
       ->check(CLI::IsMember({"bash", "zsh"}));
+  completion_cmd->footer(kCompletionExamples);
 
   try {
     app.parse(argc, argv);
@@ -127,22 +164,44 @@ int main(int argc, char** argv) {
     return status == 0 ? kDone : kBadUsage;
   }
 
+  for (const CLI::Option* option : study_cmd->get_options())
+    if (option->count() > 0) study.given.push_back(option->get_name());
+
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  if (*run_cmd) return run_command(run, stop_requested);
+  if (*check_cmd) return check_command(scenario, overrides, filled_in);
+  if (*list_cmd) return list_command(role);
+  if (*schema_cmd) return schema_command();
+  if (*keys_cmd) return keys_command();
+  if (*report_cmd) return report_command(runs, report_out);
+  if (*study_cmd) return study_command(study, stop_requested);
+  return completion_command(shell);
+}
+
+// Nothing that goes wrong ends in std::terminate: every fault has a message and a status.
+int run_guarded(int argc, char** argv) {
+  using namespace skein::app;
+  try {
+    return run_program(argc, argv);
+  } catch (const skein::Bug& bug) {
+    complain("This is a fault in Skein, please report it:\n{}\n", bug.what());
+  } catch (const std::bad_alloc&) {
+    put_err(
+        "error: not enough memory. Use a coarser grid or fewer members, or run fewer "
+        "at a time.\n");
+  } catch (const std::filesystem::filesystem_error& fault) {
+    complain("error: {}: {}.\n", fault.path1().string(), fault.code().message());
+  } catch (const std::exception& fault) {
+    complain("error: {}\n", fault.what());
+  }
+  return kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
-  try {
-    if (*run_cmd) return run_command(run, stop_requested);
-    if (*check_cmd) return check_command(scenario, overrides, print);
-    if (*list_cmd) return list_command(role);
-    if (*schema_cmd) return schema_command();
-    if (*keys_cmd) return keys_command();
-    if (*report_cmd) return report_command(runs, report_out);
-    if (*study_cmd) return study_command(study, stop_requested);
-    if (*completion_cmd) return completion_command(shell);
-  } catch (const skein::Bug& bug) {
-    std::fprintf(stderr, "This is a fault in Skein, please report it:\n%s\n", bug.what());
-    return kFailed;
-  }
-  return kBadUsage;
+  return skein::app::finish_output(run_guarded(argc, argv));
 }

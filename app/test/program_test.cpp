@@ -1,4 +1,5 @@
 // The program as a user meets it: exit statuses, messages, interrupts, kills, full disks.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sqlite3.h>
@@ -6,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -46,15 +48,19 @@ class Program : public testing::Test {
     return folder_ / name;
   }
 
-  // Starts the program in the scratch folder; `file_limit` bounds the size of its files.
-  pid_t start(std::vector<std::string> arguments, rlim_t file_limit = RLIM_INFINITY) {
+  // Starts the program in the scratch folder; `file_limit` bounds the size of its files,
+  // `memory_limit` its address space [bytes].
+  pid_t start(std::vector<std::string> arguments, rlim_t file_limit = RLIM_INFINITY,
+              rlim_t memory_limit = RLIM_INFINITY, int out = -1) {
     arguments.insert(arguments.begin(), SKEIN_PROGRAM);
     const pid_t child = fork();
     if (child != 0) return child;
     if (chdir(folder_.c_str()) != 0) _exit(99);
     if (!freopen("out.txt", "w", stdout) || !freopen("err.txt", "w", stderr)) _exit(99);
-    const rlimit limit{file_limit, file_limit};
+    if (out >= 0) dup2(out, STDOUT_FILENO);
+    const rlimit limit{file_limit, file_limit}, memory{memory_limit, memory_limit};
     setrlimit(RLIMIT_FSIZE, &limit);
+    setrlimit(RLIMIT_AS, &memory);
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -72,8 +78,21 @@ class Program : public testing::Test {
     return result;
   }
 
-  Finished run(std::vector<std::string> arguments, rlim_t file_limit = RLIM_INFINITY) {
-    return finish(start(std::move(arguments), file_limit));
+  Finished run(std::vector<std::string> arguments, rlim_t file_limit = RLIM_INFINITY,
+               rlim_t memory_limit = RLIM_INFINITY) {
+    return finish(start(std::move(arguments), file_limit, memory_limit));
+  }
+
+  // With standard output going to an open file.
+  Finished run_into(int out, std::vector<std::string> arguments) {
+    return finish(start(std::move(arguments), RLIM_INFINITY, RLIM_INFINITY, out));
+  }
+
+  // Waits for a file of a program that was started, not for ever.
+  static bool appears(const fs::path& file) {
+    for (int k = 0; k < 3000 && !fs::exists(file); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return fs::exists(file);
   }
 
   // The one number that a query gives; NaN when it gives none.
@@ -112,11 +131,18 @@ class Program : public testing::Test {
 
 TEST_F(Program, SaysHowItIsUsed) {
   EXPECT_EQ(run({"--help"}).status, 0);
-  for (const char* command : {"run", "check", "list", "report", "study", "completion"}) {
+  for (const char* command :
+       {"run", "check", "list", "schema", "keys", "report", "study", "completion"}) {
     const Finished help = run({command, "--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.out.find("--help"), std::string::npos) << command;
+    EXPECT_NE(help.out.find("Examples:"), std::string::npos) << command;
   }
+  const Finished wrong = run({"run", "x.yaml", "--sped", "3"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 2)
+      << "the fault does not scroll away above the help:\n"
+      << wrong.err;
   EXPECT_EQ(run({}).status, 2);
   EXPECT_EQ(run({"fly"}).status, 2);
   EXPECT_EQ(run({"run"}).status, 2);
@@ -230,19 +256,97 @@ TEST_F(Program, SaysWhenTheFolderCannotBeWritten) {
   EXPECT_EQ(again.status, 2) << "a run that is there is not replaced unasked";
 }
 
+TEST_F(Program, AResultThatIsLostIsAFailure) {
+  const auto file = write("s.yaml", "duration_s: 2").string();
+  const auto rows =
+      write("cases.csv", "kind,mu,sigma,lower,upper,sigma_v\nTN,0,1,0,inf,\n").string();
+  const std::vector<std::vector<std::string>> commands = {
+      {"--help"},
+      {"--version"},
+      {"list"},
+      {"schema"},
+      {"keys"},
+      {"completion"},
+      {"check", file, "--print"},
+      {"run", file, "--json"},
+      {"study"},
+      {"study", "estimators", "--cases", rows}};
+  for (const auto& command : commands) {
+    const int device = open("/dev/full", O_WRONLY);
+    ASSERT_GE(device, 0);
+    const Finished full = run_into(device, command);
+    close(device);
+    EXPECT_EQ(full.status, 1) << command[0];
+    EXPECT_NE(full.err.find("standard output cannot be written"), std::string::npos)
+        << command[0] << full.err;
+  }
+}
+
+TEST_F(Program, AReaderThatHasGoneIsNoFailure) {
+  for (const char* command : {"list", "schema", "keys"}) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    close(ends[0]);
+    const Finished cut = run_into(ends[1], {command});
+    close(ends[1]);
+    EXPECT_EQ(cut.status, 0) << command;
+    EXPECT_EQ(cut.err, "") << command;
+  }
+}
+
+TEST_F(Program, StaysWithinItsFolderWhateverTheName) {
+  const std::vector<std::pair<const char*, const char*>> names = {
+      {"../../evil", "evil"}, {"/tmp/evil", "tmp-evil"}, {"", "run"},
+      {"..", "run"},          {".hidden", "hidden"},     {"Feuer 1.5", "Feuer-1.5"}};
+  for (const auto& [name, folder] : names) {
+    const auto file =
+        write("s.yaml", "duration_s: 1\nname: \"" + std::string(name) + "\"\n");
+    EXPECT_EQ(run({"run", file.string()}).status, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "runs" / folder / "summary.json") ||
+                fs::exists(folder_ / "runs" / (std::string(folder) + "-2")))
+        << name;
+  }
+  EXPECT_FALSE(fs::exists(folder_.parent_path() / "evil"));
+  EXPECT_FALSE(fs::exists("/tmp/evil"));
+}
+
+TEST_F(Program, SaysWhenMemoryIsNotEnough) {
+  const auto file = write("s.yaml",
+                          "duration_s: 5\nmonitoring: {estimator: {kind: ensemble, "
+                          "members: 200, cell_m: 0.5, max_nodes: 10000000}}\n");
+  const Finished big = run({"run", file.string()}, RLIM_INFINITY, 1'500'000'000);
+  EXPECT_EQ(big.status, 1) << big.err;
+  EXPECT_NE(big.err.find("not enough memory"), std::string::npos) << big.err;
+}
+
+TEST_F(Program, SaysWhenAFolderOrScenarioMayNotBeRead) {
+  if (geteuid() == 0) GTEST_SKIP() << "permissions do not bind the superuser";
+  const auto file = write("s.yaml", "duration_s: 1");
+  fs::create_directory(folder_ / "runs");
+  fs::permissions(folder_ / "runs", fs::perms::none);
+  const Finished refused = run({"run", file.string()});
+  EXPECT_EQ(refused.status, 1) << refused.err;
+  EXPECT_NE(refused.err.find("runs"), std::string::npos) << refused.err;
+  fs::permissions(folder_ / "runs", fs::perms::owner_all);
+  fs::permissions(file, fs::perms::none);
+  const Finished secret = run({"check", file.string()});
+  EXPECT_EQ(secret.status, 2);
+  EXPECT_NE(secret.err.find("cannot be read"), std::string::npos) << secret.err;
+}
+
 TEST_F(Program, AFullDiskEndsTheRunAndKeepsWhatWasWritten) {
   const auto file = write("s.yaml", "duration_s: 3000\naircraft: [{count: 6}]");
   const Finished full = run({"run", file.string(), "--out", "full"}, 3'000'000);
   EXPECT_EQ(full.status, 1) << full.err;
-  EXPECT_NE(full.err.find("run.sqlite"), std::string::npos) << full.err;
+  for (const char* text : {"run.sqlite", "s of simulated time)", "Replay: skein run "})
+    EXPECT_NE(full.err.find(text), std::string::npos) << text << "\n" << full.err;
   EXPECT_GT(query(folder_ / "full" / "run.sqlite", "select count(*) from truth"), 100);
 }
 
 TEST_F(Program, CtrlCLeavesACompleteRun) {
   const auto file = write("s.yaml", "duration_s: 100000");
   const pid_t child = start({"run", file.string(), "--out", "stopped", "--report"});
-  while (!fs::exists(folder_ / "stopped" / "scenario.yaml"))
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_TRUE(appears(folder_ / "stopped" / "scenario.yaml"));
   std::this_thread::sleep_for(std::chrono::milliseconds(800));
   kill(child, SIGINT);
   const Finished stopped = finish(child);
@@ -262,8 +366,7 @@ TEST_F(Program, AKillLeavesReadableRecordsUpToASecondBefore) {
     const std::string out = "killed" + std::to_string(k);
     // Ten times real time: rows of the last wall second are ten simulated seconds.
     const pid_t child = start({"run", file.string(), "--out", out, "--speed", "10"});
-    while (!fs::exists(folder_ / out / "scenario.yaml"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(appears(folder_ / out / "scenario.yaml"));
     const auto begun = std::chrono::steady_clock::now();
     std::this_thread::sleep_for(
         std::chrono::milliseconds(1200 + static_cast<int>(random.uniform(0, 700))));

@@ -23,7 +23,8 @@ struct Error {
   std::string message;  ///< what was found and what is allowed
   std::string hint;     ///< what would mend it; may be empty
 
-  /// `place: message (hint)`, leaving out what is empty.
+  /// `place: message hint`, leaving out what is empty; a message without a full stop is
+  /// parted from the hint.
   std::string text() const;
 };
 

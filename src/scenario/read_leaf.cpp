@@ -46,6 +46,11 @@ std::string file_fault(const std::filesystem::path& path, bool folder) {
   return {};
 }
 
+bool is_whole(std::string_view text) {
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<double> Reader::number(const Node& node, const Range& range) {
@@ -95,6 +100,9 @@ void Reader::read_leaf(const NumberType& type, const Node& node, void* target) {
 void Reader::read_leaf(const IntegerType& type, const Node& node, void* target) {
   const bool plain = node.kind == Node::Kind::kPlain;
   const auto value = plain ? parse_integer(node.text) : std::nullopt;
+  if (!value && plain && is_whole(node.text))  // a whole number beyond 64 bits
+    return out_of_range(
+        node, fmt::format("from {} to {}", type.range.at_least, type.range.at_most));
   if (!value) {
     const bool in_quotes = node.kind == Node::Kind::kText && parse_integer(node.text);
     return wrong_type(node, in_quotes ? "Remove the quotation marks." : default_hint());
@@ -174,8 +182,9 @@ void Reader::read_leaf(const FileType& type, const Node& node, void* target) {
 }
 
 void Reader::fault(const Place& place, std::string message, std::string hint) {
-  problems_.add(place, problems_.full() ? "" : path_text(), std::move(message),
-                std::move(hint));
+  if (problems_.full()) return problems_.add(place, "", "");
+  faulty_.push_back(path_text());
+  problems_.add(place, faulty_.back(), std::move(message), std::move(hint));
 }
 
 void Reader::wrong_type(const Node& node, std::string hint) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 
@@ -29,12 +31,19 @@ ReadOutcome failed(Problems& problems) {
 std::optional<std::string> load(const std::filesystem::path& path, std::string& reason) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) {
+  if (status.type() == std::filesystem::file_type::not_found) {
     reason = "there is no such file.";
+  } else if (!std::filesystem::exists(status)) {
+    reason = fmt::format("cannot be read: {}.", error.message());
   } else if (std::filesystem::is_directory(status)) {
     reason = "is a folder, not a scenario file.";
   } else {
+    errno = 0;
     std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+      reason = fmt::format("cannot be read: {}.", std::strerror(errno));
+      return std::nullopt;
+    }
     std::string text(ParseLimits::kBytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));

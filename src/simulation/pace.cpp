@@ -1,5 +1,6 @@
 #include "simulation/pace.h"
 
+#include <algorithm>
 #include <thread>
 
 namespace skein::simulation {
@@ -10,13 +11,16 @@ Pace::Pace(double speed, Time step)
       start_(Clock::now()),
       last_show_(start_) {}
 
-void Pace::wait_for(Time now) {
+void Pace::wait_for(Time now, const OperatorConsole& console) {
   if (speed_ <= 0) return;
-  const double late_s = wall_s() - now.seconds() / speed_;
-  if (late_s < 0)
-    std::this_thread::sleep_for(std::chrono::duration<double>(-late_s));
-  else if (late_s > step_wall_s_)
-    ++misses_;
+  constexpr double kLongestNap = 0.05;  // a person does not notice this delay [s]
+  double late_s = wall_s() - now.seconds() / speed_;
+  if (late_s > step_wall_s_) ++misses_;
+  while (late_s < 0 && !console.stop_requested()) {
+    std::this_thread::sleep_for(
+        std::chrono::duration<double>(std::min(-late_s, kLongestNap)));
+    late_s = wall_s() - now.seconds() / speed_;
+  }
 }
 
 double Pace::wall_s() const {

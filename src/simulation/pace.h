@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/time.h"
+#include "role/operator_console.h"
 
 namespace skein::simulation {
 
@@ -14,8 +15,9 @@ class Pace {
   /// @param speed  simulated seconds per wall second; 0 = never waits.
   Pace(double speed, Time step);
 
-  /// Sleeps until `now` is due; counts a miss when it was due more than a step ago.
-  void wait_for(Time now);
+  /// Sleeps until `now` is due, or until the operator asks to stop: looked at every 50
+  /// ms. Counts a miss when `now` was due more than a step ago.
+  void wait_for(Time now, const OperatorConsole& console);
 
   double wall_s() const;
   std::int64_t misses() const { return misses_; }

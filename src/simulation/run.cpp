@@ -6,6 +6,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <cmath>
+#include <new>
 
 #include "simulation/entity_step.h"
 #include "simulation/pace.h"
@@ -142,10 +143,8 @@ class Stepper {
       if (!states_[i].active || !entity.vehicle) continue;
       const VehicleState& s = entity.vehicle->state;
       if (!finite(s))
-        return Error{ErrorCode::kBadInput,
-                     fmt::format("{} at {:.3f} s", entity.name, now.seconds()),
-                     "its motion is no longer finite.",
-                     "Run again with the same scenario and seed to see it."};
+        return Error{ErrorCode::kBadInput, entity.name, "its motion is no longer finite",
+                     ""};
       if (-s.p_N.z() < world_.terrain->elevation_msl(geo::horizontal(s.p_N))) {
         states_[i].ended = true;
         tell(now, i, "accident", fmt::format("{} hit the ground", entity.name));
@@ -178,6 +177,28 @@ std::string headline(const World& world) {
   return {};
 }
 
+// What ended the run at `now`, and when that was.
+Error failed_at(Time now, Error error) {
+  while (!error.message.empty() && error.message.back() == '.') error.message.pop_back();
+  error.message += fmt::format(" (at {:.3f} s of simulated time).", now.seconds());
+  return error;
+}
+
+// One step; whatever it throws ends the run, not the program: others may be going on.
+Result<void> guarded_step(Stepper& stepper, Time now) {
+  try {
+    return stepper.step(now);
+  } catch (const Bug& bug) {
+    return Error{ErrorCode::kUnavailable, "", bug.what(),
+                 "This is a fault in Skein, please report it."};
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kUnavailable, "", "not enough memory",
+                 "Use a coarser grid or fewer members, or run fewer at a time."};
+  } catch (const std::exception& fault) {
+    return Error{ErrorCode::kUnavailable, "", fault.what(), ""};
+  }
+}
+
 }  // namespace
 
 Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& recorder,
@@ -188,12 +209,13 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
   stepper.introduce();
   Time now;
   for (; now <= options.duration; now += options.step) {
+    pace.wait_for(now, console);
     if (console.stop_requested()) {
       outcome.end = RunOutcome::End::kStopped;
       break;
     }
-    pace.wait_for(now);
-    if (auto stepped = stepper.step(now); !stepped) return stepped.error();
+    if (auto stepped = guarded_step(stepper, now); !stepped)
+      return failed_at(now, stepped.error());
     if (pace.show_due())
       console.show(
           {now, options.duration, now.seconds() / pace.wall_s(), headline(world)});

@@ -39,8 +39,9 @@ struct RunOutcome {
 /// record. Entities run in parallel inside a phase, each writing only itself; messages
 /// are merged in entity order. So the records depend on neither `threads` nor `speed`.
 ///
-/// Fails: kUnavailable when the recorder can no longer write; kBadInput when a simulated
-/// quantity stops being finite (names entity, quantity and time).
+/// Fails: kUnavailable when the recorder can no longer write, when memory runs out or
+/// when a step finds a fault in Skein; kBadInput when a simulated quantity stops being
+/// finite (names entity and quantity). The message says the simulated time.
 Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& recorder,
                        OperatorConsole& console);
 

@@ -40,6 +40,12 @@ TEST(Result, HoldsValueOrError) {
   const Result<int> bad = Error{ErrorCode::kNotFound, "a.yaml", "no such file.", ""};
   EXPECT_FALSE(bad.ok());
   EXPECT_EQ(bad.error().text(), "a.yaml: no such file.");
+  const auto text = [](const char* message, const char* hint) {
+    return Error{ErrorCode::kNotFound, "a", message, hint}.text();
+  };
+  EXPECT_EQ(text("is wrong.", "Mend it."), "a: is wrong. Mend it.");
+  EXPECT_EQ(text("is wrong", "Mend it."), "a: is wrong. Mend it.");
+  EXPECT_EQ(text("is wrong", "mend it"), "a: is wrong; mend it");
   EXPECT_THROW(static_cast<void>(bad.value()), Bug);
 }
 

@@ -63,6 +63,10 @@ TEST(Override, ReportsUnknownPathsAndBadValues) {
       "\"estimator\"?\n"
       "--set seed=-1 seed: -1 must be at least 0. The default is 1.\n");
   EXPECT_EQ(
+      problems_of("name: x", {"seed=18446744073709551615"}),
+      "--set seed=18446744073709551615 seed: 18446744073709551615 must be from 0 to "
+      "9223372036854775807. The default is 1.\n");
+  EXPECT_EQ(
       problems_of("name: x", {"seed.low=1"}),
       "--set seed.low=1 seed: found keys with values, needs a whole number at least "
       "0. The default is 1.\n");

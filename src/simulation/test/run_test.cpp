@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace skein::simulation {
 namespace {
@@ -232,6 +234,7 @@ TEST(Run, ReportsARecorderThatFails) {
   const auto outcome = run(world, seconds(10), notes, console);
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnavailable);
+  EXPECT_EQ(outcome.error().text(), "disk: it is full (at 2.000 s of simulated time).");
 }
 
 TEST(Run, NamesWhatIsNoLongerFinite) {
@@ -241,8 +244,57 @@ TEST(Run, NamesWhatIsNoLongerFinite) {
   Silent console;
   const auto outcome = run(world, seconds(10), notes, console);
   ASSERT_FALSE(outcome.ok());
-  EXPECT_NE(outcome.error().place.find("a1 at 2.5"), std::string::npos)
-      << outcome.error().place;
+  EXPECT_EQ(outcome.error().place, "a1");
+  EXPECT_NE(outcome.error().message.find("(at 2.5"), std::string::npos)
+      << outcome.error().text();
+}
+
+// Out of memory in the third step, as a grid that grows with the fire may be.
+class Hungry : public NoFire {
+ public:
+  void advance(Time now) override {
+    if (now >= Time::from_seconds(3)) throw std::bad_alloc();
+  }
+};
+
+TEST(Run, SaysWhenMemoryRanOut) {
+  World world = make_world(1);
+  world.fire = std::make_unique<Hungry>();
+  Notes notes;
+  Silent console;
+  const auto outcome = run(world, seconds(10), notes, console);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error().code, ErrorCode::kUnavailable);
+  EXPECT_NE(outcome.error().message.find("not enough memory (at 3.000 s"),
+            std::string::npos)
+      << outcome.error().text();
+}
+
+// Asks to stop from a moment of the wall clock on.
+class Impatient : public OperatorConsole {
+ public:
+  void show(const RunProgress&) override {}
+  bool stop_requested() const override { return Clock::now() >= stop_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point stop_ = Clock::now() + std::chrono::milliseconds(300);
+};
+
+TEST(Run, StopsAtOnceWhenASlowPaceSleeps) {
+  World world = make_world(1);
+  Notes notes;
+  Impatient console;
+  RunOptions options = seconds(10);
+  options.speed = 0.001;  // a step every 100 s
+  const auto begun = std::chrono::steady_clock::now();
+  const auto outcome = run(world, options, notes, console);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome.value().end, RunOutcome::End::kStopped);
+  EXPECT_EQ(notes.truths, 1) << "the step that was not yet due is not done";
+  // Asked after 0.3 s; 0.2 s to answer, and as much again for a busy machine.
+  EXPECT_LT(took.count(), 0.7);
 }
 
 TEST(Run, TakesNoEntitiesAndNoTime) {

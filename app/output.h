@@ -1,0 +1,31 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+namespace skein::app {
+
+/// Puts text on standard output. Never throws: whether all of it got there is asked once,
+/// by finish_output().
+void put_out(std::string_view text);
+/// Puts text on standard error. Never throws: there is nobody left to tell.
+void put_err(std::string_view text);
+
+template <class... Values>
+void print(fmt::format_string<Values...> format, Values&&... values) {
+  put_out(fmt::format(format, std::forward<Values>(values)...));
+}
+template <class... Values>
+void complain(fmt::format_string<Values...> format, Values&&... values) {
+  put_err(fmt::format(format, std::forward<Values>(values)...));
+}
+
+/// Writes out what standard output still holds. Call once, at the end of the program.
+///
+/// @returns `status`; kFailed instead of kDone when output was lost, after saying so. A
+///          reader that has gone (`| head`) has all it wanted: no failure.
+int finish_output(int status);
+
+}  // namespace skein::app
