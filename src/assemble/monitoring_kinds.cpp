@@ -21,32 +21,47 @@ constexpr scenario::Range kNotNegative{.at_least = 0, .at_most = 1e6};
 constexpr scenario::Range kEdgeAngle{.above = 0, .at_most = 90};
 constexpr scenario::Range kProbability{.at_least = 0, .below = 0.5};
 
-Fields<PointwiseOptions> pointwise_fields() {
+constexpr scenario::IntegerRange kControlPoints{.at_least = 8, .at_most = 5000};
+
+// Each kind has the keys that it uses.
+Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
   using T = PointwiseOptions;
-  return Fields<T>()
-      .number("gate_sigmas", &T::gate_sigmas,
-              "A reading counts for points nearer than this many standard deviations.",
-              {.above = 0, .at_most = 100})
+  Fields<T> fields;
+  fields
+      .integer("control_points", &T::control_points, "Points of the believed perimeter.",
+               kControlPoints)
       .number("process_noise", &T::process_noise,
               "Spectral density of the points' acceleration per axis, in m^2/s^3.",
               {.at_least = 0, .at_most = 100})
       .number("sensor_sd_m", &T::sensor_sd, "Standard deviation of the sensor's range.",
-              kPositive)
-      .boolean("use_crossings", &T::use_crossings,
-               "Whether a crossing corrects the nearest point.")
-      .number("sigma_v_m", &T::sigma_v, "mle, map: standard deviation of the bound.",
-              kPositive)
-      .integer("particles", &T::particles, "particle: samples per point.",
-               {.at_least = 20, .at_most = 100000})
-      .number("false_rate", &T::false_rate,
-              "particle: probability that a reading is false.", kProbability)
-      .number("least_sd_m", &T::least_sd,
-              "point-reset: standard deviation after a crossing, per axis.", kPositive);
+              kPositive);
+  if (kind == "point-reset")
+    fields.number("least_sd_m", &T::least_sd,
+                  "Least standard deviation after a crossing, per axis.", kPositive);
+  else
+    fields
+        .number("gate_sigmas", &T::gate_sigmas,
+                "A reading counts for points nearer than this many standard deviations.",
+                {.above = 0, .at_most = 100})
+        .boolean("use_crossings", &T::use_crossings,
+                 "Whether a crossing corrects the nearest point.");
+  if (kind == "mle" || kind == "map")
+    fields.number("sigma_v_m", &T::sigma_v, "Standard deviation of the bound.",
+                  kPositive);
+  if (kind == "particle")
+    fields
+        .integer("particles", &T::particles, "Samples per point.",
+                 {.at_least = 20, .at_most = 100000})
+        .number("false_rate", &T::false_rate, "Probability that a reading is false.",
+                kProbability);
+  return fields;
 }
 
 Fields<JointOptions> joint_fields() {
   using T = JointOptions;
   return Fields<T>()
+      .integer("control_points", &T::control_points,
+               "Points of the believed perimeter, at equal bearings.", kControlPoints)
       .number("spacing_m", &T::spacing,
               "Above 0: points at equal arc length of at most this, instead of "
               "control_points at equal bearings.",
@@ -168,9 +183,7 @@ Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds() {
             "that are star-shaped, or nearly so.",
             joint_fields(),
             [](const JointOptions& options, const EstimatorContext& context) {
-              JointOptions all = options;
-              all.control_points = context.control_points;
-              return std::make_unique<JointEstimator>(context.prior, all);
+              return std::make_unique<JointEstimator>(context.prior, options);
             });
   kinds.add("ensemble",
             "An ensemble of level sets: for fires of any shape, with islands.",
@@ -181,11 +194,9 @@ Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds() {
               return std::make_unique<EnsembleEstimator>(context.prior, all);
             });
   for (const PointwiseKind& kind : pointwise_kinds())
-    kinds.add(kind.name, kind.help, pointwise_fields(),
+    kinds.add(kind.name, kind.help, pointwise_fields(kind.name),
               [&kind](const PointwiseOptions& options, const EstimatorContext& context) {
-                PointwiseOptions all = options;
-                all.control_points = context.control_points;
-                return make_pointwise(kind, all, context.prior, context.seed);
+                return make_pointwise(kind, options, context.prior, context.seed);
               });
   return kinds;
 }
