@@ -37,12 +37,16 @@ Fields<asset::KinematicOptions> kinematic_fields() {
       .number("roll_rate_radps", &T::roll_rate, "Largest; 0: the roll angle jumps.",
               {.at_least = 0, .at_most = 100})
       .duration_s("airspeed_lag_s", &T::airspeed_lag, "Time constant of the airspeed.")
-      .rule("climb_rate_mps", [](const T& o) {
-        if (o.climb_rate < o.slowest()) return std::string();
-        return fmt::format(
-            "{:.6g} must be below the slowest airspeed, {:.6g} (airspeed_mps "
-            "times 1 - airspeed_range).",
-            o.climb_rate, o.slowest());
+      .rules([](const T& o) {
+        std::vector<scenario::RuleFault> faults;
+        if (o.climb_rate >= o.slowest())
+          faults.push_back(
+              {"climb_rate_mps",
+               fmt::format("{:.6g} must be below the slowest airspeed, {:.6g} "
+                           "(airspeed_mps times 1 - airspeed_range).",
+                           o.climb_rate, o.slowest()),
+               {"airspeed_mps", "airspeed_range"}});
+        return faults;
       });
 }
 

@@ -8,6 +8,7 @@
 #include "assemble/kinds_of.h"
 #include "assemble/placement.h"
 #include "assemble/presence.h"
+#include "assemble/sampling.h"
 #include "geo/clip.h"
 #include "geo/polygon.h"
 #include "layer/reasoning/monitoring/coordinator/coordinator.h"
@@ -34,31 +35,14 @@ class SharedTerrain : public Terrain {
   std::shared_ptr<const Terrain> terrain_;
 };
 
-// A period that is a whole number of steps, or why not.
-Result<void> whole_steps(Time period, Time step, const char* key) {
-  if (period.ns() > 0 && period.ns() % step.ns() == 0) return {};
-  return Error{ErrorCode::kBadInput, key,
-               fmt::format("{} s is not a whole number of steps of {} s.",
-                           period.seconds(), step.seconds()),
-               "Change step_s or this period."};
-}
-
-Result<simulation::RunOptions> run_options(const Scenario& scenario) {
+simulation::RunOptions run_options(const Scenario& scenario) {
   simulation::RunOptions options;
   options.step = scenario.step;
   options.duration = scenario.duration;
-  options.environment_period = scenario.environment.period;
-  options.record_period = Time::from_seconds(1 / scenario.record.rate_hz);
+  options.environment_period = truth_period(scenario);
+  const double steps_per_row = 1 / (scenario.record.rate_hz * options.step.seconds());
+  options.record_period = options.step * std::llround(steps_per_row);
   options.perimeter_period = scenario.record.metrics_period;
-  std::vector<std::pair<Time, const char*>> periods = {
-      {options.environment_period, "environment.period_s"},
-      {options.record_period, "record.rate_hz"},
-      {options.perimeter_period, "record.metrics_period_s"},
-      {scenario.station.agent_period, "station.agent_period_s"}};
-  for (const AircraftGroup& group : scenario.aircraft)
-    periods.emplace_back(group.agent_period, "aircraft.agent_period_s");
-  for (const auto& [period, key] : periods)
-    if (auto good = whole_steps(period, scenario.step, key); !good) return good.error();
   return options;
 }
 
@@ -75,9 +59,8 @@ class Builder {
   }
 
   Result<Build> build() {
-    auto options = run_options(scenario_);
-    if (!options) return options.error();
-    build_.options = options.value();
+    build_.options = run_options(scenario_);
+    build_.warnings = sampling_warnings(scenario_);
     if (auto made = environment(); !made) return made.error();
     if (auto made = station(); !made) return made.error();
     for (const AircraftGroup& group : scenario_.aircraft)
@@ -108,8 +91,8 @@ class Builder {
 
   Result<void> station() {
     const scenario::Monitoring& mission = scenario_.monitoring;
-    auto estimator = estimator_kinds().make(
-        mission.estimator, {scenario_.seed, mission.prior, mission.control_points});
+    auto estimator =
+        estimator_kinds().make(mission.estimator, {scenario_.seed, mission.prior});
     if (!estimator) return estimator.error();
     auto strategy = strategy_kinds().make(mission.strategy, {});
     if (!strategy) return strategy.error();

@@ -15,14 +15,15 @@ namespace skein::assemble {
 /// A scenario made real: a world that can be run once.
 struct Build {
   simulation::World world;
-  simulation::RunOptions options;     ///< speed and threads are the caller's
-  std::vector<std::string> warnings;  ///< what was repaired in outside data
+  simulation::RunOptions options;  ///< speed and threads are the caller's
+  /// What was repaired in outside data, and what cannot be done as asked for.
+  std::vector<std::string> warnings;
 };
 
-/// Makes the world of a scenario. Entity 0 is the ground station, then the aircraft in
-/// the order of their groups. Fails: what terrain, wind or fire cannot be made from; an
-/// aircraft that starts inside
-///        terrain or a no-flight zone; periods that are no multiple of the step.
+/// Makes the world of a scenario that has passed the reader's checks. Entity 0 is the
+/// ground station, then the aircraft in the order of their groups.
+/// Fails: what terrain, wind or fire cannot be made from; an aircraft that starts inside
+///        terrain or a no-flight zone.
 Result<Build> build(const scenario::Scenario& scenario);
 
 /// Heights of the ground for a map: `count` x `count` points about `centre`.

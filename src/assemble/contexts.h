@@ -53,7 +53,6 @@ struct RadioContext {
 struct EstimatorContext {
   std::uint64_t seed = 0;
   PerimeterPrior prior;
-  int control_points = 60;
 };
 
 }  // namespace skein::assemble

@@ -1,5 +1,7 @@
 // Terrains, winds and fires: one row each.
 
+#include <fmt/format.h>
+
 #include "assemble/kinds_of.h"
 #include "layer/environment/fire/front_fire.h"
 #include "layer/environment/fire/thesis_fire.h"
@@ -16,12 +18,13 @@ namespace {
 using namespace environment;
 using scenario::Fields;
 using scenario::Range;
+using scenario::RuleFault;
 
 constexpr Range kLength{.above = 0, .at_most = 1e6};
 constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
 constexpr Range kHeight{.at_least = -500, .at_most = 9000};
 constexpr Range kBearing{.at_least = -360, .at_most = 360};
-constexpr Range kSpread{.at_least = 0, .at_most = 50};
+constexpr Range kPlace{.at_least = -7e5, .at_most = 7e5};  // within 1000 km
 
 Fields<FlatTerrainOptions> flat_fields() {
   using T = FlatTerrainOptions;
@@ -120,21 +123,47 @@ Fields<GriddedWindOptions> gridded_fields() {
       .boolean("extend", &T::extend, "Beyond the data the nearest values go on.");
 }
 
+std::vector<RuleFault> thesis_faults(const ThesisFireOptions& o) {
+  std::vector<RuleFault> faults;
+  if (o.displacement_harmonics > 0 && !(o.displacement < o.start_radius))
+    faults.push_back({"displacement_m",
+                      fmt::format("{:.6g} must be below start_radius_m, {:.6g}.",
+                                  o.displacement, o.start_radius),
+                      {"start_radius_m", "displacement_harmonics"}});
+  if (o.rate_error > o.rate)
+    faults.push_back(
+        {"rate_error_mps",
+         fmt::format("{:.6g} must be at most rate_mps, {:.6g}.", o.rate_error, o.rate),
+         {"rate_mps"}});
+  const double least = o.rate - o.rate_error;
+  if (least >= 0 && o.wind.norm() > 0 && o.wind.norm() >= least)
+    faults.push_back(
+        {"wind_mps",
+         fmt::format(
+             "a drift of {:.6g} m/s must be below the least spread, {:.6g} m/s "
+             "(rate_mps - rate_error_mps): a stronger one drives the boundary over "
+             "its own origin.",
+             o.wind.norm(), least),
+         {"rate_mps", "rate_error_mps"}});
+  return faults;
+}
+
 Fields<ThesisFireOptions> thesis_fields() {
   using T = ThesisFireOptions;
   return Fields<T>()
-      .point("origin_m", &T::origin, "Where bearings are taken from.")
+      .point("origin_m", &T::origin, "Where bearings are taken from.", kPlace)
       .integer("points", &T::points, "Of the boundary at the start; the thesis has 60.",
                {.at_least = 8, .at_most = 100000})
-      .number("start_radius_m", &T::start_radius, "Radius at the start.", kLength)
+      .number("start_radius_m", &T::start_radius, "Radius at the start.",
+              {.above = 0, .below = 1e6})
       .number("displacement_m", &T::displacement,
               "Largest departure of the start from that circle.", kNotNegative)
       .integer("displacement_harmonics", &T::displacement_harmonics,
                "Harmonics of that departure over bearing; 0: none.",
                {.at_least = 0, .at_most = 180})
-      .number("rate_mps", &T::rate, "Rate of spread.", kSpread)
+      .number("rate_mps", &T::rate, "Rate of spread.", {.at_least = 0, .at_most = 50})
       .number("rate_error_mps", &T::rate_error, "Largest departure from that rate.",
-              kSpread)
+              {.at_least = 0, .at_most = 50})
       .integer("rate_harmonics", &T::rate_harmonics,
                "Harmonics of that departure over bearing; 0: none.",
                {.at_least = 0, .at_most = 180})
@@ -148,9 +177,10 @@ Fields<ThesisFireOptions> thesis_fields() {
       .number("slope_weight", &T::slope_weight,
               "Effect of slope: 1 makes 30 % of rise 30 % of rate.",
               {.at_least = -1, .at_most = 1})
-      .duration_s("step_s", &T::step, "Between two boundaries.",
-                  {.above = 0, .at_most = 60})
-      .boolean("respace", &T::respace, "Add points where they have drawn apart.");
+      .duration_s("step_s", &T::step, "Longest step of the integration.",
+                  {.at_least = 0.01, .at_most = 60})
+      .boolean("respace", &T::respace, "Add points where they have drawn apart.")
+      .rules(thesis_faults);
 }
 
 /// A front-tracked fire and the fuel that it burns.
@@ -162,7 +192,7 @@ struct FrontFireKind {
 Fields<Ignition> ignition_fields() {
   using T = Ignition;
   return Fields<T>()
-      .point("point_m", &T::point, "Where.")
+      .point("point_m", &T::point, "Where.", kPlace)
       .number("radius_m", &T::radius, "What burns at once.", {.above = 0, .at_most = 1e5})
       .duration_s("delay_s", &T::delay, "After the fire's beginning.");
 }
@@ -170,7 +200,8 @@ Fields<Ignition> ignition_fields() {
 Fields<PatchyFuelOptions> fuel_fields() {
   using T = PatchyFuelOptions;
   return Fields<T>()
-      .number("patch_m", &T::patch_size, "Distance over which the fuel changes.", kLength)
+      .number("patch_m", &T::patch_size, "Distance over which the fuel changes.",
+              {.at_least = 1, .at_most = 1e6})
       .number("variation", &T::variation,
               "Standard deviation of the logarithm of the rate's factor; 0: even fuel.",
               {.at_least = 0, .at_most = 1})
@@ -179,18 +210,33 @@ Fields<PatchyFuelOptions> fuel_fields() {
               {.at_least = 0, .at_most = 0.5});
 }
 
+std::vector<RuleFault> front_faults(const FrontFireKind& o) {
+  std::vector<RuleFault> faults;
+  // Below that the markers of a circle would fall together.
+  const double least = 0.1 * o.fire.front.spacing;
+  for (std::size_t i = 0; i < o.fire.ignitions.size(); ++i)
+    if (!(o.fire.ignitions[i].radius >= least))
+      faults.push_back({fmt::format("ignitions[{}].radius_m", i),
+                        fmt::format("{:.6g} must be at least a tenth of "
+                                    "marker_spacing_m, {:.6g}.",
+                                    o.fire.ignitions[i].radius, least),
+                        {"marker_spacing_m"}});
+  return faults;
+}
+
 Fields<FrontFireKind> front_fields() {
   using T = FrontFireKind;
   return Fields<T>()
       .object(
           "ignitions", [](T & t) -> auto& { return t.fire.ignitions; }, ignition_fields(),
           "Where the fire starts.")
-      .duration_s(
-          "age_s", [](T & t) -> auto& { return t.fire.age; },
-          "Age of the fire at the run's start.")
-      .number(
-          "rate_mps", [](T & t) -> auto& { return t.fire.spread.rate; },
-          "Rate over level ground, in still air, with fuel factor 1.", kSpread)
+      .items({.at_least = 1, .at_most = 10000})
+      .duration_s("age_s", [](T & t) -> auto& { return t.fire.age; },
+                  "Age of the fire at the run's start.",
+                  {.at_least = 0, .at_most = 30 * 86400})
+      .number("rate_mps", [](T & t) -> auto& { return t.fire.spread.rate; },
+              "Rate over level ground, in still air, with fuel factor 1.",
+              {.at_least = 0, .at_most = 20})
       .number("wind_reduction",
               [](T & t) -> auto& { return t.fire.spread.wind_reduction; },
               "Wind at the flames over wind of the field.", {.at_least = 0, .at_most = 1})
@@ -212,7 +258,8 @@ Fields<FrontFireKind> front_fields() {
               {.at_least = 0.1, .at_most = 1000})
       .object(
           "fuel", [](T & t) -> auto& { return t.fuel; }, fuel_fields(),
-          "Smooth random patches of fuel.");
+          "Smooth random patches of fuel.")
+      .rules(front_faults);
 }
 
 Fields<RecordedFireOptions> recorded_fields() {

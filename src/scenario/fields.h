@@ -261,9 +261,20 @@ class Fields : public detail::FieldsBase {
   /// A condition on the whole struct, asked when all its keys are sound: `fault` returns
   /// what is wrong, as text for the user, or nothing. `key` is where it is reported.
   Fields& rule(std::string key, std::function<std::string(const T&)> fault) {
-    add_rule({std::move(key), [fault = std::move(fault)](const void* object) {
-                return fault(*static_cast<const T*>(object));
-              }});
+    return rules([key = std::move(key), fault = std::move(fault)](const T& object) {
+      std::vector<RuleFault> found;
+      if (std::string text = fault(object); !text.empty())
+        found.push_back({key, std::move(text), {""}});
+      return found;
+    });
+  }
+
+  /// Conditions that may be broken in several places: `faults` is asked whenever the
+  /// struct has been read, and says itself which values each fault is about.
+  Fields& rules(std::function<std::vector<RuleFault>(const T&)> faults) {
+    add_rule([faults = std::move(faults)](const void* object) {
+      return faults(*static_cast<const T*>(object));
+    });
     return *this;
   }
 

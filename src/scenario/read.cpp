@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -84,7 +85,6 @@ void Reader::read_object(const Object& object, const Node& node, void* target,
                          const ChoiceType* choice, const std::string* kind) {
   if (node.kind != Node::Kind::kMap) return wrong_type(node);
   const bool in_place = std::exchange(in_place_, false);
-  const std::size_t problems_before = problems_.count();
   std::vector<bool> given(object.fields.size(), false);
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
     const Node::Key& key = node.keys[i];
@@ -111,20 +111,93 @@ void Reader::read_object(const Object& object, const Node& node, void* target,
       complete(*field.type, field.in(target));
     }
   }
-  if (problems_.count() == problems_before) apply_rules(object, node, target);
+  apply_rules(object, node, target);
+}
+
+namespace {
+
+// The parts of a path: keys, and indices as "[2]".
+std::vector<std::string> parts_of(const std::string& path) {
+  std::vector<std::string> parts;
+  for (const char c : path) {
+    if (c == '.' || c == '[' || parts.empty()) parts.emplace_back();
+    if (c != '.') parts.back() += c;
+  }
+  return parts;
+}
+
+// Where the value at `path` was written, or what it would stand in (then not `found`).
+Place place_of(const Node& node, const std::string& path, bool& found) {
+  found = false;
+  const Node* here = &node;
+  Place place = node.place;
+  for (const std::string& part : parts_of(path)) {
+    const bool index = part[0] == '[';
+    const std::string text = index ? part.substr(1, part.size() - 2) : part;
+    const Node* next = nullptr;
+    for (std::size_t i = 0; i < here->items.size(); ++i) {
+      // Elements of a list have no keys, but in a patch.
+      const bool keyed = i < here->keys.size();
+      if ((keyed ? here->keys[i].text : std::to_string(i)) != text) continue;
+      next = &here->items[i];
+      place = keyed && !index ? here->keys[i].place : next->place;
+    }
+    if (next == nullptr) return place;
+    here = next;
+  }
+  found = true;
+  return place;
+}
+
+// Where a fault is best mended: its own key, else another one that the file gives.
+Place place_of(const Node& node, const RuleFault& fault) {
+  bool found = false;
+  const Place own = place_of(node, fault.key, found);
+  if (found) return own;
+  for (const std::string& other : fault.with) {
+    const Place place = place_of(node, other, found);
+    if (found && !other.empty()) return place;
+  }
+  return own;
+}
+
+std::string joined(const std::string& path, const std::string& more) {
+  return path.empty() || more.empty() || more[0] == '[' ? path + more : path + "." + more;
+}
+
+// Whether one of two paths leads through the other.
+bool along(const std::string& a, const std::string& b) {
+  const std::string& brief = a.size() < b.size() ? a : b;
+  const std::string& full = a.size() < b.size() ? b : a;
+  return full.starts_with(brief) &&
+         (brief.empty() || full.size() == brief.size() || full[brief.size()] == '.' ||
+          full[brief.size()] == '[');
+}
+
+}  // namespace
+
+bool Reader::faulty(const std::string& path) const {
+  return std::any_of(faulty_.begin(), faulty_.end(),
+                     [&](const std::string& other) { return along(path, other); });
 }
 
 void Reader::apply_rules(const Object& object, const Node& node, const void* target) {
+  if (object.rules.empty() || problems_.full()) return;
+  const std::string here = path_text();
+  std::vector<RuleFault> found;
   for (const Rule& rule : object.rules) {
-    const std::string text = rule.fault(target);
-    if (text.empty()) continue;
-    Place place = node.place;
-    for (const Node::Key& key : node.keys) {
-      if (key.text == rule.key) place = key.place;
+    for (RuleFault& fault : rule(target)) {
+      fault.with.push_back(fault.key);
+      const bool told = std::any_of(
+          fault.with.begin(), fault.with.end(),
+          [&](const std::string& path) { return faulty(joined(here, path)); });
+      if (!told) found.push_back(std::move(fault));
     }
-    path_.push_back({&rule.key, 0});
-    fault(place, text);
-    path_.pop_back();
+  }
+  for (const RuleFault& fault : found) {
+    const std::string path = joined(here, fault.key);
+    problems_.add(place_of(node, fault), path, fault.message);
+    faulty_.push_back(path);
   }
 }
 

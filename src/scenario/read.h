@@ -67,12 +67,14 @@ class Reader {
                    const ChoiceType* choice, const std::string* kind);
   std::string default_hint() const;
   std::string path_text() const;
+  bool faulty(const std::string& path) const;
   std::string last_key() const;
 
   const KindTable& kinds_;
   Folders folders_;
   Problems& problems_;
   std::vector<Step> path_;
+  std::vector<std::string> faulty_;  // paths with problems
   // The value being read, for messages.
   const Type* type_ = nullptr;
   const void* default_ = nullptr;  // null where there is no default

@@ -19,8 +19,8 @@ struct Environment {
   Choice terrain{"flat"};
   Choice wind{"uniform"};
   Choice fire{"thesis"};
-  Time period = Time::from_seconds(1);  ///< of moving the fire
-  std::vector<geo::Ring> zones;         ///< no-flight zones [m]
+  std::optional<Time> period;    ///< of moving the fire; none: as the fire sensors need
+  std::vector<geo::Ring> zones;  ///< no-flight zones [m]
 };
 
 /// How the aircraft of a group stand at the start.
@@ -87,9 +87,8 @@ struct Deployment {
 /// Keeping the perimeter of a fire known.
 struct Monitoring {
   Choice estimator{"joint"};
-  Choice strategy{"gus-rate"};
+  Choice strategy{"sweep"};
   PerimeterPrior prior;
-  int control_points = 60;
   Deployment deployment;
   Time forced_crossing = Time::from_seconds(300);  ///< 0 = off
   Time lost_after = Time::from_seconds(5);

@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/numbers.h"
 #include "scenario/scenario.h"
 
 namespace skein::scenario {
@@ -32,7 +36,10 @@ Fields<Environment> environment_fields() {
       .kind("terrain", &T::terrain, "terrain", "Height of the ground.")
       .kind("wind", &T::wind, "wind", "Wind in space and time.")
       .kind("fire", &T::fire, "fire", "The true fire.")
-      .duration_s("period_s", &T::period, "Time between two steps of the fire.", kPeriod)
+      .duration_s("period_s", &T::period,
+                  "Time between two steps of the fire. Null: every second, and as often "
+                  "as a sensor looks at the fire and metrics are taken.",
+                  kPeriod)
       .polygon("zones_m", &T::zones, "No-flight zones, each a list of its corners.")
       .items({.at_most = 1000});
 }
@@ -188,8 +195,6 @@ Fields<Monitoring> monitoring_fields() {
       .kind("strategy", &T::strategy, "strategy", "What sends the aircraft.")
       .object("prior", &T::prior, prior_fields(),
               "What is known before the first reading.")
-      .integer("control_points", &T::control_points, "Points of the believed perimeter.",
-               {.at_least = 3, .at_most = 5000})
       .object("deployment", &T::deployment, deployment_fields(),
               "Until the first crossing.")
       .duration_s("forced_crossing_s", &T::forced_crossing,
@@ -215,6 +220,44 @@ Fields<Recording> record_fields() {
       .boolean("messages", &T::messages, "Whether messages are stored.");
 }
 
+// Periods that are no whole number of steps.
+std::vector<RuleFault> period_faults(const Scenario& scenario) {
+  std::vector<RuleFault> faults;
+  const Time step = scenario.step;
+  const auto steps_near = [&](double seconds) {
+    return std::max<std::int64_t>(1, std::llround(seconds / step.seconds()));
+  };
+  const auto check = [&](const std::string& key, Time period) {
+    if (period.ns() % step.ns() == 0) return;
+    faults.push_back(
+        {key,
+         fmt::format("{} s is no whole number of steps of {} s (step_s); the "
+                     "nearest is {}.",
+                     seconds_text(period), seconds_text(step),
+                     seconds_text(step * steps_near(period.seconds()))),
+         {"step_s"}});
+  };
+  if (scenario.environment.period)
+    check("environment.period_s", *scenario.environment.period);
+  for (std::size_t i = 0; i < scenario.aircraft.size(); ++i)
+    check(fmt::format("aircraft[{}].agent_period_s", i),
+          scenario.aircraft[i].agent_period);
+  check("station.agent_period_s", scenario.station.agent_period);
+  check("record.metrics_period_s", scenario.record.metrics_period);
+  // A rate is a rounded number: 3.33333 means every third step of 0.1 s.
+  const double rows = 1 / scenario.record.rate_hz;
+  const double nearest = static_cast<double>(steps_near(rows)) * step.seconds();
+  if (std::abs(rows - nearest) > 1e-5 * nearest)
+    faults.push_back(
+        {"record.rate_hz",
+         fmt::format(
+             "{:.6g} rows a second are not one every whole number of steps of {} s "
+             "(step_s); the nearest is {:.6g}.",
+             scenario.record.rate_hz, seconds_text(step), 1 / nearest),
+         {"step_s"}});
+  return faults;
+}
+
 }  // namespace
 
 Fields<Scenario> scenario_fields() {
@@ -236,7 +279,8 @@ Fields<Scenario> scenario_fields() {
       .kind("radio", &T::radio, "radio", "The channel between all of them.")
       .object("station", &T::station, station_fields(), "The ground station.")
       .object("monitoring", &T::monitoring, monitoring_fields(), "The mission.")
-      .object("record", &T::record, record_fields(), "What is stored.");
+      .object("record", &T::record, record_fields(), "What is stored.")
+      .rules(period_faults);
 }
 
 }  // namespace skein::scenario

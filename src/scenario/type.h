@@ -147,11 +147,18 @@ struct Field {
   void* in(void* object) const { return member(object); }
 };
 
-/// A condition between several keys of a struct.
-struct Rule {
-  std::string key;                                ///< the one to be named in the message
-  std::function<std::string(const void*)> fault;  ///< what is wrong; empty = nothing
+/// What a condition between several keys of a struct finds wrong.
+struct RuleFault {
+  /// Where it is reported: a path from the struct, as "aircraft[1].agent_period_s".
+  std::string key;
+  std::string message;
+  /// The other values that it is about, as paths; "" is the whole struct. With a problem
+  /// in one of them, this one is not reported.
+  std::vector<std::string> with = {};
 };
+
+/// A condition between several keys of a struct: the faults that it finds.
+using Rule = std::function<std::vector<RuleFault>(const void*)>;
 
 /// A struct and its keys.
 struct Object {

@@ -71,10 +71,106 @@ TEST(Build, RefusesAnAircraftInsideTerrainOrInAZone) {
   EXPECT_NE(zone.error().text().find("no-flight zone"), std::string::npos);
 }
 
-TEST(Build, RefusesPeriodsThatAreNoWholeStep) {
-  const auto built = build(read("step_s: 0.3"));
-  ASSERT_FALSE(built.ok());
-  EXPECT_NE(built.error().text().find("whole number of steps"), std::string::npos);
+// What is wrong with a scenario, one line each.
+std::string problems_of(const std::string& text) {
+  std::string lines;
+  for (const auto& problem :
+       scenario::read_scenario_text(text, "test", ".", kind_table()).problems)
+    lines += problem.text() + "\n";
+  return lines;
+}
+
+TEST(Kinds, TellWhatDoesNotGoTogetherWithItsPlace) {
+  EXPECT_EQ(
+      problems_of("environment:\n"
+                  "  fire:\n"
+                  "    kind: thesis\n"
+                  "    start_radius_m: 400\n"
+                  "    displacement_m: 500\n"
+                  "    rate_error_mps: 0.5\n"
+                  "    wind_mps: [2, 2]\n"
+                  "aircraft:\n"
+                  "  - plant: {kind: kinematic, airspeed_mps: 1}\n"
+                  "  - plant: {kind: kinematic, climb_rate_mps: 25}\n"),
+      "test:5:5 environment.fire.displacement_m: 500 must be below start_radius_m, "
+      "400.\n"
+      "test:7:5 environment.fire.wind_mps: a drift of 2.82843 m/s must be below the "
+      "least spread, 2.5 m/s (rate_mps - rate_error_mps): a stronger one drives the "
+      "boundary over its own origin.\n"
+      "test:9:30 aircraft[0].plant.climb_rate_mps: 3 must be below the slowest "
+      "airspeed, 0.75 (airspeed_mps times 1 - airspeed_range).\n"
+      "test:10:30 aircraft[1].plant.climb_rate_mps: 25 must be below the slowest "
+      "airspeed, 15 (airspeed_mps times 1 - airspeed_range).\n");
+  EXPECT_EQ(
+      problems_of("environment: {fire: {kind: thesis, rate_mps: 1, "
+                  "rate_error_mps: 2}}"),
+      "test:1:49 environment.fire.rate_error_mps: 2 must be at most rate_mps, 1.\n");
+  EXPECT_EQ(
+      problems_of("environment: {fire: {kind: front, rate_mps: 50, "
+                  "marker_spacing_m: 100, ignitions: [{}, {radius_m: 5}]}}"),
+      "test:1:45 environment.fire.rate_mps: 50 must be from 0 to 20. The default is "
+      "0.05.\n"
+      "test:1:89 environment.fire.ignitions[1].radius_m: 5 must be at least a tenth "
+      "of marker_spacing_m, 10.\n");
+}
+
+// All keys of a choice stand for something: other kinds' keys are unknown.
+TEST(Kinds, HaveOnlyTheKeysThatTheyUse) {
+  const auto problem = [](const std::string& estimator) {
+    return problems_of("monitoring: {estimator: {" + estimator + "}}");
+  };
+  for (const char* good :
+       {"kind: qkf, control_points: 90", "kind: joint, control_points: 90",
+        "kind: particle, particles: 100, false_rate: 0.1", "kind: map, sigma_v_m: 3",
+        "kind: mle, sigma_v_m: 3", "kind: point-reset, least_sd_m: 2"})
+    EXPECT_EQ(problem(good), "") << good;
+  for (const char* bad :
+       {"kind: qkf, particles: 100", "kind: qkf, least_sd_m: 2",
+        "kind: qkf, sigma_v_m: 3", "kind: particle, least_sd_m: 2",
+        "kind: point-reset, use_crossings: false", "kind: point-reset, gate_sigmas: 2",
+        "kind: ensemble, control_points: 90"})
+    EXPECT_NE(problem(bad).find("unknown key. The kind \""), std::string::npos)
+        << problem(bad);
+  EXPECT_NE(problems_of("monitoring: {control_points: 60}").find("unknown key"),
+            std::string::npos);
+}
+
+TEST(Build, MovesTheFireAsOftenAsSensorsLook) {
+  const auto period = [](const std::string& more) {
+    const auto built = build(read(more));
+    EXPECT_TRUE(built.ok());
+    return built.value().options.environment_period.seconds();
+  };
+  EXPECT_EQ(period("name: x"), 1);
+  EXPECT_EQ(period("aircraft: [{sensors: [gnss, {kind: fire, rate_hz: 0.2}]}]"), 1);
+  EXPECT_EQ(period("aircraft: [{sensors: [{kind: fire, rate_hz: 2}]}]"), 0.5);
+  EXPECT_EQ(period("aircraft: [{sensors: [{kind: edge-finder, rate_hz: 10}]}]"), 0.1);
+  EXPECT_EQ(period("aircraft: [{sensors: [{kind: fire, rate_hz: 2}, {kind: fire, "
+                   "rate_hz: 2.5}]}]"),
+            0.1);
+  // Not every whole number of steps: a look may fall into any step.
+  EXPECT_EQ(period("aircraft: [{sensors: [{kind: fire, rate_hz: 3}]}]"), 0.1);
+  EXPECT_EQ(period("record: {metrics_period_s: 2.5}"), 0.5);
+  EXPECT_EQ(period("environment: {period_s: 4}"), 4);
+}
+
+TEST(Build, WarnsOfLooksAtAFireOfThePastAndOfRatesAboveTheSteps) {
+  const auto warnings = [](const std::string& text) {
+    const auto built = build(read(text));
+    EXPECT_TRUE(built.ok());
+    std::string lines;
+    for (const std::string& line : built.value().warnings) lines += line + "\n";
+    return lines;
+  };
+  EXPECT_EQ(warnings("name: x"), "");
+  EXPECT_EQ(warnings("environment: {period_s: 0.5}\n"
+                     "aircraft: [{sensors: [gnss, {kind: fire, rate_hz: 4}]}]"),
+            "environment.period_s: the fire moves every 0.5 s, and "
+            "aircraft[0].sensors[1].rate_hz looks at it every 0.1 s: it sees a fire that "
+            "stands still in between. Leave the key out, or write 0.1.\n");
+  EXPECT_EQ(warnings("aircraft: [{sensors: [{kind: fire, rate_hz: 1000}]}]"),
+            "aircraft[0].sensors[0].rate_hz: 1000 samples a second are more than the 10 "
+            "steps a second of step_s 0.1: the sensor has one in each step.\n");
 }
 
 TEST(Run, TakesNoAircraftAndNoTime) {

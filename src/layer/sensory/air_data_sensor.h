@@ -8,7 +8,7 @@
 namespace skein::sensory {
 
 struct AirDataOptions {
-  double rate_hz = 20;     ///< samples per second
+  double rate_hz = 10;     ///< samples per second
   double airspeed_sd = 0;  ///< of the airspeed error [m/s], white
   double heading_sd = 0;   ///< of the heading error [rad], white
 };

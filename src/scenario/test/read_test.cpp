@@ -125,6 +125,41 @@ struct Case {
   const char* problem;
 };
 
+TEST(Read, ConditionsBetweenKeysAreToldWithEverythingElse) {
+  // The key where it is written, else the one it does not go with; nothing that rests on
+  // a value which is wrong itself.
+  EXPECT_EQ(
+      problems_of("duration_s: -1\n"
+                  "environment: {period_s: 0.25}\n"
+                  "aircraft:\n"
+                  "  - {agent_period_s: 0.25, count: many}\n"
+                  "  - {agent_period_s: soon}\n"
+                  "record: {rate_hz: 3.33333}\n"),
+      "test.yaml:1:13 duration_s: -1 must be from 0 to 4000000. The default is "
+      "3600.\n"
+      "test.yaml:2:15 environment.period_s: 0.25 s is no whole number of steps of "
+      "0.1 s (step_s); the nearest is 0.3.\n"
+      "test.yaml:4:6 aircraft[0].agent_period_s: 0.25 s is no whole number of steps "
+      "of 0.1 s (step_s); the nearest is 0.3.\n"
+      "test.yaml:4:35 aircraft[0].count: found \"many\", needs a whole number from 0 "
+      "to 10000. The default is 1.\n"
+      "test.yaml:5:22 aircraft[1].agent_period_s: found \"soon\", needs a number "
+      "from 0.001 to 3600.\n");
+  EXPECT_EQ(problems_of("seed: 1\nstep_s: 0.3\nrecord: {rate_hz: 3.33333, "
+                        "metrics_period_s: 3}\nstation: {agent_period_s: 0.3}\n"
+                        "aircraft: []\nenvironment: {period_s: 0.9}"),
+            "");
+  EXPECT_EQ(problems_of("step_s: 0.3\naircraft: []\nrecord: {rate_hz: 3.33333, "
+                        "metrics_period_s: 3}"),
+            "test.yaml:1:1 station.agent_period_s: 0.5 s is no whole number of steps of "
+            "0.3 s (step_s); the nearest is 0.6.\n");
+  EXPECT_EQ(problems_of("step_s: fast\nenvironment: {period_s: 0.25}"),
+            "test.yaml:1:9 step_s: found \"fast\", needs a number from 0.001 to 10.\n");
+  EXPECT_EQ(problems_of("name: x", {"aircraft[0].agent_period_s=0.25"}),
+            "--set aircraft[0].agent_period_s=0.25 aircraft[0].agent_period_s: 0.25 s "
+            "is no whole number of steps of 0.1 s (step_s); the nearest is 0.3.\n");
+}
+
 class ReadRefuses : public testing::TestWithParam<Case> {};
 
 TEST_P(ReadRefuses, WithOneMessage) {
@@ -241,6 +276,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"aircraft: [{count: 2, start: {placement: list, positions_m: [[0, 0]]}}]",
              "test.yaml:1:23 aircraft[0].start: 1 positions_m for 2 aircraft; needs one "
              "each."},
+        Case{"record: {rate_hz: 7}",
+             "test.yaml:1:10 record.rate_hz: 7 rows a second are not one every whole "
+             "number of steps of 0.1 s (step_s); the nearest is 10."},
+        Case{
+            "step_s: 0.25\nrecord: {rate_hz: 4}\nstation: {agent_period_s: 0.3}",
+            "test.yaml:3:11 station.agent_period_s: 0.3 s is no whole number of steps of "
+            "0.25 s (step_s); the nearest is 0.25."},
         Case{"[1, 2]", "test.yaml:1:1: a scenario is a list of keys, as in \"name: x\"."},
         Case{"",
              "test.yaml:1:1: the file is empty. A scenario needs at least a name, as in "

@@ -76,7 +76,7 @@ ThesisFire::ThesisFire(const ThesisFireOptions& options, std::uint64_t seed,
   rate_ = make_rate(options, seed);
   for (int i = 0; i < options_.points; ++i)
     points_.push_back(start_point(2 * geo::kPi * i / options_.points));
-  update_region();
+  update_region(0);
 }
 
 double ThesisFire::start_radius(double bearing) const {
@@ -103,8 +103,7 @@ Vec2 ThesisFire::velocity(const Vec2& p) const {
   return rate * out + options_.wind;
 }
 
-void ThesisFire::move(Vec2& p) const {
-  const double dt = options_.step;
+void ThesisFire::move(Vec2& p, double dt) const {
   const Vec2 k1 = velocity(p);
   const Vec2 k2 = velocity(p + dt / 2 * k1);
   const Vec2 k3 = velocity(p + dt / 2 * k2);
@@ -114,14 +113,14 @@ void ThesisFire::move(Vec2& p) const {
 
 void ThesisFire::advance(Time time) {
   const Time step = Time::from_seconds(options_.step);
-  bool moved = false;
+  if (time == shown_) return;
   while (step * (steps_ + 1) <= time) {
-    for (Point& point : points_) move(point.p);
+    for (Point& point : points_) move(point.p, options_.step);
     ++steps_;
     if (options_.respace) add_points();
-    moved = true;
   }
-  if (moved) update_region();
+  shown_ = time;
+  update_region((time - step * steps_).seconds());
 }
 
 void ThesisFire::add_points() {
@@ -142,7 +141,7 @@ void ThesisFire::add_points() {
     const double to = i + 1 < points_.size() ? points_[i + 1].bearing : 2 * geo::kPi;
     if (to - from < 2 * finest) continue;
     Point point = start_point((from + to) / 2);
-    for (std::int64_t k = 0; k < steps_; ++k) move(point.p);
+    for (std::int64_t k = 0; k < steps_; ++k) move(point.p, options_.step);
     added.push_back(point);
   }
   const auto most = kMostPoints * static_cast<std::size_t>(options_.points);
@@ -152,11 +151,15 @@ void ThesisFire::add_points() {
             [](const Point& a, const Point& b) { return a.bearing < b.bearing; });
 }
 
-void ThesisFire::update_region() {
+// The region `since` [s] after the last whole step.
+void ThesisFire::update_region(double since) {
   region_.assign(1, {});
   geo::Ring& ring = region_[0];
   ring.reserve(points_.size());
-  for (const Point& point : points_) ring.push_back(point.p);
+  for (const Point& point : points_) {
+    ring.push_back(point.p);
+    if (since > 0) move(ring.back(), since);
+  }
   // A ring whose points follow each other clockwise around the origin, once, cannot cross
   // itself.
   bool star = true;

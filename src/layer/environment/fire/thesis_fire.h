@@ -25,7 +25,7 @@ struct ThesisFireOptions {
   double harmonic_decay = 1.75;  ///< sizes fall as order^-decay, see BearingProfile
   Vec2 wind = Vec2::Zero();      ///< drift of every boundary point [m/s]
   double slope_weight = 0;       ///< effect of slope: 1 makes 30 % of rise 30 % of rate
-  double step = 1;               ///< between two boundaries [s]
+  double step = 1;               ///< of the integration [s]
   bool respace = true;           ///< add points where they have drawn apart
 };
 
@@ -39,9 +39,10 @@ Result<void> check(const ThesisFireOptions& options);
 ///
 /// psi is the bearing of p from the origin, V the rate at that bearing, w the slope
 /// weight, s the rise of the ground per distance towards psi, within +-1, and W the wind.
-/// Points are integrated by Runge-Kutta's fourth order over whole steps; the boundary
-/// stands still in between, so it lags by less than one step. A point that is added later
-/// starts on the start boundary like all others: it is as exact as they are.
+/// Points are integrated by Runge-Kutta's fourth order over whole steps since the start,
+/// and from the last of these to the time asked for: the boundary of a time does not
+/// depend on the times asked for before. A point that is added later starts on the start
+/// boundary like all others: it is as exact as they are.
 ///
 /// Where points would cross (a wind stronger than the spread drives them over the
 /// origin), the region is what the boundary still surrounds clockwise.
@@ -69,16 +70,17 @@ class ThesisFire : public Phenomenon {
     Vec2 p;
   };
   Vec2 velocity(const Vec2& p) const;
-  void move(Vec2& p) const;
+  void move(Vec2& p, double dt) const;
   Point start_point(double bearing) const;
   void add_points();
-  void update_region();
+  void update_region(double since);
 
   ThesisFireOptions options_;
   const Terrain& terrain_;
   BearingProfile shape_, rate_;
-  std::vector<Point> points_;
-  std::int64_t steps_ = 0;  // done
+  std::vector<Point> points_;  // at the last whole step
+  std::int64_t steps_ = 0;     // done
+  Time shown_;                 // of the region
   geo::Region region_;
   RegionLookup lookup_;
 };

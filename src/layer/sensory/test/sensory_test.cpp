@@ -116,7 +116,7 @@ TEST(AirDataSensor, AddsWhiteErrors) {
   const auto truth = world.run(perfect, ms(50), 1);
   EXPECT_EQ(std::get<AirDataSample>(truth.at(0)).airspeed, 20);
   EXPECT_EQ(std::get<AirDataSample>(truth.at(0)).heading, 3);
-  AirDataSensor noisy({.airspeed_sd = 0.5, .heading_sd = 0.02}, 1, {1});
+  AirDataSensor noisy({.rate_hz = 20, .airspeed_sd = 0.5, .heading_sd = 0.02}, 1, {1});
   double speed2 = 0, heading2 = 0;
   const int n = 20000;
   for (const auto& s : world.run(noisy, ms(50), n)) {

@@ -45,6 +45,28 @@ TEST(ThesisFire, GrowsCirclesWithoutWind) {
   }
 }
 
+TEST(ThesisFire, MovesAtAllTimesWhateverTimesWereAskedBefore) {
+  ThesisFireOptions o;  // uneven in rate and shape, points are added
+  o.wind = Vec2(1, -1);
+  o.slope_weight = 0.5;
+  const Plane hill(Vec2(0.1, 0.2));
+  ThesisFire often(o, 1, hill), once(o, 1, hill);
+  Vec2 before = often.region()[0][0];
+  for (int k = 1; k <= 1234; ++k) {
+    often.advance(Time::from_seconds(0.1 * k));
+    if (k > 20) continue;
+    // Every tenth of a second, at about the same speed.
+    const Vec2 now = often.region()[0][0];
+    EXPECT_NEAR((now - before).norm(), 0.3, 0.2) << k;
+    before = now;
+  }
+  once.advance(Time::from_seconds(123.4));
+  ASSERT_EQ(once.region()[0].size(), often.region()[0].size());
+  for (std::size_t i = 0; i < once.region()[0].size(); ++i)
+    EXPECT_EQ(once.region()[0][i], often.region()[0][i]) << i;
+  EXPECT_TRUE(once.inside(once.region()[0][0] * 0.999));
+}
+
 TEST(ThesisFire, ASouthWestWindOfATenthIsVisible) {
   ThesisFireOptions o = plain();
   o.wind = 0.1 * geo::unit(kPi / 4);

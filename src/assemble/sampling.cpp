@@ -1,0 +1,88 @@
+#include "assemble/sampling.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "layer/sensory/air_data_sensor.h"
+#include "layer/sensory/edge_finder.h"
+#include "layer/sensory/fire_sensor.h"
+#include "layer/sensory/gnss_sensor.h"
+#include "scenario/numbers.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::Scenario;
+using scenario::seconds_text;
+
+struct Sampling {
+  std::string key;  // of the sensor's rate
+  double rate_hz = 0;
+  bool fire = false;  // looks at the fire
+};
+
+Sampling sampling_of(const scenario::Choice& sensor, std::string key) {
+  if (sensor.kind == "gnss")
+    return {std::move(key), sensor.as<sensory::GnssOptions>().rate_hz, false};
+  if (sensor.kind == "air-data")
+    return {std::move(key), sensor.as<sensory::AirDataOptions>().rate_hz, false};
+  if (sensor.kind == "fire")
+    return {std::move(key), sensor.as<sensory::FireSensorOptions>().rate_hz, true};
+  SKEIN_CHECK(sensor.kind == "edge-finder", sensor.kind);
+  return {std::move(key), sensor.as<sensory::EdgeFinderOptions>().rate_hz, true};
+}
+
+std::vector<Sampling> all_sensors(const Scenario& scenario) {
+  std::vector<Sampling> all;
+  for (std::size_t g = 0; g < scenario.aircraft.size(); ++g)
+    for (std::size_t s = 0; s < scenario.aircraft[g].sensors.size(); ++s)
+      all.push_back(sampling_of(scenario.aircraft[g].sensors[s],
+                                fmt::format("aircraft[{}].sensors[{}].rate_hz", g, s)));
+  return all;
+}
+
+// The longest period that meets every look of a sensor. Samples are taken in the first
+// step after they are due: when the rate does not fit the steps, that may be any step.
+Time look_period(double rate_hz, Time step) {
+  const Time period = Time::from_seconds(1 / rate_hz);
+  return period > step && period.ns() % step.ns() == 0 ? period : step;
+}
+
+Time derived_period(const Scenario& scenario) {
+  std::int64_t ns =
+      std::gcd(Time::from_seconds(1).ns(), scenario.record.metrics_period.ns());
+  for (const Sampling& sensor : all_sensors(scenario))
+    if (sensor.fire) ns = std::gcd(ns, look_period(sensor.rate_hz, scenario.step).ns());
+  return ns % scenario.step.ns() == 0 ? Time::from_ns(ns) : scenario.step;
+}
+
+}  // namespace
+
+Time truth_period(const Scenario& scenario) {
+  return scenario.environment.period.value_or(derived_period(scenario));
+}
+
+std::vector<std::string> sampling_warnings(const Scenario& scenario) {
+  std::vector<std::string> warnings;
+  const Time period = truth_period(scenario);
+  const double steps_per_s = 1 / scenario.step.seconds();
+  for (const Sampling& sensor : all_sensors(scenario)) {
+    if (sensor.rate_hz > steps_per_s * (1 + 1e-9))
+      warnings.push_back(fmt::format(
+          "{}: {:.6g} samples a second are more than the {:.6g} steps a second of step_s "
+          "{}: the sensor has one in each step.",
+          sensor.key, sensor.rate_hz, steps_per_s, seconds_text(scenario.step)));
+    const Time look = look_period(sensor.rate_hz, scenario.step);
+    if (sensor.fire && look.ns() % period.ns() != 0)
+      warnings.push_back(fmt::format(
+          "environment.period_s: the fire moves every {} s, and {} looks at it every {} "
+          "s: "
+          "it sees a fire that stands still in between. Leave the key out, or write {}.",
+          seconds_text(period), sensor.key, seconds_text(look),
+          seconds_text(derived_period(scenario))));
+  }
+  return warnings;
+}
+
+}  // namespace skein::assemble
