@@ -387,6 +387,21 @@ TEST_F(Program, AKillLeavesReadableRecordsUpToASecondBefore) {
   }
 }
 
+TEST_F(Program, CountsEveryCrossingOnce) {
+  // The first readings of both aircraft come later than they were taken, some never.
+  const auto file = write("s.yaml",
+                          "duration_s: 900\naircraft: [{count: 2}]\n"
+                          "radio: {kind: ideal, loss: 0.2}\n");
+  const Finished done = run({"run", file.string(), "--out", "run", "--json"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto summary = nlohmann::json::parse(done.out);
+  const fs::path database = folder_ / "run" / "run.sqlite";
+  EXPECT_GT(summary.at("crossings"), 5);
+  EXPECT_EQ(summary.at("crossings"), query(database, "select count(*) from crossings"));
+  EXPECT_EQ(summary.at("crossings"),
+            query(database, "select count(*) from events where kind = 'crossing'"));
+}
+
 TEST_F(Program, TheHashIsTheSameForAnyThreads) {
   // Two hundred aircraft: with fewer than 32 the phases of a step are not shared out.
   const std::string expected = hash_of("many", 30, {"--threads", "1"});

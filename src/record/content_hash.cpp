@@ -17,6 +17,7 @@ enum : std::uint64_t {
   kMessage,
   kPerimeter,
   kEvent,
+  kCrossing,
 };
 
 }  // namespace
@@ -179,6 +180,17 @@ void ContentHash::event(const Event& event) {
   put(event.entity);
   put(std::string_view(event.kind));
   put(std::string_view(event.text));
+  end();
+}
+
+void ContentHash::crossing(const Crossing& crossing) {
+  begin(kCrossing);
+  put(crossing.time);
+  put(crossing.aircraft);
+  put(crossing.point);
+  put(crossing.track);
+  put(crossing.point_sd);
+  put(crossing.entered);
   end();
 }
 

@@ -23,6 +23,7 @@ class ContentHash {
   void perimeter(Time time, const geo::Region& truth, EntityId believer,
                  const BoundaryEstimate& belief);
   void event(const Event& event);
+  void crossing(const Crossing& crossing);
 
   /// The fingerprint of all so far: 32 hexadecimal digits.
   std::string hex() const { return hasher_.hex(); }

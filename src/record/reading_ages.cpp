@@ -17,25 +17,6 @@ double square(double x) {
 
 }  // namespace
 
-std::optional<Crossing> ReadingAges::add(const FireReading& reading) {
-  const auto [place, first] = last_.try_emplace(reading.aircraft, reading);
-  if (first) return std::nullopt;
-  const FireReading before = place->second;
-  if (reading.time <= before.time) return std::nullopt;  // arrived late or twice
-  place->second = reading;
-  if (reading.inside == before.inside) return std::nullopt;
-
-  Crossing crossing;
-  crossing.time = reading.time;
-  crossing.aircraft = reading.aircraft;
-  crossing.point = (before.point + reading.point) / 2;
-  crossing.track = reading.point - before.point;
-  crossing.point_sd = reading.point_sd;
-  crossing.entered = reading.inside;
-  crossings_.push_back({crossing.time, crossing.point});
-  return crossing;
-}
-
 void ReadingAges::move_markers(const TrueBoundary& truth, double spacing) {
   std::vector<Marker> moved;
   for (const Marker& marker : markers_) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -19,8 +18,10 @@ namespace skein::record {
 /// from the rest, counts from the start of the run.
 class ReadingAges {
  public:
-  /// Takes one reading; returns the crossing when it differs from the aircraft's last.
-  std::optional<Crossing> add(const FireReading& reading);
+  /// Takes a crossing; they may come in any order.
+  void add(const Crossing& crossing) {
+    crossings_.push_back({crossing.time, crossing.point});
+  }
 
   struct Ages {
     double mean = 0;  ///< over the believed points [s]
@@ -42,7 +43,6 @@ class ReadingAges {
   void fill_gaps(const TrueBoundary& truth, double spacing);
   void apply_crossings(const TrueBoundary& truth, double spacing);
 
-  std::map<EntityId, FireReading> last_;
   std::vector<Marker> markers_;
   std::vector<Marker> crossings_;  // since the last call
 };

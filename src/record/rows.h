@@ -61,8 +61,8 @@ struct TerrainRow {
 
 /// One thing to be stored. Rare and large kinds are held by pointer: the common ones
 /// decide the size.
-using Row = std::variant<TruthRow, EstimateRow, FireReading, MessageRow, EntityRow, Event,
-                         std::unique_ptr<TaskRow>, std::unique_ptr<PerimeterRow>,
-                         std::unique_ptr<TerrainRow>>;
+using Row = std::variant<TruthRow, EstimateRow, FireReading, Crossing, MessageRow,
+                         EntityRow, Event, std::unique_ptr<TaskRow>,
+                         std::unique_ptr<PerimeterRow>, std::unique_ptr<TerrainRow>>;
 
 }  // namespace skein::record

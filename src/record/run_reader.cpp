@@ -194,12 +194,8 @@ class Reader {
 
   // Only for the counts of a run that was cut off.
   Result<void> readings() {
-    return rows(
-        "SELECT time_s, entity_id, north_m, east_m, inside FROM readings",
-        [this](const Statement& row) {
-          statistics_.reading({Time::from_seconds(row.real(0)), entity_id(row, 1),
-                               Vec2(row.real(2), row.real(3)), 0, row.integer(4) != 0});
-        });
+    return rows("SELECT 1 FROM readings",
+                [this](const Statement&) { statistics_.reading(); });
   }
 
   Result<void> messages() {
@@ -251,15 +247,18 @@ class Reader {
 
   Result<void> crossings() {
     std::vector<Crossing> all;
-    auto done = rows("SELECT time_s, entity_id, north_m, east_m, entered FROM crossings",
-                     [&](const Statement& row) {
-                       Crossing crossing;
-                       crossing.time = Time::from_seconds(row.real(0));
-                       crossing.aircraft = entity_id(row, 1);
-                       crossing.point = Vec2(row.real(2), row.real(3));
-                       crossing.entered = row.integer(4) != 0;
-                       all.push_back(crossing);
-                     });
+    auto done = rows(
+        "SELECT time_s, entity_id, north_m, east_m, entered FROM crossings"
+        " ORDER BY time_s",
+        [&](const Statement& row) {
+          Crossing crossing;
+          crossing.time = Time::from_seconds(row.real(0));
+          crossing.aircraft = entity_id(row, 1);
+          crossing.point = Vec2(row.real(2), row.real(3));
+          crossing.entered = row.integer(4) != 0;
+          all.push_back(crossing);
+          statistics_.crossing(crossing);
+        });
     const std::size_t keep_each =
         all.size() / static_cast<std::size_t>(std::max(1, budget_.crossings)) + 1;
     for (std::size_t i = 0; i < all.size(); i += keep_each)

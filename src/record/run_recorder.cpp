@@ -109,6 +109,11 @@ void RunRecorder::event(const Event& event) {
   parts_->writer.push(event);
 }
 
+void RunRecorder::crossing(const Crossing& crossing) {
+  parts_->hash.crossing(crossing);
+  parts_->writer.push(crossing);
+}
+
 Result<void> RunRecorder::step_done(Time time) {
   parts_->now = time;
   return parts_->writer.status();

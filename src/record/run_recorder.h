@@ -50,6 +50,7 @@ class RunRecorder final : public Recorder {
   void perimeter(Time time, const geo::Region& truth, EntityId believer,
                  const BoundaryEstimate& belief) override;
   void event(const Event& event) override;
+  void crossing(const Crossing& crossing) override;
   Result<void> step_done(Time time) override;
 
   /// Keeps a small grid of the ground for the report's map, row by row: row r, column c

@@ -144,9 +144,13 @@ Result<void> RunWriter::write(const EstimateRow& row) {
 }
 
 Result<void> RunWriter::write(const FireReading& row) {
-  const std::optional<Crossing> crossing = statistics_.reading(row);
-  if (auto done = database_.write(row); !done || !crossing) return done;
-  return database_.write(*crossing);
+  statistics_.reading();
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(const Crossing& row) {
+  statistics_.crossing(row);
+  return database_.write(row);
 }
 
 Result<void> RunWriter::write(const MessageRow& row) {

@@ -54,6 +54,7 @@ class RunWriter {
   Result<void> write(const TruthRow& row);
   Result<void> write(const EstimateRow& row);
   Result<void> write(const FireReading& row);
+  Result<void> write(const Crossing& row);
   Result<void> write(const MessageRow& row);
   Result<void> write(const Event& row);
   Result<void> write(std::unique_ptr<TaskRow>& row);

@@ -16,11 +16,9 @@ void RunStatistics::truth(EntityId id, const VehicleState& state) {
   flight.last = state.p_N;
 }
 
-std::optional<Crossing> RunStatistics::reading(const FireReading& reading) {
-  ++observations_;
-  std::optional<Crossing> crossing = ages_.add(reading);
-  if (crossing) ++crossings_;
-  return crossing;
+void RunStatistics::crossing(const Crossing& crossing) {
+  ++crossings_;
+  ages_.add(crossing);
 }
 
 void RunStatistics::message(bool lost) {

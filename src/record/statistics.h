@@ -20,8 +20,8 @@ class RunStatistics {
  public:
   void entity(EntityId id, const std::string& name, const std::string& kind);
   void truth(EntityId id, const VehicleState& state);
-  /// Returns the crossing that the reading completes, if it does.
-  std::optional<Crossing> reading(const FireReading& reading);
+  void reading() { ++observations_; }
+  void crossing(const Crossing& crossing);
   void message(bool lost);
   /// An event of the kind "allocation" starts the allocation phase.
   void event(const Event& event);

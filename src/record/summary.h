@@ -30,6 +30,7 @@ struct RunSummary {
   std::string content_hash;
   bool interrupted = false;
   std::map<std::string, double> numbers;  ///< finite ones only
+  std::vector<std::string> warnings;      ///< what was repaired in outside data
 
   /// The number called `name`; absent when the run has no such figure.
   std::optional<double> number(const std::string& name) const;

@@ -23,7 +23,7 @@ void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate) {
 
 void SummaryRecorder::reading(const FireReading& reading) {
   hash_.reading(reading);
-  statistics_.reading(reading);
+  statistics_.reading();
 }
 
 void SummaryRecorder::message(const Message& message, Time arrived, bool lost) {
@@ -40,6 +40,11 @@ void SummaryRecorder::perimeter(Time time, const geo::Region& truth, EntityId be
 void SummaryRecorder::event(const Event& event) {
   hash_.event(event);
   statistics_.event(event);
+}
+
+void SummaryRecorder::crossing(const Crossing& crossing) {
+  hash_.crossing(crossing);
+  statistics_.crossing(crossing);
 }
 
 Result<void> SummaryRecorder::step_done(Time time) {

@@ -22,6 +22,7 @@ class SummaryRecorder final : public Recorder {
   void perimeter(Time time, const geo::Region& truth, EntityId believer,
                  const BoundaryEstimate& belief) override;
   void event(const Event& event) override;
+  void crossing(const Crossing& crossing) override;
   Result<void> step_done(Time time) override;
 
   /// Sets one more number of the summary, such as `deadline_misses`.

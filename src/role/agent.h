@@ -28,6 +28,7 @@ struct AgentOutput {
       outbox;  ///< `from`, `number` and `sent` are filled in by the sender
   std::optional<AutopilotCommand> command;
   std::vector<Event> events;
+  std::vector<Crossing> crossings;  ///< that it made out of the readings it has; records
 };
 
 /// The reasoning of one entity. It never learns whether its vehicle is real.

@@ -28,6 +28,9 @@ class Recorder {
   virtual void perimeter(Time time, const geo::Region& truth, EntityId believer,
                          const BoundaryEstimate& belief) = 0;
   virtual void event(const Event& event) = 0;
+  /// An aircraft has passed the boundary, as the agent that keeps the belief found. May
+  /// come later than it happened.
+  virtual void crossing(const Crossing& crossing) = 0;
 
   /// Called at the end of every step; may write out what has gathered.
   /// Fails: kUnavailable when the records can no longer be written (disk full...).

@@ -110,8 +110,10 @@ class Stepper {
         world_.radio->send(message);
       }
       for (const Event& event : output.events) recorder_.event(event);
+      for (const Crossing& crossing : output.crossings) recorder_.crossing(crossing);
       output.outbox.clear();
       output.events.clear();
+      output.crossings.clear();
     }
     arrived_.clear();
     lost_.clear();

@@ -91,12 +91,7 @@ TEST(PerimeterMetrics, ToleratesACrossedBelief) {
 
 TEST(ReadingAges, FollowTheFrontAfterACrossing) {
   ReadingAges ages;
-  const EntityId uav{1};
-  EXPECT_FALSE(ages.add({Time::from_seconds(9), uav, {490, 0}, 1, true}));
-  const auto crossing = ages.add({Time::from_seconds(10), uav, {510, 0}, 1, false});
-  ASSERT_TRUE(crossing);
-  EXPECT_FALSE(crossing->entered);
-  EXPECT_LT((crossing->point - Vec2(500, 0)).norm(), 1e-12);
+  ages.add({Time::from_seconds(10), EntityId{1}, {500, 0}, {20, 0}, 1, false});
 
   // The front grows to three times its length in 100 s. What is known of its northern
   // part is 100 s old, in the same share of the boundary as at first: 200 m of 2 pi 500
@@ -119,8 +114,8 @@ TEST(ReadingAges, CountAnIslandFromTheStart) {
   const Time now = Time::from_seconds(100);
   for (int i = 0; i < 30; ++i) {  // the main fire is crossed everywhere at 100 s
     const EntityId uav{static_cast<std::uint32_t>(i)};
-    ages.add({Time::from_seconds(99), uav, 490 * geo::unit(0.21 * i), 1, true});
-    ages.add({now, uav, 510 * geo::unit(0.21 * i), 1, false});
+    const Vec2 out = geo::unit(0.21 * i);
+    ages.add({now, uav, 500 * out, 20 * out, 1, false});
   }
   const geo::Ring fire = circle({0, 0}, 500, 200);
   const auto belief = believed_circle(now, {0, 0}, 500, 10);
@@ -131,13 +126,13 @@ TEST(ReadingAges, CountAnIslandFromTheStart) {
   EXPECT_EQ(ages.ages(now, both, belief)->max, 0);
 }
 
-TEST(ReadingAges, IgnoreReadingsThatComeTwiceOrLate) {
+TEST(ReadingAges, TakeLateCrossingsInAnyOrder) {
   ReadingAges ages;
-  const EntityId uav{1};
-  ages.add({Time::from_seconds(5), uav, {0, 0}, 1, true});
-  EXPECT_FALSE(ages.add({Time::from_seconds(4), uav, {9, 0}, 1, false}));
-  EXPECT_FALSE(ages.add({Time::from_seconds(5), uav, {9, 0}, 1, false}));
-  EXPECT_TRUE(ages.add({Time::from_seconds(6), uav, {9, 0}, 1, false}));
+  ages.add({Time::from_seconds(8), EntityId{1}, {500, 0}, {20, 0}, 1, false});
+  ages.add({Time::from_seconds(5), EntityId{2}, {500, 0}, {20, 0}, 1, false});
+  const Time now = Time::from_seconds(10);
+  const TrueBoundary small({circle({480, 0}, 20, 40)});  // all of it within reach
+  EXPECT_NEAR(ages.ages(now, small, believed_circle(now, {480, 0}, 20, 5))->max, 2, 1e-9);
 }
 
 }  // namespace

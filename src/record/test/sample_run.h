@@ -87,6 +87,11 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
       if (!whole_second) continue;
       const FireReading reading{now, id, p, 1.5, distance < radius};
       recorder.reading(reading);
+      const double before =
+          distance - 60 * (std::sin(t / 9 + a) - std::sin((t - 1) / 9 + a));
+      if ((before < radius) != (distance < radius))
+        recorder.crossing(
+            {now, id, radius * geo::unit(bearing), p, 1.5, distance < radius});
       const Message message{id, ground, ++number, now, 32, reading};
       recorder.message(message, now + Time::from_seconds(0.05), random.uniform() < 0.05);
       if (step % (60 * rows_per_second) == 0) {

@@ -90,6 +90,7 @@ class Talker : public Agent {
     for (const Message& message : in.inbox)
       out.events.push_back(
           {in.now, message.from, "heard", std::to_string(message.number)});
+    if (in.now == Time::from_seconds(4)) out.crossings.push_back({in.now, to_});
     Message message;
     message.to = to_;
     message.content = AircraftReport{};
@@ -121,13 +122,17 @@ class Notes : public Recorder {
     text += fmt::format("E{} {} {} {};", e.time.ns(), e.entity.value, e.kind, e.text);
     if (e.kind != "heard") kinds += e.kind + " ";
   }
+  void crossing(const Crossing& c) override {
+    text += fmt::format("C{} {};", c.time.ns(), c.aircraft.value);
+    ++crossings;
+  }
   Result<void> step_done(Time now) override {
     if (full_at && now >= *full_at)
       return Error{ErrorCode::kUnavailable, "disk", "it is full.", ""};
     return {};
   }
   std::string text, kinds;
-  int truths = 0, messages = 0;
+  int truths = 0, messages = 0, crossings = 0;
   std::optional<Time> full_at;
 };
 
@@ -179,6 +184,7 @@ TEST(Run, RecordsAtItsRateAndDeliversMessages) {
   EXPECT_EQ(outcome.value().end, RunOutcome::End::kDone);
   EXPECT_EQ(notes.truths, 2 * 101);
   EXPECT_EQ(notes.messages, 2 * 21);
+  EXPECT_EQ(notes.crossings, 2) << "each reports one, recorded once";
   EXPECT_NEAR(world.entities[0].vehicle->state.p_N.x(), 20 * 10.1, 1e-9);
 }
 

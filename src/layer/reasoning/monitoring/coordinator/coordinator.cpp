@@ -85,6 +85,7 @@ void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
   member->status.has_crossed = true;
   member->status.last_crossing = std::max(member->status.last_crossing, crossing.time);
   member->deploying = member->forced = false;
+  out.crossings.push_back(crossing);
   out.events.push_back({crossing.time, crossing.aircraft, "crossing",
                         fmt::format("{} the fire at {:.0f} m north, {:.0f} m east",
                                     crossing.entered ? "into" : "out of",
