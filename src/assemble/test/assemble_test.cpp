@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "assemble/build.h"
 #include "assemble/kinds_of.h"
 #include "assemble/placement.h"
@@ -112,6 +114,13 @@ TEST(Kinds, TellWhatDoesNotGoTogetherWithItsPlace) {
       "0.05.\n"
       "test:1:89 environment.fire.ignitions[1].radius_m: 5 must be at least a tenth "
       "of marker_spacing_m, 10.\n");
+}
+
+TEST(Kinds, HaveRoundDefaultsInTheUnitsOfTheirKeys) {
+  const std::string keys = scenario::markdown_keys(kind_table());
+  const std::regex long_number("[0-9]\\.[0-9]{6,}");
+  std::smatch match;
+  EXPECT_FALSE(std::regex_search(keys, match, long_number)) << match.str();
 }
 
 // All keys of a choice stand for something: other kinds' keys are unknown.

@@ -39,15 +39,15 @@ class HillTerrain final : public Terrain {
 };
 
 struct CanyonTerrainOptions {
-  double floor = 250;            ///< of the river at the origin, above mean sea level [m]
-  double depth = 320;            ///< from the river to the plateau [m]
-  double width = 350;            ///< from the river to where the walls are steepest [m]
-  double bearing = 1.0;          ///< the river flows this way [rad, clockwise from north]
-  double fall = 0.01;            ///< of the river, per metre of way
-  double meander = 180;          ///< of the river to either side [m]
-  double meander_length = 3500;  ///< between two bends to the same side [m]
-  double ridge = 110;            ///< of the side ridges above the ravines between [m]
-  double ridge_spacing = 800;    ///< between two ridges on one side [m]
+  double floor = 250;  ///< of the river at the origin, above mean sea level [m]
+  double depth = 320;  ///< from the river to the plateau [m]
+  double width = 350;  ///< from the river to where the walls are steepest [m]
+  double bearing = geo::radians(57);  ///< the river flows this way [rad, from north]
+  double fall = 0.01;                 ///< of the river, per metre of way
+  double meander = 180;               ///< of the river to either side [m]
+  double meander_length = 3500;       ///< between two bends to the same side [m]
+  double ridge = 110;          ///< of the side ridges above the ravines between [m]
+  double ridge_spacing = 800;  ///< between two ridges on one side [m]
 };
 
 /// A winding river canyon with side ridges and ravines, smooth and in closed form.

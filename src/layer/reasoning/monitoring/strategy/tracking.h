@@ -8,7 +8,7 @@
 namespace skein::monitoring {
 
 struct TrackingOptions {
-  double edge_angle = 0.6109;  ///< real edge: between course and edge, 35 degrees [rad]
+  double edge_angle = geo::radians(35);  ///< real edge: between course and edge [rad]
   /// Which edge is followed: the predicted one, or the real one, found with the sensors
   /// on board (in/out zig-zag, or an ideal edge finder where the aircraft has one).
   bool predicted = false;
