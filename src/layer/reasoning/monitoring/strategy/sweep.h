@@ -8,12 +8,12 @@
 namespace skein::monitoring {
 
 struct SweepOptions {
-  double edge_angle = 0.4363;  ///< between course and edge, 25 degrees [rad]
-  double window = 120;         ///< plan this far ahead along the edge [s]
-  double follow_speed = 15;    ///< progress along the edge while following it [m/s]
-  double decide_period = 10;   ///< think about leaving the edge this often [s]
-  double leave_ratio = 2.5;    ///< leave when elsewhere is this many times better
-  double commit = 60;          ///< stay at least this long with a new place [s]
+  double edge_angle = geo::radians(25);  ///< between course and edge [rad]
+  double window = 120;                   ///< plan this far ahead along the edge [s]
+  double follow_speed = 15;   ///< progress along the edge while following it [m/s]
+  double decide_period = 10;  ///< think about leaving the edge this often [s]
+  double leave_ratio = 2.5;   ///< leave when elsewhere is this many times better
+  double commit = 60;         ///< stay at least this long with a new place [s]
 };
 
 /// Arc sweeps: every aircraft follows the real edge with its in/out sensor, on the arc
