@@ -1,20 +1,23 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
-#include <limits>
+#include <sstream>
 
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "app/particle_update.h"
 #include "app/version.h"
 #include "assemble/kinds_of.h"
 #include "assemble/recorded_scenario.h"
 #include "assemble/run.h"
 #include "campaign/bridge_study.h"
 #include "campaign/estimators_csv.h"
+#include "campaign/estimators_report.h"
 #include "campaign/estimators_study.h"
 #include "campaign/monitoring_report.h"
 #include "campaign/monitoring_study.h"
@@ -29,10 +32,19 @@ namespace fs = std::filesystem;
 // A shipped scenario: beside the working folder, or beside the program's checkout.
 fs::path shipped_scenario(const std::string& name) {
   const fs::path here = fs::path("scenarios") / name;
-  if (fs::exists(here)) return here;
   std::error_code fault;
+  if (fs::exists(here, fault)) return here;
   const fs::path program = fs::read_symlink("/proc/self/exe", fault);
   return program.parent_path().parent_path().parent_path() / "scenarios" / name;
+}
+
+// Made when there is something to put into it: what is refused leaves nothing behind.
+Result<void> make_folder(const fs::path& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (!fault) return {};
+  return Error{ErrorCode::kUnavailable, folder.string(),
+               "cannot be made: " + fault.message() + ".", ""};
 }
 
 // --- estimators ---------------------------------------------------------------------
@@ -51,47 +63,23 @@ int evaluate_rows(const std::string& file,
   return problems.empty() ? kDone : kBadUsage;
 }
 
-// Distinct colours and order for the page: every column of a table over its first.
-record::StudyPlot plot_of(const campaign::StudyTable& table) {
-  record::StudyPlot plot;
-  plot.title = table.title;
-  plot.x_label = "bound [sigma of the prior]";
-  plot.y_label = table.name;
-  for (std::size_t c = 1; c < table.columns.size(); ++c) {
-    record::StudySeries series;
-    series.name = table.columns[c].name;
-    series.x = table.columns[0].values;
-    series.y = table.columns[c].values;
-    series.dashed = series.name == "exact";
-    plot.series.push_back(std::move(series));
-  }
-  return plot;
-}
-
 int estimators(const fs::path& folder) {
-  record::StudyReport report;
-  report.title = "Study: estimators";
-  report.intro = {
-      "What one in/out reading teaches: a range with prior N(0, 1) is told to be above, "
-      "or "
-      "below, a bound. Mean and variance after that, against the bound, for every "
-      "measurement update (figures 2.6 to 2.9 of the thesis).",
-      "exact: by numerical integration. The variance of an approximation is its second "
-      "moment about the value that it chose: never below the exact one."};
-  const auto tables = campaign::estimators_study({});
+  if (auto made = make_folder(folder); !made) return say_error(made.error());
+  campaign::EstimatorsStudyOptions options;
+  options.more = {{"particle", particle_update}};
+  const auto tables = campaign::estimators_study(options);
   for (const campaign::StudyTable& table : tables) {
-    report.plots.push_back(plot_of(table));
-    std::ofstream csv(folder / (table.name + ".csv"));
+    std::ostringstream csv;
     campaign::write_csv(table, csv);
-    csv.close();
-    if (!csv.good())
-      return say_error(
-          {ErrorCode::kUnavailable, folder.string(), "cannot be written.", ""});
+    if (auto written = write_text(folder / (table.name + ".csv"), csv.str()); !written)
+      return say_error(written.error());
   }
-  if (auto written = record::write_study_report(report, folder / "report.html"); !written)
+  if (auto written = record::write_study_report(
+          campaign::estimators_report(tables, options.sigma), folder / "report.html");
+      !written)
     return say_error(written.error());
   if (auto written = campaign::write_study_summary(
-          "estimators", kVersion, campaign::study_figures(tables), folder);
+          "estimators", kVersion, "complete", campaign::study_figures(tables), folder);
       !written)
     return say_error(written.error());
   print("Written: {}  summary.json  and one CSV per figure\n",
@@ -105,10 +93,11 @@ Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& 
                                                      const StudyArguments& arguments,
                                                      const fs::path& folder,
                                                      const std::atomic<bool>& stop) {
+  if (auto made = make_folder(folder); !made) return made.error();
   const bool terminal = isatty(STDERR_FILENO) != 0;
   campaign::BatchOptions options;
   options.threads = arguments.threads;
-  options.version = kVersion;
+  options.program = program_fingerprint();
   options.journal = folder / "runs.jsonl";
   options.stop = &stop;
   options.progress = [terminal](std::size_t done, std::size_t all) {
@@ -166,10 +155,14 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
   if (auto written = record::write_study_report(report, folder / "report.html"); !written)
     return say_error(written.error());
   if (auto written = campaign::write_study_summary(
-          study, kVersion, campaign::study_figures(plan, outcomes), folder);
+          study, kVersion, report.alert.empty() ? "complete" : report.alert,
+          campaign::study_figures(plan, outcomes), folder);
       !written)
     return say_error(written.error());
   for (const record::StudyTable& table : report.tables) print_table(table);
+  for (const std::string& warning : campaign::warnings_of(outcomes))
+    complain("warning: {}\n", warning);
+  if (!report.alert.empty()) print("\n{}\n", report.alert);
   print("\nWritten: {}  summary.json  runs.csv  runs.jsonl\n",
         (folder / "report.html").string());
   if (stop) return kInterrupted;
@@ -219,34 +212,75 @@ int bridge(const StudyArguments& arguments, const fs::path& folder,
                 stop);
 }
 
+struct StudyKind {
+  const char* name;
+  const char* help;
+  std::vector<std::string> options;  // that it takes
+};
+
+const std::vector<StudyKind>& study_kinds() {
+  static const std::vector<StudyKind> kinds = {
+      {"estimators",
+       "mean and variance of every measurement update against distance",
+       {"--out", "--cases", "--updates"}},
+      {"monitoring",
+       "every estimator x strategy x wind case, several seeds",
+       {"--out", "--seeds", "--first-seed", "--threads", "--only-cases", "--estimators",
+        "--strategies", "--set"}},
+      {"bridge",
+       "a real fire, not star-shaped",
+       {"--out", "--seeds", "--first-seed", "--threads", "--estimators", "--strategies",
+        "--set", "--data"}}};
+  return kinds;
+}
+
+// What is wrong with the options of the command line; empty when nothing is.
+std::string not_for(const StudyArguments& arguments) {
+  const StudyKind* study = nullptr;
+  std::string names;
+  for (const StudyKind& kind : study_kinds()) {
+    if (kind.name == arguments.name) study = &kind;
+    names += fmt::format(" {}", kind.name);
+  }
+  if (!study)
+    return fmt::format("there is no study \"{}\". There are:{}.", arguments.name, names);
+  const auto given = [&](const char* option) {
+    return std::count(arguments.given.begin(), arguments.given.end(), option) > 0;
+  };
+  for (const std::string& option : arguments.given) {
+    if (option == "name" ||
+        std::count(study->options.begin(), study->options.end(), option))
+      continue;
+    std::string takes;
+    for (const std::string& each : study->options) takes += " " + each;
+    return fmt::format("{} has no meaning for the study {}, which takes{}.", option,
+                       study->name, takes);
+  }
+  if (given("--cases") + given("--updates") + given("--out") > 1 &&
+      (given("--cases") || given("--updates")))
+    return "--cases and --updates write to standard output: give one of them, and no "
+           "--out.";
+  return {};
+}
+
 }  // namespace
 
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop) {
   if (arguments.name.empty()) {
-    print(
-        "estimators   mean and variance of every measurement update against distance\n"
-        "monitoring   every estimator x strategy x wind case, several seeds\n"
-        "bridge       a real fire, not star-shaped\n");
+    for (const StudyKind& kind : study_kinds()) print("{:<13}{}\n", kind.name, kind.help);
     return kDone;
+  }
+  if (const std::string odd = not_for(arguments); !odd.empty()) {
+    complain("error: {}\nRun with --help for more information.\n", odd);
+    return kBadUsage;
   }
   if (arguments.name == "estimators" && !arguments.cases_file.empty())
     return evaluate_rows(arguments.cases_file, campaign::evaluate_cases);
   if (arguments.name == "estimators" && !arguments.updates_file.empty())
     return evaluate_rows(arguments.updates_file, campaign::evaluate_updates);
-  if (arguments.name != "estimators" && arguments.name != "monitoring" &&
-      arguments.name != "bridge") {
-    complain("There is no study \"{}\". There are: estimators monitoring bridge.\n",
-             arguments.name);
-    return kBadUsage;
-  }
   const fs::path folder = arguments.out.empty()
                               ? fs::path("runs") / ("study-" + arguments.name)
                               : arguments.out;
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault)
-    return say_error({ErrorCode::kUnavailable, folder.string(),
-                      "cannot be made: " + fault.message() + ".", ""});
   if (arguments.name == "estimators") return estimators(folder);
   if (arguments.name == "monitoring") return monitoring(arguments, folder, stop);
   return bridge(arguments, folder, stop);

@@ -432,8 +432,76 @@ TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
   const auto journal = read_file(folder_ / "m" / "runs.jsonl");
   EXPECT_EQ(run(study).status, 0);
   EXPECT_EQ(read_file(folder_ / "m" / "runs.jsonl"), journal) << "nothing was run again";
+  EXPECT_EQ(summary.at("state"), "complete");
   EXPECT_EQ(run({"study", "elephants"}).status, 2);
   EXPECT_EQ(run({"study", "monitoring", "--estimators", "elephant"}).status, 2);
+}
+
+TEST_F(Program, AStudyRunsAgainWhatItsDataChanged) {
+  write("wind.csv", "t_s,speed_mps,from_deg\n0,5,200\n60,6,210\n");
+  const std::vector<std::string> study = {
+      "study",        "monitoring",
+      "--out",        "m",
+      "--seeds",      "1",
+      "--only-cases", "no-wind",
+      "--estimators", "point-reset",
+      "--strategies", "gus",
+      "--set",        "duration_s=20",
+      "--set",        "environment.wind={kind: series, file: wind.csv}"};
+  const auto lines = [this] {
+    const std::string journal = read_file(folder_ / "m" / "runs.jsonl");
+    return std::count(journal.begin(), journal.end(), '\n');
+  };
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(lines(), 1) << "nothing has changed";
+  write("wind.csv", "t_s,speed_mps,from_deg\n0,5,200\n60,9,210\n");
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(lines(), 2) << "the wind has";
+}
+
+TEST_F(Program, AnInterruptedStudySaysThatItIsPartial) {
+  const pid_t child =
+      start({"study", "monitoring", "--out", "m", "--seeds", "100", "--only-cases",
+             "no-wind", "--estimators", "qkf", "--strategies", "gus", "--threads", "1"});
+  ASSERT_TRUE(appears(folder_ / "m" / "runs.jsonl"));
+  for (int k = 0; k < 3000 && fs::file_size(folder_ / "m" / "runs.jsonl") == 0; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGINT);
+  const Finished stopped = finish(child);
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  EXPECT_NE(stopped.out.find("partial: "), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find(" of 100 runs"), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find("(n = "), std::string::npos) << stopped.out;
+  const auto summary = nlohmann::json::parse(read_file(folder_ / "m" / "summary.json"));
+  EXPECT_EQ(summary.at("state").get<std::string>().substr(0, 9), "partial: ");
+}
+
+TEST_F(Program, AStudyThatIsRefusedLeavesNothing) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"study", "estimators", "--seeds", "3"},
+           {"study", "estimators", "--data", "nowhere"},
+           {"study", "estimators", "--strategies", "foo"},
+           {"study", "monitoring", "--data", "nowhere"},
+           {"study", "bridge", "--only-cases", "no-wind"},
+           {"study", "bridge", "--data", "nowhere"},
+           {"study", "estimators", "--cases", "a.csv", "--updates", "b.csv"},
+           {"study", "monitoring", "--estimators", "elephant"}}) {
+    const Finished refused = run(arguments);
+    EXPECT_EQ(refused.status, 2) << arguments[2] << refused.err;
+    EXPECT_NE(refused.err, "");
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "runs"));
+}
+
+TEST_F(Program, EstimatorsStudyComparesWhatIsShipped) {
+  ASSERT_EQ(run({"study", "estimators", "--out", "e"}).status, 0);
+  const auto summary = nlohmann::json::parse(read_file(folder_ / "e" / "summary.json"));
+  EXPECT_LT(summary.at("mean_above/qkf_max_error_m"), 1e-8);
+  // 1,000 samples where they are many, the Gaussian update where they run out; a bound
+  // with noise of 0.1 sigma moves the mean by less than that.
+  EXPECT_LT(summary.at("mean_above/particle_max_error_m"), 0.25);
+  EXPECT_LT(summary.at("mean_below/particle_max_error_m"), 0.25);
 }
 
 TEST_F(Program, EstimatorsStudyChecksRows) {

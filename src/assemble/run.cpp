@@ -35,7 +35,9 @@ Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
     return Error{ErrorCode::kInterrupted, scenario.name, "stopped before its end.", ""};
   recorder.set_figure("deadline_misses",
                       static_cast<double>(outcome.value().deadline_misses));
-  return recorder.summary();
+  record::RunSummary summary = recorder.summary();
+  summary.warnings = ready.warnings;
+  return summary;
 }
 
 }  // namespace skein::assemble

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base/check.h"
 #include "base/hash.h"
 
 namespace skein::campaign {
@@ -17,10 +17,11 @@ namespace {
 
 using nlohmann::json;
 
-std::string fingerprint(const BatchItem& item, const std::string& version) {
+std::string fingerprint(const BatchItem& item, const std::string& program) {
   Hasher hasher;
-  hasher.add(version);
+  hasher.add(program);
   hasher.add(item.text);
+  hasher.add(item.data);
   return hasher.hex();
 }
 
@@ -34,6 +35,7 @@ std::string to_line(const BatchItem& item, const std::string& print,
   line["seed"] = summary.seed;
   line["content_hash"] = summary.content_hash;
   line["numbers"] = summary.numbers;
+  line["warnings"] = summary.warnings;
   return line.dump();
 }
 
@@ -52,6 +54,7 @@ std::map<std::string, record::RunSummary> read_journal(
       summary.seed = line.at("seed");
       summary.content_hash = line.at("content_hash");
       summary.numbers = line.at("numbers").get<std::map<std::string, double>>();
+      summary.warnings = line.at("warnings").get<std::vector<std::string>>();
       found[line.at("fingerprint")] = std::move(summary);
     } catch (const json::exception&) {
       continue;  // not a line of ours
@@ -68,8 +71,10 @@ BatchOutcome run_one(const BatchItem& item, const RunScenario& run) {
       outcome.summary = std::move(result).value();
     else if (result.error().code != ErrorCode::kInterrupted)
       outcome.error = result.error().text();
-  } catch (const Bug& bug) {
-    outcome.error = bug.what();  // this run is lost, the batch goes on
+  } catch (const std::bad_alloc&) {
+    outcome.error = "not enough memory.";
+  } catch (const std::exception& fault) {
+    outcome.error = fault.what();  // this run is lost, the batch goes on
   }
   return outcome;
 }
@@ -84,7 +89,7 @@ Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
   std::vector<std::string> prints;
   const auto earlier = read_journal(options.journal);
   for (std::size_t i = 0; i < items.size(); ++i) {
-    prints.push_back(fingerprint(items[i], options.version));
+    prints.push_back(fingerprint(items[i], options.program));
     if (const auto found = earlier.find(prints[i]); found != earlier.end())
       outcomes[i].summary = found->second;
     else

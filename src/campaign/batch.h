@@ -14,12 +14,14 @@
 
 namespace skein::campaign {
 
-/// One run of a batch. `text` is the scenario with all defaults filled in; together with
-/// the program's version it decides whether an earlier result still counts.
+/// One run of a batch. `text` is the scenario with all defaults filled in; `data` stands
+/// for the files it names (data_fingerprint.h). Together with the program they decide
+/// whether an earlier result still counts.
 struct BatchItem {
   std::string name;  ///< unique in the batch
   scenario::Scenario scenario;
   std::string text;
+  std::string data;
 };
 
 /// What became of one item: a summary, or why there is none.
@@ -33,7 +35,7 @@ using RunScenario = std::function<Result<record::RunSummary>(const BatchItem& it
 
 struct BatchOptions {
   int threads = 1;
-  std::string version;                      ///< of the program
+  std::string program;                      ///< changes whenever the program does
   std::filesystem::path journal;            ///< finished runs, one JSON object per line
   const std::atomic<bool>* stop = nullptr;  ///< asks for an early end; may be null
   /// Called after each run, one call at a time; may be empty.
@@ -42,7 +44,7 @@ struct BatchOptions {
 
 /// Runs all items, several at a time. Every finished run is appended to the journal at
 /// once, so that a batch that was interrupted or killed goes on where it was; results of
-/// the same name, scenario and version are taken from there.
+/// the same scenario, data and program are taken from there.
 ///
 /// @returns one outcome per item, in the order of the items; items that were not reached
 ///          because of `stop` have neither summary nor error.
@@ -56,6 +58,7 @@ struct MeanInterval {
   double mean = 0;
   double half_width = 0;  ///< 0 for fewer than two values
   int count = 0;
+  int wanted = 0;  ///< how many there would be, had all runs ended well; 0 = not known
 };
 MeanInterval mean_interval(std::span<const double> values);
 

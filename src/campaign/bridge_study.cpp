@@ -54,7 +54,9 @@ record::StudyReport bridge_report(const BridgeStudy& study, const StudyPlan& pla
   report.intro = {fmt::format(
       "A real fire as truth: dated perimeters, interpolated in time. {} seeds from {} "
       "on; "
-      "means over the allocation phase. The aircraft are told where the fire is and how "
+      "means over the allocation phase, ± the 95 % confidence interval over the seeds. "
+      "The "
+      "aircraft are told where the fire is and how "
       "large, roughly; neither wind, fuel nor rates.",
       study.seeds, study.first_seed)};
   record::StudyTable table;
@@ -74,13 +76,13 @@ record::StudyReport bridge_report(const BridgeStudy& study, const StudyPlan& pla
       }
       const bool good =
           mark.at_least ? value.mean >= mark.value : value.mean <= mark.value;
-      row.push_back({fmt::format("{:.{}f} ± {:.{}f}", value.mean, mark.digits,
-                                 value.half_width, mark.digits),
-                     good});
+      row.push_back({figure_text(value, mark.digits), good});
     }
     table.rows.push_back(std::move(row));
   }
   report.tables.push_back(std::move(table));
+  report.alert = partial_text(outcomes);
+  report.notes = warnings_of(outcomes);
   return report;
 }
 

@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "base/check.h"
-#include "base/random.h"
 #include "model/probability/range_rule.h"
 
 namespace skein::campaign {
@@ -36,23 +35,6 @@ Moments integrate_above(double a) {
   return {start + mean, m2 / m0 - mean * mean};
 }
 
-// Samples of the prior, weighted by the probability that they are above a noisy bound.
-Moments weigh_above(const std::vector<double>& samples, double a, double s) {
-  // Relative to the largest weight, so that a far bound leaves the best samples.
-  double largest = -std::numeric_limits<double>::infinity();
-  for (double z : samples)
-    largest = std::max(largest, model::log_normal_cdf((z - a) / s));
-  double m0 = 0, m1 = 0, m2 = 0;
-  for (double z : samples) {
-    const double weight = std::exp(model::log_normal_cdf((z - a) / s) - largest);
-    m0 += weight;
-    m1 += weight * z;
-    m2 += weight * z * z;
-  }
-  const double mean = m1 / m0;
-  return {mean, m2 / m0 - mean * mean};
-}
-
 std::string column_name(RangeRule rule) {
   std::string name = range_rule_name(rule);
   std::replace(name.begin(), name.end(), '-', '_');
@@ -61,8 +43,7 @@ std::string column_name(RangeRule rule) {
 
 // Both tables, mean and variance, of one side.
 void add_side(Side side, const EstimatorsStudyOptions& options,
-              const std::vector<double>& bounds, const std::vector<double>& samples,
-              std::vector<StudyTable>& tables) {
+              const std::vector<double>& bounds, std::vector<StudyTable>& tables) {
   const double sigma = options.sigma, sign = side == Side::kAbove ? 1 : -1;
   const std::string where = side == Side::kAbove ? "above" : "below";
   StudyTable mean{"mean_" + where,
@@ -89,9 +70,10 @@ void add_side(Side side, const EstimatorsStudyOptions& options,
     add(column_name(rule), [&](double b) {
       return correct_range(rule, 0, sigma * sigma, b, side, options.sigma_v);
     });
-  add("particle", [&](double b) {
-    return mirrored(weigh_above(samples, sign * b / sigma, options.sigma_v / sigma));
-  });
+  for (const NamedUpdate& more : options.more)
+    add(more.name, [&](double b) {
+      return more.update(0, sigma * sigma, b, side, options.sigma_v);
+    });
   tables.push_back(std::move(mean));
   tables.push_back(std::move(variance));
 }
@@ -136,16 +118,13 @@ void write_csv(const StudyTable& table, std::ostream& out) {
 std::vector<StudyTable> estimators_study(const EstimatorsStudyOptions& options) {
   SKEIN_CHECK(options.sigma > 0 && options.sigma_v > 0, options.sigma, options.sigma_v);
   SKEIN_CHECK(options.reach >= 0 && options.reach <= 30, options.reach);
-  SKEIN_CHECK(options.steps >= 1 && options.particles >= 2, options.steps,
-              options.particles);
-  std::vector<double> bounds, samples;
+  SKEIN_CHECK(options.steps >= 1, options.steps);
+  std::vector<double> bounds;
   for (int k = 0; k <= options.steps; ++k)
     bounds.push_back(options.sigma * options.reach * (2.0 * k / options.steps - 1));
-  RandomStream random(options.seed, 0, Purpose::kStudy);
-  for (int k = 0; k < options.particles; ++k) samples.push_back(random.normal());
   std::vector<StudyTable> tables;
-  add_side(Side::kAbove, options, bounds, samples, tables);
-  add_side(Side::kBelow, options, bounds, samples, tables);
+  add_side(Side::kAbove, options, bounds, tables);
+  add_side(Side::kBelow, options, bounds, tables);
   tables.push_back(gain_table(options, bounds));
   return tables;
 }

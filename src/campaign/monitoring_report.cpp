@@ -54,9 +54,7 @@ class Figures {
 
 record::StudyCell text_of(const MeanInterval& figure, int digits) {
   if (figure.count == 0) return {kNone};
-  if (figure.count == 1) return {fmt::format("{:.{}f}", figure.mean, digits)};
-  return {
-      fmt::format("{:.{}f} ± {:.{}f}", figure.mean, digits, figure.half_width, digits)};
+  return {figure_text(figure, digits)};
 }
 
 // Rows: strategies; columns: estimators; of one figure in one case.
@@ -87,8 +85,27 @@ StudyTable table_of(const Figures& figures, const std::string& case_name,
   return table;
 }
 
-bool is_skeins_own(const StudyCell& cell) {
-  return cell.estimator == "joint" || cell.estimator == "ensemble";
+// Perf of every strategy (rows) with every estimator, in one case.
+record::StudyDots dots_of(const Figures& figures, const std::string& case_name) {
+  record::StudyDots plot;
+  plot.title = case_name + ": Perf";
+  plot.caption =
+      "Mean over the whole run and all seeds; lines: 95 % confidence interval.";
+  plot.x_label = "Perf [m], logarithmic; further left is better";
+  plot.log_x = true;
+  plot.rows = figures.distinct(&StudyCell::strategy);
+  plot.series = figures.distinct(&StudyCell::estimator);
+  for (const std::string& strategy : plot.rows) {
+    plot.dots.emplace_back();
+    for (const std::string& estimator : plot.series) {
+      const MeanInterval perf =
+          figures.of(figures.cell(case_name, strategy, estimator), kPerf);
+      const double half = perf.count > 1 ? perf.half_width : kNone;
+      plot.dots.back().push_back(
+          {perf.count > 0 ? perf.mean : kNone, perf.mean - half, perf.mean + half});
+    }
+  }
+  return plot;
 }
 
 // The best of Skein's own against the fair benchmark and against the thesis.
@@ -105,7 +122,7 @@ StudyTable comparison(const Figures& figures) {
   for (const std::string& case_name : figures.distinct(&StudyCell::case_name)) {
     const StudyCell* best = nullptr;
     for (const StudyCell& cell : figures.cells())
-      if (cell.case_name == case_name && is_skeins_own(cell) &&
+      if (cell.case_name == case_name && !of_the_thesis(cell.estimator) &&
           figures.of(&cell, kPerf).count > 0 &&
           (!best || figures.of(&cell, kPerf).mean < figures.of(best, kPerf).mean))
         best = &cell;
@@ -193,17 +210,17 @@ StudyReport monitoring_report(const MonitoringStudy& study, const StudyPlan& pla
     StudyTable perf = table_of(figures, name, kPerf, name + ": Perf [m]", 1, true);
     perf.caption = help + ".";
     report.tables.push_back(std::move(perf));
+    report.dots.push_back(dots_of(figures, name));
     report.tables.push_back(table_of(figures, name, kCoverage,
                                      name + ": coverage of the 95 % band", 2, false));
     report.tables.push_back(table_of(figures, name, kNees, name + ": NEES", 2, false));
   }
-  std::size_t failed = 0, missing = 0;
-  for (const BatchOutcome& outcome : outcomes)
-    if (!outcome.summary) ++(outcome.error.empty() ? missing : failed);
-  if (failed) report.notes.push_back(fmt::format("{} runs failed.", failed));
-  if (missing)
+  report.alert = partial_text(outcomes);
+  report.notes = warnings_of(outcomes);
+  if (!report.alert.empty())
     report.notes.push_back(
-        fmt::format("{} runs were not reached; start again to go on.", missing));
+        "Runs that failed or were not reached are missing: cells say n where it is less "
+        "than asked for. Start the same study again to go on.");
   return report;
 }
 

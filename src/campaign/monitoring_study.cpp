@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
+#include "campaign/data_fingerprint.h"
+#include "scenario/named_files.h"
 #include "scenario/scenario_file.h"
 
 namespace skein::campaign {
@@ -41,6 +45,13 @@ std::vector<Variant> monitoring_cases() {
        {"environment.fire.rate_sectors=60", "environment.fire.rate_harmonics=0",
         "duration_s=1800"}},
   };
+}
+
+bool of_the_thesis(const std::string& estimator) {
+  static constexpr std::string_view kThesis[] = {
+      "qkf", "mle", "map", "ukf", "qkf-a15", "particle", "point-reset"};
+  return std::find(std::begin(kThesis), std::end(kThesis), estimator) !=
+         std::end(kThesis);
 }
 
 std::vector<Variant> monitoring_strategies() {
@@ -100,6 +111,7 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
   if (!strategies) return strategies.error();
 
   StudyPlan plan;
+  DataFingerprint data;
   for (const Variant& each : cases.value())
     for (const Variant& strategy : strategies.value())
       for (const Variant& estimator : chosen.value()) {
@@ -111,6 +123,7 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
         auto read = scenario::read_scenario(study.base, kinds, overrides);
         if (!read.ok())
           return Error{ErrorCode::kBadInput, study.base.string(), read.report(), ""};
+        const std::string files = data.of(scenario::named_files(*read.scenario, kinds));
         for (int k = 0; k < study.seeds; ++k) {
           scenario::Scenario run = *read.scenario;
           run.seed = static_cast<std::uint64_t>(study.first_seed + k);
@@ -118,7 +131,7 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
                                  run.seed);
           cell.items.push_back(plan.items.size());
           std::string text = scenario::write_scenario(run, kinds);
-          plan.items.push_back({run.name, std::move(run), std::move(text)});
+          plan.items.push_back({run.name, std::move(run), std::move(text), files});
         }
         plan.cells.push_back(std::move(cell));
       }
@@ -132,7 +145,39 @@ MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& o
     if (outcomes[item].summary)
       if (const auto value = outcomes[item].summary->number(name))
         values.push_back(*value);
-  return mean_interval(values);
+  MeanInterval figure = mean_interval(values);
+  figure.wanted = static_cast<int>(cell.items.size());
+  return figure;
+}
+
+std::string figure_text(const MeanInterval& figure, int digits) {
+  if (figure.count == 0) return {};
+  std::string text = fmt::format("{:.{}f}", figure.mean, digits);
+  if (figure.count > 1) text += fmt::format(" ± {:.{}f}", figure.half_width, digits);
+  if (figure.count < figure.wanted) text += fmt::format(" (n = {})", figure.count);
+  return text;
+}
+
+std::string partial_text(const std::vector<BatchOutcome>& outcomes) {
+  std::size_t done = 0, failed = 0;
+  for (const BatchOutcome& outcome : outcomes) {
+    if (outcome.summary) ++done;
+    if (!outcome.error.empty()) ++failed;
+  }
+  if (done == outcomes.size()) return {};
+  std::string text = fmt::format("partial: {} of {} runs", done, outcomes.size());
+  if (failed > 0) text += fmt::format(", {} failed", failed);
+  return text;
+}
+
+std::vector<std::string> warnings_of(const std::vector<BatchOutcome>& outcomes) {
+  std::vector<std::string> all;
+  for (const BatchOutcome& outcome : outcomes)
+    if (outcome.summary)
+      for (const std::string& warning : outcome.summary->warnings)
+        if (std::find(all.begin(), all.end(), warning) == all.end())
+          all.push_back(warning);
+  return all;
 }
 
 }  // namespace skein::campaign

@@ -23,6 +23,10 @@ std::vector<Variant> monitoring_cases();
 /// `tracking-binary`, `tracking-ideal`.
 std::vector<Variant> monitoring_strategies();
 
+/// Whether an estimator is one of the thesis's or of its benchmark; all others are
+/// Skein's own.
+bool of_the_thesis(const std::string& estimator);
+
 struct MonitoringStudy {
   std::filesystem::path base;           ///< the scenario that the cases change
   std::vector<std::string> cases;       ///< names; empty = all
@@ -52,5 +56,15 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
 /// Mean and confidence interval of the figure `name` over the runs of a cell.
 MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
                        const std::string& name);
+
+/// For a table: "12.3 ± 0.4", without the interval for one run, with "(n = 3)" when runs
+/// are missing; empty without any value.
+std::string figure_text(const MeanInterval& figure, int digits);
+
+/// "partial: 5 of 20 runs", with how many failed; empty when all runs ended well.
+std::string partial_text(const std::vector<BatchOutcome>& outcomes);
+
+/// Every different warning of the runs, in order.
+std::vector<std::string> warnings_of(const std::vector<BatchOutcome>& outcomes);
 
 }  // namespace skein::campaign

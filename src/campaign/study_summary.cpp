@@ -23,6 +23,9 @@ StudyFigures study_figures(const StudyPlan& plan,
           if (name != "wall_s" && name != "real_time_factor") names.insert(name);
     const std::string prefix =
         cell.case_name + "/" + cell.strategy + "/" + cell.estimator + "/";
+    figures[prefix + "runs"] = static_cast<double>(
+        std::count_if(cell.items.begin(), cell.items.end(),
+                      [&](std::size_t item) { return outcomes[item].summary; }));
     for (const std::string& name : names) {
       const MeanInterval figure = figure_of(cell, outcomes, name);
       figures[prefix + name] = figure.mean;
@@ -33,29 +36,33 @@ StudyFigures study_figures(const StudyPlan& plan,
 }
 
 StudyFigures study_figures(std::span<const StudyTable> tables) {
+  const std::string wanted = "exact_";
   StudyFigures figures;
   for (const StudyTable& table : tables) {
-    const auto exact =
-        std::find_if(table.columns.begin(), table.columns.end(),
-                     [](const StudyColumn& column) { return column.name == "exact"; });
+    const auto exact = std::find_if(
+        table.columns.begin(), table.columns.end(),
+        [&](const StudyColumn& column) { return column.name.starts_with(wanted); });
     if (exact == table.columns.end()) continue;
+    const std::string unit = exact->name.substr(wanted.size() - 1);  // "_m"
     for (auto column = table.columns.begin() + 1; column != table.columns.end();
          ++column) {
-      if (column == exact) continue;
+      if (column == exact || !column->name.ends_with(unit)) continue;
       double most = 0;
       for (std::size_t i = 0; i < column->values.size(); ++i)
         most = std::max(most, std::abs(column->values[i] - exact->values[i]));
-      figures[table.name + "/" + column->name + "_max_error"] = most;
+      const std::string name = column->name.substr(0, column->name.size() - unit.size());
+      figures[table.name + "/" + name + "_max_error" + unit] = most;
     }
   }
   return figures;
 }
 
 Result<void> write_study_summary(const std::string& study, const std::string& version,
-                                 const StudyFigures& figures,
+                                 const std::string& state, const StudyFigures& figures,
                                  const std::filesystem::path& folder) {
-  return record::write_flat_json({{"study", study}, {"version", version}}, figures,
-                                 folder / "summary.json");
+  return record::write_flat_json(
+      {{"study", study}, {"version", version}, {"state", state}}, figures,
+      folder / "summary.json");
 }
 
 }  // namespace skein::campaign

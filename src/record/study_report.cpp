@@ -48,6 +48,21 @@ Json series_json(const StudySeries& series) {
   return json;
 }
 
+Json dots_json(const StudyDots& plot) {
+  SKEIN_CHECK(plot.dots.size() == plot.rows.size(), plot.title, plot.dots.size());
+  Json rows = Json::array();
+  for (const auto& row : plot.dots) {
+    SKEIN_CHECK(row.size() == plot.series.size(), plot.title, row.size());
+    Json dots = Json::array();
+    for (const StudyDot& dot : row)
+      dots.push_back(Json::array({dot.value, dot.low, dot.high}));
+    rows.push_back(std::move(dots));
+  }
+  return {{"title", plot.title}, {"caption", plot.caption}, {"x_label", plot.x_label},
+          {"log_x", plot.log_x}, {"rows", plot.rows},       {"series", plot.series},
+          {"dots", rows}};
+}
+
 Json plot_json(const StudyPlot& plot) {
   Json series = Json::array(), levels = Json::array();
   for (const StudySeries& one : plot.series) series.push_back(series_json(one));
@@ -55,19 +70,22 @@ Json plot_json(const StudyPlot& plot) {
     levels.push_back({{"y", level.y}, {"label", level.label}});
   return {{"title", plot.title},     {"caption", plot.caption}, {"x_label", plot.x_label},
           {"y_label", plot.y_label}, {"log_x", plot.log_x},     {"log_y", plot.log_y},
-          {"series", series},        {"lines", levels}};
+          {"series", series},        {"lines", levels},         {"y_low", plot.y_low},
+          {"y_high", plot.y_high}};
 }
 
 }  // namespace
 
 Result<void> write_study_report(const StudyReport& report,
                                 const std::filesystem::path& html) {
-  Json tables = Json::array(), plots = Json::array();
+  Json tables = Json::array(), plots = Json::array(), dots = Json::array();
   for (const StudyTable& table : report.tables) tables.push_back(table_json(table));
   for (const StudyPlot& plot : report.plots) plots.push_back(plot_json(plot));
-  const Json data = {{"page", "study"},           {"title", report.title},
-                     {"intro", report.intro},     {"tables", std::move(tables)},
-                     {"plots", std::move(plots)}, {"notes", report.notes}};
+  for (const StudyDots& plot : report.dots) dots.push_back(dots_json(plot));
+  const Json data = {{"page", "study"},         {"title", report.title},
+                     {"intro", report.intro},   {"tables", std::move(tables)},
+                     {"dots", std::move(dots)}, {"plots", std::move(plots)},
+                     {"alert", report.alert},   {"notes", report.notes}};
   return write_page(report.title, data, html);
 }
 

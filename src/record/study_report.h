@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -36,19 +37,38 @@ struct StudyLevel {
   std::string label;
 };
 
+/// A value with its confidence interval; NaN when there is none.
+struct StudyDot {
+  double value = 0;
+  double low = 0, high = 0;
+};
+
+/// Values of every pair of a row and a series, compared along one axis.
+struct StudyDots {
+  std::string title, caption;
+  std::string x_label;  ///< with unit
+  bool log_x = false;
+  std::vector<std::string> rows, series;
+  std::vector<std::vector<StudyDot>> dots;  ///< by row, then by series
+};
+
 struct StudyPlot {
   std::string title, caption;
   std::string x_label, y_label;  ///< with units
   bool log_x = false, log_y = false;
   std::vector<StudySeries> series;
   std::vector<StudyLevel> levels;
+  double y_low = kFree, y_high = kFree;  ///< ends of the axis; NaN = as the lines need
+  static constexpr double kFree = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A page about a study: what was done, tables, plots, notes; paragraphs are plain text.
 struct StudyReport {
   std::string title;
+  std::string alert;  ///< shown first, so that nobody misses it; empty = none
   std::vector<std::string> intro;
   std::vector<StudyTable> tables;
+  std::vector<StudyDots> dots;
   std::vector<StudyPlot> plots;
   std::vector<std::string> notes;
 };

@@ -17,9 +17,9 @@ class BatchTest : public testing::Test {
         (std::filesystem::temp_directory_path() / "batch-XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
     options_.journal = folder_ / "runs.jsonl";
-    options_.version = "1";
+    options_.program = "1";
     for (int i = 0; i < 20; ++i)
-      items_.push_back({"run-" + std::to_string(i), {}, "text " + std::to_string(i)});
+      items_.push_back({"run-" + std::to_string(i), {}, "text " + std::to_string(i), ""});
   }
   ~BatchTest() override { std::filesystem::remove_all(folder_); }
 
@@ -29,6 +29,7 @@ class BatchTest : public testing::Test {
     summary.version = "1";
     summary.name = item.name;
     summary.content_hash = "h-" + item.text;
+    summary.warnings = {"repaired"};
     summary.numbers["length"] = static_cast<double>(item.text.size());
     return summary;
   }
@@ -60,6 +61,7 @@ TEST_F(BatchTest, GoesOnWhereItWas) {
   EXPECT_EQ(runs_, 8);
   EXPECT_EQ(outcomes.value()[3].summary->content_hash, "h-text 3");
   EXPECT_EQ(outcomes.value()[3].summary->number("length"), 6);
+  EXPECT_EQ(outcomes.value()[3].summary->warnings.size(), 1u);
 }
 
 TEST_F(BatchTest, RunsAgainWhatChanged) {
@@ -68,9 +70,12 @@ TEST_F(BatchTest, RunsAgainWhatChanged) {
   items_[5].text = "changed";
   ASSERT_TRUE(run_batch(items_, runner(), options_).ok());
   EXPECT_EQ(runs_, 1);
-  options_.version = "2";
+  items_[6].data = "other data";
   ASSERT_TRUE(run_batch(items_, runner(), options_).ok());
-  EXPECT_EQ(runs_, 21);
+  EXPECT_EQ(runs_, 2);
+  options_.program = "2";
+  ASSERT_TRUE(run_batch(items_, runner(), options_).ok());
+  EXPECT_EQ(runs_, 22);
 }
 
 TEST_F(BatchTest, KeepsGoingAfterAFault) {
@@ -78,6 +83,7 @@ TEST_F(BatchTest, KeepsGoingAfterAFault) {
       items_,
       [&](const BatchItem& item) -> Result<record::RunSummary> {
         SKEIN_CHECK(item.name != "run-3");
+        if (item.name == "run-5") throw std::bad_alloc();
         if (item.name == "run-4") return Error{ErrorCode::kBadInput, "x", "wrong.", ""};
         return run(item);
       },
@@ -85,7 +91,8 @@ TEST_F(BatchTest, KeepsGoingAfterAFault) {
   ASSERT_TRUE(outcomes.ok());
   EXPECT_NE(outcomes.value()[3].error, "");
   EXPECT_EQ(outcomes.value()[4].error, "x: wrong.");
-  EXPECT_TRUE(outcomes.value()[5].summary);
+  EXPECT_EQ(outcomes.value()[5].error, "not enough memory.");
+  EXPECT_TRUE(outcomes.value()[6].summary);
 }
 
 TEST_F(BatchTest, StopsWhenAsked) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/check.h"
+#include "campaign/estimators_report.h"
 
 namespace skein::campaign {
 namespace {
@@ -66,15 +67,20 @@ TEST(EstimatorsStudy, BothSidesAreMirrorImages) {
   }
 }
 
-TEST(EstimatorsStudy, ParticlesFollowTheExactMeanWhereTheyAreMany) {
+TEST(EstimatorsStudy, TakesFurtherUpdates) {
   EstimatorsStudyOptions options = fire_sized();
-  options.reach = 1;
-  options.particles = 20000;
+  options.steps = 2;
+  options.more = {
+      {"mine",
+       [](double mean, double variance, double bound, model::Side side, double sigma_v) {
+         EXPECT_EQ(mean, 0);
+         EXPECT_EQ(sigma_v, 10);
+         return model::Moments{side == model::Side::kAbove ? bound : -bound, variance};
+       }}};
   const auto tables = estimators_study(options);
-  const StudyTable& mean = table(tables, "mean_above");
-  for (std::size_t i = 0; i < column(mean, "bound_m").size(); ++i)
-    // 104 m over the root of the 3000 samples left, and the bound's noise of 10 m.
-    EXPECT_NEAR(column(mean, "particle_m")[i], column(mean, "exact_m")[i], 10);
+  EXPECT_EQ(column(table(tables, "mean_above"), "mine_m")[2], 416);
+  EXPECT_EQ(column(table(tables, "mean_below"), "mine_m")[2], -416);
+  EXPECT_EQ(column(table(tables, "variance_above"), "mine_m2")[0], 104 * 104);
 }
 
 TEST(EstimatorsStudy, GainA15ClaimsLessThanItsTrueError) {
@@ -102,8 +108,40 @@ TEST(EstimatorsStudy, TablesAreCompleteAndWritable) {
   write_csv(tables[0], out);
   const std::string text = out.str();
   EXPECT_EQ(text.substr(0, text.find('\n')),
-            "bound_m,exact_m,qkf_m,mle_m,map_m,ukf_m,qkf_a15_m,particle_m");
+            "bound_m,exact_m,qkf_m,mle_m,map_m,ukf_m,qkf_a15_m");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+}
+
+const record::StudyPlot& plot_of(const record::StudyReport& report,
+                                 const std::string& start) {
+  for (const record::StudyPlot& plot : report.plots)
+    if (plot.title.starts_with(start)) return plot;
+  throw std::invalid_argument(start);
+}
+
+TEST(EstimatorsReport, DrawsTheExactCurveLastAndDashed) {
+  const auto report = estimators_report(estimators_study({}), 1);
+  EXPECT_EQ(report.plots.size(), 5u);
+  for (const record::StudyPlot& plot : report.plots) {
+    EXPECT_TRUE(plot.series.back().dashed) << plot.title;
+    EXPECT_TRUE(plot.series.back().name.starts_with("exact")) << plot.title;
+    EXPECT_FALSE(plot.series.front().dashed);
+    EXPECT_EQ(plot.x_label, "bound [m] (sigma of the prior: 1 m)");
+  }
+  EXPECT_EQ(plot_of(report, "Mean of a range known to be above").y_label,
+            "mean of the range [m]");
+  EXPECT_EQ(plot_of(report, "Variance of a range known to be above").y_label,
+            "variance of the range [m²]");
+}
+
+TEST(EstimatorsReport, OneCurveDoesNotFlattenTheOthers) {
+  const auto report = estimators_report(estimators_study({}), 1);
+  const record::StudyPlot& plot =
+      plot_of(report, "Variance of a range known to be above");
+  EXPECT_GT(plot.y_high, 1) << "the prior's variance is in the picture";
+  EXPECT_LT(plot.y_high, 3) << "mle goes up to 15";
+  EXPECT_NE(plot.caption.find("mle leaves the picture"), std::string::npos)
+      << plot.caption;
 }
 
 TEST(EstimatorsStudy, RefusesOptionsOutOfRange) {

@@ -23,14 +23,29 @@ TEST(StudySummary, HasMeanAndIntervalOfEveryCell) {
   EXPECT_EQ(figures.at("runs"), 3);
   EXPECT_EQ(figures.at("runs_failed"), 1);
   EXPECT_EQ(figures.at("runs_missing"), 1);
-  EXPECT_EQ(figures.size(), 5u) << "nothing of the machine, nothing of failed runs";
+  EXPECT_EQ(figures.at("calm/sweep/joint/runs"), 3);
+  EXPECT_EQ(figures.at("calm/gus/qkf/runs"), 0);
+  EXPECT_EQ(figures.size(), 7u) << "nothing of the machine, nothing of failed runs";
 }
 
 TEST(StudySummary, ComparesColumnsWithTheExactOne) {
   const std::vector<StudyTable> tables{
-      {"mean", "Mean", {{"bound_m", {0, 1}}, {"exact", {2, 3}}, {"qkf", {2, 2.5}}}},
-      {"other", "No exact column", {{"bound_m", {0}}, {"claimed", {1}}}}};
-  EXPECT_EQ(study_figures(tables), (StudyFigures{{"mean/qkf_max_error", 0.5}}));
+      {"variance",
+       "Variance",
+       {{"bound_m", {0, 1}}, {"exact_m2", {2, 3}}, {"qkf_a15_m2", {2, 2.5}}}},
+      {"other", "No exact column", {{"bound_m", {0}}, {"claimed_m", {1}}}}};
+  EXPECT_EQ(study_figures(tables),
+            (StudyFigures{{"variance/qkf_a15_max_error_m2", 0.5}}));
+}
+
+TEST(StudySummary, ComparesEveryRuleOfTheEstimatorsStudy) {
+  const auto tables = estimators_study({});
+  const StudyFigures figures = study_figures(tables);
+  // The updates are exact for the QKF; Simpson's rule errs by less than 1e-10.
+  EXPECT_LT(figures.at("mean_above/qkf_max_error_m"), 1e-8);
+  EXPECT_LT(figures.at("variance_below/qkf_max_error_m2"), 1e-8);
+  // Two sigma points clipped at the bound are far from right 4 sigma out.
+  EXPECT_GT(figures.at("mean_above/ukf_max_error_m"), 0.1);
 }
 
 }  // namespace

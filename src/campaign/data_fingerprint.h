@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace skein::campaign {
+
+/// What changes when outside data changes: a hash of the contents of files, of all files
+/// of folders, of files of the same stem beside a file (the parts of a shapefile) and of
+/// files beside a CSV file that it names. Each path is read once.
+class DataFingerprint {
+ public:
+  /// @param paths  of files and folders; one that cannot be read counts as empty.
+  /// @returns      32 hexadecimal digits; empty without any path.
+  std::string of(const std::vector<std::string>& paths);
+
+ private:
+  std::map<std::string, std::string> known_;  // by path
+};
+
+}  // namespace skein::campaign
