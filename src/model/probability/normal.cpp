@@ -1,7 +1,5 @@
 #include "model/probability/normal.h"
 
-#include <limits>
-
 #include "base/check.h"
 #include "model/probability/error_function.h"
 
@@ -42,26 +40,6 @@ double normal_upper(double x) {
 double log_normal_upper(double x) {
   if (x < 0.5) return std::log1p(-normal_upper(-x));
   return -0.5 * x * x + std::log(kInvSqrt2Pi * mills_ratio(x));
-}
-
-double normal_quantile(double p) {
-  SKEIN_CHECK(p >= 0 && p <= 1, p);
-  if (p == 0 || p == 1) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    return p == 0 ? -infinity : infinity;
-  }
-  if (p == 0.5) return 0;
-  // The x >= 0 with upper tail q; 1 - p is exact for p >= 1/2.
-  const double q = p < 0.5 ? p : 1 - p;
-  const double t = std::sqrt(-2 * std::log(q));
-  double x = t - ((0.010328 * t + 0.802853) * t + 2.515517) /
-                     (((0.001308 * t + 0.189269) * t + 1.432788) * t + 1);
-  // The start is good to 4.5e-4 and Halley's method cubes the error.
-  for (int step = 0; step < 2; ++step) {
-    const double newton = mills_ratio(x) * (1 - q / normal_upper(x));
-    x += newton / (1 - 0.5 * x * newton);
-  }
-  return p < 0.5 ? -x : x;
 }
 
 double gaussian_crps(double mean, double sd, double value) {

@@ -35,11 +35,6 @@ inline double log_normal_cdf(double x) {
   return log_normal_upper(-x);
 }
 
-/// The x with Phi(x) = p; -inf and +inf for p = 0 and 1.
-/// @param p  in [0, 1]; outside, or not a number: Bug.
-/// Reference: start from [AbramowitzStegun64] 26.2.23, then Halley steps.
-double normal_quantile(double p);
-
 /// Mills ratio (1 - Phi(x)) / phi(x) of x, without under- or overflow for x > -37.
 double mills_ratio(double x);
 

@@ -1,12 +1,7 @@
 #include "layer/environment/raster/utc_time.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <chrono>
-#include <cmath>
-
-#include "base/check.h"
 
 namespace skein::environment {
 namespace {
@@ -103,19 +98,6 @@ std::optional<double> parse_utc(std::string_view text) {
   if (!date.ok()) return std::nullopt;
   const auto days = std::chrono::sys_days(date).time_since_epoch().count();
   return 86400.0 * static_cast<double>(days) + seconds - zone;
-}
-
-std::string format_utc(double seconds) {
-  SKEIN_CHECK(std::abs(seconds) <= 1e11, seconds);
-  const auto whole = static_cast<std::int64_t>(std::llround(seconds));
-  const std::int64_t day = (whole >= 0 ? whole : whole - 86399) / 86400;
-  const std::int64_t rest = whole - 86400 * day;
-  const std::chrono::year_month_day date{
-      std::chrono::sys_days(std::chrono::days(static_cast<int>(day)))};
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z",
-                     static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                     static_cast<unsigned>(date.day()), rest / 3600, rest / 60 % 60,
-                     rest % 60);
 }
 
 }  // namespace skein::environment

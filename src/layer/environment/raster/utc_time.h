@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace skein::environment {
@@ -10,8 +9,5 @@ namespace skein::environment {
 /// `2021-09-05T14:04:00-07:00`, `2021-09-05 14:04` or `2021-09-05T21:04:00.5Z`. Without a
 /// zone it counts as UTC. None when the text is anything else.
 std::optional<double> parse_utc(std::string_view text);
-
-/// The inverse, to the second: `2021-09-05T21:04:00Z`. |seconds| up to 1e11.
-std::string format_utc(double seconds);
 
 }  // namespace skein::environment

@@ -41,8 +41,6 @@ TEST(UtcTime, ReadsIsoDates) {
   EXPECT_EQ(parse_utc("2021-09-05T14:04:00-07:00"), parse_utc("2021-09-05 21:04Z"));
   EXPECT_EQ(parse_utc("2017-06-03T18:00:00Z"), 1496512800.0);  // date -u -d ... +%s
   EXPECT_EQ(parse_utc("2017-06-03T18:00:00.25+0530"), 1496512800.25 - 19800);
-  EXPECT_EQ(format_utc(1496512800), "2017-06-03T18:00:00Z");
-  EXPECT_EQ(format_utc(-1), "1969-12-31T23:59:59Z");
   for (const char* bad : {"", "2021", "2021-13-01", "2021-02-30", "2021-09-05T25:00",
                           "2021-09-05Tnoon", "yesterday", "2021-09-05T14:04:00 local"})
     EXPECT_FALSE(parse_utc(bad)) << bad;
