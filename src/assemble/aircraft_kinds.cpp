@@ -34,7 +34,7 @@ Fields<asset::KinematicOptions> kinematic_fields() {
               {.above = 0, .at_most = 1e5})
       .number("climb_rate_mps", &T::climb_rate, "Largest, up and down.",
               {.above = 0, .at_most = 200})
-      .number("roll_rate_radps", &T::roll_rate, "Largest; 0: the roll angle jumps.",
+      .number("roll_rate_rad_per_s", &T::roll_rate, "Largest; 0: the roll angle jumps.",
               {.at_least = 0, .at_most = 100})
       .duration_s("airspeed_lag_s", &T::airspeed_lag, "Time constant of the airspeed.")
       .rules([](const T& o) {
