@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "layer/environment/raster/band_info.h"
@@ -39,6 +40,19 @@ std::vector<Subdataset> subdatasets(GDALDatasetH dataset) {
 
 std::string driver_of(GDALDatasetH dataset) {
   return GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
+}
+
+std::uint64_t pixel_bytes(GDALDatasetH dataset) {
+  std::uint64_t bytes = 0;
+  if (const char* header = GDALGetMetadataItem(dataset, "header_offset", "ENVI"))
+    bytes = std::strtoull(header, nullptr, 10);
+  const auto pixels = static_cast<std::uint64_t>(GDALGetRasterXSize(dataset)) *
+                      static_cast<std::uint64_t>(GDALGetRasterYSize(dataset));
+  for (int band = 1; band <= GDALGetRasterCount(dataset); ++band) {
+    const GDALDataType type = GDALGetRasterDataType(GDALGetRasterBand(dataset, band));
+    bytes += pixels * static_cast<std::uint64_t>(GDALGetDataTypeSizeBytes(type));
+  }
+  return bytes;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -79,7 +93,9 @@ Result<RasterFile> RasterFile::open(const std::string& path,
     return Error{ErrorCode::kBadInput, path,
                  "cannot be read as a raster: " + guard.failure(),
                  "any raster that GDAL reads is allowed"};
-  if (const auto whole = check_whole(path, driver_of(handles->dataset.get())); !whole)
+  if (const auto whole = check_whole(path, driver_of(handles->dataset.get()),
+                                     pixel_bytes(handles->dataset.get()));
+      !whole)
     return whole.error();
 
   const auto parts = subdatasets(handles->dataset.get());

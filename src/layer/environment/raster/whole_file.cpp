@@ -196,14 +196,20 @@ Result<void> check_grib(const std::string& path, std::uint64_t length) {
 
 }  // namespace
 
-Result<void> check_whole(const std::string& path, std::string_view driver) {
+Result<void> check_whole(const std::string& path, std::string_view driver,
+                         std::uint64_t pixel_bytes) {
   std::error_code failed;
   const std::uintmax_t length = std::filesystem::file_size(path, failed);
   if (failed) return Error{ErrorCode::kBadInput, path, "cannot be read", ""};
   if (driver == "GRIB") return check_grib(path, length);
-  if (driver != "netCDF") return {};
+  if (driver != "netCDF" && driver != "ENVI") return {};
   std::array<char, 4> magic{};
   std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
+  if (driver == "ENVI") {
+    const bool gzip = magic[0] == '\x1F' && magic[1] == '\x8B';  // has a check of its own
+    if (!gzip && length < pixel_bytes) return cut_short(path, length, pixel_bytes);
+    return {};
+  }
   const bool classic = std::memcmp(magic.data(), "CDF", 3) == 0 &&
                        (magic[3] == 1 || magic[3] == 2 || magic[3] == 5);
   return classic ? check_netcdf(path, magic[3], length) : Result<void>();

@@ -14,6 +14,7 @@ RasterRecipe recipe_for(const char* driver, std::vector<const char*> create = {}
   recipe.columns = 50;
   recipe.rows = 40;
   recipe.epsg = 4326;
+  recipe.type = GDT_Float32;  // the widest that all formats have
   recipe.geo = {10, 0.01, 0, 2, 0, -0.01};
   recipe.bands = {std::vector<double>(2000), std::vector<double>(2000)};
   for (std::size_t i = 0; i < 2000; ++i) {
@@ -53,7 +54,9 @@ std::vector<Format> formats() {
           {"hdf5.nc", recipe_for("netCDF", {"FORMAT=NC4"}), "Band1"},
           {"hdf5c.nc", recipe_for("netCDF", {"FORMAT=NC4C"}), "Band1"},
           {"grib2.grb", recipe_for("GRIB"), ""},
-          {"tiff.tif", recipe_for("GTiff"), ""}};
+          {"tiff.tif", recipe_for("GTiff"), ""},
+          {"envi.dat", recipe_for("ENVI"), ""},
+          {"ehdr.bil", recipe_for("EHdr"), ""}};
 }
 
 TEST(WholeFile, EveryCutIsSeenInEveryFormat) {
@@ -66,6 +69,13 @@ TEST(WholeFile, EveryCutIsSeenInEveryFormat) {
     for (std::uintmax_t part = 1; part <= 11; ++part) {
       const std::string cut = scratch("cut-" + std::string(format.name));
       std::filesystem::copy_file(whole, cut);
+      for (const char* beside : {".hdr", ".prj"}) {  // of the raw formats
+        const auto from = std::filesystem::path(whole).replace_extension(beside);
+        const auto to = std::filesystem::path(cut).replace_extension(beside);
+        if (std::filesystem::exists(from))
+          std::filesystem::copy_file(from, to,
+                                     std::filesystem::copy_options::overwrite_existing);
+      }
       // Elevenths: half of a GRIB file of two messages is a whole file of one. The last
       // cut is one of a few bytes; mere padding at the very end may be missing.
       std::filesystem::resize_file(cut, part < 11 ? size * part / 11 : size - 8);
@@ -141,20 +151,22 @@ std::string record_file(const std::string& name, int version, std::uint64_t reco
 TEST(WholeFile, RecordsOfClassicNetcdfCountInAllVersions) {
   constexpr std::size_t kRecord = 28;  // 4 of the padded bytes, 24 of three doubles
   for (const int version : {1, 2, 5}) {
-    EXPECT_TRUE(check_whole(record_file("r.nc", version, 5, 5 * kRecord), "netCDF").ok())
+    EXPECT_TRUE(
+        check_whole(record_file("r.nc", version, 5, 5 * kRecord), "netCDF", 0).ok())
         << version;
     const auto cut =
-        check_whole(record_file("r.nc", version, 5, 5 * kRecord - 1), "netCDF");
+        check_whole(record_file("r.nc", version, 5, 5 * kRecord - 1), "netCDF", 0);
     ASSERT_FALSE(cut.ok()) << version;
     EXPECT_NE(cut.error().text().find("1139 bytes long, and its header asks for 1140"),
               std::string::npos)
         << cut.error().text();
-    EXPECT_TRUE(check_whole(record_file("r.nc", version, 0, 0), "netCDF").ok());
+    EXPECT_TRUE(check_whole(record_file("r.nc", version, 0, 0), "netCDF", 0).ok());
     // A writer that streams does not know the number of records.
     const std::uint64_t unknown = version == 5 ? ~0ULL : 0xFFFFFFFF;
-    EXPECT_TRUE(check_whole(record_file("r.nc", version, unknown, 9), "netCDF").ok());
+    EXPECT_TRUE(check_whole(record_file("r.nc", version, unknown, 9), "netCDF", 0).ok());
     // A number of records that no file can hold.
-    EXPECT_FALSE(check_whole(record_file("r.nc", version, 0xFFFFFFF0, 9), "netCDF").ok());
+    EXPECT_FALSE(
+        check_whole(record_file("r.nc", version, 0xFFFFFFF0, 9), "netCDF", 0).ok());
   }
 }
 
@@ -167,7 +179,7 @@ TEST(WholeFile, AHeaderOfNonsenseIsRefused) {
     for (std::size_t i = length; i < bytes.size(); ++i) bytes[i] = '\xFF';
     const std::string bad = scratch("bad.nc");
     std::ofstream(bad, std::ios::binary) << bytes;
-    EXPECT_FALSE(check_whole(bad, "netCDF").ok()) << length;
+    EXPECT_FALSE(check_whole(bad, "netCDF", 0).ok()) << length;
   }
 }
 
@@ -180,15 +192,15 @@ TEST(WholeFile, MessagesOfGribMayHaveOtherBytesBetweenThem) {
   std::ofstream(bulletin, std::ios::binary) << "HEADER\r\n"
                                             << bytes << "GRI more\r\n"
                                             << bytes << "\r\n";
-  EXPECT_TRUE(check_whole(bulletin, "GRIB").ok());
+  EXPECT_TRUE(check_whole(bulletin, "GRIB", 0).ok());
   std::filesystem::resize_file(bulletin, std::filesystem::file_size(bulletin) - 12);
-  EXPECT_FALSE(check_whole(bulletin, "GRIB").ok());
+  EXPECT_FALSE(check_whole(bulletin, "GRIB", 0).ok());
 }
 
 TEST(WholeFile, TheNdfdForecastIsWholeAndNoPartOfItIsTaken) {
   const std::string file = std::string(SKEIN_SHARED_DATA) + "/wind/ndfd_20170603T1800.nc";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
-  EXPECT_TRUE(check_whole(file, "netCDF").ok());
+  EXPECT_TRUE(check_whole(file, "netCDF", 0).ok());
   for (const std::uintmax_t length : {60'000, 80'000, 100'000, 150'000, 184'700}) {
     const std::string cut = scratch("cut.nc");
     std::filesystem::copy_file(file, cut);
