@@ -55,8 +55,7 @@ std::vector<Format> formats() {
           {"hdf5c.nc", recipe_for("netCDF", {"FORMAT=NC4C"}), "Band1"},
           {"grib2.grb", recipe_for("GRIB"), ""},
           {"tiff.tif", recipe_for("GTiff"), ""},
-          {"envi.dat", recipe_for("ENVI"), ""},
-          {"ehdr.bil", recipe_for("EHdr"), ""}};
+          {"envi.dat", recipe_for("ENVI"), ""}};
 }
 
 TEST(WholeFile, EveryCutIsSeenInEveryFormat) {
@@ -69,13 +68,11 @@ TEST(WholeFile, EveryCutIsSeenInEveryFormat) {
     for (std::uintmax_t part = 1; part <= 11; ++part) {
       const std::string cut = scratch("cut-" + std::string(format.name));
       std::filesystem::copy_file(whole, cut);
-      for (const char* beside : {".hdr", ".prj"}) {  // of the raw formats
-        const auto from = std::filesystem::path(whole).replace_extension(beside);
-        const auto to = std::filesystem::path(cut).replace_extension(beside);
-        if (std::filesystem::exists(from))
-          std::filesystem::copy_file(from, to,
-                                     std::filesystem::copy_options::overwrite_existing);
-      }
+      const auto header = std::filesystem::path(whole).replace_extension(".hdr");
+      if (std::filesystem::exists(header))  // of ENVI
+        std::filesystem::copy_file(header,
+                                   std::filesystem::path(cut).replace_extension(".hdr"),
+                                   std::filesystem::copy_options::overwrite_existing);
       // Elevenths: half of a GRIB file of two messages is a whole file of one. The last
       // cut is one of a few bytes; mere padding at the very end may be missing.
       std::filesystem::resize_file(cut, part < 11 ? size * part / 11 : size - 8);
