@@ -4,10 +4,7 @@
 
 #include <numeric>
 
-#include "layer/sensory/air_data_sensor.h"
-#include "layer/sensory/edge_finder.h"
-#include "layer/sensory/fire_sensor.h"
-#include "layer/sensory/gnss_sensor.h"
+#include "assemble/kinds_of.h"
 #include "scenario/numbers.h"
 
 namespace skein::assemble {
@@ -22,23 +19,23 @@ struct Sampling {
   bool fire = false;  // looks at the fire
 };
 
-Sampling sampling_of(const scenario::Choice& sensor, std::string key) {
-  if (sensor.kind == "gnss")
-    return {std::move(key), sensor.as<sensory::GnssOptions>().rate_hz, false};
-  if (sensor.kind == "air-data")
-    return {std::move(key), sensor.as<sensory::AirDataOptions>().rate_hz, false};
-  if (sensor.kind == "fire")
-    return {std::move(key), sensor.as<sensory::FireSensorOptions>().rate_hz, true};
-  SKEIN_CHECK(sensor.kind == "edge-finder", sensor.kind);
-  return {std::move(key), sensor.as<sensory::EdgeFinderOptions>().rate_hz, true};
-}
-
+// Every sensor whose kind has the key rate_hz. Kinds that are not known here count as
+// looking at the fire: that costs time, never truth.
 std::vector<Sampling> all_sensors(const Scenario& scenario) {
+  scenario::KindTable table;
+  sensor_kinds().describe(table);
   std::vector<Sampling> all;
   for (std::size_t g = 0; g < scenario.aircraft.size(); ++g)
-    for (std::size_t s = 0; s < scenario.aircraft[g].sensors.size(); ++s)
-      all.push_back(sampling_of(scenario.aircraft[g].sensors[s],
-                                fmt::format("aircraft[{}].sensors[{}].rate_hz", g, s)));
+    for (std::size_t s = 0; s < scenario.aircraft[g].sensors.size(); ++s) {
+      const scenario::Choice& sensor = scenario.aircraft[g].sensors[s];
+      const scenario::Object& keys = *table.find("sensor", sensor.kind)->options;
+      const scenario::Field* rate = keys.find("rate_hz");
+      if (rate == nullptr) continue;
+      std::any options = sensor.options;
+      all.push_back({fmt::format("aircraft[{}].sensors[{}].rate_hz", g, s),
+                     *static_cast<const double*>(rate->in(keys.content(options))),
+                     sensor.kind != "gnss" && sensor.kind != "air-data"});
+    }
   return all;
 }
 
