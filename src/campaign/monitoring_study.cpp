@@ -121,8 +121,7 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
                                  &estimator.overrides, &study.overrides})
           for (const std::string& text : *list) overrides.push_back({text});
         auto read = scenario::read_scenario(study.base, kinds, overrides);
-        if (!read.ok())
-          return Error{ErrorCode::kBadInput, study.base.string(), read.report(), ""};
+        if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
         const std::string files = data.of(scenario::named_files(*read.scenario, kinds));
         for (int k = 0; k < study.seeds; ++k) {
           scenario::Scenario run = *read.scenario;

@@ -43,7 +43,7 @@ StudyFigures study_figures(std::span<const StudyTable> tables) {
         table.columns.begin(), table.columns.end(),
         [&](const StudyColumn& column) { return column.name.starts_with(wanted); });
     if (exact == table.columns.end()) continue;
-    const std::string unit = exact->name.substr(wanted.size() - 1);  // "_m"
+    const std::string unit = exact->name.substr(exact->name.rfind('_'));  // "_m"
     for (auto column = table.columns.begin() + 1; column != table.columns.end();
          ++column) {
       if (column == exact || !column->name.ends_with(unit)) continue;

@@ -118,6 +118,15 @@ geo::Region believed_rings(const BoundaryEstimate& belief) {
   return region;
 }
 
+// A belief that ran away, as far as areas can still be told: clipping has its limits, and
+// a fire larger than the Earth is wrong enough.
+geo::Region within_earth(geo::Region rings) {
+  constexpr double kFarthest = 3.9e7;  // [m]; geo/clip.h allows 4e7
+  for (geo::Ring& ring : rings)
+    for (Vec2& point : ring) point = point.cwiseMin(kFarthest).cwiseMax(-kFarthest);
+  return rings;
+}
+
 TrueBoundary::TrueBoundary(geo::Region region)
     : region_(std::move(region)), index_(region_), samples_(boundary_samples(region_)) {}
 
@@ -125,10 +134,11 @@ PerimeterMetrics perimeter_metrics(const TrueBoundary& truth,
                                    const BoundaryEstimate& belief) {
   PerimeterMetrics out;
   const geo::Region rings = believed_rings(belief);
+  const geo::Region near = within_earth(rings);
   // A belief may cross itself; the truth never does.
-  const double believed = geo::shared_area(rings, rings, geo::FillRule::kPositive);
+  const double believed = geo::shared_area(near, near, geo::FillRule::kPositive);
   const double real = geo::area(truth.region());
-  const double both = geo::shared_area(truth.region(), rings, geo::FillRule::kPositive);
+  const double both = geo::shared_area(truth.region(), near, geo::FillRule::kPositive);
   const double either = believed + real - both;
   // Clipping rounds to 0.1 mm.
   out.iou = either > 0 ? std::min(1.0, both / either) : 1.0;

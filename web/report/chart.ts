@@ -3,14 +3,17 @@ import uPlot from "uplot";
 import { clock, h, number, tick } from "./dom";
 import { onThemeChange, theme } from "./theme";
 
+export type Dash = "solid" | "dashed" | "dotted"; // as borders in style sheets
+const kDashes: Record<Dash, number[] | undefined> = { solid: undefined, dashed: [7, 5], dotted: [2, 4] };
+
 export interface Line {
   name: string;
   x: ArrayLike<number>;
   y: ArrayLike<number | null>;
   low?: ArrayLike<number | null>;
   high?: ArrayLike<number | null>;
-  colour: number; // index into the theme's series colours
-  dashed?: boolean;
+  colour: number | "ink"; // index into the theme's series colours
+  dash?: Dash;
   points?: boolean;
 }
 
@@ -43,6 +46,8 @@ const kHeight = 220;
 const finite = (value: number | null | undefined, log: boolean | undefined) =>
   value != null && Number.isFinite(value) && (!log || value > 0) ? value : null;
 
+const paint = (line: Line) => (line.colour === "ink" ? theme().ink : theme().series[line.colour]);
+
 /** Joins lines with x of their own into one table, and names the bands' columns. */
 function table(options: ChartOptions): { data: uPlot.AlignedData; bands: uPlot.Band[] } {
   const tables: uPlot.AlignedData[] = [];
@@ -57,7 +62,7 @@ function table(options: ChartOptions): { data: uPlot.AlignedData; bands: uPlot.B
     const columns: (number | null)[][] = [values(line.y)];
     if (line.low && line.high) {
       columns.push(values(line.high), values(line.low));
-      bands.push({ series: [column + 1, column + 2], fill: () => `${theme().series[line.colour]}2e` });
+      bands.push({ series: [column + 1, column + 2], fill: () => `${paint(line)}2e` });
     }
     column += columns.length;
     tables.push([keep.map(([x]) => x), ...columns] as uPlot.AlignedData);
@@ -77,11 +82,11 @@ function series(options: ChartOptions): uPlot.Series[] {
     const single = line.y.length === 1;
     out.push({
       label: line.name,
-      stroke: () => theme().series[line.colour],
-      width: line.points ? 0 : 1.75,
-      dash: line.dashed ? [6, 4] : undefined,
+      stroke: () => paint(line),
+      width: line.points ? 0 : line.colour === "ink" ? 2 : 1.75,
+      dash: kDashes[line.dash ?? "solid"],
       points: line.points || single
-        ? { show: true, size: 6, fill: () => theme().series[line.colour] }
+        ? { show: true, size: 6, fill: () => paint(line) }
         : { show: false },
       spanGaps: false,
       value: (_, v) => (v == null ? "–" : number(v, 3) + unit),
@@ -126,8 +131,18 @@ function drawGround(u: uPlot, options: ChartOptions): void {
   for (const mark of options.marks ?? []) {
     const x = u.valToPos(mark.x, "x", true);
     stroke(x, top, x, top + height);
+  }
+  context.restore();
+  // Above the plot, where no curve runs.
+  context.save();
+  context.font = `${11 * ratio}px system-ui, sans-serif`;
+  context.fillStyle = colours.muted;
+  for (const mark of options.marks ?? []) {
+    const x = u.valToPos(mark.x, "x", true);
+    if (x < left || x > left + width) continue; // zoomed away
+    const wide = context.measureText(mark.label).width;
     context.textAlign = "left";
-    context.fillText(mark.label, x + 4 * ratio, top + 12 * ratio);
+    context.fillText(mark.label, Math.min(x, left + width - wide), top - 5 * ratio);
   }
   context.restore();
 }
@@ -174,6 +189,11 @@ export function chart(options: ChartOptions): Chart {
       options.note ? h("span", { class: "note" }, options.note) : null),
     holder);
   const { data, bands } = table(options);
+  // By column, as uPlot counts: a line with a band takes three.
+  const dashes: string[] = ["solid", ...options.lines.flatMap((line) => {
+    const dash = line.points ? "dotted" : line.dash ?? "solid";
+    return line.low && line.high ? [dash, dash, dash] : [dash];
+  })];
   if (!(data[0]?.length > 0)) {
     holder.append(h("p", { class: "empty" }, "The records hold nothing for this plot."));
     return { element, showTime: () => undefined };
@@ -202,7 +222,13 @@ export function chart(options: ChartOptions): Chart {
         ...(xLow === xHigh ? { range: [xLow - 1, xHigh + 1] as [number, number] } : {}) },
       y: { distr: options.logY ? 3 : 1, range: yRange(options) },
     },
-    legend: { show: options.lines.length <= 8 },
+    padding: [(options.marks ?? []).length > 0 ? 20 : 8, null, null, null],
+    legend: { markers: {
+      width: 2,
+      stroke: (u, i) => (typeof u.series[i].stroke === "function" ? (u.series[i].stroke as (u: uPlot, i: number) => string)(u, i) : ""),
+      fill: () => "transparent",
+      dash: (_, i) => dashes[i] ?? "solid",
+    } },
     cursor: { sync: options.sync ? { key: options.sync, scales: ["x", null] } : undefined,
       points: { size: 7 }, drag: { x: true, y: false } },
     hooks: {

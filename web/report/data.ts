@@ -78,8 +78,21 @@ export interface StudySeries {
   points?: boolean;
 }
 
+/** By row, then by series: value and the ends of its confidence interval. */
+export interface StudyDots {
+  title: string;
+  caption: string;
+  x_label: string;
+  log_x: boolean;
+  rows: string[];
+  series: string[];
+  dots: [number | null, number | null, number | null][][];
+}
+
 export interface StudyData {
   title: string;
+  alert: string;
+  dots: StudyDots[];
   intro: string[];
   tables: { title: string; caption: string; columns: string[]; rows: StudyCell[][] }[];
   plots: {
@@ -91,6 +104,8 @@ export interface StudyData {
     log_y: boolean;
     series: StudySeries[];
     lines: { y: number; label: string }[];
+    y_low: number | null; // ends of the axis; null = as the lines need
+    y_high: number | null;
   }[];
   notes: string[];
 }

@@ -50,5 +50,6 @@ export function number(value: number | null | undefined, digits = 3): string {
 export function tick(value: number): string {
   if (value === 0) return "0";
   const text = number(value, 6);
-  return text.includes(".") && !text.includes("e") ? text.replace(/\.?0+$/, "") : text;
+  if (text.includes("e")) return text.replace(/\.?0+e\+?/, "e");
+  return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }

@@ -1,6 +1,7 @@
 /** The tables of key figures, for one run or several side by side. */
 import type { RunData } from "./data";
 import { clock, h, number } from "./dom";
+import { chosen, sameFire } from "./scenario_text";
 
 type Best = "low" | "high" | { near: number };
 
@@ -74,7 +75,8 @@ function bestOf(values: (number | undefined)[], texts: string[], best?: Best): b
   return values.map((v, i) => useful && known(v) && texts[i] === winner);
 }
 
-function table(caption: string | null, columns: (Node | string)[], rows: Row[], compare: boolean): HTMLElement {
+function table(caption: string | null, columns: (Node | string)[], rows: Row[], compare: boolean,
+  before: HTMLElement[] = []): HTMLElement {
   const body = rows.filter((row) => row.values.some(known)).map((row) => {
     const texts = row.values.map((value) => !known(value) ? "–" : (row.text ?? number)(value));
     const best = compare ? bestOf(row.values, texts, row.best) : [];
@@ -89,7 +91,7 @@ function table(caption: string | null, columns: (Node | string)[], rows: Row[], 
     caption ? h("caption", {}, caption) : null,
     h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Figure"),
       ...columns.map((column) => h("th", { scope: "col" }, column)))),
-    h("tbody", {}, ...body)));
+    h("tbody", {}, ...before, ...body)));
 }
 
 /** One run: each metric's means and last value. */
@@ -104,15 +106,28 @@ function headings(runs: RunData[]): HTMLElement[] {
     h("span", { class: `swatch c${i % 8}`, "aria-hidden": "true" }), run.label));
 }
 
+/** Who flew and thought: before the figures. */
+function settingRows(runs: RunData[]): HTMLElement[] {
+  const settings: [string, (run: RunData) => string][] = [
+    ["Estimator", (run) => chosen(run.scenario, "estimator")],
+    ["Strategy", (run) => chosen(run.scenario, "strategy")],
+    ["Seed", (run) => run.seed],
+    ["State", (run) => (runs.every((each) => each.state === "complete") ? "" : run.state)],
+  ];
+  return settings.filter(([, of]) => runs.some(of)).map(([label, of]) =>
+    h("tr", {}, h("th", { scope: "row" }, label), ...runs.map((run) => h("td", {}, of(run) || "–"))));
+}
+
 /** Several runs: one column for each. */
 export function comparisonTables(runs: RunData[]): HTMLElement[] {
   const rows = (part: string): Row[] =>
     kMetrics.map((metric) => ({ ...metric, values: runs.map((run) => of(run, metric, part)) }));
   const counts: Row[] = kCounts.map((count) => ({ ...count, values: runs.map(count.show) }));
+  const fair = sameFire(runs);
   const more = (title: string, part: string) => h("details", {}, h("summary", {}, title),
-    table(null, headings(runs), rows(part), true));
+    table(null, headings(runs), rows(part), fair));
   return [
-    table(null, headings(runs), [...rows("mean"), ...counts], true),
+    table(null, headings(runs), [...rows("mean"), ...counts], fair, settingRows(runs)),
     more("Means over the whole run, with the deployment", "run_mean"),
     more("Values at the end", "final"),
   ];
@@ -124,12 +139,14 @@ export function tiles(run: RunData): HTMLElement {
     !known(value) ? null
       : h("div", { class: "tile" }, h("span", { class: "tile-label" }, label),
         h("span", { class: "tile-value" }, text(value), unit ? h("span", { class: "unit" }, ` ${unit}`) : null));
-  const s = run.summary;
   return h("div", { class: "tiles" },
-    tile("Perf, mean", s.perf_mean_m ?? s.perf_run_mean_m, "m"),
-    tile("Boundary RMS, mean", s.boundary_rms_mean_m ?? s.boundary_rms_run_mean_m, "m"),
-    tile("IoU, mean", s.iou_mean ?? s.iou_run_mean),
-    tile("95 % coverage, mean", s.coverage_95_mean ?? s.coverage_95_run_mean),
+    ...["perf", "boundary_rms", "iou", "coverage_95"].map((name) => {
+      const metric = kMetrics.find((each) => each.name === name)!;
+      const mean = of(run, metric, "mean");
+      // Without an allocation phase there is only the whole run, and the tile says so.
+      return known(mean) ? tile(`${metric.label}, mean`, mean, metric.unit)
+        : tile(`${metric.label}, whole run`, of(run, metric, "run_mean"), metric.unit);
+    }),
     ...kCounts.filter((count) => count.label !== "Missed deadlines" || count.show(run))
       .map((count) => tile(count.label, count.show(run), count.unit, count.text)));
 }

@@ -1,8 +1,9 @@
 /** The report of one run or several. */
-import { chart, type Chart, type ChartOptions, type Line } from "./chart";
+import { chart, type Chart, type ChartOptions, type Dash, type Line } from "./chart";
 import { floats, type RunData } from "./data";
 import { clock, h, section } from "./dom";
 import { comparisonTables, figuresTable, tiles } from "./figures";
+import { chosen, sameFire } from "./scenario_text";
 import { Player } from "./player";
 
 const kStates = {
@@ -14,10 +15,25 @@ const kStates = {
 function identity(run: RunData): HTMLElement {
   const row = (label: string, value: string) => value ? [h("dt", {}, label), h("dd", {}, value)] : [];
   return h("dl", { class: "identity" },
-    ...row("Scenario", run.name), ...row("Directory", run.directory), ...row("Seed", run.seed),
+    ...row("Scenario", run.name), ...row("Estimator", chosen(run.scenario, "estimator")),
+    ...row("Strategy", chosen(run.scenario, "strategy")), ...row("Directory", run.directory), ...row("Seed", run.seed),
     ...row("Skein", run.version), ...row("Start", run.start_utc),
     ...row("Simulated", clock(run.duration_s)), ...row("State", kStates[run.state]),
     ...row("Content hash", run.content_hash));
+}
+
+/** The second quantity of a run is dashed; runs beyond the eight colours are dotted. */
+const dashOf = (run: number, second: boolean): Dash => (run >= 8 ? "dotted" : second ? "dashed" : "solid");
+
+/** Whether a linear axis would hide the good runs beside a bad one. */
+function needsLog(all: Line[], runs: RunData[]): boolean {
+  if (runs.length < 2) return false;
+  const series = all.map((line) => Array.from(line.y).filter((y): y is number => y != null && Number.isFinite(y) && y > 0)
+    .sort((a, b) => a - b)).filter((values) => values.length > 0);
+  if (series.length < 2) return false;
+  const most = Math.max(...series.map((values) => values[values.length - 1]));
+  const good = Math.min(...series.map((values) => values[Math.floor(values.length / 2)]));
+  return most > 20 * good;
 }
 
 /** Lines of metrics columns for every run; with several runs, the run has the colour. */
@@ -29,7 +45,7 @@ function lines(runs: RunData[], columns: [string, string][]): Line[] {
     if (!y.some(Number.isFinite)) return [];
     const label = runs.length === 1 ? name : columns.length === 1 ? run.label : `${run.label}: ${name}`;
     return [{ name: label, x: floats(run.metrics.time_s), y: Array.from(y),
-      colour: (runs.length === 1 ? c : r) % 8, dashed: c > 0 }];
+      colour: (runs.length === 1 ? c : r) % 8, dash: dashOf(r, c > 0) }];
   }));
 }
 
@@ -42,7 +58,7 @@ function messageLines(runs: RunData[]): Line[] {
       return left > 0 ? (count * 60) / Math.min(run.messages.bin_s, left) : null;
     }),
     colour: (runs.length === 1 ? k : r) % 8,
-    dashed: k > 0,
+    dash: dashOf(r, k > 0),
   })));
 }
 
@@ -55,7 +71,7 @@ function areaLines(runs: RunData[]): Line[] {
     return [
       { name: name("true"), x, y: Array.from(real, (v) => v / 1e4), colour: (runs.length === 1 ? 1 : r) % 8 },
       { name: name("believed"), x, y: Array.from(real, (v, i) => (v + more[i]) / 1e4),
-        colour: (runs.length === 1 ? 0 : r) % 8, dashed: true },
+        colour: (runs.length === 1 ? 0 : r) % 8, dash: dashOf(r, true) },
     ];
   });
 }
@@ -64,7 +80,8 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
   const marks = runs.length === 1 && runs[0].allocation_start_s != null
     ? [{ x: runs[0].allocation_start_s, label: "allocation starts" }] : [];
   const make = (options: Omit<ChartOptions, "sync" | "marks" | "onPick">) =>
-    chart({ ...options, marks, sync: "time", onPick });
+    chart({ ...options, logY: options.logY || (options.unit === "m" && needsLog(options.lines, runs)),
+      marks, sync: "time", onPick });
   return [
     make({ title: "Perf", unit: "m", note: "error and stated deviation together; small is good",
       lines: lines(runs, [["perf_m", "Perf"]]) }),
@@ -114,7 +131,8 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
     "Means are over the allocation phase, from the moment the aircraft have found the fire.");
   const overview = several
     ? section("Comparison", "overview",
-      h("p", {}, `${runs.length} runs; the best value of each row is marked.`), ...comparisonTables(runs), meaning,
+      h("p", {}, `${runs.length} runs; ` + (sameFire(runs) ? "the best value of each row is marked."
+        : "their fires differ (environment or seed), so no value is marked as the best.")), ...comparisonTables(runs), meaning,
       ...runs.map((run) => h("details", {}, h("summary", {}, `What ${run.label} was`), identity(run))))
     : section("Overview", "overview", tiles(runs[0]),
       h("div", { class: "side-by-side" }, h("div", {}, figuresTable(runs[0]), meaning), identity(runs[0])));

@@ -2,6 +2,7 @@
 import { chart } from "./chart";
 import type { StudyCell, StudyData } from "./data";
 import { h, number, section } from "./dom";
+import { dotPlot } from "./dots";
 
 function cell(content: StudyCell): HTMLElement {
   const numeric = content.number !== undefined;
@@ -31,19 +32,22 @@ export function studyPage(data: StudyData): HTMLElement[] {
     logX: plot.log_x,
     logY: plot.log_y,
     levels: plot.lines,
+    range: [plot.y_low, plot.y_high],
     lines: plot.series.map((series, i) => ({
       name: series.name,
       x: series.x.map((v) => v ?? NaN),
       y: series.y,
       low: series.low,
       high: series.high,
-      colour: i % 8,
-      dashed: series.dashed || i >= 8,
+      colour: series.dashed ? "ink" : i % 8, // what others are compared with
+      dash: series.dashed ? "dashed" : i >= 8 ? "dotted" : "solid",
       points: series.points,
     })),
   }));
   return [
-    h("header", {}, h("h1", {}, data.title), ...data.intro.map((text) => h("p", { class: "intro" }, text))),
+    h("header", {}, h("h1", {}, data.title),
+      data.alert ? h("p", { class: "failure", role: "status" }, data.alert) : null, ...data.intro.map((text) => h("p", { class: "intro" }, text))),
+    ...(data.dots.length > 0 ? [section("At a glance", "dots", ...data.dots.map(dotPlot))] : []),
     ...(data.tables.length > 0 ? [section("Results", "tables", ...data.tables.map(table))] : []),
     ...(plots.length > 0
       ? [section("Plots", "plots", h("div", { class: "charts" }, ...plots.map((p) => p.element)))] : []),

@@ -89,6 +89,15 @@ TEST(PerimeterMetrics, ToleratesACrossedBelief) {
     }
 }
 
+TEST(PerimeterMetrics, BearABeliefBeyondTheEarth) {
+  // As an approximation that diverged.
+  const auto m = perimeter_metrics({circle({0, 0}, 500, 100)},
+                                   believed_circle(Time(), {0, 0}, 5e8, 1e7));
+  EXPECT_GT(*m.boundary_hausdorff, 4e8);
+  EXPECT_LT(*m.iou, 1e-3);
+  EXPECT_TRUE(std::isfinite(*m.area_error));
+}
+
 TEST(ReadingAges, FollowTheFrontAfterACrossing) {
   ReadingAges ages;
   ages.add({Time::from_seconds(10), EntityId{1}, {500, 0}, {20, 0}, 1, false});

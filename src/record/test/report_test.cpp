@@ -1,5 +1,6 @@
 #include "record/report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -211,6 +212,38 @@ TEST(Report, NamesEveryRunThatCannotBeRead) {
   EXPECT_FALSE(fs::exists(folder.path() / "report.html"));
 }
 
+// A run with a scenario as the program writes it; `wind` stands for its environment.
+fs::path compared_run(const TemporaryFolder& folder, const std::string& estimator,
+                      const std::string& wind) {
+  const fs::path directory = folder.path() / (estimator + wind);
+  const RunInfo info{"1", 5, "n",
+                     "origin:\n  latitude_deg: 1\nenvironment:\n  wind: " + wind +
+                         "\nmonitoring:\n  estimator:\n    kind: " + estimator +
+                         "\n  strategy: sweep\n",
+                     ""};
+  auto recorder = RunRecorder::create(directory, info).value();
+  record_sample(*recorder, estimator == "joint" ? 120 : 150);
+  EXPECT_TRUE(recorder->close());
+  return directory;
+}
+
+TEST(Report, MarksTheBestOnlyAmongRunsOnTheSameFire) {
+  const TemporaryFolder folder("fires");
+  const std::vector<fs::path> same = {compared_run(folder, "joint", "calm"),
+                                      compared_run(folder, "qkf", "calm")};
+  const std::vector<fs::path> different = {same[0], compared_run(folder, "qkf", "storm")};
+  ASSERT_TRUE(write_report(same, folder.path() / "same.html"));
+  ASSERT_TRUE(write_report(different, folder.path() / "different.html"));
+  const std::string fair = shown(folder.path() / "same.html", folder.path());
+  if (fair.empty()) GTEST_SKIP() << "no chromium on this machine";
+  EXPECT_NE(fair.find("\"> (best)</span>"), std::string::npos);
+  for (const char* text : {">joint</td>", ">qkf</td>", ">sweep</td>"})
+    EXPECT_NE(fair.find(text), std::string::npos) << text;
+  const std::string unfair = shown(folder.path() / "different.html", folder.path());
+  EXPECT_EQ(unfair.find("\"> (best)</span>"), std::string::npos);
+  EXPECT_NE(unfair.find("their fires differ"), std::string::npos);
+}
+
 TEST(Report, SaysWhenThePageCannotBeWritten) {
   const TemporaryFolder folder("page");
   make_run(folder.path() / "one", 10);
@@ -244,7 +277,17 @@ TEST(StudyReport, KeepsTextNumbersAndGaps) {
   StudyPlot plot{"Plot", "", "distance [m]", "sd [m]", true, true, {}, {{1, "one"}}};
   plot.series = {{"a", {1, 10, 100}, {1, nan, 2}, {0.5, 0.5, 1}, {2, 2, 3}},
                  {"b", {2, 20}, {3, 4}, {}, {}, true, true}};
+  for (int k = 0; k < 10; ++k)
+    plot.series.push_back({fmt::format("more {}", k), {1, 2}, {3, 4}, {}, {}});
   report.plots = {plot};
+  report.dots = {{"Dots",
+                  "",
+                  "Perf [m]",
+                  true,
+                  {"gus", "sweep"},
+                  {"qkf", "joint"},
+                  {{{163, 150, 180}, {40, nan, nan}}, {{1e6, 1, 1e7}, {nan, nan, nan}}}}};
+  report.alert = "partial: 5 of 20 runs";
   report.notes = {"A note."};
   const fs::path page = folder.path() / "study.html";
   ASSERT_TRUE(write_study_report(report, page));
@@ -259,6 +302,10 @@ TEST(StudyReport, KeepsTextNumbersAndGaps) {
   if (dom.empty()) GTEST_SKIP() << "no chromium on this machine";
   EXPECT_NE(dom.find("data-state=\"ready\""), std::string::npos);
   EXPECT_NE(dom.find("Estimators &amp; strategies"), std::string::npos);
+  EXPECT_NE(dom.find("partial: 5 of 20 runs</p>"), std::string::npos);
+  EXPECT_NE(dom.find("gus, qkf: 163 (150 to 180)"), std::string::npos);
+  EXPECT_NE(dom.find("more 9</div>"), std::string::npos) << "legends of many lines stay";
+  EXPECT_NE(dom.find("2px dotted"), std::string::npos) << "and show how lines are drawn";
 }
 
 TEST(Base64, EncodesEveryLength) {
