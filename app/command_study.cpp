@@ -147,7 +147,11 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
   for (std::size_t i = 0; i < outcomes.size(); ++i)
     if (!outcomes[i].error.empty()) {
       failed = true;
+      const fs::path replay =
+          folder / ("failed-" + folder_name(plan.items[i].name) + ".yaml");
       complain("{}: {}\n", plan.items[i].name, outcomes[i].error);
+      if (write_text(replay, plan.items[i].text))
+        complain("Replay: skein run {}\n", replay.string());
     }
   if (auto written = write_text(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
       !written)

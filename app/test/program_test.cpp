@@ -316,7 +316,7 @@ TEST_F(Program, SaysWhenMemoryIsNotEnough) {
   const auto file = write("s.yaml",
                           "duration_s: 5\nmonitoring: {estimator: {kind: ensemble, "
                           "members: 200, cell_m: 0.5, max_nodes: 10000000}}\n");
-  const Finished big = run({"run", file.string()}, RLIM_INFINITY, 1'500'000'000);
+  const Finished big = run({"run", file.string()}, RLIM_INFINITY, 800'000'000);
   EXPECT_EQ(big.status, 1) << big.err;
   EXPECT_NE(big.err.find("not enough memory"), std::string::npos) << big.err;
 }
@@ -458,6 +458,25 @@ TEST_F(Program, AStudyRunsAgainWhatItsDataChanged) {
   write("wind.csv", "t_s,speed_mps,from_deg\n0,5,200\n60,9,210\n");
   EXPECT_EQ(run(study).status, 0);
   EXPECT_EQ(lines(), 2) << "the wind has";
+}
+
+TEST_F(Program, AFailedRunOfAStudyCanBeReplayed) {
+  // Too large for the memory that the study is given, not too large to be planned.
+  const Finished failed =
+      run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
+           "--estimators", "ensemble", "--strategies", "gus", "--threads", "1", "--set",
+           "monitoring.estimator={kind: ensemble, members: 200, cell_m: 0.5, max_nodes: "
+           "10000000}",
+           "--set", "duration_s=10"},
+          RLIM_INFINITY, 800'000'000);
+  EXPECT_EQ(failed.status, 1) << failed.err;
+  EXPECT_NE(failed.err.find("not enough memory"), std::string::npos) << failed.err;
+  EXPECT_NE(failed.err.find("Replay: skein run m/failed-no-wind-gus-ensemble-1.yaml"),
+            std::string::npos)
+      << failed.err;
+  EXPECT_NE(failed.out.find("partial: 0 of 1 runs, 1 failed"), std::string::npos)
+      << failed.out;
+  EXPECT_TRUE(fs::exists(folder_ / "m" / "failed-no-wind-gus-ensemble-1.yaml"));
 }
 
 TEST_F(Program, AnInterruptedStudySaysThatItIsPartial) {
