@@ -43,7 +43,7 @@ void limit_axis(record::StudyPlot& plot) {
   if (sizes.size() < 3 || sizes[0].first < kFar * sizes[1].first) return;
   plot.y_low = 0;
   plot.y_high = 1.1 * sizes[1].first;
-  plot.caption = fmt::format("{} leaves the picture: up to {:.3g}.", sizes[0].second,
+  plot.caption = fmt::format("{} leaves the picture: up to {:.3g} m².", sizes[0].second,
                              sizes[0].first);
 }
 

@@ -176,7 +176,8 @@ function axes(options: ChartOptions): uPlot.Axis[] {
     { ...common, label: options.xLabel, labelSize: 18, size: 30, space: 64,
       incrs: time ? kTimeSteps : undefined,
       values: time ? (_, values) => values.map((v) => clock(v)) : plain },
-    { ...common, label: options.yLabel, labelSize: 18, size: 56, values: plain },
+    { ...common, label: options.yLabel, labelSize: 18, values: plain,
+      size: (_, texts) => Math.max(56, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))) },
   ];
 }
 

@@ -81,6 +81,15 @@ TEST(RunRecorder, MessagesThatAreNotStoredCountAllTheSame) {
             ask(folder.path() / "with", "SELECT count(*) FROM tasks"));
 }
 
+TEST(SummaryRecorder, TheHashIsOfWhatHappenedNotOfTheProgram) {
+  const auto hash = [](const std::string& version, const std::string& text) {
+    SummaryRecorder recorder({version, 1, "a name", text, ""});
+    record_sample(recorder, 20);
+    return recorder.summary().content_hash;
+  };
+  EXPECT_EQ(hash("0.1.0+g1", "seed: 1"), hash("0.1.0+g2.dirty", "seed: 1 # the same"));
+}
+
 TEST(RunRecorder, WritesASummaryThatScriptsCanRead) {
   const TemporaryFolder folder("summary");
   auto recorder = RunRecorder::create(folder.path(), kInfo).value();
