@@ -171,6 +171,9 @@ Fields<SweepOptions> sweep_fields() {
       .number("leave_ratio", &T::leave_ratio,
               "Leave when elsewhere is this many times better.",
               {.at_least = 1, .at_most = 1000})
+      .number("seen_again", &T::seen_again,
+              "Worth of a place that another aircraft will see.",
+              {.at_least = 0, .at_most = 1})
       .duration_s("commit_s", &T::commit, "Stay at least this long with a new place.");
 }
 

@@ -13,8 +13,7 @@ SweepStrategy::SweepStrategy(const SweepOptions& options) : options_(options) {}
 
 namespace {
 
-// Visits the points from `start` on, as far as an aircraft follows the edge in
-// `window_m`.
+// Visits the points from `start` on, up to `window_m` along the line.
 template <class Visit>
 void walk(const BoundaryLine& line, std::size_t start, bool clockwise, double window_m,
           const Visit& visit) {
@@ -30,29 +29,43 @@ void walk(const BoundaryLine& line, std::size_t start, bool clockwise, double wi
 }  // namespace
 
 double SweepStrategy::gain(const BoundaryLine& line, std::size_t start, bool clockwise,
-                           double t_go, const std::vector<char>& covered) const {
+                           double t_go, const Shares& shares) const {
   double sum = 0;
-  walk(line, start, clockwise, options_.window * options_.follow_speed,
-       [&](std::size_t i, double gone) {
-         if (covered[i]) return;
-         const double sigma =
-
-             carried_on(line[i], t_go + gone / options_.follow_speed).sigma;
-         sum += sigma * line.spacing(i);
-       });
-  return sum / (t_go + options_.window);
+  walk(line, start, clockwise, shares.window_m, [&](std::size_t i, double gone) {
+    const double sigma = carried_on(line[i], t_go + gone / options_.follow_speed).sigma;
+    sum += shares.left[i] * sigma * line.spacing(i);
+  });
+  return sum / (t_go + shares.window_m / options_.follow_speed);
 }
 
-void SweepStrategy::cover(const BoundaryLine& line, std::size_t start, bool clockwise,
-                          std::vector<char>& covered) const {
-  walk(line, start, clockwise, options_.window * options_.follow_speed,
-       [&](std::size_t i, double) { covered[i] = 1; });
+SweepStrategy::Shares SweepStrategy::left_by_others(
+    const BoundaryLine& line, std::span<const AircraftStatus> aircraft, EntityId own,
+    Time now) const {
+  Shares shares;
+  shares.window_m = std::min(options_.window * options_.follow_speed,
+                             line.length() / static_cast<double>(aircraft.size()));
+  shares.left.assign(line.size(), 1);
+  for (const AircraftStatus& other : aircraft) {
+    const auto sweep = sweeps_.find(other.id);
+    if (other.id == own || sweep == sweeps_.end()) continue;
+    walk(line, place_of(line, other, sweep->second, now), sweep->second.clockwise,
+         shares.window_m,
+         [&](std::size_t i, double) { shares.left[i] *= options_.seen_again; });
+  }
+  return shares;
+}
+
+std::size_t SweepStrategy::place_of(const BoundaryLine& line,
+                                    const AircraftStatus& aircraft, const Sweep& sweep,
+                                    Time now) {
+  return line.nearest(now < sweep.arrived_after ? sweep.start
+                                                : geo::horizontal(aircraft.nav.p_N));
 }
 
 SweepStrategy::Arc SweepStrategy::best_arc(const BoundaryLine& line,
                                            const AircraftStatus& aircraft,
                                            std::span<const Zone> zones,
-                                           const std::vector<char>& covered) const {
+                                           const Shares& shares) const {
   constexpr std::size_t kMostStarts = 48;  // starts to look at: enough, and bounded work
   const std::size_t stride = std::max<std::size_t>(1, line.size() / kMostStarts);
   Arc best;
@@ -61,7 +74,7 @@ SweepStrategy::Arc SweepStrategy::best_arc(const BoundaryLine& line,
     const double t_go = meet(aircraft, line[i]).t_go;
     if (!std::isfinite(t_go)) continue;  // the wind keeps it away
     for (const bool clockwise : {true, false}) {
-      const double value = gain(line, i, clockwise, t_go, covered);
+      const double value = gain(line, i, clockwise, t_go, shares);
       if (value > best.value) best = {i, clockwise, t_go, value};
     }
   }
@@ -77,27 +90,19 @@ std::vector<Assignment> SweepStrategy::assign(const MonitoringSituation& situati
                         [&](const AircraftStatus& a) { return a.id == entry.first; });
   });
   const Time now = situation.now;
-  const auto place_of = [&](const AircraftStatus& aircraft, const Sweep& sweep) {
-    return line.nearest(now < sweep.arrived_after ? sweep.start
-                                                  : geo::horizontal(aircraft.nav.p_N));
-  };
   for (const AircraftStatus& aircraft : situation.aircraft) {
     const auto found = sweeps_.find(aircraft.id);
     const bool fresh = found == sweeps_.end();
     if (!fresh && ((now - found->second.decided).seconds() < options_.decide_period ||
                    (now - found->second.begun).seconds() < options_.commit))
       continue;
-    std::vector<char> covered(line.size(), 0);
-    for (const AircraftStatus& other : situation.aircraft)
-      if (const auto theirs = sweeps_.find(other.id);
-          other.id != aircraft.id && theirs != sweeps_.end())
-        cover(line, place_of(other, theirs->second), theirs->second.clockwise, covered);
-    const Arc best = best_arc(line, aircraft, situation.zones, covered);
+    const Shares shares = left_by_others(line, situation.aircraft, aircraft.id, now);
+    const Arc best = best_arc(line, aircraft, situation.zones, shares);
     if (!fresh) {
       Sweep& sweep = found->second;
       sweep.decided = now;
       const double stay =
-          gain(line, place_of(aircraft, sweep), sweep.clockwise, 0, covered);
+          gain(line, place_of(line, aircraft, sweep, now), sweep.clockwise, 0, shares);
       if (best.value <= options_.leave_ratio * stay) continue;
     }
     sweeps_[aircraft.id] = {best.clockwise, now, now, now + Time::from_seconds(best.t_go),

@@ -9,19 +9,22 @@ namespace skein::monitoring {
 
 struct SweepOptions {
   double edge_angle = geo::radians(25);  ///< between course and edge [rad]
-  double window = 120;                   ///< plan this far ahead along the edge [s]
+  double window = 120;        ///< plan this far ahead along the edge [s], and no further
+                              ///< than the aircraft's even share of it
   double follow_speed = 15;   ///< progress along the edge while following it [m/s]
   double decide_period = 10;  ///< think about leaving the edge this often [s]
   double leave_ratio = 2.5;   ///< leave when elsewhere is this many times better
+  double seen_again = 0.1;    ///< worth of a place that another aircraft will see [-]
   double commit = 60;         ///< stay at least this long with a new place [s]
 };
 
 /// Arc sweeps: every aircraft follows the real edge with its in/out sensor, on the arc
 /// and in the direction that remove most uncertainty per second, counted over a window of
-/// flight and without what the others will see; it cuts across to another arc when that
+/// flight; what others will see counts a tenth. It cuts across to another arc when that
 /// is clearly better.
 ///
-///   value(arc) = sum over the arc's points of (sigma + sigma' t) ds / (t_go + window)
+///   value(arc) = sum over the arc's points of worth (sigma + sigma' t) ds / (t_go +
+///   window)
 class SweepStrategy : public MonitoringStrategy {
  public:
   explicit SweepStrategy(const SweepOptions& options);
@@ -43,12 +46,21 @@ class SweepStrategy : public MonitoringStrategy {
     double value = 0;
   };
 
+  // What the others leave to an aircraft.
+  struct Shares {
+    double window_m = 0;       // looked ahead along the edge
+    std::vector<double> left;  // worth of each point of the line, 0 to 1
+  };
+
   double gain(const BoundaryLine& line, std::size_t start, bool clockwise, double t_go,
-              const std::vector<char>& covered) const;
-  void cover(const BoundaryLine& line, std::size_t start, bool clockwise,
-             std::vector<char>& covered) const;
+              const Shares& shares) const;
+  Shares left_by_others(const BoundaryLine& line,
+                        std::span<const AircraftStatus> aircraft, EntityId own,
+                        Time now) const;
+  static std::size_t place_of(const BoundaryLine& line, const AircraftStatus& aircraft,
+                              const Sweep& sweep, Time now);
   Arc best_arc(const BoundaryLine& line, const AircraftStatus& aircraft,
-               std::span<const Zone> zones, const std::vector<char>& covered) const;
+               std::span<const Zone> zones, const Shares& shares) const;
 
   SweepOptions options_;
   std::map<EntityId, Sweep> sweeps_;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <cmath>
 
 #include "geo/polygon.h"
@@ -186,6 +188,25 @@ TEST(Sweep, PutsAircraftOnDifferentArcsAndStays) {
   EXPECT_GT((a - b).norm(), 400);
   scene.now += Time::from_seconds(11);
   EXPECT_TRUE(sweep.assign(scene.situation()).empty());
+}
+
+TEST(Sweep, SpreadsMoreAircraftThanThereAreArcs) {
+  Scene scene;
+  scene.boundary = circle(2000, 50);  // 12.6 km: seven windows of 1.8 km
+  scene.aircraft.clear();
+  for (unsigned k = 0; k < 60; ++k)
+    scene.aircraft.push_back(aircraft_at(k, {2400, 10.0 * k}, 0));
+  SweepStrategy sweep({});
+  std::array<int, 6> in_sector{};
+  const auto orders = sweep.assign(scene.situation());
+  ASSERT_EQ(orders.size(), 60u);
+  for (const Assignment& order : orders) {
+    const double bearing = geo::bearing(std::get<FollowEdge>(order.what).start);
+    ++in_sector[static_cast<std::size_t>(geo::wrap_2pi(bearing) / (2 * geo::kPi) * 6) %
+                6];
+  }
+  // Ten each would be even; the near side is a little better.
+  for (const int count : in_sector) EXPECT_TRUE(count >= 5 && count <= 18) << count;
 }
 
 TEST(Sweep, LeavesAKnownArcForAnUncertainOne) {
