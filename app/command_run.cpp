@@ -67,6 +67,7 @@ void print_table(const record::RunSummary& summary) {
       {"iou_mean", "intersection over union, mean"},
       {"coverage_95_mean", "share of boundary in its 95 % band, mean"},
       {"nees_mean", "NEES, mean (1 = consistent)"},
+      {"over_confident_s", "its crossings call it over-confident for [s]"},
       {"aircraft", "aircraft"},
       {"observations", "observations"},
       {"crossings", "crossings"},

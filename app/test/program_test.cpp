@@ -1,7 +1,6 @@
 // The program as a user meets it: exit statuses, messages, interrupts, kills, full disks.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sqlite3.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -9,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -465,8 +465,8 @@ TEST_F(Program, AFailedRunOfAStudyCanBeReplayed) {
   const Finished failed =
       run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
            "--estimators", "ensemble", "--strategies", "gus", "--threads", "1", "--set",
-           "monitoring.estimator={kind: ensemble, members: 200, cell_m: 0.5, max_nodes: "
-           "10000000}",
+           ("monitoring.estimator={kind: ensemble, members: 200, cell_m: 0.5, "
+            "max_nodes: 10000000}"),
            "--set", "duration_s=10"},
           RLIM_INFINITY, 800'000'000);
   EXPECT_EQ(failed.status, 1) << failed.err;

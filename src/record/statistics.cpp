@@ -28,6 +28,11 @@ void RunStatistics::message(bool lost) {
 
 void RunStatistics::event(const Event& event) {
   if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
+  if (event.kind == "over-confident" && !doubted_since_) doubted_since_ = event.time;
+  if (event.kind == "trusted-again" && doubted_since_) {
+    doubted_ += event.time - *doubted_since_;
+    doubted_since_.reset();
+  }
 }
 
 PerimeterMetrics RunStatistics::perimeter(Time time, const TrueBoundary& truth,
@@ -45,6 +50,7 @@ PerimeterMetrics RunStatistics::perimeter(Time time, const TrueBoundary& truth,
 void RunStatistics::metrics(Time time, EntityId believer, const PerimeterMetrics& now) {
   if (!believer_) believer_ = believer;
   if (*believer_ != believer) return;
+  last_metrics_ = time;
   const bool allocated = allocation_start_ && time >= *allocation_start_;
   for (std::size_t i = 0; i < gathered_.size(); ++i) {
     const std::optional<double> value = now.*metric_fields()[i].value;
@@ -69,6 +75,11 @@ std::map<std::string, double> RunStatistics::figures() const {
     if (g.final) put(field, "_final", *g.final);
   }
   if (allocation_start_) out["allocation_start_s"] = allocation_start_->seconds();
+
+  Time doubted = doubted_;
+  if (doubted_since_ && *doubted_since_ < last_metrics_)
+    doubted += last_metrics_ - *doubted_since_;
+  if (believer_) out["over_confident_s"] = doubted.seconds();
 
   double total = 0, flown = 0;
   for (const auto& [id, flight] : flights_) {

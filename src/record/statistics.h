@@ -23,7 +23,8 @@ class RunStatistics {
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
-  /// An event of the kind "allocation" starts the allocation phase.
+  /// An event of the kind "allocation" starts the allocation phase; those between
+  /// "over-confident" and "trusted-again" bound the time in which the belief is doubted.
   void event(const Event& event);
   /// Compares, gathers and returns the metrics with their latencies. The summary is of
   /// the believer that came first.
@@ -59,6 +60,8 @@ class RunStatistics {
   ReadingAges ages_;
   std::optional<EntityId> believer_;
   std::optional<Time> allocation_start_;
+  std::optional<Time> doubted_since_;
+  Time doubted_, last_metrics_;
   std::vector<Gathered> gathered_ = std::vector<Gathered>(metric_fields().size());
   std::uint64_t aircraft_ = 0, observations_ = 0, crossings_ = 0;
   std::uint64_t messages_sent_ = 0, messages_lost_ = 0;

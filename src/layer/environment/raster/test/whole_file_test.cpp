@@ -198,7 +198,7 @@ TEST(WholeFile, TheNdfdForecastIsWholeAndNoPartOfItIsTaken) {
   const std::string file = std::string(SKEIN_SHARED_DATA) + "/wind/ndfd_20170603T1800.nc";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   EXPECT_TRUE(check_whole(file, "netCDF", 0).ok());
-  for (const std::uintmax_t length : {60'000, 80'000, 100'000, 150'000, 184'700}) {
+  for (const unsigned length : {60'000u, 80'000u, 100'000u, 150'000u, 184'700u}) {
     const std::string cut = scratch("cut.nc");
     std::filesystem::copy_file(file, cut);
     std::filesystem::permissions(cut, std::filesystem::perms::owner_all);

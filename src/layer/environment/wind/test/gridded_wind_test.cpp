@@ -15,7 +15,7 @@ geo::LocalFrame frame() {
 }
 
 // 0.01 degree pixels in latitude and longitude about the origin, every band constant.
-RasterRecipe constant_bands(std::vector<double> values) {
+RasterRecipe constant_bands(const std::vector<double>& values) {
   RasterRecipe recipe;
   recipe.columns = recipe.rows = 40;
   recipe.epsg = 4326;

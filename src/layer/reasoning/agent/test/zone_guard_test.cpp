@@ -51,10 +51,10 @@ double closest(const std::vector<Zone>& zones, test::TestAircraft& aircraft,
   return nearest;
 }
 
-const auto to = [](const Vec2& goal) {
+auto to(const Vec2& goal) {
   return
       [goal](const test::TestAircraft& a) { return geo::bearing(goal - a.position()); };
-};
+}
 
 TEST(ZoneGuard, LeavesFlightsAloneThatKeepClear) {
   const std::vector<Zone> zones{hexagon({0, 0}, 300)};

@@ -69,14 +69,34 @@ void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
       member->status.inside = reading.inside;
   for (const Crossing& crossing : belief_.take(std::move(readings)))
     note_crossing(crossing, out);
+  report_doubts(in.now, out);
+  for (const EntityId id : roster_.update(in.now))
+    out.events.push_back({in.now, id, "silent", "no report for a while"});
+}
+
+void Coordinator::report_doubts(Time now, AgentOutput& out) {
   if (const int outliers = belief_.health().outliers; outliers != outliers_) {
     out.events.push_back(
-        {in.now, EntityId{}, "outlier",
+        {now, EntityId{}, "outlier",
          fmt::format("{} observations so far were all but impossible", outliers)});
     outliers_ = outliers;
   }
-  for (const EntityId id : roster_.update(in.now))
-    out.events.push_back({in.now, id, "silent", "no report for a while"});
+  if (const int dropped = belief_.dropped(); dropped != dropped_) {
+    out.events.push_back({now, EntityId{}, "too-late",
+                          fmt::format("{} readings so far came more than {:.0f} s late",
+                                      dropped, options_.late_window)});
+    dropped_ = dropped;
+  }
+}
+
+void Coordinator::judge(const Crossing& crossing, AgentOutput& out) {
+  const auto verdict = confidence_.take(crossing, boundary_);
+  if (!verdict) return;
+  const bool lost = *verdict == ConfidenceMonitor::Verdict::kOverConfident;
+  out.events.push_back(
+      {crossing.time, EntityId{}, lost ? "over-confident" : "trusted-again",
+       fmt::format("{:.0f} % of the last crossings lay outside the believed 95 % band",
+                   100 * confidence_.share_outside())});
 }
 
 void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
@@ -86,6 +106,7 @@ void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
   member->status.last_crossing = std::max(member->status.last_crossing, crossing.time);
   member->deploying = member->forced = false;
   out.crossings.push_back(crossing);
+  judge(crossing, out);
   out.events.push_back({crossing.time, crossing.aircraft, "crossing",
                         fmt::format("{} the fire at {:.0f} m north, {:.0f} m east",
                                     crossing.entered ? "into" : "out of",

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "layer/reasoning/monitoring/coordinator/belief.h"
+#include "layer/reasoning/monitoring/coordinator/confidence_monitor.h"
 #include "layer/reasoning/monitoring/coordinator/roster.h"
 #include "role/agent.h"
 #include "role/monitoring_strategy.h"
@@ -29,7 +30,11 @@ struct CoordinatorOptions {
 ///
 /// Deployment: each aircraft flies its transect until its first crossing; then it is
 /// allocated. When all that are heard are allocated, the event "allocation" marks the
-/// start of that phase. Reference: spec/fire.md section 13.
+/// start of that phase.
+///
+/// Doubts about the belief become events: "outlier" (readings set aside), "too-late"
+/// (readings older than `late_window`), "over-confident" and "trusted-again" (see
+/// ConfidenceMonitor).
 class Coordinator : public Agent {
  public:
   Coordinator(const CoordinatorOptions& options,
@@ -41,19 +46,22 @@ class Coordinator : public Agent {
 
  private:
   void listen(const AgentInput& in, AgentOutput& out);
+  void report_doubts(Time now, AgentOutput& out);
   void deploy(Time now, AgentOutput& out);
   void force_crossings(Time now, AgentOutput& out);
   void allocate(Time now, AgentOutput& out);
   void resend_lost_orders(Time now, AgentOutput& out);
   void order(Member& member, decltype(Task::what) what, Time now, AgentOutput& out);
   void note_crossing(const Crossing& crossing, AgentOutput& out);
+  void judge(const Crossing& crossing, AgentOutput& out);
 
   CoordinatorOptions options_;
   Belief belief_;
   std::unique_ptr<MonitoringStrategy> strategy_;
   Roster roster_;
   BoundaryEstimate boundary_;
-  int outliers_ = 0;
+  ConfidenceMonitor confidence_;
+  int outliers_ = 0, dropped_ = 0;  // as last reported
   bool allocating_ = false;
 };
 

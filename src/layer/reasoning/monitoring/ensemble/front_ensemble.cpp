@@ -17,7 +17,6 @@ constexpr int kLeastNodes = 10000;  // room for the margins around the smallest 
 // Least spread of the common rate and drift, against their first one.
 const Eigen::Vector3d kCommonFloor(0.3, 0.05, 0.05);
 constexpr double kLongestUntidy = 45;  // between redistancings [s]
-constexpr double kMostDeviation = 3;   // of a member from the mean [standard deviations]
 
 using FloatRow = Eigen::Map<Eigen::ArrayXf>;
 

@@ -29,14 +29,13 @@ StepMoments condition(double mean, double variance, const StepLikelihood& readin
     log_weight[i] = std::log(zones[i].likelihood) + cut[i].log_mass;
     largest = std::max(largest, log_weight[i]);
   }
-  double total = 0, first = 0, second = 0;
+  double total = 0, first = 0;
   for (std::size_t i = 0; i < zones.size(); ++i) {
     if (std::isinf(log_weight[i])) continue;
     const double weight = std::exp(log_weight[i] - largest);
     const double moved = cut[i].mean - mean;
     total += weight;
     first += weight * moved;
-    second += weight * moved * moved;
   }
   const double shift = first / total;
   double variance_after = 0;
