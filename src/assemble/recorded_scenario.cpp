@@ -1,9 +1,11 @@
 #include "assemble/recorded_scenario.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "geo/vec.h"
 #include "layer/environment/recorded/recorded_fire.h"
@@ -54,6 +56,10 @@ Result<std::vector<std::string>> fit_recorded_scenario(const fs::path& data) {
       fmt::format("monitoring.prior.radius_m={:.0f}", radius),
       fmt::format("monitoring.prior.radius_sd_m={:.0f}", 0.4 * radius),
       fmt::format("aircraft[0].start.distance_m={:.0f}", 2 * radius + 600)};
+  if (fire.start_utc)
+    overrides.push_back(
+        fmt::format("start_utc={:%Y-%m-%dT%H:%M:%SZ}",
+                    fmt::gmtime(static_cast<std::time_t>(std::floor(*fire.start_utc)))));
   const fs::path folder = source.parent_path();
   overrides.push_back("environment.terrain=flat");
   for (const fs::path& file :

@@ -9,8 +9,8 @@
 namespace skein::assemble {
 
 /// The changes that fit a recorded-fire scenario to other data: source, terrain, origin,
-/// start, duration and a rough prior of place and size (radius of a circle of the first
-/// area, 40 % standard deviation).
+/// start (if the data is dated), duration and a rough prior of place and size (radius of
+/// a circle of the first area, 40 % standard deviation).
 ///
 /// @param data  a folder with `perimeters.csv` or one vector file or arrival-time raster,
 ///              and elevations in `elevation.tif` or `landscape/elevation.tif` if there

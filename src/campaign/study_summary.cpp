@@ -1,5 +1,7 @@
 #include "campaign/study_summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -51,7 +53,7 @@ StudyFigures study_figures(std::span<const StudyTable> tables) {
       for (std::size_t i = 0; i < column->values.size(); ++i)
         most = std::max(most, std::abs(column->values[i] - exact->values[i]));
       const std::string name = column->name.substr(0, column->name.size() - unit.size());
-      figures[table.name + "/" + name + "_max_error" + unit] = most;
+      figures[fmt::format("{}/{}_max_error{}", table.name, name, unit)] = most;
     }
   }
   return figures;
