@@ -7,6 +7,7 @@
 #include "app/version.h"
 #include "assemble/build.h"
 #include "assemble/kinds_of.h"
+#include "base/log.h"
 #include "layer/hmi/terminal_console.h"
 #include "record/report.h"
 #include "record/run_recorder.h"
@@ -95,7 +96,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   auto built = assemble::build(*scenario);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
-  for (const std::string& warning : ready.warnings) complain("warning: {}\n", warning);
+  for (const std::string& warning : ready.warnings) log_warning("{}", warning);
   ready.options.speed = *speed;
   ready.options.threads = arguments.threads;
 

@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "assemble/build.h"
 #include "assemble/kinds_of.h"
+#include "base/log.h"
 #include "scenario/scenario_file.h"
 
 namespace skein::app {
@@ -14,8 +15,7 @@ int check_command(const std::string& file, const std::vector<std::string>& overr
   if (!scenario) return kBadUsage;
   const auto built = assemble::build(*scenario);  // data files are read here
   if (!built) return say_error(built.error());
-  for (const std::string& warning : built.value().warnings)
-    complain("warning: {}\n", warning);
+  for (const std::string& warning : built.value().warnings) log_warning("{}", warning);
   if (filled_in)
     print("{}", scenario::write_scenario(*scenario, assemble::kind_table()));
   else

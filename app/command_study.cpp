@@ -15,6 +15,7 @@
 #include "assemble/kinds_of.h"
 #include "assemble/recorded_scenario.h"
 #include "assemble/run.h"
+#include "base/log.h"
 #include "campaign/bridge_study.h"
 #include "campaign/estimators_csv.h"
 #include "campaign/estimators_report.h"
@@ -165,7 +166,7 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
     return say_error(written.error());
   for (const record::StudyTable& table : report.tables) print_table(table);
   for (const std::string& warning : campaign::warnings_of(outcomes))
-    complain("warning: {}\n", warning);
+    log_warning("{}", warning);
   if (!report.alert.empty()) print("\n{}\n", report.alert);
   print("\nWritten: {}  summary.json  runs.csv  runs.jsonl\n",
         (folder / "report.html").string());

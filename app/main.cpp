@@ -2,12 +2,15 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <new>
+#include <string>
 
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/version.h"
 #include "base/check.h"
+#include "base/log.h"
 
 namespace {
 
@@ -67,6 +70,21 @@ Examples:
   skein study bridge --data ../shared/data/fires/bridge_2021
   skein study estimators --cases values.csv > out.csv)";
 
+// The option `--log` of a command.
+void add_log_option(CLI::App& command) {
+  using skein::LogLevel;
+  static const std::map<std::string, LogLevel> kLevels = {{"debug", LogLevel::kDebug},
+                                                          {"info", LogLevel::kInfo},
+                                                          {"warning", LogLevel::kWarning},
+                                                          {"error", LogLevel::kError}};
+  command
+      .add_option_function<LogLevel>(
+          "--log", skein::set_log_level,
+          "Say on standard error what happens: debug, info (events), warning, error.")
+      ->transform(CLI::CheckedTransformer(kLevels))
+      ->type_name("LEVEL");
+}
+
 int run_program(int argc, char** argv) {
   using namespace skein::app;
   CLI::App app{"Skein: teams of unmanned aircraft in mixed reality."};
@@ -89,6 +107,7 @@ int run_program(int argc, char** argv) {
   run_cmd->add_flag("--report", run.report, "Write report.html at the end.");
   run_cmd->add_flag("--json", run.json, "Print the summary as JSON on standard output.");
   run_cmd->add_flag("--overwrite", run.overwrite, "Replace a run that is in the folder.");
+  add_log_option(*run_cmd);
   run_cmd->footer(kRunExamples);
 
   std::string scenario;
@@ -102,6 +121,7 @@ int run_program(int argc, char** argv) {
       ->allow_extra_args(false);
   check_cmd->add_flag("--print", filled_in,
                       "Print the scenario with all defaults filled in.");
+  add_log_option(*check_cmd);
   check_cmd->footer(kCheckExamples);
 
   std::string role;
@@ -148,6 +168,7 @@ int run_program(int argc, char** argv) {
   study_cmd->add_option("--updates", study.updates_file,
                         "estimators: whole updates, rows of this CSV.");
   study_cmd->add_option("--data", study.data, "bridge: folder of the recorded fire.");
+  add_log_option(*study_cmd);
   study_cmd->footer(kStudyExamples);
 
   std::string shell = "bash";

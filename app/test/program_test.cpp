@@ -345,6 +345,17 @@ TEST_F(Program, AFullDiskEndsTheRunAndKeepsWhatWasWritten) {
   EXPECT_GT(query(folder_ / "full" / "run.sqlite", "select count(*) from truth"), 100);
 }
 
+TEST_F(Program, TheLogSaysWhatHappens) {
+  write("s.yaml", "duration_s: 60\naircraft: [{count: 2}]\n");
+  const Finished quiet = run({"run", "s.yaml", "--out", "quiet"});
+  EXPECT_EQ(quiet.err, "");
+  const Finished told = run({"run", "s.yaml", "--out", "told", "--log", "info"});
+  EXPECT_EQ(told.status, 0);
+  EXPECT_NE(told.err.find("info: 0.0 s, scout-2: joined: "), std::string::npos)
+      << told.err;
+  EXPECT_EQ(run({"run", "s.yaml", "--log", "loud"}).status, 2);
+}
+
 TEST_F(Program, CtrlCLeavesACompleteRun) {
   const auto file = write("s.yaml", "duration_s: 100000");
   const pid_t child = start({"run", file.string(), "--out", "stopped", "--report"});

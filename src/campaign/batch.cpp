@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/hash.h"
+#include "base/log.h"
 
 namespace skein::campaign {
 namespace {
@@ -79,6 +80,15 @@ BatchOutcome run_one(const BatchItem& item, const RunScenario& run) {
   return outcome;
 }
 
+void log_outcome(const std::string& name, const BatchOutcome& outcome) {
+  if (outcome.summary)
+    log_info("{}: done in {:.1f} s, content hash {}", name,
+             outcome.summary->number("wall_s").value_or(0),
+             outcome.summary->content_hash);
+  else if (!outcome.error.empty())
+    log_info("{}: failed: {}", name, outcome.error);
+}
+
 }  // namespace
 
 Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
@@ -109,6 +119,7 @@ Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
       if (k >= open.size() || (options.stop && *options.stop)) return;
       const std::size_t i = open[k];
       BatchOutcome outcome = run_one(items[i], run);
+      log_outcome(items[i].name, outcome);
       const std::lock_guard lock(mutex);
       if (outcome.summary) {
         journal << to_line(items[i], prints[i], *outcome.summary) << std::endl;

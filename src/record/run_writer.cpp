@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/log.h"
+
 namespace skein::record {
 namespace {
 
@@ -100,7 +102,7 @@ void RunWriter::work() {
 Result<void> RunWriter::write_batch(std::vector<Row>& batch) {
   if (batch.empty()) return {};
   if (auto done = database_.begin(); !done) return done;
-  transaction_began_ = Clock::now();
+  const auto began = transaction_began_ = Clock::now();
   for (std::size_t i = 0; i < batch.size(); ++i) {
     auto done = std::visit([this](auto& row) { return write(row); }, batch[i]);
     if (done.ok() && i % 256 == 255) done = commit_if_due();
@@ -110,7 +112,10 @@ Result<void> RunWriter::write_batch(std::vector<Row>& batch) {
       return done;
     }
   }
-  return database_.commit();
+  auto done = database_.commit();
+  log_debug("{} rows written in {:.1f} ms", batch.size(),
+            std::chrono::duration<double, std::milli>(Clock::now() - began).count());
+  return done;
 }
 
 Result<void> RunWriter::write_rest() {

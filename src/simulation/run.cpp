@@ -8,6 +8,7 @@
 #include <cmath>
 #include <new>
 
+#include "base/log.h"
 #include "simulation/entity_step.h"
 #include "simulation/pace.h"
 
@@ -81,7 +82,14 @@ class Stepper {
   }
 
   void tell(Time now, std::size_t i, const char* kind, std::string text) {
-    recorder_.event({now, id_of(i), kind, std::move(text)});
+    note({now, id_of(i), kind, std::move(text)});
+  }
+
+  void note(const Event& event) {
+    if (logs(LogLevel::kInfo))
+      log_info("{:.1f} s, {}: {}: {}", event.time.seconds(),
+               world_.entities[event.entity.value].name, event.kind, event.text);
+    recorder_.event(event);
   }
 
   void update_presence(Time now) {
@@ -109,7 +117,7 @@ class Stepper {
           recorder_.reading(*reading);
         world_.radio->send(message);
       }
-      for (const Event& event : output.events) recorder_.event(event);
+      for (const Event& event : output.events) note(event);
       for (const Crossing& crossing : output.crossings) recorder_.crossing(crossing);
       output.outbox.clear();
       output.events.clear();

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/hash.h"
 #include "base/id.h"
+#include "base/log.h"
 #include "base/random.h"
 #include "base/result.h"
 #include "base/time.h"
@@ -116,6 +117,22 @@ TEST(RandomStream, StreamsOfNeighboursAreIndependent) {
   double product = 0;
   for (int i = 0; i < 10000; ++i) product += a.normal() * b.normal() / 10000;
   EXPECT_NEAR(product, 0, 0.05);
+}
+
+TEST(Log, DropsWhatIsBelowItsLevel) {
+  const auto written = [](LogLevel level) {
+    set_log_level(level);
+    testing::internal::CaptureStderr();
+    log_debug("rows {}", 1);
+    log_info("joined {}", 2);
+    log_warning("late {}", 3);
+    set_log_level(LogLevel::kWarning);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(written(LogLevel::kDebug),
+            "debug: rows 1\ninfo: joined 2\nwarning: late 3\n");
+  EXPECT_EQ(written(LogLevel::kInfo), "info: joined 2\nwarning: late 3\n");
+  EXPECT_EQ(written(LogLevel::kError), "");
 }
 
 TEST(Hasher, TellsOrderAndContentApart) {
