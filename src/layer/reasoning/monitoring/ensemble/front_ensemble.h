@@ -72,6 +72,7 @@ class FrontEnsemble {
   double reach() const { return options_.reach_cells * grid_.cell; }
 
  private:
+  static constexpr int kMarginCells = 8;  // between what is known and the grid's end
   struct Window;
 
   void initialise(const PerimeterPrior& prior);
@@ -83,7 +84,7 @@ class FrontEnsemble {
   void tidy();
   void grow(const Vec2& low, const Vec2& high);
   void update_mean();
-  Window window(const Vec2& p, bool by_normal) const;
+  Window window(const Vec2& p) const;
   MemberValues summary(Eigen::VectorXd values) const;
 
   EnsembleOptions options_;

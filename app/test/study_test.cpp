@@ -1,0 +1,128 @@
+// Studies: going on after an interrupt, running again what changed, checking rows.
+#include <algorithm>
+#include <csignal>
+
+#include "app/test/program.h"
+
+namespace skein::app {
+namespace {
+
+TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
+  const std::vector<std::string> study = {
+      "study",        "monitoring",   "--out",        "m",   "--seeds",      "2",
+      "--only-cases", "no-wind",      "--estimators", "qkf", "--strategies", "gus",
+      "--set",        "duration_s=60"};
+  const Finished first = run(study);
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_TRUE(fs::exists(folder_ / "m" / "report.html"));
+  const auto summary = nlohmann::json::parse(read_file(folder_ / "m" / "summary.json"));
+  EXPECT_EQ(summary.at("runs"), 2);
+  EXPECT_GT(summary.at("no-wind/gus/qkf/perf_run_mean_m"), 0);
+  const auto journal = read_file(folder_ / "m" / "runs.jsonl");
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(read_file(folder_ / "m" / "runs.jsonl"), journal) << "nothing was run again";
+  EXPECT_EQ(summary.at("state"), "complete");
+  EXPECT_EQ(run({"study", "elephants"}).status, 2);
+  EXPECT_EQ(run({"study", "monitoring", "--estimators", "elephant"}).status, 2);
+}
+
+TEST_F(Program, AStudyRunsAgainWhatItsDataChanged) {
+  write("wind.csv", "t_s,speed_mps,from_deg\n0,5,200\n60,6,210\n");
+  const std::vector<std::string> study = {
+      "study",        "monitoring",
+      "--out",        "m",
+      "--seeds",      "1",
+      "--only-cases", "no-wind",
+      "--estimators", "point-reset",
+      "--strategies", "gus",
+      "--set",        "duration_s=20",
+      "--set",        "environment.wind={kind: series, file: wind.csv}"};
+  const auto lines = [this] {
+    const std::string journal = read_file(folder_ / "m" / "runs.jsonl");
+    return std::count(journal.begin(), journal.end(), '\n');
+  };
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(lines(), 1) << "nothing has changed";
+  write("wind.csv", "t_s,speed_mps,from_deg\n0,5,200\n60,9,210\n");
+  EXPECT_EQ(run(study).status, 0);
+  EXPECT_EQ(lines(), 2) << "the wind has";
+}
+
+TEST_F(Program, AFailedRunOfAStudyCanBeReplayed) {
+  // Too large for the memory that the study is given, not too large to be planned.
+  const Finished failed =
+      run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
+           "--estimators", "ensemble", "--strategies", "gus", "--threads", "1", "--set",
+           ("monitoring.estimator={kind: ensemble, members: 200, cell_m: 0.5, "
+            "max_nodes: 10000000}"),
+           "--set", "duration_s=10"},
+          RLIM_INFINITY, 800'000'000);
+  EXPECT_EQ(failed.status, 1) << failed.err;
+  EXPECT_NE(failed.err.find("not enough memory"), std::string::npos) << failed.err;
+  EXPECT_NE(failed.err.find("Replay: skein run m/failed-no-wind-gus-ensemble-1.yaml"),
+            std::string::npos)
+      << failed.err;
+  EXPECT_NE(failed.out.find("partial: 0 of 1 runs, 1 failed"), std::string::npos)
+      << failed.out;
+  EXPECT_TRUE(fs::exists(folder_ / "m" / "failed-no-wind-gus-ensemble-1.yaml"));
+}
+
+TEST_F(Program, AnInterruptedStudySaysThatItIsPartial) {
+  const pid_t child =
+      start({"study", "monitoring", "--out", "m", "--seeds", "100", "--only-cases",
+             "no-wind", "--estimators", "qkf", "--strategies", "gus", "--threads", "1"});
+  ASSERT_TRUE(appears(folder_ / "m" / "runs.jsonl"));
+  for (int k = 0; k < 3000 && fs::file_size(folder_ / "m" / "runs.jsonl") == 0; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGINT);
+  const Finished stopped = finish(child);
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  EXPECT_NE(stopped.out.find("partial: "), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find(" of 100 runs"), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find("(n = "), std::string::npos) << stopped.out;
+  const auto summary = nlohmann::json::parse(read_file(folder_ / "m" / "summary.json"));
+  EXPECT_EQ(summary.at("state").get<std::string>().substr(0, 9), "partial: ");
+}
+
+TEST_F(Program, AStudyThatIsRefusedLeavesNothing) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"study", "estimators", "--seeds", "3"},
+           {"study", "estimators", "--data", "nowhere"},
+           {"study", "estimators", "--strategies", "foo"},
+           {"study", "monitoring", "--data", "nowhere"},
+           {"study", "bridge", "--only-cases", "no-wind"},
+           {"study", "bridge", "--data", "nowhere"},
+           {"study", "estimators", "--cases", "a.csv", "--updates", "b.csv"},
+           {"study", "monitoring", "--estimators", "elephant"}}) {
+    const Finished refused = run(arguments);
+    EXPECT_EQ(refused.status, 2) << arguments[2] << refused.err;
+    EXPECT_NE(refused.err, "");
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "runs"));
+}
+
+TEST_F(Program, EstimatorsStudyComparesWhatIsShipped) {
+  ASSERT_EQ(run({"study", "estimators", "--out", "e"}).status, 0);
+  const auto summary = nlohmann::json::parse(read_file(folder_ / "e" / "summary.json"));
+  EXPECT_LT(summary.at("mean_above/qkf_max_error_m"), 1e-8);
+  // 1,000 samples where they are many, the Gaussian update where they run out; a bound
+  // with noise of 0.1 sigma moves the mean by less than that.
+  EXPECT_LT(summary.at("mean_above/particle_max_error_m"), 0.25);
+  EXPECT_LT(summary.at("mean_below/particle_max_error_m"), 0.25);
+}
+
+TEST_F(Program, EstimatorsStudyChecksRows) {
+  const auto rows =
+      write("cases.csv", "kind,mu,sigma,lower,upper,sigma_v\nTN,0,1,0,inf,\n");
+  const Finished good = run({"study", "estimators", "--cases", rows.string()});
+  EXPECT_EQ(good.status, 0) << good.err;
+  EXPECT_NE(good.out.find("0.79788456080"), std::string::npos) << good.out;
+  write("bad.csv", "kind,mu,sigma,lower,upper,sigma_v\nTN,0,-1,0,inf,\n");
+  const Finished bad = run({"study", "estimators", "--cases", "bad.csv"});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.err.find("bad.csv:2"), std::string::npos) << bad.err;
+}
+
+}  // namespace
+}  // namespace skein::app
