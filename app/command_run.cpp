@@ -68,7 +68,7 @@ void print_table(const record::RunSummary& summary) {
       {"iou_mean", "intersection over union, mean"},
       {"coverage_95_mean", "share of boundary in its 95 % band, mean"},
       {"nees_mean", "NEES, mean (1 = consistent)"},
-      {"over_confident_s", "its crossings call it over-confident for [s]"},
+      {"over_confident_s", "belief contradicted by its crossings for [s]"},
       {"aircraft", "aircraft"},
       {"observations", "observations"},
       {"crossings", "crossings"},
@@ -135,8 +135,9 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   if (!failure && !closed) failure = closed.error();
   if (failure) {
     say_error(*failure);
-    complain("Records up to then: {}\nReplay: skein run {} --seed {}\n", folder.string(),
-             quoted((folder / "scenario.yaml").string()), scenario->seed);
+    complain("Records until shortly before: {}\nReplay: skein run {} --seed {}\n",
+             folder.string(), quoted((folder / "scenario.yaml").string()),
+             scenario->seed);
     return kFailed;
   }
 

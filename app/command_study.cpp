@@ -227,15 +227,15 @@ const std::vector<StudyKind>& study_kinds() {
   static const std::vector<StudyKind> kinds = {
       {"estimators",
        "mean and variance of every measurement update against distance",
-       {"--out", "--cases", "--updates"}},
+       {"--out", "--log", "--cases", "--updates"}},
       {"monitoring",
        "every estimator x strategy x wind case, several seeds",
-       {"--out", "--seeds", "--first-seed", "--threads", "--only-cases", "--estimators",
-        "--strategies", "--set"}},
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
+        "--estimators", "--strategies", "--set"}},
       {"bridge",
        "a real fire, not star-shaped",
-       {"--out", "--seeds", "--first-seed", "--threads", "--estimators", "--strategies",
-        "--set", "--data"}}};
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--estimators",
+        "--strategies", "--set", "--data"}}};
   return kinds;
 }
 

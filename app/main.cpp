@@ -78,10 +78,11 @@ void add_log_option(CLI::App& command) {
                                                           {"warning", LogLevel::kWarning},
                                                           {"error", LogLevel::kError}};
   command
-      .add_option_function<LogLevel>(
-          "--log", skein::set_log_level,
+      .add_option_function<std::string>(
+          "--log",
+          [](const std::string& level) { skein::set_log_level(kLevels.at(level)); },
           "Say on standard error what happens: debug, info (events), warning, error.")
-      ->transform(CLI::CheckedTransformer(kLevels))
+      ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
       ->type_name("LEVEL");
 }
 

@@ -38,7 +38,7 @@ int finish_output(int status) {
   if (std::ferror(stdout) == 0 || reader_has_gone()) return status;
   put_err("error: standard output cannot be written");
   if (lost_because != 0) complain(": {}", std::strerror(lost_because));
-  put_err(". The result is lost.\n");
+  put_err(". What was to be printed is lost.\n");
   return status == kDone ? kFailed : status;
 }
 

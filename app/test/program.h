@@ -125,6 +125,14 @@ class Program : public testing::Test {
     return summary.is_discarded() ? "" : summary.value("content_hash", "");
   }
 
+  // A sanitizer reserves more address space than a limit of memory would leave.
+  static constexpr bool kMemoryCanBeLimited =
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+      false;
+#else
+      true;
+#endif
+
   fs::path folder_;
 };
 

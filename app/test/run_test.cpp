@@ -25,7 +25,9 @@ TEST_F(Program, TheLogSaysWhatHappens) {
   EXPECT_EQ(told.status, 0);
   EXPECT_NE(told.err.find("info: 0.0 s, scout-2: joined: "), std::string::npos)
       << told.err;
-  EXPECT_EQ(run({"run", "s.yaml", "--log", "loud"}).status, 2);
+  const Finished loud = run({"run", "s.yaml", "--log", "loud"});
+  EXPECT_EQ(loud.status, 2);
+  EXPECT_NE(loud.err.find("debug,info,warning,error"), std::string::npos) << loud.err;
 }
 
 TEST_F(Program, CtrlCLeavesACompleteRun) {

@@ -26,6 +26,16 @@ TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
   EXPECT_EQ(run({"study", "monitoring", "--estimators", "elephant"}).status, 2);
 }
 
+TEST_F(Program, AStudyTellsOfEachRun) {
+  const Finished told =
+      run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
+           "--estimators", "qkf", "--strategies", "gus", "--set", "duration_s=10",
+           "--log", "info"});
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.err.find("info: no-wind/gus/qkf/1: done in "), std::string::npos)
+      << told.err;
+}
+
 TEST_F(Program, AStudyRunsAgainWhatItsDataChanged) {
   write("wind.csv", "t_s,speed_mps,from_deg\n0,5,200\n60,6,210\n");
   const std::vector<std::string> study = {
@@ -50,6 +60,7 @@ TEST_F(Program, AStudyRunsAgainWhatItsDataChanged) {
 }
 
 TEST_F(Program, AFailedRunOfAStudyCanBeReplayed) {
+  if (!kMemoryCanBeLimited) GTEST_SKIP() << "needs a limit of memory";
   // Too large for the memory that the study is given, not too large to be planned.
   const Finished failed =
       run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",

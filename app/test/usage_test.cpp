@@ -191,6 +191,7 @@ TEST_F(Program, StaysWithinItsFolderWhateverTheName) {
 }
 
 TEST_F(Program, SaysWhenMemoryIsNotEnough) {
+  if (!kMemoryCanBeLimited) GTEST_SKIP() << "needs a limit of memory";
   const auto file = write("s.yaml",
                           "duration_s: 5\nmonitoring: {estimator: {kind: ensemble, "
                           "members: 200, cell_m: 0.5, max_nodes: 10000000}}\n");

@@ -11,6 +11,8 @@
 #include "assemble/sampling.h"
 #include "geo/clip.h"
 #include "geo/polygon.h"
+#include "layer/environment/terrain/synthetic_terrain.h"
+#include "layer/environment/wind/uniform_wind.h"
 #include "layer/reasoning/monitoring/coordinator/coordinator.h"
 
 namespace skein::assemble {
@@ -46,7 +48,16 @@ simulation::RunOptions run_options(const Scenario& scenario) {
   return options;
 }
 
-// Builds the parts of a world one after the other; the first failure ends it.
+// All faults as one.
+Error together(const std::vector<Error>& faults) {
+  if (faults.size() == 1) return faults.front();
+  Error all{faults.front().code, "", fmt::format("{} problems:", faults.size()), ""};
+  for (const Error& fault : faults) all.message += "\n  " + fault.text();
+  return all;
+}
+
+// Builds the parts of a world one after the other. What fails is replaced by something
+// plain until the end, so that all faults are found at once.
 class Builder {
  public:
   Builder(const Scenario& scenario, geo::LocalFrame frame)
@@ -61,32 +72,44 @@ class Builder {
   Result<Build> build() {
     build_.options = run_options(scenario_);
     build_.warnings = sampling_warnings(scenario_);
-    if (auto made = environment(); !made) return made.error();
-    if (auto made = station(); !made) return made.error();
+    environment();
+    note(station());
     for (const AircraftGroup& group : scenario_.aircraft)
       for (int i = 0; i < group.count; ++i)
-        if (auto made = aircraft(group, i); !made) return made.error();
-    if (auto made = radio(); !made) return made.error();
+        if (!note(aircraft(group, i))) break;  // the others of its group are alike
+    note(radio());
+    if (!faults_.empty()) return together(faults_);
     return std::move(build_);
   }
 
  private:
-  Result<void> environment() {
+  template <class T>
+  bool note(const Result<T>& made) {
+    if (!made) faults_.push_back(made.error());
+    return made.ok();
+  }
+
+  void environment() {
     EnvironmentContext context{frame_,  scenario_.start_utc, scenario_.seed, nullptr,
                                nullptr, &build_.warnings};
     auto terrain = terrain_kinds().make(scenario_.environment.terrain, context);
-    if (!terrain) return terrain.error();
-    map_ = std::shared_ptr<const Terrain>(std::move(terrain).value());
+    // Far below everything where the real one is missing: nothing collides with it.
+    if (note(terrain))
+      map_ = std::move(terrain).value();
+    else
+      map_ = std::make_shared<environment::FlatTerrain>(
+          environment::FlatTerrainOptions{-1e5});
     build_.world.terrain = std::make_unique<SharedTerrain>(map_);
     context.terrain = map_.get();
     auto wind = wind_kinds().make(scenario_.environment.wind, context);
-    if (!wind) return wind.error();
-    build_.world.wind = std::move(wind).value();
+    if (note(wind))
+      build_.world.wind = std::move(wind).value();
+    else
+      build_.world.wind =
+          std::make_unique<environment::UniformWind>(environment::UniformWindOptions{});
     context.wind = build_.world.wind.get();
     auto fire = fire_kinds().make(scenario_.environment.fire, context);
-    if (!fire) return fire.error();
-    build_.world.fire = std::move(fire).value();
-    return {};
+    if (note(fire)) build_.world.fire = std::move(fire).value();
   }
 
   Result<void> station() {
@@ -122,7 +145,7 @@ class Builder {
 
   Result<void> aircraft(const AircraftGroup& group, int index) {
     const Place place = place_at_start(group.start, index, group.count);
-    const std::string name = fmt::format("{}-{}", group.name, index + 1);
+    const std::string name = fmt::format("{}-{}", group.name, ++named_[group.name]);
     AircraftContext context;
     context.seed = scenario_.seed;
     context.self = EntityId{static_cast<std::uint32_t>(build_.world.entities.size())};
@@ -228,6 +251,8 @@ class Builder {
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
   Build build_;
+  std::vector<Error> faults_;
+  std::map<std::string, int> named_;  // how many aircraft have a group's name
 };
 
 }  // namespace

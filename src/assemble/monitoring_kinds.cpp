@@ -162,7 +162,8 @@ Fields<SweepOptions> sweep_fields() {
   return Fields<T>()
       .angle_deg("edge_angle_deg", &T::edge_angle,
                  "Between course and edge, to cross it again.", kEdgeAngle)
-      .duration_s("window_s", &T::window, "Plan this far ahead along the edge.",
+      .duration_s("window_s", &T::window,
+                  "Plan this far ahead along the edge, or an even share of it.",
                   {.above = 0})
       .number("follow_speed_mps", &T::follow_speed, "Progress along the edge.",
               {.above = 0, .at_most = 1000})
@@ -172,8 +173,8 @@ Fields<SweepOptions> sweep_fields() {
               "Leave when elsewhere is this many times better.",
               {.at_least = 1, .at_most = 1000})
       .number("seen_again", &T::seen_again,
-              "Worth of a place that another aircraft will see.",
-              {.at_least = 0, .at_most = 1})
+              "Worth of a place, for each other aircraft that will see it.",
+              {.above = 0, .at_most = 1})
       .duration_s("commit_s", &T::commit, "Stay at least this long with a new place.");
 }
 

@@ -56,7 +56,7 @@ Result<std::vector<std::string>> fit_recorded_scenario(const fs::path& data) {
       fmt::format("monitoring.prior.radius_m={:.0f}", radius),
       fmt::format("monitoring.prior.radius_sd_m={:.0f}", 0.4 * radius),
       fmt::format("aircraft[0].start.distance_m={:.0f}", 2 * radius + 600)};
-  if (fire.start_utc)
+  if (fire.start_utc && *fire.start_utc >= 0)  // scenarios have dates from 1970 on
     overrides.push_back(
         fmt::format("start_utc={:%Y-%m-%dT%H:%M:%SZ}",
                     fmt::gmtime(static_cast<std::time_t>(std::floor(*fire.start_utc)))));

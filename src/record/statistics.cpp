@@ -28,8 +28,9 @@ void RunStatistics::message(bool lost) {
 
 void RunStatistics::event(const Event& event) {
   if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
+  if (event.kind == "over-confident" || event.kind == "trusted") judged_ = true;
   if (event.kind == "over-confident" && !doubted_since_) doubted_since_ = event.time;
-  if (event.kind == "trusted-again" && doubted_since_) {
+  if (event.kind == "trusted" && doubted_since_) {
     doubted_ += event.time - *doubted_since_;
     doubted_since_.reset();
   }
@@ -79,7 +80,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   Time doubted = doubted_;
   if (doubted_since_ && *doubted_since_ < last_metrics_)
     doubted += last_metrics_ - *doubted_since_;
-  if (believer_) out["over_confident_s"] = doubted.seconds();
+  if (judged_) out["over_confident_s"] = doubted.seconds();
 
   double total = 0, flown = 0;
   for (const auto& [id, flight] : flights_) {

@@ -24,7 +24,7 @@ class RunStatistics {
   void crossing(const Crossing& crossing);
   void message(bool lost);
   /// An event of the kind "allocation" starts the allocation phase; those between
-  /// "over-confident" and "trusted-again" bound the time in which the belief is doubted.
+  /// "over-confident" and "trusted" bound the time in which the belief is doubted.
   void event(const Event& event);
   /// Compares, gathers and returns the metrics with their latencies. The summary is of
   /// the believer that came first.
@@ -60,6 +60,7 @@ class RunStatistics {
   ReadingAges ages_;
   std::optional<EntityId> believer_;
   std::optional<Time> allocation_start_;
+  bool judged_ = false;  // whether the belief agrees with its crossings is known
   std::optional<Time> doubted_since_;
   Time doubted_, last_metrics_;
   std::vector<Gathered> gathered_ = std::vector<Gathered>(metric_fields().size());

@@ -90,7 +90,7 @@ ReadOutcome read_scenario_text(std::string_view text, const std::string& name,
   std::optional<Node> root = parse_yaml(text, 0, problems);
   if (!root && problems.count() == 0) {
     problems.add({0, 1, 1}, "", "the file is empty.",
-                 "A scenario needs at least a name, as in \"name: first-flight\".");
+                 "Give it a key, as in \"name: first-flight\"; all have defaults.");
   }
   if (!root) return failed(problems);
   if (root->kind != Node::Kind::kMap) {

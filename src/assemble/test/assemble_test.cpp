@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <regex>
 
 #include "assemble/build.h"
@@ -71,6 +72,30 @@ TEST(Build, RefusesAnAircraftInsideTerrainOrInAZone) {
       "environment: {zones_m: [[[800, -100], [1000, -100], [1000, 100], [800, 100]]]}"));
   ASSERT_FALSE(zone.ok());
   EXPECT_NE(zone.error().text().find("no-flight zone"), std::string::npos);
+}
+
+TEST(Build, TellsOfAllFaultsInDataAtOnce) {
+  const std::string wind = testing::TempDir() + "wind_without_numbers.csv";
+  std::ofstream(wind) << "t_s,speed_mps,from_deg\n0,fast,200\n";
+  const auto built = build(
+      read("environment: {terrain: {kind: flat, elevation_m: 500}, wind: {kind: series, "
+           "file: '" +
+           wind +
+           "'}}\naircraft: [{name: a, start: {altitude_msl_m: 400}}, "
+           "{name: b, start: {altitude_msl_m: 300}}]"));
+  ASSERT_FALSE(built.ok());
+  for (const char* text : {"3 problems:", "wind_without_numbers.csv:2",
+                           "a-1: starts inside terrain", "b-1: starts inside terrain"})
+    EXPECT_NE(built.error().text().find(text), std::string::npos) << built.error().text();
+}
+
+TEST(Build, NumbersGroupsOfOneNameOn) {
+  const auto built = build(
+      read("aircraft: [{name: a, count: 2}, {name: b, count: 1}, {name: a, count: 1}]"));
+  ASSERT_TRUE(built.ok());
+  std::vector<std::string> names;
+  for (const auto& entity : built.value().world.entities) names.push_back(entity.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"station", "a-1", "a-2", "b-1", "a-3"}));
 }
 
 // What is wrong with a scenario, one line each.

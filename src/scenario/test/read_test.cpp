@@ -285,11 +285,11 @@ INSTANTIATE_TEST_SUITE_P(
             "0.25 s (step_s); the nearest is 0.25."},
         Case{"[1, 2]", "test.yaml:1:1: a scenario is a list of keys, as in \"name: x\"."},
         Case{"",
-             "test.yaml:1:1: the file is empty. A scenario needs at least a name, as in "
-             "\"name: first-flight\"."},
+             "test.yaml:1:1: the file is empty. Give it a key, as in \"name: "
+             "first-flight\"; all have defaults."},
         Case{"# nothing\n",
-             "test.yaml:1:1: the file is empty. A scenario needs at least a name, as in "
-             "\"name: first-flight\"."},
+             "test.yaml:1:1: the file is empty. Give it a key, as in \"name: "
+             "first-flight\"; all have defaults."},
         Case{"name: x\n---\nname: y",
              "test.yaml:3:1: a second document starts here; a scenario is one document."},
         Case{"name: !!str x",

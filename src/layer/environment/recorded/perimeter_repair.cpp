@@ -271,7 +271,7 @@ Result<std::vector<Perimeter>> growing_series(std::vector<RawPerimeter> raw,
     // Below a percent it is the usual scatter of mapping.
     if (lost > 0.01 * geo::area(before))
       warnings.push_back(
-          fmt::format("{}: {:.2g} ha burnt before are missing from it, united",
+          fmt::format("{}: {:.1f} ha burnt before are missing from it, united",
                       entry.place, lost / 1e4));
     result.push_back(
         {entry.time - series.front().time, geo::unite(before, entry.region)});

@@ -8,7 +8,8 @@ namespace skein::monitoring {
 namespace {
 
 constexpr int kTaskBytes = 48;
-constexpr double kStaleAfter = 5;   // no readings for this long: predict the belief [s]
+constexpr double kStaleAfter = 5;   // nothing heard for this long: predict the belief [s]
+constexpr double kNewsEvery = 60;   // of one kind of doubt [s]
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
@@ -48,7 +49,7 @@ Coordinator::Coordinator(const CoordinatorOptions& options,
 
 void Coordinator::step(const AgentInput& in, AgentOutput& out) {
   listen(in, out);
-  if ((in.now - belief_.time()).seconds() > kStaleAfter) belief_.predict(in.now);
+  if ((in.now - last_heard_).seconds() > kStaleAfter) belief_.predict(in.now);
   boundary_ = belief_.boundary_at(in.now);
   deploy(in.now, out);
   force_crossings(in.now, out);
@@ -64,6 +65,7 @@ void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
     else if (const auto* reading = std::get_if<FireReading>(&message.content))
       readings.push_back(*reading);
   }
+  if (!readings.empty()) last_heard_ = in.now;
   for (const FireReading& reading : readings)
     if (Member* member = roster_.find(reading.aircraft))
       member->status.inside = reading.inside;
@@ -74,19 +76,23 @@ void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
     out.events.push_back({in.now, id, "silent", "no report for a while"});
 }
 
+bool Coordinator::Tally::is_news(int now_counted, Time now) {
+  if (now_counted == told || (told > 0 && (now - told_at).seconds() < kNewsEvery))
+    return false;
+  told = now_counted;
+  told_at = now;
+  return true;
+}
+
 void Coordinator::report_doubts(Time now, AgentOutput& out) {
-  if (const int outliers = belief_.health().outliers; outliers != outliers_) {
+  if (const int count = belief_.health().outliers; outliers_.is_news(count, now))
     out.events.push_back(
         {now, EntityId{}, "outlier",
-         fmt::format("{} observations so far were all but impossible", outliers)});
-    outliers_ = outliers;
-  }
-  if (const int dropped = belief_.dropped(); dropped != dropped_) {
+         fmt::format("{} observations so far were all but impossible", count)});
+  if (const int count = belief_.dropped(); dropped_.is_news(count, now))
     out.events.push_back({now, EntityId{}, "too-late",
                           fmt::format("{} readings so far came more than {:.0f} s late",
-                                      dropped, options_.late_window)});
-    dropped_ = dropped;
-  }
+                                      count, options_.late_window)});
 }
 
 void Coordinator::judge(const Crossing& crossing, AgentOutput& out) {
@@ -94,7 +100,7 @@ void Coordinator::judge(const Crossing& crossing, AgentOutput& out) {
   if (!verdict) return;
   const bool lost = *verdict == ConfidenceMonitor::Verdict::kOverConfident;
   out.events.push_back(
-      {crossing.time, EntityId{}, lost ? "over-confident" : "trusted-again",
+      {crossing.time, EntityId{}, lost ? "over-confident" : "trusted",
        fmt::format("{:.0f} % of the last crossings lay outside the believed 95 % band",
                    100 * confidence_.share_outside())});
 }
@@ -123,11 +129,13 @@ void Coordinator::order(Member& member, decltype(Task::what) what, Time now,
 }
 
 void Coordinator::deploy(Time now, AgentOutput& out) {
-  bool all = true, any = false;
+  bool all = true;
+  int available = 0, met = 0;
   for (std::size_t k = 0; k < roster_.members().size(); ++k) {
     Member& member = roster_.members()[k];
     if (!member.available) continue;
-    any = true;
+    ++available;
+    if (member.status.has_crossed) ++met;
     if (!member.deploying) continue;
     all = false;
     if (member.status.task.number == 0) {
@@ -144,10 +152,12 @@ void Coordinator::deploy(Time now, AgentOutput& out) {
                             "the deployment transect met no boundary"});
     }
   }
-  if (any && all && !allocating_) {
+  if (available > 0 && all && !allocating_) {
     allocating_ = true;
     out.events.push_back({now, EntityId{}, "allocation",
-                          "all aircraft have met the boundary: allocation begins"});
+                          fmt::format("{} of {} aircraft have met the boundary: "
+                                      "allocation begins",
+                                      met, available)});
   }
 }
 

@@ -30,10 +30,10 @@ struct CoordinatorOptions {
 ///
 /// Deployment: each aircraft flies its transect until its first crossing; then it is
 /// allocated. When all that are heard are allocated, the event "allocation" marks the
-/// start of that phase.
+/// start of that phase, even if some transects met nothing.
 ///
 /// Doubts about the belief become events: "outlier" (readings set aside), "too-late"
-/// (readings older than `late_window`), "over-confident" and "trusted-again" (see
+/// (readings older than `late_window`), "over-confident" and "trusted" (see
 /// ConfidenceMonitor).
 class Coordinator : public Agent {
  public:
@@ -45,6 +45,13 @@ class Coordinator : public Agent {
   const BoundaryEstimate* perimeter() const override { return &boundary_; }
 
  private:
+  // A number that grows and is told now and then.
+  struct Tally {
+    int told = 0;
+    Time told_at;
+    bool is_news(int now_counted, Time now);
+  };
+
   void listen(const AgentInput& in, AgentOutput& out);
   void report_doubts(Time now, AgentOutput& out);
   void deploy(Time now, AgentOutput& out);
@@ -61,7 +68,8 @@ class Coordinator : public Agent {
   Roster roster_;
   BoundaryEstimate boundary_;
   ConfidenceMonitor confidence_;
-  int outliers_ = 0, dropped_ = 0;  // as last reported
+  Tally outliers_, dropped_;
+  Time last_heard_;  // when a reading last came, however old
   bool allocating_ = false;
 };
 

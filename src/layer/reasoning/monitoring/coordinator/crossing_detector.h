@@ -11,7 +11,10 @@ namespace skein::monitoring {
 /// differ.
 class CrossingDetector {
  public:
-  /// @param longest_gap  readings further apart in time than this make no crossing [s].
+  /// @param longest_gap  readings further apart in time than this, and than one and a
+  /// half
+  ///                     times the least interval between this aircraft's readings (of at
+  ///                     most 30 s), make no crossing [s]: readings between were lost.
   explicit CrossingDetector(double longest_gap = 3) : longest_gap_(longest_gap) {}
 
   /// Takes the next reading of an aircraft (times do not go back for one aircraft) and
@@ -20,7 +23,11 @@ class CrossingDetector {
 
  private:
   double longest_gap_;
-  std::map<EntityId, FireReading> last_;
+  struct Last {
+    FireReading reading;
+    double least_interval = 0;  // between two readings; 0 = only one so far [s]
+  };
+  std::map<EntityId, Last> last_;
 };
 
 }  // namespace skein::monitoring

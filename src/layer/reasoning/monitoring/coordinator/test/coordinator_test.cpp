@@ -70,6 +70,14 @@ TEST(CrossingDetector, FindsTheFlipBetweenTwoReadings) {
   EXPECT_FALSE(detector.take(reading(9, 0, false))) << "too long ago to be a crossing";
 }
 
+TEST(CrossingDetector, PairsTheReadingsOfASlowSensor) {
+  CrossingDetector detector;
+  EXPECT_FALSE(detector.take(reading(5, 0, false)));
+  EXPECT_TRUE(detector.take(reading(10, 0, true)));
+  EXPECT_FALSE(detector.take(reading(25, 0, false))) << "two readings were lost";
+  EXPECT_TRUE(detector.take(reading(30, 0, true)));
+}
+
 TEST(Belief, LateReadingsGiveTheSameAsPunctualOnes) {
   std::vector<FireReading> all;
   for (int t = 0; t < 50; ++t)

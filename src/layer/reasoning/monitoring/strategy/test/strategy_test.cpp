@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
-
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "geo/polygon.h"
 #include "layer/reasoning/monitoring/strategy/boundary_line.h"
@@ -207,6 +208,28 @@ TEST(Sweep, SpreadsMoreAircraftThanThereAreArcs) {
   }
   // Ten each would be even; the near side is a little better.
   for (const int count : in_sector) EXPECT_TRUE(count >= 5 && count <= 18) << count;
+}
+
+TEST(Sweep, OrdersNothingWhereNoPlaceIsAllowed) {
+  Scene scene;
+  scene.zones = {{{{-5000, -5000}, {5000, -5000}, {5000, 5000}, {-5000, 5000}}}};
+  EXPECT_TRUE(SweepStrategy({}).assign(scene.situation()).empty());
+}
+
+TEST(Sweep, PutsNoTwoOfManyAtOnePlace) {
+  Scene scene;
+  scene.boundary = circle(2000, 50);
+  scene.aircraft.clear();
+  const unsigned count = static_cast<unsigned>(scene.boundary.rings[0].size());
+  for (unsigned k = 0; k < count; ++k)
+    scene.aircraft.push_back(aircraft_at(k, {2400, 0}, 0));
+  SweepStrategy sweep({});
+  std::set<std::pair<double, double>> places;
+  for (const Assignment& order : sweep.assign(scene.situation())) {
+    const auto& edge = std::get<FollowEdge>(order.what);
+    places.insert({edge.start.x(), edge.start.y()});
+  }
+  EXPECT_EQ(places.size(), count);
 }
 
 TEST(Sweep, LeavesAKnownArcForAnUncertainOne) {
