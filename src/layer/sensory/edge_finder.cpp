@@ -16,7 +16,7 @@ void EdgeFinder::sample(const SensorView& view, std::vector<SensorSample>& out) 
   sample.time = view.now;
   for (const geo::Ring& ring : view.fire.region()) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 from = ring[i];
+      const Vec2& from = ring[i];
       const Vec2 edge = ring[(i + 1) % ring.size()] - from;
       const double length2 = edge.squaredNorm();
       if (length2 == 0) continue;
