@@ -86,9 +86,11 @@ class Stepper {
   }
 
   void note(const Event& event) {
-    if (logs(LogLevel::kInfo))
-      log_info("{:.1f} s, {}: {}: {}", event.time.seconds(),
-               world_.entities[event.entity.value].name, event.kind, event.text);
+    const std::size_t who = event.entity.value;
+    log_info("{:.1f} s, {}: {}: {}", event.time.seconds(),
+             who < world_.entities.size() ? std::string_view(world_.entities[who].name)
+                                          : std::string_view("?"),
+             event.kind, event.text);
     recorder_.event(event);
   }
 

@@ -11,10 +11,9 @@ namespace skein::monitoring {
 /// differ.
 class CrossingDetector {
  public:
-  /// @param longest_gap  readings further apart in time than this, and than one and a
-  /// half
-  ///                     times the least interval between this aircraft's readings (of at
-  ///                     most 30 s), make no crossing [s]: readings between were lost.
+  /// @param longest_gap  Readings further apart in time than this make no crossing [s]:
+  /// those between them were lost. A sensor that is slower (up to one reading in 30 s) is
+  /// allowed one and a half of its own periods.
   explicit CrossingDetector(double longest_gap = 3) : longest_gap_(longest_gap) {}
 
   /// Takes the next reading of an aircraft (times do not go back for one aircraft) and
