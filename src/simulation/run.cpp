@@ -10,6 +10,7 @@
 
 #include "base/log.h"
 #include "simulation/entity_step.h"
+#include "simulation/fork_join.h"
 #include "simulation/pace.h"
 
 namespace skein::simulation {
@@ -72,13 +73,17 @@ class Stepper {
       for (std::size_t i = 0; i < count; ++i) body(i);
       return;
     }
+    fork_join::fork();
     arena_.execute([&] {
       oneapi::tbb::parallel_for(
           oneapi::tbb::blocked_range<std::size_t>(0, count, kGrain),
           [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+            fork_join::begin_task();
             for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+            fork_join::end_task();
           });
     });
+    fork_join::join();
   }
 
   void tell(Time now, std::size_t i, const char* kind, std::string text) {
