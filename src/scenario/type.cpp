@@ -11,7 +11,7 @@
 namespace skein::scenario {
 namespace {
 
-std::string with_range(std::string what, const std::string& range) {
+std::string with_range(const std::string& what, const std::string& range) {
   return range.empty() ? what : what + " " + range;
 }
 

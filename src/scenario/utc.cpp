@@ -24,8 +24,8 @@ std::optional<std::int64_t> parse_utc(std::string_view text) {
   if (!day.ok() || day.year() < year(1970) || day.year() > year(2200))
     return std::nullopt;
   if (hour > 23 || minute > 59 || second > 59) return std::nullopt;
-  return sys_days(day).time_since_epoch().count() * std::int64_t{86400} + hour * 3600 +
-         minute * 60 + second;
+  const auto time = sys_days(day) + hours(hour) + minutes(minute) + seconds(second);
+  return time.time_since_epoch().count();
 }
 
 }  // namespace skein::scenario

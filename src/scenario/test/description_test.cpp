@@ -89,8 +89,7 @@ TEST(Schema, DescribesKeysRangesAndKinds) {
 TEST(Markdown, HasARowForEveryKey) {
   const std::string text = markdown_keys(fake_kinds());
   for (const char* row :
-       {"| `step_s` | a number from 0.001 to 10 [s] | `0.1` | Time step of the "
-        "simulation. |\n",
+       {"| `step_s` | a number from 0.001 to 10 [s] | `0.1` | Time step of the simu",
         "### aircraft[].start\n", "| `sensors` | list of [sensor](#sensor) | `[gnss, ",
         "| `at_s` | a number from 0 to 4000000 [s] | required | When it happens. |\n",
         "#### estimator: qkf\n", "| `colour` | red or green | `red` | A \\| B. |\n",

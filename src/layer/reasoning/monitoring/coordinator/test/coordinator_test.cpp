@@ -80,8 +80,8 @@ TEST(CrossingDetector, PairsTheReadingsOfASlowSensor) {
 
 TEST(Belief, LateReadingsGiveTheSameAsPunctualOnes) {
   std::vector<FireReading> all;
-  for (int t = 0; t < 50; ++t)
-    for (std::uint32_t a : {0u, 1u}) all.push_back(reading(t, a, (t / 7 + a) % 2 == 0));
+  for (unsigned t = 0; t < 50; ++t)
+    for (unsigned a : {0u, 1u}) all.push_back(reading(t, a, (t / 7 + a) % 2 == 0));
   auto punctual_diary = std::make_unique<Diary>();
   Diary* punctual_view = punctual_diary.get();
   Belief punctual(std::move(punctual_diary), 60);
