@@ -16,7 +16,8 @@ struct Variant {
   std::vector<std::string> overrides;  ///< KEY=VALUE
 };
 
-/// The wind and rate cases of spec/fire.md section 9, as changes to thesis-no-wind.yaml.
+/// The cases of wind and rate (docs/study-monitoring.md), as changes to
+/// thesis-no-wind.yaml.
 std::vector<Variant> monitoring_cases();
 
 /// The strategies with the readings of the benchmark told apart: `tracking-predicted`,
