@@ -53,11 +53,9 @@ record::StudyReport bridge_report(const BridgeStudy& study, const StudyPlan& pla
   report.title = "Study: bridge";
   report.intro = {fmt::format(
       "A real fire as truth: dated perimeters, interpolated in time. {} seeds from {} "
-      "on; "
-      "means over the allocation phase, ± the 95 % confidence interval over the seeds. "
-      "The "
-      "aircraft are told where the fire is and how "
-      "large, roughly; neither wind, fuel nor rates.",
+      "on; means over the allocation phase, ± the 95 % confidence interval over the "
+      "seeds. The aircraft are told where the fire is and how large, roughly; neither "
+      "wind, fuel nor rates.",
       study.seeds, study.first_seed)};
   record::StudyTable table;
   table.title = "How well the perimeter was known";

@@ -90,6 +90,21 @@ TEST(SummaryRecorder, TheHashIsOfWhatHappenedNotOfTheProgram) {
   EXPECT_EQ(hash("0.1.0+g1", "seed: 1"), hash("0.1.0+g2.dirty", "seed: 1 # the same"));
 }
 
+TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasDoubted) {
+  const auto doubted = [](const std::vector<std::pair<double, std::string>>& events) {
+    SummaryRecorder recorder(kInfo);
+    for (const auto& [time, kind] : events)
+      recorder.event({Time::from_seconds(time), EntityId{0}, kind, ""});
+    record_sample(recorder, 300);  // the last metrics are of 300 s
+    return recorder.summary().number("over_confident_s");
+  };
+  EXPECT_FALSE(doubted({})) << "never judged";
+  EXPECT_EQ(doubted({{50, "trusted"}}), 0);
+  EXPECT_EQ(doubted({{50, "trusted"}, {100, "over-confident"}, {160, "trusted"}}), 60);
+  EXPECT_EQ(doubted({{100, "over-confident"}, {160, "trusted"}, {250, "over-confident"}}),
+            110);
+}
+
 TEST(RunRecorder, WritesASummaryThatScriptsCanRead) {
   const TemporaryFolder folder("summary");
   auto recorder = RunRecorder::create(folder.path(), kInfo).value();
