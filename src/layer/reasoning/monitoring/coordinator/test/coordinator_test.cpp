@@ -11,9 +11,13 @@ namespace {
 // Records what it is told, in order: an estimator whose belief is its own history.
 class Diary : public PerimeterEstimator {
  public:
+  /// @param furthest  the latest time that it or a copy was ever carried on to.
+  explicit Diary(std::shared_ptr<Time> furthest = std::make_shared<Time>())
+      : furthest_(std::move(furthest)) {}
   void predict(Time time) override {
     EXPECT_GE(time, now_) << "time went back";
     now_ = time;
+    *furthest_ = std::max(*furthest_, time);
   }
   void observe(const FireReading& reading) override {
     note(reading.time, reading.inside);
@@ -45,6 +49,7 @@ class Diary : public PerimeterEstimator {
     EXPECT_EQ(time, now_);
     text_ += inside ? "i" : "o";
   }
+  std::shared_ptr<Time> furthest_;
   Time now_ = Time::from_ns(-1);
   std::string text_;
 };
@@ -136,7 +141,8 @@ class Herd : public MonitoringStrategy {
 
 struct Station {
   explicit Station(const CoordinatorOptions& options)
-      : coordinator(options, std::make_unique<Diary>(), std::make_unique<Herd>()) {}
+      : coordinator(options, std::make_unique<Diary>(furthest),
+                    std::make_unique<Herd>()) {}
 
   AgentOutput step(double t, std::vector<Message> inbox) {
     AgentInput in;
@@ -146,6 +152,7 @@ struct Station {
     coordinator.step(in, out);
     return out;
   }
+  std::shared_ptr<Time> furthest = std::make_shared<Time>();  // of the belief
   Coordinator coordinator;
 };
 
@@ -236,6 +243,17 @@ TEST(Coordinator, NoticesASilentAircraftAndItsReturn) {
   ASSERT_TRUE(has_event(out, "silent"));
   EXPECT_EQ(out.events[0].entity, EntityId{2});
   EXPECT_FALSE(has_event(station.step(7, {report(1, 7, 1), report(2, 7, 1)}), "silent"));
+}
+
+TEST(Coordinator, ALinkThatIsSlowDoesNotSendTheBeliefBackAndForth) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}};
+  Station station(options);
+  const auto at = [](double t) { return Time::from_seconds(t); };
+  for (int t = 8; t < 60; ++t) station.step(t, {report(1, t, 0), read(1, t - 8, false)});
+  EXPECT_EQ(*station.furthest, at(51)) << "not beyond the newest reading";
+  for (int t = 60; t < 80; ++t) station.step(t, {report(1, t, 0)});
+  EXPECT_EQ(*station.furthest, at(79)) << "nothing comes any more: carried on";
 }
 
 }  // namespace
