@@ -63,9 +63,9 @@ void plant_step(benchmark::State& state) {
   const asset::KinematicPlant plant{asset::KinematicOptions{}};
   VehicleState vehicle;
   vehicle.airspeed = 20;
-  const Air air{{3, -2, 0}, 1.2};
+  const Air air{{3, -2, 0}};
   for (auto _ : state) {
-    vehicle = plant.step(vehicle, {0.3, 20, 0}, air, 0.02);
+    plant.step(vehicle, FlightCommand{0.3, 20, 0}, air, 0.02);
     benchmark::DoNotOptimize(vehicle);
   }
   state.SetItemsProcessed(state.iterations());
@@ -83,7 +83,7 @@ void aircraft_step(benchmark::State& state) {
   start.p_N = vehicle.p_N;
   start.v_N = vehicle.v_N;
   autopilot::SimpleAutopilot autopilot({}, plant.limits(), start);
-  const Air air{{3, -2, 0}, 1.2};
+  const Air air{{3, -2, 0}};
   const bool path = state.range(0) != 0;
   if (path)
     autopilot.command({FollowPath{{{{0, 0}, 0, 1e7, 0.003}}}, 300});
@@ -94,8 +94,8 @@ void aircraft_step(benchmark::State& state) {
     const Time now = Time::from_ns(tick * 20'000'000);
     if (tick % 10 == 0) autopilot.sense(GnssFix{now, vehicle.p_N, vehicle.v_N, 0});
     if (tick % 2 == 0)
-      autopilot.sense(AirDataSample{now, vehicle.airspeed, vehicle.heading});
-    vehicle = plant.step(vehicle, autopilot.control(now, 0.02), air, 0.02);
+      autopilot.sense(AirDataSample{now, vehicle.airspeed, geo::yaw(vehicle.q_NB)});
+    plant.step(vehicle, autopilot.control(now, 0.02), air, 0.02);
     ++tick;
   }
   benchmark::DoNotOptimize(vehicle);

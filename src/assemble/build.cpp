@@ -159,9 +159,9 @@ class Builder {
     if (!plant) return plant.error();
     auto vehicle = std::make_unique<simulation::Vehicle>();
     vehicle->plant = std::move(plant).value();
+    vehicle->step = scenario_.step;
     context.limits = vehicle->plant->limits();
-    if (auto placed = put(name, place, group, context.limits, vehicle->state); !placed)
-      return placed;
+    if (auto placed = put(name, place, group, *vehicle); !placed) return placed;
     context.initial = nav_of(vehicle->state);
 
     auto autopilot = autopilot_kinds().make(group.autopilot, context);
@@ -172,7 +172,8 @@ class Builder {
       context.instance = of_kind[choice.kind]++;
       auto sensor = sensor_kinds().make(choice, context);
       if (!sensor) return sensor.error();
-      vehicle->sensors.push_back(std::move(sensor).value());
+      auto& kind = sensor.value()->payload() ? vehicle->payload : vehicle->sensors;
+      kind.push_back(std::move(sensor).value());
     }
     auto agent = agent_kinds().make(group.agent, context);
     if (!agent) return agent.error();
@@ -190,8 +191,7 @@ class Builder {
 
   // The state at the start: level flight at cruise, in the wind of that place.
   Result<void> put(const std::string& name, const Place& place,
-                   const AircraftGroup& group, const FlightLimits& limits,
-                   VehicleState& state) {
+                   const AircraftGroup& group, simulation::Vehicle& vehicle) {
     const double ground = map_->elevation_msl(place.position);
     const double altitude =
         group.start.altitude_msl.value_or(ground + group.altitude_agl);
@@ -201,12 +201,12 @@ class Builder {
                                "where the ground is at {:.1f} m.",
                                altitude, ground),
                    "Raise start.altitude_msl_m or leave it out."};
-    state.p_N = {place.position.x(), place.position.y(), -altitude};
-    state.heading = place.heading;
-    state.airspeed = limits.airspeed;
-    const Vec2 air = limits.airspeed * geo::unit(place.heading);
-    state.v_N = Vec3(air.x(), air.y(), 0) + build_.world.wind->wind(state.p_N, Time());
-    state.v_N.z() = 0;
+    VehicleStart start;
+    start.p_N = {place.position.x(), place.position.y(), -altitude};
+    start.heading = place.heading;
+    start.wind_N = build_.world.wind->wind(start.p_N, Time());
+    vehicle.state = vehicle.plant->start(start);
+    vehicle.air.wind_N = start.wind_N;
     for (const Zone& zone : zones_)
       if (geo::contains(zone.ring, place.position))
         return Error{ErrorCode::kBadInput, name,
@@ -221,7 +221,7 @@ class Builder {
     NavEstimate nav;
     nav.p_N = state.p_N;
     nav.v_N = state.v_N;
-    nav.heading = state.heading;
+    nav.heading = geo::yaw(state.q_NB);
     return nav;
   }
 

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <variant>
+#include <vector>
 
 #include "data/path.h"
+#include "data/pilot.h"
+#include "data/plan.h"
 
 namespace skein {
 
@@ -24,16 +28,82 @@ struct Circle {
   bool clockwise = true;  ///< on the map
 };
 
-struct AutopilotCommand {
-  std::variant<FollowPath, HoldCourse, Circle> guidance = HoldCourse{};
-  double altitude_msl = 0;  ///< [m]
+/// Stay at a point: hover, or circle it as tightly as the vehicle can.
+struct HoldPosition {
+  Vec2 point = Vec2::Zero();
 };
 
-/// How far the autopilot is with what it was told.
+/// Be where the plan says when it says, then stay at its end. Altitudes are the plan's.
+struct FollowPlan {
+  Plan plan;
+};
+
+/// Fly through points one after the other, by straight legs, then stay at the last.
+struct FlyWaypoints {
+  struct Waypoint {
+    Vec2 point = Vec2::Zero();
+    double altitude_msl = 0;  ///< [m]
+  };
+  std::vector<Waypoint> points;
+  int laps = 1;  ///< times round; after the last point comes the first again
+};
+
+/// From the ground to the commanded altitude.
+struct TakeOff {
+  double course = 0;  ///< fixed wing: of the run [rad]
+};
+
+/// Come down at a point; a fixed wing approaches on a course.
+struct Land {
+  Vec2 point = Vec2::Zero();
+  double ground_msl = 0;                        ///< [m]
+  std::optional<double> course = std::nullopt;  ///< [rad]; none: against the wind
+};
+
+/// Go to where the flight began, and stay above.
+struct Return {};
+
+/// What the vehicle shall do now.
+struct AutopilotCommand {
+  std::variant<FollowPath, HoldCourse, Circle, HoldPosition, FollowPlan, FlyWaypoints,
+               TakeOff, Land, Return>
+      guidance = HoldCourse{};
+  double altitude_msl = 0;  ///< [m]; for guidance that has none of its own
+  std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise
+};
+
+/// What has gone wrong, most severe last.
+enum class FailsafeTrigger : std::uint8_t {
+  kNone,
+  kLink,      ///< nothing heard from the ground
+  kBattery,   ///< what is left is needed to get home
+  kGeofence,  ///< outside the area or above the ceiling
+  kGnss,      ///< no fix
+  kMotor,     ///< a motor stands
+};
+
+/// What is done about it.
+enum class FailsafeReaction : std::uint8_t {
+  kNone,     ///< told, nothing more
+  kHold,     ///< stay here
+  kReturn,   ///< fly home, stay above
+  kLand,     ///< fly home and land
+  kDescend,  ///< come down here: glide or sink in circles
+};
+
+/// How far the autopilot is with what it was told, and how it flies.
 struct AutopilotStatus {
   double remaining = 0;    ///< along the path [m]; 0 when there is none
   double cross_track = 0;  ///< distance to the path [m], right positive
   bool done = false;       ///< the path's end has been passed
+  bool follows = false;    ///< there is a path, plan or leg: cross_track means something
+  double time_error = 0;   ///< behind the plan [s], negative = ahead; 0 without plan
+  FlightMode mode = FlightMode::kGuided;
+  FailsafeTrigger trigger = FailsafeTrigger::kNone;
+  FailsafeReaction reaction = FailsafeReaction::kNone;
+  double charge = 1;  ///< left, from 0 to 1
+  std::optional<double> endurance =
+      std::nullopt;  ///< flight time left at the present power [s]
 };
 
 }  // namespace skein

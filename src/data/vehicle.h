@@ -1,32 +1,45 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "base/time.h"
+#include "data/control.h"
+#include "geo/rotation.h"
 #include "geo/vec.h"
 
 namespace skein {
 
-/// The true motion of a vehicle. N is the local frame with its origin at mean sea level,
-/// so the altitude above mean sea level is -p_N.z().
+/// What a vehicle has to fly with, and uses.
+struct Energy {
+  double charge = 1;   ///< of the battery or tank, left, from 0 to 1
+  double voltage = 0;  ///< at the battery, under load [V]; 0 = not modelled
+  double power = 0;    ///< drawn now [W]; 0 = not modelled
+};
+
+/// Which parts of a vehicle do not work.
+struct Faults {
+  std::uint8_t dead =
+      0;  ///< bit k: actuator k gives nothing (motor stands, surface flutters)
+  std::uint8_t stuck = 0;  ///< bit k: actuator k stays where it is
+  bool battery = false;    ///< the battery gives nothing any more
+
+  bool is_dead(std::size_t k) const { return (dead >> k & 1u) != 0; }
+  bool is_stuck(std::size_t k) const { return (stuck >> k & 1u) != 0; }
+};
+
+/// The true motion of a vehicle and of what moves it. N is the local frame with its
+/// origin at mean sea level, so the altitude above mean sea level is -p_N.z().
 struct VehicleState {
-  Vec3 p_N = Vec3::Zero();  ///< position [m]
-  Vec3 v_N = Vec3::Zero();  ///< velocity over ground [m/s]
-  double airspeed = 0;      ///< [m/s]
-  double roll = 0;          ///< [rad], right wing down positive
-  double pitch = 0;         ///< [rad], nose up positive
-  double heading = 0;       ///< of the air-relative velocity [rad], clockwise from north
-};
-
-/// The air that a vehicle flies in.
-struct Air {
-  Vec3 wind_N = Vec3::Zero();  ///< velocity of the air over ground [m/s]
-  double density = 1.225;      ///< [kg/m^3]
-};
-
-/// What an autopilot asks of a plant that holds its own attitude.
-struct FlightCommand {
-  double roll = 0;        ///< [rad]
-  double airspeed = 0;    ///< [m/s]
-  double climb_rate = 0;  ///< [m/s], up positive
+  Vec3 p_N = Vec3::Zero();       ///< position [m]
+  Vec3 v_N = Vec3::Zero();       ///< velocity over ground [m/s]
+  Quat q_NB = Quat::Identity();  ///< attitude; without side-slip its yaw is the heading
+  Vec3 w_NB_B = Vec3::Zero();    ///< rate of turn [rad/s]
+  double airspeed = 0;           ///< [m/s]
+  std::array<double, Actuators::kMost> actuators{};  ///< what they do now; see the plant
+  Energy energy;
+  Faults faults;
+  bool on_ground = false;
 };
 
 /// What a vehicle can do, as planners need it.
@@ -34,6 +47,9 @@ struct FlightLimits {
   double airspeed = 20;     ///< cruise [m/s]
   double turn_radius = 60;  ///< smallest, in the air mass at cruise airspeed [m]
   double climb_rate = 3;    ///< largest [m/s]
+  double slowest = 15;      ///< least airspeed in level flight [m/s]; 0 = it can hover
+  double fastest = 25;      ///< [m/s]
+  double sink_rate = 3;     ///< largest [m/s]
 };
 
 /// What an autopilot's estimator believes about its own vehicle.
@@ -44,6 +60,8 @@ struct NavEstimate {
   double heading = 0;          ///< of the air-relative velocity [rad]
   Vec2 wind_N = Vec2::Zero();  ///< estimated horizontal wind [m/s]
   double position_sd = 0;      ///< per horizontal axis [m]
+  double roll = 0;             ///< [rad]
+  double pitch = 0;            ///< [rad]
 };
 
 }  // namespace skein

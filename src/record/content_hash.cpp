@@ -54,6 +54,8 @@ void ContentHash::put(const NavEstimate& estimate) {
   put(estimate.p_N);
   put(estimate.v_N);
   put(estimate.heading);
+  put(estimate.roll);
+  put(estimate.pitch);
   put(estimate.wind_N);
   put(estimate.position_sd);
 }
@@ -116,9 +118,10 @@ void ContentHash::truth(Time time, EntityId id, const VehicleState& state) {
   put(state.p_N);
   put(state.v_N);
   put(state.airspeed);
-  put(state.roll);
-  put(state.pitch);
-  put(state.heading);
+  for (double c : {state.q_NB.w(), state.q_NB.x(), state.q_NB.y(), state.q_NB.z()})
+    put(c);
+  put(state.w_NB_B);
+  put(state.energy.charge);
   end();
 }
 

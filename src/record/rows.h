@@ -18,9 +18,20 @@ struct EntityRow {
 };
 
 struct TruthRow {
+  TruthRow(Time at, EntityId who, const VehicleState& s)
+      : time(at),
+        id(who),
+        p_N(s.p_N),
+        v_N(s.v_N),
+        q_NB(s.q_NB),
+        airspeed(s.airspeed),
+        charge(s.energy.charge),
+        power(s.energy.power) {}
   Time time;
   EntityId id;
-  VehicleState state;
+  Vec3 p_N, v_N;
+  Quat q_NB;
+  double airspeed, charge, power;
 };
 
 struct EstimateRow {

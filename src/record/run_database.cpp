@@ -18,7 +18,8 @@ CREATE TABLE meta (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE entities (entity_id INTEGER PRIMARY KEY, name TEXT, kind TEXT);
 CREATE TABLE truth (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
   altitude_msl_m REAL, velocity_north_m_s REAL, velocity_east_m_s REAL,
-  climb_m_s REAL, airspeed_m_s REAL, heading_deg REAL, roll_deg REAL, pitch_deg REAL);
+  climb_m_s REAL, airspeed_m_s REAL, heading_deg REAL, roll_deg REAL, pitch_deg REAL,
+  charge REAL, power_w REAL);
 CREATE TABLE estimates (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
   altitude_msl_m REAL, velocity_north_m_s REAL, velocity_east_m_s REAL, climb_m_s REAL,
   heading_deg REAL, wind_north_m_s REAL, wind_east_m_s REAL, position_sd_m REAL);
@@ -140,7 +141,7 @@ Result<void> RunDatabase::prepare() {
   } inserts[] = {
       {meta_, "meta", 2},
       {entity_, "entities", 3},
-      {truth_, "truth", 12},
+      {truth_, "truth", 14},
       {estimate_, "estimates", 12},
       {reading_, "readings", 6},
       {crossing_, "crossings", 6},
@@ -175,10 +176,11 @@ Result<void> RunDatabase::write(const EntityRow& row) {
 }
 
 Result<void> RunDatabase::write(const TruthRow& row) {
-  const VehicleState& s = row.state;
-  return insert(truth_, row.time.seconds(), row.id.value, s.p_N.x(), s.p_N.y(),
-                -s.p_N.z(), s.v_N.x(), s.v_N.y(), -s.v_N.z(), s.airspeed,
-                geo::degrees(s.heading), geo::degrees(s.roll), geo::degrees(s.pitch));
+  const geo::Euler attitude = geo::to_euler(row.q_NB);
+  return insert(truth_, row.time.seconds(), row.id.value, row.p_N.x(), row.p_N.y(),
+                -row.p_N.z(), row.v_N.x(), row.v_N.y(), -row.v_N.z(), row.airspeed,
+                geo::degrees(geo::wrap_2pi(attitude.yaw)), geo::degrees(attitude.roll),
+                geo::degrees(attitude.pitch), row.charge, row.power);
 }
 
 Result<void> RunDatabase::write(const EstimateRow& row) {

@@ -181,9 +181,7 @@ class Reader {
         "truth",
         [&](const Statement& row) {
           const EntityId id = entity_id(row, 0);
-          VehicleState state;
-          state.p_N = Vec3(row.real(2), row.real(3), -row.real(4));
-          statistics_.truth(id, state);
+          statistics_.truth(id, Vec3(row.real(2), row.real(3), -row.real(4)));
           builders.try_emplace(id, id, step)
               .first->second.add(row.real(1), row.real(2), row.real(3),
                                  geo::radians(row.real(5)));

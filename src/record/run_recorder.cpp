@@ -69,7 +69,7 @@ void RunRecorder::entity(EntityId id, const std::string& name, const std::string
 
 void RunRecorder::truth(Time time, EntityId id, const VehicleState& state) {
   parts_->hash.truth(time, id, state);
-  parts_->writer.push(TruthRow{time, id, state});
+  parts_->writer.push(TruthRow(time, id, state));
 }
 
 void RunRecorder::estimate(EntityId id, const NavEstimate& estimate) {

@@ -140,7 +140,7 @@ Result<void> RunWriter::write(const EntityRow& row) {
 }
 
 Result<void> RunWriter::write(const TruthRow& row) {
-  statistics_.truth(row.id, row.state);
+  statistics_.truth(row.id, row.p_N);
   return database_.write(row);
 }
 

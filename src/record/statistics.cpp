@@ -10,10 +10,10 @@ void RunStatistics::entity(EntityId id, const std::string& name,
   if (kind == "aircraft") ++aircraft_;
 }
 
-void RunStatistics::truth(EntityId id, const VehicleState& state) {
+void RunStatistics::truth(EntityId id, const Vec3& p_N) {
   Flight& flight = flights_[id];
-  if (flight.last) flight.distance += (state.p_N - *flight.last).norm();
-  flight.last = state.p_N;
+  if (flight.last) flight.distance += (p_N - *flight.last).norm();
+  flight.last = p_N;
 }
 
 void RunStatistics::crossing(const Crossing& crossing) {

@@ -19,7 +19,7 @@ namespace skein::record {
 class RunStatistics {
  public:
   void entity(EntityId id, const std::string& name, const std::string& kind);
-  void truth(EntityId id, const VehicleState& state);
+  void truth(EntityId id, const Vec3& p_N);
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);

@@ -14,7 +14,7 @@ void SummaryRecorder::entity(EntityId id, const std::string& name,
 
 void SummaryRecorder::truth(Time time, EntityId id, const VehicleState& state) {
   hash_.truth(time, id, state);
-  statistics_.truth(id, state);
+  statistics_.truth(id, state.p_N);
 }
 
 void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate) {

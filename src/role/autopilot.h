@@ -1,6 +1,7 @@
 #pragma once
 
 #include "data/autopilot.h"
+#include "data/control.h"
 #include "data/sensing.h"
 #include "data/vehicle.h"
 
@@ -12,14 +13,15 @@ class Autopilot {
  public:
   virtual ~Autopilot() = default;
 
-  /// Takes in one sample of the vehicle's own sensors.
+  /// Takes in one sample of the vehicle's own sensors. Those of no use to it are passed
+  /// over.
   virtual void sense(const SensorSample& sample) = 0;
 
   /// Replaces what to do next.
   virtual void command(const AutopilotCommand& command) = 0;
 
   /// The control for the next `dt` [s], from the estimate carried on to `now`.
-  virtual FlightCommand control(Time now, double dt) = 0;
+  virtual Control control(Time now, double dt) = 0;
 
   /// The estimate at the last control().
   virtual const NavEstimate& estimate() const = 0;

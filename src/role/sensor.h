@@ -1,8 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/time.h"
+#include "data/air.h"
+#include "data/object.h"
 #include "data/sensing.h"
 #include "data/vehicle.h"
 #include "role/phenomenon.h"
@@ -14,14 +17,20 @@ namespace skein {
 struct SensorView {
   Time now;
   const VehicleState& vehicle;
+  const Air& air;  ///< that the vehicle is in
   const Terrain& terrain;
   const Phenomenon& fire;
+  std::span<const GroundObject> objects = {};
 };
 
 /// One sensor of one vehicle, with its errors, rate and random stream.
 class Sensor {
  public:
   virtual ~Sensor() = default;
+
+  /// Whether it looks at the world for the agent. Others serve the autopilot, which is
+  /// the only one to get their samples; they see the fire and other objects never.
+  virtual bool payload() const { return false; }
 
   /// Appends what the sensor has to say at `view.now`; nothing between its samples.
   virtual void sample(const SensorView& view, std::vector<SensorSample>& out) = 0;

@@ -1,14 +1,49 @@
 #include "simulation/entity_step.h"
 
+#include <cmath>
+
 namespace skein::simulation {
+namespace {
+
+// Above this the ground is looked for once a step of the run only [m].
+constexpr double kNearGround = 20;
+
+SensorView view_of(const World& world, Time now, const Vehicle& vehicle) {
+  return {now, vehicle.state, vehicle.air, *world.terrain, *world.fire, world.objects};
+}
+
+void sense_flight(const World& world, Time now, Vehicle& vehicle, EntityState& state) {
+  state.flight_samples.clear();
+  const SensorView view = view_of(world, now, vehicle);
+  for (const auto& sensor : vehicle.sensors) sensor->sample(view, state.flight_samples);
+  for (const SensorSample& sample : state.flight_samples)
+    vehicle.autopilot->sense(sample);
+}
+
+// Adding up is enough: what is not finite stays so. (Overflow would be no flight either.)
+bool finite(const VehicleState& s) {
+  return std::isfinite(s.p_N.sum() + s.v_N.sum() + s.q_NB.coeffs().sum() +
+                       s.w_NB_B.sum() + s.airspeed);
+}
+
+double ground_below(const World& world, const Vehicle& vehicle) {
+  return world.terrain->elevation_msl(geo::horizontal(vehicle.state.p_N));
+}
+
+}  // namespace
+
+void begin(const World& world, Time now, Entity& entity, EntityState& state) {
+  Vehicle* vehicle = entity.vehicle.get();
+  if (!vehicle) return;
+  vehicle->air.wind_N = world.wind->wind(vehicle->state.p_N, now);
+  sense_flight(world, now, *vehicle, state);
+}
 
 void sense(const World& world, Time now, Entity& entity, EntityState& state) {
   Vehicle* vehicle = entity.vehicle.get();
   if (!state.active || !vehicle) return;
-  const SensorView view{now, vehicle->state, *world.terrain, *world.fire};
-  for (const auto& sensor : vehicle->sensors) sensor->sample(view, state.samples);
-  for (; state.sensed < state.samples.size(); ++state.sensed)
-    vehicle->autopilot->sense(state.samples[state.sensed]);
+  const SensorView view = view_of(world, now, *vehicle);
+  for (const auto& sensor : vehicle->payload) sensor->sample(view, state.samples);
 }
 
 void think(Time now, Entity& entity, EntityState& state) {
@@ -26,17 +61,40 @@ void think(Time now, Entity& entity, EntityState& state) {
     entity.vehicle->autopilot->command(*state.output.command);
   state.output.command.reset();
   state.samples.clear();
-  state.sensed = 0;
   state.inbox.clear();
 }
 
-void fly(const World& world, Time now, double dt, Entity& entity, EntityState& state) {
+void fly(const World& world, Time now, Time until, Entity& entity, EntityState& state) {
   Vehicle* vehicle = entity.vehicle.get();
   if (!state.active || !vehicle) return;
-  const FlightCommand command = vehicle->autopilot->control(now, dt);
-  Air air;
-  air.wind_N = world.wind->wind(vehicle->state.p_N, now);
-  vehicle->state = vehicle->plant->step(vehicle->state, command, air, dt);
+  const double dt = vehicle->step.seconds();
+  state.before = vehicle->state;
+  double ground = ground_below(world, *vehicle);
+  const bool near_ground = -vehicle->state.p_N.z() - ground < kNearGround;
+  while (now < until) {
+    const Control control = vehicle->autopilot->control(now, dt);
+    vehicle->air.wind_N = world.wind->wind(vehicle->state.p_N, now);
+    if (vehicle->turbulence) {
+      const Gust gust = vehicle->turbulence->advance(
+          {now, vehicle->state, -vehicle->state.p_N.z() - ground, vehicle->air.wind_N},
+          dt);
+      vehicle->air.wind_N += gust.velocity_N;
+      vehicle->air.rates_B = gust.rates_B;
+    }
+    vehicle->plant->step(vehicle->state, control, vehicle->air, dt);
+    now += vehicle->step;
+    if (!finite(vehicle->state)) {
+      state.accident = EntityState::Accident::kNotFinite;
+      return;
+    }
+    if (near_ground || now >= until) ground = ground_below(world, *vehicle);
+    if (-vehicle->state.p_N.z() < ground &&
+        vehicle->plant->touch(vehicle->state, ground, dt) == Contact::kCrash) {
+      state.accident = EntityState::Accident::kGround;
+      return;
+    }
+    sense_flight(world, now, *vehicle, state);
+  }
 }
 
 }  // namespace skein::simulation

@@ -9,9 +9,12 @@ namespace skein::simulation {
 /// What an entity keeps between the phases of a step.
 struct EntityState {
   bool active = false;
-  bool ended = false;  ///< hit the ground: takes no further part
-  std::vector<SensorSample> samples;
-  std::size_t sensed = 0;  ///< samples that the autopilot has had
+  bool ended = false;                 ///< hit the ground: takes no further part
+  std::vector<SensorSample> samples;  ///< of the payload, until the agent reads them
+  std::vector<SensorSample> flight_samples;  ///< of one step, kept for its memory
+  enum class Accident { kNone, kGround, kNotFinite };
+  Accident accident = Accident::kNone;  ///< in the last step
+  VehicleState before;                  ///< at the start of the last step
   std::vector<Message> inbox;
   AgentOutput output;
   std::uint64_t sent = 0;
@@ -20,6 +23,10 @@ struct EntityState {
 /// The phases of one entity. Each reads the world and writes only `entity` and `state`.
 void sense(const World& world, Time now, Entity& entity, EntityState& state);
 void think(Time now, Entity& entity, EntityState& state);
-void fly(const World& world, Time now, double dt, Entity& entity, EntityState& state);
+/// From `now` to `until`, in the vehicle's own steps: control, motion, then what its
+/// sensors say of the new state.
+void fly(const World& world, Time now, Time until, Entity& entity, EntityState& state);
+/// What the vehicle's own sensors say before it first flies.
+void begin(const World& world, Time now, Entity& entity, EntityState& state);
 
 }  // namespace skein::simulation

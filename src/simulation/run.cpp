@@ -30,9 +30,16 @@ bool takes_part(const Entity& entity, Time now) {
   return false;
 }
 
-bool finite(const VehicleState& s) {
-  return s.p_N.allFinite() && s.v_N.allFinite() && std::isfinite(s.airspeed) &&
-         std::isfinite(s.roll) && std::isfinite(s.heading);
+std::string text_of(const VehicleState& s) {
+  const geo::Euler a = geo::to_euler(s.q_NB);
+  return fmt::format(
+      "at {:.1f} m north, {:.1f} m east, {:.1f} m above sea level, {:.1f} m/s through "
+      "the "
+      "air, roll {:.0f}, pitch {:.0f}, heading {:.0f} deg, turning at {:.2f}, {:.2f}, "
+      "{:.2f} rad/s",
+      s.p_N.x(), s.p_N.y(), -s.p_N.z(), s.airspeed, geo::degrees(a.roll),
+      geo::degrees(a.pitch), geo::degrees(geo::wrap_2pi(a.yaw)), s.w_NB_B.x(),
+      s.w_NB_B.y(), s.w_NB_B.z());
 }
 
 // One run: the world, what is between its phases, and where it is recorded.
@@ -52,10 +59,10 @@ class Stepper {
     for_each([&](std::size_t i) { think(now, world_.entities[i], states_[i]); });
     exchange(now);
     record(now);
-    const double dt = options_.step.seconds();
+    const Time next = now + options_.step;
     for_each(
-        [&](std::size_t i) { fly(world_, now, dt, world_.entities[i], states_[i]); });
-    if (auto checked = check(now); !checked) return checked;
+        [&](std::size_t i) { fly(world_, now, next, world_.entities[i], states_[i]); });
+    note_accidents(now);
     return recorder_.step_done(now);
   }
 
@@ -105,7 +112,10 @@ class Stepper {
       const bool active = !state.ended && takes_part(world_.entities[i], now);
       if (active == state.active) continue;
       state.active = active;
-      if (!active) state.inbox.clear();
+      if (active)
+        begin(world_, now, world_.entities[i], state);
+      else
+        state.inbox.clear();
       tell(now, i, active ? "joined" : "left",
            fmt::format("{} {}", world_.entities[i].name,
                        active ? "takes part" : "no longer takes part"));
@@ -154,20 +164,19 @@ class Stepper {
           recorder_.perimeter(now, world_.fire->region(), id_of(i), *belief);
   }
 
-  Result<void> check(Time now) {
+  // What ends an aircraft, but not the run.
+  void note_accidents(Time now) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const Entity& entity = world_.entities[i];
       if (!states_[i].active || !entity.vehicle) continue;
-      const VehicleState& s = entity.vehicle->state;
-      if (!finite(s))
-        return Error{ErrorCode::kBadInput, entity.name, "its motion is no longer finite",
-                     ""};
-      if (-s.p_N.z() < world_.terrain->elevation_msl(geo::horizontal(s.p_N))) {
-        states_[i].ended = true;
-        tell(now, i, "accident", fmt::format("{} hit the ground", entity.name));
-      }
+      if (states_[i].accident == EntityState::Accident::kNone) continue;
+      states_[i].ended = true;
+      tell(now, i, "accident",
+           states_[i].accident == EntityState::Accident::kGround
+               ? fmt::format("{} hit the ground", entity.name)
+               : fmt::format("the motion of {} is no longer finite; before it was {}",
+                             entity.name, text_of(states_[i].before)));
     }
-    return {};
   }
 
   World& world_;

@@ -40,8 +40,9 @@ struct RunOutcome {
 /// are merged in entity order. So the records depend on neither `threads` nor `speed`.
 ///
 /// Fails: kUnavailable when the recorder can no longer write, when memory runs out or
-/// when a step finds a fault in Skein; kBadInput when a simulated quantity stops being
-/// finite (names entity and quantity). The message says the simulated time.
+/// when a step finds a fault in Skein. The message says the simulated time. An aircraft
+/// that hits the ground, or whose motion stops being finite, ends with an event
+/// "accident"; the run goes on.
 Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& recorder,
                        OperatorConsole& console);
 

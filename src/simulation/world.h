@@ -6,6 +6,8 @@
 
 #include "base/id.h"
 #include "base/time.h"
+#include "data/air.h"
+#include "data/object.h"
 #include "data/vehicle.h"
 #include "role/agent.h"
 #include "role/autopilot.h"
@@ -14,6 +16,7 @@
 #include "role/radio.h"
 #include "role/sensor.h"
 #include "role/terrain.h"
+#include "role/turbulence.h"
 #include "role/wind_field.h"
 
 namespace skein::simulation {
@@ -28,8 +31,12 @@ struct ActiveSpan {
 struct Vehicle {
   std::shared_ptr<const Plant> plant;
   std::unique_ptr<Autopilot> autopilot;
-  std::vector<std::unique_ptr<Sensor>> sensors;
+  std::vector<std::unique_ptr<Sensor>> sensors;  ///< of the autopilot
+  std::vector<std::unique_ptr<Sensor>> payload;  ///< of the agent
+  std::unique_ptr<Turbulence> turbulence;        ///< null: none
+  Time step;           ///< of sensors, autopilot and plant; divides the run's step
   VehicleState state;  ///< the truth
+  Air air;             ///< that it flies in
 };
 
 /// An aircraft or a ground station: an agent and, for an aircraft, what it flies with.
@@ -49,6 +56,7 @@ struct World {
   std::unique_ptr<Phenomenon> fire;
   std::unique_ptr<Radio> radio;
   std::vector<Entity> entities;
+  std::vector<GroundObject> objects;
 };
 
 }  // namespace skein::simulation

@@ -56,7 +56,7 @@ TEST(Build, PutsTheStationFirstAndAircraftInOrder) {
   EXPECT_NEAR(entities[1].vehicle->state.p_N.x(), 900, 1e-9);
   EXPECT_NEAR(entities[2].vehicle->state.p_N.x(), -900, 1e-9);
   EXPECT_NEAR(entities[1].vehicle->state.p_N.z(), -120, 1e-9);
-  EXPECT_NEAR(std::abs(entities[1].vehicle->state.heading), geo::kPi, 1e-9);
+  EXPECT_NEAR(std::abs(geo::yaw(entities[1].vehicle->state.q_NB)), geo::kPi, 1e-9);
 }
 
 TEST(Build, RefusesAnAircraftInsideTerrainOrInAZone) {
@@ -246,12 +246,13 @@ TEST(Build, EachSensorOfAnAircraftErrsInItsOwnWay) {
     EXPECT_TRUE(built.ok());
     const simulation::World& world = built.value().world;
     const simulation::Vehicle& vehicle = *world.entities[1].vehicle;
-    std::vector<std::vector<bool>> all(vehicle.sensors.size());
+    std::vector<std::vector<bool>> all(vehicle.payload.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<SensorSample> samples;
       for (int k = 0; k < 200; ++k)
-        vehicle.sensors[i]->sample(
-            {Time::from_seconds(k), vehicle.state, *world.terrain, *world.fire}, samples);
+        vehicle.payload[i]->sample({Time::from_seconds(k), vehicle.state, vehicle.air,
+                                    *world.terrain, *world.fire},
+                                   samples);
       for (const SensorSample& sample : samples)
         if (const auto* fire = std::get_if<FireSample>(&sample))
           all[i].push_back(fire->inside);

@@ -9,7 +9,6 @@
 namespace skein::asset {
 namespace {
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kLongestStep = 0.1;  // of the quadrature [s]
 constexpr double kNoTime = 1e-15;     // no rate can be told over less [s]
 
@@ -27,12 +26,35 @@ KinematicPlant::KinematicPlant(const KinematicOptions& options)
   SKEIN_CHECK(options.airspeed > 0 && options.turn_radius > 0);
 }
 
+// What moves, as the equations name it.
+struct KinematicPlant::Point {
+  Vec3 p_N, v_N;
+  double airspeed, roll, pitch, heading;
+};
+
 FlightLimits KinematicPlant::limits() const {
-  return {options_.airspeed, options_.turn_radius, options_.climb_rate};
+  return {options_.airspeed,
+          options_.turn_radius,
+          options_.climb_rate,
+          options_.slowest(),
+          options_.airspeed * (1 + options_.airspeed_range),
+          options_.climb_rate};
 }
 
-VehicleState KinematicPlant::step(const VehicleState& state, const FlightCommand& command,
-                                  const Air& air, double dt) const {
+VehicleState KinematicPlant::start(const VehicleStart& start) const {
+  VehicleState state;
+  state.p_N = start.p_N;
+  state.airspeed = options_.airspeed;
+  state.q_NB = geo::from_euler({0, 0, start.heading});
+  state.v_N = start.wind_N;
+  state.v_N.head<2>() += options_.airspeed * geo::unit(start.heading);
+  state.v_N.z() = 0;
+  return state;
+}
+
+void KinematicPlant::step(VehicleState& state, const Control& control, const Air& air,
+                          double dt) const {
+  const FlightCommand& command = std::get<FlightCommand>(control);
   FlightCommand bounded;
   bounded.roll = bounded_or(0, command.roll, -roll_limit_, roll_limit_);
   bounded.airspeed = bounded_or(options_.airspeed, command.airspeed, options_.slowest(),
@@ -40,7 +62,9 @@ VehicleState KinematicPlant::step(const VehicleState& state, const FlightCommand
   bounded.climb_rate =
       bounded_or(0, command.climb_rate, -options_.climb_rate, options_.climb_rate);
 
-  VehicleState next = state;
+  const geo::Euler attitude = geo::to_euler(state.q_NB);
+  Point next{state.p_N,     state.v_N,      state.airspeed,
+             attitude.roll, attitude.pitch, attitude.yaw};
   if (options_.roll_rate <= 0) next.roll = bounded.roll;
   if (options_.airspeed_lag <= 0) next.airspeed = bounded.airspeed;
   // Until the roll arrives it changes evenly, then it stays: cut there, so that each part
@@ -56,19 +80,23 @@ VehicleState KinematicPlant::step(const VehicleState& state, const FlightCommand
         continue;
       }
     }
-    next = short_step(next, bounded, air, part);
+    short_step(next, bounded, air, part);
     left = left - part > 1e-12 ? left - part : 0;
   }
-  return next;
+  const Quat before = state.q_NB;
+  state.p_N = next.p_N;
+  state.v_N = next.v_N;
+  state.airspeed = next.airspeed;
+  state.q_NB = geo::from_euler({next.roll, next.pitch, next.heading});
+  if (dt > 0) state.w_NB_B = geo::log_so3(before.conjugate() * state.q_NB) / dt;
 }
 
-VehicleState KinematicPlant::short_step(const VehicleState& state,
-                                        const FlightCommand& command, const Air& air,
-                                        double dt) const {
-  const double roll_missing = command.roll - state.roll;
+void KinematicPlant::short_step(Point& point, const FlightCommand& command,
+                                const Air& air, double dt) const {
+  const double roll_missing = command.roll - point.roll;
   const double roll_step = std::min(std::abs(roll_missing), options_.roll_rate * dt);
   const double roll_rate = std::copysign(roll_step / dt, roll_missing);
-  const double slow = state.airspeed - command.airspeed;
+  const double slow = point.airspeed - command.airspeed;
   const auto airspeed_at = [&](double t) {
     return slow == 0 ? command.airspeed
                      : command.airspeed + slow * std::exp(-t / options_.airspeed_lag);
@@ -79,7 +107,7 @@ VehicleState KinematicPlant::short_step(const VehicleState& state,
   for (std::size_t i = 0; i < 5; ++i) {
     const double t = dt * static_cast<double>(i) / 4;
     airspeed[i] = airspeed_at(t);
-    turn_rate[i] = kGravity * std::tan(state.roll + roll_rate * t) / airspeed[i];
+    turn_rate[i] = kGravity * std::tan(point.roll + roll_rate * t) / airspeed[i];
   }
   const double half_turn = dt / 12 * (turn_rate[0] + 4 * turn_rate[1] + turn_rate[2]);
   const double turn =
@@ -91,23 +119,21 @@ VehicleState KinematicPlant::short_step(const VehicleState& state,
     const double level = std::sqrt(std::max(0.0, v * v - climb * climb));
     return level * geo::unit(heading);
   };
-  const Vec2 middle = velocity(airspeed[2], state.heading + half_turn);
-  const Vec2 last = velocity(airspeed[4], state.heading + turn);
-  const Vec2 moved = dt / 6 * (velocity(airspeed[0], state.heading) + 4 * middle + last);
+  const Vec2 middle = velocity(airspeed[2], point.heading + half_turn);
+  const Vec2 last = velocity(airspeed[4], point.heading + turn);
+  const Vec2 moved = dt / 6 * (velocity(airspeed[0], point.heading) + 4 * middle + last);
 
-  VehicleState next;
-  next.p_N = state.p_N + dt * air.wind_N;
-  next.p_N.head<2>() += moved;
-  next.p_N.z() -= dt * climb;
-  next.v_N = air.wind_N;
-  next.v_N.head<2>() += last;
-  next.v_N.z() -= climb;
-  next.airspeed = airspeed[4];
-  next.roll =
-      roll_step == std::abs(roll_missing) ? command.roll : state.roll + roll_rate * dt;
-  next.pitch = std::asin(climb / airspeed[4]);
-  next.heading = geo::wrap_pi(state.heading + turn);
-  return next;
+  point.p_N += dt * air.wind_N;
+  point.p_N.head<2>() += moved;
+  point.p_N.z() -= dt * climb;
+  point.v_N = air.wind_N;
+  point.v_N.head<2>() += last;
+  point.v_N.z() -= climb;
+  point.airspeed = airspeed[4];
+  point.roll =
+      roll_step == std::abs(roll_missing) ? command.roll : point.roll + roll_rate * dt;
+  point.pitch = std::asin(climb / airspeed[4]);
+  point.heading = geo::wrap_pi(point.heading + turn);
 }
 
 }  // namespace skein::asset

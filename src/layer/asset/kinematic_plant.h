@@ -35,12 +35,18 @@ class KinematicPlant final : public Plant {
   explicit KinematicPlant(const KinematicOptions& options);
 
   FlightLimits limits() const override;
-  VehicleState step(const VehicleState& state, const FlightCommand& command,
-                    const Air& air, double dt) const override;
+  Airframe airframe() const override { return SelfStabilised{}; }
+  VehicleState start(const VehicleStart& start) const override;
+  /// Takes a FlightCommand.
+  void step(VehicleState& state, const Control& control, const Air& air,
+            double dt) const override;
+  /// Never touches the ground whole.
+  Contact touch(VehicleState&, double, double) const override { return Contact::kCrash; }
 
  private:
-  VehicleState short_step(const VehicleState& state, const FlightCommand& command,
-                          const Air& air, double dt) const;
+  struct Point;
+  void short_step(Point& point, const FlightCommand& command, const Air& air,
+                  double dt) const;
 
   KinematicOptions options_;
   double roll_limit_;  // [rad]

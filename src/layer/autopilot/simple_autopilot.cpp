@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/air.h"
 #include "model/path/path_geometry.h"
 #include "model/path/wind_triangle.h"
 
 namespace skein::autopilot {
 namespace {
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kSlowDown = 6;  // flight before a tight turn in which to slow down [s]
 
 bool same(const Path& a, const Path& b) {
@@ -29,7 +29,8 @@ SimpleAutopilot::SimpleAutopilot(const SimpleAutopilotOptions& options,
       roll_limit_(
           std::atan(limits.airspeed * limits.airspeed / (kGravity * limits.turn_radius))),
       filter_(initial, options.wind_lag) {
-  command_.guidance = circle_around(geo::horizontal(initial.p_N));
+  home_ = geo::horizontal(initial.p_N);
+  command_.guidance = circle_around(home_);
   command_.altitude_msl = -initial.p_N.z();
 }
 
@@ -46,13 +47,16 @@ void SimpleAutopilot::command(const AutopilotCommand& command) {
   if (goes_on) return;
   status_ = {};
   along_ = 0;
+  hold_circle_ = circle_around(home_);
+  if (const auto* hold = std::get_if<HoldPosition>(&command_.guidance))
+    hold_circle_ = circle_around(hold->point);
   if (!next) return;
   status_.remaining = model::length(next->path);
   status_.done = next->path.empty();
   if (status_.done) end_circle_ = circle_around(geo::horizontal(estimate().p_N));
 }
 
-FlightCommand SimpleAutopilot::control(Time now, double /*dt*/) {
+Control SimpleAutopilot::control(Time now, double /*dt*/) {
   filter_.advance(now);
   const NavEstimate& nav = filter_.estimate();
   const Motion motion{geo::horizontal(nav.p_N), nav.heading, filter_.airspeed(),
@@ -76,7 +80,9 @@ CourseDemand SimpleAutopilot::demand(const Motion& motion) {
     return {hold->course, 0};
   if (const auto* around = std::get_if<Circle>(&command_.guidance))
     return circle(*around, motion.position, ground_speed, options_.guidance);
-  return follow(std::get<FollowPath>(command_.guidance).path, motion, ground_speed);
+  if (const auto* follows = std::get_if<FollowPath>(&command_.guidance))
+    return follow(follows->path, motion, ground_speed);
+  return circle(hold_circle_, motion.position, ground_speed, options_.guidance);
 }
 
 CourseDemand SimpleAutopilot::follow(const Path& path, const Motion& motion,

@@ -35,7 +35,8 @@ class SimpleAutopilot final : public Autopilot {
 
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
-  FlightCommand control(Time now, double dt) override;
+  /// A FlightCommand.
+  Control control(Time now, double dt) override;
   const NavEstimate& estimate() const override { return filter_.estimate(); }
   AutopilotStatus status() const override { return status_; }
 
@@ -53,6 +54,8 @@ class SimpleAutopilot final : public Autopilot {
   AutopilotStatus status_;
   double along_ = 0;   // of the path, where the vehicle is
   Circle end_circle_;  // flown when the path is done
+  Circle hold_circle_;
+  Vec2 home_ = Vec2::Zero();
 };
 
 }  // namespace skein::autopilot

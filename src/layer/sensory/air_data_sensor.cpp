@@ -13,7 +13,7 @@ void AirDataSensor::sample(const SensorView& view, std::vector<SensorSample>& ou
   AirDataSample sample;
   sample.time = view.now;
   sample.airspeed = view.vehicle.airspeed;
-  sample.heading = view.vehicle.heading;
+  sample.heading = geo::yaw(view.vehicle.q_NB);
   // A perfect sensor draws nothing: it is the most frequent one of a run.
   if (options_.airspeed_sd > 0)
     sample.airspeed += options_.airspeed_sd * random_.normal();

@@ -13,7 +13,7 @@ void FireSensor::sample(const SensorView& view, std::vector<SensorSample>& out) 
   // Drawn before looking, so that reading k uses number k wherever the vehicle is.
   const double luck = random_.uniform();
   const Vec2 point = geo::horizontal(view.vehicle.p_N) +
-                     options_.look_ahead * geo::unit(view.vehicle.heading);
+                     options_.look_ahead * geo::unit(geo::yaw(view.vehicle.q_NB));
   const double height = -view.vehicle.p_N.z() - view.terrain.elevation_msl(point);
   if (height > options_.max_height) return;
   const bool burns = view.fire.inside(point);

@@ -23,6 +23,7 @@ class FireSensor final : public Sensor {
   FireSensor(const FireSensorOptions& options, std::uint64_t seed, EntityId entity,
              std::uint32_t instance = 0);
   void sample(const SensorView& view, std::vector<SensorSample>& out) override;
+  bool payload() const override { return true; }
 
  private:
   FireSensorOptions options_;

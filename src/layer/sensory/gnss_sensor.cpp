@@ -26,6 +26,8 @@ void GnssSensor::sample(const SensorView& view, std::vector<SensorSample>& out) 
   const Vec3 sd{options_.position_sd, options_.position_sd, options_.altitude_sd};
   fix.p_N = view.vehicle.p_N + sd.cwiseProduct(error_);
   fix.position_sd = options_.position_sd;
+  fix.altitude_sd = options_.altitude_sd;
+  fix.velocity_sd = options_.velocity_sd;
   out.emplace_back(fix);
 }
 

@@ -75,13 +75,13 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
       state.p_N = Vec3(p.x(), p.y(), -400);
       state.v_N = Vec3(-20 * std::sin(bearing), 20 * std::cos(bearing), 0);
       state.airspeed = 20;
-      state.heading = geo::wrap_2pi(bearing + geo::kPi / 2);
+      state.q_NB = geo::from_euler({0, 0, bearing + geo::kPi / 2});
       recorder.truth(now, id, state);
       NavEstimate estimate;
       estimate.time = now;
       estimate.p_N = state.p_N + Vec3(random.normal(), random.normal(), 0);
       estimate.v_N = state.v_N;
-      estimate.heading = state.heading;
+      estimate.heading = geo::yaw(state.q_NB);
       estimate.position_sd = 1;
       recorder.estimate(id, estimate);
       if (!whole_second) continue;

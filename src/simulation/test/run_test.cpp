@@ -55,14 +55,14 @@ class Glider : public Plant {
   explicit Glider(double break_after = std::numeric_limits<double>::infinity())
       : break_after_(break_after) {}
   FlightLimits limits() const override { return {}; }
-  VehicleState step(const VehicleState& s, const FlightCommand& c, const Air&,
-                    double dt) const override {
-    VehicleState next = s;
-    next.v_N = {20, 0, -c.climb_rate};
-    next.p_N += dt * next.v_N;
-    if (next.p_N.x() > break_after_) next.p_N.x() = std::nan("");
-    return next;
+  Airframe airframe() const override { return SelfStabilised{}; }
+  VehicleState start(const VehicleStart&) const override { return {}; }
+  void step(VehicleState& s, const Control& c, const Air&, double dt) const override {
+    s.v_N = {20, 0, -std::get<FlightCommand>(c).climb_rate};
+    s.p_N += dt * s.v_N;
+    if (s.p_N.x() > break_after_) s.p_N.x() = std::nan("");
   }
+  Contact touch(VehicleState&, double, double) const override { return Contact::kCrash; }
 
  private:
   double break_after_;
@@ -73,7 +73,7 @@ class Hands : public Autopilot {
   explicit Hands(double climb) : climb_(climb) {}
   void sense(const SensorSample&) override {}
   void command(const AutopilotCommand&) override {}
-  FlightCommand control(Time, double) override { return {0, 20, climb_}; }
+  Control control(Time, double) override { return FlightCommand{0, 20, climb_}; }
   const NavEstimate& estimate() const override { return estimate_; }
   AutopilotStatus status() const override { return {}; }
 
@@ -161,6 +161,7 @@ World make_world(int count, Time delay = Time(), double climb = 0) {
     entity.vehicle = std::make_unique<Vehicle>();
     entity.vehicle->plant = plant;
     entity.vehicle->autopilot = std::make_unique<Hands>(climb);
+    entity.vehicle->step = Time::from_seconds(0.1);
     entity.vehicle->state.p_N = {0, 0, -50};
     entity.active = {{Time(), Time::from_seconds(1e6)}};
     world.entities.push_back(std::move(entity));

@@ -66,7 +66,7 @@ class Flight {
       if (tick % 5 == 0)
         autopilot->sense(
             AirDataSample{now, vehicle.airspeed, geo::wrap_pi(vehicle.heading)});
-      vehicle.step(autopilot->control(now, kStep));
+      vehicle.step(std::get<FlightCommand>(autopilot->control(now, kStep)));
       if (watch) watch();
     }
   }

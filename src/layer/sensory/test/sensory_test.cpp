@@ -33,8 +33,9 @@ struct World {
   FlatGround ground;
   SquareFire fire;
   VehicleState vehicle;
+  Air air;
 
-  SensorView at(Time now) const { return {now, vehicle, ground, fire}; }
+  SensorView at(Time now) const { return {now, vehicle, air, ground, fire}; }
   std::vector<SensorSample> run(Sensor& sensor, Time tick, int ticks) const {
     std::vector<SensorSample> out;
     for (int i = 0; i < ticks; ++i) sensor.sample(at(tick * i), out);
@@ -111,11 +112,11 @@ TEST(GnssSensor, SameSeedSameErrorsOtherEntityOthers) {
 TEST(AirDataSensor, AddsWhiteErrors) {
   World world;
   world.vehicle.airspeed = 20;
-  world.vehicle.heading = 3;
+  world.vehicle.q_NB = geo::from_euler({0, 0, 3});
   AirDataSensor perfect({}, 1, {1});
   const auto truth = world.run(perfect, ms(50), 1);
   EXPECT_EQ(std::get<AirDataSample>(truth.at(0)).airspeed, 20);
-  EXPECT_EQ(std::get<AirDataSample>(truth.at(0)).heading, 3);
+  EXPECT_NEAR(std::get<AirDataSample>(truth.at(0)).heading, 3, 1e-15);
   AirDataSensor noisy({.rate_hz = 20, .airspeed_sd = 0.5, .heading_sd = 0.02}, 1, {1});
   double speed2 = 0, heading2 = 0;
   const int n = 20000;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "geo/vec.h"
+
+namespace skein {
+
+/// A plant that holds its own attitude: it takes a FlightCommand.
+struct SelfStabilised {};
+
+/// A fixed wing that takes Actuators (see data/control.h), as its autopilot must know it.
+struct FixedWingAirframe {
+  double mass = 0;        ///< [kg]
+  double slowest = 0;     ///< least airspeed to fly at: stall with its reserve [m/s]
+  double cruise = 0;      ///< airspeed [m/s]
+  double fastest = 0;     ///< [m/s]
+  double bank_limit = 0;  ///< [rad]
+  double pitch_up = 0;    ///< largest pitch angle [rad]
+  double pitch_down = 0;  ///< least pitch angle, negative [rad]
+  double climb_rate = 0;  ///< largest, at cruise and full throttle, with reserve [m/s]
+  double sink_rate = 0;   ///< largest, motor idle at cruise, with reserve [m/s]
+  // Level flight at cruise, sea level:
+  double trim_alpha = 0;     ///< angle of attack [rad]
+  double trim_elevator = 0;  ///< channel
+  double trim_throttle = 0;  ///< channel
+  bool rudder = true;        ///< has one
+  bool motor = true;         ///< has one
+};
+
+/// One rotor, seen from above. Thrust goes up.
+struct RotorPlace {
+  Vec2 position = Vec2::Zero();  ///< forward, right of the centre of gravity [m]
+  double spin =
+      1;  ///< +1: its drag torque yaws the airframe clockwise, -1: the other way
+};
+
+/// A multirotor that takes Actuators: channel k is rotor k.
+struct MultirotorAirframe {
+  double mass = 0;              ///< [kg]
+  Vec3 inertia = Vec3::Zero();  ///< about forward, right, down [kg m^2]
+  std::vector<RotorPlace> rotors;
+  double thrust_max = 0;    ///< of one rotor at full throttle [N]
+  double torque_ratio = 0;  ///< drag torque over thrust [m]
+  /// Thrust of a rotor is thrust_max throttle^exponent in steady state.
+  double thrust_exponent = 2;
+  double tilt_limit = 0;  ///< [rad]
+  double cruise = 0;      ///< horizontal speed in the air on the way [m/s]
+  double fastest = 0;     ///< [m/s]
+  double climb_rate = 0;  ///< [m/s]
+  double sink_rate = 0;   ///< [m/s]
+};
+
+/// What an autopilot is set up for.
+using Airframe = std::variant<SelfStabilised, FixedWingAirframe, MultirotorAirframe>;
+
+}  // namespace skein
