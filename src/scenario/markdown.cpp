@@ -118,15 +118,10 @@ void write_object(const std::string& path, const Object& object, const void* val
 
 }  // namespace
 
-std::string keys_as_markdown(const Object& object, const KindTable& kinds) {
-  std::string out =
-      "# Keys of a scenario file\n\n"
-      "Written by the program from the description that also reads and checks the files. "
-      "The unit of a number ends its key. Points are `[north, east]` from the origin. "
-      "An implementation is chosen by its name (`radio: ideal`) or, to set its keys, as "
-      "`radio: {kind: ideal, ...}`.\n\n## Scenario\n\n";
-  write_object("", object, object.defaults(), kinds, out);
-  out += "\n## Kinds\n";
+std::string keys_as_markdown(const Document& document, const KindTable& kinds) {
+  std::string out = document.preface;
+  write_object("", *document.keys, document.keys->defaults(), kinds, out);
+  if (!kinds.roles().empty()) out += "\n## Kinds\n";
   for (const std::string& role : kinds.roles()) {
     out += fmt::format("\n### {}\n", role);
     for (const Kind& kind : kinds.of(role)) {

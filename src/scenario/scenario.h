@@ -14,13 +14,22 @@
 
 namespace skein::scenario {
 
+/// A thing on the ground, for cameras to find.
+struct Object {
+  std::string name = "object";
+  Vec2 position = Vec2::Zero();  ///< at the start [m]
+  Vec2 velocity = Vec2::Zero();  ///< [m/s]
+};
+
 /// What surrounds the aircraft.
 struct Environment {
   Choice terrain{"flat"};
   Choice wind{"uniform"};
+  Choice turbulence{"none"};
   Choice fire{"thesis"};
   std::optional<Time> period;    ///< of moving the fire; none: as the fire sensors need
   std::vector<geo::Ring> zones;  ///< no-flight zones [m]
+  std::vector<Object> objects;
 };
 
 /// How the aircraft of a group stand at the start.
@@ -39,6 +48,7 @@ struct Start {
   double spacing = 100;                ///< line: between neighbours [m]
   std::vector<Vec2> positions;         ///< list [m]
   std::optional<double> altitude_msl;  ///< [m]; none: altitude_agl above the ground
+  bool on_ground = false;              ///< stands on the ground, whatever the altitudes
   std::optional<double> heading;       ///< [rad]; none: to the centre, ring: along it
 };
 
@@ -47,11 +57,27 @@ struct Failure {
   enum class Kind {
     kLost,  ///< it crashes: silent for ever, or until it is replaced
     kLand,  ///< it lands
+    // Of one part, the aircraft goes on:
+    kMotor,
+    kServoStuck,
+    kServoLoose,
+    kSensor,
+    kBattery,
+    kLink,
   };
   Time at;
   Kind kind = Kind::kLost;
+  std::string part;           ///< which motor, servo or sensor; see the key
   int aircraft = 0;           ///< index in the group
   std::optional<Time> until;  ///< it takes part again from then on
+};
+
+/// Failures of one kind that happen to each aircraft of a group by chance.
+struct RandomFailure {
+  Failure::Kind kind = Failure::Kind::kLink;
+  std::string part;
+  Time mean_between = Time::from_seconds(3600);  ///< from the end of one to the next
+  std::optional<Time> length;                    ///< none: until the end of the run
 };
 
 /// Aircraft that are equal but for their place.
@@ -65,10 +91,12 @@ struct AircraftGroup {
   double altitude_agl = 120;  ///< [m]
   Time agent_period = Time::from_seconds(0.5);
   Start start;
-  Time join;                     ///< takes part from this time on
+  std::optional<Time> flight_step;  ///< of plant and autopilot; none: as the plant needs
+  Time join;                        ///< takes part from this time on
   std::optional<Time> leave;     ///< lands at this time
   std::optional<Time> comeback;  ///< takes part again from this time on
   std::vector<Failure> failures;
+  std::vector<RandomFailure> random_failures;
 };
 
 /// The ground station, which keeps the belief and gives the orders.
@@ -76,6 +104,7 @@ struct Station {
   Vec2 position = Vec2::Zero();  ///< [m]
   double antenna_agl = 5;        ///< height above the ground [m]
   Time agent_period = Time::from_seconds(0.5);
+  std::optional<Time> heartbeat;  ///< between signs of life; none: as autopilots need
 };
 
 /// From the start until an aircraft first crosses the perimeter.

@@ -30,18 +30,32 @@ Fields<geo::Geodetic> origin_fields() {
               {.at_least = -180, .at_most = 180});
 }
 
+Fields<scenario::Object> object_fields() {
+  using T = scenario::Object;
+  return Fields<T>()
+      .text("name", &T::name, "What it is.")
+      .point("position_m", &T::position, "Where it is at the start.")
+      .point("velocity_mps", &T::velocity, "How it moves.",
+             {.at_least = -100, .at_most = 100});
+}
+
 Fields<Environment> environment_fields() {
   using T = Environment;
   return Fields<T>()
       .kind("terrain", &T::terrain, "terrain", "Height of the ground.")
       .kind("wind", &T::wind, "wind", "Wind in space and time.")
+      .kind("turbulence", &T::turbulence, "turbulence",
+            "What each aircraft feels beyond the mean wind.")
       .kind("fire", &T::fire, "fire", "The true fire.")
       .duration_s("period_s", &T::period,
                   "Time between two steps of the fire. Null: every second, and as often "
                   "as a sensor looks at the fire and metrics are taken.",
                   kPeriod)
       .polygon("zones_m", &T::zones, "No-flight zones, each a list of its corners.")
-      .items({.at_most = 1000});
+      .items({.at_most = 1000})
+      .object("objects", &T::objects, object_fields(),
+              "Things on the ground, for cameras to find.")
+      .items({.at_most = 10000});
 }
 
 Fields<Start> start_fields() {
@@ -67,20 +81,35 @@ Fields<Start> start_fields() {
           "Altitude at the start, above mean sea level. Null: altitude_agl_m above the "
           "ground there.",
           {.at_least = -500, .at_most = 30000})
+      .boolean("on_ground", &T::on_ground,
+               "Stands on the ground at the start, for take-off; needs a plant that can.")
       .angle_deg("heading_deg", &T::heading,
                  "Heading at the start, clockwise from north. Null: to the centre (line: "
                  "north; ring: along it, clockwise).",
                  kBearing);
 }
 
+constexpr const char* kPartHelp =
+    "Which part. Motor: its channel, from 0 (empty: the only one of a fixed wing, the "
+    "first of a multirotor). Servo: aileron, elevator or rudder. Sensor: its kind (empty: "
+    "all).";
+
 Fields<Failure> failure_fields() {
   using T = Failure;
+  using Kind = Failure::Kind;
   return Fields<T>()
       .duration_s("at_s", &T::at, "When it happens.")
       .required()
       .word("kind", &T::kind, "What happens.",
-            {{"lost", Failure::Kind::kLost, "it falls silent where it is"},
-             {"land", Failure::Kind::kLand, "it lands"}})
+            {{"lost", Kind::kLost, "it falls silent where it is"},
+             {"land", Kind::kLand, "it lands"},
+             {"motor", Kind::kMotor, "a motor gives nothing"},
+             {"servo-stuck", Kind::kServoStuck, "a servo stays where it is"},
+             {"servo-loose", Kind::kServoLoose, "a surface swings freely"},
+             {"sensor", Kind::kSensor, "a sensor says nothing"},
+             {"battery", Kind::kBattery, "the battery gives nothing"},
+             {"link", Kind::kLink, "no message goes in or out"}})
+      .text("part", &T::part, kPartHelp)
       .integer("aircraft", &T::aircraft, "Which aircraft of the group, from 0.",
                {.at_least = 0, .at_most = 9999})
       .duration_s("until_s", &T::until, "When it takes part again. Null: never.")
@@ -88,6 +117,26 @@ Fields<Failure> failure_fields() {
         const bool back_too_early = t.until && *t.until <= t.at;
         return back_too_early ? std::string("must be after at_s.") : std::string();
       });
+}
+
+Fields<RandomFailure> random_failure_fields() {
+  using T = RandomFailure;
+  using Kind = Failure::Kind;
+  return Fields<T>()
+      .word("kind", &T::kind, "What happens.",
+            {{"motor", Kind::kMotor, "a motor gives nothing"},
+             {"servo-stuck", Kind::kServoStuck, "a servo stays where it is"},
+             {"servo-loose", Kind::kServoLoose, "a surface swings freely"},
+             {"sensor", Kind::kSensor, "a sensor says nothing"},
+             {"battery", Kind::kBattery, "the battery gives nothing"},
+             {"link", Kind::kLink, "no message goes in or out"}})
+      .required()
+      .text("part", &T::part, kPartHelp)
+      .duration_s("mean_between_s", &T::mean_between,
+                  "Mean time to the next one, for each aircraft; exponential.",
+                  {.above = 0})
+      .duration_s("length_s", &T::length, "How long it lasts. Null: for good.",
+                  {.above = 0});
 }
 
 std::string positions_fault(const AircraftGroup& group) {
@@ -124,6 +173,10 @@ Fields<AircraftGroup> aircraft_fields() {
               {.above = 0, .at_most = 20000})
       .duration_s("agent_period_s", &T::agent_period,
                   "Time between two steps of the agent.", kPeriod)
+      .duration_s("flight_step_s", &T::flight_step,
+                  "Time step of plant, autopilot and its sensors; step_s is a multiple. "
+                  "Null: 0.01 s for plants that take actuators, else step_s.",
+                  {.at_least = 0.0005, .at_most = 10})
       .object("start", &T::start, start_fields(), "Place at the start.")
       .duration_s("join_s", &T::join, "When the group joins.")
       .duration_s("leave_s", &T::leave, "When the group lands. Null: never.")
@@ -132,6 +185,9 @@ Fields<AircraftGroup> aircraft_fields() {
       .object("failures", &T::failures, failure_fields(),
               "What happens to single aircraft.")
       .items({.at_most = 10000})
+      .object("random_failures", &T::random_failures, random_failure_fields(),
+              "What happens to each of them by chance.")
+      .items({.at_most = 100})
       .rule("leave_s",
             [](const T& t) {
               const bool early = t.leave && *t.leave <= t.join;
@@ -155,7 +211,11 @@ Fields<Station> station_fields() {
       .number("antenna_agl_m", &T::antenna_agl, "Height of its antenna above ground.",
               {.at_least = 0, .at_most = 1000})
       .duration_s("agent_period_s", &T::agent_period, "Time between two decisions.",
-                  kPeriod);
+                  kPeriod)
+      .duration_s("heartbeat_s", &T::heartbeat,
+                  "Time between two signs of life to each aircraft; 0: none. Null: 1 s "
+                  "where an autopilot watches the link, else none.",
+                  {.at_least = 0, .at_most = 3600});
 }
 
 Fields<PerimeterPrior> prior_fields() {
@@ -239,9 +299,16 @@ std::vector<RuleFault> period_faults(const Scenario& scenario) {
   };
   if (scenario.environment.period)
     check("environment.period_s", *scenario.environment.period);
-  for (std::size_t i = 0; i < scenario.aircraft.size(); ++i)
+  for (std::size_t i = 0; i < scenario.aircraft.size(); ++i) {
     check(fmt::format("aircraft[{}].agent_period_s", i),
           scenario.aircraft[i].agent_period);
+    const auto& flight_step = scenario.aircraft[i].flight_step;
+    if (flight_step && step.ns() % flight_step->ns() != 0)
+      faults.push_back({fmt::format("aircraft[{}].flight_step_s", i),
+                        fmt::format("{} s does not divide step_s, {} s.",
+                                    seconds_text(*flight_step), seconds_text(step)),
+                        {"step_s"}});
+  }
   check("station.agent_period_s", scenario.station.agent_period);
   check("record.metrics_period_s", scenario.record.metrics_period);
   // A rate is a rounded number: 3.33333 means every third step of 0.1 s.

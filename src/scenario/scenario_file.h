@@ -5,24 +5,19 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "scenario/document.h"
 #include "scenario/kind_table.h"
 #include "scenario/override.h"
-#include "scenario/problem.h"
 #include "scenario/scenario.h"
 
 namespace skein::scenario {
 
 /// A scenario, or everything that is wrong with it.
-struct ReadOutcome {
+struct ReadOutcome : Reading {
   std::optional<Scenario> scenario;  ///< there exactly when there is no problem
-  std::vector<Problem> problems;     ///< in the order of their places; 1000 at most
-  std::size_t problem_count = 0;     ///< all of them
 
   bool ok() const { return scenario.has_value(); }
-  /// One line per problem and "2 problems; nothing was run."; empty when there is none.
-  std::string report() const;
 };
 
 /// Reads a scenario file. Every key that is not given has its default; every option of

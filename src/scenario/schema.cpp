@@ -177,12 +177,12 @@ void collect_roles(const Object& object, std::vector<std::string>& roles) {
 
 }  // namespace
 
-std::string schema_text(const Object& object, const KindTable& kinds) {
+std::string schema_text(const Document& document, const KindTable& kinds) {
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                 {"title", "Skein scenario"}};
-  schema.update(object_schema(object, nullptr));
+                 {"title", document.title}};
+  schema.update(object_schema(*document.keys, nullptr));
   std::vector<std::string> roles = kinds.roles();
-  collect_roles(object, roles);
+  collect_roles(*document.keys, roles);
   Json definitions = Json::object();
   for (const std::string& role : roles) {
     if (definitions.contains(definition_of(role))) continue;
