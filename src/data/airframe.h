@@ -27,6 +27,14 @@ struct FixedWingAirframe {
   double trim_throttle = 0;  ///< channel
   bool rudder = true;        ///< has one
   bool motor = true;         ///< has one
+  // How it answers in that flight, for gains of its own. 0 = not known.
+  double aileron_power = 0;    ///< roll acceleration at full aileron [rad/s^2]
+  double roll_damping = 0;     ///< roll deceleration over roll rate [1/s]
+  double elevator_power = 0;   ///< pitch acceleration at full elevator up [rad/s^2]
+  double pitch_damping = 0;    ///< pitch deceleration over pitch rate [1/s]
+  double pitch_stiffness = 0;  ///< nose-down acceleration over angle of attack [1/s^2]
+  double lift_slope = 0;       ///< lift over angle of attack, mass and airspeed [1/s]
+  double rudder_power = 0;     ///< yaw acceleration at full rudder [rad/s^2]
 };
 
 /// One rotor, seen from above. Thrust goes up.
@@ -50,6 +58,7 @@ struct MultirotorAirframe {
   double fastest = 0;     ///< [m/s]
   double climb_rate = 0;  ///< [m/s]
   double sink_rate = 0;   ///< [m/s]
+  double motor_lag = 0;   ///< time constant of a rotor's speed [s]; 0 = not known
 };
 
 /// What an autopilot is set up for.
