@@ -1,0 +1,53 @@
+#pragma once
+
+#include "layer/autopilot/control/fixed_wing_gains.h"
+#include "layer/autopilot/demand.h"
+
+namespace skein::autopilot {
+
+/// What the energy law looks at.
+struct EnergyView {
+  double altitude_msl = 0;  ///< [m]
+  double climb_rate = 0;    ///< [m/s]
+  double airspeed = 0;      ///< [m/s]
+  double load = 1;          ///< load factor of the turn
+};
+
+struct EnergyOutput {
+  double pitch = 0;     ///< demanded [rad]
+  double throttle = 0;  ///< 0 to 1
+};
+
+/// Height and airspeed by total energy: the throttle holds the sum of the rates of
+/// potential and kinetic energy, the pitch their difference.
+///
+///   climb_d = climb_ff + k_h (h_d - h),      a_d = k_V (V_d - V)
+///   E' = climb + V V'/g                      throttle: trim(E'_d) + k (E'_d - E') +
+///   integral B' = w_p climb - w_k V V'/g              path angle: (B'_d + k (B'_d - B')
+///   + integral) / V
+///
+/// Energies are divided by weight, so rates are in m/s. The pitch is the path angle and
+/// the angle of attack that carries the load factor at this airspeed. Too slow, w goes
+/// from (1, 1) to (0, 1): the pitch then serves the airspeed alone, with full throttle;
+/// the same with the motor idle in a glide, and with it full in the climb after take-off.
+/// Then the path angle is (E' - V a_d/g) / V.
+/// Reference: [Lambregts83].
+class EnergyControl {
+ public:
+  /// To go on smoothly from a flight with this airspeed, pitch and throttle.
+  void reset(const EnergyView& view, double pitch, double throttle);
+
+  EnergyOutput step(const FixedWingSetup& setup, const FixedWingDemand& demand,
+                    const EnergyView& view, double dt);
+
+ private:
+  double speed_ = 0;         // filtered [m/s]
+  double acceleration_ = 0;  // [m/s^2]
+  double throttle_sum_ = 0;  // integral part of the throttle
+  double path_sum_ = 0;      // of the path angle times airspeed [m/s]
+  double pitch_ = 0;         // last demanded [rad]
+  double throttle_ = 0;      // last
+  bool fresh_ = true;        // the integrators are to be set so that nothing jumps
+};
+
+}  // namespace skein::autopilot

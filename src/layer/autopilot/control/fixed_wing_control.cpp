@@ -1,0 +1,170 @@
+#include "layer/autopilot/control/fixed_wing_control.h"
+
+#include <utility>
+
+#include "data/air.h"
+#include "layer/autopilot/control/bounded.h"
+
+namespace skein::autopilot {
+namespace {
+
+// Adding up is enough: what is not finite stays so.
+bool finite(const NavState& n) {
+  return std::isfinite(n.p_N.sum() + n.v_N.sum() + n.q_NB.coeffs().sum() +
+                       n.w_NB_B.sum() + n.wind_N.sum() + n.airspeed);
+}
+
+bool finite(const FixedWingDemand& d) {
+  return std::isfinite(d.lateral_acceleration + d.altitude_msl + d.climb_rate +
+                       d.airspeed);
+}
+
+// Forward axis over the ground, as a unit vector.
+Vec2 heading_of(const Quat& q) {
+  const Vec2 forward(q.w() * q.w() + q.x() * q.x() - q.y() * q.y() - q.z() * q.z(),
+                     2 * (q.x() * q.y() + q.w() * q.z()));
+  const double length = forward.norm();
+  return length > 1e-9 ? Vec2(forward / length) : Vec2(1, 0);
+}
+
+EnergyView view_of(const NavState& nav, const Posture& posture) {
+  return {-nav.p_N.z(), -nav.v_N.z(), nav.airspeed, posture.load()};
+}
+
+}  // namespace
+
+FixedWingControl::FixedWingControl(std::shared_ptr<const FixedWingSetup> setup)
+    : setup_(std::move(setup)) {
+  last_[channel::kElevator] = bounded(setup_->airframe.trim_elevator, 1);
+}
+
+FixedWingControl::FixedWingControl(const FixedWingAirframe& airframe,
+                                   const FixedWingGains& gains)
+    : FixedWingControl(std::make_shared<const FixedWingSetup>(airframe, gains)) {}
+
+void FixedWingControl::reset(const NavState& nav) {
+  if (!finite(nav)) {
+    fresh_ = true;
+    return;
+  }
+  const Posture posture(nav.q_NB);
+  energy_.reset(view_of(nav, posture), posture.pitch,
+                flown_ ? last_[channel::kThrottle] : setup_->airframe.trim_throttle);
+  roll_ = posture.roll;
+  roll_rate_ = 0;
+  run_heading_.setZero();
+  fresh_ = false;
+  flown_ = true;
+}
+
+void FixedWingControl::change(std::shared_ptr<const FixedWingSetup> setup) {
+  setup_ = std::move(setup);
+}
+
+double FixedWingControl::bank_demand(const FixedWingDemand& demand,
+                                     const NavState& nav) const {
+  const FixedWingAirframe& a = setup_->airframe;
+  const Vec2 ground = geo::horizontal(nav.v_N);
+  const Vec2 air = geo::horizontal(nav.v_N - nav.wind_N);
+  const double lengths = std::sqrt(ground.squaredNorm() * air.squaredNorm());
+  const double drift_cosine = lengths > 1 ? ground.dot(air) / lengths : 1;
+  // Lift carries a load of (V / slowest)^2; some bank is always left to turn with.
+  const double lift = nav.airspeed * nav.airspeed / (a.slowest * a.slowest);
+  double most =
+      std::min(setup_->bank_tangent, std::sqrt(bounded(lift * lift - 1, 0.1, 1e4)));
+  if (demand.phase == FlightPhase::kClimbOut)
+    most = std::min(most, setup_->gains.climb_out_bank);
+  if (demand.phase == FlightPhase::kFlare)
+    most = std::min(most, setup_->gains.flare_bank);
+  return std::atan(bounded(
+      demand.lateral_acceleration / (kGravity * std::max(drift_cosine, 0.3)), most));
+}
+
+void FixedWingControl::move_roll(double aim, double dt) {
+  const double most = setup_->gains.bank_rate_limit;
+  roll_rate_ = bounded((aim - roll_) / dt, most);
+  roll_ = bounded(roll_ + roll_rate_ * dt, geo::kPi);
+}
+
+Actuators FixedWingControl::ground_run(const NavState& nav, const Posture& posture,
+                                       double dt) {
+  const Vec2 heading = heading_of(nav.q_NB);
+  if (run_heading_.isZero()) run_heading_ = heading;
+  SurfaceDemand demand;
+  demand.pitch = setup_->airframe.trim_alpha;
+  demand.extra_turn = setup_->gains.run_heading_gain * geo::cross(heading, run_heading_);
+  surfaces_.reset();  // the ground holds against them
+  surfaces_.step(*setup_, demand, nav, posture, dt, last_);
+  last_[channel::kThrottle] =
+      setup_->airframe.motor
+          ? bounded(last_[channel::kThrottle] + setup_->gains.throttle_rate * dt, 0, 1)
+          : 0;
+  energy_.reset(view_of(nav, posture), posture.pitch, last_[channel::kThrottle]);
+  move_roll(0, dt);
+  return last_;
+}
+
+Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavState& nav,
+                                    double dt) {
+  if (!(dt > 0) || !finite(nav) || !finite(demand)) return last_;
+  if (fresh_) reset(nav);
+  const Posture posture(nav.q_NB);
+  if (demand.phase == FlightPhase::kGround) {
+    surfaces_.reset();
+    last_ = {};
+    last_[channel::kElevator] = bounded(setup_->airframe.trim_elevator, 1);
+    reset(nav);
+    return last_;
+  }
+  if (demand.phase == FlightPhase::kRun) return ground_run(nav, posture, dt);
+  move_roll(bank_demand(demand, nav), dt);
+  const EnergyOutput energy = energy_.step(*setup_, demand, view_of(nav, posture), dt);
+  surfaces_.step(*setup_, {roll_, roll_rate_, energy.pitch, 0}, nav, posture, dt, last_);
+  last_[channel::kThrottle] = bounded(energy.throttle, 0, 1);
+  return last_;
+}
+
+Actuators FixedWingControl::stabilize(const AttitudeDemand& demand, const NavState& nav,
+                                      double dt) {
+  if (!(dt > 0) || !finite(nav)) return last_;
+  if (fresh_) reset(nav);
+  const FixedWingAirframe& a = setup_->airframe;
+  const Posture posture(nav.q_NB);
+  move_roll(bounded(demand.roll, a.bank_limit), dt);
+  SurfaceDemand surface;
+  surface.roll = roll_;
+  surface.roll_rate = roll_rate_;
+  surface.pitch =
+      std::isfinite(demand.pitch) ? bounded(demand.pitch, a.pitch_down, a.pitch_up) : 0;
+  surface.extra_turn = bounded(demand.yaw_rate, 1);
+  surfaces_.step(*setup_, surface, nav, posture, dt, last_);
+  last_[channel::kThrottle] = a.motor ? bounded(demand.throttle, 0, 1) : 0;
+  // The energy law goes on from here whenever it is asked again.
+  energy_.reset(view_of(nav, posture), posture.pitch, last_[channel::kThrottle]);
+  return last_;
+}
+
+Actuators FixedWingControl::manual(const PilotInput& sticks, const NavState&, double) {
+  const FixedWingAirframe& a = setup_->airframe;
+  surfaces_.reset();
+  fresh_ = true;
+  last_[channel::kAileron] = bounded(sticks.roll, 1);
+  last_[channel::kElevator] = bounded(a.trim_elevator - bounded(sticks.pitch, 1), 1);
+  last_[channel::kRudder] = a.rudder ? -bounded(sticks.yaw, 1) : 0;
+  last_[channel::kThrottle] = a.motor ? bounded(sticks.throttle, 0, 1) : 0;
+  return last_;
+}
+
+AttitudeDemand FixedWingControl::attitude_for(const PilotInput& sticks) const {
+  const FixedWingAirframe& a = setup_->airframe;
+  const double pitch = bounded(sticks.pitch, 1);
+  AttitudeDemand demand;
+  demand.roll = bounded(sticks.roll, 1) * a.bank_limit;
+  demand.pitch = a.trim_alpha + (pitch > 0 ? pitch * (a.pitch_up - a.trim_alpha)
+                                           : pitch * (a.trim_alpha - a.pitch_down));
+  demand.yaw_rate = bounded(sticks.yaw, 1) * 0.3;
+  demand.throttle = bounded(sticks.throttle, 0, 1);
+  return demand;
+}
+
+}  // namespace skein::autopilot

@@ -1,0 +1,28 @@
+#include "layer/autopilot/control/multirotor_gains.h"
+
+#include <cmath>
+
+namespace skein::autopilot {
+namespace {
+
+constexpr double kAssumedLag = 0.05;  // of a small motor [s]
+// Loop gain over 1/lag: damping 1/(2 sqrt(0.5)) = 0.7 of rate loop and motor.
+constexpr double kRateShare = 0.5;
+constexpr double kTiltShare = 0.4;  // of the rate gain
+
+MultirotorGains completed(MultirotorGains g, double lag) {
+  if (!(lag > 0)) lag = kAssumedLag;
+  if (!(g.rate_gain > 0)) g.rate_gain = std::min(kRateShare / lag, 25.0);
+  if (!(g.tilt_gain > 0)) g.tilt_gain = kTiltShare * g.rate_gain;
+  return g;
+}
+
+}  // namespace
+
+MultirotorSetup::MultirotorSetup(const MultirotorAirframe& a, const MultirotorGains& g)
+    : gains(completed(g, a.motor_lag)),
+      airframe(a),
+      tilt_tangent(std::tan(a.tilt_limit > 0 ? a.tilt_limit : 0.6)),
+      thrust_most(a.thrust_max * static_cast<double>(a.rotors.size())) {}
+
+}  // namespace skein::autopilot
