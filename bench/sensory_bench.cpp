@@ -3,7 +3,18 @@
 
 #include <benchmark/benchmark.h>
 
+#include <memory>
+#include <vector>
+
 #include "base/random.h"
+#include "data/air.h"
+#include "layer/sensory/airspeed_sensor.h"
+#include "layer/sensory/barometer.h"
+#include "layer/sensory/gnss_receiver.h"
+#include "layer/sensory/ideal_navigation.h"
+#include "layer/sensory/imu_sensor.h"
+#include "layer/sensory/magnetometer.h"
+#include "layer/sensory/power_sensor.h"
 
 namespace skein {
 namespace {
@@ -26,6 +37,91 @@ void four_normals(benchmark::State& state) {
   benchmark::DoNotOptimize(sum);
 }
 BENCHMARK(four_normals);
+
+class Ground final : public Terrain {
+ public:
+  double elevation_msl(const Vec2&) const override { return 0; }
+  Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+};
+
+class NoFire final : public Phenomenon {
+ public:
+  void advance(Time) override {}
+  bool inside(const Vec2&) const override { return false; }
+  const geo::Region& region() const override { return region_; }
+
+ private:
+  geo::Region region_;
+};
+
+using Sensors = std::vector<std::unique_ptr<Sensor>>;
+
+// A turning vehicle and its sensors, called as the vehicle's own loop does.
+void inner_steps(benchmark::State& state, const Sensors& sensors) {
+  const Ground ground;
+  const NoFire fire;
+  VehicleState vehicle;
+  vehicle.airspeed = 20;
+  vehicle.energy = {.charge = 1, .voltage = 11, .power = 90};
+  const Air air;
+  const Time step = Time::from_ns(10'000'000);
+  const Quat turn = geo::exp_so3({0.001, 0.002, 0.003});
+  Time now;
+  std::vector<SensorSample> samples;
+  for (auto _ : state) {
+    vehicle.q_NB = vehicle.q_NB * turn;
+    vehicle.v_N += Vec3(1e-3, 0, 0);
+    samples.clear();
+    const SensorView view{now, vehicle, air, ground, fire};
+    for (const auto& sensor : sensors) sensor->sample(view, samples);
+    benchmark::DoNotOptimize(samples.data());
+    now += step;
+  }
+}
+
+void no_sensor(benchmark::State& state) {
+  inner_steps(state, {});
+}
+BENCHMARK(no_sensor);
+
+template <class S, class Options>
+void one_sensor(benchmark::State& state) {
+  Sensors sensors;
+  sensors.push_back(std::make_unique<S>(Options{}, 1, EntityId{1}));
+  inner_steps(state, sensors);
+}
+BENCHMARK(one_sensor<sensory::ImuSensor, sensory::ImuOptions>);
+BENCHMARK(one_sensor<sensory::GnssReceiver, sensory::GnssReceiverOptions>);
+BENCHMARK(one_sensor<sensory::Barometer, sensory::BarometerOptions>);
+BENCHMARK(one_sensor<sensory::Magnetometer, sensory::MagnetometerOptions>);
+BENCHMARK(one_sensor<sensory::AirspeedSensor, sensory::AirspeedOptions>);
+BENCHMARK(one_sensor<sensory::PowerSensor, sensory::PowerOptions>);
+
+void ideal_navigation(benchmark::State& state) {
+  Sensors sensors;
+  sensors.push_back(
+      std::make_unique<sensory::IdealNavigation>(sensory::IdealNavigationOptions{}));
+  inner_steps(state, sensors);
+}
+BENCHMARK(ideal_navigation);
+
+void usual_suite(benchmark::State& state) {
+  Sensors sensors;
+  const EntityId self{1};
+  sensors.push_back(std::make_unique<sensory::ImuSensor>(sensory::ImuOptions{}, 1, self));
+  sensors.push_back(
+      std::make_unique<sensory::GnssReceiver>(sensory::GnssReceiverOptions{}, 1, self));
+  sensors.push_back(
+      std::make_unique<sensory::Barometer>(sensory::BarometerOptions{}, 1, self));
+  sensors.push_back(
+      std::make_unique<sensory::Magnetometer>(sensory::MagnetometerOptions{}, 1, self));
+  sensors.push_back(
+      std::make_unique<sensory::AirspeedSensor>(sensory::AirspeedOptions{}, 1, self));
+  sensors.push_back(
+      std::make_unique<sensory::PowerSensor>(sensory::PowerOptions{}, 1, self));
+  inner_steps(state, sensors);
+}
+BENCHMARK(usual_suite);
 
 }  // namespace
 }  // namespace skein

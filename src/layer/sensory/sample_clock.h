@@ -20,7 +20,9 @@ class SampleClock {
   /// Whether a sample is due at `now`; at most once per period. Times never go back.
   bool due(Time now) {
     if (now.ns() < next_ns_) return false;
-    next_ns_ = (now.ns() / period_ns_ + 1) * period_ns_;
+    next_ns_ += period_ns_;
+    if (now.ns() >= next_ns_)  // asked late: skip what was missed
+      next_ns_ = (now.ns() / period_ns_ + 1) * period_ns_;
     return true;
   }
 

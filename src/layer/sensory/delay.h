@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/check.h"
+#include "base/time.h"
+#include "data/sensing.h"
+
+namespace skein::sensory {
+
+/// Holds samples back until their latency has passed: a sample measured at t comes out at
+/// the first moment asked at or after t + latency. Room is taken when it is made, never
+/// later.
+template <class Sample>
+class Delay {
+ public:
+  /// @param latency  [s], not negative; 0 lets samples through at once.
+  /// @param period   least time between two samples [s].
+  Delay(double latency, double period)
+      : latency_(Time::from_seconds(latency)),
+        ring_(latency > 0 ? static_cast<std::size_t>(std::ceil(latency / period)) + 3
+                          : 0) {
+    SKEIN_CHECK(latency >= 0 && period > 0, latency, period);
+  }
+
+  /// Takes in what was measured at `sample.time`; it goes to `out` when its time comes.
+  void put(const Sample& sample, std::vector<SensorSample>& out) {
+    if (ring_.empty()) {
+      out.emplace_back(sample);
+      return;
+    }
+    SKEIN_CHECK(count_ < ring_.size(), count_);
+    std::size_t at = first_ + count_;
+    if (at >= ring_.size()) at -= ring_.size();
+    ring_[at] = sample;
+    ++count_;
+  }
+
+  /// Appends what is due at `now`. Call after put(), at every moment.
+  void release(Time now, std::vector<SensorSample>& out) {
+    while (count_ > 0 && ring_[first_].time + latency_ <= now) {
+      out.emplace_back(ring_[first_]);
+      if (++first_ == ring_.size()) first_ = 0;
+      --count_;
+    }
+  }
+
+ private:
+  Time latency_;
+  std::vector<Sample> ring_;
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace skein::sensory
