@@ -35,7 +35,9 @@ std::vector<ParameterFault> faults(const BatteryParameters& p) {
 Battery::Battery(const BatteryParameters& parameters)
     : open_circuit_(parameters.open_circuit),
       resistance_(parameters.resistance),
+      inverse_resistance_(1 / parameters.resistance),
       capacity_(parameters.capacity_Ah * 3600),
+      inverse_capacity_(1 / capacity_),
       cutoff_(parameters.cutoff * parameters.cells) {
   SKEIN_CHECK(faults(parameters).empty());
   for (double& voltage : open_circuit_) voltage *= parameters.cells;
@@ -50,7 +52,7 @@ double Battery::open_circuit(double charge) const {
 
 double Battery::most_current(double open_circuit) const {
   const double lowest = std::max(cutoff_, open_circuit / 2);
-  return std::max(0.0, open_circuit - lowest) / resistance_;
+  return std::max(0.0, open_circuit - lowest) * inverse_resistance_;
 }
 
 // The smaller root, in the form that does not cancel for small powers.
@@ -67,7 +69,7 @@ double Battery::most_power(double charge) const {
 }
 
 void Battery::take(Energy& energy, double open_circuit, double current, double dt) const {
-  energy.charge = std::max(0.0, energy.charge - current * dt / capacity_);
+  energy.charge = std::max(0.0, energy.charge - current * dt * inverse_capacity_);
   energy.voltage = open_circuit - resistance_ * current;
   energy.power = energy.voltage * current;
 }

@@ -40,7 +40,7 @@ class Battery {
   /// Takes `power` [W] for `dt` [s]; sets charge, voltage and power of `energy`.
   /// @returns  the share of `power` that it gives, from 0 to 1: below 1 when the battery
   ///           cannot; 0 when it is empty or has failed, whatever is asked.
-  /// Cost: about 10 ns.
+  /// Cost: below 20 ns.
   double draw(Energy& energy, const Faults& faults, double power, double dt) const;
 
   /// The same for a load that says its current [A], as a motor at a given voltage does.
@@ -67,8 +67,10 @@ class Battery {
 
   std::array<double, 11> open_circuit_;  // of the pack [V]
   double resistance_;                    // [ohm]
-  double capacity_;                      // [C]
-  double cutoff_;                        // of the pack [V]
+  double inverse_resistance_;
+  double capacity_;  // [C]
+  double inverse_capacity_;
+  double cutoff_;  // of the pack [V]
 };
 
 /// Current [A] that gives the power drawn now, as a battery monitor shows it.

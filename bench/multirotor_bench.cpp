@@ -1,0 +1,52 @@
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "layer/asset/body/battery.h"
+#include "layer/asset/multirotor/multirotor_plant.h"
+
+namespace skein::asset {
+namespace {
+
+VehicleState hovering(const MultirotorPlant& plant, Actuators& throttles) {
+  const VehicleState state = plant.start({{0, 0, -100}, 0.3, {4, 3, 0}, false});
+  for (std::size_t k = 0; k < Actuators::kMost; ++k)
+    throttles[k] = state.actuators[k] / MultirotorParameters{}.fastest_rotor;
+  return state;
+}
+
+// Steps of `range` multirotors in turn; time per step of one.
+void multirotor_step(benchmark::State& run) {
+  const MultirotorPlant plant{MultirotorParameters{}};
+  Actuators throttles;
+  std::vector<VehicleState> states(static_cast<std::size_t>(run.range(0)),
+                                   hovering(plant, throttles));
+  const Control control = throttles;
+  Air air;
+  air.wind_N = {4, 3, 0};
+  std::size_t i = 0;
+  for (auto _ : run) {
+    plant.step(states[i], control, air, 0.01);
+    benchmark::DoNotOptimize(states[i].p_N);
+    if (++i == states.size()) {
+      i = 0;
+      for (VehicleState& s : states) s.energy.charge = 1;
+    }
+  }
+}
+BENCHMARK(multirotor_step)->Arg(1)->Arg(100)->Arg(10000);
+
+void battery_draw(benchmark::State& run) {
+  const Battery battery{BatteryParameters{}};
+  Energy energy;
+  energy.charge = 0.7;
+  double power = 100;
+  for (auto _ : run) {
+    benchmark::DoNotOptimize(power);
+    benchmark::DoNotOptimize(battery.draw(energy, {}, power, 1e-7));
+  }
+}
+BENCHMARK(battery_draw);
+
+}  // namespace
+}  // namespace skein::asset
