@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "data/air.h"
+#include "layer/environment/turbulence/dryden_turbulence.h"
 #include "layer/sensory/airspeed_sensor.h"
 #include "layer/sensory/barometer.h"
 #include "layer/sensory/gnss_receiver.h"
@@ -37,6 +38,26 @@ void four_normals(benchmark::State& state) {
   benchmark::DoNotOptimize(sum);
 }
 BENCHMARK(four_normals);
+
+// Severe, with the airspeed and height of an aircraft in it: coefficients are renewed as
+// often as they are in flight.
+void dryden_turbulence(benchmark::State& state) {
+  environment::DrydenTurbulence turbulence(
+      {.intensity = environment::TurbulenceIntensity::kSevere}, 1, {1});
+  VehicleState vehicle;
+  double height = 80;
+  double followed = 0;  // of the gust, in 1 s
+  vehicle.v_N = {20, 3, 0};
+  vehicle.airspeed = 20;
+  for (auto _ : state) {
+    const Gust gust = turbulence.advance({{}, vehicle, height, Vec3(0, 3, 0)}, 0.01);
+    followed += 0.01 * (gust.velocity_N.x() - followed);
+    vehicle.airspeed = 20 + followed - gust.velocity_N.x();
+    height += 0.01 * (gust.velocity_N.z() + 0.2 * (80 - height));
+    benchmark::DoNotOptimize(gust.rates_B.sum());
+  }
+}
+BENCHMARK(dryden_turbulence);
 
 class Ground final : public Terrain {
  public:
