@@ -2,18 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "assemble/aircraft_builder.h"
 #include "assemble/kinds_of.h"
-#include "assemble/placement.h"
-#include "assemble/presence.h"
 #include "assemble/sampling.h"
 #include "geo/clip.h"
 #include "geo/polygon.h"
 #include "layer/environment/terrain/synthetic_terrain.h"
 #include "layer/environment/wind/uniform_wind.h"
-#include "layer/reasoning/monitoring/coordinator/coordinator.h"
+#include "layer/reasoning/agent/heartbeat.h"
 
 namespace skein::assemble {
 namespace {
@@ -74,9 +73,8 @@ class Builder {
     build_.warnings = sampling_warnings(scenario_);
     environment();
     note(station());
-    for (const AircraftGroup& group : scenario_.aircraft)
-      for (int i = 0; i < group.count; ++i)
-        if (!note(aircraft(group, i))) break;  // the others of its group are alike
+    aircraft();
+    objects();
     note(radio());
     if (!faults_.empty()) return together(faults_);
     return std::move(build_);
@@ -113,116 +111,55 @@ class Builder {
   }
 
   Result<void> station() {
-    const scenario::Monitoring& mission = scenario_.monitoring;
-    auto estimator =
-        estimator_kinds().make(mission.estimator, {scenario_.seed, mission.prior});
-    if (!estimator) return estimator.error();
-    auto strategy = strategy_kinds().make(mission.strategy, {});
-    if (!strategy) return strategy.error();
-
-    monitoring::CoordinatorOptions options;
-    std::uint32_t next = kStation.value + 1;
-    for (const AircraftGroup& group : scenario_.aircraft)
-      for (int i = 0; i < group.count; ++i) options.team.push_back(EntityId{next++});
-    options.origin = mission.prior.origin;
-    options.entry_courses = mission.deployment.courses;
-    options.forced_crossing = mission.forced_crossing.seconds();
-    options.deployment_limit = mission.deployment.limit.seconds();
-    options.lost_after = mission.lost_after.seconds();
-    options.late_window = mission.late_window.seconds();
-    options.zones = zones_;
-
+    StationContext context{scenario_, team(), zones_};
+    auto agent = station_agent_kinds().make(scenario_.station.agent, context);
+    if (!agent) return agent.error();
     simulation::Entity entity;
     entity.name = "station";
     entity.kind = "station";
-    entity.agent = std::make_unique<monitoring::Coordinator>(
-        options, std::move(estimator).value(), std::move(strategy).value());
+    entity.agent = std::move(agent).value();
+    if (const Time period = heartbeat(); period > Time())
+      entity.agent = std::make_unique<reasoning::Heartbeat>(std::move(entity.agent),
+                                                            context.team, period);
     entity.agent_period = scenario_.station.agent_period;
     entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
     build_.world.entities.push_back(std::move(entity));
     return {};
   }
 
-  Result<void> aircraft(const AircraftGroup& group, int index) {
-    const Place place = place_at_start(group.start, index, group.count);
-    const std::string name = fmt::format("{}-{}", group.name, ++named_[group.name]);
-    AircraftContext context;
-    context.seed = scenario_.seed;
-    context.self = EntityId{static_cast<std::uint32_t>(build_.world.entities.size())};
-    context.station = kStation;
-    context.agent_period = group.agent_period;
-    context.altitude_agl = group.altitude_agl;
-    context.map = map_;
-    context.zones = zones_;
-
-    auto plant = plant_kinds().make(group.plant, context);
-    if (!plant) return plant.error();
-    auto vehicle = std::make_unique<simulation::Vehicle>();
-    vehicle->plant = std::move(plant).value();
-    vehicle->step = scenario_.step;
-    context.limits = vehicle->plant->limits();
-    if (auto placed = put(name, place, group, *vehicle); !placed) return placed;
-    context.initial = nav_of(vehicle->state);
-
-    auto autopilot = autopilot_kinds().make(group.autopilot, context);
-    if (!autopilot) return autopilot.error();
-    vehicle->autopilot = std::move(autopilot).value();
-    std::map<std::string, std::uint32_t> of_kind;
-    for (const scenario::Choice& choice : group.sensors) {
-      context.instance = of_kind[choice.kind]++;
-      auto sensor = sensor_kinds().make(choice, context);
-      if (!sensor) return sensor.error();
-      auto& kind = sensor.value()->payload() ? vehicle->payload : vehicle->sensors;
-      kind.push_back(std::move(sensor).value());
-    }
-    auto agent = agent_kinds().make(group.agent, context);
-    if (!agent) return agent.error();
-
-    simulation::Entity entity;
-    entity.name = name;
-    entity.kind = "aircraft";
-    entity.agent = std::move(agent).value();
-    entity.vehicle = std::move(vehicle);
-    entity.agent_period = group.agent_period;
-    entity.active = presence(group, index, scenario_.duration);
-    build_.world.entities.push_back(std::move(entity));
-    return {};
+  std::vector<EntityId> team() const {
+    std::vector<EntityId> all;
+    std::uint32_t next = kStation.value + 1;
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count; ++i) all.push_back(EntityId{next++});
+    return all;
   }
 
-  // The state at the start: level flight at cruise, in the wind of that place.
-  Result<void> put(const std::string& name, const Place& place,
-                   const AircraftGroup& group, simulation::Vehicle& vehicle) {
-    const double ground = map_->elevation_msl(place.position);
-    const double altitude =
-        group.start.altitude_msl.value_or(ground + group.altitude_agl);
-    if (altitude <= ground)
-      return Error{ErrorCode::kBadInput, name,
-                   fmt::format("starts inside terrain: at {:.1f} m above mean sea level, "
-                               "where the ground is at {:.1f} m.",
-                               altitude, ground),
-                   "Raise start.altitude_msl_m or leave it out."};
-    VehicleStart start;
-    start.p_N = {place.position.x(), place.position.y(), -altitude};
-    start.heading = place.heading;
-    start.wind_N = build_.world.wind->wind(start.p_N, Time());
-    vehicle.state = vehicle.plant->start(start);
-    vehicle.air.wind_N = start.wind_N;
-    for (const Zone& zone : zones_)
-      if (geo::contains(zone.ring, place.position))
-        return Error{ErrorCode::kBadInput, name,
-                     fmt::format("starts inside a no-flight zone, at {:.0f} m north, "
-                                 "{:.0f} m east.",
-                                 place.position.x(), place.position.y()),
-                     "Move its start or the zone."};
-    return {};
+  // Between the station's signs of life; 0 = none.
+  Time heartbeat() const {
+    if (scenario_.station.heartbeat) return *scenario_.station.heartbeat;
+    const bool watched =
+        std::any_of(scenario_.aircraft.begin(), scenario_.aircraft.end(),
+                    [](const AircraftGroup& g) { return g.autopilot.kind == "skein"; });
+    return watched ? Time::from_seconds(1) : Time();
   }
 
-  static NavEstimate nav_of(const VehicleState& state) {
-    NavEstimate nav;
-    nav.p_N = state.p_N;
-    nav.v_N = state.v_N;
-    nav.heading = geo::yaw(state.q_NB);
-    return nav;
+  void aircraft() {
+    AircraftBuilder builder(scenario_, map_, zones_, *build_.world.wind, kStation);
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count; ++i) {
+        auto made = builder.make(
+            group, i, EntityId{static_cast<std::uint32_t>(build_.world.entities.size())});
+        if (!note(made)) break;  // the others of its group are alike
+        build_.world.entities.push_back(std::move(made).value());
+      }
+  }
+
+  void objects() {
+    std::uint32_t id = 0;
+    for (const scenario::PlacedObject& object : scenario_.environment.objects)
+      build_.world.objects.push_back(
+          {id++, object.name, object.position, object.velocity});
   }
 
   Result<void> radio() {
@@ -252,7 +189,6 @@ class Builder {
   std::shared_ptr<const Terrain> map_;
   Build build_;
   std::vector<Error> faults_;
-  std::map<std::string, int> named_;  // how many aircraft have a group's name
 };
 
 }  // namespace

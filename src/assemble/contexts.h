@@ -10,12 +10,14 @@
 
 #include "base/id.h"
 #include "base/time.h"
+#include "data/airframe.h"
 #include "data/fire.h"
 #include "data/vehicle.h"
 #include "data/zone.h"
 #include "geo/local_frame.h"
 #include "role/terrain.h"
 #include "role/wind_field.h"
+#include "scenario/scenario.h"
 
 namespace skein::assemble {
 
@@ -39,8 +41,18 @@ struct AircraftContext {
   double altitude_agl = 0;             ///< flight altitude above ground [m]
   std::shared_ptr<const Terrain> map;  ///< the terrain as the agent knows it
   std::vector<Zone> zones;
-  FlightLimits limits;  ///< of the plant
-  NavEstimate initial;  ///< where and how it flies at the start
+  FlightLimits limits;          ///< of the plant
+  Airframe airframe;            ///< of the plant
+  NavEstimate initial;          ///< where and how it flies at the start
+  bool on_ground = false;       ///< at the start
+  double parameter_spread = 0;  ///< relative sd of a plant's own parameters
+};
+
+/// What every ground station's agent is given besides its options.
+struct StationContext {
+  const scenario::Scenario& scenario;
+  std::vector<EntityId> team;  ///< all aircraft
+  const std::vector<Zone>& zones;
 };
 
 /// What every radio is given besides its options.

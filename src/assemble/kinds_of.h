@@ -10,6 +10,7 @@
 #include "role/plant.h"
 #include "role/radio.h"
 #include "role/sensor.h"
+#include "role/turbulence.h"
 
 namespace skein::assemble {
 
@@ -24,6 +25,8 @@ Kinds<Plant, AircraftContext> plant_kinds();
 Kinds<Autopilot, AircraftContext> autopilot_kinds();
 Kinds<Sensor, AircraftContext> sensor_kinds();
 Kinds<Agent, AircraftContext> agent_kinds();
+Kinds<Turbulence, AircraftContext> turbulence_kinds();
+Kinds<Agent, StationContext> station_agent_kinds();
 Kinds<Radio, RadioContext> radio_kinds();
 Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds();
 Kinds<MonitoringStrategy, StrategyContext> strategy_kinds();

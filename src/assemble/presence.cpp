@@ -20,6 +20,11 @@ std::vector<ActiveSpan> without(const std::vector<ActiveSpan>& spans, Time from,
   return left;
 }
 
+// Whether the whole aircraft is gone; other failures are of one part.
+bool ends_flight(scenario::Failure::Kind kind) {
+  return kind == scenario::Failure::Kind::kLost || kind == scenario::Failure::Kind::kLand;
+}
+
 }  // namespace
 
 std::vector<ActiveSpan> presence(const scenario::AircraftGroup& group, int index,
@@ -28,7 +33,7 @@ std::vector<ActiveSpan> presence(const scenario::AircraftGroup& group, int index
   std::vector<ActiveSpan> spans = {{group.join, end}};
   if (group.leave) spans = without(spans, *group.leave, group.comeback.value_or(end));
   for (const scenario::Failure& failure : group.failures)
-    if (failure.aircraft == index)
+    if (failure.aircraft == index && ends_flight(failure.kind))
       spans = without(spans, failure.at, failure.until.value_or(end));
   std::erase_if(spans, [](const ActiveSpan& span) { return span.from >= span.until; });
   return spans;

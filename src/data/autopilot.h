@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -101,9 +102,26 @@ struct AutopilotStatus {
   FlightMode mode = FlightMode::kGuided;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FailsafeReaction reaction = FailsafeReaction::kNone;
-  double charge = 1;  ///< left, from 0 to 1
+  int refusals = 0;          ///< commands that could not be flown so far
+  std::string_view refused = {};  ///< why the last of them could not; good until the next one
+  double charge = 1;         ///< left, from 0 to 1
   std::optional<double> endurance =
       std::nullopt;  ///< flight time left at the present power [s]
 };
+
+/// The words of these, as records and messages have them.
+constexpr std::string_view name_of(FlightMode mode) {
+  constexpr std::string_view kNames[] = {"manual", "stabilized", "auto", "guided"};
+  return kNames[static_cast<std::size_t>(mode)];
+}
+constexpr std::string_view name_of(FailsafeTrigger trigger) {
+  constexpr std::string_view kNames[] = {"none",     "link", "battery",
+                                         "geofence", "gnss", "motor"};
+  return kNames[static_cast<std::size_t>(trigger)];
+}
+constexpr std::string_view name_of(FailsafeReaction reaction) {
+  constexpr std::string_view kNames[] = {"none", "hold", "return", "land", "descend"};
+  return kNames[static_cast<std::size_t>(reaction)];
+}
 
 }  // namespace skein

@@ -19,6 +19,15 @@ struct AircraftReport {
   bool task_done = false;
 };
 
+/// Where an aircraft of the team is, told on by the ground station or by itself.
+struct TeamPosition {
+  EntityId aircraft;
+  NavEstimate nav;
+};
+
+/// The sender is there, nothing more.
+struct SignOfLife {};
+
 /// A message between agents. `number` counts the sender's messages.
 struct Message {
   EntityId from;
@@ -26,7 +35,7 @@ struct Message {
   std::uint64_t number = 0;
   Time sent;
   int size_bytes = 0;  ///< as coded on the air
-  std::variant<FireReading, AircraftReport, Task> content;
+  std::variant<FireReading, AircraftReport, Task, SignOfLife, TeamPosition> content;
 };
 
 }  // namespace skein

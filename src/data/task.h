@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/id.h"
 #include "geo/vec.h"
 
 namespace skein {
@@ -38,10 +39,24 @@ struct Loiter {
   Vec2 centre = Vec2::Zero();
 };
 
+/// Fly through points, round and round.
+struct FlyRoute {
+  std::vector<Vec2> points;  ///< [m]
+  int laps = 1;
+  std::vector<EntityId> tell;  ///< whom to tell the own position directly, each second
+};
+
+/// Stay at a place that moves with another aircraft.
+struct FollowLeader {
+  EntityId leader;
+  Vec2 offset = Vec2::Zero();  ///< ahead of the leader and to its right [m]
+};
+
 /// One order for one aircraft. Numbers grow; an agent keeps the newest.
 struct Task {
   std::uint32_t number = 0;
-  std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse> what = Loiter{};
+  std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse, FlyRoute, FollowLeader>
+      what = Loiter{};
 };
 
 }  // namespace skein

@@ -77,6 +77,16 @@ void ContentHash::put(const AircraftReport& report) {
   put(report.task_done);
 }
 
+void ContentHash::put(const TeamPosition& position) {
+  put(position.aircraft);
+  put(position.nav);
+}
+
+void ContentHash::put(const std::vector<Vec2>& points) {
+  put(std::uint64_t{points.size()});
+  for (const Vec2& point : points) put(point);
+}
+
 void ContentHash::put(const Task& task) {
   put(std::uint64_t{task.number});
   put(std::uint64_t{task.what.index()});
@@ -88,9 +98,15 @@ void ContentHash::put(const Task& task) {
     put(edge->start);
     put(edge->tangent);
   }
-  if (const auto* line = std::get_if<FollowLine>(&task.what)) {
-    put(std::uint64_t{line->points.size()});
-    for (const Vec2& point : line->points) put(point);
+  if (const auto* line = std::get_if<FollowLine>(&task.what)) put(line->points);
+  if (const auto* route = std::get_if<FlyRoute>(&task.what)) {
+    put(route->points);
+    put(static_cast<std::uint64_t>(route->laps));
+    for (const EntityId id : route->tell) put(id);
+  }
+  if (const auto* follow = std::get_if<FollowLeader>(&task.what)) {
+    put(follow->leader);
+    put(follow->offset);
   }
 }
 
@@ -125,10 +141,16 @@ void ContentHash::truth(Time time, EntityId id, const VehicleState& state) {
   end();
 }
 
-void ContentHash::estimate(EntityId id, const NavEstimate& estimate) {
+void ContentHash::estimate(EntityId id, const NavEstimate& estimate,
+                           const AutopilotStatus& status) {
   begin(kEstimate);
   put(id);
   put(estimate);
+  put(status.cross_track);
+  put(status.time_error);
+  put(static_cast<std::uint64_t>(status.mode));
+  put(static_cast<std::uint64_t>(status.trigger));
+  put(static_cast<std::uint64_t>(status.reaction));
   end();
 }
 

@@ -17,7 +17,7 @@ class ContentHash {
  public:
   void entity(EntityId id, const std::string& name, const std::string& kind);
   void truth(Time time, EntityId id, const VehicleState& state);
-  void estimate(EntityId id, const NavEstimate& estimate);
+  void estimate(EntityId id, const NavEstimate& estimate, const AutopilotStatus& status);
   void reading(const FireReading& reading);
   void message(const Message& message, Time arrived, bool lost);
   void perimeter(Time time, const geo::Region& truth, EntityId believer,
@@ -40,6 +40,9 @@ class ContentHash {
   void put(const FireReading& reading);
   void put(const AircraftReport& report);
   void put(const Task& task);
+  void put(const SignOfLife&) {}
+  void put(const TeamPosition& position);
+  void put(const std::vector<Vec2>& points);
   void put(std::string_view text);
   void begin(std::uint64_t kind);
   void end();

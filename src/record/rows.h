@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "data/autopilot.h"
 #include "data/event.h"
 #include "data/fire.h"
 #include "data/message.h"
@@ -35,8 +36,24 @@ struct TruthRow {
 };
 
 struct EstimateRow {
+  EstimateRow(EntityId who, const NavEstimate& e, const AutopilotStatus& s)
+      : id(who),
+        estimate(e),
+        cross_track(s.cross_track),
+        time_error(s.time_error),
+        follows(s.follows),
+        mode(s.mode),
+        trigger(s.trigger),
+        reaction(s.reaction),
+        charge(s.charge) {}
   EntityId id;
   NavEstimate estimate;
+  double cross_track, time_error;
+  bool follows;
+  FlightMode mode;
+  FailsafeTrigger trigger;
+  FailsafeReaction reaction;
+  double charge;
 };
 
 struct MessageRow {

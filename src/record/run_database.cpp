@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "geo/vec.h"
@@ -22,7 +23,9 @@ CREATE TABLE truth (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
   charge REAL, power_w REAL);
 CREATE TABLE estimates (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
   altitude_msl_m REAL, velocity_north_m_s REAL, velocity_east_m_s REAL, climb_m_s REAL,
-  heading_deg REAL, wind_north_m_s REAL, wind_east_m_s REAL, position_sd_m REAL);
+  heading_deg REAL, wind_north_m_s REAL, wind_east_m_s REAL, position_sd_m REAL,
+  roll_deg REAL, pitch_deg REAL, cross_track_m REAL, time_error_s REAL, mode TEXT,
+  failsafe TEXT, reaction TEXT, charge REAL);
 CREATE TABLE readings (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
   position_sd_m REAL, inside INTEGER);
 CREATE TABLE crossings (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
@@ -40,11 +43,13 @@ CREATE TABLE terrain (rows INTEGER, columns INTEGER, low_north_m REAL, low_east_
 CREATE TABLE summary (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
 )sql";
 
-constexpr int kSchemaVersion = 1;
+constexpr int kSchemaVersion = 2;
+constexpr double kNull = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kPageBytes = 4096;
 
 // The order of Message::content.
-constexpr std::array kContentNames = {"reading", "report", "task"};
+constexpr std::array kContentNames = {"reading", "report", "task", "sign-of-life",
+                                      "team-position"};
 static_assert(kContentNames.size() == std::variant_size_v<decltype(Message::content)>);
 
 std::string values(int count) {
@@ -70,6 +75,11 @@ struct TaskColumns {
     north = point.x();
     east = point.y();
   }
+  void list(const std::vector<Vec2>& points) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Vec2& p : points) list.push_back({p.x(), p.y()});
+    points_json = list.dump();
+  }
   void operator()(const Loiter& task) {
     kind = "loiter";
     place(task.centre);
@@ -86,13 +96,19 @@ struct TaskColumns {
   }
   void operator()(const FollowLine& task) {
     kind = "follow_line";
-    nlohmann::json points = nlohmann::json::array();
-    for (const Vec2& p : task.points) points.push_back({p.x(), p.y()});
-    points_json = points.dump();
+    list(task.points);
   }
   void operator()(const FlyCourse& task) {
     kind = "fly_course";
     course_deg = geo::degrees(task.course);
+  }
+  void operator()(const FlyRoute& task) {
+    kind = "fly_route";
+    list(task.points);
+  }
+  void operator()(const FollowLeader& task) {
+    kind = "follow_leader";
+    list({task.offset});
   }
 };
 
@@ -142,7 +158,7 @@ Result<void> RunDatabase::prepare() {
       {meta_, "meta", 2},
       {entity_, "entities", 3},
       {truth_, "truth", 14},
-      {estimate_, "estimates", 12},
+      {estimate_, "estimates", 20},
       {reading_, "readings", 6},
       {crossing_, "crossings", 6},
       {message_, "messages", 8},
@@ -187,7 +203,10 @@ Result<void> RunDatabase::write(const EstimateRow& row) {
   const NavEstimate& e = row.estimate;
   return insert(estimate_, e.time.seconds(), row.id.value, e.p_N.x(), e.p_N.y(),
                 -e.p_N.z(), e.v_N.x(), e.v_N.y(), -e.v_N.z(), geo::degrees(e.heading),
-                e.wind_N.x(), e.wind_N.y(), e.position_sd);
+                e.wind_N.x(), e.wind_N.y(), e.position_sd, geo::degrees(e.roll),
+                geo::degrees(e.pitch), row.follows ? row.cross_track : kNull,
+                row.follows ? row.time_error : kNull, name_of(row.mode),
+                name_of(row.trigger), name_of(row.reaction), row.charge);
 }
 
 Result<void> RunDatabase::write(const FireReading& row) {

@@ -72,9 +72,10 @@ void RunRecorder::truth(Time time, EntityId id, const VehicleState& state) {
   parts_->writer.push(TruthRow(time, id, state));
 }
 
-void RunRecorder::estimate(EntityId id, const NavEstimate& estimate) {
-  parts_->hash.estimate(id, estimate);
-  parts_->writer.push(EstimateRow{id, estimate});
+void RunRecorder::estimate(EntityId id, const NavEstimate& estimate,
+                           const AutopilotStatus& status) {
+  parts_->hash.estimate(id, estimate, status);
+  parts_->writer.push(EstimateRow(id, estimate, status));
 }
 
 void RunRecorder::reading(const FireReading& reading) {

@@ -17,8 +17,9 @@ void SummaryRecorder::truth(Time time, EntityId id, const VehicleState& state) {
   statistics_.truth(id, state.p_N);
 }
 
-void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate) {
-  hash_.estimate(id, estimate);
+void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate,
+                               const AutopilotStatus& status) {
+  hash_.estimate(id, estimate, status);
 }
 
 void SummaryRecorder::reading(const FireReading& reading) {

@@ -16,7 +16,8 @@ class SummaryRecorder final : public Recorder {
 
   void entity(EntityId id, const std::string& name, const std::string& kind) override;
   void truth(Time time, EntityId id, const VehicleState& state) override;
-  void estimate(EntityId id, const NavEstimate& estimate) override;
+  void estimate(EntityId id, const NavEstimate& estimate,
+                const AutopilotStatus& status) override;
   void reading(const FireReading& reading) override;
   void message(const Message& message, Time arrived, bool lost) override;
   void perimeter(Time time, const geo::Region& truth, EntityId believer,

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "data/autopilot.h"
 #include "data/event.h"
 #include "data/fire.h"
 #include "data/message.h"
@@ -20,7 +21,9 @@ class Recorder {
   /// An entity exists. Before anything else about it.
   virtual void entity(EntityId id, const std::string& name, const std::string& kind) = 0;
   virtual void truth(Time time, EntityId id, const VehicleState& state) = 0;
-  virtual void estimate(EntityId id, const NavEstimate& estimate) = 0;
+  /// What an autopilot believes and does.
+  virtual void estimate(EntityId id, const NavEstimate& estimate,
+                        const AutopilotStatus& status) = 0;
   virtual void reading(const FireReading& reading) = 0;
   /// A message that arrived at `arrived`, or was lost (`lost`, then `arrived` is when).
   virtual void message(const Message& message, Time arrived, bool lost) = 0;

@@ -15,7 +15,7 @@
 namespace skein::scenario {
 
 /// A thing on the ground, for cameras to find.
-struct Object {
+struct PlacedObject {
   std::string name = "object";
   Vec2 position = Vec2::Zero();  ///< at the start [m]
   Vec2 velocity = Vec2::Zero();  ///< [m/s]
@@ -29,7 +29,7 @@ struct Environment {
   Choice fire{"thesis"};
   std::optional<Time> period;    ///< of moving the fire; none: as the fire sensors need
   std::vector<geo::Ring> zones;  ///< no-flight zones [m]
-  std::vector<Object> objects;
+  std::vector<PlacedObject> objects;
 };
 
 /// How the aircraft of a group stand at the start.
@@ -85,6 +85,7 @@ struct AircraftGroup {
   std::string name = "scout";
   int count = 1;
   Choice plant{"kinematic"};
+  double parameter_spread = 0;  ///< relative sd of each aircraft's own parameters
   Choice autopilot{"path"};
   std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
   Choice agent{"scout"};
@@ -93,8 +94,8 @@ struct AircraftGroup {
   Start start;
   std::optional<Time> flight_step;  ///< of plant and autopilot; none: as the plant needs
   Time join;                        ///< takes part from this time on
-  std::optional<Time> leave;     ///< lands at this time
-  std::optional<Time> comeback;  ///< takes part again from this time on
+  std::optional<Time> leave;        ///< lands at this time
+  std::optional<Time> comeback;     ///< takes part again from this time on
   std::vector<Failure> failures;
   std::vector<RandomFailure> random_failures;
 };
@@ -103,6 +104,7 @@ struct AircraftGroup {
 struct Station {
   Vec2 position = Vec2::Zero();  ///< [m]
   double antenna_agl = 5;        ///< height above the ground [m]
+  Choice agent{"coordinator"};
   Time agent_period = Time::from_seconds(0.5);
   std::optional<Time> heartbeat;  ///< between signs of life; none: as autopilots need
 };

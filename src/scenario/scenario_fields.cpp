@@ -30,8 +30,8 @@ Fields<geo::Geodetic> origin_fields() {
               {.at_least = -180, .at_most = 180});
 }
 
-Fields<scenario::Object> object_fields() {
-  using T = scenario::Object;
+Fields<PlacedObject> object_fields() {
+  using T = PlacedObject;
   return Fields<T>()
       .text("name", &T::name, "What it is.")
       .point("position_m", &T::position, "Where it is at the start.")
@@ -91,7 +91,8 @@ Fields<Start> start_fields() {
 
 constexpr const char* kPartHelp =
     "Which part. Motor: its channel, from 0 (empty: the only one of a fixed wing, the "
-    "first of a multirotor). Servo: aileron, elevator or rudder. Sensor: its kind (empty: "
+    "first of a multirotor). Servo: aileron, elevator or rudder. Sensor: its kind "
+    "(empty: "
     "all).";
 
 Fields<Failure> failure_fields() {
@@ -165,6 +166,10 @@ Fields<AircraftGroup> aircraft_fields() {
       .integer("count", &T::count, "How many aircraft.",
                {.at_least = 0, .at_most = 10000})
       .kind("plant", &T::plant, "plant", "How the aircraft moves.")
+      .number("parameter_spread", &T::parameter_spread,
+              "Relative standard deviation by which each aircraft's masses, inertias and "
+              "coefficients differ from its plant's; its autopilot does not know.",
+              {.at_least = 0, .at_most = 0.3})
       .kind("autopilot", &T::autopilot, "autopilot", "How it is flown.")
       .kind("sensors", &T::sensors, "sensor", "What it senses with.")
       .items({.at_most = 50})
@@ -210,6 +215,7 @@ Fields<Station> station_fields() {
       .point("position_m", &T::position, "Where the ground station stands.")
       .number("antenna_agl_m", &T::antenna_agl, "Height of its antenna above ground.",
               {.at_least = 0, .at_most = 1000})
+      .kind("agent", &T::agent, "station-agent", "What reasons on the ground.")
       .duration_s("agent_period_s", &T::agent_period, "Time between two decisions.",
                   kPeriod)
       .duration_s("heartbeat_s", &T::heartbeat,

@@ -15,7 +15,9 @@ SensorView view_of(const World& world, Time now, const Vehicle& vehicle) {
 void sense_flight(const World& world, Time now, Vehicle& vehicle, EntityState& state) {
   state.flight_samples.clear();
   const SensorView view = view_of(world, now, vehicle);
-  for (const auto& sensor : vehicle.sensors) sensor->sample(view, state.flight_samples);
+  for (std::size_t k = 0; k < vehicle.sensors.size(); ++k)
+    if ((state.silent_sensors >> k & 1u) == 0)
+      vehicle.sensors[k]->sample(view, state.flight_samples);
   for (const SensorSample& sample : state.flight_samples)
     vehicle.autopilot->sense(sample);
 }
@@ -26,11 +28,57 @@ bool finite(const VehicleState& s) {
                        s.w_NB_B.sum() + s.airspeed);
 }
 
+void apply(const VehicleFault& fault, Faults& faults, EntityState& state) {
+  const auto bit = std::uint64_t{1} << fault.part;
+  switch (fault.kind) {
+    case VehicleFault::Kind::kMotor:
+    case VehicleFault::Kind::kServoLoose:
+      faults.dead |= static_cast<std::uint8_t>(bit);
+      return;
+    case VehicleFault::Kind::kServoStuck:
+      faults.stuck |= static_cast<std::uint8_t>(bit);
+      return;
+    case VehicleFault::Kind::kSensor:
+      state.silent_sensors |= bit;
+      return;
+    case VehicleFault::Kind::kPayload:
+      state.silent_payload |= bit;
+      return;
+    case VehicleFault::Kind::kBattery:
+      faults.battery = true;
+      return;
+    case VehicleFault::Kind::kLink:
+      state.link_down = true;
+      return;
+  }
+}
+
 double ground_below(const World& world, const Vehicle& vehicle) {
   return world.terrain->elevation_msl(geo::horizontal(vehicle.state.p_N));
 }
 
 }  // namespace
+
+std::vector<std::size_t> update_faults(Time now, Entity& entity, EntityState& state) {
+  std::vector<std::size_t> changed;
+  Vehicle& vehicle = *entity.vehicle;
+  state.fault_active.resize(vehicle.faults.size(), false);
+  for (std::size_t k = 0; k < vehicle.faults.size(); ++k) {
+    const bool active = vehicle.faults[k].active(now);
+    if (active == state.fault_active[k]) continue;
+    state.fault_active[k] = active;
+    changed.push_back(k);
+  }
+  if (changed.empty()) return changed;
+  // Anew, because faults of one part may overlap.
+  Faults faults;
+  state.silent_sensors = state.silent_payload = 0;
+  state.link_down = false;
+  for (std::size_t k = 0; k < vehicle.faults.size(); ++k)
+    if (state.fault_active[k]) apply(vehicle.faults[k], faults, state);
+  vehicle.state.faults = faults;
+  return changed;
+}
 
 void begin(const World& world, Time now, Entity& entity, EntityState& state) {
   Vehicle* vehicle = entity.vehicle.get();
@@ -43,7 +91,9 @@ void sense(const World& world, Time now, Entity& entity, EntityState& state) {
   Vehicle* vehicle = entity.vehicle.get();
   if (!state.active || !vehicle) return;
   const SensorView view = view_of(world, now, *vehicle);
-  for (const auto& sensor : vehicle->payload) sensor->sample(view, state.samples);
+  for (std::size_t k = 0; k < vehicle->payload.size(); ++k)
+    if ((state.silent_payload >> k & 1u) == 0)
+      vehicle->payload[k]->sample(view, state.samples);
 }
 
 void think(Time now, Entity& entity, EntityState& state) {

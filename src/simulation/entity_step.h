@@ -15,10 +15,19 @@ struct EntityState {
   enum class Accident { kNone, kGround, kNotFinite };
   Accident accident = Accident::kNone;  ///< in the last step
   VehicleState before;                  ///< at the start of the last step
+  // What does not work now, as the vehicle's faults say.
+  std::uint64_t silent_sensors = 0, silent_payload = 0;  ///< bit k: sensor k
+  bool link_down = false;
+  std::vector<bool> fault_active;  ///< of each of the vehicle's faults
+  AutopilotStatus told;            ///< the last status that was looked at
   std::vector<Message> inbox;
   AgentOutput output;
   std::uint64_t sent = 0;
 };
+
+/// Brings the vehicle's parts into the state that its faults want at `now`. Returns the
+/// faults that have begun or ended, by index.
+std::vector<std::size_t> update_faults(Time now, Entity& entity, EntityState& state);
 
 /// The phases of one entity. Each reads the world and writes only `entity` and `state`.
 void sense(const World& world, Time now, Entity& entity, EntityState& state);

@@ -55,6 +55,7 @@ class Stepper {
   Result<void> step(Time now) {
     if (due(now, options_.environment_period)) world_.fire->advance(now);
     update_presence(now);
+    update_parts(now);
     for_each([&](std::size_t i) { sense(world_, now, world_.entities[i], states_[i]); });
     for_each([&](std::size_t i) { think(now, world_.entities[i], states_[i]); });
     exchange(now);
@@ -63,6 +64,7 @@ class Stepper {
     for_each(
         [&](std::size_t i) { fly(world_, now, next, world_.entities[i], states_[i]); });
     note_accidents(now);
+    note_autopilots(next);
     return recorder_.step_done(now);
   }
 
@@ -122,6 +124,39 @@ class Stepper {
     }
   }
 
+  // Parts that fail, or work again.
+  void update_parts(Time now) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      Entity& entity = world_.entities[i];
+      if (!states_[i].active || !entity.vehicle || entity.vehicle->faults.empty())
+        continue;
+      for (const std::size_t k : update_faults(now, entity, states_[i])) {
+        const VehicleFault& fault = entity.vehicle->faults[k];
+        tell(now, i, states_[i].fault_active[k] ? "failure" : "repaired", text_of(fault));
+      }
+    }
+  }
+
+  // What autopilots do by themselves: modes and failsafes.
+  void note_autopilots(Time now) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      if (!states_[i].active || states_[i].ended || !world_.entities[i].vehicle) continue;
+      const AutopilotStatus status = world_.entities[i].vehicle->autopilot->status();
+      AutopilotStatus& told = states_[i].told;
+      if (status.mode != told.mode)
+        tell(now, i, "mode", std::string(name_of(status.mode)));
+      if (status.trigger != told.trigger || status.reaction != told.reaction)
+        tell(now, i, "failsafe",
+             status.trigger == FailsafeTrigger::kNone
+                 ? std::string("over")
+                 : fmt::format("{}: {}", name_of(status.trigger),
+                               name_of(status.reaction)));
+      if (status.refusals != told.refusals)
+        tell(now, i, "refused", std::string(status.refused));
+      told = status;
+    }
+  }
+
   // Sends what agents wrote, in entity order, and hands out what has arrived.
   void exchange(Time now) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -132,7 +167,10 @@ class Stepper {
         message.sent = now;
         if (const auto* reading = std::get_if<FireReading>(&message.content))
           recorder_.reading(*reading);
-        world_.radio->send(message);
+        if (states_[i].link_down)
+          recorder_.message(message, now, true);
+        else
+          world_.radio->send(message);
       }
       for (const Event& event : output.events) note(event);
       for (const Crossing& crossing : output.crossings) recorder_.crossing(crossing);
@@ -144,11 +182,19 @@ class Stepper {
     lost_.clear();
     world_.radio->deliver(now, arrived_, lost_);
     for (const Message& message : arrived_) {
-      recorder_.message(message, now, false);
-      if (message.to.value < states_.size() && states_[message.to.value].active)
-        states_[message.to.value].inbox.push_back(message);
+      const bool known = message.to.value < states_.size();
+      const bool deaf = known && states_[message.to.value].link_down;
+      recorder_.message(message, now, deaf);
+      if (known && !deaf && states_[message.to.value].active) receive(now, message);
     }
     for (const Message& message : lost_) recorder_.message(message, now, true);
+  }
+
+  void receive(Time now, const Message& message) {
+    Entity& receiver = world_.entities[message.to.value];
+    if (receiver.vehicle && !world_.entities[message.from.value].vehicle)
+      receiver.vehicle->autopilot->sense(LinkSample{now});  // the ground is heard
+    states_[message.to.value].inbox.push_back(message);
   }
 
   void record(Time now) {
@@ -156,7 +202,8 @@ class Stepper {
       for (std::size_t i = 0; i < states_.size(); ++i)
         if (states_[i].active && world_.entities[i].vehicle) {
           recorder_.truth(now, id_of(i), world_.entities[i].vehicle->state);
-          recorder_.estimate(id_of(i), world_.entities[i].vehicle->autopilot->estimate());
+          const Autopilot& autopilot = *world_.entities[i].vehicle->autopilot;
+          recorder_.estimate(id_of(i), autopilot.estimate(), autopilot.status());
         }
     if (due(now, options_.perimeter_period))
       for (std::size_t i = 0; i < states_.size(); ++i)

@@ -7,6 +7,7 @@
 #include "base/id.h"
 #include "base/time.h"
 #include "data/air.h"
+#include "data/fault.h"
 #include "data/object.h"
 #include "data/vehicle.h"
 #include "role/agent.h"
@@ -34,6 +35,7 @@ struct Vehicle {
   std::vector<std::unique_ptr<Sensor>> sensors;  ///< of the autopilot
   std::vector<std::unique_ptr<Sensor>> payload;  ///< of the agent
   std::unique_ptr<Turbulence> turbulence;        ///< null: none
+  std::vector<VehicleFault> faults;              ///< that are going to happen
   Time step;           ///< of sensors, autopilot and plant; divides the run's step
   VehicleState state;  ///< the truth
   Air air;             ///< that it flies in

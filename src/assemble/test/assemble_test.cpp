@@ -20,7 +20,9 @@ using scenario::Scenario;
 Scenario read(const std::string& text) {
   auto outcome = scenario::read_scenario_text(text, "test", ".", kind_table());
   EXPECT_TRUE(outcome.ok()) << outcome.report();
-  return outcome.ok() ? *outcome.scenario : Scenario{};
+  Scenario scenario;
+  if (outcome.ok()) scenario = *std::move(outcome.scenario);
+  return scenario;
 }
 
 std::string hash_of(const Scenario& scenario, int threads = 1, double speed = 0) {

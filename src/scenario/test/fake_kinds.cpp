@@ -50,6 +50,8 @@ KindTable fake_kinds() {
   add("wind", defaults.environment.wind);
   add("fire", defaults.environment.fire);
   add("radio", defaults.radio);
+  add("turbulence", defaults.environment.turbulence);
+  add("station-agent", defaults.station.agent);
   add("estimator", defaults.monitoring.estimator);
   add("strategy", defaults.monitoring.strategy);
   add("plant", group.plant);

@@ -111,7 +111,7 @@ class Notes : public Recorder {
     text += fmt::format("T{} {} {};", t.ns(), id.value, s.p_N.x());
     ++truths;
   }
-  void estimate(EntityId, const NavEstimate&) override {}
+  void estimate(EntityId, const NavEstimate&, const AutopilotStatus&) override {}
   void reading(const FireReading&) override {}
   void message(const Message& m, Time t, bool) override {
     text += fmt::format("M{} {} {};", t.ns(), m.from.value, m.number);

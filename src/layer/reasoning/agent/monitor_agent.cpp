@@ -23,8 +23,9 @@ constexpr double kLineJoin = 2;       // a line begins this near to its start [t
 constexpr double kLineEnd = 20;       // and ends this far before its end [m]
 
 const char* name_of(const decltype(Task::what)& what) {
-  constexpr std::array kNames = {"loiter", "fly to", "follow edge", "follow line",
-                                 "fly course"};
+  constexpr std::array kNames = {"loiter",     "fly to",    "follow edge",  "follow line",
+                                 "fly course", "fly route", "follow leader"};
+  static_assert(kNames.size() == std::variant_size_v<decltype(Task::what)>);
   return kNames[what.index()];
 }
 
@@ -47,7 +48,8 @@ MonitorAgent::MonitorAgent(const MonitorAgentOptions& options, EntityId self,
       coordinator_(coordinator),
       limits_(limits),
       map_(map),
-      guard_(options.guard, limits, zones) {}
+      guard_(options.guard, limits, zones),
+      execution_(options.safety_zone) {}
 
 void MonitorAgent::step(const AgentInput& in, AgentOutput& out) {
   for (const Message& message : in.inbox)
@@ -67,11 +69,19 @@ void MonitorAgent::step(const AgentInput& in, AgentOutput& out) {
       altitude_over(map_, geo::horizontal(in.nav->p_N), geo::horizontal(in.nav->v_N),
                     options_.altitude_agl, limits_.climb_rate);
   out.command = std::move(command);
+  if (auto event = execution_.check(in.now, self_, in.autopilot))
+    out.events.push_back(*std::move(event));
   report(in, out);
 }
 
 void MonitorAgent::take_task(const Task& task, const AgentInput& in, AgentOutput& out) {
   if (has_task_ && task.number <= task_.number) return;
+  if (std::holds_alternative<FlyRoute>(task.what) ||
+      std::holds_alternative<FollowLeader>(task.what)) {
+    out.events.push_back({in.now, self_, "task-refused",
+                          fmt::format("{}: not for this agent", name_of(task.what))});
+    return;
+  }
   task_ = task;
   has_task_ = true;
   done_ = joined_ = lost_ = false;

@@ -5,6 +5,7 @@
 
 #include "data/path.h"
 #include "layer/reasoning/agent/edge_follower.h"
+#include "layer/reasoning/agent/execution_monitor.h"
 #include "layer/reasoning/agent/zone_guard.h"
 #include "role/agent.h"
 #include "role/terrain.h"
@@ -18,6 +19,7 @@ struct MonitorAgentOptions {
   double replan_cross = 60;   ///< distance off a path that re-plans it [m]
   EdgeFollowerOptions edge;
   ZoneGuardOptions guard;
+  SafetyZone safety_zone;
 };
 
 /// The agent on board of an aircraft that watches a fire.
@@ -62,6 +64,7 @@ class MonitorAgent final : public Agent {
   FlightLimits limits_;
   const Terrain& map_;
   ZoneGuard guard_;
+  ExecutionMonitor execution_;
 
   Task task_;
   bool has_task_ = false, done_ = false;
