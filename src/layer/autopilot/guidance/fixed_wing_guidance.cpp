@@ -1,0 +1,410 @@
+#include "layer/autopilot/guidance/fixed_wing_guidance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "data/air.h"
+#include "layer/autopilot/guidance/same_guidance.h"
+#include "layer/autopilot/guidance/unflyable.h"
+#include "model/path/wind_triangle.h"
+
+namespace skein::autopilot {
+namespace {
+
+constexpr double kSearch = 60;     // of a plan, before and after now, at the start [s]
+constexpr double kFlares = 1;      // lateral acceleration close to the ground [m/s^2]
+constexpr double kStopped = 0.5;   // of the slowest airspeed: no longer flying
+constexpr double kLeastSpeed = 1;  // over ground, for windows of time [m/s]
+
+GroundMotion over_ground(const FixedWingMotion& now) {
+  return {now.p_N.head<2>(), now.v_N.head<2>(), now.lateral_acceleration};
+}
+
+// The law in use, on a line whose nearest point to the motion ahead is known.
+template <class Line>
+double lateral(const LateralOptions& options, const Line& line,
+               const model::TrackPoint& nearest, double cross_track,
+               const GroundMotion& ahead) {
+  if (options.law == LateralLaw::kCourse)
+    return course_law(nearest, cross_track, ahead.velocity, options.course);
+  const double speed = ahead.velocity.norm();
+  const Sight sight = options.law == LateralLaw::kL1 ? l1_sight(speed, options.l1)
+                                                     : l2_plus_sight(speed, options.l2);
+  return sight_law(sight, line, nearest, cross_track, ahead);
+}
+
+// A path or curve near the vehicle's place, moved on to where it will be `ahead`.
+double moved(const model::TrackPoint& at, double cross_track, const Vec2& by) {
+  return by.dot(at.tangent) / std::max(1 - at.curvature * cross_track, 0.2);
+}
+double off_track(const model::TrackPoint& at, const Vec2& p) {
+  return geo::cross(at.tangent, p - at.position);
+}
+
+struct PathAhead {
+  const model::PathCursor& path;
+  double along;
+  model::TrackPoint at(double ahead) const { return path.at(along + ahead); }
+};
+
+struct PlanAhead {
+  const model::PlanCurve& plan;
+  double time, speed;
+  model::TrackPoint at(double ahead) const {
+    return model::PlanCurve::track(plan.at(time + ahead / speed));
+  }
+};
+
+}  // namespace
+
+FixedWingMotion motion_of(const NavState& nav, std::optional<double> height_agl) {
+  FixedWingMotion out{nav.time,     nav.p_N, nav.v_N,   geo::horizontal(nav.wind_N),
+                      nav.airspeed, 0,       height_agl};
+  const Vec3 down = geo::down_in_body(nav.q_NB);
+  const Vec2 v = geo::horizontal(nav.v_N);
+  const Vec2 air = v - out.wind;
+  const double both = std::sqrt(v.squaredNorm() * air.squaredNorm());
+  // Beyond 70 degrees of bank the estimate is of no use here.
+  const double tangent = down.y() / std::max(down.z(), 0.3);
+  if (both > 1e-6)
+    out.lateral_acceleration = kGravity * tangent * std::max(v.dot(air) / both, 0.0);
+  return out;
+}
+
+FixedWingGuidance::FixedWingGuidance(const FixedWingGuidanceOptions& options,
+                                     const FlightLimits& limits, const Vec3& home_N)
+    : options_(options),
+      limits_(limits),
+      home_N_(home_N),
+      most_lateral_(limits.airspeed * limits.airspeed / limits.turn_radius) {
+  // In a turn the lift is g / cos(bank): the slowest airspeed grows with its root.
+  const double load = std::sqrt(1 + std::pow(most_lateral_ / kGravity, 2));
+  turn_slowest_ = std::min(limits.slowest * std::sqrt(load), limits.airspeed);
+  command_.guidance = HoldPosition{geo::horizontal(home_N)};
+  command_.altitude_msl = altitude_ = -home_N.z();
+  hold_ = {geo::horizontal(home_N), loiter_radius(0), true};
+}
+
+double FixedWingGuidance::loiter_radius(double wind_speed) const {
+  return options_.radius_margin *
+         model::ground_turn_radius(limits_.turn_radius, limits_.airspeed, wind_speed);
+}
+
+double FixedWingGuidance::base_airspeed() const {
+  return std::clamp(command_.airspeed.value_or(limits_.airspeed), limits_.slowest,
+                    limits_.fastest);
+}
+
+double FixedWingGuidance::airspeed_for(double curvature, double wind_speed) const {
+  const double base = base_airspeed();
+  if (curvature <= 0) return base;
+  const double ground_speed = std::sqrt(most_lateral_ / curvature);
+  return std::min(base, std::max(ground_speed - wind_speed, turn_slowest_));
+}
+
+std::optional<std::string> FixedWingGuidance::command(const AutopilotCommand& command,
+                                                      const FixedWingMotion& now) {
+  if (same_guidance(command_, command)) {
+    if (auto reason = unflyable({HoldPosition{}, command.altitude_msl, command.airspeed},
+                                limits_, now.wind))
+      return reason;
+    command_.altitude_msl = command.altitude_msl;
+    command_.airspeed = command.airspeed;
+    if (!has_own_altitude(command_)) altitude_ = command.altitude_msl;
+    return {};
+  }
+  if (auto reason = unflyable(command, limits_, now.wind)) return reason;
+  begin(command, now);
+  return {};
+}
+
+void FixedWingGuidance::hold_at(const Vec2& centre, const FixedWingMotion& now) {
+  hold_ = {centre, loiter_radius(now.wind.norm()), true};
+  hold_least_ = 0;
+  doing_ = Doing::kCircle;
+}
+
+void FixedWingGuidance::begin(const AutopilotCommand& command,
+                              const FixedWingMotion& now) {
+  command_ = command;
+  status_ = {};
+  altitude_ = command.altitude_msl;
+  phase_ = FlightPhase::kFlight;
+  along_ = 0;
+  const Vec2 p = now.p_N.head<2>();
+  const Vec2 v = now.v_N.head<2>();
+  if (const auto* f = std::get_if<FollowPath>(&command_.guidance)) {
+    path_.assign(f->path);
+    doing_ = Doing::kPath;
+    status_.remaining = path_.length();
+    if (path_.empty()) arrive(p, now);
+  } else if (const auto* h = std::get_if<HoldCourse>(&command_.guidance)) {
+    course_ = geo::unit(h->course);
+    doing_ = Doing::kCourse;
+  } else if (const auto* c = std::get_if<Circle>(&command_.guidance)) {
+    hold_ = *c;
+    hold_least_ = c->radius;
+    doing_ = Doing::kCircle;
+  } else if (const auto* at = std::get_if<HoldPosition>(&command_.guidance)) {
+    hold_at(at->point, now);
+  } else if (const auto* plan = std::get_if<FollowPlan>(&command_.guidance)) {
+    plan_.assign(plan->plan);
+    const double time = std::clamp(now.time.seconds(), plan_.start(), plan_.end());
+    plan_time_ = plan_.nearest(p, std::max(time - kSearch, plan_.start()),
+                               std::min(time + kSearch, plan_.end()), 1);
+    doing_ = Doing::kPlan;
+    status_.remaining = plan_.remaining(plan_time_);
+  } else if (const auto* w = std::get_if<FlyWaypoints>(&command_.guidance)) {
+    const double radius = options_.rounds_corners ? loiter_radius(now.wind.norm()) : 0;
+    route_.begin(*w, now.p_N, {radius, 0});
+    doing_ = Doing::kWaypoints;
+  } else if (const auto* t = std::get_if<TakeOff>(&command_.guidance)) {
+    course_ = geo::unit(t->course);
+    run_start_ = p;
+    run_altitude_ = -now.p_N.z();
+    const bool flies = now.airspeed >= options_.take_off_speed * limits_.slowest;
+    phase_ = flies ? FlightPhase::kClimbOut : FlightPhase::kRun;
+    doing_ = Doing::kTakeOff;
+  } else if (const auto* l = std::get_if<Land>(&command_.guidance)) {
+    landing_.begin(*l, {p, geo::bearing(v)}, now.wind, std::max(v.norm(), kLeastSpeed),
+                   loiter_radius(now.wind.norm()), options_.landing);
+    doing_ = Doing::kLand;
+  } else {
+    altitude_ = std::max(altitude_, options_.return_height - home_N_.z());
+    hold_at(home_N_.head<2>(), now);
+  }
+}
+
+void FixedWingGuidance::arrive(const Vec2& at, const FixedWingMotion& now) {
+  status_ = {};
+  status_.done = true;
+  hold_at(at, now);
+}
+
+FixedWingDemand FixedWingGuidance::step(const FixedWingMotion& now, double dt) {
+  FixedWingDemand demand;
+  demand.altitude_msl = altitude_;
+  demand.airspeed = base_airspeed();
+  double a = 0;
+  switch (doing_) {
+    case Doing::kCourse:
+      a = hold_course(course_, now);
+      break;
+    case Doing::kCircle:
+      a = circle(now, demand);
+      break;
+    case Doing::kPath:
+      a = follow_path(now, demand);
+      break;
+    case Doing::kPlan:
+      a = follow_plan(now, dt, demand);
+      break;
+    case Doing::kWaypoints:
+      a = fly_waypoints(now, demand);
+      break;
+    case Doing::kTakeOff:
+      a = take_off(now, demand);
+      break;
+    case Doing::kLand:
+      a = land(now, dt, demand);
+      break;
+  }
+  demand.lateral_acceleration = std::clamp(a, -most_lateral_, most_lateral_);
+  return demand;
+}
+
+double FixedWingGuidance::hold_course(const Vec2& course,
+                                      const FixedWingMotion& now) const {
+  const GroundMotion ahead = ahead_of(over_ground(now), options_.lateral.roll_lag);
+  return turn_towards(course, ahead.velocity, options_.lateral.course.gain);
+}
+
+double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& demand) {
+  const double wind = now.wind.norm();
+  // The wind may have changed since: never tighter than what it allows now. A place is
+  // held on a circle that shrinks again only when the wind has become much less.
+  if (hold_least_ > 0) {
+    const double tightest = turn_slowest_ * turn_slowest_ / most_lateral_;
+    hold_.radius =
+        std::max(hold_least_, model::ground_turn_radius(tightest, turn_slowest_, wind));
+  } else {
+    const double least = loiter_radius(wind);
+    if (hold_.radius < least || hold_.radius > 1.25 * least) hold_.radius = least;
+  }
+  demand.airspeed = airspeed_for(1 / hold_.radius, wind);
+
+  const Vec2 p = now.p_N.head<2>();
+  const GroundMotion ahead = ahead_of(over_ground(now), options_.lateral.roll_lag);
+  const CircleLine line =
+      CircleLine::nearest_to(ahead.position, hold_.centre, hold_.radius, hold_.clockwise);
+  const double distance = (p - hold_.centre).norm();
+  const bool home = std::holds_alternative<Return>(command_.guidance);
+  if (std::holds_alternative<Circle>(command_.guidance)) {
+    status_.cross_track = -line.side * (distance - hold_.radius);
+    status_.follows = true;
+  } else if (home || std::holds_alternative<HoldPosition>(command_.guidance)) {
+    status_.remaining = std::max(distance - hold_.radius, 0.0);
+    status_.done = status_.done || distance <= 1.2 * hold_.radius;
+  }
+  return lateral(options_.lateral, line, line.nearest(), line.cross_track(ahead.position),
+                 ahead);
+}
+
+double FixedWingGuidance::steer(const model::PathCursor& path,
+                                const model::PathCursor::Place& place,
+                                const FixedWingMotion& now) const {
+  const GroundMotion motion = over_ground(now);
+  const GroundMotion ahead = ahead_of(motion, options_.lateral.roll_lag);
+  const double along = place.along + moved(place.point, place.cross_track,
+                                           ahead.position - motion.position);
+  const model::TrackPoint nearest = path.at(along);
+  return lateral(options_.lateral, PathAhead{path, along}, nearest,
+                 off_track(nearest, ahead.position), ahead);
+}
+
+double FixedWingGuidance::follow_path(const FixedWingMotion& now,
+                                      FixedWingDemand& demand) {
+  const Vec2 p = now.p_N.head<2>();
+  const double speed = std::max(now.v_N.head<2>().norm(), kLeastSpeed);
+  // Only the near part of the path counts, so that it may cross itself.
+  const model::PathCursor::Place place =
+      path_.project(p, along_ - 3 * speed, along_ + 15 * speed);
+  along_ = place.along;
+  if (place.remaining <= 0 && (p - place.point.position).dot(place.point.tangent) >= 0) {
+    arrive(place.point.position, now);
+    return circle(now, demand);
+  }
+  status_.remaining = place.remaining;
+  status_.cross_track = place.cross_track;
+  status_.follows = true;
+  demand.airspeed = airspeed_for(
+      path_.tightest(along_, along_ + options_.slow_down * speed), now.wind.norm());
+  return steer(path_, place, now);
+}
+
+double FixedWingGuidance::follow_plan(const FixedWingMotion& now, double dt,
+                                      FixedWingDemand& demand) {
+  const Vec2 p = now.p_N.head<2>();
+  const double followed = plan_.follow(p, plan_time_);
+  const model::PlanCurve::State here = plan_.at(followed);
+  const double speed = here.v_N.head<2>().norm();
+  // Where the plan stands still only time passes.
+  plan_time_ = followed == plan_time_ && speed < kLeastSpeed ? followed + dt : followed;
+  const model::TrackPoint track = model::PlanCurve::track(here);
+  if (plan_time_ >= plan_.end()) {
+    altitude_ = -plan_.at(plan_.end()).p_N.z();
+    demand.altitude_msl = altitude_;
+    arrive(plan_.at(plan_.end()).p_N.head<2>(), now);
+    return circle(now, demand);
+  }
+  const double late = now.time.seconds() - plan_time_;
+  status_.time_error = late;
+  status_.remaining = plan_.remaining(plan_time_);
+  status_.cross_track = off_track(track, p);
+  status_.follows = true;
+
+  const double share =
+      std::clamp(options_.time_gain * late, -options_.time_reach, options_.time_reach);
+  const Vec2 air = speed * (1 + share) * track.tangent - now.wind;
+  demand.airspeed = std::clamp(std::sqrt(air.squaredNorm() + here.v_N.z() * here.v_N.z()),
+                               limits_.slowest, limits_.fastest);
+  demand.altitude_msl = -here.p_N.z();
+  const double flown = now.v_N.head<2>().dot(track.tangent);
+  const double pace = std::clamp(flown / std::max(speed, kLeastSpeed), 0.0, 2.0);
+  demand.climb_rate = -here.v_N.z() * pace;
+
+  const GroundMotion motion = over_ground(now);
+  const GroundMotion ahead = ahead_of(motion, options_.lateral.roll_lag);
+  const double per_second = std::max(speed, kLeastSpeed);
+  const double then =
+      plan_time_ +
+      moved(track, status_.cross_track, ahead.position - motion.position) / per_second;
+  const model::TrackPoint nearest = model::PlanCurve::track(plan_.at(then));
+  return lateral(options_.lateral, PlanAhead{plan_, then, per_second}, nearest,
+                 off_track(nearest, ahead.position), ahead);
+}
+
+double FixedWingGuidance::fly_waypoints(const FixedWingMotion& now,
+                                        FixedWingDemand& demand) {
+  const Vec2 p = now.p_N.head<2>();
+  const double speed = std::max(now.v_N.head<2>().norm(), kLeastSpeed);
+  const double wind = now.wind.norm();
+  if (options_.rounds_corners) route_.set_rule({loiter_radius(wind), 0});
+  const WaypointRoute::Place place = route_.project(p, 3 * speed);
+  if (place.done) {
+    altitude_ = place.altitude_msl;
+    demand.altitude_msl = altitude_;
+    arrive(route_.last().point, now);
+    return circle(now, demand);
+  }
+  status_.remaining = place.remaining;
+  status_.cross_track = place.on_path.cross_track;
+  status_.follows = true;
+  demand.altitude_msl = place.altitude_msl;
+  demand.climb_rate = place.slope * now.v_N.head<2>().dot(place.on_path.point.tangent);
+  const double along = place.on_path.along;
+  demand.airspeed = airspeed_for(
+      route_.cursor().tightest(along, along + options_.slow_down * speed), wind);
+  return steer(route_.cursor(), place.on_path, now);
+}
+
+double FixedWingGuidance::take_off(const FixedWingMotion& now, FixedWingDemand& demand) {
+  const double height = now.height_agl.value_or(-now.p_N.z() - run_altitude_);
+  if (phase_ == FlightPhase::kRun &&
+      now.airspeed >= options_.take_off_speed * limits_.slowest)
+    phase_ = FlightPhase::kClimbOut;
+  if (phase_ == FlightPhase::kClimbOut &&
+      (height >= options_.climb_out_height ||
+       -now.p_N.z() >= altitude_ - options_.arrival)) {
+    phase_ = FlightPhase::kFlight;
+    hold_at(home_N_.head<2>(), now);
+    doing_ = Doing::kTakeOff;
+  }
+  demand.phase = phase_;
+  status_.remaining = std::max(altitude_ + now.p_N.z(), 0.0);
+  if (phase_ == FlightPhase::kFlight) {
+    status_.done = status_.done || -now.p_N.z() >= altitude_ - options_.arrival;
+    return circle(now, demand);
+  }
+  // Along the line of the run.
+  const GroundMotion ahead = ahead_of(over_ground(now), options_.lateral.roll_lag);
+  const Vec2 off = ahead.position - run_start_;
+  const model::TrackPoint line{run_start_ + off.dot(course_) * course_, course_, 0};
+  const double a = course_law(line, off_track(line, ahead.position), ahead.velocity,
+                              options_.lateral.course);
+  if (phase_ == FlightPhase::kRun) return std::clamp(a, -kFlares, kFlares);
+  return a;
+}
+
+double FixedWingGuidance::land(const FixedWingMotion& now, double dt,
+                               FixedWingDemand& demand) {
+  const Vec2 p = now.p_N.head<2>();
+  const double speed = now.v_N.head<2>().norm();
+  const double height =
+      now.height_agl.value_or(-now.p_N.z() - landing_.command().ground_msl);
+  const bool still =
+      std::min(now.airspeed, speed + now.wind.norm()) < kStopped * limits_.slowest;
+  const Landing::Step at = landing_.step(p, height, speed, still, dt);
+  demand.phase = at.phase;
+  demand.altitude_msl = at.altitude_msl;
+  demand.climb_rate = at.climb_rate;
+  status_.remaining = at.place.remaining;
+  status_.cross_track = at.place.cross_track;
+  status_.follows = at.phase != FlightPhase::kGround;
+  status_.done = at.done;
+  if (at.done && !options_.landing.touches_down) {
+    altitude_ = landing_.command().ground_msl + options_.landing.floor;
+    demand = {0, altitude_, 0, base_airspeed(), FlightPhase::kFlight};
+    arrive(landing_.command().point, now);
+    return circle(now, demand);
+  }
+  if (at.phase == FlightPhase::kGround) return 0;
+  if (at.phase == FlightPhase::kApproach || at.phase == FlightPhase::kFlare) {
+    demand.airspeed =
+        std::min(options_.landing.airspeed * limits_.slowest, limits_.fastest);
+  }
+  const double a = steer(landing_.path(), at.place, now);
+  return at.phase == FlightPhase::kFlare ? std::clamp(a, -kFlares, kFlares) : a;
+}
+
+}  // namespace skein::autopilot
