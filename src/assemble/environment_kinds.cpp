@@ -4,6 +4,7 @@
 
 #include "assemble/kinds_of.h"
 #include "layer/environment/fire/front_fire.h"
+#include "layer/environment/fire/no_fire.h"
 #include "layer/environment/fire/thesis_fire.h"
 #include "layer/environment/recorded/recorded_fire.h"
 #include "layer/environment/terrain/raster_terrain.h"
@@ -25,6 +26,8 @@ constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
 constexpr Range kHeight{.at_least = -500, .at_most = 9000};
 constexpr Range kBearing{.at_least = -360, .at_most = 360};
 constexpr Range kPlace{.at_least = -7e5, .at_most = 7e5};  // within 1000 km
+
+struct NoFireKind {};
 
 Fields<FlatTerrainOptions> flat_fields() {
   using T = FlatTerrainOptions;
@@ -333,6 +336,10 @@ Kinds<WindField, EnvironmentContext> wind_kinds() {
 Kinds<Phenomenon, EnvironmentContext> fire_kinds() {
   using Made = Result<std::unique_ptr<Phenomenon>>;
   Kinds<Phenomenon, EnvironmentContext> kinds("fire");
+  kinds.add("none", "Nothing burns.", Fields<NoFireKind>(),
+            [](const NoFireKind&, const EnvironmentContext&) {
+              return std::make_unique<environment::NoFire>();
+            });
   kinds.add(
       "front", "A front that spreads by fuel, wind and slope; merges, leaves islands.",
       front_fields(), [](const FrontFireKind& o, const EnvironmentContext& c) -> Made {

@@ -1,0 +1,74 @@
+// What reasons on board: one row each.
+
+#include "assemble/kinds_of.h"
+#include "layer/reasoning/agent/monitor_agent.h"
+#include "layer/reasoning/team/wingman.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::Fields;
+using scenario::Range;
+
+constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
+
+Fields<SafetyZone> safety_zone_fields() {
+  using T = SafetyZone;
+  return Fields<T>()
+      .duration_s("ahead_s", &T::ahead, "Ahead of the plan.", {.above = 0})
+      .duration_s("behind_s", &T::behind, "Behind the plan.", {.above = 0})
+      .number("across_m", &T::across, "Off the path, to either side.",
+              {.above = 0, .at_most = 1e6});
+}
+
+Fields<reasoning::MonitorAgentOptions> scout_fields() {
+  using T = reasoning::MonitorAgentOptions;
+  return Fields<T>()
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .angle_deg("edge_angle_deg", [](T & t) -> auto& { return t.edge.angle; },
+                 "Following the edge: between course and edge, to cross it again.",
+                 {.above = 0, .at_most = 90})
+      .number(
+          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "Kept from the border of no-flight zones.", kNotNegative)
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight of a path or plan may be off.");
+}
+
+Fields<reasoning::WingmanOptions> wingman_fields() {
+  using T = reasoning::WingmanOptions;
+  return Fields<T>()
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .duration_s("horizon_s", &T::horizon,
+                  "Following: the leader's motion is foretold for this long.",
+                  {.above = 0, .at_most = 120})
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight of a path or plan may be off.");
+}
+
+}  // namespace
+
+Kinds<Agent, AircraftContext> agent_kinds() {
+  Kinds<Agent, AircraftContext> kinds("agent");
+  kinds.add("scout", "Reads the fire sensor, tells the station, flies its orders.",
+            scout_fields(),
+            [](const reasoning::MonitorAgentOptions& o, const AircraftContext& c) {
+              reasoning::MonitorAgentOptions all = o;
+              all.altitude_agl = c.altitude_agl;
+              return std::make_unique<reasoning::MonitorAgent>(all, c.self, c.station,
+                                                               c.limits, *c.map, c.zones);
+            });
+  kinds.add("wingman", "Leads a formation along a route, or keeps its place in it.",
+            wingman_fields(),
+            [](const reasoning::WingmanOptions& o, const AircraftContext& c) {
+              reasoning::WingmanOptions all = o;
+              all.altitude_agl = c.altitude_agl;
+              return std::make_unique<reasoning::Wingman>(all, c.self, c.station,
+                                                          c.limits, *c.map);
+            });
+  return kinds;
+}
+
+}  // namespace skein::assemble

@@ -1,0 +1,173 @@
+#include "assemble/aircraft_builder.h"
+
+#include <fmt/format.h>
+
+#include "assemble/kinds_of.h"
+#include "assemble/placement.h"
+#include "assemble/presence.h"
+#include "assemble/vehicle_faults.h"
+#include "geo/polygon.h"
+#include "scenario/numbers.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::AircraftGroup;
+
+// Of plants that take actuators, where the scenario does not say.
+constexpr double kFlightStep = 0.01;  // [s]
+
+NavEstimate nav_of(const VehicleState& state) {
+  const geo::Euler attitude = geo::to_euler(state.q_NB);
+  NavEstimate nav;
+  nav.p_N = state.p_N;
+  nav.v_N = state.v_N;
+  nav.heading = attitude.yaw;
+  nav.roll = attitude.roll;
+  nav.pitch = attitude.pitch;
+  return nav;
+}
+
+}  // namespace
+
+Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
+                                                 EntityId self) {
+  const std::string name = fmt::format("{}-{}", group.name, ++named_[group.name]);
+  AircraftContext context;
+  context.seed = scenario_.seed;
+  context.self = self;
+  context.station = station_;
+  context.agent_period = group.agent_period;
+  context.altitude_agl = group.altitude_agl;
+  context.map = map_;
+  context.zones = zones_;
+
+  auto nominal = nominal_plant(group, context);
+  if (!nominal) return nominal.error();
+  context.limits = nominal.value()->limits();
+  context.airframe = nominal.value()->airframe();
+
+  auto vehicle = std::make_unique<simulation::Vehicle>();
+  vehicle->plant = nominal.value();
+  if (group.parameter_spread > 0) {
+    context.parameter_spread = group.parameter_spread;
+    auto own = plant_kinds().make(group.plant, context);
+    if (!own) return own.error();
+    vehicle->plant = std::move(own).value();
+  }
+  auto step = flight_step(name, group, context.airframe);
+  if (!step) return step.error();
+  vehicle->step = step.value();
+  if (auto placed = put(name, group, index, *vehicle); !placed) return placed.error();
+  context.initial = nav_of(vehicle->state);
+  context.on_ground = vehicle->state.on_ground;
+
+  auto autopilot = autopilot_kinds().make(group.autopilot, context);
+  if (!autopilot) {
+    Error error = autopilot.error();
+    if (error.place.empty()) error.place = name;
+    return error;
+  }
+  vehicle->autopilot = std::move(autopilot).value();
+  auto parts = mount_sensors(group, context, *vehicle);
+  if (!parts) return parts.error();
+  auto turbulence = turbulence_kinds().make(scenario_.environment.turbulence, context);
+  if (!turbulence) return turbulence.error();
+  vehicle->turbulence = std::move(turbulence).value();
+  auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
+                               context.seed, context.self);
+  if (!faults) return faults.error();
+  vehicle->faults = std::move(faults).value();
+  auto agent = agent_kinds().make(group.agent, context);
+  if (!agent) return agent.error();
+
+  simulation::Entity entity;
+  entity.name = name;
+  entity.kind = "aircraft";
+  entity.agent = std::move(agent).value();
+  entity.vehicle = std::move(vehicle);
+  entity.agent_period = group.agent_period;
+  entity.active = presence(group, index, scenario_.duration);
+  return entity;
+}
+
+Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
+    const AircraftGroup& group, const AircraftContext& context) {
+  if (const auto known = plants_.find(&group); known != plants_.end())
+    return known->second;
+  auto made = plant_kinds().make(group.plant, context);
+  if (!made) return made.error();
+  return plants_.emplace(&group, std::move(made).value()).first->second;
+}
+
+Result<Time> AircraftBuilder::flight_step(const std::string& name,
+                                          const AircraftGroup& group,
+                                          const Airframe& airframe) const {
+  if (group.flight_step) return *group.flight_step;
+  if (std::holds_alternative<SelfStabilised>(airframe)) return scenario_.step;
+  const Time step = Time::from_seconds(kFlightStep);
+  if (scenario_.step < step) return scenario_.step;
+  if (scenario_.step.ns() % step.ns() == 0) return step;
+  return Error{
+      ErrorCode::kBadInput, name,
+      fmt::format("steps of {} s do not divide step_s, {} s.",
+                  scenario::seconds_text(step), scenario::seconds_text(scenario_.step)),
+      "Give flight_step_s, or another step_s."};
+}
+
+// In level flight at cruise, in the wind of that place, or on the ground.
+Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& group,
+                                  int index, simulation::Vehicle& vehicle) const {
+  const Place place = place_at_start(group.start, index, group.count);
+  const double ground = map_->elevation_msl(place.position);
+  const double altitude =
+      group.start.on_ground
+          ? ground
+          : group.start.altitude_msl.value_or(ground + group.altitude_agl);
+  if (altitude <= ground && !group.start.on_ground)
+    return Error{ErrorCode::kBadInput, name,
+                 fmt::format("starts inside terrain: at {:.1f} m above mean sea level, "
+                             "where the ground is at {:.1f} m.",
+                             altitude, ground),
+                 "Raise start.altitude_msl_m or leave it out."};
+  if (group.start.on_ground &&
+      std::holds_alternative<SelfStabilised>(vehicle.plant->airframe()))
+    return Error{
+        ErrorCode::kBadInput, name,
+        fmt::format("the plant {} cannot stand on the ground.", group.plant.kind),
+        "Leave start.on_ground out, or choose another plant."};
+  VehicleStart start;
+  start.p_N = {place.position.x(), place.position.y(), -altitude};
+  start.heading = place.heading;
+  start.wind_N = wind_.wind(start.p_N, Time());
+  start.on_ground = group.start.on_ground;
+  vehicle.state = vehicle.plant->start(start);
+  vehicle.air.wind_N = start.wind_N;
+  for (const Zone& zone : zones_)
+    if (geo::contains(zone.ring, place.position))
+      return Error{ErrorCode::kBadInput, name,
+                   fmt::format("starts inside a no-flight zone, at {:.0f} m north, "
+                               "{:.0f} m east.",
+                               place.position.x(), place.position.y()),
+                   "Move its start or the zone."};
+  return {};
+}
+
+Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
+                                             AircraftContext& context,
+                                             simulation::Vehicle& vehicle) const {
+  Parts parts;
+  parts.airframe = context.airframe;
+  std::map<std::string, std::uint32_t> of_kind;
+  for (const scenario::Choice& choice : group.sensors) {
+    context.instance = of_kind[choice.kind]++;
+    auto sensor = sensor_kinds().make(choice, context);
+    if (!sensor) return sensor.error();
+    const bool payload = sensor.value()->payload();
+    (payload ? parts.payload : parts.sensors).push_back(choice.kind);
+    (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(sensor).value());
+  }
+  return parts;
+}
+
+}  // namespace skein::assemble
