@@ -17,9 +17,9 @@ namespace skein::asset {
 
 /// Lengths that make coefficients dimensionless.
 struct WingGeometry {
-  double area = 0.28;   ///< S [m^2]
-  double span = 1.5;    ///< b [m]
-  double chord = 0.19;  ///< mean aerodynamic, c [m]
+  double area = 0.26;    ///< S [m^2]
+  double span = 1.5;     ///< b [m]
+  double chord = 0.173;  ///< mean aerodynamic, c [m]
 };
 
 /// Dimensionless derivatives, per radian. a = angle of attack, b = side-slip; p, q, r
@@ -27,16 +27,16 @@ struct WingGeometry {
 /// signs of data/control.h.
 struct AeroCoefficients {
   // Lift and drag. CD = CD0 + K (CL0 + CLa a)^2 + CDq |q| + CDde |de|.
-  double CL0 = 0.45, CLa = 5.0, CLq = 7.0, CLde = 0.35;
-  double CD0 = 0.045, K = 0.047, CDq = 0, CDde = 0;
+  double CL0 = 0.28, CLa = 5.1, CLq = 5, CLde = 0.34;
+  double CD0 = 0.045, K = 0.045, CDq = 0, CDde = 0;
   // Pitching moment.
-  double Cm0 = 0.04, Cma = -0.9, Cmq = -12, Cmde = -0.95;
+  double Cm0 = 0.012, Cma = -0.7, Cmq = -16, Cmde = -1.2;
   // Side force.
-  double CY0 = 0, CYb = -0.35, CYp = 0, CYr = 0.2, CYda = 0, CYdr = 0.15;
+  double CY0 = 0, CYb = -0.3, CYp = 0, CYr = 0.136, CYda = 0, CYdr = 0.1;
   // Rolling moment.
-  double Cl0 = 0, Clb = -0.08, Clp = -0.48, Clr = 0.14, Clda = 0.16, Cldr = 0.004;
+  double Cl0 = 0, Clb = -0.09, Clp = -0.5, Clr = 0.09, Clda = 0.19, Cldr = 0.002;
   // Yawing moment.
-  double Cn0 = 0, Cnb = 0.065, Cnp = -0.05, Cnr = -0.08, Cnda = -0.01, Cndr = -0.06;
+  double Cn0 = 0, Cnb = 0.05, Cnp = -0.03, Cnr = -0.06, Cnda = -0.01, Cndr = -0.041;
 };
 
 /// How the wing stalls: with s going from 0 to 1 around |a| = `alpha`,
@@ -48,7 +48,7 @@ struct AeroCoefficients {
 /// Cm = Cma sin(a).
 /// Reference: [Beard12] Eqs. (4.9), (4.10); drag and moment are the same plate's.
 struct Stall {
-  double alpha = 0.26;    ///< where half is gone over [rad]
+  double alpha = 0.24;    ///< where half is gone over [rad]
   double sharpness = 50;  ///< M [1/rad]
 };
 
@@ -64,12 +64,12 @@ struct Stall {
 /// brake. The torque rolls the airframe to the left.
 /// Reference: [Beard21] section 4.3.
 struct ElectricMotor {
-  double diameter = 0.178;  ///< D [m]
-  double CT0 = 0.11, CT1 = -0.06, CT2 = -0.12;
-  double CQ0 = 0.0075, CQ1 = 0.002, CQ2 = -0.011;
-  double K = 0.0043;             ///< torque per current, = 1/KV [N m/A = V s/rad]
-  double resistance = 0.06;      ///< R, with its speed controller [ohm]
-  double no_load_current = 0.9;  ///< I0 [A]
+  double diameter = 0.16;  ///< D [m]
+  double CT0 = 0.1, CT1 = -0.045, CT2 = -0.06;
+  double CQ0 = 0.0098, CQ1 = 0.0022, CQ2 = -0.0085;
+  double K = 0.00682;            ///< torque per current, = 1/KV [N m/A = V s/rad]
+  double resistance = 0.12;      ///< R, with its speed controller [ohm]
+  double no_load_current = 0.8;  ///< I0 [A]
   double lag = 0.08;             ///< time constant of the rotor speed [s]
   BatteryParameters battery{};
 };
@@ -84,8 +84,8 @@ struct ElectricMotor {
 /// Reference: f: [Gagg34] for engines without charger.
 struct PistonEngine {
   double power_max = 73.5e3;    ///< at sea level [W]
-  double static_thrust = 1900;  ///< [N]
-  double efficiency = 0.8;      ///< of the propeller
+  double static_thrust = 2100;  ///< [N]
+  double efficiency = 0.85;     ///< of the propeller
   double lag = 0.4;             ///< time constant of the power [s]
   FuelTankParameters tank{};
 };
@@ -95,8 +95,8 @@ using Propulsion = std::variant<std::monostate, ElectricMotor, PistonEngine>;
 
 /// What moves the surfaces: a first-order lag with a largest rate.
 struct Servos {
-  double aileron_max = 0.436;   ///< largest deflection, both ways [rad]
-  double elevator_max = 0.436;  ///< [rad]
+  double aileron_max = 0.349;   ///< largest deflection, both ways [rad]
+  double elevator_max = 0.349;  ///< [rad]
   double rudder_max = 0.436;    ///< [rad]; 0: it has none
   double rate = 6;              ///< largest [rad/s]
   double lag = 0.04;            ///< time constant [s]
@@ -106,7 +106,7 @@ struct Servos {
 struct Envelope {
   double cruise = 15;        ///< airspeed [m/s]
   double slowest = 11;       ///< least airspeed to fly at: stall with a reserve [m/s]
-  double fastest = 20;       ///< [m/s]
+  double fastest = 18;       ///< [m/s]
   double bank_limit = 0.7;   ///< [rad]
   double pitch_up = 0.45;    ///< largest pitch angle [rad]
   double pitch_down = -0.4;  ///< least pitch angle, negative [rad]
@@ -115,7 +115,7 @@ struct Envelope {
 /// A fixed-wing aircraft.
 struct FixedWingParameters {
   double mass = 0.9;  ///< [kg]
-  Inertia inertia{.xx = 0.034, .yy = 0.034, .zz = 0.062, .xz = 0.002};
+  Inertia inertia{.xx = 0.028, .yy = 0.026, .zz = 0.052, .xz = 0.001};
   WingGeometry geometry;
   AeroCoefficients aero;
   std::optional<Stall> stall = Stall{};  ///< none: the linear laws hold everywhere
@@ -124,7 +124,12 @@ struct FixedWingParameters {
   double thrust_above = 0.06;
   Servos servos;
   Envelope envelope;
-  GroundContactParameters ground;
+  GroundContactParameters ground{.sink_limit = 3,
+                                 .speed_limit = 25,
+                                 .tilt_limit = 0.7,
+                                 .friction_along = 0.25,
+                                 .friction_across = 0.5,
+                                 .rest_pitch = 0.08};
 };
 
 /// What must hold for these; keys are member names. Beside the ranges of single numbers:

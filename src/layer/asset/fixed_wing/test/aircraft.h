@@ -56,22 +56,25 @@ inline FixedWingParameters aerosonde() {
   p.propulsion = motor;
   p.thrust_above = 0;
   p.servos = {.aileron_max = 0.436,
-              .elevator_max = 0.436,
+              .elevator_max = 0.524,
               .rudder_max = 0.436,
               .rate = 5,
               .lag = 0.04};
   p.envelope = {.cruise = 25,
-                .slowest = 17,
-                .fastest = 35,
+                .slowest = 18,
+                .fastest = 32,
                 .bank_limit = 0.785,
                 .pitch_up = 0.44,
                 .pitch_down = -0.35};
-  p.ground = {.sink_limit = 2.5,
-              .speed_limit = 25,
+  p.ground = {.sink_limit = 3,
+              .speed_limit = 40,
               .tilt_limit = 0.6,
-              .friction_along = 0.3,
+              .friction_along = 0.05,
               .friction_across = 0.6,
-              .nose_fall = -1};
+              .rest_pitch = 0.05,
+              .levelling = 0.1,
+              .nose_fall = 0.8,
+              .yaw_grip = 3};
   return p;
 }
 
@@ -84,56 +87,63 @@ inline FixedWingParameters glider() {
 inline FixedWingParameters light_sport() {
   FixedWingParameters p;
   p.mass = 580;
-  p.inertia = {.xx = 520, .yy = 790, .zz = 1250, .xz = 40};
+  p.inertia = {.xx = 670, .yy = 904, .zz = 1268, .xz = 40};
   p.geometry = {.area = 11.5, .span = 8.6, .chord = 1.37};
   p.aero = {.CL0 = 0.3,
-            .CLa = 4.9,
-            .CLq = 7.5,
-            .CLde = 0.4,
-            .CD0 = 0.033,
+            .CLa = 4.95,
+            .CLq = 5,
+            .CLde = 0.63,
+            .CD0 = 0.027,
             .K = 0.062,
-            .Cm0 = 0.03,
-            .Cma = -0.85,
-            .Cmq = -14,
-            .Cmde = -1.25,
+            .Cm0 = 0.005,
+            .Cma = -0.65,
+            .Cmq = -12,
+            .Cmde = -1.85,
             .CY0 = 0,
             .CYb = -0.4,
             .CYp = 0,
-            .CYr = 0.25,
+            .CYr = 0.226,
             .CYda = 0,
-            .CYdr = 0.17,
+            .CYdr = 0.15,
             .Cl0 = 0,
-            .Clb = -0.085,
-            .Clp = -0.47,
-            .Clr = 0.12,
+            .Clb = -0.095,
+            .Clp = -0.46,
+            .Clr = 0.1,
             .Clda = 0.17,
             .Cldr = 0.008,
             .Cn0 = 0,
             .Cnb = 0.075,
             .Cnp = -0.04,
-            .Cnr = -0.11,
+            .Cnr = -0.112,
             .Cnda = -0.008,
-            .Cndr = -0.075};
-  p.stall = Stall{.alpha = 0.29, .sharpness = 50};
-  p.propulsion = PistonEngine{};
+            .Cndr = -0.068};
+  p.stall = Stall{.alpha = 0.3, .sharpness = 50};
+  p.propulsion = PistonEngine{.power_max = 73.5e3,
+                              .static_thrust = 2100,
+                              .efficiency = 0.85,
+                              .lag = 0.4,
+                              .tank = {}};
   p.thrust_above = 0;
   p.servos = {.aileron_max = 0.349,
-              .elevator_max = 0.436,
+              .elevator_max = 0.262,
               .rudder_max = 0.436,
-              .rate = 1.5,
+              .rate = 1,
               .lag = 0.1};
   p.envelope = {.cruise = 50,
-                .slowest = 31,
-                .fastest = 62,
+                .slowest = 30,
+                .fastest = 58,
                 .bank_limit = 0.785,
                 .pitch_up = 0.3,
                 .pitch_down = -0.26};
   p.ground = {.sink_limit = 3,
-              .speed_limit = 45,
+              .speed_limit = 50,
               .tilt_limit = 0.5,
-              .friction_along = 0.05,
+              .friction_along = 0.04,
               .friction_across = 0.6,
-              .nose_fall = -1};
+              .rest_pitch = 0.03,
+              .levelling = 0.2,
+              .nose_fall = 0.2,
+              .yaw_grip = 0.5};
   return p;
 }
 
