@@ -4,6 +4,7 @@
 
 #include "layer/asset/body/battery.h"
 #include "layer/asset/multirotor/multirotor_plant.h"
+#include "layer/asset/performance/performance_plant.h"
 
 namespace skein::asset {
 namespace {
@@ -35,6 +36,19 @@ void multirotor_step(benchmark::State& run) {
   }
 }
 BENCHMARK(multirotor_step)->Arg(1)->Arg(100)->Arg(10000);
+
+void performance_step(benchmark::State& run) {
+  const PerformancePlant plant{PerformanceParameters{}};
+  VehicleState state = plant.start({});
+  const Control control = FlightCommand{0.3, 45, 0};
+  const Air air;
+  for (auto _ : run) {
+    plant.step(state, control, air, 0.01);
+    benchmark::DoNotOptimize(state.p_N);
+    state.energy.charge = 1;
+  }
+}
+BENCHMARK(performance_step);
 
 void battery_draw(benchmark::State& run) {
   const Battery battery{BatteryParameters{}};
