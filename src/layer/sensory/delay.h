@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -11,18 +12,19 @@
 namespace skein::sensory {
 
 /// Holds samples back until their latency has passed: a sample measured at t comes out at
-/// the first moment asked at or after t + latency. Room is taken when it is made, never
-/// later.
+/// the first moment asked at or after t + latency. Room is taken when it is made; more of
+/// it only when more samples come than were said.
 template <class Sample>
 class Delay {
  public:
   /// @param latency  [s], not negative; 0 lets samples through at once.
-  /// @param period   least time between two samples [s].
-  Delay(double latency, double period)
-      : latency_(Time::from_seconds(latency)),
-        ring_(latency > 0 ? static_cast<std::size_t>(std::ceil(latency / period)) + 3
-                          : 0) {
+  /// @param period   time between two measurements [s].
+  /// @param samples  that a measurement gives.
+  Delay(double latency, double period, std::size_t samples = 1)
+      : latency_(Time::from_seconds(latency)) {
     SKEIN_CHECK(latency >= 0 && period > 0, latency, period);
+    if (latency > 0)
+      ring_.resize((static_cast<std::size_t>(std::ceil(latency / period)) + 3) * samples);
   }
 
   /// Takes in what was measured at `sample.time`; it goes to `out` when its time comes.
@@ -31,7 +33,7 @@ class Delay {
       out.emplace_back(sample);
       return;
     }
-    SKEIN_CHECK(count_ < ring_.size(), count_);
+    if (count_ == ring_.size()) grow();
     std::size_t at = first_ + count_;
     if (at >= ring_.size()) at -= ring_.size();
     ring_[at] = sample;
@@ -48,8 +50,15 @@ class Delay {
   }
 
  private:
+  void grow() {
+    std::rotate(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(first_),
+                ring_.end());
+    first_ = 0;
+    ring_.resize(2 * ring_.size());
+  }
+
   Time latency_;
-  std::vector<Sample> ring_;
+  std::vector<Sample> ring_;  // empty when there is no latency
   std::size_t first_ = 0;
   std::size_t count_ = 0;
 };
