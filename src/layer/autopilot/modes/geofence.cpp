@@ -1,5 +1,7 @@
 #include "layer/autopilot/modes/geofence.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -20,13 +22,25 @@ double squared_distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& p) {
 
 }  // namespace
 
+std::optional<std::string> fault_in(const GeofenceOptions& options) {
+  for (const geo::Ring& ring : options.area)
+    if (ring.size() < 3)
+      return fmt::format("area: {} corners enclose nothing; at least 3", ring.size());
+  if (!(options.ceiling_msl > options.floor_msl))
+    return fmt::format("ceiling_msl: {} m must be above the floor, {} m",
+                       options.ceiling_msl, options.floor_msl);
+  const std::pair<const char*, double> lengths[] = {{"margin", options.margin},
+                                                    {"hysteresis", options.hysteresis},
+                                                    {"look_ahead", options.look_ahead}};
+  for (const auto& [name, value] : lengths)
+    if (!(value >= 0 && value <= 1e6))
+      return fmt::format("{}: {} must be from 0 to 1e6", name, value);
+  return std::nullopt;
+}
+
 Geofence::Geofence(GeofenceOptions options) : options_(std::move(options)) {
-  for (const geo::Ring& ring : options_.area) SKEIN_CHECK(ring.size() >= 3, ring.size());
-  SKEIN_CHECK(options_.ceiling_msl > options_.floor_msl, options_.ceiling_msl,
-              options_.floor_msl);
-  SKEIN_CHECK(
-      options_.margin >= 0 && options_.hysteresis >= 0 && options_.look_ahead >= 0,
-      options_.margin, options_.hysteresis, options_.look_ahead);
+  const auto fault = fault_in(options_);
+  SKEIN_CHECK(!fault, *fault);
 }
 
 double Geofence::horizontal_clearance(const Vec2& p) const {

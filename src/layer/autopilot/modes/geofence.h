@@ -1,6 +1,8 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "geo/polygon.h"
 #include "geo/vec.h"
@@ -19,9 +21,13 @@ struct GeofenceOptions {
       0;  ///< where the present velocity leads in this time counts too [s]
 };
 
+/// What is wrong with the options, naming the field; none when they can be used.
+std::optional<std::string> fault_in(const GeofenceOptions& options);
+
 /// Where a vehicle may fly. Const; what one vehicle keeps of it is in FenceWatch.
 class Geofence {
  public:
+  /// `options` without fault, see fault_in().
   explicit Geofence(GeofenceOptions options);
 
   /// How far `p_N` is inside the fence: distance to the nearest edge, ceiling or floor,

@@ -51,6 +51,19 @@ TEST(Geofence, MarginMovesTheFenceInwards) {
   EXPECT_DOUBLE_EQ(Geofence(options).clearance(at(30, 500, 200), true), 10);
 }
 
+TEST(Geofence, OptionsSayWhatIsWrongWithThem) {
+  EXPECT_FALSE(fault_in(square_with_hole()));
+  GeofenceOptions options = square_with_hole();
+  options.ceiling_msl = 50;
+  EXPECT_EQ(fault_in(options).value_or("").find("ceiling_msl"), 0u);
+  options = square_with_hole();
+  options.area.push_back({{0, 0}, {1, 1}});
+  EXPECT_EQ(fault_in(options).value_or("").find("area"), 0u);
+  options = square_with_hole();
+  options.hysteresis = -1;
+  EXPECT_EQ(fault_in(options).value_or("").find("hysteresis"), 0u);
+}
+
 TEST(FenceWatch, ComesBackOnlyByTheHysteresis) {
   const Geofence fence(square_with_hole());
   FenceWatch watch(fence);
