@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "layer/asset/body/bounded.h"
 
 namespace skein::asset {
 namespace {
@@ -12,18 +13,14 @@ namespace {
 constexpr double kLongestStep = 0.1;  // of the quadrature [s]
 constexpr double kNoTime = 1e-15;     // no rate can be told over less [s]
 
-// `value` within [low, high]; `otherwise` when it is not a number.
-double bounded_or(double otherwise, double value, double low, double high) {
-  return std::isnan(value) ? otherwise : std::clamp(value, low, high);
-}
-
 }  // namespace
 
 KinematicPlant::KinematicPlant(const KinematicOptions& options)
     : options_(options),
       roll_limit_(std::atan(options.airspeed * options.airspeed /
                             (kGravity * options.turn_radius))) {
-  SKEIN_CHECK(options.airspeed > 0 && options.turn_radius > 0);
+  SKEIN_CHECK(options.airspeed > 0 && options.turn_radius > 0 && options.power >= 0 &&
+              options.capacity_Wh >= 0);
 }
 
 // What moves, as the equations name it.
@@ -52,6 +49,21 @@ VehicleState KinematicPlant::start(const VehicleStart& start) const {
   return state;
 }
 
+// Whether there was any.
+bool KinematicPlant::draw_power(VehicleState& state, double dt) const {
+  Energy& energy = state.energy;
+  if (state.faults.battery || state.faults.is_dead(channel::kThrottle) ||
+      energy.charge <= 0) {
+    energy.power = 0;
+    return false;
+  }
+  energy.power = options_.power;
+  if (options_.capacity_Wh > 0)
+    energy.charge = std::max(
+        0.0, energy.charge - options_.power * dt / (3600 * options_.capacity_Wh));
+  return true;
+}
+
 void KinematicPlant::step(VehicleState& state, const Control& control, const Air& air,
                           double dt) const {
   const FlightCommand& command = std::get<FlightCommand>(control);
@@ -61,6 +73,8 @@ void KinematicPlant::step(VehicleState& state, const Control& control, const Air
                                 options_.airspeed * (1 + options_.airspeed_range));
   bounded.climb_rate =
       bounded_or(0, command.climb_rate, -options_.climb_rate, options_.climb_rate);
+  if (!draw_power(state, dt))
+    bounded.climb_rate = std::min(bounded.climb_rate, -options_.glide_sink);
 
   const geo::Euler attitude = geo::to_euler(state.q_NB);
   Point next{state.p_N,     state.v_N,      state.airspeed,

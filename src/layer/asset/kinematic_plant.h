@@ -14,6 +14,9 @@ struct KinematicOptions {
   double climb_rate = 3;         ///< largest, up and down; below slowest() [m/s]
   double roll_rate = 1;          ///< largest [rad/s]; 0 = the roll angle jumps
   double airspeed_lag = 2;       ///< time constant of the airspeed [s]; 0 = none
+  double power = 0;              ///< always drawn [W]; 0 = no energy is counted
+  double capacity_Wh = 0;        ///< of its store of energy [W h]; 0 = it never ends
+  double glide_sink = 1.5;       ///< sinks at least so fast without power [m/s]
 };
 
 /// A point in the air mass in coordinated flight, carried by the wind.
@@ -28,7 +31,9 @@ struct KinematicOptions {
 /// Every command is bounded, one that is not a number counts as level flight at cruise;
 /// where a climb would need more than the airspeed, the aircraft climbs straight up. So
 /// the state stays finite.
-/// Valid: no side-slip, no energy; the wind is constant within one step.
+/// Energy: the same power all the time, without a voltage. When the store is empty, the
+/// battery or the motor (channel::kThrottle) has failed, it sinks by `glide_sink`.
+/// Valid: no side-slip; the wind is constant within one step.
 /// Reference: [Beard12] section 9.1 (kinematic guidance model).
 class KinematicPlant final : public Plant {
  public:
@@ -45,6 +50,7 @@ class KinematicPlant final : public Plant {
 
  private:
   struct Point;
+  bool draw_power(VehicleState& state, double dt) const;
   void short_step(Point& point, const FlightCommand& command, const Air& air,
                   double dt) const;
 

@@ -161,5 +161,31 @@ TEST(KinematicPlant, NoTimeChangesNothing) {
   EXPECT_EQ(heading(s), 0);
 }
 
+TEST(KinematicPlant, DrawsItsPowerUntilItGlides) {
+  KinematicOptions options;
+  options.power = 72;
+  options.capacity_Wh = 2;  // 100 s
+  const KinematicPlant plant(options);
+  VehicleState s = fly(plant, level_flight(), {0, 20, 1}, {}, 50, 0.1);
+  EXPECT_EQ(s.energy.power, 72);
+  EXPECT_NEAR(s.energy.charge, 0.5, 1e-9);
+  EXPECT_NEAR(s.p_N.z(), -50, 1e-9);
+  s = fly(plant, s, {0, 20, 1}, {}, 60, 0.1);
+  EXPECT_EQ(s.energy.charge, 0);
+  EXPECT_EQ(s.energy.power, 0);
+  EXPECT_NEAR(s.v_N.z(), 1.5, 1e-12);
+  EXPECT_NEAR(s.p_N.z(), -100 + 10 * 1.5, 0.3);  // to the step that empties it
+}
+
+TEST(KinematicPlant, GlidesWithoutMotorOrBattery) {
+  const KinematicPlant plant{KinematicOptions{}};
+  VehicleState dead = level_flight(), empty = level_flight();
+  dead.faults.dead = 1u << channel::kThrottle;
+  empty.faults.battery = true;
+  EXPECT_EQ(after(plant, dead, {0, 20, 2}, {}, 0.1).v_N.z(), 1.5);
+  EXPECT_EQ(after(plant, empty, {0, 20, -2}, {}, 0.1).v_N.z(), 2);
+  EXPECT_EQ(after(plant, level_flight(), {0, 20, 2}, {}, 0.1).energy.charge, 1);
+}
+
 }  // namespace
 }  // namespace skein::asset
