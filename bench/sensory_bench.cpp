@@ -10,12 +10,16 @@
 #include "data/air.h"
 #include "layer/environment/turbulence/dryden_turbulence.h"
 #include "layer/sensory/airspeed_sensor.h"
+#include "layer/sensory/anemometer.h"
 #include "layer/sensory/barometer.h"
+#include "layer/sensory/camera.h"
 #include "layer/sensory/gnss_receiver.h"
+#include "layer/sensory/height_sensor.h"
 #include "layer/sensory/ideal_navigation.h"
 #include "layer/sensory/imu_sensor.h"
 #include "layer/sensory/magnetometer.h"
 #include "layer/sensory/power_sensor.h"
+#include "layer/sensory/rangefinder.h"
 
 namespace skein {
 namespace {
@@ -77,39 +81,46 @@ class NoFire final : public Phenomenon {
 
 using Sensors = std::vector<std::unique_ptr<Sensor>>;
 
-// A turning vehicle and its sensors, called as the vehicle's own loop does.
-void inner_steps(benchmark::State& state, const Sensors& sensors) {
+// Turning vehicles and their sensors, called as each vehicle's own loop does; one vehicle
+// an iteration, in turn.
+void inner_steps(benchmark::State& state, const std::vector<Sensors>& fleet) {
   const Ground ground;
   const NoFire fire;
-  VehicleState vehicle;
-  vehicle.airspeed = 20;
-  vehicle.energy = {.charge = 1, .voltage = 11, .power = 90};
+  VehicleState start;
+  start.airspeed = 20;
+  start.p_N = {0, 0, -40};
+  start.energy = {.charge = 1, .voltage = 11, .power = 90};
+  std::vector<VehicleState> vehicles(fleet.size(), start);
   const Air air;
   const Time step = Time::from_ns(10'000'000);
   const Quat turn = geo::exp_so3({0.001, 0.002, 0.003});
   Time now;
   std::vector<SensorSample> samples;
+  std::size_t i = 0;
   for (auto _ : state) {
+    VehicleState& vehicle = vehicles[i];
     vehicle.q_NB = vehicle.q_NB * turn;
     vehicle.v_N += Vec3(1e-3, 0, 0);
     samples.clear();
     const SensorView view{now, vehicle, air, ground, fire};
-    for (const auto& sensor : sensors) sensor->sample(view, samples);
+    for (const auto& sensor : fleet[i]) sensor->sample(view, samples);
     benchmark::DoNotOptimize(samples.data());
+    if (++i < fleet.size()) continue;
+    i = 0;
     now += step;
   }
 }
 
 void no_sensor(benchmark::State& state) {
-  inner_steps(state, {});
+  inner_steps(state, std::vector<Sensors>(1));
 }
 BENCHMARK(no_sensor);
 
 template <class S, class Options>
 void one_sensor(benchmark::State& state) {
-  Sensors sensors;
-  sensors.push_back(std::make_unique<S>(Options{}, 1, EntityId{1}));
-  inner_steps(state, sensors);
+  std::vector<Sensors> fleet(1);
+  fleet[0].push_back(std::make_unique<S>(Options{}, 1, EntityId{1}));
+  inner_steps(state, fleet);
 }
 BENCHMARK(one_sensor<sensory::ImuSensor, sensory::ImuOptions>);
 BENCHMARK(one_sensor<sensory::GnssReceiver, sensory::GnssReceiverOptions>);
@@ -117,18 +128,22 @@ BENCHMARK(one_sensor<sensory::Barometer, sensory::BarometerOptions>);
 BENCHMARK(one_sensor<sensory::Magnetometer, sensory::MagnetometerOptions>);
 BENCHMARK(one_sensor<sensory::AirspeedSensor, sensory::AirspeedOptions>);
 BENCHMARK(one_sensor<sensory::PowerSensor, sensory::PowerOptions>);
+BENCHMARK(one_sensor<sensory::HeightSensor, sensory::HeightOptions>);
+BENCHMARK(one_sensor<sensory::Anemometer, sensory::AnemometerOptions>);
+BENCHMARK(one_sensor<sensory::Rangefinder, sensory::RangefinderOptions>);
+BENCHMARK(one_sensor<sensory::Lidar, sensory::LidarOptions>);
+BENCHMARK(one_sensor<sensory::Camera, sensory::CameraOptions>);
 
 void ideal_navigation(benchmark::State& state) {
-  Sensors sensors;
-  sensors.push_back(
+  std::vector<Sensors> fleet(1);
+  fleet[0].push_back(
       std::make_unique<sensory::IdealNavigation>(sensory::IdealNavigationOptions{}));
-  inner_steps(state, sensors);
+  inner_steps(state, fleet);
 }
 BENCHMARK(ideal_navigation);
 
-void usual_suite(benchmark::State& state) {
+Sensors usual_sensors(EntityId self) {
   Sensors sensors;
-  const EntityId self{1};
   sensors.push_back(std::make_unique<sensory::ImuSensor>(sensory::ImuOptions{}, 1, self));
   sensors.push_back(
       std::make_unique<sensory::GnssReceiver>(sensory::GnssReceiverOptions{}, 1, self));
@@ -140,9 +155,16 @@ void usual_suite(benchmark::State& state) {
       std::make_unique<sensory::AirspeedSensor>(sensory::AirspeedOptions{}, 1, self));
   sensors.push_back(
       std::make_unique<sensory::PowerSensor>(sensory::PowerOptions{}, 1, self));
-  inner_steps(state, sensors);
+  return sensors;
 }
-BENCHMARK(usual_suite);
+
+void usual_suite(benchmark::State& state) {
+  std::vector<Sensors> fleet;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(state.range(0)); ++i)
+    fleet.push_back(usual_sensors({i}));
+  inner_steps(state, fleet);
+}
+BENCHMARK(usual_suite)->ArgName("vehicles")->Arg(1)->Arg(100)->Arg(10000);
 
 }  // namespace
 }  // namespace skein

@@ -57,10 +57,10 @@ class Delay {
     ring_.resize(2 * ring_.size());
   }
 
+  std::size_t count_ = 0;  // first: most calls look at nothing else
+  std::size_t first_ = 0;
   Time latency_;
   std::vector<Sample> ring_;  // empty when there is no latency
-  std::size_t first_ = 0;
-  std::size_t count_ = 0;
 };
 
 }  // namespace skein::sensory
