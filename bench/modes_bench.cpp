@@ -55,7 +55,7 @@ void busy_step(benchmark::State& state) {
 }
 BENCHMARK(busy_step);
 
-// Along a fence of 24 corners, in the middle of a square of 4 km or near its edge.
+// In a fence of 24 corners, 2 km about the middle: up to 500 m out, or up to the edge.
 void fence_step(benchmark::State& state) {
   GeofenceOptions options;
   options.area.emplace_back();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <initializer_list>
+#include <cmath>
 
 #include "layer/autopilot/modes/mode_logic.h"
 
@@ -30,7 +30,7 @@ class Cockpit {
   }
 
   const Decision& run(double seconds) {
-    for (int k = 0; k < static_cast<int>(seconds * 100 + 0.5); ++k) step();
+    for (long k = 0; k < std::lround(seconds * 100); ++k) step();
     return logic_.decision();
   }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "layer/autopilot/modes/test/cockpit.h"
@@ -109,7 +110,7 @@ TEST_P(EveryCase, LeadsToItsReactionInTime) {
       EXPECT_EQ(c.pilot(true).order, Order::kPilot);
       EXPECT_EQ(c.pilot(false).order, reaction);
     }
-  RecordProperty("latest_ms_after_delay", static_cast<int>(latest * 1e3 + 0.5));
+  RecordProperty("latest_ms_after_delay", static_cast<int>(std::lround(latest * 1e3)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Airframes, EveryCase,
