@@ -10,7 +10,8 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kFilterDamping = 0.9;
-constexpr double kFlareTime = 0.8;   // to take out an error of the sink rate [s]
+constexpr double kFlareGain =
+    0.8;  // path angle per error of the sink rate, times airspeed
 constexpr double kSlowMargin = 0.1;  // of the least airspeed, over which weights change
 constexpr double kOverspeedMargin = 0.05;
 constexpr double kMostPathSum = 0.3;  // [rad]
@@ -23,8 +24,7 @@ struct Weights {
 
 // Throttle that holds a specific power above level flight at cruise.
 double throttle_for(const FixedWingSetup& setup, double power) {
-  const double slope = power > 0 ? setup.throttle_up : setup.throttle_down;
-  return setup.airframe.trim_throttle + slope * power;
+  return setup.airframe.trim_throttle + setup.throttle_slope * power;
 }
 
 // Angle of attack that carries the load factor at this airspeed, up to that at the least
@@ -50,9 +50,28 @@ Weights weights(FlightPhase phase, double speed, double slowest,
 
 void EnergyControl::reset(const EnergyView& view, double pitch, double throttle) {
   *this = EnergyControl{};
+  gust_ = view.airspeed - view.calm_airspeed;
   speed_ = view.airspeed;
   pitch_ = pitch;
   throttle_ = throttle;
+}
+
+void EnergyControl::follow(const FixedWingSetup& setup, const EnergyView& view,
+                           double pitch, double throttle, double dt) {
+  filter(setup.gains, view, dt);
+  pitch_ = pitch;
+  throttle_ = throttle;
+  fresh_ = true;
+}
+
+void EnergyControl::filter(const FixedWingGains& g, const EnergyView& view, double dt) {
+  const double gust = view.airspeed - view.calm_airspeed;
+  gust_ = bounded(gust_ + bounded(g.gust_filter * dt, 0, 1) * (gust - gust_), 1e3);
+  const double w = g.airspeed_filter;
+  const double innovation = view.calm_airspeed + gust_ - speed_;
+  acceleration_ = bounded(acceleration_ + w * w * innovation * dt, 3 * kGravity);
+  speed_ = bounded(speed_ + (acceleration_ + 2 * kFilterDamping * w * innovation) * dt, 0,
+                   1e3);
 }
 
 EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
@@ -60,11 +79,7 @@ EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
                                  double dt) {
   const FixedWingGains& g = setup.gains;
   const FixedWingAirframe& a = setup.airframe;
-  const double w = g.airspeed_filter;
-  const double innovation = view.airspeed - speed_;
-  acceleration_ = bounded(acceleration_ + w * w * innovation * dt, 3 * kGravity);
-  speed_ = bounded(speed_ + (acceleration_ + 2 * kFilterDamping * w * innovation) * dt, 0,
-                   1e3);
+  filter(g, view, dt);
   const double speed = std::max(speed_, 0.5 * a.slowest);
   const double to_power = speed / kGravity;  // acceleration to specific power
 
@@ -104,7 +119,7 @@ EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
   const double energy_error = energy_demand - energy;
   const double throttle_wanted =
       throttle_for(setup, energy_demand + turn_power) +
-      setup.throttle_error * g.energy_rate_gain * energy_error + throttle_sum_;
+      setup.throttle_slope * g.energy_rate_gain * energy_error + throttle_sum_;
   double throttle_aim = bounded(throttle_wanted, 0, 1);
   const bool fixed = demand.phase == FlightPhase::kGlide ||
                      demand.phase == FlightPhase::kClimbOut ||
@@ -116,7 +131,7 @@ EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
   } else if ((throttle_wanted < 1 || energy_error < 0) &&
              (throttle_wanted > 0 || energy_error > 0)) {
     throttle_sum_ = bounded(
-        throttle_sum_ + setup.throttle_error * g.energy_integral * energy_error * dt,
+        throttle_sum_ + setup.throttle_slope * g.energy_integral * energy_error * dt,
         kMostThrottleSum);
   }
   throttle_ = bounded(throttle_aim, throttle_ - g.throttle_rate * dt,
@@ -124,7 +139,7 @@ EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
 
   double path;  // path angle times airspeed [m/s]
   if (demand.phase == FlightPhase::kFlare) {
-    path = demand.climb_rate + (demand.climb_rate - view.climb_rate) * kFlareTime;
+    path = demand.climb_rate + (demand.climb_rate - view.climb_rate) * kFlareGain;
   } else {
     path = carried + balance_demand + g.balance_gain * (balance_demand - balance) +
            path_sum_;

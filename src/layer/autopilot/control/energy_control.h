@@ -7,10 +7,11 @@ namespace skein::autopilot {
 
 /// What the energy law looks at.
 struct EnergyView {
-  double altitude_msl = 0;  ///< [m]
-  double climb_rate = 0;    ///< [m/s]
-  double airspeed = 0;      ///< [m/s]
-  double load = 1;          ///< load factor of the turn
+  double altitude_msl = 0;   ///< [m]
+  double climb_rate = 0;     ///< [m/s]
+  double airspeed = 0;       ///< [m/s]
+  double calm_airspeed = 0;  ///< of the velocity over ground less the mean wind [m/s]
+  double load = 1;           ///< load factor of the turn
 };
 
 struct EnergyOutput {
@@ -31,16 +32,31 @@ struct EnergyOutput {
 /// from (1, 1) to (0, 1): the pitch then serves the airspeed alone, with full throttle;
 /// the same with the motor idle in a glide, and with it full in the climb after take-off.
 /// Then the path angle is (E' - V a_d/g) / V.
+///
+/// V is the airspeed without fast gusts: that of the velocity over ground in the mean
+/// wind, plus the low-passed difference to the measured one. So its rate is known without
+/// the noise of gusts.
 /// Reference: [Lambregts83].
 class EnergyControl {
  public:
   /// To go on smoothly from a flight with this airspeed, pitch and throttle.
   void reset(const EnergyView& view, double pitch, double throttle);
 
+  /// Somebody else flies, with this pitch and throttle: keeps up with the motion, and
+  /// would go on smoothly from here.
+  void follow(const FixedWingSetup& setup, const EnergyView& view, double pitch,
+              double throttle, double dt);
+
+  /// Without fast gusts [m/s].
+  double airspeed() const { return speed_; }
+
   EnergyOutput step(const FixedWingSetup& setup, const FixedWingDemand& demand,
                     const EnergyView& view, double dt);
 
  private:
+  void filter(const FixedWingGains& gains, const EnergyView& view, double dt);
+
+  double gust_ = 0;          // airspeed beyond the calm one, filtered [m/s]
   double speed_ = 0;         // filtered [m/s]
   double acceleration_ = 0;  // [m/s^2]
   double throttle_sum_ = 0;  // integral part of the throttle

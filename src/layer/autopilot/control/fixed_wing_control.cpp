@@ -8,6 +8,8 @@
 namespace skein::autopilot {
 namespace {
 
+constexpr double kRunSteers = 4;  // ground speed for full use of a lateral demand [m/s]
+
 // Adding up is enough: what is not finite stays so.
 bool finite(const NavState& n) {
   return std::isfinite(n.p_N.sum() + n.v_N.sum() + n.q_NB.coeffs().sum() +
@@ -28,7 +30,8 @@ Vec2 heading_of(const Quat& q) {
 }
 
 EnergyView view_of(const NavState& nav, const Posture& posture) {
-  return {-nav.p_N.z(), -nav.v_N.z(), nav.airspeed, posture.load()};
+  return {-nav.p_N.z(), -nav.v_N.z(), nav.airspeed, (nav.v_N - nav.wind_N).norm(),
+          posture.load()};
 }
 
 }  // namespace
@@ -51,7 +54,7 @@ void FixedWingControl::reset(const NavState& nav) {
   energy_.reset(view_of(nav, posture), posture.pitch,
                 flown_ ? last_[channel::kThrottle] : setup_->airframe.trim_throttle);
   roll_ = posture.roll;
-  roll_rate_ = 0;
+  roll_rate_ = bounded(nav.w_NB_B.x(), setup_->gains.bank_rate_limit);
   run_heading_.setZero();
   fresh_ = false;
   flown_ = true;
@@ -81,25 +84,34 @@ double FixedWingControl::bank_demand(const FixedWingDemand& demand,
 }
 
 void FixedWingControl::move_roll(double aim, double dt) {
-  const double most = setup_->gains.bank_rate_limit;
-  roll_rate_ = bounded((aim - roll_) / dt, most);
+  const FixedWingGains& g = setup_->gains;
+  const double step = g.bank_acceleration * dt;
+  const double rate = bounded(g.bank_gain * (aim - roll_), g.bank_rate_limit);
+  roll_rate_ = bounded(rate, roll_rate_ - step, roll_rate_ + step);
   roll_ = bounded(roll_ + roll_rate_ * dt, geo::kPi);
 }
 
-Actuators FixedWingControl::ground_run(const NavState& nav, const Posture& posture,
-                                       double dt) {
+Actuators FixedWingControl::ground_run(double lateral_acceleration, const NavState& nav,
+                                       const Posture& posture, double dt) {
   const Vec2 heading = heading_of(nav.q_NB);
   if (run_heading_.isZero()) run_heading_ = heading;
+  const double speed = geo::horizontal(nav.v_N).norm();
+  const double turn = bounded(lateral_acceleration / std::max(speed, kRunSteers), 0.5);
+  run_heading_ =
+      (run_heading_ + turn * dt * geo::turned_right(run_heading_)).normalized();
   SurfaceDemand demand;
   demand.pitch = setup_->airframe.trim_alpha;
-  demand.extra_turn = setup_->gains.run_heading_gain * geo::cross(heading, run_heading_);
+  demand.airspeed = energy_.airspeed();
+  demand.extra_turn =
+      turn + setup_->gains.run_heading_gain * geo::cross(heading, run_heading_);
   surfaces_.reset();  // the ground holds against them
   surfaces_.step(*setup_, demand, nav, posture, dt, last_);
   last_[channel::kThrottle] =
       setup_->airframe.motor
           ? bounded(last_[channel::kThrottle] + setup_->gains.throttle_rate * dt, 0, 1)
           : 0;
-  energy_.reset(view_of(nav, posture), posture.pitch, last_[channel::kThrottle]);
+  energy_.follow(*setup_, view_of(nav, posture), posture.pitch, last_[channel::kThrottle],
+                 dt);
   move_roll(0, dt);
   return last_;
 }
@@ -116,10 +128,12 @@ Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavStat
     reset(nav);
     return last_;
   }
-  if (demand.phase == FlightPhase::kRun) return ground_run(nav, posture, dt);
+  if (demand.phase == FlightPhase::kRun)
+    return ground_run(demand.lateral_acceleration, nav, posture, dt);
   move_roll(bank_demand(demand, nav), dt);
   const EnergyOutput energy = energy_.step(*setup_, demand, view_of(nav, posture), dt);
-  surfaces_.step(*setup_, {roll_, roll_rate_, energy.pitch, 0}, nav, posture, dt, last_);
+  surfaces_.step(*setup_, {roll_, roll_rate_, energy.pitch, energy_.airspeed(), 0}, nav,
+                 posture, dt, last_);
   last_[channel::kThrottle] = bounded(energy.throttle, 0, 1);
   return last_;
 }
@@ -134,13 +148,14 @@ Actuators FixedWingControl::stabilize(const AttitudeDemand& demand, const NavSta
   SurfaceDemand surface;
   surface.roll = roll_;
   surface.roll_rate = roll_rate_;
+  surface.airspeed = energy_.airspeed();
   surface.pitch =
       std::isfinite(demand.pitch) ? bounded(demand.pitch, a.pitch_down, a.pitch_up) : 0;
   surface.extra_turn = bounded(demand.yaw_rate, 1);
   surfaces_.step(*setup_, surface, nav, posture, dt, last_);
   last_[channel::kThrottle] = a.motor ? bounded(demand.throttle, 0, 1) : 0;
-  // The energy law goes on from here whenever it is asked again.
-  energy_.reset(view_of(nav, posture), posture.pitch, last_[channel::kThrottle]);
+  energy_.follow(*setup_, view_of(nav, posture), posture.pitch, last_[channel::kThrottle],
+                 dt);
   return last_;
 }
 

@@ -47,7 +47,8 @@ class FixedWingControl {
 
  private:
   double bank_demand(const FixedWingDemand& demand, const NavState& nav) const;
-  Actuators ground_run(const NavState& nav, const Posture& posture, double dt);
+  Actuators ground_run(double lateral_acceleration, const NavState& nav,
+                       const Posture& posture, double dt);
   void move_roll(double aim, double dt);
 
   std::shared_ptr<const FixedWingSetup> setup_;

@@ -40,8 +40,6 @@ FixedWingSetup::FixedWingSetup(const FixedWingAirframe& a, const FixedWingGains&
       airframe(completed(a)),
       bank_tangent(std::tan(airframe.bank_limit)),
       alpha_per_load(kGravity / (airframe.cruise * airframe.lift_slope)),
-      throttle_up((1 - std::min(airframe.trim_throttle, 0.95)) / airframe.climb_rate),
-      throttle_down(std::max(airframe.trim_throttle, 0.05) / airframe.sink_rate),
-      throttle_error((throttle_up + throttle_down) / 2) {}
+      throttle_slope((1 - std::min(airframe.trim_throttle, 0.9)) / airframe.climb_rate) {}
 
 }  // namespace skein::autopilot

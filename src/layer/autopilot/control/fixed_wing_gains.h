@@ -13,7 +13,9 @@ struct FixedWingGains {
   double roll_rate_gain = 5;      ///< roll acceleration per rate error [1/s]
   double roll_rate_integral = 8;  ///< and per its integral [1/s^2]
   double roll_rate_limit = 1.6;   ///< [rad/s]
-  double bank_rate_limit = 0.9;   ///< of the demanded bank [rad/s]
+  double bank_gain = 5;  ///< rate of the bank aimed at per difference to the demand [1/s]
+  double bank_rate_limit = 0.9;  ///< of it [rad/s]
+  double bank_acceleration = 6;  ///< and of its rate [rad/s^2]
   // Pitch.
   double pitch_gain = 3.5;         ///< pitch rate per pitch error [1/s]
   double pitch_rate_gain = 5;      ///< pitch acceleration per rate error [1/s]
@@ -25,16 +27,18 @@ struct FixedWingGains {
   double sideslip_gain = 1;     ///< yaw acceleration per sine of sideslip [1/s^2]
   double run_heading_gain = 2;  ///< yaw rate per heading error in the take-off run [1/s]
   // Energy.
-  double height_gain = 0.45;      ///< climb rate per height error [1/s]
+  double height_gain = 0.8;       ///< climb rate per height error [1/s]
   double airspeed_gain = 0.5;     ///< acceleration per airspeed error [1/s]
   double energy_rate_gain = 0.6;  ///< throttle per error of the energy rate, in units of
                                   ///< the throttle that makes up for it in level flight
-  double energy_integral = 0.35;  ///< and per its integral [1/s]
+  double energy_integral = 0.4;   ///< and per its integral [1/s]
   double balance_gain = 0.5;      ///< path angle per error of the balance of energies, in
                                   ///< units of the angle that makes up for it
-  double balance_integral = 0.35;    ///< and per its integral [1/s]
-  double airspeed_filter = 3;        ///< bandwidth of airspeed and its rate [rad/s]
-  double vertical_acceleration = 5;  ///< bounds the rate of the demanded pitch [m/s^2]
+  double balance_integral = 0.4;  ///< and per its integral [1/s]
+  double gust_filter = 0.5;    ///< gusts along the way slower than this count as airspeed
+                               ///< [rad/s]
+  double airspeed_filter = 5;  ///< bandwidth of airspeed and its rate [rad/s]
+  double vertical_acceleration = 7;  ///< bounds the rate of the demanded pitch [m/s^2]
   double throttle_rate = 1.5;        ///< largest change of throttle [1/s]
   double turn_drag = 0.35;  ///< induced drag over drag in level flight at cruise, for the
                             ///< throttle in turns
@@ -52,9 +56,9 @@ struct FixedWingSetup {
   FixedWingAirframe airframe;  ///< with assumed values in place of those not known
   double bank_tangent;         ///< of the bank limit
   double alpha_per_load;  ///< angle of attack for one g at cruise, from zero lift [rad]
-  double throttle_up;     ///< throttle per specific power above level flight [s/m]
-  double throttle_down;   ///< and below [s/m]
-  double throttle_error;  ///< their mean
+  /// Throttle per specific power [s/m]. It is that above level flight, below as well: a
+  /// propeller stops pulling long before the throttle is shut.
+  double throttle_slope;
 };
 
 }  // namespace skein::autopilot

@@ -31,7 +31,7 @@ namespace skein::autopilot {
 /// Outputs are finite and in range whatever the demand and the state are. If one of them
 /// is not finite, the last output is held. Free of allocation, except where rotors begin
 /// or cease to stand.
-/// Reference: [Brescianini18] for the reduced attitude; [Mellinger11] for the cascade.
+/// Reference: [Brescianini20] for the reduced attitude; [Mellinger11] for the cascade.
 class MultirotorControl {
  public:
   explicit MultirotorControl(std::shared_ptr<const MultirotorSetup> setup);

@@ -25,7 +25,7 @@ void SurfaceControl::step(const FixedWingSetup& setup, const SurfaceDemand& dema
                           Actuators& out) {
   const FixedWingGains& g = setup.gains;
   const FixedWingAirframe& a = setup.airframe;
-  const double speed = bounded(nav.airspeed, 0.5 * a.slowest, 2 * a.fastest);
+  const double speed = bounded(demand.airspeed, 0.5 * a.slowest, 2 * a.fastest);
   const double s = speed / a.cruise;
   const double pressure = s * s;
 

@@ -12,6 +12,7 @@ struct SurfaceDemand {
   double roll = 0;        ///< [rad]
   double roll_rate = 0;   ///< at which that changes [rad/s]
   double pitch = 0;       ///< [rad]
+  double airspeed = 0;    ///< without noise, for the effect of surfaces [m/s]
   double extra_turn = 0;  ///< turn rate beyond that of a turn without sideslip [rad/s]
 };
 
@@ -26,7 +27,7 @@ struct SurfaceDemand {
 /// pressure. q_d is bounded so that the load factor stays below what the wing carries at
 /// this airspeed (V^2 / slowest^2) and below the limit. Integrators stand while their
 /// surface is at its end and the error drives it further.
-/// Reference: [Beard12] section 6; [Stevens15] section 4.
+/// Reference: [Beard12] section 6.
 class SurfaceControl {
  public:
   /// Integrators as if `last` were the steady surfaces now.

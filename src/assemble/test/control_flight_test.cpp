@@ -1,0 +1,417 @@
+// The control loops close over the real plants, in the wind: true state, no estimator.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/random.h"
+#include "layer/asset/fixed_wing/fixed_wing_plant.h"
+#include "layer/asset/fixed_wing/test/aircraft.h"
+#include "layer/asset/multirotor/multirotor_plant.h"
+#include "layer/autopilot/control/fixed_wing_control.h"
+#include "layer/autopilot/control/multirotor_control.h"
+#include "layer/environment/turbulence/dryden_turbulence.h"
+
+namespace skein {
+namespace {
+
+using autopilot::FixedWingControl;
+using autopilot::FixedWingDemand;
+using autopilot::FlightPhase;
+using autopilot::MultirotorControl;
+using autopilot::MultirotorDemand;
+using autopilot::NavState;
+
+constexpr double kStep = 0.01;
+constexpr double kHeight = 100;
+// Wind at 6 m that makes light and severe turbulence in MIL-F-8785C: 15 and 45 knots.
+constexpr double kLight = 7.72, kSevere = 23.15;
+
+NavState truth(const VehicleState& s, const Vec3& wind) {
+  NavState nav;
+  nav.p_N = s.p_N;
+  nav.v_N = s.v_N;
+  nav.q_NB = s.q_NB;
+  nav.w_NB_B = s.w_NB_B;
+  nav.wind_N = wind;
+  nav.airspeed = s.airspeed;
+  return nav;
+}
+
+// A plant in wind and turbulence.
+class Flight {
+ public:
+  Flight(const Plant& plant, const Vec3& wind, double wind_6m, double span,
+         std::uint64_t seed)
+      : plant_(plant),
+        wind_(wind),
+        turbulence_({.wind20 = wind_6m, .span = span}, seed, EntityId{0}),
+        state(plant.start({Vec3(0, 0, -kHeight), 0, wind, false})) {}
+
+  NavState nav() const { return truth(state, wind_); }
+
+  void step(const Actuators& u) {
+    const Gust gust = turbulence_.advance({now_, state, -state.p_N.z(), wind_}, kStep);
+    Air air;
+    air.wind_N = wind_ + gust.velocity_N;
+    air.rates_B = gust.rates_B;
+    plant_.step(state, u, air, kStep);
+    now_ += Time::from_seconds(kStep);
+  }
+
+ private:
+  const Plant& plant_;
+  Vec3 wind_;
+  environment::DrydenTurbulence turbulence_;
+  Time now_;
+
+ public:
+  VehicleState state;
+};
+
+FixedWingAirframe airframe_of(const asset::FixedWingPlant& plant) {
+  return std::get<FixedWingAirframe>(plant.airframe());
+}
+
+// How far height and airspeed were from their demand.
+struct Errors {
+  double height_rms = 0, height_most = 0, airspeed_rms = 0, airspeed_most = 0;
+  bool lost = false;  // upside down, in the ground, or out of numbers
+};
+
+// A minute of level flight with turns of 4 m/s^2 to either side, or none.
+Errors fly(const asset::FixedWingPlant& plant, const FixedWingAirframe& airframe,
+           double span, const Vec3& wind, double wind_6m, bool turns,
+           std::uint64_t seed) {
+  constexpr double kSettled = 5;
+  Flight flight(plant, wind, wind_6m, span, seed);
+  FixedWingControl control(airframe, {});
+  FixedWingDemand demand;
+  demand.altitude_msl = kHeight;
+  demand.airspeed = airframe.cruise;
+  Errors errors;
+  int count = 0;
+  for (double t = 0; t < 60; t += kStep) {
+    if (turns) demand.lateral_acceleration = std::fmod(t, 20) < 10 ? 4 : -4;
+    flight.step(control.control(demand, flight.nav(), kStep));
+    const VehicleState& s = flight.state;
+    if (!(s.p_N.z() < 0) || !(geo::down_in_body(s.q_NB).z() > 0)) {
+      errors.lost = true;
+      return errors;
+    }
+    if (t < kSettled) continue;
+    const double height = -s.p_N.z() - kHeight, airspeed = s.airspeed - airframe.cruise;
+    errors.height_rms += height * height;
+    errors.airspeed_rms += airspeed * airspeed;
+    errors.height_most = std::max(errors.height_most, std::abs(height));
+    errors.airspeed_most = std::max(errors.airspeed_most, std::abs(airspeed));
+    ++count;
+  }
+  errors.height_rms = std::sqrt(errors.height_rms / count);
+  errors.airspeed_rms = std::sqrt(errors.airspeed_rms / count);
+  return errors;
+}
+
+struct Aircraft {
+  const char* name;
+  asset::FixedWingParameters parameters;
+};
+
+std::vector<Aircraft> aircraft() {
+  return {{"aerosonde", asset::aerosonde()}, {"glider", asset::glider()}};
+}
+
+TEST(FixedWingFlight, HoldsHeightAndAirspeedInTurnsWithoutTurbulence) {
+  for (const auto& [name, parameters] : aircraft()) {
+    const asset::FixedWingPlant plant(parameters);
+    for (const bool turns : {false, true}) {
+      const Errors e = fly(plant, airframe_of(plant), parameters.geometry.span,
+                           Vec3(5, 0, 0), 0, turns, 1);
+      ASSERT_FALSE(e.lost);
+      // A turn is rolled into and out of within a second: measured 0.2 m and 0.15 m/s.
+      EXPECT_LT(e.height_most, 0.5) << name;
+      EXPECT_LT(e.airspeed_most, 0.3) << name;
+    }
+  }
+}
+
+TEST(FixedWingFlight, HoldsHeightAndAirspeedInLightTurbulence) {
+  for (const auto& [name, parameters] : aircraft()) {
+    const asset::FixedWingPlant plant(parameters);
+    for (const bool turns : {false, true})
+      for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        const Errors e = fly(plant, airframe_of(plant), parameters.geometry.span,
+                             Vec3(3, -4, 0), kLight, turns, seed);
+        ASSERT_FALSE(e.lost);
+        // The goals: height at all times; airspeed in the mean square, as single gusts of
+        // this turbulence (1.1 m/s standard deviation) are beyond what a motor can
+        // follow.
+        EXPECT_LT(e.height_most, 2) << name << ' ' << seed;
+        EXPECT_LT(e.airspeed_rms, 1) << name << ' ' << seed;
+      }
+  }
+}
+
+// The parameters with errors of 10 %, drawn until they make an aircraft that can fly.
+asset::FixedWingParameters with_errors(const asset::FixedWingParameters& nominal,
+                                       RandomStream& random) {
+  asset::FixedWingParameters p;
+  do {
+    p = nominal;
+    asset::AeroCoefficients& a = p.aero;
+    for (double* x :
+         {&p.mass, &a.CL0,  &a.CLa,        &a.CLq,        &a.CLde,      &a.CD0,  &a.K,
+          &a.Cma,  &a.Cmq,  &a.Cmde,       &a.CYb,        &a.CYda,      &a.CYdr, &a.Clb,
+          &a.Clp,  &a.Clr,  &a.Clda,       &a.Cldr,       &a.Cnb,       &a.Cnp,  &a.Cnr,
+          &a.Cnda, &a.Cndr, &p.inertia.xx, &p.inertia.yy, &p.inertia.zz})
+      *x *= random.uniform(0.9, 1.1);
+  } while (!asset::faults(p).empty());
+  return p;
+}
+
+TEST(FixedWingFlight, SurvivesSevereTurbulenceWithWrongParameters) {
+  for (const auto& [name, parameters] : aircraft()) {
+    const FixedWingAirframe assumed = airframe_of(asset::FixedWingPlant(parameters));
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      RandomStream random(seed, 0, Purpose::kTest);
+      const asset::FixedWingPlant plant(with_errors(parameters, random));
+      const Errors e = fly(plant, assumed, parameters.geometry.span, Vec3(-8, 0, 0),
+                           kSevere, seed % 2 == 0, seed);
+      EXPECT_FALSE(e.lost) << name << ' ' << seed;
+    }
+  }
+}
+
+// Follows a demand that jumps from the start; the state each step.
+template <class Look>
+void jump(const asset::FixedWingPlant& plant, const FixedWingDemand& demand, double time,
+          Look look) {
+  Flight flight(plant, Vec3::Zero(), 0, 1, 0);
+  FixedWingControl control(airframe_of(plant), {});
+  for (double t = 0; t < time; t += kStep) {
+    const Actuators u = control.control(demand, flight.nav(), kStep);
+    flight.step(u);
+    look(flight.state, u);
+  }
+}
+
+TEST(FixedWingFlight, StepsDoNotOvershoot) {
+  for (const auto& [name, parameters] : aircraft()) {
+    const asset::FixedWingPlant plant(parameters);
+    const double cruise = airframe_of(plant).cruise;
+    double top = 0, fastest = 0, bank = 0, last = 0;
+    jump(plant, {0, kHeight + 10, 0, cruise}, 40,
+         [&](const VehicleState& s, const auto&) {
+           top = std::max(top, -s.p_N.z() - kHeight);
+           fastest = std::max(fastest, std::abs(s.airspeed - cruise));
+           last = -s.p_N.z() - kHeight;
+         });
+    EXPECT_LT(top, 11) << name;  // a tenth
+    EXPECT_NEAR(last, 10, 0.2) << name;
+    EXPECT_LT(fastest, 2) << name;
+    fastest = 0;
+    jump(plant, {0, kHeight, 0, cruise + 2}, 40, [&](const VehicleState& s, const auto&) {
+      fastest = std::max(fastest, s.airspeed - cruise);
+      last = s.airspeed - cruise;
+    });
+    EXPECT_LT(fastest, 2.2) << name;
+    EXPECT_NEAR(last, 2, 0.1) << name;
+    jump(plant, {5, kHeight, 0, cruise}, 20, [&](const VehicleState& s, const auto&) {
+      last = geo::to_euler(s.q_NB).roll;
+      bank = std::max(bank, last);
+    });
+    const double wanted = std::atan(5 / kGravity);
+    EXPECT_LT(bank, 1.1 * wanted) << name;
+    EXPECT_NEAR(last, wanted, 0.01) << name;
+  }
+}
+
+TEST(FixedWingFlight, TurnsWithoutSideslip) {
+  for (const auto& [name, parameters] : aircraft()) {
+    const asset::FixedWingPlant plant(parameters);
+    double sideslip = 0;
+    jump(plant, {5, kHeight, 0, airframe_of(plant).cruise}, 20,
+         [&](const VehicleState& s, const auto&) {
+           sideslip = (s.q_NB.conjugate() * s.v_N).y() / s.airspeed;
+         });
+    EXPECT_LT(std::abs(sideslip), 0.03) << name;  // without rudder twice that
+  }
+}
+
+TEST(FixedWingFlight, TracksTheGroundInWindAsAsked) {
+  // A lateral acceleration across the ground track bends the ground track: a quarter of a
+  // circle over ground needs V_g / a per radian.
+  const asset::FixedWingPlant plant(asset::aerosonde());
+  const Vec3 wind(0, 8, 0);
+  Flight flight(plant, wind, 0, 1, 0);
+  FixedWingControl control(airframe_of(plant), {});
+  const Vec2 start = geo::horizontal(flight.state.v_N);
+  double due = geo::bearing(start);
+  for (double t = 0; t < 15; t += kStep) {
+    const FixedWingDemand demand{3, kHeight, 0, 25};
+    due += 3 / geo::horizontal(flight.state.v_N).norm() * kStep;
+    flight.step(control.control(demand, flight.nav(), kStep));
+  }
+  // Late by the time to roll in, 0.6 s of 0.12 rad/s; the rest is the error.
+  const double course = geo::bearing(geo::horizontal(flight.state.v_N));
+  EXPECT_NEAR(geo::wrap_pi(course - due), -0.07, 0.07);
+}
+
+TEST(FixedWingFlight, GlidesAtTheAirspeedWhenTheMotorStands) {
+  for (const auto& [name, parameters] : aircraft()) {
+    const asset::FixedWingPlant plant(parameters);
+    const FixedWingAirframe airframe = airframe_of(plant);
+    Flight flight(plant, Vec3(5, 0, 0), kLight, 1.5, 3);
+    flight.state.p_N.z() = -400;
+    flight.state.faults.dead = 1u << channel::kThrottle;
+    FixedWingControl control(airframe, {});
+    FixedWingDemand demand{0, 400, 0, airframe.cruise, FlightPhase::kGlide};
+    double least = 1e9, sum = 0;
+    int count = 0;
+    for (double t = 0; t < 40; t += kStep) {
+      demand.lateral_acceleration = t < 20 ? 0 : 3;
+      flight.step(control.control(demand, flight.nav(), kStep));
+      least = std::min(least, flight.state.airspeed);
+      if (t > 10) {
+        sum += flight.state.airspeed;
+        ++count;
+      }
+    }
+    EXPECT_GT(least, airframe.slowest) << name;
+    EXPECT_NEAR(sum / count, airframe.cruise, 0.5) << name;
+  }
+}
+
+TEST(FixedWingFlight, GivesUpHeightBeforeAirspeedWhereTheMotorIsTooWeak) {
+  // Asked to climb for ever with a dead motor, in the phase of normal flight.
+  const asset::FixedWingPlant plant(asset::glider());
+  const FixedWingAirframe airframe = airframe_of(plant);
+  Flight flight(plant, Vec3::Zero(), 0, 1.5, 0);
+  flight.state.p_N.z() = -400;
+  flight.state.faults.dead = 1u << channel::kThrottle;
+  FixedWingControl control(airframe, {});
+  double least = 1e9;
+  for (double t = 0; t < 40; t += kStep) {
+    flight.step(control.control({0, 500, 0, airframe.cruise}, flight.nav(), kStep));
+    least = std::min(least, flight.state.airspeed);
+  }
+  EXPECT_GT(least, 0.9 * airframe.slowest);  // above the stall, which has its reserve
+}
+
+TEST(FixedWingFlight, ChangesHandsWithoutAJump) {
+  const asset::FixedWingPlant plant(asset::glider());
+  const FixedWingAirframe airframe = airframe_of(plant);
+  Flight flight(plant, Vec3(5, 0, 0), 0, 1.5, 0);
+  FixedWingControl control(airframe, {});
+  PilotInput sticks;
+  sticks.roll = 0.4;
+  sticks.pitch = 0.3;
+  sticks.throttle = 0.9;
+  Actuators last;
+  for (double t = 0; t < 4; t += kStep) {
+    last = control.stabilize(control.attitude_for(sticks), flight.nav(), kStep);
+    flight.step(last);
+  }
+  control.reset(flight.nav());
+  const double bank = geo::to_euler(flight.state.q_NB).roll;
+  const FixedWingDemand demand{kGravity * std::tan(bank), -flight.state.p_N.z(), 0,
+                               airframe.cruise};
+  for (double t = 0; t < 0.1; t += kStep) {
+    const Actuators now = control.control(demand, flight.nav(), kStep);
+    // In a step: the throttle's rate, and what its rates ask of the pitch.
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(now[k], last[k], 0.05) << k;
+    flight.step(now);
+    last = now;
+  }
+}
+
+TEST(MultirotorFlight, HoversInWindAndLightTurbulence) {
+  const asset::MultirotorPlant plant(asset::MultirotorParameters{});
+  const auto airframe = std::get<MultirotorAirframe>(plant.airframe());
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    Flight flight(plant, Vec3(0, 6, 0), kLight, 0.5, seed);
+    MultirotorControl control(airframe, {});
+    MultirotorDemand demand;
+    demand.altitude_msl = kHeight;
+    double most = 0;
+    for (double t = 0; t < 60; t += kStep) {
+      flight.step(control.control(demand, flight.nav(), kStep));
+      most = std::max(most, (flight.state.p_N - Vec3(0, 0, -kHeight)).norm());
+    }
+    EXPECT_LT(most, 1) << seed;  // the goal
+  }
+}
+
+TEST(MultirotorFlight, SurvivesSevereTurbulenceWithWrongParameters) {
+  const auto airframe = std::get<MultirotorAirframe>(
+      asset::MultirotorPlant(asset::MultirotorParameters{}).airframe());
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    RandomStream random(seed, 0, Purpose::kTest);
+    asset::MultirotorParameters p;
+    do {
+      p = {};
+      for (double* x : {&p.mass, &p.inertia.xx, &p.inertia.yy, &p.inertia.zz,
+                        &p.thrust_factor, &p.torque_factor, &p.motor_lag, &p.rotor_drag})
+        *x *= random.uniform(0.9, 1.1);
+    } while (!asset::faults(p).empty());
+    const asset::MultirotorPlant plant(p);
+    Flight flight(plant, Vec3(8, 0, 0), kSevere, 0.5, seed);
+    MultirotorControl control(airframe, {});
+    MultirotorDemand demand;
+    demand.altitude_msl = kHeight;
+    for (double t = 0; t < 60; t += kStep) {
+      flight.step(control.control(demand, flight.nav(), kStep));
+      ASSERT_GT(geo::down_in_body(flight.state.q_NB).z(), 0) << seed << ' ' << t;
+      // Gusts beyond the airspeed that the tilt limit allows carry it away for a while.
+      ASSERT_LT((flight.state.p_N - Vec3(0, 0, -kHeight)).norm(), 30) << seed << ' ' << t;
+    }
+  }
+}
+
+TEST(MultirotorFlight, StepsDoNotOvershoot) {
+  const asset::MultirotorPlant plant(asset::MultirotorParameters{});
+  Flight flight(plant, Vec3::Zero(), 0, 0.5, 0);
+  MultirotorControl control(std::get<MultirotorAirframe>(plant.airframe()), {});
+  MultirotorDemand demand;
+  demand.position = Vec2(10, 0);
+  demand.altitude_msl = kHeight + 10;
+  demand.heading = 3;
+  double beyond = 0;
+  for (double t = 0; t < 20; t += kStep) {
+    flight.step(control.control(demand, flight.nav(), kStep));
+    beyond = std::max({beyond, flight.state.p_N.x(), -flight.state.p_N.z() - kHeight});
+  }
+  EXPECT_LT(beyond, 10.5);
+  EXPECT_LT((flight.state.p_N - Vec3(10, 0, -kHeight - 10)).norm(), 0.1);
+  EXPECT_NEAR(geo::yaw(flight.state.q_NB), 3, 0.02);
+}
+
+TEST(MultirotorFlight, SixRotorsFlyOnWithOneStanding) {
+  asset::MultirotorParameters p;
+  p.mass = 2.2;
+  p.rotors.clear();
+  for (int k = 0; k < 6; ++k)
+    p.rotors.push_back(
+        {0.3 * geo::unit(geo::kPi / 6 * (2 * k + 1)), k % 2 == 0 ? 1.0 : -1.0});
+  const asset::MultirotorPlant plant(p);
+  for (unsigned dead = 0; dead < 6; ++dead) {
+    Flight flight(plant, Vec3(6, 0, 0), kLight, 0.6, dead);
+    MultirotorControl control(std::get<MultirotorAirframe>(plant.airframe()), {});
+    MultirotorDemand demand;
+    demand.altitude_msl = kHeight;
+    double most = 0;
+    for (double t = 0; t < 40; t += kStep) {
+      if (t > 10) flight.state.faults.dead = static_cast<std::uint8_t>(1u << dead);
+      if (t > 10.3) control.set_standing(static_cast<std::uint8_t>(1u << dead));
+      flight.step(control.control(demand, flight.nav(), kStep));
+      most = std::max(most, (flight.state.p_N - Vec3(0, 0, -kHeight)).norm());
+    }
+    EXPECT_LT(most, 3) << dead;
+    EXPECT_LT((flight.state.p_N - Vec3(0, 0, -kHeight)).norm(), 1) << dead;
+  }
+}
+
+}  // namespace
+}  // namespace skein
