@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -94,6 +95,15 @@ TEST(FastNormals, AreIndependentOfTheirNeighbours) {
   double chi2 = 0;
   for (const int count : octant) chi2 += (count - each) * (count - each) / each;
   EXPECT_LT(chi2, 30);
+}
+
+// As GCC and Clang make them, with and without optimisation, vector and fused
+// instructions.
+TEST(FastNormals, AreTheSameBitsOnEveryMachine) {
+  RandomStream stream(2018, 7, Purpose::kTest, 3);
+  const std::array<double, 4> expected{-0x1.140a1f6e376d1p+1, 0x1.c6b08ec6d67a1p+0,
+                                       -0x1.7a29f6b1f77c6p-1, -0x1.24cc5d78b0f2cp+0};
+  EXPECT_EQ(stream.normals4(), expected);
 }
 
 TEST(FastNormals, LeaveTheRestOfAStartedBlockAlone) {
