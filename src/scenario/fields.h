@@ -121,7 +121,7 @@ template <class T>
 class Fields : public detail::FieldsBase {
  public:
   Fields() {
-    object_.prototype = T{};
+    object_.prototype.template emplace<T>();
     object_.content = [](std::any& any) -> void* { return std::any_cast<T>(&any); };
   }
 

@@ -15,6 +15,13 @@ constexpr double kMile = 1609.344, kNauticalMile = 1852, kFoot = 0.3048;
 
 // Longer suffixes stand before those that they end in.
 constexpr std::array kUnits = {
+    Unit{"deg_per_s2", "deg/s^2", "angular acceleration", geo::kPi / 180},
+    Unit{"ns2_per_m", "N s^2/m", "drag factor", 1},
+    Unit{"kg_per_j", "kg/J", "consumption", 1},
+    Unit{"kg_per_s", "kg/s", "mass flow", 1},
+    Unit{"nm_per_a", "N m/A", "torque constant", 1},
+    Unit{"rad_per_m", "rad/m", "turn per way", 1},
+    Unit{"per_rad", "1/rad", "derivative", 1},
     Unit{"m_s2", "m/s^2", "acceleration", 1},
     Unit{"mps2", "m/s^2", "acceleration", 1},
     Unit{"deg_per_s", "deg/s", "angular rate", geo::kPi / 180},
@@ -22,6 +29,8 @@ constexpr std::array kUnits = {
     Unit{"rad_s", "rad/s", "angular rate", 1},
     Unit{"deg_s", "deg/s", "angular rate", geo::kPi / 180},
     Unit{"m_per_s", "m/s", "speed", 1},
+    Unit{"per_s2", "1/s^2", "gain", 1},
+    Unit{"per_s", "1/s", "gain", 1},
     Unit{"m_s", "m/s", "speed", 1},
     Unit{"mps", "m/s", "speed", 1},
     Unit{"km_h", "km/h", "speed", 1 / 3.6},
@@ -33,6 +42,9 @@ constexpr std::array kUnits = {
     Unit{"kn", "kn", "speed", kNauticalMile / 3600},
     Unit{"mph", "mph", "speed", kMile / 3600},
     Unit{"fps", "ft/s", "speed", kFoot},
+    Unit{"kgm2", "kg m^2", "inertia", 1},
+    Unit{"nms2", "N m s^2", "torque factor", 1},
+    Unit{"ns2", "N s^2", "thrust factor", 1},
     Unit{"m2", "m^2", "area", 1},
     Unit{"ha", "ha", "area", 1e4},
     Unit{"km2", "km^2", "area", 1e6},
@@ -69,6 +81,13 @@ constexpr std::array kUnits = {
     Unit{"bps", "bit/s", "data rate", 1},
     Unit{"dbm", "dBm", "level", 1},
     Unit{"db", "dB", "ratio", 1},
+    Unit{"n", "N", "force", 1},
+    Unit{"w", "W", "power", 1},
+    Unit{"j", "J", "energy", 1},
+    Unit{"v", "V", "voltage", 1},
+    Unit{"a", "A", "current", 1},
+    Unit{"ah", "A h", "electric charge", 3600},
+    Unit{"ohm", "ohm", "resistance", 1},
     Unit{"percent", "%", "share", 0.01},
 };
 
