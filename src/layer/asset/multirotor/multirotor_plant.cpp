@@ -9,6 +9,9 @@
 namespace skein::asset {
 namespace {
 
+// A rotor below this stands [rad/s]; so no step works with numbers near underflow.
+constexpr double kStands = 1e-6;
+
 // Level, thrust along `up` instead of straight up, forward axis towards `heading`.
 Quat attitude_of(const Vec3& up_N, double heading) {
   const Vec3 down = -up_N;
@@ -191,13 +194,14 @@ void MultirotorPlant::step(VehicleState& state, const Control& control, const Ai
 
   const RotorSpeeds target = targets(state, throttles, share);
   const double half_decay = std::exp(-0.5 * dt / p.motor_lag);
-  double target_sw = 0;
   for (int half = 1; half <= 2; ++half) {
     for (std::size_t k = 0; k < rotors_.size(); ++k)
       speeds[k] = target[k] + (speeds[k] - target[k]) * half_decay;
     sums[half] = rotors_.sums(speeds);
   }
-  target_sw = rotors_.sums(target).sw;
+  const double target_sw = rotors_.sums(target).sw;
+  for (std::size_t k = 0; k < rotors_.size(); ++k)
+    if (target[k] == 0 && speeds[k] < kStands) speeds[k] = 0;
 
   Motion motion = motion_of(state);
   rk4_step(body_, motion, dt, [&](const Stage& stage) {
