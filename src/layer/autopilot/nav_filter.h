@@ -27,7 +27,8 @@ class NavFilter {
   void advance(Time now);
 
   const NavEstimate& estimate() const { return estimate_; }
-  double airspeed() const { return airspeed_; }  ///< [m/s]
+  double airspeed() const { return airspeed_; }    ///< [m/s]
+  double turn_rate() const { return turn_rate_; }  ///< of the heading [rad/s]
   /// Air's velocity over ground as seen just now, gusts included [m/s].
   const Vec2& drift() const { return drift_; }
 

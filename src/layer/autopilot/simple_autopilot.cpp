@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "data/air.h"
-#include "model/path/path_geometry.h"
+#include "layer/autopilot/guidance/same_guidance.h"
 #include "model/path/wind_triangle.h"
 
 namespace skein::autopilot {
@@ -12,12 +12,23 @@ namespace {
 
 constexpr double kSlowDown = 6;  // flight before a tight turn in which to slow down [s]
 
-bool same(const Path& a, const Path& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const PathElement& x, const PathElement& y) {
-                      return x.start == y.start && x.course == y.course &&
-                             x.length == y.length && x.curvature == y.curvature;
-                    });
+FixedWingGuidanceOptions shared_options(const GuidanceOptions& own) {
+  FixedWingGuidanceOptions options;
+  options.lateral.law = LateralLaw::kCourse;
+  options.lateral.course = {own.heading_gain, own.look_ahead};
+  options.lateral.roll_lag = own.anticipation;
+  options.slow_down = kSlowDown;
+  options.landing.touches_down = false;
+  return options;
+}
+
+// What FixedWingGuidance flies for this autopilot.
+bool for_shared(const AutopilotCommand& command) {
+  return std::holds_alternative<FollowPlan>(command.guidance) ||
+         std::holds_alternative<FlyWaypoints>(command.guidance) ||
+         std::holds_alternative<TakeOff>(command.guidance) ||
+         std::holds_alternative<Land>(command.guidance) ||
+         std::holds_alternative<Return>(command.guidance);
 }
 
 }  // namespace
@@ -28,7 +39,8 @@ SimpleAutopilot::SimpleAutopilot(const SimpleAutopilotOptions& options,
       limits_(limits),
       roll_limit_(
           std::atan(limits.airspeed * limits.airspeed / (kGravity * limits.turn_radius))),
-      filter_(initial, options.wind_lag) {
+      filter_(initial, options.wind_lag),
+      shared_(shared_options(options.guidance), limits, initial.p_N) {
   home_ = geo::horizontal(initial.p_N);
   command_.guidance = circle_around(home_);
   command_.altitude_msl = -initial.p_N.z();
@@ -40,24 +52,69 @@ void SimpleAutopilot::sense(const SensorSample& sample) {
 }
 
 void SimpleAutopilot::command(const AutopilotCommand& command) {
-  const auto* now = std::get_if<FollowPath>(&command_.guidance);
-  const auto* next = std::get_if<FollowPath>(&command.guidance);
-  const bool goes_on = now && next && same(now->path, next->path);
+  if (for_shared(command)) {
+    // Judged by the mean wind, not by what is felt just now.
+    const FixedWingMotion at = motion(estimate().wind_N);
+    // While it did not fly, it may hold an old command that is not to be gone on with.
+    if (!is_shared_) shared_.forget(at);
+    if (auto reason = shared_.command(command, at)) {
+      refused_ = std::move(*reason);
+      status_.refused = refused_;
+      ++status_.refusals;
+      return;
+    }
+    is_shared_ = true;
+    command_ = command;
+    begin_status(shared_.status());
+    return;
+  }
+  const bool goes_on = !is_shared_ && same_guidance(command_, command);
+  is_shared_ = false;
   command_ = command;
   if (goes_on) return;
-  status_ = {};
+  begin_status({});
   along_ = 0;
   hold_circle_ = circle_around(home_);
   if (const auto* hold = std::get_if<HoldPosition>(&command_.guidance))
     hold_circle_ = circle_around(hold->point);
+  const auto* next = std::get_if<FollowPath>(&command_.guidance);
   if (!next) return;
-  status_.remaining = model::length(next->path);
-  status_.done = next->path.empty();
+  path_.assign(next->path);
+  status_.remaining = path_.length();
+  status_.done = path_.empty();
   if (status_.done) end_circle_ = circle_around(geo::horizontal(estimate().p_N));
 }
 
-Control SimpleAutopilot::control(Time now, double /*dt*/) {
+// What was refused so far stays in the status.
+void SimpleAutopilot::begin_status(AutopilotStatus status) {
+  status.refusals = status_.refusals;
+  status.refused = status_.refused;
+  status_ = status;
+}
+
+FixedWingMotion SimpleAutopilot::motion(const Vec2& wind) const {
+  const NavEstimate& nav = filter_.estimate();
+  const Vec2 v = nav.v_N.head<2>(), air = v - wind;
+  const double both = std::sqrt(v.squaredNorm() * air.squaredNorm());
+  const double drift = both > 1e-6 ? v.dot(air) / both : 1;
+  return {nav.time,
+          nav.p_N,
+          nav.v_N,
+          wind,
+          filter_.airspeed(),
+          filter_.airspeed() * filter_.turn_rate() * std::max(drift, 0.0),
+          {}};
+}
+
+double SimpleAutopilot::climb_rate(double altitude_msl, double rate) const {
+  const double wanted =
+      options_.altitude_gain * (altitude_msl + filter_.estimate().p_N.z()) + rate;
+  return std::clamp(wanted, -limits_.climb_rate, limits_.climb_rate);
+}
+
+Control SimpleAutopilot::control(Time now, double dt) {
   filter_.advance(now);
+  if (is_shared_) return fly_shared(dt);
   const NavEstimate& nav = filter_.estimate();
   const Motion motion{geo::horizontal(nav.p_N), nav.heading, filter_.airspeed(),
                       filter_.drift()};
@@ -67,9 +124,23 @@ Control SimpleAutopilot::control(Time now, double /*dt*/) {
   out.roll = std::clamp(std::atan(turn_rate * motion.airspeed / kGravity), -roll_limit_,
                         roll_limit_);
   out.airspeed = airspeed_for_turns();
-  out.climb_rate =
-      std::clamp(options_.altitude_gain * (command_.altitude_msl + nav.p_N.z()),
-                 -limits_.climb_rate, limits_.climb_rate);
+  out.climb_rate = climb_rate(command_.altitude_msl, 0);
+  return out;
+}
+
+FlightCommand SimpleAutopilot::fly_shared(double dt) {
+  const FixedWingMotion at = motion(filter_.drift());
+  const FixedWingDemand wanted = shared_.step(at, dt);
+  begin_status(shared_.status());
+  const Vec2 v = at.v_N.head<2>(), air = v - at.wind;
+  const double both = std::sqrt(v.squaredNorm() * air.squaredNorm());
+  // Where the wind carries it aside or back, the bank that is left does what it can.
+  const double drift = both > 1e-6 ? std::max(v.dot(air) / both, 0.3) : 1;
+  FlightCommand out;
+  out.roll = std::clamp(std::atan(wanted.lateral_acceleration / (kGravity * drift)),
+                        -roll_limit_, roll_limit_);
+  out.airspeed = wanted.airspeed;
+  out.climb_rate = climb_rate(wanted.altitude_msl, wanted.climb_rate);
   return out;
 }
 
@@ -80,32 +151,32 @@ CourseDemand SimpleAutopilot::demand(const Motion& motion) {
     return {hold->course, 0};
   if (const auto* around = std::get_if<Circle>(&command_.guidance))
     return circle(*around, motion.position, ground_speed, options_.guidance);
-  if (const auto* follows = std::get_if<FollowPath>(&command_.guidance))
-    return follow(follows->path, motion, ground_speed);
+  if (std::holds_alternative<FollowPath>(command_.guidance))
+    return follow(motion, ground_speed);
   return circle(hold_circle_, motion.position, ground_speed, options_.guidance);
 }
 
-CourseDemand SimpleAutopilot::follow(const Path& path, const Motion& motion,
-                                     double ground_speed) {
+CourseDemand SimpleAutopilot::follow(const Motion& motion, double ground_speed) {
   if (status_.done)
     return circle(end_circle_, motion.position, ground_speed, options_.guidance);
   // Only the near part of the path counts, so that it may cross itself.
   const double window = 5 * options_.guidance.look_ahead * ground_speed;
-  const model::PathProjection at =
-      model::project(path, motion.position, along_ - window / 5, along_ + window);
+  const model::PathCursor::Place at =
+      path_.project(motion.position, along_ - window / 5, along_ + window);
   along_ = at.along;
   status_.remaining = at.remaining;
   status_.cross_track = at.cross_track;
+  status_.follows = true;
 
-  const model::Pose end = model::end_of(path.back());
-  const Vec2 beyond = motion.position - end.position;
-  if (at.remaining <= 0 && beyond.dot(geo::unit(end.course)) >= 0) {
-    status_ = {0, 0, true};
-    end_circle_ = circle_around(end.position);
+  const Vec2 beyond = motion.position - at.point.position;
+  if (at.remaining <= 0 && beyond.dot(at.point.tangent) >= 0) {
+    begin_status({});
+    status_.done = true;
+    end_circle_ = circle_around(at.point.position);
     return circle(end_circle_, motion.position, ground_speed, options_.guidance);
   }
   const double ahead = along_ + ground_speed * options_.guidance.anticipation;
-  return track(at.course, model::curvature_at(path, ahead), at.cross_track, ground_speed,
+  return track(at.course, path_.curvature_at(ahead), at.cross_track, ground_speed,
                options_.guidance);
 }
 
@@ -118,23 +189,20 @@ Circle SimpleAutopilot::circle_around(const Vec2& centre) const {
 }
 
 double SimpleAutopilot::airspeed_for_turns() const {
+  const double base = std::clamp(command_.airspeed.value_or(limits_.airspeed),
+                                 limits_.slowest, limits_.fastest);
   double tightest = 0;
-  if (const auto* follow = std::get_if<FollowPath>(&command_.guidance)) {
-    if (status_.done) return limits_.airspeed;  // the end's circle is wide enough
+  if (std::holds_alternative<FollowPath>(command_.guidance)) {
+    if (status_.done) return base;  // the end's circle is wide enough
     const double reach = along_ + kSlowDown * geo::horizontal(estimate().v_N).norm();
-    double start = 0;
-    for (const PathElement& e : follow->path) {
-      if (start > reach) break;
-      if (start + e.length > along_) tightest = std::max(tightest, std::abs(e.curvature));
-      start += e.length;
-    }
+    tightest = path_.tightest(along_, reach);
   } else if (const auto* around = std::get_if<Circle>(&command_.guidance)) {
     tightest = 1 / around->radius;
   }
-  if (tightest == 0) return limits_.airspeed;
+  if (tightest == 0) return base;
   const double ground_speed = std::sqrt(kGravity * std::tan(roll_limit_) / tightest);
-  return std::clamp(ground_speed - filter_.drift().norm(),
-                    options_.slowest * limits_.airspeed, limits_.airspeed);
+  const double least = std::min(options_.slowest * limits_.airspeed, base);
+  return std::clamp(ground_speed - filter_.drift().norm(), least, base);
 }
 
 }  // namespace skein::autopilot

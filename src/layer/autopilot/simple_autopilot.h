@@ -1,7 +1,11 @@
 #pragma once
 
+#include <string>
+
 #include "layer/autopilot/guidance.h"
+#include "layer/autopilot/guidance/fixed_wing_guidance.h"
 #include "layer/autopilot/nav_filter.h"
+#include "model/path/path_cursor.h"
 #include "role/autopilot.h"
 
 namespace skein::autopilot {
@@ -24,8 +28,14 @@ struct SimpleAutopilotOptions {
 ///
 /// A repeated path goes on where it is, so that only its altitude changes.
 /// Until the first command it circles the place where it was made.
-/// Valid: turns too tight even then are flown as tightly as the vehicle can and joined
-/// again; see docs/aircraft.md.
+///
+/// Plans, waypoints, take-off, landing and return are flown by FixedWingGuidance with the
+/// same gains; its lateral acceleration a becomes tan(roll) = a / (g cos(drift angle)).
+/// Of these, what cannot be flown is refused (AutopilotStatus::refused) and the old
+/// command goes on. The vehicle starts in the air and has no wheels: take-off climbs, and
+/// a landing ends 30 m above the ground, in a circle around the point. Valid: turns too
+/// tight even then are flown as tightly as the vehicle can and joined again; see
+/// docs/aircraft.md.
 class SimpleAutopilot final : public Autopilot {
  public:
   /// @param limits   of the vehicle.
@@ -37,12 +47,16 @@ class SimpleAutopilot final : public Autopilot {
   void command(const AutopilotCommand& command) override;
   /// A FlightCommand.
   Control control(Time now, double dt) override;
-  const NavEstimate& estimate() const override { return filter_.estimate(); }
+  NavEstimate estimate() const override { return filter_.estimate(); }
   AutopilotStatus status() const override { return status_; }
 
  private:
   CourseDemand demand(const Motion& motion);
-  CourseDemand follow(const Path& path, const Motion& motion, double ground_speed);
+  CourseDemand follow(const Motion& motion, double ground_speed);
+  FlightCommand fly_shared(double dt);
+  void begin_status(AutopilotStatus status);
+  double climb_rate(double altitude_msl, double rate) const;
+  FixedWingMotion motion(const Vec2& wind) const;
   Circle circle_around(const Vec2& centre) const;
   double airspeed_for_turns() const;
 
@@ -52,10 +66,14 @@ class SimpleAutopilot final : public Autopilot {
   NavFilter filter_;
   AutopilotCommand command_;
   AutopilotStatus status_;
+  model::PathCursor path_;
   double along_ = 0;   // of the path, where the vehicle is
   Circle end_circle_;  // flown when the path is done
   Circle hold_circle_;
   Vec2 home_ = Vec2::Zero();
+  FixedWingGuidance shared_;  // flies what is not flown here
+  bool is_shared_ = false;
+  std::string refused_;
 };
 
 }  // namespace skein::autopilot

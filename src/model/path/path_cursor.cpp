@@ -42,7 +42,7 @@ PathCursor::Candidate PathCursor::nearest_on(const Element& e, const Vec2& p, do
   // outside of it. An arc may be longer than one turn: the earliest pass counts.
   const double turn = 2 * geo::kPi * e.radius;
   double s = turned + turn * std::round(((low + high) / 2 - turned) / turn);
-  while (s - turn >= low) s -= turn;
+  if (s - turn >= low) s -= turn * std::floor((s - low) / turn);
   if (s >= low && s <= high) return {s, off * off};
   s = std::clamp(s, low, high);
   return {s, (p - point_of(e, s).position).squaredNorm()};
@@ -119,6 +119,11 @@ TrackPoint PathCursor::at(double s) const {
   end.position += (s - length_) * end.tangent;
   end.curvature = 0;
   return end;
+}
+
+double PathCursor::curvature_at(double s) const {
+  if (s < 0 || s >= length_) return 0;
+  return elements_[index_at(s)].curvature;
 }
 
 double PathCursor::tightest(double from, double to) const {

@@ -47,6 +47,9 @@ class PathCursor {
   /// Fails: Bug when the path is empty.
   TrackPoint at(double s) const;
 
+  /// Curvature [1/m] at arc length `s`; 0 outside the path.
+  double curvature_at(double s) const;
+
   /// Largest absolute curvature in the arc lengths from `from` to `to` [1/m].
   double tightest(double from, double to) const;
 

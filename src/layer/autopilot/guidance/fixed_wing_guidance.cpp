@@ -11,10 +11,11 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kSearch = 60;     // of a plan, before and after now, at the start [s]
-constexpr double kFlares = 1;      // lateral acceleration close to the ground [m/s^2]
-constexpr double kStopped = 0.5;   // of the slowest airspeed: no longer flying
-constexpr double kLeastSpeed = 1;  // over ground, for windows of time [m/s]
+constexpr double kSearch = 60;        // of a plan, before and after now, at the start [s]
+constexpr double kFlares = 1;         // lateral acceleration close to the ground [m/s^2]
+constexpr double kTurnReserve = 0.9;  // of the bank limit; the rest is for corrections
+constexpr double kStopped = 0.5;      // of the slowest airspeed: no longer flying
+constexpr double kLeastSpeed = 1;     // over ground, for windows of time [m/s]
 
 GroundMotion over_ground(const FixedWingMotion& now) {
   return {now.p_N.head<2>(), now.v_N.head<2>(), now.lateral_acceleration};
@@ -98,7 +99,7 @@ double FixedWingGuidance::base_airspeed() const {
 double FixedWingGuidance::airspeed_for(double curvature, double wind_speed) const {
   const double base = base_airspeed();
   if (curvature <= 0) return base;
-  const double ground_speed = std::sqrt(most_lateral_ / curvature);
+  const double ground_speed = std::sqrt(kTurnReserve * most_lateral_ / curvature);
   return std::min(base, std::max(ground_speed - wind_speed, turn_slowest_));
 }
 
@@ -116,6 +117,10 @@ std::optional<std::string> FixedWingGuidance::command(const AutopilotCommand& co
   if (auto reason = unflyable(command, limits_, now.wind)) return reason;
   begin(command, now);
   return {};
+}
+
+void FixedWingGuidance::forget(const FixedWingMotion& now) {
+  begin({HoldPosition{now.p_N.head<2>()}, -now.p_N.z(), {}}, now);
 }
 
 void FixedWingGuidance::hold_at(const Vec2& centre, const FixedWingMotion& now) {
@@ -305,8 +310,9 @@ double FixedWingGuidance::follow_plan(const FixedWingMotion& now, double dt,
 
   const double share =
       std::clamp(options_.time_gain * late, -options_.time_reach, options_.time_reach);
-  const Vec2 air = speed * (1 + share) * track.tangent - now.wind;
-  demand.airspeed = std::clamp(std::sqrt(air.squaredNorm() + here.v_N.z() * here.v_N.z()),
+  const Vec3 soon = plan_.at(std::min(plan_time_ + options_.speed_lead, plan_.end())).v_N;
+  const Vec2 air = (1 + share) * soon.head<2>() - now.wind;
+  demand.airspeed = std::clamp(std::sqrt(air.squaredNorm() + soon.z() * soon.z()),
                                limits_.slowest, limits_.fastest);
   demand.altitude_msl = -here.p_N.z();
   const double flown = now.v_N.head<2>().dot(track.tangent);

@@ -23,6 +23,7 @@ struct FixedWingGuidanceOptions {
   double slow_down = 6;          ///< flight before a tight turn in which to slow down [s]
   double time_gain = 0.1;        ///< share of ground speed per second behind a plan [1/s]
   double time_reach = 0.3;       ///< largest such share
+  double speed_lead = 1.5;       ///< airspeeds of a plan are demanded this early [s]
   double take_off_speed = 1.1;   ///< leaving the ground, over the slowest airspeed
   double climb_out_height = 40;  ///< straight climb after take-off [m]
   double arrival = 5;            ///< of an altitude, counted as reached [m]
@@ -48,7 +49,7 @@ FixedWingMotion motion_of(const NavState& nav,
 /// Flies commands with a fixed wing: what turn, altitude and airspeed to demand now.
 ///
 /// - FollowPath: near the last point only, so that a path may cross itself; slower where
-///   a turn over ground is too tight at the airspeed: V + |wind| <= sqrt(a_max /
+///   a turn over ground is too tight at the airspeed: V + |wind| <= sqrt(0.9 a_max /
 ///   curvature). After the end a circle around it.
 /// - FollowPlan: nearest point of the curve, altitude from there; ground speed = the
 ///   curve's times 1 + clamp(time_gain e_t, +-time_reach) with e_t = now - time of the
@@ -76,6 +77,9 @@ class FixedWingGuidance {
 
   /// The demand for the next `dt` [s]. Always finite if the motion is.
   FixedWingDemand step(const FixedWingMotion& now, double dt);
+
+  /// Circles where it is; the next command is a new one in any case.
+  void forget(const FixedWingMotion& now);
 
   /// Fields of guidance only.
   const AutopilotStatus& status() const { return status_; }

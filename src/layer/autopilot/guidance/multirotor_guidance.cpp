@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kVelocityGain = 4;    // of the reference [1/s]
 constexpr double kTurnShare = 0.7;     // of the acceleration, for turns
-constexpr double kCreep = 0.3;         // through sharp corners [m/s]
+constexpr double kAlongShare = 0.8;    // of the acceleration, for speeding up
+constexpr double kCreep = 0.2;         // through sharp corners [m/s]
 constexpr double kLeastSpeed = 1;      // over ground, against the wind [m/s]
 constexpr double kYawSpeed = 1;        // slower than this has no course [m/s]
 constexpr double kCloseEnough = 0.05;  // of the reference to a stop [m]
@@ -49,10 +50,10 @@ MultirotorGuidance::MultirotorGuidance(const MultirotorGuidanceOptions& options,
 
 void MultirotorGuidance::reset(const NavState& now) {
   position_ = now.p_N.head<2>();
-  velocity_ = now.v_N.head<2>();
+  velocity_ = bounded(now.v_N.head<2>(), limits_.fastest + now.wind_N.head<2>().norm());
   acceleration_.setZero();
   altitude_ref_ = -now.p_N.z();
-  climb_ref_ = -now.v_N.z();
+  climb_ref_ = std::clamp(-now.v_N.z(), -limits_.sink_rate, limits_.climb_rate);
 }
 
 std::optional<std::string> MultirotorGuidance::command(const AutopilotCommand& command,
@@ -223,11 +224,12 @@ double MultirotorGuidance::ground_speed(const Vec2& course, const NavState& now)
   return std::clamp(over_ground(limits_.fastest), 0.0, kLeastSpeed);
 }
 
-double MultirotorGuidance::stop_speed(double distance) const {
+MultirotorGuidance::Stop MultirotorGuidance::stop_at(double distance) const {
   const double b = options_.braking * options_.acceleration, k = options_.stop_gain;
   const double linear = b / (k * k);
-  return distance < linear ? k * std::max(distance, 0.0)
-                           : std::sqrt(2 * b * (distance - linear / 2));
+  if (distance >= linear) return {std::sqrt(2 * b * (distance - linear / 2)), b};
+  const double speed = k * std::max(distance, 0.0);
+  return {speed, k * speed};
 }
 
 MultirotorGuidance::Wish MultirotorGuidance::towards(const Vec2& point,
@@ -238,7 +240,10 @@ MultirotorGuidance::Wish MultirotorGuidance::towards(const Vec2& point,
   const double distance = way.norm();
   if (distance < 1e-6) return wish;
   const Vec2 course = way / distance;
-  wish.velocity = std::min(stop_speed(distance), ground_speed(course, now)) * course;
+  const Stop stop = stop_at(distance);
+  const double most = ground_speed(course, now);
+  wish.velocity = std::min(stop.speed, most) * course;
+  if (stop.speed <= most) wish.acceleration = -stop.braking * course;
   return wish;
 }
 
@@ -264,10 +269,11 @@ MultirotorGuidance::Wish MultirotorGuidance::hold_course(const NavState& now) {
   return wish;
 }
 
-// Along a path at the reference's place, not faster than `most`.
+// Along a path at the reference's place, with a stop ahead.
 MultirotorGuidance::Wish MultirotorGuidance::along(const model::PathCursor& path,
                                                    const model::PathCursor::Place& place,
-                                                   double most, const NavState& now) {
+                                                   const Stop& stop,
+                                                   const NavState& now) {
   const Vec2 p = now.p_N.head<2>();
   const model::TrackPoint& at = place.point;
   const double back = (p - position_).dot(at.tangent);
@@ -276,16 +282,20 @@ MultirotorGuidance::Wish MultirotorGuidance::along(const model::PathCursor& path
   status_.follows = true;
 
   const double turns = kTurnShare * options_.acceleration;
+  const double flown = velocity_.dot(at.tangent);
+  // Speeding up leaves acceleration for what is across.
+  const double faster =
+      std::max(flown, 0.0) + kAlongShare * options_.acceleration / kVelocityGain;
   const double speed =
       path.speed_limit(place.along, turns, options_.braking * options_.acceleration,
-                       std::min(most, ground_speed(at.tangent, now)));
+                       std::min({stop.speed, faster, ground_speed(at.tangent, now)}));
   const Vec2 right = geo::turned_right(at.tangent);
   Wish wish;
   wish.altitude = altitude_;
-  const double across = std::min(stop_speed(std::abs(place.cross_track)), speed);
+  const double across = std::min(stop_at(std::abs(place.cross_track)).speed, speed);
   wish.velocity = speed * at.tangent - std::copysign(across, place.cross_track) * right;
-  const double flown = velocity_.dot(at.tangent);
   wish.acceleration = at.curvature * flown * flown * right;
+  if (stop.speed <= speed) wish.acceleration -= stop.braking * at.tangent;
   return wish;
 }
 
@@ -298,7 +308,7 @@ MultirotorGuidance::Wish MultirotorGuidance::follow_path(const NavState& now) {
     arrive(path_.at(path_.length()).position);
     return towards(point_, now);
   }
-  return along(path_, place, stop_speed(place.remaining), now);
+  return along(path_, place, stop_at(place.remaining), now);
 }
 
 MultirotorGuidance::Wish MultirotorGuidance::fly_waypoints(const NavState& now) {
@@ -310,11 +320,13 @@ MultirotorGuidance::Wish MultirotorGuidance::fly_waypoints(const NavState& now) 
     return towards(point_, now);
   }
   status_.remaining = place.remaining;
-  double most = stop_speed(to_stop);
-  if (!route_.on_last_leg()) most = std::max(most, kCreep);
-  if (place.slope > 0) most = std::min(most, limits_.climb_rate / place.slope);
-  if (place.slope < 0) most = std::min(most, limits_.sink_rate / -place.slope);
-  Wish wish = along(route_.cursor(), place.on_path, most, now);
+  Stop stop = stop_at(to_stop);
+  if (!route_.on_last_leg() && stop.speed < kCreep) stop = {kCreep, 0};
+  double steepest = stop.speed;
+  if (place.slope > 0) steepest = limits_.climb_rate / place.slope;
+  if (place.slope < 0) steepest = limits_.sink_rate / -place.slope;
+  if (steepest < stop.speed) stop = {steepest, 0};
+  Wish wish = along(route_.cursor(), place.on_path, stop, now);
   wish.altitude = place.altitude_msl;
   wish.climb_rate = place.slope * velocity_.dot(place.on_path.point.tangent);
   return wish;
@@ -337,7 +349,7 @@ MultirotorGuidance::Wish MultirotorGuidance::follow_plan(const NavState& now) {
   const double distance = way.norm();
   Wish wish;
   wish.velocity = v;
-  if (distance > 1e-6) wish.velocity += stop_speed(distance) / distance * way;
+  if (distance > 1e-6) wish.velocity += stop_at(distance).speed / distance * way;
   wish.velocity = bounded(wish.velocity, limits_.fastest + now.wind_N.head<2>().norm());
   wish.acceleration = bounded(at.a_N.head<2>(), options_.acceleration);
   wish.altitude = -at.p_N.z();
@@ -360,7 +372,7 @@ MultirotorGuidance::Wish MultirotorGuidance::circle(const NavState& now) {
   const double speed =
       std::min(ground_speed(at.tangent, now),
                std::sqrt(kTurnShare * options_.acceleration * circle_.radius));
-  const double across = std::min(stop_speed(std::abs(off)), speed);
+  const double across = std::min(stop_at(std::abs(off)).speed, speed);
   const double round = std::sqrt(std::max(speed * speed - across * across, 0.0));
   const Vec2 right = geo::turned_right(at.tangent);
   Wish wish;

@@ -18,7 +18,7 @@ struct MultirotorGuidanceOptions {
   double acceleration = 3;        ///< of the reference, horizontal [m/s^2]
   double jerk = 15;               ///< its largest change [m/s^3]
   double braking = 0.7;           ///< share of `acceleration` that stops are planned with
-  double stop_gain = 1;           ///< speed per distance left, close to a stop [1/s]
+  double stop_gain = 1.5;         ///< speed per distance left, close to a stop [1/s]
   double climb_acceleration = 2;  ///< [m/s^2]
   double corner_cut = 0;          ///< how far inside waypoints may be passed [m]; 0: stop
   double most_lag = 5;            ///< the reference waits for the vehicle beyond this [m]
@@ -35,8 +35,8 @@ struct MultirotorGuidanceOptions {
 ///
 /// The reference (position, velocity, acceleration) takes up a wanted velocity v_d with
 /// a = a_f + 4/s (v_d - v), bounded in size (`acceleration`) and change (`jerk`); a_f is
-/// the centripetal acceleration of a turn. Wanted speeds are those of the command, at
-/// most
+/// the centripetal acceleration of a turn and the braking before a stop. Wanted speeds
+/// are those of the command, at most
 ///
 ///   sqrt(0.7 acceleration / curvature)      in turns,
 ///   min(k d, sqrt(2 b (d - b / 2 k^2)))     at distance d from a stop; b = braking
@@ -45,8 +45,8 @@ struct MultirotorGuidanceOptions {
 ///
 /// before turns what braking needs, and on climbing legs what the climb rate allows. The
 /// commanded airspeed holds in the air: V_g = wind along + sqrt(V^2 - wind across^2), up
-/// to `fastest` where it would leave less than 1 m/s over ground. The reference stands
-/// still when it is 2 `most_lag` ahead of the vehicle.
+/// to `fastest` where it would leave less than 1 m/s over ground. The reference brakes
+/// to a stand when it is 2 `most_lag` ahead of the vehicle.
 ///
 /// - FollowPath: along it, stop at its end. FlyWaypoints: straight legs, stop at each
 ///   corner unless `corner_cut`. Circle: onto it and around.
@@ -81,6 +81,10 @@ class MultirotorGuidance {
     Vec2 acceleration = Vec2::Zero();  // fed forward
     double altitude = 0, climb_rate = 0;
   };
+  // The speed at a distance before a stop, and the braking that keeps to it.
+  struct Stop {
+    double speed, braking;
+  };
   void begin(const AutopilotCommand& command, const NavState& now);
   void reset(const NavState& now);
   void arrive(const Vec2& at);
@@ -93,10 +97,10 @@ class MultirotorGuidance {
   Wish take_off(const NavState& now);
   Wish land(const NavState& now, double dt, std::optional<double> height_agl);
   Wish along(const model::PathCursor& path, const model::PathCursor::Place& place,
-             double most, const NavState& now);
+             const Stop& stop, const NavState& now);
   Wish towards(const Vec2& point, const NavState& now) const;
   double ground_speed(const Vec2& course, const NavState& now) const;
-  double stop_speed(double distance) const;
+  Stop stop_at(double distance) const;
   void move(const Wish& wish, const NavState& now, double dt);
   void turn(double dt);
 

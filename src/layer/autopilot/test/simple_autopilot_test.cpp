@@ -289,5 +289,91 @@ TEST(SimpleAutopilot, CarriesOnWithoutFixes) {
   EXPECT_GT(nav.position_sd, 2);  // 0.3 sqrt(60)
 }
 
+TEST(SimpleAutopilot, FliesAPlanInTime) {
+  Flight flight({3, 2});
+  flight.fly(20);
+  flight.vehicle.p = {0, 0, -300};
+  flight.vehicle.heading = 0;
+  flight.fly(0.5);
+  const double now = flight.autopilot->estimate().time.seconds();
+  // Half a turn of 100 m between straights, at 19 m/s over ground, climbing 1 m/s; a
+  // second late at the start.
+  const Path path = join({{400, 0}, {geo::kPi * 100, 0.01}, {400, 0}});
+  Plan plan;
+  for (double s = 0; s < model::length(path); s += 40) {
+    const model::Pose at = model::pose_at(path, s);
+    const Vec2 v = 19 * geo::unit(at.course);
+    plan.push_back({Time::from_seconds(now - 1 + s / 19),
+                    {at.position.x(), at.position.y(), -300 - s / 19},
+                    {v.x(), v.y(), -1}});
+  }
+  flight.autopilot->command({FollowPlan{plan}, 0, {}});
+  ASSERT_EQ(flight.autopilot->status().refused, "");
+  flight.fly(25);
+  double track = 0, late = 0, low = 0;
+  const double left = plan.back().time.seconds() - now - 26;
+  flight.fly(left, [&] {
+    const AutopilotStatus& status = flight.autopilot->status();
+    EXPECT_TRUE(status.follows);
+    track = std::max(track, std::abs(status.cross_track));
+    late = std::max(late, std::abs(status.time_error));
+    const double time = static_cast<double>(flight.tick) * kStep;
+    const double planned = 300 + time - status.time_error - now + 1;
+    low = std::max(low, std::abs(-flight.vehicle.p.z() - planned));
+  });
+  std::printf("plan: track %.2f m, time %.2f s, altitude %.2f m\n", track, late, low);
+  EXPECT_LT(track, 2);
+  EXPECT_LT(late, 1);  // airspeed with a lag of 2 s through a turn in 3.6 m/s of wind
+  EXPECT_LT(low, 1);
+  flight.fly(10);
+  EXPECT_TRUE(flight.autopilot->status().done);
+}
+
+TEST(SimpleAutopilot, FliesWaypointsReturnsAndComesDownTo30Metres) {
+  Flight flight({0, 5});
+  flight.fly(20);
+  flight.autopilot->command(
+      {FlyWaypoints{{{{600, 0}, 320}, {{600, 600}, 310}, {{0, 600}, 300}}, 2}, 0, {}});
+  double nearest = 1e9;
+  flight.fly(320, [&] {
+    nearest = std::min(nearest, (flight.position() - Vec2(600, 600)).norm());
+  });
+  EXPECT_TRUE(flight.autopilot->status().done);
+  EXPECT_LT(nearest, 60);  // rounded with 1.1 * 60 * 1.25^2 = 103 m: 43 m inside
+  EXPECT_LT((flight.position() - Vec2(0, 600)).norm(), 150);
+
+  flight.autopilot->command({Return{}, 300, {}});
+  flight.fly(120);
+  EXPECT_LT(flight.position().norm(), 150);
+  EXPECT_NEAR(-flight.vehicle.p.z(), 360, 1);  // 60 m above where it began
+
+  flight.autopilot->command({TakeOff{}, 380, {}});  // from the air: a climb
+  flight.fly(60);
+  EXPECT_TRUE(flight.autopilot->status().done);
+  EXPECT_NEAR(-flight.vehicle.p.z(), 380, 1);
+
+  flight.autopilot->command({Land{{100, 100}, 250, {}}, 0, {}});
+  double lowest = 1e9;
+  for (int i = 0; i < 600 && !flight.autopilot->status().done; ++i) flight.fly(1);
+  EXPECT_TRUE(flight.autopilot->status().done);
+  flight.fly(60, [&] { lowest = std::min(lowest, -flight.vehicle.p.z()); });
+  EXPECT_NEAR(lowest, 280, 3);  // overshoots by its altitude gain: 1.8 m/s / 0.3
+  EXPECT_NEAR(-flight.vehicle.p.z(), 280, 0.5);
+  EXPECT_LT((flight.position() - Vec2(100, 100)).norm(), 150);
+}
+
+TEST(SimpleAutopilot, RefusesAPlanItCannotFlyAndGoesOn) {
+  Flight flight({0, 0});
+  flight.autopilot->command({HoldCourse{1}, 300, {}});
+  flight.fly(20);
+  flight.autopilot->command({FollowPlan{}, 0, {}});
+  EXPECT_EQ(flight.autopilot->status().refusals, 1);
+  EXPECT_EQ(flight.autopilot->status().refused, "the plan is empty");
+  flight.fly(10);
+  EXPECT_NEAR(flight.vehicle.heading, 1, 1e-3);
+  flight.autopilot->command({HoldCourse{0}, 300, {}});
+  EXPECT_EQ(flight.autopilot->status().refusals, 1);
+}
+
 }  // namespace
 }  // namespace skein::autopilot

@@ -134,5 +134,256 @@ TEST(FixedWingGuidance, CirclesWithEachLaw) {
       }
 }
 
+// A plan along a path at a constant ground speed that climbs evenly.
+Plan plan_along(const Path& path, double speed, double start, double low, double climb) {
+  Plan plan;
+  const double total = model::length(path);
+  const int n = static_cast<int>(total / 30);
+  for (int i = 0; i <= n; ++i) {
+    const double s = total * i / n;
+    const model::Pose at = model::pose_at(path, s);
+    const Vec2 v = speed * geo::unit(at.course);
+    plan.push_back({Time::from_seconds(start + s / speed),
+                    {at.position.x(), at.position.y(), -(low + climb * s / speed)},
+                    {v.x(), v.y(), -climb}});
+  }
+  return plan;
+}
+
+TEST(FixedWingGuidance, ArrivesWhenThePlanSays) {
+  const double r = 1.1 * model::ground_turn_radius(40, 15, 5);
+  const Path path = join({{400, 0}, {geo::kPi * r, 1 / r}, {500, 0}});
+  for (const double wind : {0.0, 2.5})
+    for (int i = 0; i < 4; ++i) {
+      Flight flight(wind * geo::unit(0.3 + i * geo::kPi / 2));
+      // Five seconds too late at the start.
+      const Plan plan = plan_along(path, 14, -5, 100, 0.5);
+      ASSERT_FALSE(flight.tell({FollowPlan{plan}, 0}))
+          << *flight.tell({FollowPlan{plan}, 0});
+      flight.fly(30);
+      Errors track, time, altitude;
+      const double left = plan.back().time.seconds() - flight.wing.time.seconds() - 1;
+      flight.fly(left, [&] {
+        const AutopilotStatus& status = flight.guidance.status();
+        track.add(status.cross_track);
+        time.add(status.time_error);
+        const double planned =
+            100 + 0.5 * (flight.wing.time.seconds() - status.time_error + 5);
+        altitude.add(-flight.wing.p.z() - planned);
+      });
+      std::printf(
+          "plan, %.1f m/s: track rms %.2f, time rms %.2f max %.2f s, alt %.2f m\n", wind,
+          track.rms(), time.rms(), time.most, altitude.most);
+      EXPECT_LT(track.rms(), 1);
+      // 5 s late, taken out at 0.1/s from 5 s to 30 s on, and the turn's changes.
+      EXPECT_LT(time.most, 1);
+      EXPECT_LT(altitude.most, 1);
+      flight.fly(4);
+      EXPECT_TRUE(flight.guidance.status().done);
+      EXPECT_FALSE(flight.guidance.status().follows);
+    }
+}
+
+TEST(FixedWingGuidance, FliesThePlansEndOnInACircleAtItsAltitude) {
+  Flight flight;
+  const Plan plan = plan_along(join({{300, 0}}), 15, 0, 100, 1);
+  ASSERT_FALSE(flight.tell({FollowPlan{plan}, 0}));
+  flight.fly(90);
+  EXPECT_TRUE(flight.guidance.status().done);
+  EXPECT_NEAR(-flight.wing.p.z(), 120, 0.5);
+  flight.fly(60, [&] {
+    EXPECT_NEAR((flight.position() - Vec2(300, 0)).norm(), 44, 2);  // 1.1 turn_radius
+  });
+}
+
+std::vector<FlyWaypoints::Waypoint> square() {
+  return {{{300, 0}, 100}, {{300, 300}, 115}, {{0, 300}, 130}, {{0, 0}, 100}};
+}
+
+TEST(FixedWingGuidance, FliesLapsOfWaypoints) {
+  for (const bool rounds : {true, false})
+    for (const double wind : {0.0, 5.0}) {
+      FixedWingGuidanceOptions options;
+      options.rounds_corners = rounds;
+      Flight flight({wind, 0}, options);
+      ASSERT_FALSE(flight.tell({FlyWaypoints{square(), 3}, 100}));
+      std::vector<double> nearest(4, 1e9);
+      Errors track, altitude;
+      double last = 1e9, worst_jump = 0;
+      int steps = 0;
+      for (; steps < 60000 && !flight.guidance.status().done; ++steps) {
+        flight.fly(PointWing::kStep);
+        const AutopilotStatus& status = flight.guidance.status();
+        for (std::size_t k = 0; k < 4; ++k)
+          nearest[k] =
+              std::min(nearest[k], (flight.position() - square()[k].point).norm());
+        if (status.done) break;
+        // Where a corner is cut by its arc the way left falls faster: by 2 (tan - angle)
+        // radii at most, 0.43 R at a right angle.
+        if (last < 1e8)
+          worst_jump = std::max(worst_jump, std::abs(last - status.remaining));
+        last = status.remaining;
+        if (steps * PointWing::kStep > 25) track.add(status.cross_track);
+        altitude.add(-flight.wing.p.z() - flight.demand.altitude_msl);
+      }
+      std::printf(
+          "waypoints %s, %.0f m/s: %.0f s, track rms %.2f max %.2f, alt %.2f, "
+          "corners %.1f m\n",
+          rounds ? "rounded" : "flown over", wind, steps * PointWing::kStep, track.rms(),
+          track.most, altitude.most, nearest[1]);
+      EXPECT_TRUE(flight.guidance.status().done);
+      // Four legs of 300 m three times, less what the arcs cut, at 10 to 20 m/s.
+      EXPECT_GT(steps * PointWing::kStep, 160);
+      EXPECT_LT(steps * PointWing::kStep, 320);
+      EXPECT_LT(worst_jump, 50);
+      if (rounds) {
+        EXPECT_LT(track.most, 1.5);
+        EXPECT_LT(altitude.most, 2.5);
+      } else {
+        for (const double d : nearest) EXPECT_LT(d, 5);
+      }
+    }
+}
+
+TEST(FixedWingGuidance, HoldsAPositionInWind) {
+  for (const double wind : {0.0, 8.0}) {
+    Flight flight({0, wind});
+    ASSERT_FALSE(flight.tell({HoldPosition{{500, 200}}, 120}));
+    flight.fly(120);
+    EXPECT_TRUE(flight.guidance.status().done);
+    EXPECT_NEAR(-flight.wing.p.z(), 120, 0.5);
+    const double radius = flight.guidance.loiter_radius(wind);
+    flight.fly(60, [&] {
+      EXPECT_NEAR((flight.position() - Vec2(500, 200)).norm(), radius, 1.5);
+    });
+  }
+}
+
+TEST(FixedWingGuidance, WidensItsCircleWhenTheWindGrows) {
+  Flight flight;
+  ASSERT_FALSE(flight.tell({Circle{{0, 0}, 60, true}, 100}));
+  flight.fly(60);
+  flight.wing.wind = {9, 0};
+  flight.fly(60);
+  // (V + w)^2 / a with the slowest airspeed in a turn: 11 (1 + (a/g)^2)^(1/4), a =
+  // 15^2/40.
+  const double slowest = 11 * std::pow(1 + std::pow(5.625 / kGravity, 2), 0.25);
+  const double radius = (slowest + 9) * (slowest + 9) / 5.625;
+  flight.fly(60, [&] { EXPECT_NEAR(flight.position().norm(), radius, 4); });
+}
+
+TEST(FixedWingGuidance, ReturnsHomeAtASafeAltitude) {
+  Flight flight({3, 3});
+  flight.wing.p = {900, -700, -110};
+  ASSERT_FALSE(flight.tell({Return{}, 50}));
+  flight.fly(5);
+  EXPECT_FALSE(flight.guidance.status().done);
+  flight.fly(150);
+  EXPECT_TRUE(flight.guidance.status().done);
+  EXPECT_LT(flight.position().norm(), 130);
+  EXPECT_NEAR(-flight.wing.p.z(), 160, 0.5);  // return_height above home at 100 m
+}
+
+TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
+  for (const double wind : {0.0, 5.0}) {
+    Flight flight({-wind, 0});
+    FixedWingGuidanceOptions options;
+    flight.guidance = FixedWingGuidance(options, flight.wing.limits, {0, 0, 0});
+    flight.wing.p.setZero();
+    flight.wing.airspeed = 0;
+    flight.wing.on_ground = true;
+    ASSERT_FALSE(flight.tell({TakeOff{0}, 120}));
+    flight.fly(1);
+    EXPECT_EQ(flight.demand.phase, FlightPhase::kRun);
+    flight.fly(15);
+    EXPECT_EQ(flight.demand.phase, FlightPhase::kClimbOut);
+    EXPECT_LT(std::abs(flight.position().y()), 1);
+    flight.fly(60);
+    EXPECT_TRUE(flight.guidance.status().done);
+    EXPECT_NEAR(-flight.wing.p.z(), 120, 5);
+
+    ASSERT_FALSE(flight.tell({Land{{200, 50}, 0, std::nullopt}, 120}));
+    double touch_sink = 0;
+    Vec2 touch = Vec2::Zero();
+    bool approached = false, was_up = true;
+    Errors line;
+    for (int i = 0; i < 40000 && !flight.guidance.status().done; ++i) {
+      const double climb = flight.wing.climb;
+      flight.fly(PointWing::kStep);
+      if (flight.demand.phase == FlightPhase::kApproach) {
+        approached = true;
+        line.add(flight.guidance.status().cross_track);
+      }
+      if (flight.wing.on_ground && was_up) touch_sink = climb, touch = flight.position();
+      was_up = !flight.wing.on_ground;
+    }
+    std::printf("landing, %.0f m/s: touch %.1f %.1f m at %.2f m/s, line %.2f m\n", wind,
+                touch.x(), touch.y(), touch_sink, line.most);
+    EXPECT_TRUE(approached);
+    EXPECT_EQ(flight.demand.phase, FlightPhase::kGround);
+    EXPECT_LT(line.most, 2);
+    EXPECT_LT((touch - Vec2(200, 50)).norm(), 60);  // the flare floats
+    EXPECT_GT(touch_sink, -0.8);
+    // Against the wind.
+    if (wind > 0) {
+      EXPECT_NEAR(geo::wrap_pi(flight.wing.heading), 0, 0.1);
+    }
+  }
+}
+
+TEST(FixedWingGuidance, CirclesDownBeforeAnApproachFromTooHigh) {
+  Flight flight;
+  flight.wing.p = {-450, 0, -250};
+  ASSERT_FALSE(flight.tell({Land{{0, 0}, 0, 0.0}, 250}));
+  for (int i = 0; i < 60000 && !flight.guidance.status().done; ++i) {
+    flight.fly(PointWing::kStep);
+    if (flight.demand.phase == FlightPhase::kApproach) {
+      EXPECT_LT(-flight.wing.p.z(), 40 + 12 + 0.1);
+    }
+  }
+  EXPECT_EQ(flight.demand.phase, FlightPhase::kGround);
+  EXPECT_LT(flight.position().norm(), 120);
+}
+
+TEST(FixedWingGuidance, RefusesWhatItCannotFlyAndGoesOn) {
+  Flight flight;
+  ASSERT_FALSE(flight.tell({HoldCourse{1}, 100}));
+  const auto reason = flight.tell({Circle{{0, 0}, 5, true}, 100});
+  ASSERT_TRUE(reason);
+  EXPECT_NE(reason->find("radius of 5 m"), std::string::npos) << *reason;
+  flight.fly(30);
+  EXPECT_NEAR(flight.wing.heading, 1, 1e-3);
+}
+
+TEST(FixedWingGuidance, ARepeatedPathGoesOn) {
+  Flight once, often;
+  const Path path = join({{400, 0}, {100, 0.01}, {100, 0}});
+  ASSERT_FALSE(once.tell({FollowPath{path}, 110}));
+  for (int i = 0; i < 30; ++i) {
+    ASSERT_FALSE(often.tell({FollowPath{path}, 110}));
+    once.fly(1);
+    often.fly(1);
+  }
+  EXPECT_EQ(once.wing.p, often.wing.p);
+}
+
+TEST(FixedWingGuidance, SlowsDownForTightTurns) {
+  const Path path = join({{300, 0}, {geo::kPi * 45, 1 / 45.0}, {300, 0}});
+  for (int i = 0; i < 4; ++i) {
+    Flight flight(3 * geo::unit(i * geo::kPi / 2));
+    flight.wing.heading = model::heading_for_course(0, 15, flight.wing.wind).value();
+    ASSERT_FALSE(flight.tell({FollowPath{path}, 100}));
+    Errors track;
+    double slowest = 1e9;
+    flight.fly(45, [&] {
+      if (flight.guidance.status().follows)
+        track.add(flight.guidance.status().cross_track);
+      slowest = std::min(slowest, flight.demand.airspeed);
+    });
+    EXPECT_LT(slowest, 14);
+    EXPECT_LT(track.most, 2);
+  }
+}
+
 }  // namespace
 }  // namespace skein::autopilot
