@@ -4,12 +4,12 @@
 
 namespace skein::asset {
 
-/// std::atan2(y, x), several times as fast where |y| <= 0.32 x.
+/// std::atan2(y, x), several times as fast where |y| < 0.32 x.
 ///
 /// There a polynomial of degree 9 in (y/x)^2, an economised series, has a relative error
 /// of 8e-18 before rounding.
 inline double fast_atan2(double y, double x) {
-  if (!(std::abs(y) <= 0.32 * x)) [[unlikely]]
+  if (!(std::abs(y) < 0.32 * x)) [[unlikely]]
     return std::atan2(y, x);
   const double t = y / x;
   const double s = t * t, s2 = s * s, s4 = s2 * s2;

@@ -98,6 +98,15 @@ class TrimProblem {
                                       : TrimOutcome::kFound;
   }
 
+  // Whether the wing cannot even carry the weight, more of it in a turn.
+  bool too_slow() const {
+    const double V = request_.airspeed;
+    const double across = request_.turn_rate * V / kGravity;
+    const double lift = weight_ * std::cos(request_.climb_angle) * std::hypot(1, across);
+    return lift > 0.5 * density_ * V * V * model_.wing_area *
+                      model_.aero.peak().lift_coefficient;
+  }
+
   void add_engine(Trim& t) const {
     if (!with_engine_) return;
     t.throttle = model_.engine.throttle_for(t.spin, t.v_AB_B.x(), density_);
@@ -163,8 +172,10 @@ TrimResult find_trim(const FixedWingModel& model, const TrimRequest& request,
   result.trim = problem.trim_of(x);
   problem.add_engine(result.trim);
   result.trim.residual = left.lpNorm<Eigen::Infinity>();
-  result.outcome = result.trim.residual < kBalanced ? problem.limits(result.trim)
-                                                    : TrimOutcome::kNoBalance;
+  if (result.trim.residual < kBalanced)
+    result.outcome = problem.limits(result.trim);
+  else if (problem.too_slow())
+    result.outcome = TrimOutcome::kStalled;
   return result;
 }
 
@@ -181,10 +192,8 @@ std::string reason(const FixedWingModel& model, const TrimResult& result) {
       return fmt::format("forces and moments cannot be balanced ({:.3g} m/s^2 is left)",
                          t.residual);
     case TrimOutcome::kStalled:
-      return fmt::format(
-          "the wing is stalled: needs an angle of attack of {:.1f} deg, "
-          "lifts most at {:.1f} deg",
-          geo::degrees(t.alpha), geo::degrees(model.aero.peak().alpha));
+      return fmt::format("the wing stalls, at an angle of attack of {:.1f} deg",
+                         geo::degrees(model.aero.peak().alpha));
     case TrimOutcome::kElevatorTooSmall:
       return surface("elevator", t.surfaces.elevator, model.servos.elevator_max);
     case TrimOutcome::kAileronTooSmall:

@@ -18,7 +18,7 @@ struct TrimRequest {
 enum class TrimOutcome {
   kFound,
   kNoBalance,         ///< forces and moments cannot be balanced at all
-  kStalled,           ///< only with the wing at or behind its largest lift
+  kStalled,           ///< the wing lifts less than that, or only when stalled
   kElevatorTooSmall,  ///< would need more deflection than there is
   kAileronTooSmall,   ///< same
   kRudderTooSmall,    ///< same
