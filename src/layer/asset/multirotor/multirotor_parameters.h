@@ -58,4 +58,8 @@ struct MultirotorParameters {
 /// airframe about all three axes, and `fastest` can be flown within `tilt_limit`.
 std::vector<ParameterFault> faults(const MultirotorParameters& parameters);
 
+/// Those of faults() that a plant cannot do without: numbers that are impossible one by
+/// one. The others say that it would fly badly, as one with errors in its parameters may.
+std::vector<ParameterFault> number_faults(const MultirotorParameters& parameters);
+
 }  // namespace skein::asset

@@ -60,14 +60,18 @@ void check_flight(ParameterCheck& check, const PerformanceParameters& p) {
 
 }  // namespace
 
+std::vector<ParameterFault> number_faults(const PerformanceParameters& parameters) {
+  ParameterCheck check;
+  check_numbers(check, parameters);
+  return check.take();
+}
+
 std::vector<ParameterFault> faults(const PerformanceParameters& parameters) {
-  ParameterCheck numbers;
-  check_numbers(numbers, parameters);
-  std::vector<ParameterFault> found = numbers.take();
+  std::vector<ParameterFault> found = number_faults(parameters);
   if (!found.empty()) return found;
-  ParameterCheck flight;
-  check_flight(flight, parameters);
-  return flight.take();
+  ParameterCheck check;
+  check_flight(check, parameters);
+  return check.take();
 }
 
 }  // namespace skein::asset

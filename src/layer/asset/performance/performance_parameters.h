@@ -52,4 +52,8 @@ struct PerformanceParameters {
 /// reserve, and cruise can be held, both with full tank at sea level.
 std::vector<ParameterFault> faults(const PerformanceParameters& parameters);
 
+/// Those of faults() that a plant cannot do without: numbers that are impossible one by
+/// one. The others say that it would fly badly, as one with errors in its parameters may.
+std::vector<ParameterFault> number_faults(const PerformanceParameters& parameters);
+
 }  // namespace skein::asset

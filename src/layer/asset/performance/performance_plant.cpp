@@ -48,7 +48,7 @@ struct PerformancePlant::Phase {
 
 PerformancePlant::PerformancePlant(const PerformanceParameters& parameters)
     : parameters_(parameters), model_(parameters), source_(source_of(parameters)) {
-  SKEIN_CHECK(faults(parameters).empty());
+  SKEIN_CHECK(number_faults(parameters).empty());
 }
 
 FlightLimits PerformancePlant::limits() const {
@@ -58,15 +58,21 @@ FlightLimits PerformancePlant::limits() const {
   const double climb = (model_.thrust(p.power, p.cruise) - drag) * p.cruise / weight;
   const double sink =
       (drag - model_.thrust(p.idle_power * p.power, p.cruise)) * p.cruise / weight;
-  const double margin =
-      p.cruise / (p.stall_reserve * model_.stall_speed(mass, kSeaLevel));
-  const double bank = std::min(p.bank_limit, std::acos(1 / (margin * margin)));
+  const double bank = steepest_bank(p.cruise, mass, kSeaLevel);
   return {p.cruise,
           p.cruise * p.cruise / (kGravity * std::tan(bank)),
-          std::min(p.climb_rate, climb),
+          std::clamp(climb, 0.0, p.climb_rate),
           p.slowest,
           p.fastest,
           std::min(p.sink_rate, sink)};
+}
+
+// The bank that the airspeed carries with its reserve; a little even when it is too slow.
+double PerformancePlant::steepest_bank(double airspeed, double mass,
+                                       double density) const {
+  const double least = parameters_.stall_reserve * model_.stall_speed(mass, density);
+  const double margin = least / airspeed;
+  return std::min(parameters_.bank_limit, std::acos(std::min(0.999, margin * margin)));
 }
 
 VehicleState PerformancePlant::start(const VehicleStart& start) const {
@@ -177,13 +183,8 @@ void PerformancePlant::step(VehicleState& state, const Control& control, const A
   Point point{Vec2::Zero(), 0, attitude.yaw, state.airspeed};
   double roll = std::clamp(attitude.roll, -kSteepest, kSteepest);
 
-  // The bank that the airspeed carries; some is left even when it is too slow.
-  const double margin =
-      state.airspeed /
-      (p.stall_reserve *
-       model_.stall_speed(model_.mass(state.energy.charge), air.density));
   const double steepest =
-      std::min(p.bank_limit, std::acos(std::min(0.999, 1 / (margin * margin))));
+      steepest_bank(state.airspeed, model_.mass(state.energy.charge), air.density);
   double roll_wanted = bounded_or(0, command.roll, -steepest, steepest);
   if (state.faults.is_dead(channel::kAileron) || state.faults.is_stuck(channel::kAileron))
     roll_wanted = roll;

@@ -365,5 +365,28 @@ TEST(MultirotorParameters, WhatCannotFlyIsRefused) {
   EXPECT_EQ(only_fault(p), "rotors");
 }
 
+TEST(MultirotorPlant, TellsWhatItsAutopilotMustKnow) {
+  const MultirotorParameters p;
+  const MultirotorPlant plant(p);
+  const auto airframe = std::get<MultirotorAirframe>(plant.airframe());
+  ASSERT_EQ(airframe.rotors.size(), 4u);
+  // Thrust and torque at half throttle, as told and as flown.
+  VehicleState s = plant.start({});
+  s.actuators.fill(p.fastest_rotor / 2);
+  s.actuators[1] = s.actuators[2] = s.actuators[3] = 0;
+  Actuators throttles;
+  throttles[0] = 0.5;
+  const VehicleState begin = s;
+  plant.step(s, throttles, {}, 1e-6);
+  const Vec3 acceleration = (s.v_N - begin.v_N) / 1e-6 - Vec3(0, 0, kGravity);
+  const double thrust = airframe.thrust_max * std::pow(0.5, airframe.thrust_exponent);
+  EXPECT_NEAR(acceleration.z() * p.mass, -thrust, 1e-4 * thrust);
+  const Vec3 moment = airframe.inertia.cwiseProduct(s.w_NB_B - begin.w_NB_B) / 1e-6;
+  const RotorPlace& rotor = airframe.rotors[0];
+  EXPECT_NEAR(moment.x(), -rotor.position.y() * thrust, 1e-4 * thrust);
+  EXPECT_NEAR(moment.y(), rotor.position.x() * thrust, 1e-4 * thrust);
+  EXPECT_NEAR(moment.z(), rotor.spin * airframe.torque_ratio * thrust, 1e-4 * thrust);
+}
+
 }  // namespace
 }  // namespace skein::asset

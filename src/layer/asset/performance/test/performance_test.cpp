@@ -289,5 +289,21 @@ TEST(PerformanceParameters, FaultsNameTheirKeys) {
   EXPECT_EQ(only_fault(p), "tank.fuel");
 }
 
+TEST(PerformanceParameters, OneThatFliesBadlyFliesAllTheSame) {
+  PerformanceParameters p;
+  p.mass = 900;  // cannot hold cruise, and stalls at its slowest airspeed
+  p.power = 30000;
+  EXPECT_FALSE(faults(p).empty());
+  ASSERT_TRUE(number_faults(p).empty());
+  const PerformancePlant plant(p);
+  const FlightLimits limits = plant.limits();
+  EXPECT_EQ(limits.climb_rate, 0);
+  EXPECT_GT(limits.turn_radius, 0);
+  VehicleState s = plant.start({});
+  s = fly(plant, s, {0.7, 20, 5}, {}, 60);
+  EXPECT_TRUE(s.p_N.allFinite());
+  EXPECT_LT(climb_rate(s), 0);
+}
+
 }  // namespace
 }  // namespace skein::asset
