@@ -10,40 +10,41 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kFilterDamping = 0.9;
-constexpr double kFlareGain =
-    0.8;  // path angle per error of the sink rate, times airspeed
-constexpr double kSlowMargin = 0.1;  // of the least airspeed, over which weights change
+constexpr double kFlareGain = 0.8;    // path angle times airspeed per sink rate error
+constexpr double kFlareSpeed = 1.05;  // airspeed of touching down, over the least
+constexpr double kSettles = 0.7;  // so long without the demanded sink: on the ground [s]
+constexpr double kRolls = 0.85;   // of the least airspeed
+constexpr double kSlowFrom = 1.03;  // times the least airspeed pitch begins to serve it,
+constexpr double kSlowMargin = 0.15;  // and this much below serves nothing else
+constexpr double kLevelShare = 0.3;   // of the demanded sink rate
+constexpr double kSteepPath = 0.17;   // [rad]
 constexpr double kOverspeedMargin = 0.05;
 constexpr double kMostPathSum = 0.3;  // [rad]
 constexpr double kMostThrottleSum = 0.8;
-
-// How much pitch serves height and airspeed.
-struct Weights {
-  double height = 1, airspeed = 1;
-};
 
 // Throttle that holds a specific power above level flight at cruise.
 double throttle_for(const FixedWingSetup& setup, double power) {
   return setup.airframe.trim_throttle + setup.throttle_slope * power;
 }
 
-// Angle of attack that carries the load factor at this airspeed, up to that at the least
-// airspeed.
-double angle_of_attack(const FixedWingSetup& setup, double load, double speed) {
+// Angle of attack that carries the load factor at this airspeed.
+// `reserve`: most lift, over the weight at the least airspeed.
+double angle_of_attack(const FixedWingSetup& setup, double load, double speed,
+                       double reserve) {
   const FixedWingAirframe& a = setup.airframe;
   const double lift = std::min(load * (a.cruise * a.cruise) / (speed * speed),
-                               1.1 * (a.cruise * a.cruise) / (a.slowest * a.slowest));
+                               reserve * (a.cruise * a.cruise) / (a.slowest * a.slowest));
   return a.trim_alpha + setup.alpha_per_load * (lift - 1);
 }
 
-Weights weights(FlightPhase phase, double speed, double slowest,
-                const FixedWingAirframe& a) {
-  const bool fixed_throttle =
-      phase == FlightPhase::kGlide || phase == FlightPhase::kClimbOut || !a.motor;
-  if (fixed_throttle) return {0, 1};
-  const double slow = (slowest - speed) / (kSlowMargin * slowest);
-  const double fast = (speed - a.fastest) / (kOverspeedMargin * a.fastest);
-  return {1 - bounded(std::max(slow, fast), 0, 1), 1};
+// How far the airspeed is too low for the height to count, from 0 to 1.
+double slowness(double speed, double slowest) {
+  return bounded((kSlowFrom * slowest - speed) / (kSlowMargin * slowest), 0, 1);
+}
+
+// The same for too fast.
+double fastness(double speed, double fastest) {
+  return bounded((speed - fastest) / (kOverspeedMargin * fastest), 0, 1);
 }
 
 }  // namespace
@@ -74,89 +75,111 @@ void EnergyControl::filter(const FixedWingGains& g, const EnergyView& view, doub
                    1e3);
 }
 
+EnergyControl::Rates EnergyControl::rates(const FixedWingSetup& setup,
+                                          const FixedWingDemand& demand,
+                                          const EnergyView& view, double speed) const {
+  const FixedWingGains& g = setup.gains;
+  const FixedWingAirframe& a = setup.airframe;
+  const bool flare = demand.phase == FlightPhase::kFlare;
+  // Lift grows with the square of airspeed, so the least airspeed with the load's root.
+  const double slowest = std::min(a.slowest * std::sqrt(view.load), a.fastest);
+  Rates r;
+  r.too_slow = slowness(speed_, slowest);
+  const bool thrust_given = !a.motor || demand.phase == FlightPhase::kGlide ||
+                            demand.phase == FlightPhase::kClimbOut;
+  r.height_weight =
+      thrust_given ? 0 : 1 - std::max(r.too_slow, fastness(speed_, a.fastest));
+  const double speed_demand =
+      bounded(flare ? std::min(demand.airspeed, kFlareSpeed * slowest) : demand.airspeed,
+              slowest, a.fastest);
+  const double to_power = speed / kGravity;  // acceleration to specific power
+  // By throttle what the motor can give; by pitch what a path angle of 10 degrees gives.
+  const double by_pitch = (1 - r.height_weight) * kSteepPath * kGravity;
+  const double kinetic_demand =
+      to_power * bounded(g.airspeed_gain * (speed_demand - speed_),
+                         -std::max(by_pitch, 0.5 * a.sink_rate / to_power),
+                         std::max(by_pitch, 0.5 * a.climb_rate / to_power));
+  const double climb_demand = bounded(
+      demand.climb_rate + g.height_gain * (demand.altitude_msl - view.altitude_msl),
+      -a.sink_rate, a.climb_rate);
+  const double kinetic = to_power * acceleration_;
+  r.energy = view.climb_rate + kinetic;
+  r.energy_demand = bounded(climb_demand + kinetic_demand, -a.sink_rate, a.climb_rate);
+  r.balance = r.height_weight * view.climb_rate - kinetic;
+  r.balance_demand = r.height_weight * climb_demand - kinetic_demand;
+  r.turn_power =
+      g.turn_drag * a.sink_rate * (view.load * view.load - 1) * a.cruise / speed;
+  return r;
+}
+
+void EnergyControl::move_throttle(const FixedWingSetup& setup, FlightPhase phase,
+                                  const Rates& r, double dt) {
+  const FixedWingGains& g = setup.gains;
+  const FixedWingAirframe& a = setup.airframe;
+  const double error = r.energy_demand - r.energy;
+  const double wanted = throttle_for(setup, r.energy_demand + r.turn_power) +
+                        setup.throttle_slope * g.energy_rate_gain * error + throttle_sum_;
+  const bool stands = speed_ < kRolls * a.slowest || settled_ > kSettles;
+  double aim = bounded(wanted, 0, 1);
+  if (!a.motor || phase == FlightPhase::kGlide ||
+      (phase == FlightPhase::kFlare && stands)) {
+    aim = 0;
+  } else if (phase == FlightPhase::kClimbOut) {
+    aim = 1;
+  } else if (phase != FlightPhase::kFlare && r.too_slow > 0) {
+    aim += r.too_slow * (1 - aim);
+  } else if ((wanted < 1 || error < 0) && (wanted > 0 || error > 0)) {
+    throttle_sum_ =
+        bounded(throttle_sum_ + setup.throttle_slope * g.energy_integral * error * dt,
+                kMostThrottleSum);
+  }
+  const double most = g.throttle_rate * dt;
+  throttle_ = bounded(bounded(aim, throttle_ - most, throttle_ + most), 0, 1);
+}
+
+void EnergyControl::move_pitch(const FixedWingSetup& setup, const FixedWingDemand& demand,
+                               const EnergyView& view, const Rates& r, double alpha,
+                               double speed, double dt) {
+  const FixedWingGains& g = setup.gains;
+  const FixedWingAirframe& a = setup.airframe;
+  const bool flare = demand.phase == FlightPhase::kFlare;
+  const double error = r.balance_demand - r.balance;
+  const double path =  // path angle times airspeed [m/s]
+      flare ? demand.climb_rate + kFlareGain * (demand.climb_rate - view.climb_rate)
+            : r.carried() + r.balance_demand + g.balance_gain * error + path_sum_;
+  const double lowest = flare || demand.phase == FlightPhase::kClimbOut
+                            ? std::min(a.trim_alpha, 0.0)
+                            : a.pitch_down;
+  const double wanted = alpha + path / speed;
+  const double most = g.vertical_acceleration / speed * dt;
+  pitch_ = bounded(bounded(wanted, lowest, a.pitch_up), pitch_ - most, pitch_ + most);
+  if (!flare && (wanted < a.pitch_up || error < 0) && (wanted > lowest || error > 0))
+    path_sum_ =
+        bounded(path_sum_ + g.balance_integral * error * dt, kMostPathSum * speed);
+}
+
 EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
                                  const FixedWingDemand& demand, const EnergyView& view,
                                  double dt) {
   const FixedWingGains& g = setup.gains;
-  const FixedWingAirframe& a = setup.airframe;
   filter(g, view, dt);
-  const double speed = std::max(speed_, 0.5 * a.slowest);
-  const double to_power = speed / kGravity;  // acceleration to specific power
+  const bool flare = demand.phase == FlightPhase::kFlare;
+  const bool level =
+      std::abs(view.climb_rate) < kLevelShare * std::abs(demand.climb_rate);
+  settled_ = flare ? bounded(settled_ + (level ? 1 : -0.5) * dt, 0, 2 * kSettles) : 0;
 
-  // Lift grows with the square of airspeed, so the least airspeed with the load's root.
-  const double slowest = a.slowest * std::sqrt(view.load);
-  const Weights weight = weights(demand.phase, speed_, slowest, a);
-  const double speed_demand =
-      bounded(demand.airspeed, std::min(slowest, a.fastest), a.fastest);
-  // By throttle what the motor can give; by pitch what a path angle of 10 degrees gives.
-  const double by_pitch = (1 - weight.height) * 0.17 * kGravity;
-  const double acceleration_demand =
-      bounded(g.airspeed_gain * (speed_demand - speed_),
-              -std::max(by_pitch, 0.5 * a.sink_rate / to_power),
-              std::max(by_pitch, 0.5 * a.climb_rate / to_power));
-  const double climb_demand = bounded(
-      demand.climb_rate + g.height_gain * (demand.altitude_msl - view.altitude_msl),
-      -a.sink_rate, a.climb_rate);
-
-  const double kinetic = to_power * acceleration_;
-  const double energy = view.climb_rate + kinetic;
-  const double energy_demand =
-      bounded(climb_demand + to_power * acceleration_demand, -a.sink_rate, a.climb_rate);
-  const double turn_power =
-      g.turn_drag * a.sink_rate * (view.load * view.load - 1) * a.cruise / speed;
-  const double balance_demand =
-      weight.height * climb_demand - weight.airspeed * to_power * acceleration_demand;
-  const double balance = weight.height * view.climb_rate - weight.airspeed * kinetic;
-  const double alpha = angle_of_attack(setup, view.load, speed);
-  const double carried = (1 - weight.height) * energy;
+  const double speed = std::max(speed_, 0.5 * setup.airframe.slowest);
+  const Rates r = rates(setup, demand, view, speed);
+  const double alpha =
+      angle_of_attack(setup, view.load, speed, flare ? g.flare_reserve : g.lift_reserve);
   if (fresh_) {
     // So that going on as now would leave pitch and throttle where they are.
-    path_sum_ = (pitch_ - alpha) * speed - carried - balance;
-    throttle_sum_ = throttle_ - throttle_for(setup, energy + turn_power);
+    path_sum_ = (pitch_ - alpha) * speed - r.carried() - r.balance;
+    throttle_sum_ = throttle_ - throttle_for(setup, r.energy + r.turn_power);
     fresh_ = false;
   }
-
-  const double energy_error = energy_demand - energy;
-  const double throttle_wanted =
-      throttle_for(setup, energy_demand + turn_power) +
-      setup.throttle_slope * g.energy_rate_gain * energy_error + throttle_sum_;
-  double throttle_aim = bounded(throttle_wanted, 0, 1);
-  const bool fixed = demand.phase == FlightPhase::kGlide ||
-                     demand.phase == FlightPhase::kClimbOut ||
-                     demand.phase == FlightPhase::kFlare || !a.motor;
-  if (fixed) {
-    throttle_aim = demand.phase == FlightPhase::kClimbOut && a.motor ? 1 : 0;
-  } else if (weight.height < 1 && speed_ < slowest) {
-    throttle_aim += (1 - weight.height) * (1 - throttle_aim);
-  } else if ((throttle_wanted < 1 || energy_error < 0) &&
-             (throttle_wanted > 0 || energy_error > 0)) {
-    throttle_sum_ = bounded(
-        throttle_sum_ + setup.throttle_slope * g.energy_integral * energy_error * dt,
-        kMostThrottleSum);
-  }
-  throttle_ = bounded(throttle_aim, throttle_ - g.throttle_rate * dt,
-                      throttle_ + g.throttle_rate * dt);
-
-  double path;  // path angle times airspeed [m/s]
-  if (demand.phase == FlightPhase::kFlare) {
-    path = demand.climb_rate + (demand.climb_rate - view.climb_rate) * kFlareGain;
-  } else {
-    path = carried + balance_demand + g.balance_gain * (balance_demand - balance) +
-           path_sum_;
-  }
-  const double lowest =
-      demand.phase == FlightPhase::kClimbOut || demand.phase == FlightPhase::kFlare
-          ? std::min(a.trim_alpha, 0.0)
-          : a.pitch_down;
-  const double pitch_wanted = alpha + path / speed;
-  const double pitch_aim = bounded(pitch_wanted, lowest, a.pitch_up);
-  const double most = g.vertical_acceleration / speed * dt;
-  pitch_ = bounded(pitch_aim, pitch_ - most, pitch_ + most);
-  const double balance_error = balance_demand - balance;
-  if ((pitch_wanted < a.pitch_up || balance_error < 0) &&
-      (pitch_wanted > lowest || balance_error > 0) && demand.phase != FlightPhase::kFlare)
-    path_sum_ = bounded(path_sum_ + g.balance_integral * balance_error * dt,
-                        kMostPathSum * speed);
+  move_throttle(setup, demand.phase, r, dt);
+  move_pitch(setup, demand, view, r, alpha, speed, dt);
   return {pitch_, throttle_};
 }
 

@@ -54,7 +54,25 @@ class EnergyControl {
                     const EnergyView& view, double dt);
 
  private:
+  // Rates of energy over weight [m/s], and how they are to be served.
+  struct Rates {
+    double energy = 0, energy_demand = 0;
+    double balance = 0, balance_demand = 0;
+    double turn_power = 0;     // that the bank costs
+    double height_weight = 1;  // of the height in the balance
+    double too_slow = 0;       // 0 to 1
+    // Path angle times airspeed that energy not used for airspeed makes.
+    double carried() const { return (1 - height_weight) * energy; }
+  };
+
   void filter(const FixedWingGains& gains, const EnergyView& view, double dt);
+  Rates rates(const FixedWingSetup& setup, const FixedWingDemand& demand,
+              const EnergyView& view, double speed) const;
+  void move_throttle(const FixedWingSetup& setup, FlightPhase phase, const Rates& rates,
+                     double dt);
+  void move_pitch(const FixedWingSetup& setup, const FixedWingDemand& demand,
+                  const EnergyView& view, const Rates& rates, double alpha, double speed,
+                  double dt);
 
   double gust_ = 0;          // airspeed beyond the calm one, filtered [m/s]
   double speed_ = 0;         // filtered [m/s]
@@ -63,6 +81,7 @@ class EnergyControl {
   double path_sum_ = 0;      // of the path angle times airspeed [m/s]
   double pitch_ = 0;         // last demanded [rad]
   double throttle_ = 0;      // last
+  double settled_ = 0;       // time in the flare without sinking [s]
   bool fresh_ = true;        // the integrators are to be set so that nothing jumps
 };
 

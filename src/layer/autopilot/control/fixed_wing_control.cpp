@@ -102,6 +102,7 @@ Actuators FixedWingControl::ground_run(double lateral_acceleration, const NavSta
   SurfaceDemand demand;
   demand.pitch = setup_->airframe.trim_alpha;
   demand.airspeed = energy_.airspeed();
+  demand.lift_reserve = setup_->gains.lift_reserve;
   demand.extra_turn =
       turn + setup_->gains.run_heading_gain * geo::cross(heading, run_heading_);
   surfaces_.reset();  // the ground holds against them
@@ -132,7 +133,11 @@ Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavStat
     return ground_run(demand.lateral_acceleration, nav, posture, dt);
   move_roll(bank_demand(demand, nav), dt);
   const EnergyOutput energy = energy_.step(*setup_, demand, view_of(nav, posture), dt);
-  surfaces_.step(*setup_, {roll_, roll_rate_, energy.pitch, energy_.airspeed(), 0}, nav,
+  const FixedWingGains& g = setup_->gains;
+  const double reserve =
+      demand.phase == FlightPhase::kFlare ? g.flare_reserve : g.lift_reserve;
+  surfaces_.step(*setup_,
+                 {roll_, roll_rate_, energy.pitch, energy_.airspeed(), reserve, 0}, nav,
                  posture, dt, last_);
   last_[channel::kThrottle] = bounded(energy.throttle, 0, 1);
   return last_;
@@ -149,6 +154,7 @@ Actuators FixedWingControl::stabilize(const AttitudeDemand& demand, const NavSta
   surface.roll = roll_;
   surface.roll_rate = roll_rate_;
   surface.airspeed = energy_.airspeed();
+  surface.lift_reserve = setup_->gains.lift_reserve;
   surface.pitch =
       std::isfinite(demand.pitch) ? bounded(demand.pitch, a.pitch_down, a.pitch_up) : 0;
   surface.extra_turn = bounded(demand.yaw_rate, 1);

@@ -22,6 +22,9 @@ struct FixedWingGains {
   double pitch_rate_integral = 8;  ///< and per its integral [1/s^2]
   double pitch_rate_limit = 0.8;   ///< [rad/s]
   double load_limit = 3;           ///< largest load factor asked for
+  double lift_reserve =
+      1.3;  ///< most lift asked for, over the weight at the least airspeed
+  double flare_reserve = 1.6;  ///< the same, touching down
   // Yaw.
   double yaw_rate_gain = 2;     ///< yaw acceleration per rate error [1/s]
   double sideslip_gain = 1;     ///< yaw acceleration per sine of sideslip [1/s^2]

@@ -37,8 +37,8 @@ void SurfaceControl::step(const FixedWingSetup& setup, const SurfaceDemand& dema
       bounded(g.pitch_gain * (demand.pitch - at.pitch), g.pitch_rate_limit);
   const double p = roll_rate - at.sin_pitch * turn;
   const double level_load = at.cos_pitch * at.cos_roll;
-  const double most_load =
-      std::min(g.load_limit, 1.1 * (speed * speed) / (a.slowest * a.slowest));
+  const double most_load = std::min(
+      g.load_limit, demand.lift_reserve * (speed * speed) / (a.slowest * a.slowest));
   const double q = bounded(at.cos_roll * pitch_rate + at.cos_pitch * at.sin_roll * turn,
                            (-level_load) * kGravity / speed,
                            std::max(0.0, most_load - level_load) * kGravity / speed);

@@ -9,11 +9,12 @@ namespace skein::autopilot {
 
 /// Attitude for the surfaces.
 struct SurfaceDemand {
-  double roll = 0;        ///< [rad]
-  double roll_rate = 0;   ///< at which that changes [rad/s]
-  double pitch = 0;       ///< [rad]
-  double airspeed = 0;    ///< without noise, for the effect of surfaces [m/s]
-  double extra_turn = 0;  ///< turn rate beyond that of a turn without sideslip [rad/s]
+  double roll = 0;          ///< [rad]
+  double roll_rate = 0;     ///< at which that changes [rad/s]
+  double pitch = 0;         ///< [rad]
+  double airspeed = 0;      ///< without noise, for the effect of surfaces [m/s]
+  double lift_reserve = 1;  ///< most lift, over the weight at the least airspeed
+  double extra_turn = 0;    ///< turn rate beyond that of a turn without sideslip [rad/s]
 };
 
 /// The inner loops of a fixed wing: attitude to turn rates, turn rates to surfaces.
