@@ -22,7 +22,7 @@ struct Flow {
 
   /// @param v_AB_B  (u, v, w): velocity of the aircraft through the air [m/s]. At rest
   ///                both angles are 0.
-  explicit Flow(const Vec3& v_AB_B) {
+  [[gnu::always_inline]] explicit Flow(const Vec3& v_AB_B) {
     const double u = v_AB_B.x(), v = v_AB_B.y(), w = v_AB_B.z();
     const double in_plane2 = u * u + w * w;
     airspeed = std::sqrt(in_plane2 + v * v);
@@ -59,8 +59,8 @@ class Aerodynamics {
 
   /// @param w_AB_B   rate of turn relative to the air [rad/s].
   /// @param density  [kg/m^3].
-  Wrench loads(const Flow& flow, const Vec3& w_AB_B, const Surfaces& d,
-               double density) const {
+  [[gnu::always_inline]] Wrench loads(const Flow& flow, const Vec3& w_AB_B,
+                                      const Surfaces& d, double density) const {
     const double half_rho_V = 0.5 * density * flow.airspeed;
     const double qS = half_rho_V * flow.airspeed * area_;
     const double p = w_AB_B.x(), q = w_AB_B.y(), r = w_AB_B.z();

@@ -247,7 +247,7 @@ void FixedWingPlant::short_step(VehicleState& state, const Actuators& control,
 
   rk4_step(model_.body, motion, dt, [&](const Stage& stage) {
     const auto k = static_cast<std::size_t>(stage.halves);
-    const Vec3 v_AB_B = stage.R_NB.transpose() * (stage.motion.v_N - air.wind_N);
+    const Vec3 v_AB_B = in_body(stage.R_NB, stage.motion.v_N - air.wind_N);
     const double rho = density.at(-stage.motion.p_N.z() - altitude);
     const Wrench wrench = model_.loads(Flow(v_AB_B), stage.motion.w_NB_B - air.rates_B,
                                        {aileron[k], elevator[k], rudder[k]}, rho,

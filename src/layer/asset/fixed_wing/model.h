@@ -20,8 +20,9 @@ struct FixedWingModel {
         wing_area(parameters.geometry.area) {}
 
   /// All forces and moments but gravity.
-  Wrench loads(const Flow& flow, const Vec3& w_AB_B, const Surfaces& surfaces,
-               double density, const Engine::Output& engine_output) const {
+  [[gnu::always_inline]] Wrench loads(const Flow& flow, const Vec3& w_AB_B,
+                                      const Surfaces& surfaces, double density,
+                                      const Engine::Output& engine_output) const {
     Wrench wrench = aero.loads(flow, w_AB_B, surfaces, density);
     wrench.force_B.x() += engine_output.thrust;
     wrench.moment_B.x() -= engine_output.torque;

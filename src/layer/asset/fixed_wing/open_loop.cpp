@@ -27,7 +27,7 @@ Wrench wrench_at(const FixedWingModel& model, const Flow& flow, const Vec3& w_NB
 
 OpenLoopOutput output_at(const FixedWingModel& model, const Motion& motion,
                          const OpenLoopInput& input) {
-  const Vec3 v_AB_B = rotation(motion.q_NB).transpose() * (motion.v_N - input.wind_N);
+  const Vec3 v_AB_B = in_body(rotation(motion.q_NB), motion.v_N - input.wind_N);
   const Flow flow(v_AB_B);
   const Wrench wrench = wrench_at(model, flow, motion.w_NB_B, input, -motion.p_N.z());
   return {motion, flow.alpha, flow.beta, flow.airspeed,
@@ -57,7 +57,7 @@ std::vector<OpenLoopOutput> fly_open_loop(const FixedWingModel& model,
       const auto loads_at = [&](const Stage& stage) {
         const OpenLoopInput input =
             between(from, to, (part + 0.5 * stage.halves) / parts);
-        const Vec3 v_AB_B = stage.R_NB.transpose() * (stage.motion.v_N - input.wind_N);
+        const Vec3 v_AB_B = in_body(stage.R_NB, stage.motion.v_N - input.wind_N);
         const double altitude = -stage.motion.p_N.z();
         const Wrench wrench =
             wrench_at(model, Flow(v_AB_B), stage.motion.w_NB_B, input, altitude);
