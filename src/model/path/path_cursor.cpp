@@ -30,11 +30,11 @@ PathCursor::Candidate PathCursor::nearest_on(const Element& e, const Vec2& p, do
                                              double high, double best) {
   if (e.radius == 0) {
     const double s = std::clamp((p - e.start).dot(e.tangent), low, high);
-    return {s, (p - e.start - s * e.tangent).squaredNorm()};
+    return {s, (p - e.start - s * e.tangent).squaredNorm(), false};
   }
   const Vec2 to_p = p - e.centre;
   const double off = to_p.norm() - e.radius;
-  if (off * off >= best) return {low, off * off};
+  if (off * off >= best) return {low, off * off, false};
   const Vec2 to_start = e.start - e.centre;
   const double turned =
       e.side * std::atan2(geo::cross(to_start, to_p), to_start.dot(to_p)) * e.radius;
@@ -43,9 +43,9 @@ PathCursor::Candidate PathCursor::nearest_on(const Element& e, const Vec2& p, do
   const double turn = 2 * geo::kPi * e.radius;
   double s = turned + turn * std::round(((low + high) / 2 - turned) / turn);
   if (s - turn >= low) s -= turn * std::floor((s - low) / turn);
-  if (s >= low && s <= high) return {s, off * off};
+  if (s >= low && s <= high) return {s, off * off, true};
   s = std::clamp(s, low, high);
-  return {s, (p - point_of(e, s).position).squaredNorm()};
+  return {s, (p - point_of(e, s).position).squaredNorm(), false};
 }
 
 TrackPoint PathCursor::point_of(const Element& e, double s) {
@@ -65,7 +65,7 @@ PathCursor::Place PathCursor::project(const Vec2& p, double from, double to) {
 
   // The last element first: its distance rules most others out at once.
   std::size_t best_index = current_;
-  Candidate best{0, std::numeric_limits<double>::infinity()};
+  Candidate best{0, std::numeric_limits<double>::infinity(), false};
   const auto look_at = [&](std::size_t i) {
     const Element& e = elements_[i];
     const double low = std::max(from - e.begin, 0.0);
@@ -95,7 +95,15 @@ PathCursor::Place PathCursor::project(const Vec2& p, double from, double to) {
   place.along = e.begin + best.s;
   place.remaining = length_ - place.along;
   place.course = e.course + e.curvature * best.s;
-  place.point = point_of(e, best.s);
+  const Vec2 out = p - e.centre;
+  const double distance = out.norm();
+  if (best.beside && distance > 0) {
+    // The direction to p is that of the nearest point: no angle functions.
+    place.point = {e.centre + e.radius / distance * out,
+                   e.side / distance * geo::turned_right(out), e.curvature};
+  } else {
+    place.point = point_of(e, best.s);
+  }
   place.cross_track = geo::cross(place.point.tangent, p - place.point.position);
   return place;
 }

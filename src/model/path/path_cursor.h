@@ -72,6 +72,7 @@ class PathCursor {
   struct Candidate {
     double s = 0;  // along the element
     double distance2 = 0;
+    bool beside = false;  // of an arc, not clamped: p lies on its radius through s
   };
   static Candidate nearest_on(const Element& e, const Vec2& p, double low, double high,
                               double best);

@@ -23,14 +23,11 @@ GroundMotion over_ground(const FixedWingMotion& now) {
 
 // The law in use, on a line whose nearest point to the motion ahead is known.
 template <class Line>
-double lateral(const LateralOptions& options, const Line& line,
+double lateral(const LateralOptions& options, const Sight& sight, const Line& line,
                const model::TrackPoint& nearest, double cross_track,
                const GroundMotion& ahead) {
   if (options.law == LateralLaw::kCourse)
     return course_law(nearest, cross_track, ahead.velocity, options.course);
-  const double speed = ahead.velocity.norm();
-  const Sight sight = options.law == LateralLaw::kL1 ? l1_sight(speed, options.l1)
-                                                     : l2_plus_sight(speed, options.l2);
   return sight_law(sight, line, nearest, cross_track, ahead);
 }
 
@@ -77,6 +74,8 @@ FixedWingGuidance::FixedWingGuidance(const FixedWingGuidanceOptions& options,
     : options_(options),
       limits_(limits),
       home_N_(home_N),
+      sight_(options.lateral.law == LateralLaw::kL1 ? l1_sight(options.lateral.l1)
+                                                    : l2_plus_sight(options.lateral.l2)),
       most_lateral_(limits.airspeed * limits.airspeed / limits.turn_radius) {
   // In a turn the lift is g / cos(bank): the slowest airspeed grows with its root.
   const double load = std::sqrt(1 + std::pow(most_lateral_ / kGravity, 2));
@@ -251,8 +250,8 @@ double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& de
     status_.remaining = std::max(distance - hold_.radius, 0.0);
     status_.done = status_.done || distance <= 1.2 * hold_.radius;
   }
-  return lateral(options_.lateral, line, line.nearest(), line.cross_track(ahead.position),
-                 ahead);
+  return lateral(options_.lateral, sight_, line, line.nearest(),
+                 line.cross_track(ahead.position), ahead);
 }
 
 double FixedWingGuidance::steer(const model::PathCursor& path,
@@ -263,7 +262,7 @@ double FixedWingGuidance::steer(const model::PathCursor& path,
   const double along = place.along + moved(place.point, place.cross_track,
                                            ahead.position - motion.position);
   const model::TrackPoint nearest = path.at(along);
-  return lateral(options_.lateral, PathAhead{path, along}, nearest,
+  return lateral(options_.lateral, sight_, PathAhead{path, along}, nearest,
                  off_track(nearest, ahead.position), ahead);
 }
 
@@ -326,7 +325,7 @@ double FixedWingGuidance::follow_plan(const FixedWingMotion& now, double dt,
       plan_time_ +
       moved(track, status_.cross_track, ahead.position - motion.position) / per_second;
   const model::TrackPoint nearest = model::PlanCurve::track(plan_.at(then));
-  return lateral(options_.lateral, PlanAhead{plan_, then, per_second}, nearest,
+  return lateral(options_.lateral, sight_, PlanAhead{plan_, then, per_second}, nearest,
                  off_track(nearest, ahead.position), ahead);
 }
 

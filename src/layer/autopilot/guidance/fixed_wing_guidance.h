@@ -106,6 +106,7 @@ class FixedWingGuidance {
   FixedWingGuidanceOptions options_;
   FlightLimits limits_;
   Vec3 home_N_;
+  Sight sight_;
   double most_lateral_;  // acceleration at the bank limit [m/s^2]
   double turn_slowest_;  // least airspeed in a turn at the bank limit [m/s]
 

@@ -37,16 +37,23 @@ double course_law(const model::TrackPoint& line, double cross_track, const Vec2&
          line.curvature * speed * speed * cosine / shrink;
 }
 
-Sight l1_sight(double ground_speed, const L1Options& options) {
-  return {std::max(options.damping * options.period * ground_speed / geo::kPi, 1.0),
-          4 * options.damping * options.damping,
-          4 * options.damping * options.damping - 2, std::cos(options.intercept),
+Sight l1_sight(const L1Options& options) {
+  const double gain = 4 * options.damping * options.damping;
+  return {options.damping * options.period / geo::kPi,
+          1,
+          gain,
+          gain - 2,
+          std::cos(options.intercept),
           std::sin(options.intercept)};
 }
 
-Sight l2_plus_sight(double ground_speed, const L2PlusOptions& options) {
-  return {std::max(options.time * ground_speed, options.least), 2, 2,
-          std::cos(options.intercept), std::sin(options.intercept)};
+Sight l2_plus_sight(const L2PlusOptions& options) {
+  return {options.time,
+          options.least,
+          2,
+          2,
+          std::cos(options.intercept),
+          std::sin(options.intercept)};
 }
 
 CircleLine CircleLine::nearest_to(const Vec2& p, const Vec2& centre, double radius,

@@ -77,11 +77,15 @@ double course_law(const model::TrackPoint& line, double cross_track, const Vec2&
 
 /// What a line of sight law aims with.
 struct Sight {
-  double distance = 1;  ///< L, to the point that is aimed at [m]
-  double gain = 2;      ///< K: a = K V^2 / L sin(eta)
-  double leads = 0;     ///< M: how much of a turn of the line is told, not seen; 0 to K
-  double cosine = 0;    ///< of the intercept angle
-  double sine = 1;
+  double time = 1;   ///< L = max(time V, least): distance to the point aimed at
+  double least = 1;  ///< [m]
+  double gain = 2;   ///< K: a = K V^2 / L sin(eta)
+  double leads = 0;  ///< M: how much of a turn of the line is told, not seen; 0 to K
+  double cosine = 0, sine = 1;  ///< of the intercept angle
+
+  double distance(double ground_speed) const {
+    return std::max(time * ground_speed, least);
+  }
 };
 
 /// [Park07] with the period T and damping ratio zeta of the small motion about a line:
@@ -90,11 +94,11 @@ struct Sight {
 ///
 /// About a straight line sin(eta) = -e/L - e'/V, so e'' + K V/L e' + K V^2/L^2 e = 0: the
 /// frequency is 2 pi / T and the damping zeta. Turns begin when the point aimed at turns.
-Sight l1_sight(double ground_speed, const L1Options& options);
+Sight l1_sight(const L1Options& options);
 
 /// [Curry13] L = max(T* V, least), K = 2, so a = 2 V sin(eta) / T*; with M = K: turns
 /// begin where the line does.
-Sight l2_plus_sight(double ground_speed, const L2PlusOptions& options);
+Sight l2_plus_sight(const L2PlusOptions& options);
 
 /// Line of sight law.
 ///
@@ -116,24 +120,25 @@ template <class Line>
 double sight_law(const Sight& sight, const Line& line, const model::TrackPoint& nearest,
                  double cross_track, const GroundMotion& motion) {
   const double speed = motion.velocity.norm();
+  const double reach = sight.distance(speed);
   const double off = std::abs(cross_track);
-  if (off >= sight.distance * sight.sine) {
+  if (off >= reach * sight.sine) {
     const Vec2 right = geo::turned_right(nearest.tangent);
     const Vec2 wanted =
         sight.cosine * nearest.tangent - std::copysign(sight.sine, cross_track) * right;
-    return turn_towards(wanted, motion.velocity, sight.gain * speed / sight.distance);
+    return turn_towards(wanted, motion.velocity, sight.gain * speed / reach);
   }
-  const double ahead = std::sqrt(sight.distance * sight.distance - off * off);
+  const double ahead = std::sqrt(reach * reach - off * off);
   const Vec2 target = line.at(ahead).position;
   const Vec2 to = target - motion.position;
   const double length = std::max(to.norm(), 1e-9);
   // On the inside of a turn the point comes nearer; half the distance bounds the gain.
-  const double gain = sight.gain * speed / std::max(length, sight.distance / 2);
+  const double gain = sight.gain * speed / std::max(length, reach / 2);
   double a = turn_towards(to / length, motion.velocity, gain);
   if (sight.leads != 0) {
     const Vec2 seen = target - nearest.position;
     const double chord = std::max(seen.norm(), 1e-9);
-    a -= sight.leads * speed * speed / std::max(chord, sight.distance / 2) *
+    a -= sight.leads * speed * speed / std::max(chord, reach / 2) *
          geo::cross(nearest.tangent, seen) / chord;
   }
   return a + (sight.leads - sight.gain + 2) / 2 * nearest.curvature * speed * speed;

@@ -42,12 +42,14 @@ struct Judge {
     return level2 <= 0 ? 0 : std::max(std::sqrt(level2) + wind.dot(course), 0.0);
   }
 
-  Reason course(const Vec2& course, const std::string& what) const {
+  // `what` gives the subject's words: put together only when there is something to say.
+  template <class What>
+  Reason course(const Vec2& course, const What& what) const {
     if (ground_speed(course, limits.fastest) > 0) return {};
     return fmt::format(
         "{} at {:.0f} deg cannot be made good in {:.1f} m/s of wind at {:.1f} m/s at "
         "most",
-        what, geo::degrees(geo::wrap_2pi(geo::bearing(course))), wind.norm(),
+        what(), geo::degrees(geo::wrap_2pi(geo::bearing(course))), wind.norm(),
         limits.fastest);
   }
 
@@ -67,9 +69,10 @@ struct Judge {
   }
 
   // A turn from a course by an angle (right positive) at a radius.
-  Reason turn(double from, double angle, double radius, const std::string& what) const {
+  template <class What>
+  Reason turn(double from, double angle, double radius, const What& what) const {
     if (hovers()) return {};
-    if (!(radius > 0)) return fmt::format("{} has no radius", what);
+    if (!(radius > 0)) return fmt::format("{} has no radius", what());
     double most = 0;
     const double downwind = geo::bearing(wind);
     // The need is largest downwind, if the turn comes there; else near one of its ends.
@@ -85,15 +88,16 @@ struct Judge {
         "{} has a radius of {:.0f} m: {:.0f} m is the least at {:.1f} m/s in {:.1f} m/s "
         "of "
         "wind",
-        what, radius, std::ceil(least), limits.slowest, wind.norm());
+        what(), radius, std::ceil(least), limits.slowest, wind.norm());
   }
 
-  Reason climb(double rate, const std::string& what) const {
+  template <class What>
+  Reason climb(double rate, const What& what) const {
     if (rate > limits.climb_rate * (1 + kClimbSlack))
-      return fmt::format("{} climbs at {:.1f} m/s: {:.1f} m/s is the most", what, rate,
+      return fmt::format("{} climbs at {:.1f} m/s: {:.1f} m/s is the most", what(), rate,
                          limits.climb_rate);
     if (-rate > limits.sink_rate * (1 + kClimbSlack))
-      return fmt::format("{} sinks at {:.1f} m/s: {:.1f} m/s is the most", what, -rate,
+      return fmt::format("{} sinks at {:.1f} m/s: {:.1f} m/s is the most", what(), -rate,
                          limits.sink_rate);
     return {};
   }
@@ -101,11 +105,11 @@ struct Judge {
   Reason judge(const FollowPath& f) const {
     for (std::size_t i = 0; i < f.path.size(); ++i) {
       const PathElement& e = f.path[i];
-      const std::string what = fmt::format("element {} of the path", i + 1);
+      const auto what = [i] { return fmt::format("element {} of the path", i + 1); };
       if (!finite(e.start) ||
           !std::isfinite(e.course + e.length + e.curvature + e.length * e.curvature))
-        return what + " is not finite";
-      if (e.length < 0) return what + " has a negative length";
+        return what() + " is not finite";
+      if (e.length < 0) return what() + " has a negative length";
       if (hovers()) continue;
       if (e.curvature != 0) {
         const double turned = std::clamp(e.curvature * e.length, -7.0, 7.0);
@@ -119,13 +123,13 @@ struct Judge {
 
   Reason judge(const HoldCourse& h) const {
     if (!std::isfinite(h.course)) return "the course is not finite";
-    return course(geo::unit(h.course), "the course");
+    return course(geo::unit(h.course), [] { return "the course"; });
   }
 
   Reason judge(const Circle& c) const {
     if (!finite(c.centre) || !std::isfinite(c.radius)) return "the circle is not finite";
     if (c.radius <= 0) return "the circle has no radius";
-    return turn(0, 2 * geo::kPi, c.radius, "the circle");
+    return turn(0, 2 * geo::kPi, c.radius, [] { return "the circle"; });
   }
 
   Reason judge(const HoldPosition& h) const {
@@ -167,7 +171,9 @@ struct Judge {
           "the plan at {:.1f} s needs an airspeed of {:.1f} m/s in {:.1f} m/s of wind: "
           "from {:.1f} to {:.1f} m/s can be flown",
           time, airspeed, wind.norm(), limits.slowest, limits.fastest);
-    if (auto r = climb(-at.v_N.z(), fmt::format("the plan at {:.1f} s", time))) return r;
+    if (auto r = climb(-at.v_N.z(),
+                       [time] { return fmt::format("the plan at {:.1f} s", time); }))
+      return r;
     const double speed = v.norm();
     if (hovers() || speed < 1e-3) return {};
     const double lateral = std::abs(geo::cross(v, at.a_N.head<2>())) / speed;
@@ -189,20 +195,22 @@ struct Judge {
     const std::size_t n = w.points.size();
     const std::size_t legs = w.laps > 1 ? n : n - 1;
     for (std::size_t i = 0; i < legs; ++i) {
-      if (auto r = leg(w.points[i], w.points[(i + 1) % n],
-                       fmt::format("the leg to waypoint {}", (i + 1) % n + 1)))
+      if (auto r = leg(w.points[i], w.points[(i + 1) % n], [i, n] {
+            return fmt::format("the leg to waypoint {}", (i + 1) % n + 1);
+          }))
         return r;
     }
     return {};
   }
 
+  template <class What>
   Reason leg(const FlyWaypoints::Waypoint& a, const FlyWaypoints::Waypoint& b,
-             const std::string& what) const {
+             const What& what) const {
     const Vec2 way = b.point - a.point;
     const double length = way.norm(), rise = b.altitude_msl - a.altitude_msl;
     if (length < kOnePoint) {
       if (std::abs(rise) < kOnePoint) return {};
-      return what + " leads straight up or down";
+      return what() + " leads straight up or down";
     }
     if (hovers()) return {};
     if (auto r = course(way / length, what)) return r;
@@ -221,7 +229,7 @@ struct Judge {
         (l.course && !std::isfinite(*l.course)))
       return "the landing is not finite";
     if (!l.course || hovers()) return {};
-    return course(geo::unit(*l.course), "the approach");
+    return course(geo::unit(*l.course), [] { return "the approach"; });
   }
 
   Reason judge(const Return& /*home*/) const { return {}; }

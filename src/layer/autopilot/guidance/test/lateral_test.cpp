@@ -12,16 +12,15 @@ struct Straight {
   }
 };
 
-Sight sight_of(LateralLaw law, double speed, const LateralOptions& o) {
-  return law == LateralLaw::kL1 ? l1_sight(speed, o.l1) : l2_plus_sight(speed, o.l2);
+Sight sight_of(LateralLaw law, const LateralOptions& o) {
+  return law == LateralLaw::kL1 ? l1_sight(o.l1) : l2_plus_sight(o.l2);
 }
 
 double on_straight(LateralLaw law, double off, const Vec2& velocity) {
   const LateralOptions o;
   const Straight line{{0, 0}, {1, 0}};
   if (law == LateralLaw::kCourse) return course_law(line.at(0), off, velocity, o.course);
-  return sight_law(sight_of(law, velocity.norm(), o), line, line.at(0), off,
-                   {{0, off}, velocity, 0});
+  return sight_law(sight_of(law, o), line, line.at(0), off, {{0, off}, velocity, 0});
 }
 
 constexpr LateralLaw kLaws[] = {LateralLaw::kCourse, LateralLaw::kL1,
@@ -40,8 +39,8 @@ TEST(Lateral, GivesTheCentripetalAccelerationOnACircle) {
       EXPECT_NEAR(course_law(at, 0, v, o.course), expected, 1e-9 * speed * speed);
       for (const LateralLaw law : {LateralLaw::kL1, LateralLaw::kL2Plus}) {
         // The chord must fit the circle: half of it bounds the gain.
-        const Sight sight = sight_of(law, speed, o);
-        if (sight.distance > 75) continue;
+        const Sight sight = sight_of(law, o);
+        if (sight.distance(speed) > 75) continue;
         EXPECT_NEAR(sight_law(sight, line, at, 0, {at.position, v, 0}), expected,
                     1e-9 * speed * speed);
       }
@@ -56,7 +55,7 @@ TEST(Lateral, L1HasThePeriodAndDampingAskedFor) {
     o.l1.period = 12;
     const double speed = 15, small = 1e-4, w = 2 * geo::kPi / 12;
     const Straight line{{0, 0}, {1, 0}};
-    const Sight sight = l1_sight(speed, o.l1);
+    const Sight sight = l1_sight(o.l1);
     const auto a = [&](double off, double rate) {
       return sight_law(sight, line, line.at(0), off, {{0, off}, {speed, rate}, 0});
     };
@@ -78,8 +77,8 @@ TEST(Lateral, LeadsBackFromEitherSideAndAnyCourse) {
 
 TEST(Lateral, JoinsItsTwoWaysOfAimingWithoutAStep) {
   for (const LateralLaw law : {LateralLaw::kL1, LateralLaw::kL2Plus}) {
-    const Sight sight = sight_of(law, 15, {});
-    const double edge = sight.distance * sight.sine;
+    const Sight sight = sight_of(law, {});
+    const double edge = sight.distance(15) * sight.sine;
     EXPECT_NEAR(on_straight(law, edge - 1e-9, {15, 1}),
                 on_straight(law, edge + 1e-9, {15, 1}), 1e-6);
   }
