@@ -73,6 +73,18 @@ std::optional<std::string> MultirotorGuidance::command(const AutopilotCommand& c
   return {};
 }
 
+void MultirotorGuidance::forget(const NavState& now) {
+  started_ = false;
+  begin({HoldPosition{now.p_N.head<2>()}, -now.p_N.z(), {}}, now);
+  // Where (7) of docs/guidance.md comes to a stand from this speed.
+  const double b = options_.braking * options_.acceleration, k = options_.stop_gain;
+  const double speed = velocity_.norm();
+  const double way =
+      speed < b / k ? speed / k : speed * speed / (2 * b) + b / (2 * k * k);
+  if (speed > 0) point_ += way / speed * velocity_;
+  command_.guidance = HoldPosition{point_};
+}
+
 void MultirotorGuidance::begin(const AutopilotCommand& command, const NavState& now) {
   if (!started_) heading_ = geo::yaw(now.q_NB);
   // A reference that the vehicle follows goes on; one it has lost begins anew.

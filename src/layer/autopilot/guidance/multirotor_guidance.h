@@ -66,6 +66,10 @@ class MultirotorGuidance {
   std::optional<std::string> command(const AutopilotCommand& command,
                                      const NavState& now);
 
+  /// Somebody else has flown: the reference begins anew from this motion, and stops as
+  /// soon as it can.
+  void forget(const NavState& now);
+
   /// The demand for the next `dt` [s]. Always finite if the motion is.
   /// @param height_agl  measured [m], if it is.
   MultirotorDemand step(const NavState& now, double dt,

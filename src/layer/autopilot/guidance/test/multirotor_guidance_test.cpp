@@ -229,6 +229,27 @@ TEST(MultirotorGuidance, HoldsACourseInTheAirAndAgainstStrongWind) {
   EXPECT_NEAR(flight.rotor.v.x(), 1, 0.02);  // least over ground, with up to `fastest`
 }
 
+TEST(MultirotorGuidance, StopsWithoutTurningBackAfterSomebodyElseFlew) {
+  for (const double speed : {0.5, 8.0}) {
+    Flight flight;
+    flight.fly(1);
+    flight.rotor.p = {40, 0, -60};
+    flight.rotor.v = {speed, 0, 0};
+    flight.guidance.forget(flight.rotor.nav());
+    flight.demand = flight.guidance.step(flight.rotor.nav(), PointRotor::kStep);
+    EXPECT_LT((flight.demand.position - Vec2(40, 0)).norm(), 0.1);
+    double last = 40, back = 0;
+    flight.fly(12, [&] {
+      back = std::max(back, last - flight.demand.position.x());
+      last = std::max(last, flight.demand.position.x());
+    });
+    EXPECT_LT(back, 0.05);
+    EXPECT_LT(flight.rotor.v.norm(), 0.02);
+    // 8 m/s are gone within 8^2 / (2 2.1) + 0.5 m, and what the start of braking takes.
+    EXPECT_LT(flight.position().x(), 40 + speed * speed / 4.2 + 2);
+  }
+}
+
 TEST(MultirotorGuidance, TheReferenceWaitsForAVehicleThatCannotFollow) {
   Flight flight;
   ASSERT_FALSE(flight.tell({HoldPosition{{300, 0}}, 50, {}}));
