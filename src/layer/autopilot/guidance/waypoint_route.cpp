@@ -93,7 +93,8 @@ void WaypointRoute::lay_out() {
     lap += length;
     if (k - leg_ <= (legs_ - 1 - leg_) % n) part += length;
   }
-  beyond_ = part + lap * static_cast<double>((legs_ - 1 - leg_) / n);
+  const long whole_laps = (legs_ - 1 - leg_) / n;
+  beyond_ = part + lap * static_cast<double>(whole_laps);
 }
 
 WaypointRoute::Place WaypointRoute::project(const Vec2& p, double window) {
