@@ -5,17 +5,18 @@
 #include "assemble/kinds_of.h"
 #include "assemble/placement.h"
 #include "assemble/presence.h"
+#include "assemble/sampling.h"
 #include "assemble/vehicle_faults.h"
 #include "geo/polygon.h"
+#include "layer/environment/turbulence/discrete_gusts.h"
+#include "layer/environment/turbulence/gusts.h"
+#include "layer/sensory/sensor_suite.h"
 #include "scenario/numbers.h"
 
 namespace skein::assemble {
 namespace {
 
 using scenario::AircraftGroup;
-
-// Of plants that take actuators, where the scenario does not say.
-constexpr double kFlightStep = 0.01;  // [s]
 
 NavEstimate nav_of(const VehicleState& state) {
   const geo::Euler attitude = geo::to_euler(state.q_NB);
@@ -26,6 +27,27 @@ NavEstimate nav_of(const VehicleState& state) {
   nav.roll = attitude.roll;
   nav.pitch = attitude.pitch;
   return nav;
+}
+
+// A suite's sensors one by one, so that each can fail by itself.
+std::vector<sensory::SensorSuite::Part> unpacked(const std::string& kind,
+                                                 std::unique_ptr<Sensor> sensor) {
+  if (auto* suite = dynamic_cast<sensory::SensorSuite*>(sensor.get())) return suite->take();
+  std::vector<sensory::SensorSuite::Part> one;
+  one.push_back({kind, std::move(sensor)});
+  return one;
+}
+
+// The autopilot skein moves on by inertial samples, or by the truth.
+Result<void> sensors_fit(const std::string& name, const AircraftGroup& group) {
+  if (group.autopilot.kind != "skein") return {};
+  for (const scenario::Choice& sensor : group.sensors)
+    if (sensor.kind == "imu" || sensor.kind == "flight" ||
+        sensor.kind == "ideal-navigation")
+      return {};
+  return Error{ErrorCode::kBadInput, name,
+               "the autopilot skein needs a sensor flight, imu or ideal-navigation.",
+               "Add one to sensors, as in sensors: [flight, fire]."};
 }
 
 }  // namespace
@@ -62,6 +84,9 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.initial = nav_of(vehicle->state);
   context.on_ground = vehicle->state.on_ground;
 
+  context.gains = gains_of(group.plant);
+  context.shared = &shared_[&group];
+  if (auto fit = sensors_fit(name, group); !fit) return fit.error();
   auto autopilot = autopilot_kinds().make(group.autopilot, context);
   if (!autopilot) {
     Error error = autopilot.error();
@@ -71,7 +96,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   vehicle->autopilot = std::move(autopilot).value();
   auto parts = mount_sensors(group, context, *vehicle);
   if (!parts) return parts.error();
-  auto turbulence = turbulence_kinds().make(scenario_.environment.turbulence, context);
+  auto turbulence = gusty_air(context);
   if (!turbulence) return turbulence.error();
   vehicle->turbulence = std::move(turbulence).value();
   auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
@@ -100,18 +125,36 @@ Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
   return plants_.emplace(&group, std::move(made).value()).first->second;
 }
 
+Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
+    const AircraftContext& context) const {
+  auto turbulence = turbulence_kinds().make(scenario_.environment.turbulence, context);
+  if (!turbulence || scenario_.environment.gusts.empty()) return turbulence;
+  environment::DiscreteGustsOptions single;
+  for (const scenario::GustEvent& gust : scenario_.environment.gusts)
+    single.gusts.push_back({gust.at.seconds(),
+                            {gust.velocity.x(), gust.velocity.y(), -gust.up},
+                            gust.in_body ? environment::GustFrame::kBody
+                                         : environment::GustFrame::kLocal,
+                            gust.length,
+                            gust.hold});
+  std::vector<std::unique_ptr<Turbulence>> parts;
+  if (turbulence.value()) parts.push_back(std::move(turbulence).value());
+  parts.push_back(std::make_unique<environment::DiscreteGusts>(single));
+  return std::unique_ptr<Turbulence>(
+      std::make_unique<environment::Gusts>(std::move(parts)));
+}
+
 Result<Time> AircraftBuilder::flight_step(const std::string& name,
                                           const AircraftGroup& group,
                                           const Airframe& airframe) const {
   if (group.flight_step) return *group.flight_step;
   if (std::holds_alternative<SelfStabilised>(airframe)) return scenario_.step;
-  const Time step = Time::from_seconds(kFlightStep);
-  if (scenario_.step < step) return scenario_.step;
-  if (scenario_.step.ns() % step.ns() == 0) return step;
+  if (scenario_.step < kFlightStep) return scenario_.step;
+  if (scenario_.step.ns() % kFlightStep.ns() == 0) return kFlightStep;
   return Error{
       ErrorCode::kBadInput, name,
       fmt::format("steps of {} s do not divide step_s, {} s.",
-                  scenario::seconds_text(step), scenario::seconds_text(scenario_.step)),
+                  scenario::seconds_text(kFlightStep), scenario::seconds_text(scenario_.step)),
       "Give flight_step_s, or another step_s."};
 }
 
@@ -163,9 +206,12 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
     context.instance = of_kind[choice.kind]++;
     auto sensor = sensor_kinds().make(choice, context);
     if (!sensor) return sensor.error();
-    const bool payload = sensor.value()->payload();
-    (payload ? parts.payload : parts.sensors).push_back(choice.kind);
-    (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(sensor).value());
+    auto mounted = unpacked(choice.kind, std::move(sensor).value());
+    for (sensory::SensorSuite::Part& part : mounted) {
+      const bool payload = part.sensor->payload();
+      (payload ? parts.payload : parts.sensors).push_back(part.kind);
+      (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));
+    }
   }
   return parts;
 }

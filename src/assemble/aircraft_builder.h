@@ -45,6 +45,7 @@ class AircraftBuilder {
   Result<Parts> mount_sensors(const scenario::AircraftGroup& group,
                               AircraftContext& context,
                               simulation::Vehicle& vehicle) const;
+  Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
   Result<Time> flight_step(const std::string& name, const scenario::AircraftGroup& group,
                            const Airframe& airframe) const;
 
@@ -54,6 +55,7 @@ class AircraftBuilder {
   const WindField& wind_;
   EntityId station_;
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
+  std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
   std::map<std::string, int> named_;  // how many aircraft have a group's name
 };
 

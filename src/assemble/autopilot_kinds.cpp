@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "assemble/kinds_of.h"
+#include "assemble/skein_autopilot_kind.h"
 #include "layer/autopilot/simple_autopilot.h"
 
 namespace skein::assemble {
@@ -32,8 +33,21 @@ Kinds<Autopilot, AircraftContext> autopilot_kinds() {
   Kinds<Autopilot, AircraftContext> kinds("autopilot");
   kinds.add("path", "Follows paths, courses and circles over ground in wind.",
             autopilot_fields(),
-            [](const autopilot::SimpleAutopilotOptions& o, const AircraftContext& c) {
-              return std::make_unique<autopilot::SimpleAutopilot>(o, c.limits, c.initial);
+            [](const autopilot::SimpleAutopilotOptions& o,
+               const AircraftContext& c) -> Result<std::unique_ptr<Autopilot>> {
+              if (!std::holds_alternative<SelfStabilised>(c.airframe))
+                return Error{ErrorCode::kBadInput, "",
+                             "the autopilot path says roll angle, airspeed and climb rate; "
+                             "this plant takes actuators.",
+                             "Choose the autopilot skein."};
+              return std::unique_ptr<Autopilot>(
+                  std::make_unique<autopilot::SimpleAutopilot>(o, c.limits, c.initial));
+            });
+  kinds.add("skein",
+            "Estimator, modes, failsafes, guidance and control for every airframe; flies "
+            "by its sensors only.",
+            skein_fields(), [](const SkeinChoice& o, const AircraftContext& c) {
+              return make_skein(o, c);
             });
   return kinds;
 }

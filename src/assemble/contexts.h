@@ -1,5 +1,6 @@
 #pragma once
 
+#include <any>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "assemble/aircraft_gains.h"
 #include "base/id.h"
 #include "base/time.h"
 #include "data/airframe.h"
@@ -45,7 +47,9 @@ struct AircraftContext {
   Airframe airframe;            ///< of the plant
   NavEstimate initial;          ///< where and how it flies at the start
   bool on_ground = false;       ///< at the start
-  double parameter_spread = 0;  ///< relative sd of a plant's own parameters
+  AircraftGains gains;          ///< of the plant's file
+  std::any* shared = nullptr;   ///< what the autopilots of a group have in common
+  double parameter_spread = 0;  ///< of the plant's parameters, at most
 };
 
 /// What every ground station's agent is given besides its options.

@@ -2,13 +2,66 @@
 
 #include <fmt/format.h>
 
+#include "assemble/aircraft/aircraft_file.h"
+#include "assemble/aircraft_gains.h"
 #include "assemble/kinds_of.h"
+#include "assemble/parameter_spread.h"
+#include "layer/asset/fixed_wing/fixed_wing_plant.h"
 #include "layer/asset/kinematic_plant.h"
+#include "layer/asset/multirotor/multirotor_plant.h"
+#include "layer/asset/performance/performance_plant.h"
 
 namespace skein::assemble {
 namespace {
 
 using scenario::Fields;
+
+// A plant whose parameters stand in an aircraft file.
+struct FiledPlant {
+  std::string aircraft;
+  std::string file;
+};
+// One type for each plant, so that each has a default of its own.
+struct FixedWingChoice : FiledPlant {
+  FixedWingChoice() : FiledPlant{"aerosonde", ""} {}
+};
+struct MultirotorChoice : FiledPlant {
+  MultirotorChoice() : FiledPlant{"quad", ""} {}
+};
+struct PerformanceChoice : FiledPlant {
+  PerformanceChoice() : FiledPlant{"light-sport", ""} {}
+};
+
+template <class T>
+Fields<T> filed_fields() {
+  return Fields<T>()
+      .text("aircraft", &T::aircraft,
+            "A built-in aircraft: `skein list aircraft` names them.")
+      .file("file", &T::file, "An aircraft file instead; \"\": none.",
+            {.may_be_empty = true});
+}
+
+Result<AircraftFile> load(const FiledPlant& choice) {
+  return load_aircraft(choice.file.empty() ? choice.aircraft : choice.file, ".");
+}
+
+template <class Made, class Parameters>
+Result<std::unique_ptr<Plant>> make_filed(
+    const FiledPlant& choice, std::optional<Parameters> AircraftFile::* model,
+    const AircraftContext& c) {
+  auto aircraft = load(choice);
+  if (!aircraft) return aircraft.error();
+  if (!(aircraft.value().*model))
+    return Error{ErrorCode::kBadInput,
+                 choice.file.empty() ? choice.aircraft : choice.file,
+                 fmt::format("describes plants of kind {} only.", aircraft.value().plants()),
+                 "Choose one of these, or another aircraft."};
+  Parameters parameters = *(aircraft.value().*model);
+  if (c.parameter_spread > 0)
+    spread(parameters, c.parameter_spread,
+           RandomStream(c.seed, c.self.value, Purpose::kAirframe));
+  return std::unique_ptr<Plant>(std::make_unique<Made>(parameters));
+}
 
 Fields<asset::KinematicOptions> kinematic_fields() {
   using T = asset::KinematicOptions;
@@ -25,6 +78,12 @@ Fields<asset::KinematicOptions> kinematic_fields() {
       .number("roll_rate_rad_per_s", &T::roll_rate, "Largest; 0: the roll angle jumps.",
               {.at_least = 0, .at_most = 100})
       .duration_s("airspeed_lag_s", &T::airspeed_lag, "Time constant of the airspeed.")
+      .number("power_w", &T::power, "Drawn from the battery all the time.",
+              {.at_least = 0, .at_most = 1e6})
+      .number("capacity_wh", &T::capacity_Wh, "Of the battery; 0: it never ends.",
+              {.at_least = 0, .at_most = 1e6})
+      .number("glide_sink_mps", &T::glide_sink, "Sink rate on an empty battery.",
+              {.above = 0, .at_most = 100})
       .rules([](const T& o) {
         std::vector<scenario::RuleFault> faults;
         if (o.climb_rate >= o.slowest())
@@ -47,7 +106,37 @@ Kinds<Plant, AircraftContext> plant_kinds() {
             [](const asset::KinematicOptions& o, const AircraftContext&) {
               return std::make_unique<asset::KinematicPlant>(o);
             });
+  kinds.add("performance",
+            "A point with a budget of energy: speeds, climb, bank and consumption by "
+            "phase; parameters from an aircraft file.",
+            filed_fields<PerformanceChoice>(),
+            [](const PerformanceChoice& o, const AircraftContext& c) {
+              return make_filed<asset::PerformancePlant>(o, &AircraftFile::performance, c);
+            });
+  kinds.add("fixed-wing",
+            "Six degrees of freedom, wings; parameters from an aircraft file.",
+            filed_fields<FixedWingChoice>(),
+            [](const FixedWingChoice& o, const AircraftContext& c) {
+              return make_filed<asset::FixedWingPlant>(o, &AircraftFile::fixed_wing, c);
+            });
+  kinds.add("multirotor",
+            "Six degrees of freedom, rotors; parameters from an aircraft file.",
+            filed_fields<MultirotorChoice>(),
+            [](const MultirotorChoice& o, const AircraftContext& c) {
+              return make_filed<asset::MultirotorPlant>(o, &AircraftFile::multirotor, c);
+            });
   return kinds;
+}
+
+AircraftGains gains_of(const scenario::Choice& plant) {
+  const auto take = [](const FiledPlant& choice) -> AircraftGains {
+    const auto aircraft = load(choice);
+    if (!aircraft) return {};
+    return {aircraft.value().fixed_wing_gains, aircraft.value().multirotor_gains};
+  };
+  if (plant.kind == "fixed-wing") return take(plant.as<FixedWingChoice>());
+  if (plant.kind == "multirotor") return take(plant.as<MultirotorChoice>());
+  return {};
 }
 
 }  // namespace skein::assemble

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "assemble/kinds_of.h"
@@ -17,7 +19,32 @@ struct Sampling {
   std::string key;  // of the sensor's rate
   double rate_hz = 0;
   bool fire = false;  // looks at the fire
+  Time step;          // at which it can sample
 };
+
+// Sensors of the autopilot, and those of the agent that look at other things.
+constexpr std::array kNotAtTheFire = {
+    "gnss",   "gnss-receiver", "air-data", "imu",          "barometer",
+    "power",  "magnetometer",  "airspeed", "height",       "anemometer",
+    "camera", "rangefinder",   "lidar",    "safety-pilot", "ideal-navigation"};
+
+// Sensors of the autopilot sample at the vehicle's own step, which may be finer.
+bool of_agent(const std::string& kind) {
+  return kind == "camera" || kind == "rangefinder" || kind == "lidar";
+}
+
+bool looks_at_fire(const std::string& kind) {
+  return std::find(kNotAtTheFire.begin(), kNotAtTheFire.end(), kind) ==
+         kNotAtTheFire.end();
+}
+
+// The step of plant and autopilot; see AircraftBuilder.
+Time own_step(const Scenario& scenario, const scenario::AircraftGroup& group) {
+  if (group.flight_step) return *group.flight_step;
+  const bool takes_actuators =
+      group.plant.kind == "fixed-wing" || group.plant.kind == "multirotor";
+  return takes_actuators ? std::min(scenario.step, kFlightStep) : scenario.step;
+}
 
 // Every sensor whose kind has the key rate_hz. Kinds that are not known here count as
 // looking at the fire: that costs time, never truth.
@@ -32,9 +59,12 @@ std::vector<Sampling> all_sensors(const Scenario& scenario) {
       const scenario::Field* rate = keys.find("rate_hz");
       if (rate == nullptr) continue;
       std::any options = sensor.options;
+      const bool fire = looks_at_fire(sensor.kind);
       all.push_back({fmt::format("aircraft[{}].sensors[{}].rate_hz", g, s),
-                     *static_cast<const double*>(rate->in(keys.content(options))),
-                     sensor.kind != "gnss" && sensor.kind != "air-data"});
+                     *static_cast<const double*>(rate->in(keys.content(options))), fire,
+                     fire || of_agent(sensor.kind)
+                         ? scenario.step
+                         : own_step(scenario, scenario.aircraft[g])});
     }
   return all;
 }
@@ -63,13 +93,15 @@ Time truth_period(const Scenario& scenario) {
 std::vector<std::string> sampling_warnings(const Scenario& scenario) {
   std::vector<std::string> warnings;
   const Time period = truth_period(scenario);
-  const double steps_per_s = 1 / scenario.step.seconds();
   for (const Sampling& sensor : all_sensors(scenario)) {
+    const double steps_per_s = 1 / sensor.step.seconds();
     if (sensor.rate_hz > steps_per_s * (1 + 1e-9))
       warnings.push_back(fmt::format(
-          "{}: {:.6g} samples a second are more than the {:.6g} steps a second of step_s "
+          "{}: {:.6g} samples a second are more than the {:.6g} steps a second of {} "
           "{}: the sensor has one in each step.",
-          sensor.key, sensor.rate_hz, steps_per_s, seconds_text(scenario.step)));
+          sensor.key, sensor.rate_hz, steps_per_s,
+          sensor.step == scenario.step ? "step_s" : "flight_step_s",
+          seconds_text(sensor.step)));
     const Time look = look_period(sensor.rate_hz, scenario.step);
     if (sensor.fire && look.ns() % period.ns() != 0)
       warnings.push_back(fmt::format(

@@ -8,6 +8,9 @@
 
 namespace skein::assemble {
 
+/// The step of plants that take actuators, where the scenario does not say.
+inline const Time kFlightStep = Time::from_ns(10'000'000);
+
 /// How often the true fire moves: as the scenario says, else the longest period that
 /// divides one second, the metrics' period and the time between two looks of every
 /// sensor at the fire, so that none of them sees a fire of the past.

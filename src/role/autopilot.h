@@ -24,7 +24,7 @@ class Autopilot {
   virtual Control control(Time now, double dt) = 0;
 
   /// The estimate at the last control().
-  virtual const NavEstimate& estimate() const = 0;
+  virtual NavEstimate estimate() const = 0;
   virtual AutopilotStatus status() const = 0;
 };
 

@@ -21,11 +21,22 @@ struct PlacedObject {
   Vec2 velocity = Vec2::Zero();  ///< [m/s]
 };
 
+/// A single gust that every aircraft meets: it rises and falls as 1 - cos.
+struct GustEvent {
+  Time at;
+  Vec2 velocity = Vec2::Zero();  ///< where it is strongest; see in_body [m/s]
+  double up = 0;                 ///< [m/s]
+  bool in_body = false;  ///< the velocity is forward and right of the aircraft
+  double length = 50;    ///< way through the air from nothing to full strength [m]
+  double hold = 0;       ///< way at full strength [m]
+};
+
 /// What surrounds the aircraft.
 struct Environment {
   Choice terrain{"flat"};
   Choice wind{"uniform"};
   Choice turbulence{"none"};
+  std::vector<GustEvent> gusts;
   Choice fire{"thesis"};
   std::optional<Time> period;    ///< of moving the fire; none: as the fire sensors need
   std::vector<geo::Ring> zones;  ///< no-flight zones [m]
@@ -85,7 +96,7 @@ struct AircraftGroup {
   std::string name = "scout";
   int count = 1;
   Choice plant{"kinematic"};
-  double parameter_spread = 0;  ///< relative sd of each aircraft's own parameters
+  double parameter_spread = 0;  ///< of each aircraft's own parameters, at most
   Choice autopilot{"path"};
   std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
   Choice agent{"scout"};

@@ -30,6 +30,23 @@ Fields<geo::Geodetic> origin_fields() {
               {.at_least = -180, .at_most = 180});
 }
 
+Fields<GustEvent> gust_fields() {
+  using T = GustEvent;
+  return Fields<T>()
+      .duration_s("at_s", &T::at, "When aircraft enter it.")
+      .required()
+      .point("velocity_mps", &T::velocity, "Of the air where the gust is strongest.",
+             {.at_least = -100, .at_most = 100})
+      .number("up_mps", &T::up, "Of the air where it is strongest.",
+              {.at_least = -100, .at_most = 100})
+      .boolean("in_body", &T::in_body,
+               "The velocity is forward and right of the aircraft, not north and east.")
+      .number("length_m", &T::length, "Way through the air from nothing to full strength.",
+              kLength)
+      .number("hold_m", &T::hold, "Way at full strength, before it falls as it rose.",
+              {.at_least = 0, .at_most = 1e6});
+}
+
 Fields<PlacedObject> object_fields() {
   using T = PlacedObject;
   return Fields<T>()
@@ -46,6 +63,8 @@ Fields<Environment> environment_fields() {
       .kind("wind", &T::wind, "wind", "Wind in space and time.")
       .kind("turbulence", &T::turbulence, "turbulence",
             "What each aircraft feels beyond the mean wind.")
+      .object("gusts", &T::gusts, gust_fields(), "Single gusts, which all aircraft meet.")
+      .items({.at_most = 10000})
       .kind("fire", &T::fire, "fire", "The true fire.")
       .duration_s("period_s", &T::period,
                   "Time between two steps of the fire. Null: every second, and as often "
@@ -167,8 +186,8 @@ Fields<AircraftGroup> aircraft_fields() {
                {.at_least = 0, .at_most = 10000})
       .kind("plant", &T::plant, "plant", "How the aircraft moves.")
       .number("parameter_spread", &T::parameter_spread,
-              "Relative standard deviation by which each aircraft's masses, inertias and "
-              "coefficients differ from its plant's; its autopilot does not know.",
+              "Mass, inertia and each coefficient of an aircraft differ from its plant's by at "
+              "most this share, at random; its autopilot does not know.",
               {.at_least = 0, .at_most = 0.3})
       .kind("autopilot", &T::autopilot, "autopilot", "How it is flown.")
       .kind("sensors", &T::sensors, "sensor", "What it senses with.")

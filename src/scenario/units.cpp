@@ -86,6 +86,7 @@ constexpr std::array kUnits = {
     Unit{"j", "J", "energy", 1},
     Unit{"v", "V", "voltage", 1},
     Unit{"a", "A", "current", 1},
+    Unit{"wh", "W h", "energy", 3600},
     Unit{"ah", "A h", "electric charge", 3600},
     Unit{"ohm", "ohm", "resistance", 1},
     Unit{"percent", "%", "share", 0.01},

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "model/atmosphere/atmosphere.h"
+
 namespace skein::simulation {
 namespace {
 
@@ -100,8 +102,10 @@ void think(Time now, Entity& entity, EntityState& state) {
   if (!state.active || now.ns() % entity.agent_period.ns() != 0) return;
   AgentInput in;
   in.now = now;
+  NavEstimate nav;
   if (entity.vehicle) {
-    in.nav = &entity.vehicle->autopilot->estimate();
+    nav = entity.vehicle->autopilot->estimate();
+    in.nav = &nav;
     in.autopilot = entity.vehicle->autopilot->status();
   }
   in.samples = state.samples;
@@ -119,6 +123,8 @@ void fly(const World& world, Time now, Time until, Entity& entity, EntityState& 
   if (!state.active || !vehicle) return;
   const double dt = vehicle->step.seconds();
   state.before = vehicle->state;
+  // Within one step of the run no vehicle climbs so far that the density changes.
+  vehicle->air.density = model::standard_air(-vehicle->state.p_N.z()).density;
   double ground = ground_below(world, *vehicle);
   const bool near_ground = -vehicle->state.p_N.z() - ground < kNearGround;
   while (now < until) {

@@ -74,7 +74,7 @@ class Hands : public Autopilot {
   void sense(const SensorSample&) override {}
   void command(const AutopilotCommand&) override {}
   Control control(Time, double) override { return FlightCommand{0, 20, climb_}; }
-  const NavEstimate& estimate() const override { return estimate_; }
+  NavEstimate estimate() const override { return estimate_; }
   AutopilotStatus status() const override { return {}; }
 
  private:

@@ -1,0 +1,177 @@
+#include "assemble/skein_autopilot_kind.h"
+
+#include <fmt/format.h>
+
+#include "assemble/aircraft/gains_fields.h"
+#include "geo/clip.h"
+#include "layer/autopilot/skein/skein_autopilot.h"
+
+namespace skein::assemble {
+namespace {
+
+using autopilot::FailsafeRule;
+using scenario::Fields;
+using scenario::Range;
+
+constexpr Range kShare{.at_least = 0, .at_most = 1};
+constexpr Range kAltitude{.at_least = -500, .at_most = 30000};
+constexpr Range kSd{.above = 0, .at_most = 1e4};
+
+Fields<FailsafeRule> rule_fields() {
+  using T = FailsafeRule;
+  using enum FailsafeReaction;
+  const auto reactions = [](Fields<T>& fields, const char* key, auto member,
+                            const char* help) {
+    fields.word(key, member, help,
+                {{"none", kNone, "it is told, nothing more"},
+                 {"hold", kHold, "stay here"},
+                 {"return", kReturn, "fly home, stay above"},
+                 {"land", kLand, "fly home and land"},
+                 {"descend", kDescend, "come down here"}});
+  };
+  Fields<T> fields;
+  fields.duration_s("delay_s", &T::delay, "For which it must last.", {.at_least = 0, .at_most = 1e6});
+  reactions(fields, "reaction", &T::reaction, "What is done.");
+  fields.duration_s("escalates_after_s", &T::escalates_after,
+                    "After this long the second reaction follows; 0: never.",
+                    {.at_least = 0, .at_most = 1e6});
+  reactions(fields, "escalates_to", &T::escalates_to, "The second reaction, a stronger one.");
+  fields.boolean("resumes", &T::resumes,
+                 "When it is over the mission goes on by itself; else it waits for a new "
+                 "command.");
+  return fields;
+}
+
+Fields<autopilot::FailsafeOptions> failsafe_fields() {
+  using T = autopilot::FailsafeOptions;
+  return Fields<T>()
+      .object("link", &T::link, rule_fields(), "Nothing is heard from the ground.")
+      .object("battery_low", &T::battery_low, rule_fields(),
+              "The charge less what it takes to get home is below battery_reserve.")
+      .object("battery_critical", &T::battery_critical, rule_fields(),
+              "The charge is below battery_critical.")
+      .object("geofence", &T::geofence, rule_fields(), "The aircraft is outside the fence.")
+      .object("gnss", &T::gnss, rule_fields(), "No position from satellites.")
+      .object("motor", &T::motor, rule_fields(), "A motor stands under throttle.")
+      .number("battery_reserve", &T::battery_reserve, "Of a full charge.", kShare)
+      .number("battery_critical_charge", &T::battery_critical_at, "Of a full charge.", kShare)
+      .duration_s("recovery_s", &T::recovery, "For which it must be over to count as over.",
+                  {.at_least = 0, .at_most = 1e6})
+      .integer("most_clears", &T::most_clears,
+               "In one flight, of each; after that it stays.",
+               {.at_least = 0, .at_most = 10000})
+      .rule("", [](const T& t) { return fault_in(t).value_or(std::string()); });
+}
+
+Fields<FenceChoice> fence_fields() {
+  using T = FenceChoice;
+  return Fields<T>()
+      .polygon("areas_m", &T::areas, "Areas to stay in. Empty: no limit.")
+      .items({.at_most = 1000})
+      .number("ceiling_msl_m", &T::ceiling_msl, "Null: none.", kAltitude)
+      .number("floor_msl_m", &T::floor_msl, "Null: none.", kAltitude)
+      .number("margin_m", &T::margin, "Kept from the fence.",
+              {.at_least = 0, .at_most = 1e5});
+}
+
+Fields<autopilot::LateralOptions> lateral_fields() {
+  using T = autopilot::LateralOptions;
+  using autopilot::LateralLaw;
+  return Fields<T>()
+      .word("law", &T::law, "How a line is followed.",
+            {{"course", LateralLaw::kCourse, "a course back to the line"},
+             {"l1", LateralLaw::kL1, "a point of the line, at a fixed time and damping"},
+             {"l2plus", LateralLaw::kL2Plus,
+              "line of sight that grows with the speed (Curry et al. 2013)"}})
+      .number("course_gain_per_s", [](T & t) -> auto& { return t.course.gain; },
+              "course: rate of turn per course error.", {.above = 0, .at_most = 20})
+      .duration_s("course_look_ahead_s", [](T & t) -> auto& { return t.course.look_ahead; },
+                  "course: flight time in which a cross-track error is taken out.",
+                  {.above = 0, .at_most = 1000})
+      .duration_s("l1_period_s", [](T & t) -> auto& { return t.l1.period; },
+                  "l1: of the motion about a straight line.", {.above = 0, .at_most = 1000})
+      .number("l1_damping", [](T & t) -> auto& { return t.l1.damping; },
+              "l1: of that motion.", {.above = 0, .at_most = 10})
+      .duration_s("l2_time_s", [](T & t) -> auto& { return t.l2.time; },
+                  "l2plus: flight time to the point aimed at.", {.above = 0, .at_most = 1000})
+      .number("l2_least_m", [](T & t) -> auto& { return t.l2.least; },
+              "l2plus: least distance of that point.", {.above = 0, .at_most = 1e5})
+      .duration_s("roll_lag_s", &T::roll_lag,
+                  "From a change of the demand to the acceleration.",
+                  {.at_least = 0, .at_most = 10});
+}
+
+Fields<autopilot::EstimatorOptions> estimator_fields() {
+  using T = autopilot::EstimatorOptions;
+  return Fields<T>()
+      .duration_s("period_s", &T::period, "Between two corrections.",
+                  {.above = 0, .at_most = 5})
+      .angle_deg("declination_deg", &T::declination, "Of the Earth's field at the site.",
+                 {.at_least = -180, .at_most = 180})
+      .number("wind_walk", &T::wind_walk,
+              "How fast the mean wind may change, m/s/sqrt(s).", kSd)
+      .number("airspeed_scale_sd", &T::airspeed_scale_sd,
+              "Lasting relative error of the airspeed.", kSd)
+      .number("baro_bias_sd_m", &T::baro_bias_sd, "Of the barometer.", kSd)
+      .number("magnetic_bias_sd", &T::magnetic_bias_sd,
+              "Of the magnetometer per axis, in field strengths.", kSd)
+      .duration_s("gnss_lost_after_s", &T::gnss_lost_after, "Without a fix.",
+                  {.above = 0, .at_most = 1000});
+}
+
+// What does not change from one aircraft of a group to the next.
+Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
+    const SkeinChoice& choice, const AircraftContext& c) {
+  autopilot::SkeinOptions options = choice.options;
+  if (c.gains.wing) options.wing_gains = *c.gains.wing;
+  if (c.gains.rotors) options.rotor_gains = *c.gains.rotors;
+  if (choice.wing_gains) options.wing_gains = *choice.wing_gains;
+  if (choice.rotor_gains) options.rotor_gains = *choice.rotor_gains;
+  options.fence.area = geo::clean(choice.fence.areas, geo::FillRule::kNonZero);
+  if (options.fence.area.empty() && !choice.fence.areas.empty())
+    return Error{ErrorCode::kBadInput, "autopilot.fence.areas_m", "enclose nothing.", ""};
+  if (choice.fence.ceiling_msl) options.fence.ceiling_msl = *choice.fence.ceiling_msl;
+  if (choice.fence.floor_msl) options.fence.floor_msl = *choice.fence.floor_msl;
+  options.fence.margin = choice.fence.margin;
+  return std::shared_ptr<const autopilot::SkeinSetup>(
+      std::make_shared<autopilot::SkeinSetup>(options, c.limits, c.airframe));
+}
+
+}  // namespace
+
+Fields<SkeinChoice> skein_fields() {
+  using T = SkeinChoice;
+  return Fields<T>()
+      .object("lateral",
+              [](T & t) -> auto& { return t.options.wing_guidance.lateral; },
+              lateral_fields(), "Lateral guidance of fixed wings.")
+      .boolean("rounds_corners",
+               [](T & t) -> auto& { return t.options.wing_guidance.rounds_corners; },
+               "Fixed wings round the corners of a route; else they fly over them.")
+      .object("failsafe", [](T & t) -> auto& { return t.options.failsafe; },
+              failsafe_fields(), "What goes wrong, and what is done.")
+      .object("fence", &T::fence, fence_fields(), "Where it may fly.")
+      .object("estimator", [](T & t) -> auto& { return t.options.estimator; },
+              estimator_fields(), "What its estimator assumes.")
+      .object("wing_gains", &T::wing_gains, fixed_wing_gains_fields(),
+              "Gains for a fixed wing. Null: those of the aircraft file.")
+      .object("rotor_gains", &T::rotor_gains, multirotor_gains_fields(),
+              "Gains for a multirotor. Null: those of the aircraft file.");
+}
+
+Result<std::unique_ptr<Autopilot>> make_skein(const SkeinChoice& choice,
+                                              const AircraftContext& c) {
+  using Setup = std::shared_ptr<const autopilot::SkeinSetup>;
+  if (!c.shared || !c.shared->has_value()) {
+    auto made = make_setup(choice, c);
+    if (!made) return made.error();
+    if (!c.shared)
+      return std::unique_ptr<Autopilot>(std::make_unique<autopilot::SkeinAutopilot>(
+          made.value(), c.initial, c.on_ground));
+    *c.shared = std::move(made).value();
+  }
+  return std::unique_ptr<Autopilot>(std::make_unique<autopilot::SkeinAutopilot>(
+      std::any_cast<const Setup&>(*c.shared), c.initial, c.on_ground));
+}
+
+}  // namespace skein::assemble

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "assemble/contexts.h"
+#include "base/result.h"
+#include "role/autopilot.h"
+#include "scenario/fields.h"
+
+#include "layer/autopilot/skein/skein_setup.h"
+
+namespace skein::assemble {
+
+/// Where an aircraft may fly, as a scenario says it.
+struct FenceChoice {
+  std::vector<geo::Ring> areas;
+  std::optional<double> ceiling_msl, floor_msl;
+  double margin = 0;
+};
+
+/// The autopilot `skein` as a scenario chooses it.
+struct SkeinChoice {
+  autopilot::SkeinOptions options;
+  FenceChoice fence;
+  /// Gains; none: those of the aircraft's file, else the autopilot's own.
+  std::optional<autopilot::FixedWingGains> wing_gains;
+  std::optional<autopilot::MultirotorGains> rotor_gains;
+};
+
+scenario::Fields<SkeinChoice> skein_fields();
+
+/// Fails: failsafes that cannot be; areas that are none.
+Result<std::unique_ptr<Autopilot>> make_skein(const SkeinChoice& choice,
+                                              const AircraftContext& context);
+
+}  // namespace skein::assemble

@@ -1,0 +1,48 @@
+#include "layer/autopilot/skein/land_detector.h"
+
+#include <cmath>
+
+namespace skein::autopilot {
+namespace {
+
+constexpr double kStill = 0.3;       // of a multirotor [m/s]
+constexpr double kLittleThrust = 0.4;  // of hover
+constexpr double kFlyingShare = 1.0 / 3;  // of the least airspeed
+constexpr double kStillTime = 1;     // [s]
+constexpr double kClimb = 1;         // that a vehicle on the ground cannot have [m/s]
+constexpr double kLift = 3;          // above where it stood [m]
+
+}  // namespace
+
+LandDetector::LandDetector(const FlightLimits& limits, double hover, bool on_ground)
+    : slowest_(limits.slowest), hover_(hover), on_ground_(on_ground) {}
+
+bool LandDetector::slow(const NavState& nav, double throttle) const {
+  const double speed2 = nav.v_N.squaredNorm();
+  if (slowest_ <= 0)
+    return speed2 < kStill * kStill && throttle < kLittleThrust * hover_;
+  const double least = kFlyingShare * slowest_;
+  return speed2 < least * least && nav.airspeed < least;
+}
+
+bool LandDetector::step(const NavState& nav, double throttle) {
+  const double altitude = -nav.p_N.z();
+  if (on_ground_) {
+    if (!placed_) ground_ = altitude;
+    placed_ = true;
+    const bool fast = slowest_ > 0 && nav.airspeed > 0.9 * slowest_;
+    if (-nav.v_N.z() > kClimb || altitude > ground_ + kLift || fast) on_ground_ = false;
+    slow_ = false;
+    return on_ground_;
+  }
+  const bool now_slow = slow(nav, throttle);
+  if (now_slow && !slow_) slow_since_ = nav.time;
+  slow_ = now_slow;
+  if (slow_ && (nav.time - slow_since_).seconds() >= kStillTime) {
+    on_ground_ = true;
+    ground_ = altitude;
+  }
+  return on_ground_;
+}
+
+}  // namespace skein::autopilot

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/time.h"
+#include "data/vehicle.h"
+#include "layer/autopilot/nav_state.h"
+
+namespace skein::autopilot {
+
+/// Tells from the own motion whether the vehicle stands on the ground.
+///
+/// In the air it is on the ground when it has moved so slowly for a second that it cannot
+/// fly: a fixed wing both over ground and through the air below a third of its least
+/// airspeed; a multirotor below 0.3 m/s while its motors are told less than 0.4 of what
+/// it hovers with. On the ground it is in the air when it climbs, stands higher than
+/// where it was by more than the estimate's error may be, or is fast enough to fly.
+class LandDetector {
+ public:
+  /// @param hover  mean throttle in hover; 0 for what cannot hover.
+  LandDetector(const FlightLimits& limits, double hover, bool on_ground);
+
+  /// @param throttle  mean of what the motors were last told.
+  bool step(const NavState& nav, double throttle);
+
+  bool on_ground() const { return on_ground_; }
+
+ private:
+  bool slow(const NavState& nav, double throttle) const;
+
+  double slowest_, hover_;
+  bool on_ground_;
+  bool slow_ = false, placed_ = false;
+  Time slow_since_;
+  double ground_ = 0;  // altitude where it stands [m]
+};
+
+}  // namespace skein::autopilot

@@ -1,0 +1,217 @@
+#include "layer/autopilot/skein/skein_autopilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skein::autopilot {
+namespace {
+
+constexpr double kCommittedHeight = 10;  // below it a landing is finished [m]
+
+EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
+  EstimatorStart start;
+  start.time = initial.time;
+  start.p_N = initial.p_N;
+  start.v_N = initial.v_N;
+  start.q_NB = geo::from_euler({initial.roll, initial.pitch, initial.heading});
+  start.wind_N = initial.wind_N;
+  start.at_rest = on_ground;
+  return start;
+}
+
+// Mean throttle in hover; 0 for what cannot.
+double hover_throttle(const Airframe& airframe) {
+  const auto* frame = std::get_if<MultirotorAirframe>(&airframe);
+  if (!frame) return 0;
+  const double share = frame->mass * kGravity /
+                       (frame->thrust_max * static_cast<double>(frame->rotors.size()));
+  return std::pow(share, 1 / frame->thrust_exponent);
+}
+
+double mean_throttle(const Control& control, const Airframe& airframe) {
+  const auto* actuators = std::get_if<Actuators>(&control);
+  if (!actuators) return 0;
+  const auto* frame = std::get_if<MultirotorAirframe>(&airframe);
+  if (!frame) return (*actuators)[channel::kThrottle];
+  double sum = 0;
+  for (std::size_t k = 0; k < frame->rotors.size(); ++k) sum += (*actuators)[k];
+  return sum / static_cast<double>(frame->rotors.size());
+}
+
+}  // namespace
+
+SkeinAutopilot::Flier SkeinAutopilot::make_flier(const SkeinSetup& setup,
+                                                 const Vec3& home_N) {
+  if (setup.wing) return WingFlier(setup, home_N);
+  if (setup.rotors) return RotorFlier(setup, home_N);
+  return PointFlier(setup, home_N);
+}
+
+SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
+                               const NavEstimate& initial, bool on_ground)
+    : setup_(std::move(setup)),
+      home_N_(initial.p_N),
+      estimator_(setup_->options.estimator, start_of(initial, on_ground)),
+      modes_(setup_->rules),
+      fence_(setup_->fence),
+      motors_(setup_->options.motor_watch),
+      consumption_(setup_->options.consumption),
+      ground_(setup_->limits, hover_throttle(setup_->airframe), on_ground),
+      flier_(make_flier(*setup_, home_N_)),
+      airborne_altitude_(-initial.p_N.z()) {
+  if (setup_->wing || setup_->rotors)
+    last_ = Actuators{};
+}
+
+void SkeinAutopilot::sense(const SensorSample& sample) {
+  if (const auto* pilot = std::get_if<PilotInput>(&sample)) {
+    input_.pilot = *pilot;
+  } else if (const auto* link = std::get_if<LinkSample>(&sample)) {
+    input_.link_heard = link->time;
+  } else if (const auto* power = std::get_if<PowerSample>(&sample)) {
+    take(*power);
+  } else {
+    if (const auto* fix = std::get_if<GnssFix>(&sample)) input_.gnss_fix = fix->time;
+    if (const auto* truth = std::get_if<TruthSample>(&sample))
+      input_.gnss_fix = truth->time;
+    estimator_.sense(sample);
+  }
+}
+
+void SkeinAutopilot::take(const PowerSample& sample) {
+  consumption_.sense(sample.time, sample.charge);
+  standing_ = sample.motors_standing;
+  input_.charge = sample.charge;
+  HomeFlight flight = setup_->home_flight;
+  consumption_.set_powers(flight);
+  const NavState& nav = estimator_.state();
+  const Vec3 to_home = home_N_ - nav.p_N;
+  input_.charge_home = home_need(geo::horizontal(to_home), to_home.z(),
+                                 geo::horizontal(nav.wind_N), flight)
+                           .energy;
+}
+
+void SkeinAutopilot::command(const AutopilotCommand& command) {
+  if (std::holds_alternative<TakeOff>(command.guidance))
+    take_off_ = command;
+  else
+    agent_command_ = command;
+  input_.command = kind_of(command);
+}
+
+FlierView SkeinAutopilot::view() const {
+  return {estimator_.state(), estimator_.height_agl(), -home_N_.z(),
+          !modes_.decision().without_position, !modes_.decision().without_motor};
+}
+
+void SkeinAutopilot::look_around(Time now, const NavState& nav) {
+  input_.now = now;
+  input_.estimator_healthy = std::isfinite(nav.p_N.sum() + nav.v_N.sum());
+  input_.on_ground = ground_.step(nav, throttle_);
+  const bool landing =
+      order_ == Order::kLand ||
+      (order_ == Order::kAgent && std::holds_alternative<Land>(agent_command_.guidance));
+  const bool floor_counts = !input_.on_ground && !landing && order_ != Order::kTakeOff;
+  input_.outside_fence = fence_.step(nav.p_N, nav.v_N, floor_counts);
+  if (const auto* told = std::get_if<Actuators>(&last_)) {
+    const std::uint8_t failed = motors_.step(now, standing_, *told);
+    input_.motor_failed = failed != 0;
+    if (auto* rotors = std::get_if<RotorFlier>(&flier_)) rotors->set_standing(failed);
+  }
+  const AutopilotStatus& flown =
+      std::visit([](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
+  input_.done = flown.done;
+  input_.landed = landing && flown.done;
+  input_.committed = landing && -nav.p_N.z() + home_N_.z() < kCommittedHeight;
+}
+
+Control SkeinAutopilot::control(Time now, double dt) {
+  const NavState& nav = estimator_.state();
+  look_around(now, nav);
+  const Decision& decision = modes_.step(input_);
+  const FlierView seen = view();
+  const bool again = decision.events.has(ModeEvent::kOrderChanged);
+  if (decision.order != order_ || again) {
+    obey(decision.order, order_, seen);
+    order_ = decision.order;
+  } else if (input_.command != CommandKind::kNone && order_ == Order::kAgent) {
+    give(agent_command_, seen);  // the same kind again, with other content
+  }
+  input_.command = CommandKind::kNone;
+  last_ = fly(order_, seen, dt);
+  throttle_ = mean_throttle(last_, setup_->airframe);
+  return last_;
+}
+
+void SkeinAutopilot::obey(Order order, Order before, const FlierView& now) {
+  const bool another_flew = before == Order::kPilot || before == Order::kStand;
+  std::visit(
+      [&](auto& flier) {
+        if (another_flew && order != before) flier.take_over(now);
+        if (order == Order::kDescend && before != order) flier.begin_descent(now);
+      },
+      flier_);
+  switch (order) {
+    case Order::kStand:
+    case Order::kPilot:
+    case Order::kDescend: return;
+    case Order::kTakeOff: give(take_off_, now); return;
+    case Order::kAgent: give(agent_command_, now); return;
+    case Order::kHold:
+    case Order::kReturn:
+    case Order::kLand:
+      if (order != before) give(failsafe_command(order, now), now);
+      return;
+  }
+}
+
+AutopilotCommand SkeinAutopilot::failsafe_command(Order order, const FlierView& now) const {
+  AutopilotCommand command;
+  command.altitude_msl = -now.nav.p_N.z();
+  const Vec2 home = geo::horizontal(home_N_);
+  if (order == Order::kReturn)
+    command.guidance = Return{};
+  else if (order == Order::kLand)
+    command.guidance = Land{home, -home_N_.z()};
+  else
+    command.guidance = HoldPosition{geo::horizontal(now.nav.p_N)};
+  return command;
+}
+
+void SkeinAutopilot::give(const AutopilotCommand& command, const FlierView& now) {
+  auto reason =
+      std::visit([&](auto& flier) { return flier.command(command, now); }, flier_);
+  if (!reason) return;
+  refused_ = std::move(*reason);
+  ++refusals_;
+}
+
+Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
+  return std::visit(
+      [&](auto& flier) {
+        switch (order) {
+          case Order::kStand: return flier.stand();
+          case Order::kPilot: return flier.pilot(*input_.pilot, now, dt);
+          case Order::kDescend: return flier.descend(now, dt);
+          default: return flier.fly(now, dt);
+        }
+      },
+      flier_);
+}
+
+AutopilotStatus SkeinAutopilot::status() const {
+  AutopilotStatus status =
+      std::visit([](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
+  const Decision& decision = modes_.decision();
+  status.mode = decision.mode;
+  status.trigger = decision.trigger;
+  status.reaction = decision.reaction;
+  if (order_ == Order::kPilot || order_ == Order::kDescend) status.follows = false;
+  status.refusals = refusals_;
+  status.refused = refused_;
+  status.charge = input_.charge;
+  status.endurance = consumption_.endurance();
+  return status;
+}
+
+}  // namespace skein::autopilot

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "layer/autopilot/estimator/flight_estimator.h"
+#include "layer/autopilot/skein/land_detector.h"
+#include "layer/autopilot/skein/point_flier.h"
+#include "layer/autopilot/skein/rotor_flier.h"
+#include "layer/autopilot/skein/skein_setup.h"
+#include "layer/autopilot/skein/wing_flier.h"
+#include "data/air.h"
+#include "role/autopilot.h"
+
+namespace skein::autopilot {
+
+/// Skein's own autopilot, for fixed wings, multirotors and plants that hold their own
+/// attitude.
+///
+/// Each control step: the estimator's state -> modes and failsafes decide who flies and
+/// by which order -> guidance -> control. It sees its sensors only. With an
+/// ideal-navigation sensor the state is what that says, and the estimator costs nothing.
+///
+/// Commands that cannot be flown are refused (AutopilotStatus::refused), and what was
+/// flown goes on. Until the first command it holds where it is; on the ground it stands.
+class SkeinAutopilot final : public Autopilot {
+ public:
+  /// @param initial  where and how the flight begins: home is there.
+  SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup, const NavEstimate& initial,
+                 bool on_ground);
+
+  void sense(const SensorSample& sample) override;
+  void command(const AutopilotCommand& command) override;
+  Control control(Time now, double dt) override;
+  NavEstimate estimate() const override { return estimator_.estimate(); }
+  AutopilotStatus status() const override;
+
+  const FlightEstimator& estimator() const { return estimator_; }
+  const Decision& decision() const { return modes_.decision(); }
+
+ private:
+  using Flier = std::variant<WingFlier, RotorFlier, PointFlier>;
+  static Flier make_flier(const SkeinSetup& setup, const Vec3& home_N);
+
+  FlierView view() const;
+  void take(const PowerSample& sample);
+  void look_around(Time now, const NavState& nav);
+  void obey(Order order, Order before, const FlierView& now);
+  void give(const AutopilotCommand& command, const FlierView& now);
+  AutopilotCommand failsafe_command(Order order, const FlierView& now) const;
+  Control fly(Order order, const FlierView& now, double dt);
+
+  std::shared_ptr<const SkeinSetup> setup_;
+  Vec3 home_N_;
+  FlightEstimator estimator_;
+  ModeLogic modes_;
+  FenceWatch fence_;
+  MotorWatch motors_;
+  Consumption consumption_;
+  LandDetector ground_;
+  Flier flier_;
+  ModeInput input_;
+  Order order_ = Order::kStand;
+  AutopilotCommand agent_command_;
+  AutopilotCommand take_off_;
+  double airborne_altitude_ = 0;  // kept by failsafes that stay [m]
+  std::uint8_t standing_ = 0;     // motors, as the battery monitor says
+  double throttle_ = 0;           // mean of what the motors were told
+  Control last_;
+  std::string refused_;
+  int refusals_ = 0;
+};
+
+}  // namespace skein::autopilot

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "data/airframe.h"
+#include "data/vehicle.h"
+#include "layer/autopilot/control/fixed_wing_gains.h"
+#include "layer/autopilot/control/multirotor_gains.h"
+#include "layer/autopilot/estimator/estimator_options.h"
+#include "layer/autopilot/guidance/fixed_wing_guidance.h"
+#include "layer/autopilot/guidance/multirotor_guidance.h"
+#include "layer/autopilot/modes/consumption.h"
+#include "layer/autopilot/modes/failsafe.h"
+#include "layer/autopilot/modes/geofence.h"
+#include "layer/autopilot/modes/mode_logic.h"
+#include "layer/autopilot/modes/motor_watch.h"
+
+namespace skein::autopilot {
+
+/// For a plant that holds its own attitude.
+struct PointGains {
+  double altitude_gain = 0.3;  ///< climb rate per altitude error [1/s]
+};
+
+struct SkeinOptions {
+  EstimatorOptions estimator;
+  FixedWingGuidanceOptions wing_guidance;
+  MultirotorGuidanceOptions rotor_guidance;
+  FixedWingGains wing_gains;
+  MultirotorGains rotor_gains;
+  PointGains point_gains;
+  FailsafeOptions failsafe;
+  GeofenceOptions fence;
+  MotorWatchOptions motor_watch;
+  ConsumptionOptions consumption;
+};
+
+/// Everything about the autopilot that does not change in flight, worked out once for all
+/// aircraft of a kind.
+struct SkeinSetup {
+  /// `options` without fault_in(options.failsafe).
+  SkeinSetup(const SkeinOptions& options, const FlightLimits& limits,
+             const Airframe& airframe);
+
+  SkeinOptions options;
+  FlightLimits limits;
+  Airframe airframe;
+  ModeRules rules;
+  Geofence fence;
+  HomeFlight home_flight;  ///< without powers
+  std::shared_ptr<const FixedWingSetup> wing;      ///< null for other airframes
+  std::shared_ptr<const MultirotorSetup> rotors;  ///< null for other airframes
+};
+
+}  // namespace skein::autopilot

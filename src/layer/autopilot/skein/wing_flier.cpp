@@ -1,0 +1,70 @@
+#include "layer/autopilot/skein/wing_flier.h"
+
+#include <algorithm>
+
+namespace skein::autopilot {
+namespace {
+
+constexpr double kFlareHeight = 5;  // above ground, of a descent [m]
+constexpr double kDescentSink = 2;  // with motor, at most [m/s]
+constexpr double kFlareSink = 0.7;  // [m/s]
+
+}  // namespace
+
+WingFlier::WingFlier(const SkeinSetup& setup, const Vec3& home_N)
+    : guidance_(setup.options.wing_guidance, setup.limits, home_N),
+      control_(setup.wing),
+      sink_rate_(std::min(kDescentSink, setup.limits.sink_rate)),
+      cruise_(setup.limits.airspeed) {}
+
+std::optional<std::string> WingFlier::command(const AutopilotCommand& command,
+                                              const FlierView& now) {
+  return guidance_.command(command, motion_of(now.nav, now.height_agl));
+}
+
+Control WingFlier::fly(const FlierView& now, double dt) {
+  return control_.control(guidance_.step(motion_of(now.nav, now.height_agl), dt), now.nav,
+                          dt);
+}
+
+void WingFlier::begin_descent(const FlierView& now) {
+  AutopilotCommand hold;
+  hold.guidance = HoldPosition{geo::horizontal(now.nav.p_N)};
+  hold.altitude_msl = -now.nav.p_N.z();
+  guidance_.command(hold, motion_of(now.nav, now.height_agl));
+  descent_altitude_ = -now.nav.p_N.z();
+}
+
+Control WingFlier::descend(const FlierView& now, double dt) {
+  FixedWingDemand demand = guidance_.step(motion_of(now.nav, now.height_agl), dt);
+  const bool low = now.height() < kFlareHeight;
+  const double sink = low ? kFlareSink : sink_rate_;
+  // Not further ahead of the aircraft than it can follow.
+  const double altitude = -now.nav.p_N.z();
+  descent_altitude_ = std::max(descent_altitude_ - sink * dt, altitude - 5);
+  demand.altitude_msl = descent_altitude_;
+  demand.climb_rate = -sink;
+  demand.airspeed = cruise_;
+  if (!now.motor) demand.phase = FlightPhase::kGlide;
+  if (low) {
+    demand.lateral_acceleration = 0;
+    demand.phase = FlightPhase::kFlare;
+  }
+  return control_.control(demand, now.nav, dt);
+}
+
+Control WingFlier::pilot(const PilotInput& sticks, const FlierView& now, double dt) {
+  if (sticks.mode == FlightMode::kManual) return control_.manual(sticks, now.nav, dt);
+  return control_.stabilize(control_.attitude_for(sticks), now.nav, dt);
+}
+
+Control WingFlier::stand() {
+  return Actuators{};
+}
+
+void WingFlier::take_over(const FlierView& now) {
+  guidance_.forget(motion_of(now.nav, now.height_agl));
+  control_.reset(now.nav);
+}
+
+}  // namespace skein::autopilot
