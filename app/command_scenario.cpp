@@ -1,11 +1,15 @@
-// Commands about scenario files and kinds: check, list, schema, keys.
+// Commands about scenario files, aircraft files and kinds: check, list, schema, keys.
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "assemble/aircraft/aircraft_file.h"
 #include "assemble/build.h"
 #include "assemble/kinds_of.h"
+#include "base/check.h"
 #include "base/log.h"
+#include "scenario/markdown.h"
 #include "scenario/scenario_file.h"
+#include "scenario/schema.h"
 
 namespace skein::app {
 
@@ -23,7 +27,26 @@ int check_command(const std::string& file, const std::vector<std::string>& overr
   return kDone;
 }
 
+namespace {
+
+// The aircraft that are part of the program.
+void list_aircraft() {
+  print("aircraft:\n");
+  for (const assemble::BuiltInAircraft& each : assemble::built_in_aircraft()) {
+    const auto file = assemble::read_aircraft(each.text, std::string(each.name));
+    SKEIN_CHECK(file.ok(), each.name, file.error().text());
+    print("  {:<14}{} [{}]\n", each.name, file.value().description,
+          file.value().plants());
+  }
+}
+
+}  // namespace
+
 int list_command(const std::string& role) {
+  if (role == "aircraft") {
+    list_aircraft();
+    return kDone;
+  }
   const scenario::KindTable table = assemble::kind_table();
   bool any = false;
   for (const std::string& each : table.roles()) {
@@ -33,20 +56,25 @@ int list_command(const std::string& role) {
     for (const scenario::Kind& kind : table.of(each))
       print("  {:<14}{}\n", kind.name, kind.help);
   }
+  if (role.empty()) list_aircraft();
   if (any) return kDone;
   complain("There is no role \"{}\". Roles:", role);
   for (const std::string& each : table.roles()) complain(" {}", each);
-  complain("\n");
+  complain(" aircraft\n");
   return kBadUsage;
 }
 
-int schema_command() {
-  print("{}\n", scenario::json_schema(assemble::kind_table()));
+int schema_command(const std::string& document) {
+  const bool aircraft = document == "aircraft";
+  print("{}\n", aircraft ? scenario::schema_text(assemble::aircraft_document(), {})
+                         : scenario::json_schema(assemble::kind_table()));
   return kDone;
 }
 
-int keys_command() {
-  print("{}", scenario::markdown_keys(assemble::kind_table()));
+int keys_command(const std::string& document) {
+  const bool aircraft = document == "aircraft";
+  print("{}", aircraft ? scenario::keys_as_markdown(assemble::aircraft_document(), {})
+                       : scenario::markdown_keys(assemble::kind_table()));
   return kDone;
 }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,35 @@ struct StudyArguments {
   std::vector<std::string> given;        ///< names of all options of the command line
 };
 
+struct FlyArguments {
+  std::string aircraft;      ///< name of a built-in one, or a file
+  std::string input;         ///< CSV; - = standard input
+  std::string output = "-";  ///< CSV; - = standard output
+  double step = 0.005;       ///< longest integration step [s]
+  /// Gravity falls off with height as on a sphere of this radius [m]; 0 = flat. The
+  /// default is that of the comparison in docs/fly.md, flat to 2e-6 below 600 m.
+  double planet_radius = 637.1e6;
+};
+
+struct TrimArguments {
+  std::string aircraft;
+  std::optional<double> airspeed;  ///< [m/s]; none: all over its range
+  double climb_deg = 0;            ///< of the path through the air
+  double turn_radius = 0;          ///< to the right [m]; 0: bank_deg counts
+  double bank_deg = 0;             ///< to the right
+  double altitude = 0;             ///< above mean sea level [m]
+  bool json = false;
+  double hold = 0;  ///< print an input table that holds the trim so long [s]; 0: do not
+};
+
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
 int check_command(const std::string& scenario, const std::vector<std::string>& overrides,
                   bool filled_in);
 int list_command(const std::string& role);
-int schema_command();
-int keys_command();
+int schema_command(const std::string& document);
+int keys_command(const std::string& document);
+int fly_command(const FlyArguments& arguments, const std::atomic<bool>& stop);
+int trim_command(const TrimArguments& arguments);
 int report_command(const std::vector<std::filesystem::path>& runs,
                    const std::filesystem::path& out);
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop);

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "assemble/aircraft/aircraft_file.h"
 #include "assemble/kinds_of.h"
 #include "scenario/scenario_file.h"
 
@@ -17,6 +18,15 @@ std::optional<scenario::Scenario> load_scenario(
   auto outcome = scenario::read_scenario(file, assemble::kind_table(), changes);
   if (!outcome.ok()) complain("{}", outcome.report());
   return std::move(outcome.scenario);
+}
+
+Result<asset::FixedWingParameters> load_fixed_wing(const std::string& aircraft) {
+  auto file = assemble::load_aircraft(aircraft, {});
+  if (!file) return file.error();
+  if (file.value().fixed_wing) return *file.value().fixed_wing;
+  return Error{ErrorCode::kBadInput, aircraft,
+               fmt::format("has no section fixed_wing, only {}.", file.value().plants()),
+               "skein fly takes fixed wings; see skein list aircraft."};
 }
 
 std::string folder_name(const std::string& name) {

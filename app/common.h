@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "layer/asset/fixed_wing/parameters.h"
 #include "scenario/scenario.h"
 
 namespace skein::app {
@@ -14,6 +15,10 @@ namespace skein::app {
 /// any.
 std::optional<scenario::Scenario> load_scenario(
     const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// The parameters of a fixed wing, built in or in a file relative to the working folder.
+/// Fails: as assemble::load_aircraft; an aircraft of another kind.
+Result<asset::FixedWingParameters> load_fixed_wing(const std::string& aircraft);
 
 /// A name that is safe as the name of one folder: letters, digits, - _ and . of `name`,
 /// anything else becomes -; it neither begins with a dot nor is empty ("run").

@@ -36,17 +36,26 @@ Examples:
 constexpr const char* kListExamples = R"(
 Examples:
   skein list                all kinds of all roles
-  skein list estimator      those of one role)";
+  skein list estimator      those of one role
+  skein list aircraft       the aircraft that are part of the program)";
 
 constexpr const char* kSchemaExamples = R"(
 Examples:
   skein schema > scenario.schema.json
+  skein schema aircraft > aircraft.schema.json
   then, in the first line of a scenario, for editors with a YAML language server:
   # yaml-language-server: $schema=scenario.schema.json)";
 
 constexpr const char* kKeysExamples = R"(
 Examples:
-  skein keys > scenario-keys.md)";
+  skein keys > scenario-keys.md
+  skein keys aircraft > aircraft-keys.md)";
+
+constexpr const char* kFlyExamples = R"(
+Examples:
+  skein fly --trim --aircraft aerosonde                    steady flights, all speeds
+  skein fly --trim --aircraft aerosonde --airspeed 25 --hold 60 > in.csv
+  skein fly --aircraft aerosonde --input in.csv --output out.csv)";
 
 constexpr const char* kReportExamples = R"(
 Examples:
@@ -131,11 +140,66 @@ int run_program(int argc, char** argv) {
   list_cmd->footer(kListExamples);
 
   auto* schema_cmd = app.add_subcommand(
-      "schema", "Print the JSON Schema of scenario files, for editors.");
+      "schema", "Print the JSON Schema of scenario or aircraft files, for editors.");
   schema_cmd->footer(kSchemaExamples);
   auto* keys_cmd =
       app.add_subcommand("keys", "Print the documentation of all keys (Markdown).");
+  std::string document = "scenario";
+  for (auto* command : {schema_cmd, keys_cmd})
+    command->add_option("of", document, "Of which files: scenario or aircraft.")
+        ->check(CLI::IsMember({"scenario", "aircraft"}));
   keys_cmd->footer(kKeysExamples);
+
+  FlyArguments fly;
+  TrimArguments trim;
+  bool steady = false;
+  auto* fly_cmd = app.add_subcommand(
+      "fly", "Fly one fixed wing alone, open loop, from a table; or find its trims.");
+  fly_cmd
+      ->add_option("--aircraft", fly.aircraft,
+                   "A built-in aircraft (skein list aircraft) or an aircraft file.")
+      ->required();
+  auto* fly_input = fly_cmd->add_option(
+      "--input", fly.input, "CSV of deflections, thrust and wind; - = standard input.");
+  auto* fly_output = fly_cmd->add_option(
+      "--output", fly.output, "CSV of the motion; - = standard output, the default.");
+  auto* fly_step = fly_cmd
+                       ->add_option("--step", fly.step,
+                                    "Longest integration step in seconds; default 0.005.")
+                       ->check(CLI::Range(1e-6, 1.0));
+  auto* fly_planet = fly_cmd
+                         ->add_option("--planet-radius", fly.planet_radius,
+                                      "Gravity falls off as on a sphere of so many "
+                                      "metres; 0: not at all; default 637100000.")
+                         ->check(CLI::Range(0.0, 1e15));
+  auto* fly_trim = fly_cmd->add_flag("--trim", steady, "Find steady flights instead.");
+  std::vector<CLI::Option*> of_trim = {
+      fly_cmd
+          ->add_option("--airspeed", trim.airspeed,
+                       "m/s; without it, all over the aircraft's range.")
+          ->check(CLI::Range(0.1, 500.0)),
+      fly_cmd->add_option("--climb-deg", trim.climb_deg, "Climb angle through the air.")
+          ->check(CLI::Range(-85.0, 85.0)),
+      fly_cmd->add_option("--altitude", trim.altitude, "Metres above mean sea level.")
+          ->check(CLI::Range(-5000.0, 20000.0)),
+      fly_cmd
+          ->add_option("--hold", trim.hold,
+                       "Print an input table that holds it for so many seconds.")
+          ->check(CLI::Range(0.001, 1e6)),
+      fly_cmd->add_flag("--json", trim.json, "Print as JSON.")};
+  auto* fly_radius = fly_cmd
+                         ->add_option("--turn-radius", trim.turn_radius,
+                                      "Metres; negative: to the left.")
+                         ->check(CLI::Range(-1e6, 1e6));
+  auto* fly_bank =
+      fly_cmd->add_option("--bank-deg", trim.bank_deg, "Of the turn; negative: left.")
+          ->check(CLI::Range(-85.0, 85.0))
+          ->excludes(fly_radius);
+  of_trim.insert(of_trim.end(), {fly_radius, fly_bank});
+  for (CLI::Option* option : of_trim) option->needs(fly_trim);
+  for (CLI::Option* option : {fly_input, fly_output, fly_step, fly_planet})
+    fly_trim->excludes(option);
+  fly_cmd->footer(kFlyExamples);
 
   std::vector<std::filesystem::path> runs;
   std::filesystem::path report_out;
@@ -194,8 +258,13 @@ int run_program(int argc, char** argv) {
   if (*run_cmd) return run_command(run, stop_requested);
   if (*check_cmd) return check_command(scenario, overrides, filled_in);
   if (*list_cmd) return list_command(role);
-  if (*schema_cmd) return schema_command();
-  if (*keys_cmd) return keys_command();
+  if (*schema_cmd) return schema_command(document);
+  if (*keys_cmd) return keys_command(document);
+  if (*fly_cmd && steady) {
+    trim.aircraft = fly.aircraft;
+    return trim_command(trim);
+  }
+  if (*fly_cmd) return fly_command(fly, stop_requested);
   if (*report_cmd) return report_command(runs, report_out);
   if (*study_cmd) return study_command(study, stop_requested);
   return completion_command(shell);

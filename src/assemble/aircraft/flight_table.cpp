@@ -57,6 +57,17 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+bool is_column(std::string_view name) {
+  return std::any_of(std::begin(kBounds), std::end(kBounds),
+                     [&](const Bounds& each) { return each.column == name; });
+}
+
+// A cell for messages.
+std::string shown(std::string_view cell) {
+  return scenario::first_bad_byte(cell) ? "bytes that are no text"
+                                        : scenario::quote(cell);
+}
+
 // The cells of a line. A comma within quotation marks parts nothing.
 void split(std::string_view line, std::vector<std::string_view>& cells) {
   cells.clear();
@@ -109,19 +120,15 @@ Result<void> FlightTableReader::read_header() {
   if (!header.value())
     return Error{ErrorCode::kBadInput, name_, "the table is empty.",
                  "Its first line names the columns: t, de_rad, ..."};
-  if (const auto bad = std::find_if(
-          cells_.begin(), cells_.end(),
-          [](std::string_view cell) { return scenario::first_bad_byte(cell); });
-      bad != cells_.end())
-    return fault("", fmt::format("{} is not UTF-8 text.", scenario::quote(*bad)));
-
   std::string missing, twice, hint;
-  const std::vector<std::string> given(cells_.begin(), cells_.end());
+  std::vector<std::string> others;  // columns that mean nothing here: slips, perhaps
+  for (const std::string_view cell : cells_)
+    if (!scenario::first_bad_byte(cell) && !is_column(cell)) others.emplace_back(cell);
   for (const Bounds& each : kBounds) {
     const auto found = std::find(cells_.begin(), cells_.end(), each.column);
     if (found == cells_.end()) {
       missing += fmt::format("{}{}", missing.empty() ? "" : ", ", each.column);
-      const std::string near = scenario::nearest_name(std::string(each.column), given);
+      const std::string near = scenario::nearest_name(each.column, others);
       if (hint.empty() && !near.empty())
         hint = fmt::format("Is {} the column {}?", scenario::quote(near), each.column);
       continue;
@@ -146,8 +153,7 @@ Result<double> FlightTableReader::value(const Column& column) {
   if (cell.empty()) return fault(column.name, "is empty; needs a number.");
   const auto number = scenario::parse_number(cell);
   if (!number || !std::isfinite(*number))
-    return fault(column.name,
-                 fmt::format("found {}; needs a number.", scenario::quote(cell)));
+    return fault(column.name, fmt::format("found {}; needs a number.", shown(cell)));
   const Bounds& bounds = kBounds[static_cast<std::size_t>(&column - columns_.data())];
   if (*number < bounds.low || *number > bounds.high)
     return fault(column.name,
