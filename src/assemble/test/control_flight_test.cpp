@@ -415,5 +415,120 @@ TEST(MultirotorFlight, SixRotorsFlyOnWithOneStanding) {
   }
 }
 
+TEST(MultirotorFlight, FourRotorsFlyOnSpinningWithOneStanding) {
+  const asset::MultirotorPlant plant(asset::MultirotorParameters{});
+  for (unsigned dead = 0; dead < 4; ++dead) {
+    Flight flight(plant, Vec3(6, 0, 0), kLight, 0.5, dead);
+    MultirotorControl control(std::get<MultirotorAirframe>(plant.airframe()), {});
+    MultirotorDemand demand;
+    demand.altitude_msl = kHeight;
+    double lowest = kHeight;
+    for (double t = 0; t < 50; t += kStep) {
+      if (t > 10) flight.state.faults.dead = static_cast<std::uint8_t>(1u << dead);
+      if (t > 10.3) control.set_standing(static_cast<std::uint8_t>(1u << dead));
+      flight.step(control.control(demand, flight.nav(), kStep));
+      lowest = std::min(lowest, -flight.state.p_N.z());
+      if (t > 40) {
+        // Steady again; measured 1.3 m.
+        ASSERT_LT((flight.state.p_N - Vec3(0, 0, -kHeight)).norm(), 3)
+            << dead << ' ' << t;
+        ASSERT_GT(geo::down_in_body(flight.state.q_NB).z(), 0.8) << dead << ' ' << t;
+      }
+    }
+    // It falls while it tumbles and gathers spin: measured 17 m.
+    EXPECT_GT(lowest, kHeight - 35) << dead;
+    EXPECT_GT(std::abs(flight.state.w_NB_B.z()), 5) << dead;
+  }
+}
+
+// Lateral acceleration that keeps to the line to the north.
+double along_north(const VehicleState& s) {
+  const double speed = std::max(geo::horizontal(s.v_N).norm(), 1.0);
+  const double course = speed > 1.5 ? geo::bearing(geo::horizontal(s.v_N)) : 0;
+  return std::clamp(speed * (-std::atan(s.p_N.y() / (3 * speed)) - course), -3.0, 3.0);
+}
+
+TEST(FixedWingFlight, TakesOff) {
+  for (const auto& [name, parameters] : aircraft()) {
+    const asset::FixedWingPlant plant(parameters);
+    const FixedWingAirframe airframe = airframe_of(plant);
+    for (const Vec3& wind : {Vec3(0, 0, 0), Vec3(-5, 0, 0), Vec3(0, 3, 0)}) {
+      VehicleState s = plant.start({Vec3::Zero(), 0, wind, true});
+      FixedWingControl control(airframe, {});
+      FixedWingDemand demand{0, 60, 0, airframe.cruise, FlightPhase::kRun};
+      double aside = 0, slowest = 1e9;
+      bool crashed = false;
+      for (double t = 0; t < 60; t += kStep) {
+        const double height = -s.p_N.z();
+        if (demand.phase == FlightPhase::kRun && s.airspeed > 1.1 * airframe.slowest)
+          demand.phase = FlightPhase::kClimbOut;
+        if (demand.phase == FlightPhase::kClimbOut && height > 40)
+          demand.phase = FlightPhase::kFlight;
+        demand.lateral_acceleration = along_north(s);
+        Air air;
+        air.wind_N = wind;
+        plant.step(s, control.control(demand, truth(s, wind), kStep), air, kStep);
+        if (-s.p_N.z() < 0 && plant.touch(s, 0, kStep) == Contact::kCrash) crashed = true;
+        aside = std::max(aside, std::abs(s.p_N.y()));
+        if (demand.phase != FlightPhase::kRun) slowest = std::min(slowest, s.airspeed);
+      }
+      EXPECT_FALSE(crashed) << name;
+      EXPECT_NEAR(-s.p_N.z(), 60, 0.5) << name;
+      EXPECT_LT(aside, 4) << name;  // in wind across the runway
+      EXPECT_GT(slowest, airframe.slowest) << name;
+    }
+  }
+}
+
+TEST(FixedWingFlight, LandsSoftly) {
+  constexpr double kSlope = 0.08, kFlareHeight = 4, kTouchDownSink = 0.4;
+  for (const auto& [name, parameters] : aircraft()) {
+    const asset::FixedWingPlant plant(parameters);
+    const FixedWingAirframe airframe = airframe_of(plant);
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      const Vec3 wind(-5, 0, 0);
+      Flight flight(plant, wind, seed == 0 ? 0 : kLight, parameters.geometry.span, seed);
+      VehicleState& s = flight.state;
+      s.p_N.z() = -40;
+      FixedWingControl control(airframe, {});
+      FixedWingDemand demand{0, 40, 0, 1.1 * airframe.slowest, FlightPhase::kFlight};
+      const double begin = 15 * airframe.cruise, end = begin + 40 / kSlope;
+      double sink = -1, at = 0;
+      bool crashed = false;
+      for (double t = 0; t < 150; t += kStep) {
+        const double height = -s.p_N.z(), ground_speed = geo::horizontal(s.v_N).norm();
+        if (s.p_N.x() > begin && demand.phase == FlightPhase::kFlight)
+          demand.phase = FlightPhase::kApproach;
+        if (demand.phase == FlightPhase::kApproach) {
+          demand.altitude_msl = std::max(0.0, (end - s.p_N.x()) * kSlope);
+          demand.climb_rate = -kSlope * ground_speed;
+          if (height < kFlareHeight) demand.phase = FlightPhase::kFlare;
+        }
+        if (demand.phase == FlightPhase::kFlare) {
+          const double share = std::clamp(height / kFlareHeight, 0.0, 1.0);
+          demand.altitude_msl = height;
+          demand.climb_rate =
+              -kTouchDownSink - share * (kSlope * ground_speed - kTouchDownSink);
+        }
+        demand.lateral_acceleration = along_north(s);
+        flight.step(control.control(demand, flight.nav(), kStep));
+        if (-s.p_N.z() < 0) {
+          if (sink < 0) {
+            sink = s.v_N.z();
+            at = s.p_N.x();
+          }
+          if (plant.touch(s, 0, kStep) == Contact::kCrash) crashed = true;
+        }
+      }
+      EXPECT_FALSE(crashed) << name << ' ' << seed;
+      EXPECT_LT(sink, seed == 0 ? 1.0 : 2.4) << name << ' ' << seed;  // breaks above 2.5
+      // It floats while it slows down, longest in rising air.
+      EXPECT_NEAR(at, end, 170) << name << ' ' << seed;
+      // At rest, or rolling with the wind against it.
+      EXPECT_LT(geo::horizontal(s.v_N).norm(), 1) << name << ' ' << seed;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace skein

@@ -13,6 +13,8 @@ namespace {
 // Below this share of the largest singular value a direction cannot be steered.
 constexpr double kRankTolerance = 1e-6;
 
+constexpr double kIdleShare = 0.1;  // of a rotor's part of the thrust
+
 }  // namespace
 
 Mixer::Mixer(const MultirotorAirframe& airframe, std::uint8_t standing)
@@ -54,6 +56,12 @@ Mixer::Mixer(const MultirotorAirframe& airframe, std::uint8_t standing)
     yaw_of_roll_ = yaw_ratio(1);
     yaw_of_pitch_ = yaw_ratio(2);
   }
+}
+
+bool Mixer::holds_still() const {
+  for (std::size_t k = 0; k < rotors_; ++k)
+    if (turns_[k] && thrust_[k] < kIdleShare / static_cast<double>(rotors_)) return false;
+  return true;
 }
 
 double Mixer::throttle(double thrust) const {

@@ -38,6 +38,9 @@ class Mixer {
   Mix mix(const Wrench& wrench) const;
 
   std::size_t rotors() const { return rotors_; }
+  /// Whether hover without turning leaves thrust on every rotor that turns. Else tilt can
+  /// be steered one way only, and the airframe must spin to be steered at all.
+  bool holds_still() const;
   /// Of all rotors that turn [N].
   double thrust_most() const { return thrust_most_; }
 

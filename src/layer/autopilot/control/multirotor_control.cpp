@@ -62,6 +62,7 @@ void MultirotorControl::set_standing(std::uint8_t rotors) {
   standing_ = rotors;
   mixer_ = Mixer(setup_->airframe, standing_);
   rate_sum_.setZero();
+  spins_ = !mixer_.holds_still();
 }
 
 Vec3 MultirotorControl::acceleration_for(const MultirotorDemand& demand,
@@ -120,14 +121,22 @@ Actuators MultirotorControl::turn(const Vec3& rates, double thrust, const NavSta
   rates_ = bounded_each(rates_ + share * (w - rates_), 1e4);
   Vec3 angular = gain.cwiseProduct(error) + rate_sum_;
   angular.head<2>() -= g.rate_derivative * g.rate_gain * slope.head<2>();
-  const Vec3 torque = inertia.cwiseProduct(angular) + w.cross(inertia.cwiseProduct(w));
+  Vec3 torque = inertia.cwiseProduct(angular) + w.cross(inertia.cwiseProduct(w));
+  if (spins_) {
+    // What holds in N turns backwards in the body while the rotors make it.
+    const double late = 1 / g.rate_gain + setup_->motor_lag / 2;
+    const double angle = bounded(-w.z() * late, geo::kPi / 2);
+    const double c = std::cos(angle), s = std::sin(angle);
+    torque.head<2>() =
+        Vec2(c * torque.x() - s * torque.y(), s * torque.x() + c * torque.y());
+  }
   const Mix mix = mixer_.mix({thrust, torque});
   // Frozen where the rotors cannot follow, and as long as the ground may hold.
   const double airborne = thrust > kAirborneShare * setup_->airframe.mass * kGravity
                               ? g.rate_integral * dt
                               : 0;
-  const Vec3 steps(mix.tilt_limited ? 0 : airborne, mix.tilt_limited ? 0 : airborne,
-                   mix.yaw_limited ? 0 : airborne);
+  const double tilt_step = mix.tilt_limited || spins_ ? 0 : airborne;
+  const Vec3 steps(tilt_step, tilt_step, mix.yaw_limited || spins_ ? 0 : airborne);
   rate_sum_ = bounded_each(
       rate_sum_ + steps.cwiseProduct(gain.cwiseProduct(gain)).cwiseProduct(error),
       kMostRateSum);
@@ -162,6 +171,11 @@ Actuators MultirotorControl::control(const MultirotorDemand& demand, const NavSt
     hover_scale_ = scale;
   }
 
+  Vec3 rates = tilt_rates(up_B);
+  if (spins_) {
+    rates.z() = nav.w_NB_B.z();
+    return turn(rates, thrust, nav, dt);
+  }
   // Heading error e as 2 sin(e/2), from the forward axis over the ground.
   const Quat& q = nav.q_NB;
   const double north = q.w() * q.w() + q.x() * q.x() - q.y() * q.y() - q.z() * q.z();
@@ -174,7 +188,8 @@ Actuators MultirotorControl::control(const MultirotorDemand& demand, const NavSt
       std::copysign(std::sqrt(std::max(0.0, 2 * (1 - cosine))), sine);
   const double yaw_rate =
       bounded(g.heading_gain * heading_error, g.yaw_rate_limit) * bounded(cos_tilt, 0, 1);
-  return turn(tilt_rates(up_B) + yaw_rate * down_B, thrust, nav, dt);
+  rates += yaw_rate * down_B;
+  return turn(rates, thrust, nav, dt);
 }
 
 Actuators MultirotorControl::stabilize(const AttitudeDemand& demand, const NavState& nav,

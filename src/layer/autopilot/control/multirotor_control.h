@@ -25,8 +25,10 @@ namespace skein::autopilot {
 /// integral moves into it slowly, which learns weight, air density and battery.
 ///
 /// Rotors that stand are left out of the mixer (set_standing): six or more rotors fly on
-/// with less authority; with fewer than four the heading is given up and the airframe
-/// spins.
+/// with less authority. With one of four standing the heading is given up: the airframe
+/// spins, which brings the direction that can be steered round to everywhere, and torques
+/// are turned ahead by the way it spins while rotors and rates follow (angle r (1/k_w +
+/// lag/2)).
 ///
 /// Outputs are finite and in range whatever the demand and the state are. If one of them
 /// is not finite, the last output is held. Free of allocation, except where rotors begin
@@ -70,6 +72,7 @@ class MultirotorControl {
   std::shared_ptr<const MultirotorSetup> setup_;
   Mixer mixer_;
   std::uint8_t standing_ = 0;
+  bool spins_ = false;                // the rotors left cannot hold the heading at all
   Vec3 velocity_sum_ = Vec3::Zero();  // integral part of the acceleration, in N [m/s^2]
   double hover_scale_ = 1;
   Vec3 rate_sum_ = Vec3::Zero();  // of the angular acceleration [rad/s^2]

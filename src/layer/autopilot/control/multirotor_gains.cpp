@@ -11,7 +11,6 @@ constexpr double kRateShare = 0.5;
 constexpr double kTiltShare = 0.4;  // of the rate gain
 
 MultirotorGains completed(MultirotorGains g, double lag) {
-  if (!(lag > 0)) lag = kAssumedLag;
   if (!(g.rate_gain > 0)) g.rate_gain = std::min(kRateShare / lag, 25.0);
   if (!(g.tilt_gain > 0)) g.tilt_gain = kTiltShare * g.rate_gain;
   return g;
@@ -20,8 +19,9 @@ MultirotorGains completed(MultirotorGains g, double lag) {
 }  // namespace
 
 MultirotorSetup::MultirotorSetup(const MultirotorAirframe& a, const MultirotorGains& g)
-    : gains(completed(g, a.motor_lag)),
-      airframe(a),
+    : airframe(a),
+      motor_lag(a.motor_lag > 0 ? a.motor_lag : kAssumedLag),
+      gains(completed(g, motor_lag)),
       tilt_tangent(std::tan(a.tilt_limit > 0 ? a.tilt_limit : 0.6)),
       thrust_most(a.thrust_max * static_cast<double>(a.rotors.size())) {}
 

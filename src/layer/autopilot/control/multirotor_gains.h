@@ -36,10 +36,11 @@ struct MultirotorGains {
 struct MultirotorSetup {
   MultirotorSetup(const MultirotorAirframe& airframe, const MultirotorGains& gains);
 
-  MultirotorGains gains;  ///< none is 0 for "by lag" any more
   MultirotorAirframe airframe;
-  double tilt_tangent;  ///< of the tilt limit
-  double thrust_most;   ///< of all rotors [N]
+  double motor_lag;       ///< known or assumed [s]
+  MultirotorGains gains;  ///< none is 0 for "by lag" any more
+  double tilt_tangent;    ///< of the tilt limit
+  double thrust_most;     ///< of all rotors [N]
 };
 
 }  // namespace skein::autopilot
