@@ -19,6 +19,7 @@ constexpr double kCarrier = 0.01;          // errors of its phase to those of th
 constexpr double kSlowShare = 0.25;        // least share of a fix's variance [-]
 constexpr double kChangedPrecision = 1.5;  // of a receiver that begins anew
 constexpr double kLeastLevelField = 0.05;  // of the unit field
+constexpr double kWildTilt = 0.1;          // sd of the tilt [rad]
 constexpr double kFieldMemory = 20;        // of the field's dip [s]
 constexpr double kWildGust = 10;           // innovations above say nothing of gusts [m/s]
 
@@ -209,6 +210,11 @@ void FlightEstimator::fuse_bearing(ErrorVector& error) {
   const Vec3 m_N = field_N_.mean() - x_.q_NB * x_.magnetic_bias;
   const double level = std::hypot(m_N.x(), m_N.y());
   if (level < kLeastLevelField) return;  // straight down: no bearing
+  // The field dips: when the tilt is unknown a bearing says little, and not linearly.
+  if (covariance_.variance(error::kAttitude) +
+          covariance_.variance(error::kAttitude + 1) >
+      kWildTilt * kWildTilt)
+    return;
   field_seconds_ = std::min(field_seconds_ + options_.period, kFieldMemory);
   const double share = options_.period / field_seconds_;
   field_level_ += share * (level - field_level_);
