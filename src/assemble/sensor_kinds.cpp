@@ -53,29 +53,29 @@ Fields<T> sampled() {
       .duration_s("latency_s", &T::latency, "From measuring to arriving.", kLatency);
 }
 
-Fields<sensory::OutageSpan> outage_span_fields() {
-  using T = sensory::OutageSpan;
+// A planned loss of fix; without an end it lasts.
+struct PlannedOutage {
+  double from = 0;
+  std::optional<double> until;
+};
+
+struct GnssReceiverChoice : sensory::GnssReceiverOptions {
+  std::vector<PlannedOutage> planned;
+};
+
+Fields<PlannedOutage> planned_outage_fields() {
+  using T = PlannedOutage;
   return Fields<T>()
       .duration_s("from_s", &T::from, "When the fix is lost.")
-      .duration_s("until_s", &T::until, "When the satellites are back.")
+      .duration_s("until_s", &T::until, "When the satellites are back. Null: never.")
       .rule("until_s", [](const T& t) {
-        return t.until <= t.from ? std::string("must be after from_s.") : std::string();
+        return t.until && *t.until <= t.from ? std::string("must be after from_s.")
+                                             : std::string();
       });
 }
 
-Fields<sensory::OutageOptions> outage_fields() {
-  using T = sensory::OutageOptions;
-  return Fields<T>()
-      .object("spans", &T::spans, outage_span_fields(), "Outages that are planned.")
-      .items({.at_most = 1000})
-      .number("per_hour", &T::per_hour, "Random ones, mean number in an hour with fix.",
-              {.at_least = 0, .at_most = 3600})
-      .duration_s("mean_duration_s", &T::mean_duration, "Of the random ones.",
-                  {.above = 0, .at_most = 86400});
-}
-
-Fields<sensory::GnssReceiverOptions> gnss_receiver_fields() {
-  using T = sensory::GnssReceiverOptions;
+Fields<GnssReceiverChoice> gnss_receiver_fields() {
+  using T = GnssReceiverChoice;
   return sampled<T>()
       .word("receiver", &T::kind, "How it comes by its position.",
             {{"single", GnssKind::kSingle, "by itself"},
@@ -95,7 +95,13 @@ Fields<sensory::GnssReceiverOptions> gnss_receiver_fields() {
               {.above = 0, .at_most = 100})
       .number("velocity_sd_mps", &T::velocity_sd, "Of the velocity per axis, white.",
               kNotNegative)
-      .object("outages", &T::outages, outage_fields(), "Loss of fix.")
+      .object("outages", &T::planned, planned_outage_fields(), "Planned losses of fix.")
+      .items({.at_most = 1000})
+      .number("outages_per_hour", [](T & t) -> auto& { return t.outages.per_hour; },
+              "Further ones by chance, mean number in an hour with fix.",
+              {.at_least = 0, .at_most = 3600})
+      .duration_s("outage_mean_s", [](T & t) -> auto& { return t.outages.mean_duration; },
+                  "Mean length of those by chance.", {.above = 0, .at_most = 86400})
       .duration_s("reacquisition_s", &T::reacquisition,
                   "From the end of an outage to the next fix.");
 }
@@ -348,9 +354,16 @@ Kinds<Sensor, AircraftContext> sensor_kinds() {
             gnss_fields(), [](const sensory::GnssOptions& o, const AircraftContext& c) {
               return std::make_unique<sensory::GnssSensor>(o, c.seed, c.self, c.instance);
             });
-  kinds.add("gnss-receiver", "Satellite navigation, each source of error by itself; outages.", gnss_receiver_fields(),
-            [](const sensory::GnssReceiverOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::GnssReceiver>(o, c.seed, c.self, c.instance);
+  kinds.add("gnss-receiver",
+            "Satellite navigation, each source of error by itself; outages.",
+            gnss_receiver_fields(),
+            [](const GnssReceiverChoice& o, const AircraftContext& c) {
+              sensory::GnssReceiverOptions all = o;
+              for (const PlannedOutage& outage : o.planned)
+                all.outages.spans.push_back(
+                    {outage.from, outage.until.value_or(sensory::OutageSpan{}.until)});
+              return std::make_unique<sensory::GnssReceiver>(all, c.seed, c.self,
+                                                             c.instance);
             });
   kinds.add("imu", "Inertial measurement: turn rates and accelerations.", imu_fields(),
             [](const sensory::ImuOptions& o, const AircraftContext& c) {

@@ -57,10 +57,7 @@ Control RotorFlier::stand() {
 }
 
 void RotorFlier::take_over(const FlierView& now) {
-  AutopilotCommand hold;
-  hold.guidance = HoldPosition{geo::horizontal(now.nav.p_N)};
-  hold.altitude_msl = -now.nav.p_N.z();
-  guidance_.command(hold, now.nav);
+  guidance_.forget(now.nav);
   control_.reset(now.nav);
 }
 

@@ -121,7 +121,7 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   const AutopilotStatus& flown =
       std::visit([](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
   input_.done = flown.done;
-  input_.landed = landing && flown.done;
+  input_.landed = landing && flown.done && input_.on_ground;
   input_.committed = landing && -nav.p_N.z() + home_N_.z() < kCommittedHeight;
 }
 
