@@ -35,7 +35,7 @@ void list_aircraft() {
   for (const assemble::BuiltInAircraft& each : assemble::built_in_aircraft()) {
     const auto file = assemble::read_aircraft(each.text, std::string(each.name));
     SKEIN_CHECK(file.ok(), each.name, file.error().text());
-    print("  {:<14}{} [{}]\n", each.name, file.value().description,
+    print("  {:<17}{} [{}]\n", each.name, file.value().description,
           file.value().plants());
   }
 }
