@@ -118,7 +118,9 @@ asset::FixedWingParameters with_errors(const asset::FixedWingParameters& nominal
 }
 
 TEST(FixedWingFlight, SurvivesSevereTurbulenceWithWrongParameters) {
-  for (const auto& [name, parameters] : aircraft()) {
+  std::vector<Aircraft> all = aircraft();
+  all.push_back({"light sport", asset::light_sport()});
+  for (const auto& [name, parameters] : all) {
     const FixedWingAirframe assumed = airframe_of(asset::FixedWingPlant(parameters));
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       RandomStream random(seed, 0, Purpose::kTest);

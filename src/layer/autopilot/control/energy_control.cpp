@@ -59,16 +59,17 @@ void EnergyControl::reset(const EnergyView& view, double pitch, double throttle)
 
 void EnergyControl::follow(const FixedWingSetup& setup, const EnergyView& view,
                            double pitch, double throttle, double dt) {
-  filter(setup.gains, view, dt);
+  filter(setup, view, dt);
   pitch_ = pitch;
   throttle_ = throttle;
   fresh_ = true;
 }
 
-void EnergyControl::filter(const FixedWingGains& g, const EnergyView& view, double dt) {
+void EnergyControl::filter(const FixedWingSetup& setup, const EnergyView& view,
+                           double dt) {
   const double gust = view.airspeed - view.calm_airspeed;
-  gust_ = bounded(gust_ + bounded(g.gust_filter * dt, 0, 1) * (gust - gust_), 1e3);
-  const double w = g.airspeed_filter;
+  gust_ = bounded(gust_ + bounded(setup.gust_bandwidth * dt, 0, 1) * (gust - gust_), 1e3);
+  const double w = setup.gains.airspeed_filter;
   const double innovation = view.calm_airspeed + gust_ - speed_;
   acceleration_ = bounded(acceleration_ + w * w * innovation * dt, 3 * kGravity);
   speed_ = bounded(speed_ + (acceleration_ + 2 * kFilterDamping * w * innovation) * dt, 0,
@@ -162,7 +163,7 @@ EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
                                  const FixedWingDemand& demand, const EnergyView& view,
                                  double dt) {
   const FixedWingGains& g = setup.gains;
-  filter(g, view, dt);
+  filter(setup, view, dt);
   const bool flare = demand.phase == FlightPhase::kFlare;
   const bool level =
       std::abs(view.climb_rate) < kLevelShare * std::abs(demand.climb_rate);

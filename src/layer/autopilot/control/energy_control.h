@@ -65,7 +65,7 @@ class EnergyControl {
     double carried() const { return (1 - height_weight) * energy; }
   };
 
-  void filter(const FixedWingGains& gains, const EnergyView& view, double dt);
+  void filter(const FixedWingSetup& setup, const EnergyView& view, double dt);
   Rates rates(const FixedWingSetup& setup, const FixedWingDemand& demand,
               const EnergyView& view, double speed) const;
   void move_throttle(const FixedWingSetup& setup, FlightPhase phase, const Rates& rates,

@@ -8,6 +8,8 @@
 namespace skein::autopilot {
 namespace {
 
+constexpr double kFilterCruise = 15;  // for which gust_filter is given [m/s]
+
 void assume(double& value, double otherwise) {
   if (!(value > 0)) value = otherwise;
 }
@@ -38,6 +40,7 @@ FixedWingAirframe completed(FixedWingAirframe a) {
 FixedWingSetup::FixedWingSetup(const FixedWingAirframe& a, const FixedWingGains& g)
     : gains(g),
       airframe(completed(a)),
+      gust_bandwidth(g.gust_filter * kFilterCruise / airframe.cruise),
       bank_tangent(std::tan(airframe.bank_limit)),
       alpha_per_load(kGravity / (airframe.cruise * airframe.lift_slope)),
       throttle_slope((1 - std::min(airframe.trim_throttle, 0.9)) / airframe.climb_rate) {}

@@ -38,8 +38,8 @@ struct FixedWingGains {
   double balance_gain = 0.5;      ///< path angle per error of the balance of energies, in
                                   ///< units of the angle that makes up for it
   double balance_integral = 0.4;  ///< and per its integral [1/s]
-  double gust_filter = 0.5;    ///< gusts along the way slower than this count as airspeed
-                               ///< [rad/s]
+  double gust_filter = 1.2;    ///< gusts along the way slower than this count as airspeed
+                               ///< [rad/s]; at 15 m/s of cruise, less the faster it is
   double airspeed_filter = 5;  ///< bandwidth of airspeed and its rate [rad/s]
   double vertical_acceleration = 7;  ///< bounds the rate of the demanded pitch [m/s^2]
   double throttle_rate = 1.5;        ///< largest change of throttle [1/s]
@@ -57,6 +57,7 @@ struct FixedWingSetup {
 
   FixedWingGains gains;
   FixedWingAirframe airframe;  ///< with assumed values in place of those not known
+  double gust_bandwidth;       ///< of gust_filter [rad/s]
   double bank_tangent;         ///< of the bank limit
   double alpha_per_load;  ///< angle of attack for one g at cruise, from zero lift [rad]
   /// Throttle per specific power [s/m]. It is that above level flight, below as well: a
