@@ -61,9 +61,6 @@ void estimator_step(benchmark::State& state) {
     benchmark::DoNotOptimize(all);
   }
   state.SetItemsProcessed(steps);
-  state.counters["ns_per_step"] =
-      benchmark::Counter(static_cast<double>(steps) * 1e-9,
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(estimator_step)->ArgName("fleet")->Arg(1)->Arg(100)->Arg(10000);
 

@@ -10,7 +10,8 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kLeastFixSd = 0.01;       // of position [m] and velocity [m/s]
-constexpr double kManoeuvre = 5;           // over which a wrong scale acts alike [s]
+constexpr double kManoeuvre = 6;           // over which a wrong scale acts alike [s]
+constexpr double kSwing = 1;               // faster motion to and fro does not last [s]
 constexpr double kSideslipTime = 5;        // over which side-slip lasts [s]
 constexpr double kFreshAirspeed = 1;       // [s]
 constexpr double kMoves = 3;               // over ground: below it may be parked [m/s]
@@ -72,16 +73,20 @@ void FlightEstimator::propagate() {
   add_scale_noise();
 }
 
-// A wrong scale acts about each axis of B as a constant error while a manoeuvre lasts. In
-// level flight that of the weight is part of the bias.
+// A wrong scale acts about each axis of B as a constant error while a manoeuvre lasts;
+// what swings to and fro cancels out. In level flight that of the weight is part of the
+// bias.
 void FlightEstimator::add_scale_noise() {
   const double dt = step_.dt;
+  const double share = std::min(dt / kSwing, 1.0);
+  lasting_w_ += share * (nav_.w_NB_B - lasting_w_);
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<Eigen::Index>(axis);
     double f = axis == 2 ? kGravity : 0;  // of the manoeuvre, along the axis
     for (std::size_t k = 0; k < 3; ++k) f += step_.A[k][axis] * step_.s[k] / (dt * dt);
-    const double turn =
-        options_.gyro_scale_sd * nav_.w_NB_B[static_cast<Eigen::Index>(axis)];
-    const double push = options_.accel_scale_sd * f;
+    lasting_f_[at] += share * (f - lasting_f_[at]);
+    const double turn = options_.gyro_scale_sd * lasting_w_[at];
+    const double push = options_.accel_scale_sd * lasting_f_[at];
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j <= i; ++j) {
         const double both = step_.A[i][axis] * step_.A[j][axis] * kManoeuvre / dt;
