@@ -9,6 +9,7 @@
 #include "data/path.h"
 #include "data/pilot.h"
 #include "data/plan.h"
+#include "geo/vec.h"
 
 namespace skein {
 
@@ -99,12 +100,17 @@ struct AutopilotStatus {
   bool done = false;       ///< the path's end has been passed
   bool follows = false;    ///< there is a path, plan or leg: cross_track means something
   double time_error = 0;   ///< behind the plan [s], negative = ahead; 0 without plan
+  Vec2 along = Vec2::Zero();  ///< unit tangent of a path, plan or leg where it is nearest
+  int lap = 0;                ///< laps of FlyWaypoints that have been completed
+  double altitude_msl = 0;    ///< demanded now [m]; of Skein's fixed-wing guidance only
+  double airspeed = 0;        ///< demanded now [m/s]; of the same
   FlightMode mode = FlightMode::kGuided;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FailsafeReaction reaction = FailsafeReaction::kNone;
   int refusals = 0;          ///< commands that could not be flown so far
   std::string_view refused = {};  ///< why the last of them could not; good until the next one
   double charge = 1;         ///< left, from 0 to 1
+  double reserve = 1;        ///< of it, when what it takes to get home is taken off
   std::optional<double> endurance =
       std::nullopt;  ///< flight time left at the present power [s]
 };

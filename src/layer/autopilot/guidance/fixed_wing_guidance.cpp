@@ -31,6 +31,11 @@ double lateral(const LateralOptions& options, const Sight& sight, const Line& li
   return sight_law(sight, line, nearest, cross_track, ahead);
 }
 
+Sight sight_of(const LateralOptions& options) {
+  return options.law == LateralLaw::kL1 ? l1_sight(options.l1)
+                                        : l2_plus_sight(options.l2);
+}
+
 // A path or curve near the vehicle's place, moved on to where it will be `ahead`.
 double moved(const model::TrackPoint& at, double cross_track, const Vec2& by) {
   return by.dot(at.tangent) / std::max(1 - at.curvature * cross_track, 0.2);
@@ -74,8 +79,7 @@ FixedWingGuidance::FixedWingGuidance(const FixedWingGuidanceOptions& options,
     : options_(options),
       limits_(limits),
       home_N_(home_N),
-      sight_(options.lateral.law == LateralLaw::kL1 ? l1_sight(options.lateral.l1)
-                                                    : l2_plus_sight(options.lateral.l2)),
+      sight_(sight_of(options.lateral)),
       most_lateral_(limits.airspeed * limits.airspeed / limits.turn_radius) {
   // In a turn the lift is g / cos(bank): the slowest airspeed grows with its root.
   const double load = std::sqrt(1 + std::pow(most_lateral_ / kGravity, 2));
@@ -116,6 +120,11 @@ std::optional<std::string> FixedWingGuidance::command(const AutopilotCommand& co
   if (auto reason = unflyable(command, limits_, now.wind)) return reason;
   begin(command, now);
   return {};
+}
+
+void FixedWingGuidance::change(const LateralOptions& lateral) {
+  options_.lateral = lateral;
+  sight_ = sight_of(lateral);
 }
 
 void FixedWingGuidance::forget(const FixedWingMotion& now) {
@@ -214,6 +223,8 @@ FixedWingDemand FixedWingGuidance::step(const FixedWingMotion& now, double dt) {
       break;
   }
   demand.lateral_acceleration = std::clamp(a, -most_lateral_, most_lateral_);
+  status_.altitude_msl = demand.altitude_msl;
+  status_.airspeed = demand.airspeed;
   return demand;
 }
 
@@ -280,6 +291,7 @@ double FixedWingGuidance::follow_path(const FixedWingMotion& now,
   }
   status_.remaining = place.remaining;
   status_.cross_track = place.cross_track;
+  status_.along = place.point.tangent;
   status_.follows = true;
   demand.airspeed = airspeed_for(
       path_.tightest(along_, along_ + options_.slow_down * speed), now.wind.norm());
@@ -305,6 +317,7 @@ double FixedWingGuidance::follow_plan(const FixedWingMotion& now, double dt,
   status_.time_error = late;
   status_.remaining = plan_.remaining(plan_time_);
   status_.cross_track = off_track(track, p);
+  status_.along = track.tangent;
   status_.follows = true;
 
   const double share =
@@ -340,11 +353,14 @@ double FixedWingGuidance::fly_waypoints(const FixedWingMotion& now,
     altitude_ = place.altitude_msl;
     demand.altitude_msl = altitude_;
     arrive(route_.last().point, now);
+    status_.lap = route_.laps();
     return circle(now, demand);
   }
   status_.remaining = place.remaining;
   status_.cross_track = place.on_path.cross_track;
+  status_.along = place.on_path.point.tangent;
   status_.follows = true;
+  status_.lap = route_.lap();
   demand.altitude_msl = place.altitude_msl;
   demand.climb_rate = place.slope * now.v_N.head<2>().dot(place.on_path.point.tangent);
   const double along = place.on_path.along;

@@ -81,6 +81,9 @@ class FixedWingGuidance {
   /// Circles where it is; the next command is a new one in any case.
   void forget(const FixedWingMotion& now);
 
+  /// Another lateral guidance from the next step on; what is flown goes on.
+  void change(const LateralOptions& lateral);
+
   /// Fields of guidance only.
   const AutopilotStatus& status() const { return status_; }
   const AutopilotCommand& current() const { return command_; }

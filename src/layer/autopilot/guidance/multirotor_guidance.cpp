@@ -291,6 +291,7 @@ MultirotorGuidance::Wish MultirotorGuidance::along(const model::PathCursor& path
   const double back = (p - position_).dot(at.tangent);
   const model::TrackPoint beside = path.at(place.along + back);
   status_.cross_track = geo::cross(beside.tangent, p - beside.position);
+  status_.along = beside.tangent;
   status_.follows = true;
 
   const double turns = kTurnShare * options_.acceleration;
@@ -329,9 +330,11 @@ MultirotorGuidance::Wish MultirotorGuidance::fly_waypoints(const NavState& now) 
   if (place.done || (route_.on_last_leg() && to_stop < kCloseEnough)) {
     altitude_ = route_.last().altitude_msl;
     arrive(route_.last().point);
+    status_.lap = route_.laps();
     return towards(point_, now);
   }
   status_.remaining = place.remaining;
+  status_.lap = route_.lap();
   Stop stop = stop_at(to_stop);
   if (!route_.on_last_leg() && stop.speed < kCreep) stop = {kCreep, 0};
   double steepest = stop.speed;

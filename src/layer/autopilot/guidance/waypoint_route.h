@@ -51,6 +51,9 @@ class WaypointRoute {
   const FlyWaypoints::Waypoint& last() const { return points_.back(); }
   /// The leg that is flown, from 0.
   long leg() const { return leg_; }
+  /// Laps that have been completed, the last only when place.done has been.
+  int lap() const { return static_cast<int>(leg_ / static_cast<long>(points_.size())); }
+  int laps() const { return static_cast<int>(legs_ / static_cast<long>(points_.size())); }
 
  private:
   struct Corner {

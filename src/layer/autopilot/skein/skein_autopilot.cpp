@@ -139,6 +139,7 @@ Control SkeinAutopilot::control(Time now, double dt) {
   }
   input_.command = CommandKind::kNone;
   last_ = fly(order_, seen, dt);
+  if (!setup_->lap_wings.empty()) change_gains();
   throttle_ = mean_throttle(last_, setup_->airframe);
   return last_;
 }
@@ -199,6 +200,15 @@ Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
       flier_);
 }
 
+void SkeinAutopilot::change_gains() {
+  auto& wing = std::get<WingFlier>(flier_);
+  const std::size_t lap = std::min(static_cast<std::size_t>(wing.status().lap),
+                                   setup_->lap_wings.size() - 1);
+  if (lap == lap_) return;
+  lap_ = lap;
+  wing.change(setup_->options.lap_gains[lap].lateral, setup_->lap_wings[lap]);
+}
+
 AutopilotStatus SkeinAutopilot::status() const {
   AutopilotStatus status =
       std::visit([](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
@@ -210,6 +220,7 @@ AutopilotStatus SkeinAutopilot::status() const {
   status.refusals = refusals_;
   status.refused = refused_;
   status.charge = input_.charge;
+  status.reserve = input_.charge - input_.charge_home;
   status.endurance = consumption_.endurance();
   return status;
 }

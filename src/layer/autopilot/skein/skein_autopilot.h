@@ -50,6 +50,7 @@ class SkeinAutopilot final : public Autopilot {
   void give(const AutopilotCommand& command, const FlierView& now);
   AutopilotCommand failsafe_command(Order order, const FlierView& now) const;
   Control fly(Order order, const FlierView& now, double dt);
+  void change_gains();
 
   std::shared_ptr<const SkeinSetup> setup_;
   Vec3 home_N_;
@@ -68,6 +69,7 @@ class SkeinAutopilot final : public Autopilot {
   std::uint8_t standing_ = 0;     // motors, as the battery monitor says
   double throttle_ = 0;           // mean of what the motors were told
   Control last_;
+  std::size_t lap_ = 0;  // whose gains are flown
   std::string refused_;
   int refusals_ = 0;
 };

@@ -30,8 +30,15 @@ SkeinSetup::SkeinSetup(const SkeinOptions& all, const FlightLimits& plant_limits
       fence(all.fence),
       home_flight(home_flight_of(plant_limits)) {
   options.estimator = for_airframe(options.estimator, airframe);
-  if (const auto* frame = std::get_if<FixedWingAirframe>(&airframe))
+  if (const auto* frame = std::get_if<FixedWingAirframe>(&airframe)) {
+    if (!options.lap_gains.empty()) {
+      options.wing_gains = options.lap_gains.front().wing;
+      options.wing_guidance.lateral = options.lap_gains.front().lateral;
+    }
     wing = std::make_shared<FixedWingSetup>(*frame, options.wing_gains);
+    for (const LapGains& lap : options.lap_gains)
+      lap_wings.push_back(std::make_shared<FixedWingSetup>(*frame, lap.wing));
+  }
   if (const auto* frame = std::get_if<MultirotorAirframe>(&airframe))
     rotors = std::make_shared<MultirotorSetup>(*frame, options.rotor_gains);
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "data/airframe.h"
 #include "data/vehicle.h"
@@ -24,6 +25,12 @@ struct PointGains {
   double altitude_gain = 0.3;  ///< climb rate per altitude error [1/s]
 };
 
+/// What a fixed wing flies one lap of a route with.
+struct LapGains {
+  LateralOptions lateral;
+  FixedWingGains wing;
+};
+
 struct SkeinOptions {
   EstimatorOptions estimator;
   FixedWingGuidanceOptions wing_guidance;
@@ -35,6 +42,10 @@ struct SkeinOptions {
   GeofenceOptions fence;
   MotorWatchOptions motor_watch;
   ConsumptionOptions consumption;
+  /// Fixed wings: lap k of FlyWaypoints is flown with entry k, those beyond the last with
+  /// the last; everything else as the first lap. Empty: `wing_guidance.lateral` and
+  /// `wing_gains` always.
+  std::vector<LapGains> lap_gains;
 };
 
 /// Everything about the autopilot that does not change in flight, worked out once for all
@@ -51,6 +62,8 @@ struct SkeinSetup {
   Geofence fence;
   HomeFlight home_flight;  ///< without powers
   std::shared_ptr<const FixedWingSetup> wing;      ///< null for other airframes
+  /// One for each of lap_gains; for fixed wings only.
+  std::vector<std::shared_ptr<const FixedWingSetup>> lap_wings;
   std::shared_ptr<const MultirotorSetup> rotors;  ///< null for other airframes
 };
 

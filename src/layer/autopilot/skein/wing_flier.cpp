@@ -1,6 +1,7 @@
 #include "layer/autopilot/skein/wing_flier.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skein::autopilot {
 namespace {
@@ -60,6 +61,12 @@ Control WingFlier::pilot(const PilotInput& sticks, const FlierView& now, double 
 
 Control WingFlier::stand() {
   return Actuators{};
+}
+
+void WingFlier::change(const LateralOptions& lateral,
+                       std::shared_ptr<const FixedWingSetup> wing) {
+  guidance_.change(lateral);
+  control_.change(std::move(wing));
 }
 
 void WingFlier::take_over(const FlierView& now) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "layer/autopilot/control/fixed_wing_control.h"
 #include "layer/autopilot/guidance/fixed_wing_guidance.h"
 #include "layer/autopilot/skein/flier.h"
@@ -22,6 +24,10 @@ class WingFlier {
   Control stand();
   void take_over(const FlierView& now);
   const AutopilotStatus& status() const { return guidance_.status(); }
+
+  /// Other gains from the next step on. Nothing jumps: demands go on from where they are
+  /// at their bounded rates, integrators keep what they hold.
+  void change(const LateralOptions& lateral, std::shared_ptr<const FixedWingSetup> wing);
 
  private:
   FixedWingGuidance guidance_;

@@ -151,5 +151,110 @@ TEST(SkeinAutopilot, AnEmptyBatteryBringsItHome) {
   EXPECT_EQ(flight.autopilot().status().charge, 0.14);
 }
 
+// A fixed wing that is carried round a square, with wings level, whatever its autopilot
+// does.
+struct CarriedWing {
+  explicit CarriedWing(std::vector<LapGains> laps) {
+    FixedWingAirframe frame;
+    frame.mass = 0.9;
+    frame.slowest = 11;
+    frame.cruise = 15;
+    frame.fastest = 18;
+    frame.bank_limit = 0.7;
+    frame.pitch_up = 0.4;
+    frame.pitch_down = -0.4;
+    frame.climb_rate = frame.sink_rate = 2;
+    frame.trim_throttle = 0.5;
+    SkeinOptions options;
+    options.wing_guidance.rounds_corners = false;
+    options.lap_gains = std::move(laps);
+    NavEstimate start;
+    start.p_N = {0, 0, -100};
+    start.v_N = {15, 0, 0};
+    autopilot = std::make_unique<SkeinAutopilot>(
+        std::make_shared<SkeinSetup>(options, FlightLimits{15, 40, 2, 11, 18, 2}, frame),
+        start, false);
+    carry({0, 0}, 0);
+    FlyWaypoints square;
+    for (const Vec2& point : {Vec2(300, 0), Vec2(300, 300), Vec2(0, 300), Vec2(0, 0)})
+      square.points.push_back({point, 100});
+    square.laps = 3;
+    autopilot->command({square, 100, {}});
+  }
+
+  void carry(const Vec2& at, double course) {
+    TruthSample truth;
+    truth.time = now;
+    const Vec2 v = 15 * geo::unit(course);
+    truth.p_N = {at.x(), at.y(), -100};
+    truth.v_N = {v.x(), v.y(), 0};
+    truth.q_NB = geo::from_euler({0, 0.05, course});
+    autopilot->sense(truth);
+    autopilot->sense(LinkSample{now});
+    told = std::get<Actuators>(autopilot->control(now, 0.05));
+    now += Time::from_seconds(0.05);
+  }
+
+  // One leg, `off` metres to the right of it, and a step beyond its end.
+  void leg(int k, double off) {
+    const double course = geo::kPi / 2 * k;
+    const Vec2 corners[] = {{0, 0}, {300, 0}, {300, 300}, {0, 300}};
+    for (double along = 0; along < 301; along += 0.75) {
+      carry(corners[k % 4] + along * geo::unit(course) +
+                off * geo::unit(course + geo::kPi / 2),
+            course);
+      if (along == 225) aileron = told[channel::kAileron];
+    }
+  }
+
+  std::unique_ptr<SkeinAutopilot> autopilot;
+  Actuators told;
+  double aileron = 0;  // late on the last leg
+  Time now;
+};
+
+LapGains roll_gains(double gain) {
+  LapGains lap;
+  lap.wing.roll_gain = gain;
+  lap.wing.roll_rate_integral = 0;  // so that only the gains count, not the past
+  return lap;
+}
+
+TEST(SkeinAutopilot, FliesEachLapWithItsOwnGains) {
+  CarriedWing changing({roll_gains(2), roll_gains(5)}), stiff({roll_gains(5)});
+  for (int k = 0; k < 12; ++k) {
+    changing.leg(k, 3);
+    stiff.leg(k, 3);
+    // The bank demanded is the same all the time: 3 m off a straight line.
+    EXPECT_EQ(changing.autopilot->status().lap, (k + 1) / 4) << k;
+    EXPECT_LT(stiff.aileron, 0) << "back to the left";
+    const double share = changing.aileron / stiff.aileron;
+    // The aileron is the gain times the roll error, and the rate is nothing.
+    EXPECT_NEAR(share, k < 4 ? 2.0 / 5 : 1, 0.02) << k;
+  }
+  EXPECT_TRUE(changing.autopilot->status().done);
+}
+
+TEST(SkeinAutopilot, NothingJumpsWhenGainsChange) {
+  LapGains other = roll_gains(5);
+  other.wing.height_gain *= 2;
+  other.lateral.l2.time *= 2;
+  CarriedWing changing({roll_gains(4), other});
+  for (int k = 0; k < 3; ++k) changing.leg(k, 0);
+  const double course = 3 * geo::kPi / 2;
+  for (double along = 0; along < 290; along += 0.75)
+    changing.carry(Vec2(0, 300) + along * geo::unit(course), course);
+  // On the line at the right height and speed there is nothing that a gain multiplies.
+  const Actuators before = changing.told;
+  for (double along = 290; along < 305; along += 0.75) {
+    changing.carry(Vec2(0, 300) + along * geo::unit(course), course);
+    if (changing.autopilot->status().lap == 1) break;
+  }
+  ASSERT_EQ(changing.autopilot->status().lap, 1);
+  changing.carry({0, 0}, 0);  // the first step with the other gains
+  for (const std::size_t k : {channel::kElevator, channel::kThrottle})
+    EXPECT_NEAR(changing.told[k], before[k], 0.05) << k;
+}
+
 }  // namespace
 }  // namespace skein::autopilot
