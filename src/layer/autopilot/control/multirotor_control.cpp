@@ -8,12 +8,11 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kMostPush = 6;  // of the horizontal integral [m/s^2]
-constexpr double kMostLift = 6;  // of the vertical integral [m/s^2]
-constexpr double kLeastScale = 0.4, kMostScale = 2.5;  // of hover thrust
-constexpr double kMostRateSum = 30;                    // [rad/s^2]
-constexpr double kAirborneShare = 0.4;                 // of the weight
-constexpr double kLearnsAbove = 0.8;                   // cosine of the tilt
+constexpr double kMostPush = 6;          // of the horizontal integral [m/s^2]
+constexpr double kMostLift = 6;          // of the vertical integral [m/s^2]
+constexpr double kMostRateSum = 30;      // [rad/s^2]
+constexpr double kAirborneShare = 0.4;   // of the weight
+constexpr double kLearnsAbove = 0.8;     // cosine of the tilt
 constexpr double kIntegratesWithin = 1;  // speed errors beyond are on the way [m/s]
 
 bool finite(const NavState& n) {
@@ -109,6 +108,16 @@ Vec3 MultirotorControl::tilt_rates(const Vec3& up_B) const {
   return length2 > most * most ? Vec3(rates * (most / std::sqrt(length2))) : rates;
 }
 
+// Where the rotors cannot follow, integrals may only shrink.
+void MultirotorControl::integrate_rates(const std::array<bool, 3>& limited,
+                                        const Vec3& step) {
+  for (int k = 0; k < 3; ++k) {
+    const bool grows = step[k] * rate_sum_[k] > 0;
+    if (!grows || !limited[static_cast<std::size_t>(k)])
+      rate_sum_[k] = bounded(rate_sum_[k] + step[k], kMostRateSum);
+  }
+}
+
 Actuators MultirotorControl::turn(const Vec3& rates, double thrust, const NavState& nav,
                                   double dt) {
   const MultirotorGains& g = setup_->gains;
@@ -131,15 +140,11 @@ Actuators MultirotorControl::turn(const Vec3& rates, double thrust, const NavSta
         Vec2(c * torque.x() - s * torque.y(), s * torque.x() + c * torque.y());
   }
   const Mix mix = mixer_.mix({thrust, torque});
-  // Frozen where the rotors cannot follow, and as long as the ground may hold.
-  const double airborne = thrust > kAirborneShare * setup_->airframe.mass * kGravity
-                              ? g.rate_integral * dt
-                              : 0;
-  const double tilt_step = mix.tilt_limited || spins_ ? 0 : airborne;
-  const Vec3 steps(tilt_step, tilt_step, mix.yaw_limited || spins_ ? 0 : airborne);
-  rate_sum_ = bounded_each(
-      rate_sum_ + steps.cwiseProduct(gain.cwiseProduct(gain)).cwiseProduct(error),
-      kMostRateSum);
+  const bool airborne = thrust > kAirborneShare * setup_->airframe.mass * kGravity;
+  if (airborne && !spins_) {
+    integrate_rates({mix.tilt_limited, mix.tilt_limited, mix.yaw_limited},
+                    g.rate_integral * dt * gain.cwiseProduct(gain).cwiseProduct(error));
+  }
   return last_ = mix.throttle;
 }
 
@@ -165,8 +170,8 @@ Actuators MultirotorControl::control(const MultirotorDemand& demand, const NavSt
       setup_->airframe.mass * hover_scale_ * length * bounded(-up_B.z(), 0.2, 1);
   if (cos_tilt > kLearnsAbove) {
     const double moved = g.hover_learning * dt * velocity_sum_.z();
-    const double scale =
-        bounded(hover_scale_ * (1 - moved / kGravity), kLeastScale, kMostScale);
+    const double scale = bounded(hover_scale_ * (1 - moved / kGravity),
+                                 setup_->least_scale, setup_->most_scale);
     if (scale != hover_scale_) velocity_sum_.z() -= moved;
     hover_scale_ = scale;
   }

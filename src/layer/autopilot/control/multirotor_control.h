@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -67,6 +68,7 @@ class MultirotorControl {
  private:
   Vec3 acceleration_for(const MultirotorDemand& demand, const NavState& nav, double dt);
   Vec3 tilt_rates(const Vec3& up_B) const;
+  void integrate_rates(const std::array<bool, 3>& limited, const Vec3& step);
   Actuators turn(const Vec3& rates, double thrust, const NavState& nav, double dt);
 
   std::shared_ptr<const MultirotorSetup> setup_;

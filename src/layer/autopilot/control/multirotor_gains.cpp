@@ -1,6 +1,9 @@
 #include "layer/autopilot/control/multirotor_gains.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "data/air.h"
 
 namespace skein::autopilot {
 namespace {
@@ -8,6 +11,7 @@ namespace {
 constexpr double kAssumedLag = 0.05;  // of a small motor [s]
 // Loop gain over 1/lag: damping 1/(2 sqrt(0.5)) = 0.7 of rate loop and motor.
 constexpr double kRateShare = 0.5;
+constexpr double kLeastScale = 0.4, kMostScale = 2.5;
 constexpr double kTiltShare = 0.4;  // of the rate gain
 
 MultirotorGains completed(MultirotorGains g, double lag) {
@@ -22,6 +26,11 @@ MultirotorSetup::MultirotorSetup(const MultirotorAirframe& a, const MultirotorGa
     : airframe(a),
       motor_lag(a.motor_lag > 0 ? a.motor_lag : kAssumedLag),
       gains(completed(g, motor_lag)),
+      least_scale(
+          std::max(kLeastScale, kGravity / (kGravity + 0.9 * gains.acceleration_limit))),
+      most_scale(
+          std::min(kMostScale,
+                   kGravity / std::max(kGravity - 0.9 * gains.acceleration_limit, 1e-3))),
       tilt_tangent(std::tan(a.tilt_limit > 0 ? a.tilt_limit : 0.6)),
       thrust_most(a.thrust_max * static_cast<double>(a.rotors.size())) {}
 

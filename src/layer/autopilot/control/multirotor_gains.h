@@ -39,8 +39,11 @@ struct MultirotorSetup {
   MultirotorAirframe airframe;
   double motor_lag;       ///< known or assumed [s]
   MultirotorGains gains;  ///< none is 0 for "by lag" any more
-  double tilt_tangent;    ///< of the tilt limit
-  double thrust_most;     ///< of all rotors [N]
+  /// Of what may be learnt as hover thrust over the nominal one: with either, the bounded
+  /// vertical acceleration still brings it back.
+  double least_scale, most_scale;
+  double tilt_tangent;  ///< of the tilt limit
+  double thrust_most;   ///< of all rotors [N]
 };
 
 }  // namespace skein::autopilot
