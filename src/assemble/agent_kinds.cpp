@@ -2,6 +2,7 @@
 
 #include "assemble/kinds_of.h"
 #include "layer/reasoning/agent/monitor_agent.h"
+#include "layer/reasoning/agent/route_agent.h"
 #include "layer/reasoning/team/wingman.h"
 
 namespace skein::assemble {
@@ -48,6 +49,19 @@ Fields<reasoning::WingmanOptions> wingman_fields() {
               "How far the flight of a path or plan may be off.");
 }
 
+Fields<reasoning::RouteAgentOptions> route_fields() {
+  using T = reasoning::RouteAgentOptions;
+  return Fields<T>()
+      .point("points_m", &T::points, "Flown to one after the other, by straight legs.")
+      .items({.at_least = 1, .at_most = 10000})
+      .integer("laps", &T::laps, "Times round; it then stays at the last point.",
+               {.at_least = 1, .at_most = 1000000})
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight may be off the route.");
+}
+
 }  // namespace
 
 Kinds<Agent, AircraftContext> agent_kinds() {
@@ -67,6 +81,13 @@ Kinds<Agent, AircraftContext> agent_kinds() {
               all.altitude_agl = c.altitude_agl;
               return std::make_unique<reasoning::Wingman>(all, c.self, c.station,
                                                           c.limits, *c.map);
+            });
+  kinds.add("route", "Flies a route of its own; takes no orders.", route_fields(),
+            [](const reasoning::RouteAgentOptions& o, const AircraftContext& c) {
+              reasoning::RouteAgentOptions all = o;
+              all.altitude_agl = c.altitude_agl;
+              return std::make_unique<reasoning::RouteAgent>(all, c.self, c.station,
+                                                             c.limits, *c.map);
             });
   return kinds;
 }

@@ -74,6 +74,60 @@ Fields<FenceChoice> fence_fields() {
               {.at_least = 0, .at_most = 1e5});
 }
 
+Fields<autopilot::EstimatorOptions> estimator_fields() {
+  using T = autopilot::EstimatorOptions;
+  return Fields<T>()
+      .duration_s("period_s", &T::period, "Between two corrections.",
+                  {.above = 0, .at_most = 5})
+      .angle_deg("declination_deg", &T::declination, "Of the Earth's field at the site.",
+                 {.at_least = -180, .at_most = 180})
+      .number("wind_walk", &T::wind_walk,
+              "How fast the mean wind may change, m/s/sqrt(s).", kSd)
+      .number("airspeed_scale_sd", &T::airspeed_scale_sd,
+              "Lasting relative error of the airspeed.", kSd)
+      .number("baro_bias_sd_m", &T::baro_bias_sd, "Of the barometer.", kSd)
+      .number("magnetic_bias_sd", &T::magnetic_bias_sd,
+              "Of the magnetometer per axis, in field strengths.", kSd)
+      .duration_s("gnss_lost_after_s", &T::gnss_lost_after, "Without a fix.",
+                  {.above = 0, .at_most = 1000});
+}
+
+// What does not change from one aircraft of a group to the next.
+Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
+    const SkeinChoice& choice, const AircraftContext& c) {
+  autopilot::SkeinOptions options = choice.options;
+  const autopilot::LapGains wing = fixed_wing_gains(choice, c.gains);
+  options.wing_gains = wing.wing;
+  if (c.gains.rotors) options.rotor_gains = *c.gains.rotors;
+  if (choice.rotor_gains) options.rotor_gains = *choice.rotor_gains;
+  for (const LapGainsChoice& lap : choice.lap_gains)
+    options.lap_gains.push_back(
+        {lap.lateral.value_or(wing.lateral), lap.wing_gains.value_or(wing.wing)});
+  if (!choice.lap_gains.empty() && !std::holds_alternative<FixedWingAirframe>(c.airframe))
+    return Error{ErrorCode::kBadInput, "autopilot.lap_gains",
+                 "are for fixed wings with six degrees of freedom.",
+                 "Choose plant: fixed-wing, or leave them out."};
+  options.fence.area = geo::clean(choice.fence.areas, geo::FillRule::kNonZero);
+  if (options.fence.area.empty() && !choice.fence.areas.empty())
+    return Error{ErrorCode::kBadInput, "autopilot.fence.areas_m", "enclose nothing.", ""};
+  if (choice.fence.ceiling_msl) options.fence.ceiling_msl = *choice.fence.ceiling_msl;
+  if (choice.fence.floor_msl) options.fence.floor_msl = *choice.fence.floor_msl;
+  options.fence.margin = choice.fence.margin;
+  return std::shared_ptr<const autopilot::SkeinSetup>(
+      std::make_shared<autopilot::SkeinSetup>(options, c.limits, c.airframe));
+}
+
+Fields<LapGainsChoice> lap_gains_fields() {
+  using T = LapGainsChoice;
+  return Fields<T>()
+      .object("lateral", &T::lateral, lateral_fields(),
+              "Lateral guidance. Null: as the autopilot's.")
+      .object("wing_gains", &T::wing_gains, fixed_wing_gains_fields(),
+              "Gains. Null: as the autopilot's.");
+}
+
+}  // namespace
+
 Fields<autopilot::LateralOptions> lateral_fields() {
   using T = autopilot::LateralOptions;
   using autopilot::LateralLaw;
@@ -101,43 +155,14 @@ Fields<autopilot::LateralOptions> lateral_fields() {
                   {.at_least = 0, .at_most = 10});
 }
 
-Fields<autopilot::EstimatorOptions> estimator_fields() {
-  using T = autopilot::EstimatorOptions;
-  return Fields<T>()
-      .duration_s("period_s", &T::period, "Between two corrections.",
-                  {.above = 0, .at_most = 5})
-      .angle_deg("declination_deg", &T::declination, "Of the Earth's field at the site.",
-                 {.at_least = -180, .at_most = 180})
-      .number("wind_walk", &T::wind_walk,
-              "How fast the mean wind may change, m/s/sqrt(s).", kSd)
-      .number("airspeed_scale_sd", &T::airspeed_scale_sd,
-              "Lasting relative error of the airspeed.", kSd)
-      .number("baro_bias_sd_m", &T::baro_bias_sd, "Of the barometer.", kSd)
-      .number("magnetic_bias_sd", &T::magnetic_bias_sd,
-              "Of the magnetometer per axis, in field strengths.", kSd)
-      .duration_s("gnss_lost_after_s", &T::gnss_lost_after, "Without a fix.",
-                  {.above = 0, .at_most = 1000});
+autopilot::LapGains fixed_wing_gains(const SkeinChoice& choice,
+                                     const AircraftGains& of_aircraft) {
+  autopilot::LapGains gains{choice.options.wing_guidance.lateral,
+                            choice.options.wing_gains};
+  if (of_aircraft.wing) gains.wing = *of_aircraft.wing;
+  if (choice.wing_gains) gains.wing = *choice.wing_gains;
+  return gains;
 }
-
-// What does not change from one aircraft of a group to the next.
-Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
-    const SkeinChoice& choice, const AircraftContext& c) {
-  autopilot::SkeinOptions options = choice.options;
-  if (c.gains.wing) options.wing_gains = *c.gains.wing;
-  if (c.gains.rotors) options.rotor_gains = *c.gains.rotors;
-  if (choice.wing_gains) options.wing_gains = *choice.wing_gains;
-  if (choice.rotor_gains) options.rotor_gains = *choice.rotor_gains;
-  options.fence.area = geo::clean(choice.fence.areas, geo::FillRule::kNonZero);
-  if (options.fence.area.empty() && !choice.fence.areas.empty())
-    return Error{ErrorCode::kBadInput, "autopilot.fence.areas_m", "enclose nothing.", ""};
-  if (choice.fence.ceiling_msl) options.fence.ceiling_msl = *choice.fence.ceiling_msl;
-  if (choice.fence.floor_msl) options.fence.floor_msl = *choice.fence.floor_msl;
-  options.fence.margin = choice.fence.margin;
-  return std::shared_ptr<const autopilot::SkeinSetup>(
-      std::make_shared<autopilot::SkeinSetup>(options, c.limits, c.airframe));
-}
-
-}  // namespace
 
 Fields<SkeinChoice> skein_fields() {
   using T = SkeinChoice;
@@ -156,7 +181,11 @@ Fields<SkeinChoice> skein_fields() {
       .object("wing_gains", &T::wing_gains, fixed_wing_gains_fields(),
               "Gains for a fixed wing. Null: those of the aircraft file.")
       .object("rotor_gains", &T::rotor_gains, multirotor_gains_fields(),
-              "Gains for a multirotor. Null: those of the aircraft file.");
+              "Gains for a multirotor. Null: those of the aircraft file.")
+      .object("lap_gains", &T::lap_gains, lap_gains_fields(),
+              "Fixed wings: lap k of a route is flown with entry k, later ones with the "
+              "last, everything else with the first.")
+      .items({.at_most = 1000});
 }
 
 Result<std::unique_ptr<Autopilot>> make_skein(const SkeinChoice& choice,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "assemble/contexts.h"
 #include "base/result.h"
@@ -18,6 +20,12 @@ struct FenceChoice {
   double margin = 0;
 };
 
+/// What one lap of a route is flown with; none: as every other flight.
+struct LapGainsChoice {
+  std::optional<autopilot::LateralOptions> lateral;
+  std::optional<autopilot::FixedWingGains> wing_gains;
+};
+
 /// The autopilot `skein` as a scenario chooses it.
 struct SkeinChoice {
   autopilot::SkeinOptions options;
@@ -25,9 +33,16 @@ struct SkeinChoice {
   /// Gains; none: those of the aircraft's file, else the autopilot's own.
   std::optional<autopilot::FixedWingGains> wing_gains;
   std::optional<autopilot::MultirotorGains> rotor_gains;
+  std::vector<LapGainsChoice> lap_gains;
 };
 
 scenario::Fields<SkeinChoice> skein_fields();
+scenario::Fields<autopilot::LateralOptions> lateral_fields();
+
+/// The gains of a fixed wing: the scenario's, else those of its aircraft file, else the
+/// autopilot's own.
+autopilot::LapGains fixed_wing_gains(const SkeinChoice& choice,
+                                     const AircraftGains& of_aircraft);
 
 /// Fails: failsafes that cannot be; areas that are none.
 Result<std::unique_ptr<Autopilot>> make_skein(const SkeinChoice& choice,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "assemble/kinds_of.h"
+#include "layer/reasoning/agent/route_agent.h"
 #include "layer/reasoning/monitoring/coordinator/coordinator.h"
 #include "layer/reasoning/team/formation_control.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 using scenario::Fields;
 
+struct ListenerChoice {};
 struct CoordinatorChoice {};  // its options are the scenario's `monitoring`
 
 Result<std::unique_ptr<Agent>> make_coordinator(const StationContext& c) {
@@ -120,6 +122,10 @@ Kinds<Agent, StationContext> station_agent_kinds() {
             formation_fields(),
             [](const FormationChoice& choice, const StationContext& c) {
               return make_formation(choice, c);
+            });
+  kinds.add("listener", "Gives no orders, for aircraft that fly by themselves.",
+            Fields<ListenerChoice>(), [](const ListenerChoice&, const StationContext&) {
+              return std::unique_ptr<Agent>(std::make_unique<reasoning::Listener>());
             });
   return kinds;
 }

@@ -10,6 +10,7 @@ constexpr double kFar = 150;     // flight that is looked ahead [s]
 constexpr double kGrowth = 1.3;  // each look further ahead is at this many times the last
 constexpr int kDirections = 12;
 constexpr double kClimbReserve = 0.8;  // part of the climb rate that is counted on
+constexpr double kSpacing = 50;        // of looks at the ground along a route [m]
 
 }  // namespace
 
@@ -33,6 +34,19 @@ double altitude_over(const Terrain& ground, const Vec2& position, const Vec2& ve
     }
   }
   return highest + height;
+}
+
+double highest_along(const Terrain& ground, const std::vector<Vec2>& points) {
+  double highest = ground.elevation_msl(points.front());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& from = points[i];
+    const Vec2 leg = points[(i + 1) % points.size()] - from;
+    const int looks = 1 + static_cast<int>(leg.norm() / kSpacing);
+    for (int k = 0; k <= looks; ++k)
+      highest = std::max(
+          highest, ground.elevation_msl(from + leg * (static_cast<double>(k) / looks)));
+  }
+  return highest;
 }
 
 }  // namespace skein::reasoning

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "role/terrain.h"
 
 namespace skein::reasoning {
@@ -17,5 +19,11 @@ namespace skein::reasoning {
 /// @param climb_rate  largest [m/s].
 double altitude_over(const Terrain& ground, const Vec2& position, const Vec2& velocity,
                      double height, double climb_rate);
+
+/// The highest ground [m] on the straight lines from each point to the next and from the
+/// last to the first, looked at every 50 m.
+///
+/// @param points  at least one.
+double highest_along(const Terrain& ground, const std::vector<Vec2>& points);
 
 }  // namespace skein::reasoning

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layer/reasoning/agent/altitude.h"
+
 namespace skein::reasoning {
 namespace {
 
@@ -12,7 +14,6 @@ constexpr int kPositionBytes = 36;
 constexpr double kTurnRateLimit = 0.6;  // faster is noise of two positions [rad/s]
 constexpr double kStaleLeader = 5;      // two positions this far apart say no turn [s]
 constexpr int kPlanPoints = 9;
-constexpr double kGroundSpacing = 50;  // of looks at the ground along a route [m]
 
 }  // namespace
 
@@ -96,7 +97,7 @@ void Wingman::lead(const FlyRoute& route, AgentOutput& out) const {
   AutopilotCommand command;
   FlyWaypoints way;
   way.laps = route.laps;
-  const double altitude = altitude_over_route(route.points);
+  const double altitude = highest_along(map_, route.points) + options_.altitude_agl;
   for (const Vec2& point : route.points) way.points.push_back({point, altitude});
   command.guidance = std::move(way);
   command.altitude_msl = altitude;
@@ -122,19 +123,6 @@ void Wingman::follow(const FollowLeader& order, const AgentInput& in, AgentOutpu
                                 (age + options_.horizon) * k / (kPlanPoints - 1)));
   command.guidance = std::move(plan);
   out.command = std::move(command);
-}
-
-double Wingman::altitude_over_route(const std::vector<Vec2>& points) const {
-  double highest = -1e9;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2& from = points[i];
-    const Vec2 leg = points[(i + 1) % points.size()] - from;
-    const int looks = 1 + static_cast<int>(leg.norm() / kGroundSpacing);
-    for (int k = 0; k <= looks; ++k)
-      highest = std::max(
-          highest, map_.elevation_msl(from + leg * (static_cast<double>(k) / looks)));
-  }
-  return highest + options_.altitude_agl;
 }
 
 void Wingman::report(const AgentInput& in, AgentOutput& out) {

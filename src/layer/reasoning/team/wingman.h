@@ -42,7 +42,6 @@ class Wingman final : public Agent {
   void lead(const FlyRoute& route, AgentOutput& out) const;
   void follow(const FollowLeader& order, const AgentInput& in, AgentOutput& out);
   void report(const AgentInput& in, AgentOutput& out);
-  double altitude_over_route(const std::vector<Vec2>& points) const;
 
   WingmanOptions options_;
   EntityId self_, station_;
