@@ -66,8 +66,11 @@ Fields<autopilot::FixedWingGains> fixed_wing_gains_fields() {
           kIntegral)
       .number("balance_integral_per_s", &T::balance_integral, "And per its integral.",
               kIntegral)
-      .number("gust_filter_rad_per_s", &T::gust_filter,
-              "Gusts along the way slower than this count as airspeed.", kGain)
+      .number(
+          "gust_filter_rad_per_s", &T::gust_filter,
+          "Gusts along the way slower than this count as airspeed; at 15 m/s of cruise, "
+          "less the faster it is.",
+          kGain)
       .number("airspeed_filter_rad_per_s", &T::airspeed_filter,
               "Bandwidth of the airspeed and of its rate.", kGain)
       .number("vertical_acceleration_mps2", &T::vertical_acceleration,
