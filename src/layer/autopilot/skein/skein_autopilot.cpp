@@ -92,10 +92,9 @@ void SkeinAutopilot::take(const PowerSample& sample) {
 }
 
 void SkeinAutopilot::command(const AutopilotCommand& command) {
-  if (std::holds_alternative<TakeOff>(command.guidance))
-    take_off_ = command;
-  else
-    agent_command_ = command;
+  if (std::holds_alternative<TakeOff>(command.guidance)) take_off_ = command;
+  // A take-off without a command that waits for its end stays where it leads.
+  agent_command_ = command;
   input_.command = kind_of(command);
 }
 
