@@ -11,6 +11,7 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/particle_update.h"
+#include "app/study_parts.h"
 #include "app/version.h"
 #include "assemble/kinds_of.h"
 #include "assemble/recorded_scenario.h"
@@ -20,6 +21,7 @@
 #include "campaign/estimators_csv.h"
 #include "campaign/estimators_report.h"
 #include "campaign/estimators_study.h"
+#include "campaign/fidelity_study.h"
 #include "campaign/monitoring_report.h"
 #include "campaign/monitoring_study.h"
 #include "campaign/study_summary.h"
@@ -29,24 +31,6 @@ namespace skein::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A shipped scenario: beside the working folder, or beside the program's checkout.
-fs::path shipped_scenario(const std::string& name) {
-  const fs::path here = fs::path("scenarios") / name;
-  std::error_code fault;
-  if (fs::exists(here, fault)) return here;
-  const fs::path program = fs::read_symlink("/proc/self/exe", fault);
-  return program.parent_path().parent_path().parent_path() / "scenarios" / name;
-}
-
-// Made when there is something to put into it: what is refused leaves nothing behind.
-Result<void> make_folder(const fs::path& folder) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (!fault) return {};
-  return Error{ErrorCode::kUnavailable, folder.string(),
-               "cannot be made: " + fault.message() + ".", ""};
-}
 
 // --- estimators ---------------------------------------------------------------------
 
@@ -117,43 +101,11 @@ Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& 
   return outcomes;
 }
 
-std::string cell_text(const record::StudyCell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell.value)) return *text;
-  const double number = std::get<double>(cell.value);
-  return std::isnan(number) ? "-" : fmt::format("{:.3g}", number);
-}
-
-void print_table(const record::StudyTable& table) {
-  std::vector<std::size_t> widths;
-  for (const std::string& column : table.columns) widths.push_back(column.size());
-  for (const auto& row : table.rows)
-    for (std::size_t c = 0; c < row.size(); ++c)
-      widths[c] = std::max(widths[c], cell_text(row[c]).size());
-  print("\n{}\n", table.title);
-  for (std::size_t c = 0; c < widths.size(); ++c)
-    print("{:<{}}  ", table.columns[c], widths[c]);
-  print("\n");
-  for (const auto& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c)
-      print("{:<{}}  ", cell_text(row[c]), widths[c]);
-    print("\n");
-  }
-}
-
 int finish(const std::string& study, const campaign::StudyPlan& plan,
            const std::vector<campaign::BatchOutcome>& outcomes,
            const record::StudyReport& report, const fs::path& folder,
            const std::atomic<bool>& stop) {
-  bool failed = false;
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    if (!outcomes[i].error.empty()) {
-      failed = true;
-      const fs::path replay =
-          folder / ("failed-" + folder_name(plan.items[i].name) + ".yaml");
-      complain("{}: {}\n", plan.items[i].name, outcomes[i].error);
-      if (write_text(replay, plan.items[i].text))
-        complain("Replay: skein run {}\n", replay.string());
-    }
+  const bool failed = tell_failures(plan.items, outcomes, folder);
   if (auto written = write_text(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
       !written)
     return say_error(written.error());
@@ -217,6 +169,23 @@ int bridge(const StudyArguments& arguments, const fs::path& folder,
                 stop);
 }
 
+int fidelity(const StudyArguments& arguments, const fs::path& folder,
+             const std::atomic<bool>& stop) {
+  campaign::FidelityStudy study;
+  study.base = shipped_scenario("wildfire.yaml");
+  study.levels = arguments.cases;
+  study.overrides = arguments.overrides;
+  study.first_seed = arguments.first_seed;
+  study.seeds = arguments.seeds;
+  const auto plan = campaign::plan_fidelity_study(study, assemble::kind_table());
+  if (!plan) return say_error(plan.error());
+  const auto outcomes = run_plan(plan.value(), arguments, folder, stop);
+  if (!outcomes) return say_error(outcomes.error());
+  return finish("fidelity", plan.value(), outcomes.value(),
+                campaign::fidelity_report(study, plan.value(), outcomes.value()), folder,
+                stop);
+}
+
 struct StudyKind {
   const char* name;
   const char* help;
@@ -235,7 +204,15 @@ const std::vector<StudyKind>& study_kinds() {
       {"bridge",
        "a real fire, not star-shaped",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--estimators",
-        "--strategies", "--set", "--data"}}};
+        "--strategies", "--set", "--data"}},
+      {"fidelity",
+       "the default mission from kinematic points to aircraft in gusts",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
+        "--set"}},
+      {"tuning",
+       "laps of waypoints, each with other gains; can search for gains",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
+        "--set"}}};
   return kinds;
 }
 
@@ -265,6 +242,8 @@ std::string not_for(const StudyArguments& arguments) {
       (given("--cases") || given("--updates")))
     return "--cases and --updates write to standard output: give one of them, and no "
            "--out.";
+  if (given("--gains") && given("--search"))
+    return "--search starts from the scenario's own gains: give it no --gains.";
   return {};
 }
 
@@ -288,6 +267,8 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
                               : arguments.out;
   if (arguments.name == "estimators") return estimators(folder);
   if (arguments.name == "monitoring") return monitoring(arguments, folder, stop);
+  if (arguments.name == "fidelity") return fidelity(arguments, folder, stop);
+  if (arguments.name == "tuning") return tuning_study(arguments, folder, stop);
   return bridge(arguments, folder, stop);
 }
 

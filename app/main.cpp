@@ -72,11 +72,14 @@ Studies:
   estimators   mean and variance of every measurement update against distance
   monitoring   every estimator x strategy x wind case, several seeds
   bridge       a real fire, not star-shaped
+  fidelity     the default mission from kinematic points to aircraft in gusts
+  tuning       laps of waypoints, each with other gains; can search for gains
 
 Examples:
   skein study estimators
   skein study monitoring --estimators qkf,joint --strategies gus,tracking-binary --seeds 6
   skein study bridge --data ../shared/data/fires/bridge_2021
+  skein study tuning --search 60 --threads 2
   skein study estimators --cases values.csv > out.csv)";
 
 // The option `--log` of a command.
@@ -233,6 +236,13 @@ int run_program(int argc, char** argv) {
   study_cmd->add_option("--updates", study.updates_file,
                         "estimators: whole updates, rows of this CSV.");
   study_cmd->add_option("--data", study.data, "bridge: folder of the recorded fire.");
+  study_cmd
+      ->add_option("--gains", study.gains,
+                   "tuning: files of gains, beside the scenario's own.")
+      ->delimiter(',');
+  study_cmd
+      ->add_option("--search", study.search, "tuning: search for gains, so many tries.")
+      ->check(CLI::Range(1, 100000));
   add_log_option(*study_cmd);
   study_cmd->footer(kStudyExamples);
 

@@ -43,7 +43,7 @@ void give_rows(Recorder& recorder, std::int64_t rows) {
     estimate.time = now;
     estimate.p_N = state.p_N;
     recorder.truth(now, id, state);
-    recorder.estimate(id, estimate);
+    recorder.estimate(id, estimate, {});
     benchmark::DoNotOptimize(recorder.step_done(now));
   }
 }

@@ -6,9 +6,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "campaign/data_fingerprint.h"
-#include "scenario/named_files.h"
-#include "scenario/scenario_file.h"
+#include "campaign/variant_grid.h"
 
 namespace skein::campaign {
 
@@ -74,30 +72,6 @@ std::vector<Variant> monitoring_strategies() {
   };
 }
 
-namespace {
-
-// The variants called `names`, all when there are none.
-Result<std::vector<Variant>> select(std::vector<Variant> all,
-                                    const std::vector<std::string>& names,
-                                    const char* what) {
-  if (names.empty()) return all;
-  std::vector<Variant> chosen;
-  for (const std::string& name : names) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const Variant& v) { return v.name == name; });
-    if (found == all.end()) {
-      std::string known;
-      for (const Variant& variant : all) known += " " + variant.name;
-      return Error{ErrorCode::kBadInput, name, fmt::format("is no {}.", what),
-                   fmt::format("There are:{}.", known)};
-    }
-    chosen.push_back(*found);
-  }
-  return chosen;
-}
-
-}  // namespace
-
 Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
                                         const scenario::KindTable& kinds) {
   std::vector<Variant> estimators;
@@ -109,32 +83,9 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
   if (!chosen) return chosen.error();
   const auto strategies = select(monitoring_strategies(), study.strategies, "strategy");
   if (!strategies) return strategies.error();
-
-  StudyPlan plan;
-  DataFingerprint data;
-  for (const Variant& each : cases.value())
-    for (const Variant& strategy : strategies.value())
-      for (const Variant& estimator : chosen.value()) {
-        StudyCell cell{each.name, estimator.name, strategy.name, {}};
-        std::vector<scenario::Override> overrides;
-        for (const auto* list : {&each.overrides, &strategy.overrides,
-                                 &estimator.overrides, &study.overrides})
-          for (const std::string& text : *list) overrides.push_back({text});
-        auto read = scenario::read_scenario(study.base, kinds, overrides);
-        if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-        const std::string files = data.of(scenario::named_files(*read.scenario, kinds));
-        for (int k = 0; k < study.seeds; ++k) {
-          scenario::Scenario run = *read.scenario;
-          run.seed = static_cast<std::uint64_t>(study.first_seed + k);
-          run.name = fmt::format("{}/{}/{}/{}", each.name, strategy.name, estimator.name,
-                                 run.seed);
-          cell.items.push_back(plan.items.size());
-          std::string text = scenario::write_scenario(run, kinds);
-          plan.items.push_back({run.name, std::move(run), std::move(text), files});
-        }
-        plan.cells.push_back(std::move(cell));
-      }
-  return plan;
+  return plan_grid({study.base, cases.value(), strategies.value(), chosen.value(),
+                    study.overrides, study.first_seed, study.seeds},
+                   kinds);
 }
 
 MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,

@@ -107,10 +107,11 @@ struct AutopilotStatus {
   FlightMode mode = FlightMode::kGuided;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FailsafeReaction reaction = FailsafeReaction::kNone;
-  int refusals = 0;          ///< commands that could not be flown so far
-  std::string_view refused = {};  ///< why the last of them could not; good until the next one
-  double charge = 1;         ///< left, from 0 to 1
-  double reserve = 1;        ///< of it, when what it takes to get home is taken off
+  int refusals = 0;  ///< commands that could not be flown so far
+  std::string_view refused =
+      {};              ///< why the last of them could not; good until the next one
+  double charge = 1;   ///< left, from 0 to 1
+  double reserve = 1;  ///< of it, when what it takes to get home is taken off
   std::optional<double> endurance =
       std::nullopt;  ///< flight time left at the present power [s]
 };

@@ -12,6 +12,9 @@
 namespace skein::record {
 namespace {
 
+// Before everything: no row of truth is of this time.
+constexpr Time kNever = Time::from_ns(-1);
+
 EntityId entity_id(const Statement& row, int column) {
   return EntityId{static_cast<std::uint32_t>(row.integer(column))};
 }
@@ -72,8 +75,9 @@ class Reader {
     using Part = Result<void> (Reader::*)();
     for (const Part part :
          {&Reader::meta, &Reader::entities, &Reader::duration, &Reader::events,
-          &Reader::metrics, &Reader::tracks, &Reader::readings, &Reader::messages,
-          &Reader::perimeters, &Reader::crossings, &Reader::terrain, &Reader::summary})
+          &Reader::metrics, &Reader::tracks, &Reader::estimates, &Reader::readings,
+          &Reader::messages, &Reader::perimeters, &Reader::crossings, &Reader::terrain,
+          &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -142,6 +146,11 @@ class Reader {
     std::stable_sort(run_.events.begin(), run_.events.end(),
                      [](const Event& a, const Event& b) { return a.time < b.time; });
     run_.events_left_out = total - static_cast<int>(run_.events.size());
+    done = rows("SELECT kind, text FROM events WHERE kind IN ('accident', 'failsafe')",
+                [this](const Statement& row) {
+                  statistics_.event({Time(), {}, row.text(0), row.text(1)});
+                });
+    if (!done) return done;
     return rows(
         "SELECT min(time_s) FROM events WHERE kind = 'allocation'",
         [this](const Statement& row) {
@@ -177,17 +186,27 @@ class Reader {
         std::max(budget_.shortest_step, run_.duration * movers_ / budget_.track_samples);
     std::map<EntityId, TrackBuilder> builders;
     auto done = rows(
-        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg FROM "
-        "truth",
+        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg, charge "
+        "FROM truth",
         [&](const Statement& row) {
           const EntityId id = entity_id(row, 0);
-          statistics_.truth(id, Vec3(row.real(2), row.real(3), -row.real(4)));
+          statistics_.truth(Time::from_seconds(row.real(1)), id,
+                            Vec3(row.real(2), row.real(3), -row.real(4)), row.real(6));
           builders.try_emplace(id, id, step)
               .first->second.add(row.real(1), row.real(2), row.real(3),
                                  geo::radians(row.real(5)));
         });
     for (auto& [id, builder] : builders) run_.tracks.push_back(builder.take());
     return done;
+  }
+
+  // Only for the figures of a run that was cut off; without the truth beside them.
+  Result<void> estimates() {
+    return rows(
+        "SELECT entity_id, cross_track_m FROM estimates WHERE cross_track_m IS NOT NULL",
+        [this](const Statement& row) {
+          statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(), row.real(1));
+        });
   }
 
   // Only for the counts of a run that was cut off.

@@ -140,11 +140,13 @@ Result<void> RunWriter::write(const EntityRow& row) {
 }
 
 Result<void> RunWriter::write(const TruthRow& row) {
-  statistics_.truth(row.id, row.p_N);
+  statistics_.truth(row.time, row.id, row.p_N, row.charge);
   return database_.write(row);
 }
 
 Result<void> RunWriter::write(const EstimateRow& row) {
+  statistics_.estimate(row.estimate.time, row.id, row.estimate.p_N,
+                       row.follows ? std::optional(row.cross_track) : std::nullopt);
   return database_.write(row);
 }
 

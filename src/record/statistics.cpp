@@ -10,7 +10,8 @@ void RunStatistics::entity(EntityId id, const std::string& name,
   if (kind == "aircraft") ++aircraft_;
 }
 
-void RunStatistics::truth(EntityId id, const Vec3& p_N) {
+void RunStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
+  flight_statistics_.truth(time, id, p_N, charge);
   Flight& flight = flights_[id];
   if (flight.last) flight.distance += (p_N - *flight.last).norm();
   flight.last = p_N;
@@ -27,6 +28,7 @@ void RunStatistics::message(bool lost) {
 }
 
 void RunStatistics::event(const Event& event) {
+  flight_statistics_.event(event);
   if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
   if (event.kind == "over-confident" || event.kind == "trusted") judged_ = true;
   if (event.kind == "over-confident" && !doubted_since_) doubted_since_ = event.time;
@@ -91,6 +93,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   }
   out["distance_flown_total_m"] = total;
   if (flown > 0) out["distance_flown_mean_m"] = total / flown;
+  flight_statistics_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

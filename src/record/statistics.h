@@ -8,6 +8,7 @@
 
 #include "data/event.h"
 #include "data/vehicle.h"
+#include "record/flight_statistics.h"
 #include "record/metrics.h"
 #include "record/reading_ages.h"
 #include "record/summary.h"
@@ -19,7 +20,12 @@ namespace skein::record {
 class RunStatistics {
  public:
   void entity(EntityId id, const std::string& name, const std::string& kind);
-  void truth(EntityId id, const Vec3& p_N);
+  void truth(Time time, EntityId id, const Vec3& p_N, double charge);
+  /// See FlightStatistics.
+  void estimate(Time time, EntityId id, const Vec3& p_N,
+                std::optional<double> cross_track) {
+    flight_statistics_.estimate(time, id, p_N, cross_track);
+  }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
@@ -57,6 +63,7 @@ class RunStatistics {
   };
 
   std::map<EntityId, Flight> flights_;
+  FlightStatistics flight_statistics_;
   ReadingAges ages_;
   std::optional<EntityId> believer_;
   std::optional<Time> allocation_start_;

@@ -14,12 +14,14 @@ void SummaryRecorder::entity(EntityId id, const std::string& name,
 
 void SummaryRecorder::truth(Time time, EntityId id, const VehicleState& state) {
   hash_.truth(time, id, state);
-  statistics_.truth(id, state.p_N);
+  statistics_.truth(time, id, state.p_N, state.energy.charge);
 }
 
 void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate,
                                const AutopilotStatus& status) {
   hash_.estimate(id, estimate, status);
+  statistics_.estimate(estimate.time, id, estimate.p_N,
+                       status.follows ? std::optional(status.cross_track) : std::nullopt);
 }
 
 void SummaryRecorder::reading(const FireReading& reading) {

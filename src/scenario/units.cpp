@@ -16,6 +16,7 @@ constexpr double kMile = 1609.344, kNauticalMile = 1852, kFoot = 0.3048;
 // Longer suffixes stand before those that they end in.
 constexpr std::array kUnits = {
     Unit{"deg_per_s2", "deg/s^2", "angular acceleration", geo::kPi / 180},
+    Unit{"rad_per_s2", "rad/s^2", "angular acceleration", 1},
     Unit{"ns2_per_m", "N s^2/m", "drag factor", 1},
     Unit{"kg_per_j", "kg/J", "consumption", 1},
     Unit{"kg_per_s", "kg/s", "mass flow", 1},

@@ -8,7 +8,7 @@ using scenario::Range;
 
 constexpr Range kGain{.above = 0, .at_most = 1000};
 constexpr Range kIntegral{.at_least = 0, .at_most = 1000};
-constexpr Range kTurnDeg{.above = 0, .at_most = 2000};  // deg/s
+constexpr Range kTurn{.above = 0, .at_most = 35};  // rad/s
 constexpr Range kBankDeg{.above = 0, .below = 90};
 
 }  // namespace
@@ -21,21 +21,19 @@ Fields<autopilot::FixedWingGains> fixed_wing_gains_fields() {
               "Roll acceleration per error of the roll rate.", kGain)
       .number("roll_rate_integral_per_s2", &T::roll_rate_integral,
               "And per its integral.", kIntegral)
-      .angle_deg("roll_rate_limit_deg_per_s", &T::roll_rate_limit, "Largest demand.",
-                 kTurnDeg)
+      .number("roll_rate_limit_rad_per_s", &T::roll_rate_limit, "Largest demand.", kTurn)
       .number("bank_gain_per_s", &T::bank_gain,
               "Rate of the bank aimed at per difference to the demand.", kGain)
-      .angle_deg("bank_rate_limit_deg_per_s", &T::bank_rate_limit, "Of that bank.",
-                 kTurnDeg)
-      .angle_deg("bank_acceleration_deg_per_s2", &T::bank_acceleration,
-                 "Of that bank, largest.", {.above = 0, .at_most = 1e5})
+      .number("bank_rate_limit_rad_per_s", &T::bank_rate_limit, "Of that bank.", kTurn)
+      .number("bank_acceleration_rad_per_s2", &T::bank_acceleration,
+              "Of that bank, largest.", {.above = 0, .at_most = 1e5})
       .number("pitch_gain_per_s", &T::pitch_gain, "Pitch rate per pitch error.", kGain)
       .number("pitch_rate_gain_per_s", &T::pitch_rate_gain,
               "Pitch acceleration per error of the pitch rate.", kGain)
       .number("pitch_rate_integral_per_s2", &T::pitch_rate_integral,
               "And per its integral.", kIntegral)
-      .angle_deg("pitch_rate_limit_deg_per_s", &T::pitch_rate_limit, "Largest demand.",
-                 kTurnDeg)
+      .number("pitch_rate_limit_rad_per_s", &T::pitch_rate_limit, "Largest demand.",
+              kTurn)
       .number("load_limit", &T::load_limit, "Largest load factor asked for.",
               {.above = 1, .at_most = 50})
       .number("lift_reserve", &T::lift_reserve,
@@ -121,14 +119,10 @@ Fields<autopilot::MultirotorGains> multirotor_gains_fields() {
               kGain)
       .number("yaw_rate_gain_per_s", &T::yaw_rate_gain,
               "Yaw acceleration per error of the yaw rate.", kGain)
-      .angle_deg("tilt_rate_limit_deg_per_s", &T::tilt_rate_limit, "Largest demand.",
-                 kTurnDeg)
-      .angle_deg("yaw_rate_limit_deg_per_s", &T::yaw_rate_limit, "Largest demand.",
-                 kTurnDeg)
-      .angle_deg("manual_tilt_rate_deg_per_s", &T::manual_tilt_rate, "At full stick.",
-                 kTurnDeg)
-      .angle_deg("manual_yaw_rate_deg_per_s", &T::manual_yaw_rate, "At full stick.",
-                 kTurnDeg);
+      .number("tilt_rate_limit_rad_per_s", &T::tilt_rate_limit, "Largest demand.", kTurn)
+      .number("yaw_rate_limit_rad_per_s", &T::yaw_rate_limit, "Largest demand.", kTurn)
+      .number("manual_tilt_rate_rad_per_s", &T::manual_tilt_rate, "At full stick.", kTurn)
+      .number("manual_yaw_rate_rad_per_s", &T::manual_yaw_rate, "At full stick.", kTurn);
 }
 
 }  // namespace skein::assemble

@@ -11,14 +11,15 @@
 namespace skein::sensory {
 
 struct CameraOptions {
-  double rate_hz = 1;      ///< pictures per second
-  double latency = 0.2;    ///< [s]; with what is found in them
-  double width = 1.05;     ///< field of view across, left to right [rad]
-  double length = 0.8;     ///< field of view along, front to back [rad]
-  double range = 500;      ///< furthest at which objects can be made out [m]
+  double rate_hz = 1;                ///< pictures per second
+  double latency = 0.2;              ///< [s]; with what is found in them
+  double width = geo::radians(60);   ///< field of view across, left to right [rad]
+  double length = geo::radians(45);  ///< field of view along, front to back [rad]
+  double range = 500;                ///< furthest at which objects can be made out [m]
   double detection = 0.8;  ///< probability that a visible object is found, per picture
   double position_sd = 1;  ///< of a found position per axis [m]
-  double direction_sd = 0.01;  ///< of the direction to it; times its distance [rad]
+  double direction_sd =
+      geo::radians(0.6);  ///< of the direction to it; times its distance [rad]
 };
 
 /// Camera that looks along the body's down axis, so that its picture moves with roll and

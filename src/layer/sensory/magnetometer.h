@@ -7,10 +7,10 @@
 namespace skein::sensory {
 
 struct MagnetometerOptions {
-  double rate_hz = 25;         ///< samples per second
-  double latency = 0;          ///< [s]
-  double declination = 0;      ///< of the field: east of north [rad]
-  double inclination = 1.15;   ///< of the field: below the horizon [rad]
+  double rate_hz = 25;                    ///< samples per second
+  double latency = 0;                     ///< [s]
+  double declination = 0;                 ///< of the field: east of north [rad]
+  double inclination = geo::radians(66);  ///< of the field: below the horizon [rad]
   double hard_iron_sd = 0.02;  ///< of the constant bias per axis, in field strengths
   double noise_sd = 0.005;     ///< white, per axis, in field strengths
 };

@@ -41,15 +41,16 @@ class Rangefinder final : public PeriodicSensor<Rangefinder, RangeSample> {
 };
 
 struct LidarOptions {
-  double rate_hz = 5;        ///< scans per second
-  double latency = 0.05;     ///< [s]
-  int beams = 31;            ///< evenly spaced over the field of view
-  double field_of_view = 2;  ///< from the leftmost beam to the rightmost [rad]
-  double depression = 0.2;   ///< of the middle beam: below forward [rad]
-  double range = 150;        ///< furthest it sees [m]
-  double bias_sd = 0.05;     ///< of the wandering error, common to all beams [m]
-  double bias_time = 100;    ///< its correlation time [s]
-  double noise_sd = 0.03;    ///< white, of each beam [m]
+  double rate_hz = 5;     ///< scans per second
+  double latency = 0.05;  ///< [s]
+  int beams = 31;         ///< evenly spaced over the field of view
+  double field_of_view =
+      geo::radians(120);  ///< from the leftmost beam to the rightmost [rad]
+  double depression = geo::radians(12);  ///< of the middle beam: below forward [rad]
+  double range = 150;                    ///< furthest it sees [m]
+  double bias_sd = 0.05;   ///< of the wandering error, common to all beams [m]
+  double bias_time = 100;  ///< its correlation time [s]
+  double noise_sd = 0.03;  ///< white, of each beam [m]
 };
 
 /// Scanning LiDAR: a fan of beams in the plane of its middle beam and the body's right,

@@ -83,7 +83,10 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
       estimate.v_N = state.v_N;
       estimate.heading = geo::yaw(state.q_NB);
       estimate.position_sd = 1;
-      recorder.estimate(id, estimate, {});
+      AutopilotStatus status;
+      status.follows = a == 1;
+      status.cross_track = 0.5 * std::sin(t);
+      recorder.estimate(id, estimate, status);
       if (!whole_second) continue;
       const FireReading reading{now, id, p, 1.5, distance < radius};
       recorder.reading(reading);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "data/airframe.h"
+#include "geo/vec.h"
 
 namespace skein::autopilot {
 
@@ -46,8 +47,8 @@ struct FixedWingGains {
   double turn_drag = 0.35;  ///< induced drag over drag in level flight at cruise, for the
                             ///< throttle in turns
   // Take-off and landing.
-  double climb_out_bank = 0.35;  ///< largest bank [rad]
-  double flare_bank = 0.1;       ///< largest bank [rad]
+  double climb_out_bank = geo::radians(20);  ///< largest bank [rad]
+  double flare_bank = geo::radians(6);       ///< largest bank [rad]
 };
 
 /// What the laws need of airframe and gains, worked out once; one may serve many

@@ -48,19 +48,19 @@ SkeinAutopilot::Flier SkeinAutopilot::make_flier(const SkeinSetup& setup,
 }
 
 SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
-                               const NavEstimate& initial, bool on_ground)
+                               const NavEstimate& initial, bool on_ground,
+                               std::optional<double> ground_msl)
     : setup_(std::move(setup)),
-      home_N_(initial.p_N),
+      home_N_(initial.p_N.x(), initial.p_N.y(),
+              on_ground ? initial.p_N.z() : -ground_msl.value_or(-initial.p_N.z())),
       estimator_(setup_->options.estimator, start_of(initial, on_ground)),
       modes_(setup_->rules),
       fence_(setup_->fence),
       motors_(setup_->options.motor_watch),
       consumption_(setup_->options.consumption),
       ground_(setup_->limits, hover_throttle(setup_->airframe), on_ground),
-      flier_(make_flier(*setup_, home_N_)),
-      airborne_altitude_(-initial.p_N.z()) {
-  if (setup_->wing || setup_->rotors)
-    last_ = Actuators{};
+      flier_(make_flier(*setup_, home_N_)) {
+  if (setup_->wing || setup_->rotors) last_ = Actuators{};
 }
 
 void SkeinAutopilot::sense(const SensorSample& sample) {
@@ -117,8 +117,8 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
     input_.motor_failed = failed != 0;
     if (auto* rotors = std::get_if<RotorFlier>(&flier_)) rotors->set_standing(failed);
   }
-  const AutopilotStatus& flown =
-      std::visit([](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
+  const AutopilotStatus& flown = std::visit(
+      [](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
   input_.done = flown.done;
   input_.landed = landing && flown.done && input_.on_ground;
   input_.committed = landing && -nav.p_N.z() + home_N_.z() < kCommittedHeight;
@@ -154,9 +154,14 @@ void SkeinAutopilot::obey(Order order, Order before, const FlierView& now) {
   switch (order) {
     case Order::kStand:
     case Order::kPilot:
-    case Order::kDescend: return;
-    case Order::kTakeOff: give(take_off_, now); return;
-    case Order::kAgent: give(agent_command_, now); return;
+    case Order::kDescend:
+      return;
+    case Order::kTakeOff:
+      give(take_off_, now);
+      return;
+    case Order::kAgent:
+      give(agent_command_, now);
+      return;
     case Order::kHold:
     case Order::kReturn:
     case Order::kLand:
@@ -165,7 +170,8 @@ void SkeinAutopilot::obey(Order order, Order before, const FlierView& now) {
   }
 }
 
-AutopilotCommand SkeinAutopilot::failsafe_command(Order order, const FlierView& now) const {
+AutopilotCommand SkeinAutopilot::failsafe_command(Order order,
+                                                  const FlierView& now) const {
   AutopilotCommand command;
   command.altitude_msl = -now.nav.p_N.z();
   const Vec2 home = geo::horizontal(home_N_);
@@ -190,10 +196,14 @@ Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
   return std::visit(
       [&](auto& flier) {
         switch (order) {
-          case Order::kStand: return flier.stand();
-          case Order::kPilot: return flier.pilot(*input_.pilot, now, dt);
-          case Order::kDescend: return flier.descend(now, dt);
-          default: return flier.fly(now, dt);
+          case Order::kStand:
+            return flier.stand();
+          case Order::kPilot:
+            return flier.pilot(*input_.pilot, now, dt);
+          case Order::kDescend:
+            return flier.descend(now, dt);
+          default:
+            return flier.fly(now, dt);
         }
       },
       flier_);
@@ -201,16 +211,16 @@ Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
 
 void SkeinAutopilot::change_gains() {
   auto& wing = std::get<WingFlier>(flier_);
-  const std::size_t lap = std::min(static_cast<std::size_t>(wing.status().lap),
-                                   setup_->lap_wings.size() - 1);
+  const std::size_t lap =
+      std::min(static_cast<std::size_t>(wing.status().lap), setup_->lap_wings.size() - 1);
   if (lap == lap_) return;
   lap_ = lap;
   wing.change(setup_->options.lap_gains[lap].lateral, setup_->lap_wings[lap]);
 }
 
 AutopilotStatus SkeinAutopilot::status() const {
-  AutopilotStatus status =
-      std::visit([](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
+  AutopilotStatus status = std::visit(
+      [](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
   const Decision& decision = modes_.decision();
   status.mode = decision.mode;
   status.trigger = decision.trigger;

@@ -1,0 +1,37 @@
+#include "record/flight_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skein::record {
+
+void FlightStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
+  last_[id] = {time, geo::horizontal(p_N)};
+  charge_least_ = std::min(charge_least_.value_or(charge), charge);
+}
+
+void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
+                                std::optional<double> cross_track) {
+  if (cross_track) cross_track_.add(*cross_track * *cross_track);
+  const auto truth = last_.find(id);
+  if (truth == last_.end() || truth->second.time != time) return;
+  position_error_.add((geo::horizontal(p_N) - truth->second.position).squaredNorm());
+}
+
+void FlightStatistics::event(const Event& event) {
+  if (event.kind == "accident") ++accidents_;
+  if (event.kind == "failsafe" && event.text != "over") ++failsafes_;
+}
+
+void FlightStatistics::add_figures(std::map<std::string, double>& figures) const {
+  figures["accidents"] = static_cast<double>(accidents_);
+  figures["failsafes"] = static_cast<double>(failsafes_);
+  const auto put = [&](const char* name, const Square& square) {
+    if (square.count > 0) figures[name] = std::sqrt(square.sum / square.count);
+  };
+  put("cross_track_rms_m", cross_track_);
+  put("position_error_rms_m", position_error_);
+  if (charge_least_) figures["charge_least"] = *charge_least_;
+}
+
+}  // namespace skein::record
