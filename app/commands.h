@@ -33,6 +33,8 @@ struct StudyArguments {
   std::vector<std::string> overrides;
   std::string cases_file, updates_file;  ///< estimators: CSV in, CSV on standard output
   std::string data;                      ///< bridge: folder of the recorded fire
+  std::vector<std::string> gains;        ///< tuning: files of gains
+  int search = 0;                        ///< tuning: gains to try; 0 = no search
   std::vector<std::string> given;        ///< names of all options of the command line
 };
 

@@ -68,9 +68,8 @@ Result<LapGains> tuning_gains_of(const scenario::Scenario& scenario) {
 Result<LapGains> read_tuning_gains(const std::filesystem::path& file,
                                    const LapGains& base) {
   LapGains gains = base;
-  const auto reading =
-      scenario::read_document(file, gains_document("fixed_wing_gains"),
-                              scenario::KindTable{}, {}, &gains);
+  const auto reading = scenario::read_document(file, gains_document("fixed_wing_gains"),
+                                               scenario::KindTable{}, {}, &gains);
   if (reading.ok()) return gains;
   std::string report = reading.report();
   report.pop_back();  // the last line feed
@@ -85,8 +84,7 @@ std::string write_tuning_gains(const LapGains& gains) {
 std::string lap_gains_text(const LapGains& gains) {
   const scenario::Document document = gains_document("wing_gains");
   const scenario::Type type{scenario::ObjectType{document.keys}};
-  return scenario::to_inline_yaml(
-      scenario::to_node(type, &gains, scenario::KindTable{}));
+  return scenario::to_inline_yaml(scenario::to_node(type, &gains, scenario::KindTable{}));
 }
 
 LapGains quickened(const LapGains& gains, double factor) {

@@ -25,7 +25,8 @@ void RouteAgent::step(const AgentInput& in, AgentOutput& out) {
   if (!begun_) {
     FlyWaypoints way;
     way.laps = options_.laps;
-    for (const Vec2& point : options_.points) way.points.push_back({point, altitude_msl_});
+    for (const Vec2& point : options_.points)
+      way.points.push_back({point, altitude_msl_});
     AutopilotCommand command;
     command.guidance = std::move(way);
     command.altitude_msl = altitude_msl_;

@@ -10,7 +10,7 @@ namespace skein::reasoning {
 
 struct RouteAgentOptions {
   std::vector<Vec2> points = {{0, 0}, {400, 0}, {400, 400}, {0, 400}};  ///< [m]
-  int laps = 3;               ///< times round
+  int laps = 3;                                                         ///< times round
   double altitude_agl = 120;  ///< flown above the highest ground of the route [m]
   double report_period = 1;   ///< between reports to the station [s]
   SafetyZone safety_zone;
