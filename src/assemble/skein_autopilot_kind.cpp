@@ -30,12 +30,14 @@ Fields<FailsafeRule> rule_fields() {
                  {"descend", kDescend, "come down here"}});
   };
   Fields<T> fields;
-  fields.duration_s("delay_s", &T::delay, "For which it must last.", {.at_least = 0, .at_most = 1e6});
+  fields.duration_s("delay_s", &T::delay, "For which it must last.",
+                    {.at_least = 0, .at_most = 1e6});
   reactions(fields, "reaction", &T::reaction, "What is done.");
   fields.duration_s("escalates_after_s", &T::escalates_after,
                     "After this long the second reaction follows; 0: never.",
                     {.at_least = 0, .at_most = 1e6});
-  reactions(fields, "escalates_to", &T::escalates_to, "The second reaction, a stronger one.");
+  reactions(fields, "escalates_to", &T::escalates_to,
+            "The second reaction, a stronger one.");
   fields.boolean("resumes", &T::resumes,
                  "When it is over the mission goes on by itself; else it waits for a new "
                  "command.");
@@ -50,12 +52,15 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
               "The charge less what it takes to get home is below battery_reserve.")
       .object("battery_critical", &T::battery_critical, rule_fields(),
               "The charge is below battery_critical.")
-      .object("geofence", &T::geofence, rule_fields(), "The aircraft is outside the fence.")
+      .object("geofence", &T::geofence, rule_fields(),
+              "The aircraft is outside the fence.")
       .object("gnss", &T::gnss, rule_fields(), "No position from satellites.")
       .object("motor", &T::motor, rule_fields(), "A motor stands under throttle.")
       .number("battery_reserve", &T::battery_reserve, "Of a full charge.", kShare)
-      .number("battery_critical_charge", &T::battery_critical_at, "Of a full charge.", kShare)
-      .duration_s("recovery_s", &T::recovery, "For which it must be over to count as over.",
+      .number("battery_critical_charge", &T::battery_critical_at, "Of a full charge.",
+              kShare)
+      .duration_s("recovery_s", &T::recovery,
+                  "For which it must be over to count as over.",
                   {.at_least = 0, .at_most = 1e6})
       .integer("most_clears", &T::most_clears,
                "In one flight, of each; after that it stays.",
@@ -139,15 +144,18 @@ Fields<autopilot::LateralOptions> lateral_fields() {
               "line of sight that grows with the speed (Curry et al. 2013)"}})
       .number("course_gain_per_s", [](T & t) -> auto& { return t.course.gain; },
               "course: rate of turn per course error.", {.above = 0, .at_most = 20})
-      .duration_s("course_look_ahead_s", [](T & t) -> auto& { return t.course.look_ahead; },
+      .duration_s("course_look_ahead_s",
+                  [](T & t) -> auto& { return t.course.look_ahead; },
                   "course: flight time in which a cross-track error is taken out.",
                   {.above = 0, .at_most = 1000})
       .duration_s("l1_period_s", [](T & t) -> auto& { return t.l1.period; },
-                  "l1: of the motion about a straight line.", {.above = 0, .at_most = 1000})
+                  "l1: of the motion about a straight line.",
+                  {.above = 0, .at_most = 1000})
       .number("l1_damping", [](T & t) -> auto& { return t.l1.damping; },
               "l1: of that motion.", {.above = 0, .at_most = 10})
       .duration_s("l2_time_s", [](T & t) -> auto& { return t.l2.time; },
-                  "l2plus: flight time to the point aimed at.", {.above = 0, .at_most = 1000})
+                  "l2plus: flight time to the point aimed at.",
+                  {.above = 0, .at_most = 1000})
       .number("l2_least_m", [](T & t) -> auto& { return t.l2.least; },
               "l2plus: least distance of that point.", {.above = 0, .at_most = 1e5})
       .duration_s("roll_lag_s", &T::roll_lag,
@@ -167,17 +175,20 @@ autopilot::LapGains fixed_wing_gains(const SkeinChoice& choice,
 Fields<SkeinChoice> skein_fields() {
   using T = SkeinChoice;
   return Fields<T>()
-      .object("lateral",
-              [](T & t) -> auto& { return t.options.wing_guidance.lateral; },
-              lateral_fields(), "Lateral guidance of fixed wings.")
-      .boolean("rounds_corners",
-               [](T & t) -> auto& { return t.options.wing_guidance.rounds_corners; },
-               "Fixed wings round the corners of a route; else they fly over them.")
-      .object("failsafe", [](T & t) -> auto& { return t.options.failsafe; },
-              failsafe_fields(), "What goes wrong, and what is done.")
+      .object(
+          "lateral", [](T & t) -> auto& { return t.options.wing_guidance.lateral; },
+          lateral_fields(), "Lateral guidance of fixed wings.")
+      .boolean(
+          "rounds_corners",
+          [](T & t) -> auto& { return t.options.wing_guidance.rounds_corners; },
+          "Fixed wings round the corners of a route; else they fly over them.")
+      .object(
+          "failsafe", [](T & t) -> auto& { return t.options.failsafe; },
+          failsafe_fields(), "What goes wrong, and what is done.")
       .object("fence", &T::fence, fence_fields(), "Where it may fly.")
-      .object("estimator", [](T & t) -> auto& { return t.options.estimator; },
-              estimator_fields(), "What its estimator assumes.")
+      .object(
+          "estimator", [](T & t) -> auto& { return t.options.estimator; },
+          estimator_fields(), "What its estimator assumes.")
       .object("wing_gains", &T::wing_gains, fixed_wing_gains_fields(),
               "Gains for a fixed wing. Null: those of the aircraft file.")
       .object("rotor_gains", &T::rotor_gains, multirotor_gains_fields(),
@@ -191,16 +202,18 @@ Fields<SkeinChoice> skein_fields() {
 Result<std::unique_ptr<Autopilot>> make_skein(const SkeinChoice& choice,
                                               const AircraftContext& c) {
   using Setup = std::shared_ptr<const autopilot::SkeinSetup>;
+  const auto make = [&](const Setup& setup) {
+    const double ground = c.map->elevation_msl(geo::horizontal(c.initial.p_N));
+    return std::unique_ptr<Autopilot>(std::make_unique<autopilot::SkeinAutopilot>(
+        setup, c.initial, c.on_ground, ground));
+  };
   if (!c.shared || !c.shared->has_value()) {
     auto made = make_setup(choice, c);
     if (!made) return made.error();
-    if (!c.shared)
-      return std::unique_ptr<Autopilot>(std::make_unique<autopilot::SkeinAutopilot>(
-          made.value(), c.initial, c.on_ground));
+    if (!c.shared) return make(made.value());
     *c.shared = std::move(made).value();
   }
-  return std::unique_ptr<Autopilot>(std::make_unique<autopilot::SkeinAutopilot>(
-      std::any_cast<const Setup&>(*c.shared), c.initial, c.on_ground));
+  return make(std::any_cast<const Setup&>(*c.shared));
 }
 
 }  // namespace skein::assemble

@@ -5,12 +5,12 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kStill = 0.3;       // of a multirotor [m/s]
-constexpr double kLittleThrust = 0.4;  // of hover
+constexpr double kStill = 0.3;            // of a multirotor, up and down [m/s]
+constexpr double kLittleThrust = 0.4;     // of hover
 constexpr double kFlyingShare = 1.0 / 3;  // of the least airspeed
-constexpr double kStillTime = 1;     // [s]
-constexpr double kClimb = 1;         // that a vehicle on the ground cannot have [m/s]
-constexpr double kLift = 3;          // above where it stood [m]
+constexpr double kStillTime = 1;          // [s]
+constexpr double kClimb = 1;  // that a vehicle on the ground cannot have [m/s]
+constexpr double kLift = 3;   // above where it stood [m]
 
 }  // namespace
 
@@ -18,9 +18,11 @@ LandDetector::LandDetector(const FlightLimits& limits, double hover, bool on_gro
     : slowest_(limits.slowest), hover_(hover), on_ground_(on_ground) {}
 
 bool LandDetector::slow(const NavState& nav, double throttle) const {
-  const double speed2 = nav.v_N.squaredNorm();
+  // With so little thrust it would fall. The horizontal speed does not count: without
+  // satellites it is hardly known.
   if (slowest_ <= 0)
-    return speed2 < kStill * kStill && throttle < kLittleThrust * hover_;
+    return std::abs(nav.v_N.z()) < kStill && throttle < kLittleThrust * hover_;
+  const double speed2 = nav.v_N.squaredNorm();
   const double least = kFlyingShare * slowest_;
   return speed2 < least * least && nav.airspeed < least;
 }

@@ -10,9 +10,10 @@ namespace skein::autopilot {
 ///
 /// In the air it is on the ground when it has moved so slowly for a second that it cannot
 /// fly: a fixed wing both over ground and through the air below a third of its least
-/// airspeed; a multirotor below 0.3 m/s while its motors are told less than 0.4 of what
-/// it hovers with. On the ground it is in the air when it climbs, stands higher than
-/// where it was by more than the estimate's error may be, or is fast enough to fly.
+/// airspeed; a multirotor that neither climbs nor sinks by 0.3 m/s while its motors are
+/// told less than 0.4 of what it hovers with. On the ground it is in the air when it
+/// climbs, stands higher than where it was by more than the estimate's error may be, or
+/// is fast enough to fly.
 class LandDetector {
  public:
   /// @param hover  mean throttle in hover; 0 for what cannot hover.

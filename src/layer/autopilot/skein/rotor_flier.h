@@ -12,7 +12,8 @@ class RotorFlier {
  public:
   RotorFlier(const SkeinSetup& setup, const Vec3& home_N);
 
-  std::optional<std::string> command(const AutopilotCommand& command, const FlierView& now);
+  std::optional<std::string> command(const AutopilotCommand& command,
+                                     const FlierView& now);
   Control fly(const FlierView& now, double dt);
   void begin_descent(const FlierView& now);
   /// Straight down above the ground below; without a position, with level attitude.
@@ -28,9 +29,10 @@ class RotorFlier {
  private:
   MultirotorGuidance guidance_;
   MultirotorControl control_;
-  double sink_rate_;             // of a blind descent [m/s]
+  double sink_rate_;             // largest [m/s]
   double descent_altitude_ = 0;  // demanded now [m]
   double heading_ = 0;           // of a blind descent [rad]
+  double still_for_ = 0;         // it seems to stand, likewise [s]
 };
 
 }  // namespace skein::autopilot

@@ -6,6 +6,7 @@
 namespace skein::autopilot {
 namespace {
 
+constexpr double kUnknownPlace = 50;     // standard deviation at the start [m]
 constexpr double kCommittedHeight = 10;  // below it a landing is finished [m]
 
 EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
@@ -16,6 +17,8 @@ EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
   start.q_NB = geo::from_euler({initial.roll, initial.pitch, initial.heading});
   start.wind_N = initial.wind_N;
   start.at_rest = on_ground;
+  // Where it is, the first fix says: to be told would tell the receiver's error too.
+  start.sd.position = start.sd.altitude = kUnknownPlace;
   return start;
 }
 
@@ -113,9 +116,10 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   const bool floor_counts = !input_.on_ground && !landing && order_ != Order::kTakeOff;
   input_.outside_fence = fence_.step(nav.p_N, nav.v_N, floor_counts);
   if (const auto* told = std::get_if<Actuators>(&last_)) {
-    const std::uint8_t failed = motors_.step(now, standing_, *told);
-    input_.motor_failed = failed != 0;
-    if (auto* rotors = std::get_if<RotorFlier>(&flier_)) rotors->set_standing(failed);
+    // For good: a rotor that is no longer told to turn looks like one that may stand.
+    failed_ |= motors_.step(now, standing_, *told);
+    input_.motor_failed = failed_ != 0;
+    if (auto* rotors = std::get_if<RotorFlier>(&flier_)) rotors->set_standing(failed_);
   }
   const AutopilotStatus& flown = std::visit(
       [](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
+#include "data/air.h"
 #include "layer/autopilot/estimator/flight_estimator.h"
 #include "layer/autopilot/skein/land_detector.h"
 #include "layer/autopilot/skein/point_flier.h"
 #include "layer/autopilot/skein/rotor_flier.h"
 #include "layer/autopilot/skein/skein_setup.h"
 #include "layer/autopilot/skein/wing_flier.h"
-#include "data/air.h"
 #include "role/autopilot.h"
 
 namespace skein::autopilot {
@@ -26,9 +27,10 @@ namespace skein::autopilot {
 /// flown goes on. Until the first command it holds where it is; on the ground it stands.
 class SkeinAutopilot final : public Autopilot {
  public:
-  /// @param initial  where and how the flight begins: home is there.
+  /// @param initial     where and how the flight begins: home is there.
+  /// @param ground_msl  the ground at home [m], for flights that begin in the air.
   SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup, const NavEstimate& initial,
-                 bool on_ground);
+                 bool on_ground, std::optional<double> ground_msl = std::nullopt);
 
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
@@ -53,7 +55,7 @@ class SkeinAutopilot final : public Autopilot {
   void change_gains();
 
   std::shared_ptr<const SkeinSetup> setup_;
-  Vec3 home_N_;
+  Vec3 home_N_;  // on the ground, as far as that is known
   FlightEstimator estimator_;
   ModeLogic modes_;
   FenceWatch fence_;
@@ -65,9 +67,9 @@ class SkeinAutopilot final : public Autopilot {
   Order order_ = Order::kStand;
   AutopilotCommand agent_command_;
   AutopilotCommand take_off_;
-  double airborne_altitude_ = 0;  // kept by failsafes that stay [m]
-  std::uint8_t standing_ = 0;     // motors, as the battery monitor says
-  double throttle_ = 0;           // mean of what the motors were told
+  std::uint8_t standing_ = 0;  // motors, as the battery monitor says
+  std::uint8_t failed_ = 0;    // motors that have stood under throttle
+  double throttle_ = 0;        // mean of what the motors were told
   Control last_;
   std::size_t lap_ = 0;  // whose gains are flown
   std::string refused_;
