@@ -7,6 +7,7 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kUnknownPlace = 50;     // standard deviation at the start [m]
+constexpr double kUnknownWind = 5;       // standard deviation at the start [m/s]
 constexpr double kCommittedHeight = 10;  // below it a landing is finished [m]
 
 EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
@@ -19,6 +20,7 @@ EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
   start.at_rest = on_ground;
   // Where it is, the first fix says: to be told would tell the receiver's error too.
   start.sd.position = start.sd.altitude = kUnknownPlace;
+  start.sd.wind = kUnknownWind;
   return start;
 }
 
