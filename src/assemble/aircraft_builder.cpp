@@ -32,7 +32,8 @@ NavEstimate nav_of(const VehicleState& state) {
 // A suite's sensors one by one, so that each can fail by itself.
 std::vector<sensory::SensorSuite::Part> unpacked(const std::string& kind,
                                                  std::unique_ptr<Sensor> sensor) {
-  if (auto* suite = dynamic_cast<sensory::SensorSuite*>(sensor.get())) return suite->take();
+  if (auto* suite = dynamic_cast<sensory::SensorSuite*>(sensor.get()))
+    return suite->take();
   std::vector<sensory::SensorSuite::Part> one;
   one.push_back({kind, std::move(sensor)});
   return one;
@@ -131,12 +132,12 @@ Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
   if (!turbulence || scenario_.environment.gusts.empty()) return turbulence;
   environment::DiscreteGustsOptions single;
   for (const scenario::GustEvent& gust : scenario_.environment.gusts)
-    single.gusts.push_back({gust.at.seconds(),
-                            {gust.velocity.x(), gust.velocity.y(), -gust.up},
-                            gust.in_body ? environment::GustFrame::kBody
-                                         : environment::GustFrame::kLocal,
-                            gust.length,
-                            gust.hold});
+    single.gusts.push_back(
+        {gust.at.seconds(),
+         {gust.velocity.x(), gust.velocity.y(), -gust.up},
+         gust.in_body ? environment::GustFrame::kBody : environment::GustFrame::kLocal,
+         gust.length,
+         gust.hold});
   std::vector<std::unique_ptr<Turbulence>> parts;
   if (turbulence.value()) parts.push_back(std::move(turbulence).value());
   parts.push_back(std::make_unique<environment::DiscreteGusts>(single));
@@ -151,11 +152,11 @@ Result<Time> AircraftBuilder::flight_step(const std::string& name,
   if (std::holds_alternative<SelfStabilised>(airframe)) return scenario_.step;
   if (scenario_.step < kFlightStep) return scenario_.step;
   if (scenario_.step.ns() % kFlightStep.ns() == 0) return kFlightStep;
-  return Error{
-      ErrorCode::kBadInput, name,
-      fmt::format("steps of {} s do not divide step_s, {} s.",
-                  scenario::seconds_text(kFlightStep), scenario::seconds_text(scenario_.step)),
-      "Give flight_step_s, or another step_s."};
+  return Error{ErrorCode::kBadInput, name,
+               fmt::format("steps of {} s do not divide step_s, {} s.",
+                           scenario::seconds_text(kFlightStep),
+                           scenario::seconds_text(scenario_.step)),
+               "Give flight_step_s, or another step_s."};
 }
 
 // In level flight at cruise, in the wind of that place, or on the ground.

@@ -36,10 +36,11 @@ Kinds<Autopilot, AircraftContext> autopilot_kinds() {
             [](const autopilot::SimpleAutopilotOptions& o,
                const AircraftContext& c) -> Result<std::unique_ptr<Autopilot>> {
               if (!std::holds_alternative<SelfStabilised>(c.airframe))
-                return Error{ErrorCode::kBadInput, "",
-                             "the autopilot path says roll angle, airspeed and climb rate; "
-                             "this plant takes actuators.",
-                             "Choose the autopilot skein."};
+                return Error{
+                    ErrorCode::kBadInput, "",
+                    "the autopilot path says roll angle, airspeed and climb rate; "
+                    "this plant takes actuators.",
+                    "Choose the autopilot skein."};
               return std::unique_ptr<Autopilot>(
                   std::make_unique<autopilot::SimpleAutopilot>(o, c.limits, c.initial));
             });

@@ -20,8 +20,8 @@ class Factors {
 
 // One factor for all, so that the inertia stays that of some body.
 void scale(asset::Inertia& inertia, double factor) {
-  for (double* j : {&inertia.xx, &inertia.yy, &inertia.zz, &inertia.xy, &inertia.xz,
-                    &inertia.yz})
+  for (double* j :
+       {&inertia.xx, &inertia.yy, &inertia.zz, &inertia.xy, &inertia.xz, &inertia.yz})
     *j *= factor;
 }
 

@@ -46,16 +46,16 @@ Result<AircraftFile> load(const FiledPlant& choice) {
 }
 
 template <class Made, class Parameters>
-Result<std::unique_ptr<Plant>> make_filed(
-    const FiledPlant& choice, std::optional<Parameters> AircraftFile::* model,
-    const AircraftContext& c) {
+Result<std::unique_ptr<Plant>> make_filed(const FiledPlant& choice,
+                                          std::optional<Parameters> AircraftFile::*model,
+                                          const AircraftContext& c) {
   auto aircraft = load(choice);
   if (!aircraft) return aircraft.error();
   if (!(aircraft.value().*model))
-    return Error{ErrorCode::kBadInput,
-                 choice.file.empty() ? choice.aircraft : choice.file,
-                 fmt::format("describes plants of kind {} only.", aircraft.value().plants()),
-                 "Choose one of these, or another aircraft."};
+    return Error{
+        ErrorCode::kBadInput, choice.file.empty() ? choice.aircraft : choice.file,
+        fmt::format("describes plants of kind {} only.", aircraft.value().plants()),
+        "Choose one of these, or another aircraft."};
   Parameters parameters = *(aircraft.value().*model);
   if (c.parameter_spread > 0)
     spread(parameters, c.parameter_spread,
@@ -111,7 +111,8 @@ Kinds<Plant, AircraftContext> plant_kinds() {
             "phase; parameters from an aircraft file.",
             filed_fields<PerformanceChoice>(),
             [](const PerformanceChoice& o, const AircraftContext& c) {
-              return make_filed<asset::PerformancePlant>(o, &AircraftFile::performance, c);
+              return make_filed<asset::PerformancePlant>(o, &AircraftFile::performance,
+                                                         c);
             });
   kinds.add("fixed-wing",
             "Six degrees of freedom, wings; parameters from an aircraft file.",

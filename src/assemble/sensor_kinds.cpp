@@ -126,8 +126,8 @@ Fields<sensory::ImuOptions> imu_fields() {
               "Random walk of the bias, m/s^2/sqrt(s).", kNotNegative)
       .number("accelerometer_scale_sd", &T::accelerometer_scale_sd,
               "Relative scale error per axis.", kNotNegative)
-      .number("accelerometer_range_mps2", &T::accelerometer_range,
-              "It saturates beyond.", {.above = 0, .at_most = 1e5});
+      .number("accelerometer_range_mps2", &T::accelerometer_range, "It saturates beyond.",
+              {.above = 0, .at_most = 1e5});
 }
 
 Fields<sensory::BarometerOptions> barometer_fields() {
@@ -219,8 +219,8 @@ Fields<sensory::LidarOptions> lidar_fields() {
   return ranging<T>()
       .integer("beams", &T::beams, "Evenly spaced over the field of view.",
                {.at_least = 1, .at_most = 10000})
-      .angle_deg("field_of_view_deg", &T::field_of_view, "From the first beam to the last.",
-                 {.at_least = 0, .at_most = 360})
+      .angle_deg("field_of_view_deg", &T::field_of_view,
+                 "From the first beam to the last.", {.at_least = 0, .at_most = 360})
       .angle_deg("depression_deg", &T::depression, "Of the middle beam: below forward.",
                  {.at_least = -90, .at_most = 90});
 }
@@ -290,7 +290,8 @@ Fields<FlightSuite> flight_suite_fields() {
        {"rtk", GnssKind::kRtk, "by carrier phase: centimetres"}});
 }
 
-std::unique_ptr<Sensor> make_flight_suite(const FlightSuite& o, const AircraftContext& c) {
+std::unique_ptr<Sensor> make_flight_suite(const FlightSuite& o,
+                                          const AircraftContext& c) {
   using namespace sensory;
   std::vector<SensorSuite::Part> parts;
   const auto add = [&](const char* kind, auto sensor) {
@@ -301,7 +302,8 @@ std::unique_ptr<Sensor> make_flight_suite(const FlightSuite& o, const AircraftCo
   GnssReceiverOptions gnss;
   gnss.kind = o.receiver;
   add("gnss-receiver", std::make_unique<GnssReceiver>(gnss, c.seed, id, c.instance));
-  add("barometer", std::make_unique<Barometer>(BarometerOptions{}, c.seed, id, c.instance));
+  add("barometer",
+      std::make_unique<Barometer>(BarometerOptions{}, c.seed, id, c.instance));
   add("magnetometer",
       std::make_unique<Magnetometer>(MagnetometerOptions{}, c.seed, id, c.instance));
   if (!std::holds_alternative<MultirotorAirframe>(c.airframe))
@@ -354,17 +356,15 @@ Kinds<Sensor, AircraftContext> sensor_kinds() {
             gnss_fields(), [](const sensory::GnssOptions& o, const AircraftContext& c) {
               return std::make_unique<sensory::GnssSensor>(o, c.seed, c.self, c.instance);
             });
-  kinds.add("gnss-receiver",
-            "Satellite navigation, each source of error by itself; outages.",
-            gnss_receiver_fields(),
-            [](const GnssReceiverChoice& o, const AircraftContext& c) {
-              sensory::GnssReceiverOptions all = o;
-              for (const PlannedOutage& outage : o.planned)
-                all.outages.spans.push_back(
-                    {outage.from, outage.until.value_or(sensory::OutageSpan{}.until)});
-              return std::make_unique<sensory::GnssReceiver>(all, c.seed, c.self,
-                                                             c.instance);
-            });
+  kinds.add(
+      "gnss-receiver", "Satellite navigation, each source of error by itself; outages.",
+      gnss_receiver_fields(), [](const GnssReceiverChoice& o, const AircraftContext& c) {
+        sensory::GnssReceiverOptions all = o;
+        for (const PlannedOutage& outage : o.planned)
+          all.outages.spans.push_back(
+              {outage.from, outage.until.value_or(sensory::OutageSpan{}.until)});
+        return std::make_unique<sensory::GnssReceiver>(all, c.seed, c.self, c.instance);
+      });
   kinds.add("imu", "Inertial measurement: turn rates and accelerations.", imu_fields(),
             [](const sensory::ImuOptions& o, const AircraftContext& c) {
               return std::make_unique<sensory::ImuSensor>(o, c.seed, c.self, c.instance);
@@ -375,11 +375,13 @@ Kinds<Sensor, AircraftContext> sensor_kinds() {
             });
   kinds.add("magnetometer", "Direction of the Earth's field.", magnetometer_fields(),
             [](const sensory::MagnetometerOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::Magnetometer>(o, c.seed, c.self, c.instance);
+              return std::make_unique<sensory::Magnetometer>(o, c.seed, c.self,
+                                                             c.instance);
             });
   kinds.add("airspeed", "Pitot tube.", airspeed_fields(),
             [](const sensory::AirspeedOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::AirspeedSensor>(o, c.seed, c.self, c.instance);
+              return std::make_unique<sensory::AirspeedSensor>(o, c.seed, c.self,
+                                                               c.instance);
             });
   kinds.add("power", "Battery monitor: voltage, current, charge, standing motors.",
             power_fields(), [](const sensory::PowerOptions& o, const AircraftContext& c) {
@@ -396,7 +398,8 @@ Kinds<Sensor, AircraftContext> sensor_kinds() {
             });
   kinds.add("height", "Height above the ground straight below.", height_fields(),
             [](const sensory::HeightOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::HeightSensor>(o, c.seed, c.self, c.instance);
+              return std::make_unique<sensory::HeightSensor>(o, c.seed, c.self,
+                                                             c.instance);
             });
   kinds.add("anemometer", "Velocity through the air, on board.", anemometer_fields(),
             [](const sensory::AnemometerOptions& o, const AircraftContext& c) {
@@ -404,13 +407,15 @@ Kinds<Sensor, AircraftContext> sensor_kinds() {
             });
   kinds.add("rangefinder", "Distance to the ground along one beam.", rangefinder_fields(),
             [](const sensory::RangefinderOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::Rangefinder>(o, c.seed, c.self, c.instance);
+              return std::make_unique<sensory::Rangefinder>(o, c.seed, c.self,
+                                                            c.instance);
             });
   kinds.add("lidar", "Distances to the ground along a fan of beams.", lidar_fields(),
             [](const sensory::LidarOptions& o, const AircraftContext& c) {
               return std::make_unique<sensory::Lidar>(o, c.seed, c.self, c.instance);
             });
-  kinds.add("camera", "Looks down: its footprint, and objects that it finds there.", camera_fields(),
+  kinds.add("camera", "Looks down: its footprint, and objects that it finds there.",
+            camera_fields(),
             [](const sensory::CameraOptions& o, const AircraftContext& c) {
               return std::make_unique<sensory::Camera>(o, c.seed, c.self, c.instance);
             });

@@ -19,9 +19,10 @@ Fields<DrydenOptions> dryden_fields() {
             {{"light", TurbulenceIntensity::kLight, "wind of 15 kt near the ground"},
              {"moderate", TurbulenceIntensity::kModerate, "30 kt"},
              {"severe", TurbulenceIntensity::kSevere, "45 kt"}})
-      .number("wind20_mps", &T::wind20,
-              "Wind 20 ft above the ground instead; 0: no turbulence. Null: as intensity.",
-              {.at_least = 0, .at_most = 60})
+      .number(
+          "wind20_mps", &T::wind20,
+          "Wind 20 ft above the ground instead; 0: no turbulence. Null: as intensity.",
+          {.at_least = 0, .at_most = 60})
       .number("span_m", &T::span, "Wing span, or size, of the aircraft.",
               {.above = 0, .at_most = 100});
 }
@@ -35,7 +36,8 @@ Kinds<Turbulence, AircraftContext> turbulence_kinds() {
             [](const NoTurbulence&, const AircraftContext&) -> Made {
               return std::unique_ptr<Turbulence>();
             });
-  kinds.add("dryden", "Dryden's, after MIL-F-8785C: gusts and rates by height and airspeed.",
+  kinds.add("dryden",
+            "Dryden's, after MIL-F-8785C: gusts and rates by height and airspeed.",
             dryden_fields(), [](const DrydenOptions& o, const AircraftContext& c) {
               return std::make_unique<environment::DrydenTurbulence>(o, c.seed, c.self);
             });

@@ -26,9 +26,9 @@ struct GustEvent {
   Time at;
   Vec2 velocity = Vec2::Zero();  ///< where it is strongest; see in_body [m/s]
   double up = 0;                 ///< [m/s]
-  bool in_body = false;  ///< the velocity is forward and right of the aircraft
-  double length = 50;    ///< way through the air from nothing to full strength [m]
-  double hold = 0;       ///< way at full strength [m]
+  bool in_body = false;          ///< the velocity is forward and right of the aircraft
+  double length = 50;  ///< way through the air from nothing to full strength [m]
+  double hold = 0;     ///< way at full strength [m]
 };
 
 /// What surrounds the aircraft.

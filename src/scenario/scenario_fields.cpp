@@ -41,8 +41,8 @@ Fields<GustEvent> gust_fields() {
               {.at_least = -100, .at_most = 100})
       .boolean("in_body", &T::in_body,
                "The velocity is forward and right of the aircraft, not north and east.")
-      .number("length_m", &T::length, "Way through the air from nothing to full strength.",
-              kLength)
+      .number("length_m", &T::length,
+              "Way through the air from nothing to full strength.", kLength)
       .number("hold_m", &T::hold, "Way at full strength, before it falls as it rose.",
               {.at_least = 0, .at_most = 1e6});
 }
@@ -186,7 +186,8 @@ Fields<AircraftGroup> aircraft_fields() {
                {.at_least = 0, .at_most = 10000})
       .kind("plant", &T::plant, "plant", "How the aircraft moves.")
       .number("parameter_spread", &T::parameter_spread,
-              "Mass, inertia and each coefficient of an aircraft differ from its plant's by at "
+              "Mass, inertia and each coefficient of an aircraft differ from its plant's "
+              "by at "
               "most this share, at random; its autopilot does not know.",
               {.at_least = 0, .at_most = 0.3})
       .kind("autopilot", &T::autopilot, "autopilot", "How it is flown.")

@@ -33,16 +33,15 @@ Control PointFlier::for_plant(const FixedWingDemand& demand, const NavState& nav
   const double speed = course.norm();
   // Cosine between the ground track and the heading; never much drift at flying speed.
   const double along =
-      speed > 0.1
-          ? std::max(0.3, course.dot(geo::unit(geo::yaw(nav.q_NB))) / speed)
-          : 1.0;
+      speed > 0.1 ? std::max(0.3, course.dot(geo::unit(geo::yaw(nav.q_NB))) / speed)
+                  : 1.0;
   FlightCommand command;
   command.roll = std::clamp(std::atan(demand.lateral_acceleration / (kGravity * along)),
                             -roll_limit_, roll_limit_);
   command.airspeed = demand.airspeed;
-  command.climb_rate = std::clamp(
-      demand.climb_rate + altitude_gain_ * (demand.altitude_msl + nav.p_N.z()),
-      -limits_.sink_rate, limits_.climb_rate);
+  command.climb_rate =
+      std::clamp(demand.climb_rate + altitude_gain_ * (demand.altitude_msl + nav.p_N.z()),
+                 -limits_.sink_rate, limits_.climb_rate);
   return command;
 }
 
@@ -67,9 +66,8 @@ Control PointFlier::descend(const FlierView& now, double dt) {
 Control PointFlier::pilot(const PilotInput& sticks, const FlierView&, double) {
   FlightCommand command;
   command.roll = std::clamp(sticks.roll, -1.0, 1.0) * roll_limit_;
-  command.climb_rate =
-      std::clamp(sticks.pitch, -1.0, 1.0) *
-      (sticks.pitch > 0 ? limits_.climb_rate : limits_.sink_rate);
+  command.climb_rate = std::clamp(sticks.pitch, -1.0, 1.0) *
+                       (sticks.pitch > 0 ? limits_.climb_rate : limits_.sink_rate);
   command.airspeed = limits_.slowest + std::clamp(sticks.throttle, 0.0, 1.0) *
                                            (limits_.fastest - limits_.slowest);
   return command;

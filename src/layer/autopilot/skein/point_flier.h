@@ -6,15 +6,16 @@
 
 namespace skein::autopilot {
 
-/// Flies a plant that holds its own attitude: the fixed wing's guidance, and a roll angle,
-/// airspeed and climb rate for the plant; see flier.h.
+/// Flies a plant that holds its own attitude: the fixed wing's guidance, and a roll
+/// angle, airspeed and climb rate for the plant; see flier.h.
 ///
 ///   tan(roll) = a_lateral / (g cos(drift)),  climb = climb_d + k (altitude_d - altitude)
 class PointFlier {
  public:
   PointFlier(const SkeinSetup& setup, const Vec3& home_N);
 
-  std::optional<std::string> command(const AutopilotCommand& command, const FlierView& now);
+  std::optional<std::string> command(const AutopilotCommand& command,
+                                     const FlierView& now);
   Control fly(const FlierView& now, double dt);
   void begin_descent(const FlierView& now);
   Control descend(const FlierView& now, double dt);

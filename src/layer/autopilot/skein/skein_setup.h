@@ -60,8 +60,8 @@ struct SkeinSetup {
   Airframe airframe;
   ModeRules rules;
   Geofence fence;
-  HomeFlight home_flight;  ///< without powers
-  std::shared_ptr<const FixedWingSetup> wing;      ///< null for other airframes
+  HomeFlight home_flight;                      ///< without powers
+  std::shared_ptr<const FixedWingSetup> wing;  ///< null for other airframes
   /// One for each of lap_gains; for fixed wings only.
   std::vector<std::shared_ptr<const FixedWingSetup>> lap_wings;
   std::shared_ptr<const MultirotorSetup> rotors;  ///< null for other airframes

@@ -14,7 +14,8 @@ class WingFlier {
  public:
   WingFlier(const SkeinSetup& setup, const Vec3& home_N);
 
-  std::optional<std::string> command(const AutopilotCommand& command, const FlierView& now);
+  std::optional<std::string> command(const AutopilotCommand& command,
+                                     const FlierView& now);
   Control fly(const FlierView& now, double dt);
   void begin_descent(const FlierView& now);
   /// In circles, with the motor at a steady sink rate, without it gliding; wings level
@@ -32,8 +33,8 @@ class WingFlier {
  private:
   FixedWingGuidance guidance_;
   FixedWingControl control_;
-  double sink_rate_;          // of a descent with motor [m/s]
-  double cruise_;             // [m/s]
+  double sink_rate_;             // of a descent with motor [m/s]
+  double cruise_;                // [m/s]
   double descent_altitude_ = 0;  // demanded now [m]
 };
 

@@ -114,7 +114,8 @@ TEST(SkeinAutopilot, ThePilotFliesWithinOneStepAndHandsBack) {
   sticks.roll = 1;
   flight.pilot = sticks;
   flight.sense();
-  const auto command = std::get<FlightCommand>(flight.autopilot().control(flight.now, 0.1));
+  const auto command =
+      std::get<FlightCommand>(flight.autopilot().control(flight.now, 0.1));
   EXPECT_NEAR(command.roll, std::atan(400 / (kGravity * 60)), 1e-9);
   flight.fly(5);
   EXPECT_EQ(flight.autopilot().status().mode, FlightMode::kStabilized);

@@ -94,7 +94,8 @@ TEST(FormationControl, PassesTheLeadersPositionOnUnlessTheLeaderDoes) {
     out = {};
     const std::vector<Message> inbox = {
         report(EntityId{1}, 1, nav(1, {5, 6, -7}, {1, 0, 0})),
-        report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero())), report(EntityId{3}, 1, nav(1, Vec3::Zero(), Vec3::Zero())),
+        report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero())),
+        report(EntityId{3}, 1, nav(1, Vec3::Zero(), Vec3::Zero())),
         report(EntityId{9}, 1, nav(1, Vec3::Zero(), Vec3::Zero()))};
     AgentInput in;
     in.now = Time::from_seconds(10);
@@ -112,7 +113,8 @@ TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {
   AgentOutput out;
   control.step({}, out);
   out = {};
-  const std::vector<Message> inbox = {report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero()))};
+  const std::vector<Message> inbox = {
+      report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero()))};
   AgentInput in;
   in.now = Time::from_seconds(3);
   in.inbox = inbox;
@@ -175,7 +177,8 @@ TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   const auto turning =
       step(2, {position(EntityId{1}, 2, {20 * std::cos(0.5), 20 * std::sin(0.5), 0})});
   const Plan& bent = std::get<FollowPlan>(turning.command->guidance).plan;
-  const NavEstimate now = nav(2, {100, 0, -200}, {20 * std::cos(0.5), 20 * std::sin(0.5), 0});
+  const NavEstimate now =
+      nav(2, {100, 0, -200}, {20 * std::cos(0.5), 20 * std::sin(0.5), 0});
   EXPECT_LT((bent.at(1).v_N - slot_at(now, 0.5, {-30, 20}, 1).v_N).norm(), 1e-9);
 }
 
