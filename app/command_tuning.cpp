@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <set>
 
 #include "app/common.h"
@@ -97,119 +98,160 @@ std::string gains_file(const LapGains& gains, const campaign::TuningFound& found
       assemble::write_tuning_gains(gains));
 }
 
-// Flight `k` of the plan again, for its pictures.
-std::vector<campaign::LapSample> samples_of(const campaign::BatchItem& item,
-                                            const std::atomic<bool>& stop) {
-  campaign::LapRecorder laps;
-  const auto flown = fly(item, stop, laps);
-  return flown.ok() ? laps.samples() : std::vector<campaign::LapSample>{};
-}
+// The study while it goes on.
+class Tuning {
+ public:
+  Tuning(const StudyArguments& arguments, const fs::path& folder,
+         const std::atomic<bool>& stop)
+      : arguments_(arguments), folder_(folder), stop_(stop) {
+    study_.base = shipped_scenario("tuning.yaml");
+    study_.overrides = arguments.overrides;
+    study_.first_seed = arguments.first_seed;
+    study_.seeds = arguments.seeds;
+    options_.threads = arguments.threads;
+    options_.program = program_fingerprint();
+    options_.journal = folder / "runs.jsonl";
+    options_.stop = &stop;
+    run_ = [this](const campaign::BatchItem& item) {
+      campaign::LapRecorder laps;
+      return fly(item, stop_, laps);
+    };
+  }
+
+  // Reads everything; what is wrong with it is found here.
+  Result<void> prepare() {
+    std::vector<scenario::Override> overrides;
+    for (const std::string& text : arguments_.overrides) overrides.push_back({text});
+    const auto read = scenario::read_scenario(study_.base, kinds_, overrides);
+    if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
+    auto base = assemble::tuning_gains_of(*read.scenario);
+    if (!base) return base.error();
+    base_ = std::move(base).value();
+    auto sets = sets_of(arguments_, base_);
+    if (!sets) return sets.error();
+    study_.sets = std::move(sets).value();
+    auto plan = campaign::plan_laps(study_, kinds_);
+    if (!plan) return plan.error();
+    plan_ = std::move(plan).value();
+    return make_folder(folder_);
+  }
+
+  // Looks for gains, then plans flights that compare them with those at the start.
+  Result<void> search() {
+    search_ = make_search(study_, arguments_.search, base_, terminal_);
+    auto found = campaign::search_gains(search_, kinds_, run_, options_);
+    if (terminal_) complain("\n");
+    if (!found) return found.error();
+    found_ = std::move(found).value();
+    if (found_.search.tries.empty())
+      return Error{stop_ ? ErrorCode::kInterrupted : ErrorCode::kUnavailable, "search",
+                   found_.error.empty() ? "no gains have been flown." : found_.error, ""};
+    const LapGains best =
+        with_values(base_, assemble::tuning_knobs(base_), found_.search.best.at);
+    if (auto written = write_text(folder_ / "gains.yaml", gains_file(best, found_));
+        !written)
+      return written.error();
+    study_.sets = {{"default", assemble::lap_gains_text(base_)},
+                   {"found", assemble::lap_gains_text(best)}};
+    study_.first_seed += study_.seeds;
+    study_.seeds = std::max(study_.seeds, kLeastFreshSeeds);
+    auto plan = campaign::plan_comparison(study_, kinds_);
+    if (!plan) return plan.error();
+    plan_ = std::move(plan).value();
+    return {};
+  }
+
+  Result<void> fly_all() {
+    options_.progress = [this](std::size_t done, std::size_t all) {
+      if (terminal_) complain("\r{} of {} flights ", done, all);
+    };
+    auto flown = campaign::run_batch(plan_.items, run_, options_);
+    if (terminal_) complain("\n");
+    if (!flown) return flown.error();
+    outcomes_ = std::move(flown).value();
+    // The first flight again for its pictures; of a comparison the first of each set.
+    const std::size_t step = plan_.flights.front().changes()
+                                 ? plan_.flights.size()
+                                 : static_cast<std::size_t>(study_.seeds);
+    for (std::size_t k = 0; k < plan_.flights.size(); k += step) {
+      const std::size_t item = plan_.flights[k].item;
+      campaign::LapRecorder laps;
+      if (outcomes_[item].summary && fly(plan_.items[item], stop_, laps).ok())
+        shown_.push_back({k, laps.samples()});
+    }
+    return {};
+  }
+
+  Result<void> write() {
+    report_ = campaign::tuning_report(study_, plan_, outcomes_, shown_);
+    auto figures = campaign::tuning_figures(study_, plan_, outcomes_);
+    if (arguments_.search > 0) {
+      campaign::add_search(search_, found_, study_, plan_, outcomes_, report_);
+      campaign::add_search_figures(found_, plan_, outcomes_, figures);
+      if (found_.search.stopped && report_.alert.empty())
+        report_.alert = fmt::format("partial: the search ended after {} of {} gains",
+                                    found_.search.tries.size(), arguments_.search);
+    }
+    failed_ = tell_failures(plan_.items, outcomes_, folder_) || !found_.error.empty();
+    if (!found_.error.empty()) complain("search: {}\n", found_.error);
+    if (auto written = write_text(folder_ / "runs.csv",
+                                  campaign::tuning_csv(study_, plan_, outcomes_));
+        !written)
+      return written;
+    if (auto written = record::write_study_report(report_, folder_ / "report.html");
+        !written)
+      return written;
+    return campaign::write_study_summary(
+        "tuning", kVersion, report_.alert.empty() ? "complete" : report_.alert, figures,
+        folder_);
+  }
+
+  int tell() const {
+    for (const record::StudyTable& table : report_.tables) print_table(table);
+    for (const std::string& warning : campaign::warnings_of(outcomes_))
+      log_warning("{}", warning);
+    if (arguments_.search > 0) print("\n{}\n", report_.intro.back());
+    if (!report_.alert.empty()) print("\n{}\n", report_.alert);
+    print("\nWritten: {}  summary.json  runs.csv  runs.jsonl{}\n",
+          (folder_ / "report.html").string(),
+          arguments_.search > 0 ? "  gains.yaml" : "");
+    if (stop_) return kInterrupted;
+    return failed_ ? kFailed : kDone;
+  }
+
+ private:
+  const StudyArguments& arguments_;
+  fs::path folder_;
+  const std::atomic<bool>& stop_;
+  const bool terminal_ = isatty(STDERR_FILENO) != 0;
+  const scenario::KindTable kinds_ = assemble::kind_table();
+  campaign::BatchOptions options_;
+  campaign::RunScenario run_;
+  campaign::TuningStudy study_;
+  LapGains base_;
+  campaign::TuningPlan plan_;
+  campaign::TuningSearch search_;
+  campaign::TuningFound found_;
+  std::vector<campaign::BatchOutcome> outcomes_;
+  std::vector<campaign::ShownFlight> shown_;
+  record::StudyReport report_;
+  bool failed_ = false;
+};
 
 }  // namespace
 
 int tuning_study(const StudyArguments& arguments, const fs::path& folder,
                  const std::atomic<bool>& stop) {
-  const scenario::KindTable kinds = assemble::kind_table();
-  campaign::TuningStudy study;
-  study.base = shipped_scenario("tuning.yaml");
-  study.overrides = arguments.overrides;
-  study.first_seed = arguments.first_seed;
-  study.seeds = arguments.seeds;
-
-  std::vector<scenario::Override> overrides;
-  for (const std::string& text : arguments.overrides) overrides.push_back({text});
-  const auto read = scenario::read_scenario(study.base, kinds, overrides);
-  if (!read.ok()) return say_error({ErrorCode::kBadInput, "", read.report(), ""});
-  const auto base = assemble::tuning_gains_of(*read.scenario);
-  if (!base) return say_error(base.error());
-  auto sets = sets_of(arguments, base.value());
-  if (!sets) return say_error(sets.error());
-  study.sets = std::move(sets).value();
-  if (const auto plan = campaign::plan_tuning_study(study, kinds); !plan)
-    return say_error(plan.error());
-  if (auto made = make_folder(folder); !made) return say_error(made.error());
-
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  campaign::BatchOptions options;
-  options.threads = arguments.threads;
-  options.program = program_fingerprint();
-  options.journal = folder / "runs.jsonl";
-  options.stop = &stop;
-  const campaign::RunScenario run = [&](const campaign::BatchItem& item) {
-    campaign::LapRecorder laps;
-    return fly(item, stop, laps);
-  };
-
-  campaign::TuningSearch search;
-  campaign::TuningFound found;
-  if (arguments.search > 0) {
-    search = make_search(study, arguments.search, base.value(), terminal);
-    auto searched = campaign::search_gains(search, kinds, run, options);
-    if (terminal) complain("\n");
-    if (!searched) return say_error(searched.error());
-    found = std::move(searched).value();
-    if (!found.error.empty()) complain("search: {}\n", found.error);
-    if (found.search.tries.empty()) {
-      print("No set of gains has been flown.\n");
+  Tuning tuning(arguments, folder, stop);
+  if (auto done = tuning.prepare(); !done) return say_error(done.error());
+  if (arguments.search > 0)
+    if (auto done = tuning.search(); !done) {
+      say_error(done.error());
       return stop ? kInterrupted : kFailed;
     }
-    const LapGains best = with_values(base.value(), assemble::tuning_knobs(base.value()),
-                                      found.search.best.at);
-    if (auto written = write_text(folder / "gains.yaml", gains_file(best, found));
-        !written)
-      return say_error(written.error());
-    // Judged by flights that the search has not seen.
-    study.sets = {{"default", assemble::lap_gains_text(base.value())},
-                  {"found", assemble::lap_gains_text(best)}};
-    study.first_seed += study.seeds;
-    study.seeds = std::max(study.seeds, kLeastFreshSeeds);
-  }
-
-  const auto plan = campaign::plan_tuning_study(study, kinds);
-  if (!plan) return say_error(plan.error());
-  options.progress = [terminal](std::size_t done, std::size_t all) {
-    if (terminal) complain("\r{} of {} flights ", done, all);
-  };
-  const auto flown = campaign::run_batch(plan.value().items, run, options);
-  if (terminal) complain("\n");
-  if (!flown) return say_error(flown.error());
-  const auto& outcomes = flown.value();
-
-  const std::size_t shown = 0;
-  std::vector<campaign::LapSample> samples;
-  if (outcomes[plan.value().flights[shown].item].summary)
-    samples = samples_of(plan.value().items[plan.value().flights[shown].item], stop);
-  auto report = campaign::tuning_report(study, plan.value(), outcomes, shown, samples);
-  auto figures = campaign::tuning_figures(study, plan.value(), outcomes);
-  if (arguments.search > 0) {
-    campaign::add_search(search, found, study, plan.value(), outcomes, report);
-    campaign::add_search_figures(found, plan.value(), outcomes, figures);
-    if (found.search.stopped && report.alert.empty())
-      report.alert = fmt::format("partial: the search ended after {} of {} gains",
-                                 found.search.tries.size(), arguments.search);
-  }
-
-  const bool failed = tell_failures(plan.value().items, outcomes, folder);
-  if (auto written = write_text(folder / "runs.csv",
-                                campaign::tuning_csv(study, plan.value(), outcomes));
-      !written)
-    return say_error(written.error());
-  if (auto written = record::write_study_report(report, folder / "report.html"); !written)
-    return say_error(written.error());
-  if (auto written = campaign::write_study_summary(
-          "tuning", kVersion, report.alert.empty() ? "complete" : report.alert, figures,
-          folder);
-      !written)
-    return say_error(written.error());
-  for (const record::StudyTable& table : report.tables) print_table(table);
-  for (const std::string& warning : campaign::warnings_of(outcomes))
-    log_warning("{}", warning);
-  if (arguments.search > 0) print("\n{}\n", report.intro.back());
-  if (!report.alert.empty()) print("\n{}\n", report.alert);
-  print("\nWritten: {}  summary.json  runs.csv  runs.jsonl{}\n",
-        (folder / "report.html").string(), arguments.search > 0 ? "  gains.yaml" : "");
-  if (stop) return kInterrupted;
-  return failed || !found.error.empty() ? kFailed : kDone;
+  if (auto done = tuning.fly_all(); !done) return say_error(done.error());
+  if (auto done = tuning.write(); !done) return say_error(done.error());
+  return tuning.tell();
 }
 
 }  // namespace skein::app

@@ -51,6 +51,8 @@ void LapRecorder::estimate(EntityId id, const NavEstimate& estimate,
   sample.estimated = status.cross_track;
   sample.cross_track =
       status.cross_track + geo::cross(status.along, geo::horizontal(error));
+  sample.on_route =
+      sample.position - sample.cross_track * geo::turned_right(status.along);
   sample.height_error = -now_.p_N.z() - status.altitude_msl;
   sample.airspeed_error = now_.airspeed - status.airspeed;
   if (!fresh_ && time_ > time_before_) {

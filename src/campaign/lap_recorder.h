@@ -14,6 +14,7 @@ struct LapSample {
   double time = 0;               ///< [s]
   int lap = 0;                   ///< from 0
   Vec2 position = Vec2::Zero();  ///< true [m]
+  Vec2 on_route = Vec2::Zero();  ///< the point of the route nearest to it [m]
   double cross_track = 0;        ///< true distance from the route, right positive [m]
   double estimated = 0;          ///< the same, as the autopilot believes it [m]
   double height_error = 0;       ///< true altitude less the demanded one [m]

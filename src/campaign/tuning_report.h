@@ -10,18 +10,20 @@
 
 namespace skein::campaign {
 
-/// The study as a page: what each set of gains achieves over all seeds, the laps of one
-/// flight, that flight over time and on the map.
-///
-/// @param shown    which of the plan's flights is shown.
-/// @param samples  of that flight; empty: it was not flown.
+/// A flight of the plan that is drawn.
+struct ShownFlight {
+  std::size_t flight = 0;  ///< of the plan
+  std::vector<LapSample> samples;
+};
+
+/// The study as a page: what each set of gains achieves, lap by lap, over time and on the
+/// map.
 record::StudyReport tuning_report(const TuningStudy& study, const TuningPlan& plan,
                                   const std::vector<BatchOutcome>& outcomes,
-                                  std::size_t shown,
-                                  const std::vector<LapSample>& samples);
+                                  const std::vector<ShownFlight>& shown);
 
-/// What the search tried and found. Put before the report of the flights that compare
-/// both: sets 0 (where it started) and 1 (found) of `study`.
+/// Adds what the search tried and found to the report of the flights that compare both:
+/// sets 0 (where it started) and 1 (found) of `study`.
 void add_search(const TuningSearch& search, const TuningFound& found,
                 const TuningStudy& study, const TuningPlan& plan,
                 const std::vector<BatchOutcome>& outcomes, record::StudyReport& report);

@@ -10,6 +10,12 @@ namespace {
 
 const double kMostLog = std::log(4.0);
 
+// As a person would write it: four digits.
+double rounded(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 3);
+  return std::round(value / digit) * digit;
+}
+
 }  // namespace
 
 Result<TuningFound> search_gains(const TuningSearch& search,
@@ -25,13 +31,13 @@ Result<TuningFound> search_gains(const TuningSearch& search,
   const auto values_at = [&](const std::vector<double>& logs) {
     std::vector<double> values = search.start;
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] *= std::exp(std::clamp(logs[i], -kMostLog, kMostLog));
+      values[i] = rounded(values[i] * std::exp(std::clamp(logs[i], -kMostLog, kMostLog)));
     return values;
   };
   const auto cost = [&](const std::vector<double>& logs) -> std::optional<double> {
-    const GainSet gains{fmt::format("search/{}", tried),
-                        search.lap_gains(values_at(logs))};
-    const auto plan = plan_gains_flights(search.study, gains, kinds);
+    TuningStudy study = search.study;
+    study.sets = {{fmt::format("search/{}", tried), search.lap_gains(values_at(logs))}};
+    const auto plan = plan_comparison(study, kinds);
     if (!plan) {
       fault = plan.error();
       return {};

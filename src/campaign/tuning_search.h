@@ -10,7 +10,7 @@
 namespace skein::campaign {
 
 /// A search for gains that cost little. Each gain is moved as the logarithm of its ratio
-/// to where it starts, within a factor of four.
+/// to where it starts, within a factor of four, and rounded to four digits.
 struct TuningSearch {
   TuningStudy study;              ///< scenario, overrides and seeds; `sets` do not count
   std::vector<std::string> keys;  ///< of the gains that are moved
@@ -30,7 +30,7 @@ struct TuningFound {
 
 /// Minimises the mean of flight_cost() over the seeds. All flights go through the
 /// journal, so that a search which was interrupted goes on where it was.
-/// Fails: as plan_gains_flights() and run_batch().
+/// Fails: as plan_comparison() and run_batch().
 Result<TuningFound> search_gains(const TuningSearch& search,
                                  const scenario::KindTable& kinds, const RunScenario& run,
                                  const BatchOptions& options);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 
 #include "campaign/data_fingerprint.h"
 #include "campaign/lap_recorder.h"
@@ -35,8 +37,7 @@ Result<BatchItem> flight_of(const TuningStudy& study, const std::string& name, i
 
 }  // namespace
 
-Result<TuningPlan> plan_tuning_study(const TuningStudy& study,
-                                     const scenario::KindTable& kinds) {
+Result<TuningPlan> plan_laps(const TuningStudy& study, const scenario::KindTable& kinds) {
   TuningPlan plan;
   DataFingerprint data;
   const std::size_t laps = study.sets.size();
@@ -63,26 +64,41 @@ Result<TuningPlan> plan_tuning_study(const TuningStudy& study,
   return plan;
 }
 
-Result<TuningPlan> plan_gains_flights(const TuningStudy& study, const GainSet& gains,
-                                      const scenario::KindTable& kinds) {
+Result<TuningPlan> plan_comparison(const TuningStudy& study,
+                                   const scenario::KindTable& kinds) {
   TuningPlan plan;
   DataFingerprint data;
-  std::vector<std::string> changes = study.overrides;
-  changes.push_back(fmt::format("aircraft[0].agent.laps={}", kGainsLaps));
-  changes.push_back("aircraft[0].autopilot.lap_gains=[" + gains.lap_gains + "]");
-  for (int k = 0; k < study.seeds; ++k) {
-    auto item = flight_of(study, gains.name, study.first_seed + k, changes, kinds, data);
-    if (!item) return item.error();
-    plan.flights.push_back({plan.items.size(), {}});
-    plan.items.push_back(std::move(item).value());
+  for (std::size_t set = 0; set < study.sets.size(); ++set) {
+    std::vector<std::string> changes = study.overrides;
+    changes.push_back(fmt::format("aircraft[0].agent.laps={}", kGainsLaps));
+    changes.push_back("aircraft[0].autopilot.lap_gains=[" + study.sets[set].lap_gains +
+                      "]");
+    for (int k = 0; k < study.seeds; ++k) {
+      auto item = flight_of(study, study.sets[set].name, study.first_seed + k, changes,
+                            kinds, data);
+      if (!item) return item.error();
+      plan.flights.push_back(
+          {plan.items.size(), std::vector<std::size_t>(kGainsLaps, set)});
+      plan.items.push_back(std::move(item).value());
+    }
   }
   return plan;
+}
+
+bool TuningFlight::changes() const {
+  return std::adjacent_find(sets.begin(), sets.end(), std::not_equal_to<>()) !=
+         sets.end();
+}
+
+std::optional<double> lap_figure(const record::RunSummary& flight, int lap,
+                                 const std::string& figure) {
+  return flight.number(fmt::format("lap{}_{}", lap + 1, figure));
 }
 
 double lap_cost(const record::RunSummary& flight, int lap) {
   if (flight.number("laps").value_or(0) <= lap) return kUnfinished;
   const auto squared = [&](const char* figure, double scale) {
-    const auto value = flight.number(fmt::format("lap{}_{}", lap + 1, figure));
+    const auto value = lap_figure(flight, lap, figure);
     return value ? std::pow(*value / scale, 2) : kUnfinished;
   };
   const double cost = squared("cross_track_rms_m", 1) + squared("height_rms_m", 1) +
@@ -104,16 +120,50 @@ std::vector<double> values_of(const TuningPlan& plan,
   for (const TuningFlight& flight : plan.flights) {
     const auto& summary = outcomes[flight.item].summary;
     if (!summary) continue;
-    for (std::size_t lap = 0; lap < flight.sets.size(); ++lap) {
-      if (flight.sets[lap] != set) continue;
-      if (figure == "cost")
-        values.push_back(lap_cost(*summary, static_cast<int>(lap)));
-      else if (const auto value =
-                   summary->number(fmt::format("lap{}_{}", lap + 1, figure)))
-        values.push_back(*value);
+    double sum = 0;
+    int count = 0;
+    for (std::size_t k = 0; k < flight.sets.size(); ++k) {
+      const int lap = static_cast<int>(k);
+      const auto value =
+          figure == "cost" ? lap_cost(*summary, lap) : lap_figure(*summary, lap, figure);
+      if (flight.sets[k] != set || !value) continue;
+      sum += *value;
+      ++count;
     }
+    if (count > 0) values.push_back(sum / count);
   }
   return values;
+}
+
+LapCount laps_of(const TuningPlan& plan, const std::vector<BatchOutcome>& outcomes,
+                 std::size_t set) {
+  LapCount laps;
+  for (const TuningFlight& flight : plan.flights)
+    for (std::size_t k = 0; k < flight.sets.size(); ++k) {
+      if (flight.sets[k] != set) continue;
+      ++laps.planned;
+      const auto& summary = outcomes[flight.item].summary;
+      if (summary && lap_cost(*summary, static_cast<int>(k)) < kUnfinished)
+        ++laps.completed;
+    }
+  return laps;
+}
+
+MeanInterval cost_change(const TuningPlan& plan,
+                         const std::vector<BatchOutcome>& outcomes) {
+  std::map<std::uint64_t, double> before;  // by seed
+  std::vector<double> changes;
+  for (const std::size_t set : {0u, 1u})
+    for (const TuningFlight& flight : plan.flights) {
+      const auto& summary = outcomes[flight.item].summary;
+      if (!summary || flight.changes() || flight.sets.front() != set) continue;
+      const std::uint64_t seed = plan.items[flight.item].scenario.seed;
+      if (set == 0)
+        before[seed] = flight_cost(*summary);
+      else if (const auto found = before.find(seed); found != before.end())
+        changes.push_back(flight_cost(*summary) - found->second);
+    }
+  return mean_interval(changes);
 }
 
 std::string tuning_csv(const TuningStudy& study, const TuningPlan& plan,
@@ -130,7 +180,7 @@ std::string tuning_csv(const TuningStudy& study, const TuningPlan& plan,
                       lap + 1, study.sets[flight.sets[lap]].name, summary->content_hash,
                       lap_cost(*summary, static_cast<int>(lap)));
       for (const LapFigure& figure : kLapFigures) {
-        const auto value = summary->number(fmt::format("lap{}_{}", lap + 1, figure.name));
+        const auto value = lap_figure(*summary, static_cast<int>(lap), figure.name);
         csv += value ? fmt::format(",{:.9g}", *value) : ",";
       }
       csv += "\n";
@@ -152,9 +202,8 @@ StudyFigures tuning_figures(const TuningStudy& study, const TuningPlan& plan,
       const MeanInterval mean = mean_interval(values_of(plan, outcomes, set, name));
       if (mean.count > 0) figures[prefix + name] = mean.mean;
       if (mean.count > 1) figures[prefix + name + "_ci95"] = mean.half_width;
-      return mean.count;
     };
-    figures[prefix + "laps"] = put(kLapFigures[0].name);
+    figures[prefix + "laps"] = laps_of(plan, outcomes, set).completed;
     for (const LapFigure& figure : kLapFigures) put(figure.name);
     put("cost");
   }

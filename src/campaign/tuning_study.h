@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,10 @@ struct GainSet {
   std::string lap_gains;  ///< an entry of the autopilot's `lap_gains`, on one line
 };
 
-/// A route flown several times round, every lap with other gains.
+/// A route flown several times round with several sets of gains.
 struct TuningStudy {
   std::filesystem::path base;  ///< first aircraft: a fixed wing with an agent `route`
-  std::vector<GainSet> sets;   ///< one per lap, at least one
+  std::vector<GainSet> sets;   ///< at least one
   std::vector<std::string> overrides;  ///< for every run
   int first_seed = 1;
   int seeds = 6;
@@ -29,25 +30,32 @@ struct TuningStudy {
 struct TuningFlight {
   std::size_t item = 0;
   std::vector<std::size_t> sets;
+
+  /// Whether the gains changed on the way.
+  bool changes() const;
 };
 
 struct TuningPlan {
   std::vector<BatchItem> items;
-  std::vector<TuningFlight> flights;  ///< one per seed
+  std::vector<TuningFlight> flights;
 };
-
-/// All flights of the study. From each seed to the next the sets move on by a lap, so
-/// that every set is flown first, second and so on equally often.
-/// Fails: kBadInput for an override or gains that do not fit the scenario.
-Result<TuningPlan> plan_tuning_study(const TuningStudy& study,
-                                     const scenario::KindTable& kinds);
 
 /// Laps of a flight with the same gains all the time.
 inline constexpr int kGainsLaps = 3;
 
-/// The same gains in all of kGainsLaps laps, one flight per seed.
-Result<TuningPlan> plan_gains_flights(const TuningStudy& study, const GainSet& gains,
-                                      const scenario::KindTable& kinds);
+/// One flight per seed, every lap with other gains. From each seed to the next the sets
+/// move on by a lap, so that every set is flown first, second and so on equally often.
+/// Fails: kBadInput for an override or gains that do not fit the scenario.
+Result<TuningPlan> plan_laps(const TuningStudy& study, const scenario::KindTable& kinds);
+
+/// One flight of kGainsLaps laps per set and seed, with the same gains in all laps; by
+/// set, then by seed. Fails: as plan_laps().
+Result<TuningPlan> plan_comparison(const TuningStudy& study,
+                                   const scenario::KindTable& kinds);
+
+/// One of kLapFigures of a lap, from 0; nothing when the lap was not completed.
+std::optional<double> lap_figure(const record::RunSummary& flight, int lap,
+                                 const std::string& figure);
 
 /// What a lap of this flight costs:
 ///
@@ -58,21 +66,33 @@ Result<TuningPlan> plan_gains_flights(const TuningStudy& study, const GainSet& g
 /// @param lap  from 0.
 double lap_cost(const record::RunSummary& flight, int lap);
 
-/// The mean over the laps of a flight of plan_gains_flights().
+/// The mean over the laps of a flight of plan_comparison().
 double flight_cost(const record::RunSummary& flight);
 
-/// A figure of the laps flown with set `set`, one value per flight that completed it:
-/// one of kLapFigures, or "cost" (of every flight that ended well).
+/// A figure of the laps flown with set `set`: one of kLapFigures, or "cost". One value
+/// per flight, the mean over its laps with that set; flights without one are left out.
 std::vector<double> values_of(const TuningPlan& plan,
                               const std::vector<BatchOutcome>& outcomes, std::size_t set,
                               const std::string& figure);
+
+/// How many laps of a set were planned, and how many were completed.
+struct LapCount {
+  int planned = 0, completed = 0;
+};
+LapCount laps_of(const TuningPlan& plan, const std::vector<BatchOutcome>& outcomes,
+                 std::size_t set);
+
+/// Cost with set 1 less cost with set 0, over the seeds that were flown with both in
+/// flights of plan_comparison().
+MeanInterval cost_change(const TuningPlan& plan,
+                         const std::vector<BatchOutcome>& outcomes);
 
 /// One row per flight and lap: seed, lap, gains, content hash, cost, then kLapFigures.
 std::string tuning_csv(const TuningStudy& study, const TuningPlan& plan,
                        const std::vector<BatchOutcome>& outcomes);
 
 /// For each set `SET/FIGURE` and `SET/FIGURE_ci95` of each of kLapFigures and of the
-/// cost, `SET/laps`, and `runs`, `runs_failed`, `runs_missing`.
+/// cost, `SET/laps` (completed), and `runs`, `runs_failed`, `runs_missing`.
 StudyFigures tuning_figures(const TuningStudy& study, const TuningPlan& plan,
                             const std::vector<BatchOutcome>& outcomes);
 

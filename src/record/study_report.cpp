@@ -74,18 +74,27 @@ Json plot_json(const StudyPlot& plot) {
           {"y_high", plot.y_high}};
 }
 
+Json map_json(const StudyMap& map) {
+  Json series = Json::array();
+  for (const StudySeries& one : map.series) series.push_back(series_json(one));
+  return {{"title", map.title}, {"caption", map.caption}, {"series", std::move(series)}};
+}
+
 }  // namespace
 
 Result<void> write_study_report(const StudyReport& report,
                                 const std::filesystem::path& html) {
-  Json tables = Json::array(), plots = Json::array(), dots = Json::array();
+  Json tables = Json::array(), plots = Json::array(), dots = Json::array(),
+       maps = Json::array();
   for (const StudyTable& table : report.tables) tables.push_back(table_json(table));
   for (const StudyPlot& plot : report.plots) plots.push_back(plot_json(plot));
   for (const StudyDots& plot : report.dots) dots.push_back(dots_json(plot));
+  for (const StudyMap& map : report.maps) maps.push_back(map_json(map));
   const Json data = {{"page", "study"},         {"title", report.title},
                      {"intro", report.intro},   {"tables", std::move(tables)},
                      {"dots", std::move(dots)}, {"plots", std::move(plots)},
-                     {"alert", report.alert},   {"notes", report.notes}};
+                     {"maps", std::move(maps)}, {"alert", report.alert},
+                     {"notes", report.notes}};
   return write_page(report.title, data, html);
 }
 

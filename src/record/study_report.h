@@ -62,6 +62,13 @@ struct StudyPlot {
   static constexpr double kFree = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Ways over ground, x = east and y = north [m], drawn north up with equal axes. What is
+/// dashed is what the others are compared with.
+struct StudyMap {
+  std::string title, caption;
+  std::vector<StudySeries> series;
+};
+
 /// A page about a study: what was done, tables, plots, notes; paragraphs are plain text.
 struct StudyReport {
   std::string title;
@@ -70,6 +77,7 @@ struct StudyReport {
   std::vector<StudyTable> tables;
   std::vector<StudyDots> dots;
   std::vector<StudyPlot> plots;
+  std::vector<StudyMap> maps;
   std::vector<std::string> notes;
 };
 

@@ -89,6 +89,13 @@ export interface StudyDots {
   dots: [number | null, number | null, number | null][][];
 }
 
+/** Ways over ground: x east, y north [m]. */
+export interface StudyMap {
+  title: string;
+  caption: string;
+  series: StudySeries[];
+}
+
 export interface StudyData {
   title: string;
   alert: string;
@@ -107,6 +114,7 @@ export interface StudyData {
     y_low: number | null; // ends of the axis; null = as the lines need
     y_high: number | null;
   }[];
+  maps: StudyMap[];
   notes: string[];
 }
 

@@ -9,7 +9,7 @@ const kFar = 30; // times the middle value
 
 type Attributes = Record<string, string | number>;
 
-function svg(tag: string, attributes: Attributes, ...children: (Node | string)[]): SVGElement {
+export function svg(tag: string, attributes: Attributes, ...children: (Node | string)[]): SVGElement {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.append(...children);
@@ -27,7 +27,7 @@ function logTicks(low: number, high: number): number[] {
   return inside.length > 9 ? inside.filter((value) => Math.abs(Math.log10(value) % 1) < 1e-9) : inside;
 }
 
-function linearTicks(low: number, high: number): number[] {
+export function linearTicks(low: number, high: number): number[] {
   const rough = (high - low) / 6, power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5, 10].find((digit) => digit * power >= rough) ?? 10);
   const out: number[] = [];

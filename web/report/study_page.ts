@@ -3,6 +3,7 @@ import { chart } from "./chart";
 import type { StudyCell, StudyData } from "./data";
 import { h, number, section } from "./dom";
 import { dotPlot } from "./dots";
+import { trackMap } from "./tracks";
 
 function cell(content: StudyCell): HTMLElement {
   const numeric = content.number !== undefined;
@@ -49,8 +50,9 @@ export function studyPage(data: StudyData): HTMLElement[] {
       data.alert ? h("p", { class: "failure", role: "status" }, data.alert) : null, ...data.intro.map((text) => h("p", { class: "intro" }, text))),
     ...(data.dots.length > 0 ? [section("At a glance", "dots", ...data.dots.map(dotPlot))] : []),
     ...(data.tables.length > 0 ? [section("Results", "tables", ...data.tables.map(table))] : []),
-    ...(plots.length > 0
-      ? [section("Plots", "plots", h("div", { class: "charts" }, ...plots.map((p) => p.element)))] : []),
+    ...(plots.length + data.maps.length > 0
+      ? [section("Plots", "plots", h("div", { class: "charts" }, ...plots.map((p) => p.element),
+        ...data.maps.map(trackMap)))] : []),
     ...(data.notes.length > 0
       ? [section("Notes", "notes", h("ul", {}, ...data.notes.map((text) => h("li", {}, text))))] : []),
   ];

@@ -75,6 +75,7 @@ TEST(LapRecorder, TakesTheFirstAircraftAndOnlyWhatFollowsTheRoute) {
   leg.recorder.estimate(kWing, nav, leg.status);
   ASSERT_EQ(leg.recorder.samples().size(), 1u);
   EXPECT_NEAR(leg.recorder.samples()[0].cross_track, 2, 1e-12);
+  EXPECT_NEAR(leg.recorder.samples()[0].on_route.norm(), 0, 1e-12);
   EXPECT_NEAR(leg.recorder.samples()[0].estimated, 2.5, 1e-12);
 }
 

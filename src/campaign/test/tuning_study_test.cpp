@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "campaign/tuning_report.h"
 
 namespace skein::campaign {
@@ -57,6 +59,9 @@ TEST(TuningStudy, FiguresFollowTheGainsThroughTheLaps) {
   EXPECT_EQ(values_of(two.plan, two.outcomes, 1, "cross_track_rms_m"),
             (std::vector<double>{1, 1.5}));
   EXPECT_EQ(values_of(two.plan, two.outcomes, 1, "cost").back(), 1000);
+  EXPECT_EQ(laps_of(two.plan, two.outcomes, 1).planned, 3);
+  EXPECT_EQ(laps_of(two.plan, two.outcomes, 1).completed, 2);
+  EXPECT_TRUE(two.plan.flights[0].changes());
   const StudyFigures figures = tuning_figures(two.study, two.plan, two.outcomes);
   EXPECT_EQ(figures.at("runs"), 3);
   EXPECT_DOUBLE_EQ(figures.at("soft/cross_track_rms_m"), 3);
@@ -66,26 +71,82 @@ TEST(TuningStudy, FiguresFollowTheGainsThroughTheLaps) {
   EXPECT_NE(csv.find("8,1,stiff,abc,3,1.5,"), std::string::npos) << csv;
 }
 
-TEST(TuningStudy, TheReportSaysHowCertainASearchIs) {
-  Two two;
-  two.outcomes[2].summary = flight({4, 1}, 2);
+// Two sets, each flown three times round with seeds 7 and 8.
+struct Compared : Two {
+  Compared() {
+    plan.flights = {{0, {0, 0, 0}}, {1, {0, 0, 0}}, {2, {1, 1, 1}}, {3, {1, 1, 1}}};
+    plan.items.resize(4);
+    for (std::size_t k = 0; k < 4; ++k) plan.items[k].scenario.seed = 7 + k % 2;
+    outcomes.resize(4);
+    outcomes[0].summary = flight({2, 2, 2}, 3);
+    outcomes[1].summary = flight({3, 3, 3}, 3);
+    outcomes[2].summary = flight({1, 1, 1}, 3);
+    outcomes[3].summary = flight({2.5, 2.5, 2.5}, 3);
+    search.keys = {"lateral.l2_time_s"};
+    search.start = {2.5};
+    found.search.tries = {{{2.5}, 3.0}, {{2.0}, 2.0}};
+    found.search.best = found.search.tries.back();
+  }
+  std::string text() {
+    auto report = tuning_report(study, plan, outcomes, {});
+    add_search(search, found, study, plan, outcomes, report);
+    return report.intro.back();
+  }
   TuningSearch search;
-  search.keys = {"lateral.l2_time_s"};
-  search.start = {2.5};
   TuningFound found;
-  found.search.tries = {{{2.5}, 3.0}, {{2.0}, 2.0}};
-  found.search.best = found.search.tries.back();
-  record::StudyReport report = tuning_report(two.study, two.plan, two.outcomes, 0, {});
-  add_search(search, found, two.study, two.plan, two.outcomes, report);
-  // Costs 3, 6.75 and 15 less: sd 6.139, Student's t 4.303 for two degrees of freedom.
-  EXPECT_NE(report.intro.back().find("changes by -8.250 ± 15.251"), std::string::npos)
-      << report.intro.back();
-  EXPECT_NE(report.intro.back().find("no difference that would be certain"),
-            std::string::npos);
+};
+
+TEST(TuningStudy, FlightsAreComparedSeedBySeed) {
+  Compared compared;
+  // Per flight one value, the mean of its laps.
+  EXPECT_EQ(values_of(compared.plan, compared.outcomes, 0, "cross_track_rms_m"),
+            (std::vector<double>{2, 3}));
+  const MeanInterval change = cost_change(compared.plan, compared.outcomes);
+  EXPECT_EQ(change.count, 2);
+  EXPECT_DOUBLE_EQ(change.mean, (-3 - 2.75) / 2);
+  compared.outcomes[2].summary.reset();  // was not flown
+  EXPECT_EQ(cost_change(compared.plan, compared.outcomes).count, 1);
+  EXPECT_DOUBLE_EQ(cost_change(compared.plan, compared.outcomes).mean, -2.75);
   StudyFigures figures;
-  add_search_figures(found, two.plan, two.outcomes, figures);
-  EXPECT_NEAR(figures.at("search/cost_change"), -8.25, 1e-12);
+  add_search_figures(compared.found, compared.plan, compared.outcomes, figures);
+  EXPECT_NEAR(figures.at("search/cost_change"), -2.75, 1e-12);
+  EXPECT_FALSE(figures.contains("search/cost_change_ci95"));
   EXPECT_EQ(figures.at("search/tried"), 2);
+}
+
+TEST(TuningStudy, TheReportSaysHowCertainASearchIs) {
+  Compared compared;
+  // -3 and -2.75: Student's t for one degree of freedom is 12.7, so -2.875 +- 1.588.
+  EXPECT_NE(compared.text().find("changes by -2.875 ± 1.588: the gains found are better"),
+            std::string::npos)
+      << compared.text();
+  compared.outcomes[3].summary = flight({2.9, 2.9, 2.9}, 3);
+  EXPECT_NE(compared.text().find("no gain that would be certain"), std::string::npos)
+      << compared.text();
+  compared.outcomes[2].summary.reset();
+  EXPECT_NE(compared.text().find("no gain that would be certain"), std::string::npos)
+      << "one flight says nothing: " << compared.text();
+}
+
+TEST(TuningStudy, DrawsEachLapOrEachFlight) {
+  std::vector<LapSample> samples(6);
+  for (int k = 0; k < 6; ++k) {
+    samples[static_cast<std::size_t>(k)].lap = k / 3;
+    samples[static_cast<std::size_t>(k)].time = k;
+  }
+  const Two laps;
+  const auto by_lap = tuning_report(laps.study, laps.plan, laps.outcomes, {{1, samples}});
+  ASSERT_EQ(by_lap.plots.size(), 1u);
+  ASSERT_EQ(by_lap.plots[0].series.size(), 2u);
+  EXPECT_EQ(by_lap.plots[0].series[0].name, "lap 1: stiff");
+  EXPECT_EQ(by_lap.plots[0].series[1].x, (std::vector<double>{3, 4, 5}));
+  EXPECT_EQ(by_lap.maps.at(0).series.size(), 3u) << "laps and the route";
+  const Compared two;
+  const auto by_flight =
+      tuning_report(two.study, two.plan, two.outcomes, {{0, samples}, {2, samples}});
+  ASSERT_EQ(by_flight.plots[0].series.size(), 2u);
+  EXPECT_EQ(by_flight.plots[0].series[1].name, "stiff");
+  EXPECT_EQ(by_flight.plots[0].series[1].x.size(), 6u);
 }
 
 }  // namespace
