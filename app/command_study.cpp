@@ -24,6 +24,7 @@
 #include "campaign/fidelity_study.h"
 #include "campaign/monitoring_report.h"
 #include "campaign/monitoring_study.h"
+#include "campaign/robustness_study.h"
 #include "campaign/study_summary.h"
 #include "record/study_report.h"
 
@@ -74,10 +75,22 @@ int estimators(const fs::path& folder) {
 
 // --- studies of many runs -----------------------------------------------------------
 
+Result<record::RunSummary> run_item(const campaign::BatchItem& item,
+                                    const std::atomic<bool>& stop,
+                                    Recorder* listener = nullptr) {
+  assemble::QuietRun how;
+  how.version = kVersion;
+  how.stop = &stop;
+  how.listener = listener;
+  return assemble::run_quietly(item.scenario, how);
+}
+
+/// @param run  of one item; none: run_item().
 Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
                                                      const StudyArguments& arguments,
                                                      const fs::path& folder,
-                                                     const std::atomic<bool>& stop) {
+                                                     const std::atomic<bool>& stop,
+                                                     campaign::RunScenario run = {}) {
   if (auto made = make_folder(folder); !made) return made.error();
   const bool terminal = isatty(STDERR_FILENO) != 0;
   campaign::BatchOptions options;
@@ -88,15 +101,9 @@ Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& 
   options.progress = [terminal](std::size_t done, std::size_t all) {
     if (terminal) complain("\r{} of {} runs", done, all);
   };
-  auto outcomes = campaign::run_batch(
-      plan.items,
-      [&](const campaign::BatchItem& item) {
-        assemble::QuietRun how;
-        how.version = kVersion;
-        how.stop = &stop;
-        return assemble::run_quietly(item.scenario, how);
-      },
-      options);
+  if (!run)
+    run = [&stop](const campaign::BatchItem& item) { return run_item(item, stop); };
+  auto outcomes = campaign::run_batch(plan.items, run, options);
   if (terminal) complain("\n");
   return outcomes;
 }
@@ -186,6 +193,31 @@ int fidelity(const StudyArguments& arguments, const fs::path& folder,
                 stop);
 }
 
+int robustness(const StudyArguments& arguments, const fs::path& folder,
+               const std::atomic<bool>& stop) {
+  campaign::RobustnessStudy study;
+  study.base = shipped_scenario("robustness.yaml");
+  study.aircraft = arguments.cases;
+  study.overrides = arguments.overrides;
+  study.first_seed = arguments.first_seed;
+  if (std::count(arguments.given.begin(), arguments.given.end(), "--seeds") > 0)
+    study.seeds = arguments.seeds;
+  const auto plan = campaign::plan_robustness_study(study, assemble::kind_table());
+  if (!plan) return say_error(plan.error());
+  const auto outcomes = run_plan(plan.value(), arguments, folder, stop,
+                                 [&stop](const campaign::BatchItem& item) {
+                                   campaign::FlightWatch watch = campaign::watch_of(item);
+                                   auto summary = run_item(item, stop, &watch);
+                                   if (summary)
+                                     watch.add_figures(summary.value().numbers);
+                                   return summary;
+                                 });
+  if (!outcomes) return say_error(outcomes.error());
+  return finish("robustness", plan.value(), outcomes.value(),
+                campaign::robustness_report(plan.value(), outcomes.value()), folder,
+                stop);
+}
+
 struct StudyKind {
   const char* name;
   const char* help;
@@ -207,6 +239,10 @@ const std::vector<StudyKind>& study_kinds() {
         "--strategies", "--set", "--data"}},
       {"fidelity",
        "the default mission from kinematic points to aircraft in gusts",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
+        "--set"}},
+      {"robustness",
+       "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
         "--set"}},
       {"tuning",
@@ -268,6 +304,7 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
   if (arguments.name == "estimators") return estimators(folder);
   if (arguments.name == "monitoring") return monitoring(arguments, folder, stop);
   if (arguments.name == "fidelity") return fidelity(arguments, folder, stop);
+  if (arguments.name == "robustness") return robustness(arguments, folder, stop);
   if (arguments.name == "tuning") return tuning_study(arguments, folder, stop);
   return bridge(arguments, folder, stop);
 }
