@@ -57,7 +57,8 @@ std::vector<Sampling> all_sensors(const Scenario& scenario) {
       const scenario::Choice& sensor = scenario.aircraft[g].sensors[s];
       const scenario::Object& keys = *table.find("sensor", sensor.kind)->options;
       const scenario::Field* rate = keys.find("rate_hz");
-      if (rate == nullptr) continue;
+      // The ideal one is meant to speak in each step, however long that is.
+      if (rate == nullptr || sensor.kind == "ideal-navigation") continue;
       std::any options = sensor.options;
       const bool fire = looks_at_fire(sensor.kind);
       all.push_back({fmt::format("aircraft[{}].sensors[{}].rate_hz", g, s),

@@ -11,6 +11,9 @@
 namespace skein::autopilot {
 namespace {
 
+// A circle is followed from when it is this near, in radii: the way to it is no error.
+constexpr double kOnCircle = 0.2;
+
 constexpr double kSearch = 60;        // of a plan, before and after now, at the start [s]
 constexpr double kFlares = 1;         // lateral acceleration close to the ground [m/s^2]
 constexpr double kTurnReserve = 0.9;  // of the bank limit; the rest is for corrections
@@ -256,7 +259,8 @@ double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& de
   const bool home = std::holds_alternative<Return>(command_.guidance);
   if (std::holds_alternative<Circle>(command_.guidance)) {
     status_.cross_track = -line.side * (distance - hold_.radius);
-    status_.follows = true;
+    status_.follows =
+        status_.follows || std::abs(status_.cross_track) < kOnCircle * hold_.radius;
   } else if (home || std::holds_alternative<HoldPosition>(command_.guidance)) {
     status_.remaining = std::max(distance - hold_.radius, 0.0);
     status_.done = status_.done || distance <= 1.2 * hold_.radius;

@@ -10,6 +10,9 @@
 namespace skein::autopilot {
 namespace {
 
+// A circle is followed from when it is this near, in radii: the way to it is no error.
+constexpr double kOnCircle = 0.2;
+
 constexpr double kVelocityGain = 4;    // of the reference [1/s]
 constexpr double kTurnShare = 0.7;     // of the acceleration, for turns
 constexpr double kAlongShare = 0.8;    // of the acceleration, for speeding up
@@ -399,7 +402,8 @@ MultirotorGuidance::Wish MultirotorGuidance::circle(const NavState& now) {
       line.side * flown * flown / std::max(away, circle_.radius / 2) * right;
   const Vec2 p = now.p_N.head<2>();
   status_.cross_track = -line.side * ((p - circle_.centre).norm() - circle_.radius);
-  status_.follows = true;
+  status_.follows =
+      status_.follows || std::abs(status_.cross_track) < kOnCircle * circle_.radius;
   return wish;
 }
 

@@ -385,5 +385,22 @@ TEST(FixedWingGuidance, SlowsDownForTightTurns) {
   }
 }
 
+TEST(FixedWingGuidance, TheWayToACircleCountsAsNoErrorOfIt) {
+  FixedWingGuidance guidance({}, FlightLimits{}, Vec3::Zero());
+  FixedWingMotion motion;
+  motion.v_N = {20, 0, 0};
+  motion.airspeed = 20;
+  guidance.command({Circle{{0, 0}, 100, true}, 300}, motion);
+  guidance.step(motion, 0.1);
+  EXPECT_FALSE(guidance.status().follows) << "it starts at the centre";
+  motion.p_N = {0, -90, -300};
+  guidance.step(motion, 0.1);
+  EXPECT_TRUE(guidance.status().follows);
+  EXPECT_NEAR(guidance.status().cross_track, 10, 1e-9);
+  motion.p_N = {0, -200, -300};
+  guidance.step(motion, 0.1);
+  EXPECT_TRUE(guidance.status().follows) << "blown off it is an error";
+}
+
 }  // namespace
 }  // namespace skein::autopilot
