@@ -15,7 +15,7 @@
 namespace skein::campaign {
 namespace {
 
-constexpr double kLapTime = 140;      // of the shipped scenario, with reserve [s]
+constexpr double kLapTime = 200;  // of the shipped scenario, in strong wind as well [s]
 constexpr double kUnfinished = 1000;  // cost of a lap that was not completed
 constexpr double kEffortScale = 20;   // [deg/s]
 
