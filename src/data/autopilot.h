@@ -116,6 +116,13 @@ struct AutopilotStatus {
       std::nullopt;  ///< flight time left at the present power [s]
 };
 
+/// Whether the autopilot does what its agent says: no pilot, no failsafe flies.
+constexpr bool obeys_orders(const AutopilotStatus& status) {
+  const bool pilot =
+      status.mode == FlightMode::kManual || status.mode == FlightMode::kStabilized;
+  return !pilot && status.reaction == FailsafeReaction::kNone;
+}
+
 /// The words of these, as records and messages have them.
 constexpr std::string_view name_of(FlightMode mode) {
   constexpr std::string_view kNames[] = {"manual", "stabilized", "auto", "guided"};

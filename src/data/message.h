@@ -17,6 +17,8 @@ struct AircraftReport {
   FlightLimits limits;
   std::uint32_t task_number = 0;  ///< the task it works on; 0 = none yet
   bool task_done = false;
+  /// False while a pilot or a failsafe flies: then orders wait.
+  bool obeys = true;
 };
 
 /// Where an aircraft of the team is, told on by the ground station or by itself.

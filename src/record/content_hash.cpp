@@ -75,6 +75,7 @@ void ContentHash::put(const AircraftReport& report) {
   put(report.limits.climb_rate);
   put(std::uint64_t{report.task_number});
   put(report.task_done);
+  put(report.obeys);
 }
 
 void ContentHash::put(const TeamPosition& position) {

@@ -128,7 +128,8 @@ void MonitorAgent::report(const AgentInput& in, AgentOutput& out) {
   Message message;
   message.to = coordinator_;
   message.size_bytes = kReportBytes;
-  message.content = AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_};
+  message.content = AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_,
+                                   obeys_orders(in.autopilot)};
   out.outbox.push_back(std::move(message));
 }
 

@@ -44,7 +44,7 @@ void RouteAgent::step(const AgentInput& in, AgentOutput& out) {
   Message report;
   report.to = station_;
   report.size_bytes = kReportBytes;
-  report.content = AircraftReport{*in.nav, limits_, 0, done_};
+  report.content = AircraftReport{*in.nav, limits_, 0, done_, obeys_orders(in.autopilot)};
   out.outbox.push_back(std::move(report));
 }
 

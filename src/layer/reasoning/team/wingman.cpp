@@ -137,7 +137,8 @@ void Wingman::report(const AgentInput& in, AgentOutput& out) {
     out.outbox.push_back(std::move(message));
   };
   send(station_, kReportBytes,
-       AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_});
+       AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_,
+                      obeys_orders(in.autopilot)});
   if (const auto* route = std::get_if<FlyRoute>(&task_.what))
     for (const EntityId id : route->tell)
       send(id, kPositionBytes, TeamPosition{self_, *in.nav});

@@ -21,9 +21,12 @@ bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
   Member* member = find(from);
   if (!member) return false;
   if (member->heard && report.nav.time < member->status.nav.time)
-    return true;                                   // overtaken
-  if (!member->available) member->deployed = now;  // (re)joins: its clocks start anew
-  member->heard = member->available = true;
+    return true;  // overtaken
+  if (!member->available && report.obeys)
+    member->deployed = now;  // (re)joins: its clocks start anew
+  if (member->available && !report.obeys) member->forced = false;
+  member->heard = true;
+  member->available = report.obeys;
   member->last_report = now;
   member->status.nav = report.nav;
   member->status.limits = report.limits;

@@ -14,7 +14,7 @@ struct Member {
   Time last_report;
   Time task_sent;
   bool heard = false;      ///< has ever reported
-  bool available = false;  ///< reported lately
+  bool available = false;  ///< reported lately, and takes orders
   bool deploying = true;   ///< on its first transect, has not crossed yet
   bool forced = false;     ///< sent to the boundary because it has not crossed for long
   Time deployed;           ///< when its transect began
@@ -27,7 +27,8 @@ class Roster {
   /// @param lost_after  an aircraft not heard for this time is not counted on [s].
   Roster(std::span<const EntityId> members, double lost_after);
 
-  /// Takes in a report; false when it is not from the team.
+  /// Takes in a report; false when it is not from the team. Who flies by itself (a pilot,
+  /// a failsafe) is not counted on until it obeys again.
   bool take(const AircraftReport& report, EntityId from, Time now);
 
   /// Notes which aircraft are no longer heard; returns those that just went silent.
