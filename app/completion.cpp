@@ -15,7 +15,7 @@ constexpr const char* kBash = R"sh(_skein() {
   options=$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --help 2>/dev/null |
             grep -oE -- '--[a-z-]+' | sort -u)
   case "${COMP_WORDS[1]}" in
-    study) options="$options estimators monitoring bridge" ;;
+    study) options="$options $("${COMP_WORDS[0]}" study 2>/dev/null | sed 's/ .*//')" ;;
     list) options="$options $("${COMP_WORDS[0]}" list 2>/dev/null |
                               sed -n 's/^\([a-z-]*\):$/\1/p')" ;;
   esac
