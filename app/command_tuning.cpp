@@ -188,10 +188,12 @@ class Tuning {
     if (arguments_.search > 0) {
       campaign::add_search(search_, found_, study_, plan_, outcomes_, report_);
       campaign::add_search_figures(found_, plan_, outcomes_, figures);
-      if (found_.search.stopped && report_.alert.empty())
-        report_.alert = fmt::format("partial: the search ended after {} of {} gains",
-                                    found_.search.tries.size(), arguments_.search);
     }
+    std::string state = campaign::partial_text(outcomes_);
+    if (found_.search.stopped && state.empty())
+      state = report_.alert =
+          fmt::format("partial: the search ended after {} of {} gains",
+                      found_.search.tries.size(), arguments_.search);
     failed_ = tell_failures(plan_.items, outcomes_, folder_) || !found_.error.empty();
     if (!found_.error.empty()) complain("search: {}\n", found_.error);
     if (auto written = write_text(folder_ / "runs.csv",
@@ -202,8 +204,7 @@ class Tuning {
         !written)
       return written;
     return campaign::write_study_summary(
-        "tuning", kVersion, report_.alert.empty() ? "complete" : report_.alert, figures,
-        folder_);
+        "tuning", kVersion, state.empty() ? "complete" : state, figures, folder_);
   }
 
   int tell() const {

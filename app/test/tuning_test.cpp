@@ -82,6 +82,17 @@ TEST_F(TuningProgram, FaultsAreSaidBeforeAnythingIsFlown) {
   EXPECT_FALSE(fs::exists(folder_ / "runs"));
 }
 
+TEST_F(TuningProgram, LapsThatAreNotCompletedAreCounted) {
+  const Finished done =
+      run({"study", "tuning", "--out", "t", "--seeds", "1", "--set", "duration_s=150"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.out.find("2 of 3 laps were not completed"), std::string::npos)
+      << done.out;
+  EXPECT_EQ(summary("t").at("soft/laps"), 1);
+  EXPECT_EQ(summary("t").at("stiff/cost"), 1000);
+  EXPECT_FALSE(summary("t").contains("stiff/cross_track_rms_m"));
+}
+
 TEST_F(TuningProgram, ASearchFindsGainsThatCanBeFlownAgain) {
   const std::vector<std::string> study = {"study",    "tuning", "--out",   "s",
                                           "--search", "14",     "--seeds", "2"};

@@ -170,6 +170,21 @@ void draw(const TuningStudy& study, const TuningPlan& plan,
   report.maps.push_back(std::move(map));
 }
 
+std::string unfinished_text(const TuningStudy& study, const TuningPlan& plan,
+                            const std::vector<BatchOutcome>& outcomes) {
+  int planned = 0, completed = 0;
+  for (std::size_t set = 0; set < study.sets.size(); ++set) {
+    const LapCount laps = laps_of(plan, outcomes, set);
+    planned += laps.planned;
+    completed += laps.completed;
+  }
+  if (completed == planned) return {};
+  return fmt::format(
+      "{} of {} laps were not completed: the route was refused, an accident happened or "
+      "duration_s is too short; --log info tells.",
+      planned - completed, planned);
+}
+
 }  // namespace
 
 record::StudyReport tuning_report(const TuningStudy& study, const TuningPlan& plan,
@@ -192,6 +207,7 @@ record::StudyReport tuning_report(const TuningStudy& study, const TuningPlan& pl
     draw(study, plan, shown, report);
   }
   report.alert = partial_text(outcomes);
+  if (report.alert.empty()) report.alert = unfinished_text(study, plan, outcomes);
   report.notes = warnings_of(outcomes);
   report.notes.push_back(
       "Cost of a lap: (cross-track / 1 m)² + (height / 1 m)² + (airspeed / 1 m/s)² + "

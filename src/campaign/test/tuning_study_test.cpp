@@ -140,10 +140,12 @@ TEST(TuningStudy, DrawsEachLapOrEachFlight) {
   ASSERT_EQ(by_lap.plots[0].series.size(), 2u);
   EXPECT_EQ(by_lap.plots[0].series[0].name, "lap 1: stiff");
   EXPECT_EQ(by_lap.plots[0].series[1].x, (std::vector<double>{3, 4, 5}));
+  EXPECT_EQ(by_lap.alert.substr(0, 35), "1 of 6 laps were not completed: the");
   EXPECT_EQ(by_lap.maps.at(0).series.size(), 3u) << "laps and the route";
   const Compared two;
   const auto by_flight =
       tuning_report(two.study, two.plan, two.outcomes, {{0, samples}, {2, samples}});
+  EXPECT_EQ(by_flight.alert, "");
   ASSERT_EQ(by_flight.plots[0].series.size(), 2u);
   EXPECT_EQ(by_flight.plots[0].series[1].name, "stiff");
   EXPECT_EQ(by_flight.plots[0].series[1].x.size(), 6u);
