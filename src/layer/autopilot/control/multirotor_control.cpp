@@ -13,6 +13,9 @@ constexpr double kMostLift = 6;          // of the vertical integral [m/s^2]
 constexpr double kMostRateSum = 30;      // [rad/s^2]
 constexpr double kAirborneShare = 0.4;   // of the weight
 constexpr double kLearnsAbove = 0.8;     // cosine of the tilt
+constexpr double kSinkMargin = 0.7;      // faster than demanded that costs no tilt [m/s]
+constexpr double kTiltPerSink = 0.6;     // share of the tilt lost per speed beyond [s/m]
+constexpr double kLeastTilt = 0.2;       // share that is always left
 constexpr double kIntegratesWithin = 1;  // speed errors beyond are on the way [m/s]
 
 bool finite(const NavState& n) {
@@ -86,7 +89,11 @@ Vec3 MultirotorControl::acceleration_for(const MultirotorDemand& demand,
   const Vec2 error = shortened(velocity, a.fastest) - geo::horizontal(nav.v_N);
   const Vec2 sum = velocity_sum_.head<2>();
   const Vec2 wanted = demand.acceleration + g.velocity_gain * error + sum;
-  const double most = (kGravity - down) * setup_->tilt_tangent;
+  // Where the rotors cannot give both, height comes before place: against a strong wind
+  // the tilt shrinks when the vehicle sinks although it shall not.
+  const double spared =
+      bounded(1 - kTiltPerSink * (-sink_error - kSinkMargin), kLeastTilt, 1);
+  const double most = spared * (kGravity - down) * setup_->tilt_tangent;
   const Vec2 across = shortened(wanted, most);
   // Frozen where the tilt is at its limit, and on the way to a far point.
   const bool full = wanted.squaredNorm() > most * most && wanted.dot(error) > 0;
