@@ -16,6 +16,8 @@ namespace {
 
 using scenario::Fields;
 
+constexpr std::uint32_t kMostDraws = 1000;  // of parameters with errors
+
 // A plant whose parameters stand in an aircraft file.
 struct FiledPlant {
   std::string aircraft;
@@ -56,10 +58,19 @@ Result<std::unique_ptr<Plant>> make_filed(const FiledPlant& choice,
         ErrorCode::kBadInput, choice.file.empty() ? choice.aircraft : choice.file,
         fmt::format("describes plants of kind {} only.", aircraft.value().plants()),
         "Choose one of these, or another aircraft."};
-  Parameters parameters = *(aircraft.value().*model);
-  if (c.parameter_spread > 0)
+  const Parameters nominal = *(aircraft.value().*model);
+  Parameters parameters = nominal;
+  // Errors that leave nothing that flies, such as too much drag for the motor, are drawn
+  // again.
+  for (std::uint32_t draw = 0; c.parameter_spread > 0; ++draw) {
+    parameters = nominal;
     spread(parameters, c.parameter_spread,
-           RandomStream(c.seed, c.self.value, Purpose::kAirframe));
+           RandomStream(c.seed, c.self.value, Purpose::kAirframe, draw));
+    if (faults(parameters).empty()) break;
+    if (draw == kMostDraws)
+      return Error{ErrorCode::kBadInput, "parameter_spread",
+                   "leaves hardly an aircraft that can fly.", "Make it smaller."};
+  }
   return std::unique_ptr<Plant>(std::make_unique<Made>(parameters));
 }
 
