@@ -9,7 +9,9 @@
 namespace skein::assemble {
 namespace {
 
-constexpr double kAltitude = 100;
+// A multirotor that has lost its satellites must be down before it has lost its velocity:
+// from 60 m it takes half a minute.
+constexpr double kAltitude = 60;
 constexpr char kBixler[] = "{kind: fixed-wing, aircraft: bixler}";
 constexpr char kQuad[] = "multirotor";
 
@@ -51,7 +53,6 @@ duration_s: {}
 environment:
   terrain: flat
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
-  turbulence: dryden
   fire: none
 station: {{agent: formation}}
 aircraft:

@@ -14,6 +14,8 @@ constexpr int kPositionBytes = 36;
 constexpr double kTurnRateLimit = 0.6;  // faster is noise of two positions [rad/s]
 constexpr double kStaleLeader = 5;      // two positions this far apart say no turn [s]
 constexpr int kPlanPoints = 9;
+constexpr double kSpeedReserve = 1;   // for gusts of the leader [m/s]
+constexpr double kTurnReserve = 0.8;  // of the lateral acceleration, for turns of a slot
 
 }  // namespace
 
@@ -34,6 +36,24 @@ PlanPoint slot_at(const NavEstimate& leader, double turn_rate, const Vec2& offse
   return {leader.time + Time::from_seconds(at),
           Vec3(p.x(), p.y(), leader.p_N.z() + at * leader.v_N.z()),
           Vec3(v.x(), v.y(), leader.v_N.z())};
+}
+
+double bearable_turn_rate(const NavEstimate& leader, double turn_rate, const Vec2& offset,
+                          const FlightLimits& limits, double wind_speed) {
+  const double speed = geo::horizontal(leader.v_N).norm();
+  double most = std::abs(turn_rate);
+  // Outside of the turn a slot is faster by the turn rate times its distance, inside
+  // slower.
+  const double outside = turn_rate > 0 ? -offset.y() : offset.y();
+  const double reserve = (outside > 0 ? limits.fastest - speed : speed - limits.slowest) -
+                         wind_speed - kSpeedReserve;
+  if (outside != 0) most = std::min(most, std::max(reserve, 0.0) / std::abs(outside));
+  if (limits.slowest > 0) {
+    const double lateral =
+        kTurnReserve * limits.airspeed * limits.airspeed / limits.turn_radius;
+    most = std::min(most, lateral / std::max(speed + wind_speed, 1.0));
+  }
+  return std::copysign(most, turn_rate);
 }
 
 Wingman::Wingman(const WingmanOptions& options, EntityId self, EntityId station,
@@ -118,8 +138,10 @@ void Wingman::follow(const FollowLeader& order, const AgentInput& in, AgentOutpu
   // From where the leader was heard of to the horizon: the follower is somewhere beside.
   const double age = (in.now - leader_->time).seconds();
   FollowPlan plan;
+  const double turn_rate = bearable_turn_rate(*leader_, leader_turn_rate_, order.offset,
+                                              limits_, in.nav->wind_N.norm());
   for (int k = 0; k < kPlanPoints; ++k)
-    plan.plan.push_back(slot_at(*leader_, leader_turn_rate_, order.offset,
+    plan.plan.push_back(slot_at(*leader_, turn_rate, order.offset,
                                 (age + options_.horizon) * k / (kPlanPoints - 1)));
   command.guidance = std::move(plan);
   out.command = std::move(command);

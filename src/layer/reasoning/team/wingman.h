@@ -26,6 +26,15 @@ struct WingmanOptions {
 PlanPoint slot_at(const NavEstimate& leader, double turn_rate, const Vec2& offset,
                   double at);
 
+/// The part of the leader's turn rate with which a follower's slot can be flown.
+///
+/// A slot at distance d outside of a turn moves faster by turn_rate d, inside slower, and
+/// what remains after the follower's speeds and its bank limit, in the wind from its
+/// worst side, bounds the rate. A follower that cannot keep up so cuts or widens the
+/// turn, and comes back to its slot after it.
+double bearable_turn_rate(const NavEstimate& leader, double turn_rate, const Vec2& offset,
+                          const FlightLimits& limits, double wind_speed);
+
 /// The agent of an aircraft that flies in formation: it leads along a route, or keeps its
 /// slot beside another aircraft, whichever task it heard of last. So roles can be swapped
 /// in flight. It reports to the station once a second, and as leader to whom it is told.

@@ -173,13 +173,14 @@ TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   EXPECT_EQ(plan.front().time, Time::from_seconds(1));
   EXPECT_EQ(plan.back().time, Time::from_seconds(1.5 + 8));
   EXPECT_FALSE(step(1.7, {position(EntityId{1}, 1, {0, 20, 0})}).command) << "old news";
-  // Now it turns: half a radian in a second.
+  // Now it turns: half a radian in a second, of which it can follow a part.
   const auto turning =
       step(2, {position(EntityId{1}, 2, {20 * std::cos(0.5), 20 * std::sin(0.5), 0})});
   const Plan& bent = std::get<FollowPlan>(turning.command->guidance).plan;
   const NavEstimate now =
       nav(2, {100, 0, -200}, {20 * std::cos(0.5), 20 * std::sin(0.5), 0});
-  EXPECT_LT((bent.at(1).v_N - slot_at(now, 0.5, {-30, 20}, 1).v_N).norm(), 1e-9);
+  const double rate = bearable_turn_rate(now, 0.5, {-30, 20}, FlightLimits{}, 0);
+  EXPECT_LT((bent.at(1).v_N - slot_at(now, rate, {-30, 20}, 1).v_N).norm(), 1e-9);
 }
 
 TEST_F(WingmanTest, SwapsRolesAndKeepsTheNewestOrder) {
@@ -194,6 +195,29 @@ TEST_F(WingmanTest, RefusesWhatItCannotDo) {
   EXPECT_FALSE(out.command);
   ASSERT_EQ(out.events.size(), 1u);
   EXPECT_EQ(out.events[0].kind, "task-refused");
+}
+
+TEST(Formation, ASlotTurnsNoFasterThanItsAircraftCanFly) {
+  NavEstimate leader;
+  leader.v_N = {25, 0, 0};
+  FlightLimits limits;
+  limits.airspeed = 25;
+  limits.slowest = 18;
+  limits.fastest = 32;
+  limits.turn_radius = 100;
+  const double wind = 3;
+  for (const double side : {-50.0, 50.0})
+    for (const double rate : {-0.3, 0.3}) {
+      const Vec2 offset(-40, side);
+      const double turned = bearable_turn_rate(leader, rate, offset, limits, wind);
+      EXPECT_GT(turned * rate, 0);
+      EXPECT_LT(std::abs(turned), std::abs(rate));
+      const double speed = geo::horizontal(slot_at(leader, turned, offset, 0).v_N).x();
+      EXPECT_LE(speed, limits.fastest - wind);
+      EXPECT_GE(speed, limits.slowest + wind);
+    }
+  // A gentle turn is flown as it is.
+  EXPECT_EQ(bearable_turn_rate(leader, 0.02, {-40, 20}, limits, wind), 0.02);
 }
 
 }  // namespace
