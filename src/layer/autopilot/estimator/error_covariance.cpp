@@ -127,32 +127,31 @@ void ErrorCovariance::reduce(const ErrorVector& ph, double s) {
   for (std::size_t j = 0; j < error::kSize + 1; ++j) row[j] -= g * x[j];
 }
 
-void ErrorCovariance::turn_attitude(const Mat3& R) {
-  constexpr std::size_t a = error::kAttitude;
+void ErrorCovariance::turn(std::size_t at, const Mat3& R) {
   const auto turned = [&R](double x, double y, double z) {
     return std::array{R(0, 0) * x + R(0, 1) * y + R(0, 2) * z,
                       R(1, 0) * x + R(1, 1) * y + R(1, 2) * z,
                       R(2, 0) * x + R(2, 1) * y + R(2, 2) * z};
   };
-  double* rows[3] = {&p_[row_start(a)], &p_[row_start(a + 1)], &p_[row_start(a + 2)]};
-  for (std::size_t j = 0; j < a; ++j) {
+  double* rows[3] = {&p_[row_start(at)], &p_[row_start(at + 1)], &p_[row_start(at + 2)]};
+  for (std::size_t j = 0; j < at; ++j) {
     const auto x = turned(rows[0][j], rows[1][j], rows[2][j]);
     for (std::size_t k = 0; k < 3; ++k) rows[k][j] = x[k];
   }
-  for (std::size_t i = a + 3; i < error::kSize; ++i) {
-    double* row = &p_[row_start(i) + a];
+  for (std::size_t i = at + 3; i < error::kSize; ++i) {
+    double* row = &p_[row_start(i) + at];
     const auto x = turned(row[0], row[1], row[2]);
     for (std::size_t k = 0; k < 3; ++k) row[k] = x[k];
   }
   std::array<std::array<double, 3>, 3> half{};
   for (std::size_t j = 0; j < 3; ++j) {
     const auto x =
-        turned((*this)(a, a + j), (*this)(a + 1, a + j), (*this)(a + 2, a + j));
+        turned((*this)(at, at + j), (*this)(at + 1, at + j), (*this)(at + 2, at + j));
     for (std::size_t k = 0; k < 3; ++k) half[k][j] = x[k];
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const auto x = turned(half[k][0], half[k][1], half[k][2]);
-    for (std::size_t j = 0; j <= k; ++j) rows[k][a + j] = x[j];
+    for (std::size_t j = 0; j <= k; ++j) rows[k][at + j] = x[j];
   }
 }
 

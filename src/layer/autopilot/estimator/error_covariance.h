@@ -78,8 +78,8 @@ class ErrorCovariance {
   /// variance s = h P h' + r.
   void reduce(const ErrorVector& ph, double s);
 
-  /// The attitude error is turned by `R`, which goes from N to N.
-  void turn_attitude(const Mat3& R);
+  /// The three states from `at` on are components of a vector, which is turned by `R`.
+  void turn(std::size_t at, const Mat3& R);
 
   /// State i is known anew, with this variance, from a source that says nothing about
   /// the others.

@@ -134,6 +134,7 @@ class FlightEstimator {
   void fuse_fix(ErrorVector& error);
   void fuse_altitude(ErrorVector& error);
   void fuse_bearing(ErrorVector& error);
+  double bearing_curvature() const;
   void fuse_air_data(ErrorVector& error);
   void fuse_through_gusts(const Observation& z, double innovation, double white,
                           double sideslip, Gusts& gusts, ErrorVector& error);
@@ -154,7 +155,7 @@ class FlightEstimator {
   GnssFix fix_;                   // the last one
   MotionHistory::Motion at_fix_;  // estimated for its time
   double gnss_sd_ = 0, gnss_fast_ = 1, gnss_down_ = 1;
-  Coloured last_fix_;
+  Coloured last_fix_, last_bearing_;
   Batch<double> altitude_, airspeed_;
   Batch<Vec3> field_N_, wind_N_;
   Vec3 lasting_w_ = Vec3::Zero(), lasting_f_ = Vec3::Zero();  // of manoeuvres, in B

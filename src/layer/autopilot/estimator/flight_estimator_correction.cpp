@@ -20,6 +20,7 @@ constexpr double kCarrier = 0.01;          // errors of its phase to those of th
 constexpr double kSlowShare = 0.25;        // least share of a fix's variance [-]
 constexpr double kChangedPrecision = 1.5;  // of a receiver that begins anew
 constexpr double kLeastLevelField = 0.05;  // of the unit field
+constexpr double kLeg = 30;                // of flight with one attitude [s]
 constexpr double kWildTilt = 0.1;          // sd of the tilt [rad]
 constexpr double kFieldMemory = 20;        // of the field's dip [s]
 constexpr double kWildGust = 10;           // innovations above say nothing of gusts [m/s]
@@ -230,9 +231,37 @@ void FlightEstimator::fuse_bearing(ErrorVector& error) {
       geo::wrap_pi(std::atan2(m_N.y(), m_N.x()) - options_.declination);
   const double white = options_.magnetic_noise * options_.magnetic_noise /
                        (field_level_ * field_level_ * field_N_.count);
-  const bool accepted = fuse(observe_bearing(x_, field_N), innovation, white, error);
+  // Many bearings in straight flight tell heading and bias together far better than their
+  // product is small: it is an error that lasts.
+  const double lasting = last_bearing_.variance(bearing_curvature(), kLeg, nav_.time);
+  last_bearing_.used(nav_.time);
+  const bool accepted =
+      fuse(observe_bearing(x_, field_N), innovation, white + lasting, error);
   if (lasts(bearing_rejection_, accepted, kLongRejection))
     covariance_.add(error::kAttitude + 2, innovation * innovation);
+}
+
+// Variance of what the gradient of the bearing leaves out: with theta and the error e of
+// the magnetometer's bias in N, the field h along x and m_z down, that is
+// (theta_y (theta_x h + theta_z m_z) / 2 - theta_z e_x + theta_x e_z) / h.
+double FlightEstimator::bearing_curvature() const {
+  const Mat3 R = x_.q_NB.toRotationMatrix();
+  const auto bias = [&](Eigen::Index axis) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double r = R(axis, static_cast<Eigen::Index>(k));
+      sum += r * r * covariance_.variance(error::kMagneticBias + k);
+    }
+    return sum;
+  };
+  const double level2 = field_level_ * field_level_;
+  const double down2 = field_down_ * field_down_;
+  const double tilt = 0.5 * (covariance_.variance(error::kAttitude) +
+                             covariance_.variance(error::kAttitude + 1));
+  const double heading = covariance_.variance(error::kAttitude + 2);
+  return (0.25 * tilt * (tilt * level2 + heading * down2) +
+          heading * 0.5 * (bias(0) + bias(1)) + tilt * bias(2)) /
+         level2;
 }
 
 void FlightEstimator::fuse_air_data(ErrorVector& error) {
@@ -292,10 +321,16 @@ void FlightEstimator::inject(const ErrorVector& error) {
   };
   history_.correct(nav_.time, x_.v_N, three(error::kPosition), three(error::kVelocity),
                    three(error::kAttitude), x_.q_NB * three(error::kAccelBias));
+  // What no measurement can show (in straight flight: heading with the magnetometer's
+  // bias, tilt with the accelerometers') are fixed directions of the error in N, biases
+  // included. Those stay what they are in N while the estimated attitude turns: else the
+  // directions would turn with each correction, and a little would seem to be seen of
+  // all.
+  const Mat3 back =
+      geo::exp_so3(x_.q_NB.conjugate() * -three(error::kAttitude)).toRotationMatrix();
+  for (std::size_t at : {error::kGyroBias, error::kAccelBias, error::kMagneticBias})
+    covariance_.turn(at, back);
   x_ = corrected(x_, error);
-  // As if the error were kept in B: then what tilt and bias do together, and no fix can
-  // show, stays the same when the attitude is corrected, and seems never to be seen.
-  covariance_.turn_attitude(geo::exp_so3(three(error::kAttitude)).toRotationMatrix());
   publish(nav_.w_NB_B);
 }
 

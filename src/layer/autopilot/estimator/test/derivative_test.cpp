@@ -249,8 +249,8 @@ TEST(ErrorCovariance, TurnsAndRestartsAsTheFullMatrixDoes) {
   Both both = random_covariance();
   const Mat3 turn = geo::exp_so3({0.1, -0.2, 0.3}).toRotationMatrix();
   Matrix G = Matrix::Identity(kN, kN);
-  G.block<3, 3>(error::kAttitude, error::kAttitude) = turn;
-  both.p.turn_attitude(turn);
+  G.block<3, 3>(error::kMagneticBias, error::kMagneticBias) = turn;
+  both.p.turn(error::kMagneticBias, turn);
   Matrix expected = G * both.m * G.transpose();
   EXPECT_LT((plain(both.p) - expected).cwiseAbs().maxCoeff(), kRounding);
 
