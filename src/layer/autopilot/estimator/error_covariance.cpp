@@ -6,10 +6,10 @@ namespace skein::autopilot {
 namespace {
 
 constexpr std::size_t kDriven = error::kSize - error::kAttitude;  // attitude and on
-constexpr std::size_t kDriving = 6;                               // the inertial biases
+constexpr std::size_t kDriving = 9;  // the inertial biases and scales
 constexpr std::size_t kOthers = error::kAttitude;
 
-static_assert(error::kGyroBias == 0 && error::kAccelBias == 3 &&
+static_assert(error::kGyroBias == 0 && error::kAccelBias == 3 && error::kGyroScale == 6 &&
               error::kVelocity == error::kAttitude + 3 &&
               error::kPosition == error::kAttitude + 6);
 
@@ -27,9 +27,11 @@ void advance(const Transition& f, Rows<kColumns>& m) {
   alignas(16) double mean[3][kColumns];
   for (std::size_t r = 0; r < 3; ++r) {
     const double a0 = f.A[r][0], a1 = f.A[r][1], a2 = f.A[r][2];
+    const double c0 = f.C[r][0], c1 = f.C[r][1], c2 = f.C[r][2];
     for (std::size_t j = 0; j < kColumns; ++j) {
       const double turn =
-          a0 * m.driving[0][j] + a1 * m.driving[1][j] + a2 * m.driving[2][j];
+          a0 * m.driving[0][j] + a1 * m.driving[1][j] + a2 * m.driving[2][j] +
+          (c0 * m.driving[6][j] + c1 * m.driving[7][j] + c2 * m.driving[8][j]);
       const double theta = m.driven[r][j];
       mean[r][j] = theta - 0.5 * turn;
       m.driven[r][j] = theta - turn;
@@ -101,18 +103,21 @@ double ErrorCovariance::project(const SparseRow& h, ErrorVector& ph) const {
     const double value = h.value[k];
     const double* row = &p_[row_start(c)];
     for (std::size_t j = 0; j <= c; ++j) ph[j] += value * row[j];
-    for (std::size_t i = c + 1; i < error::kSize; ++i)
-      ph[i] += value * p_[row_start(i) + c];
+    const double* below = row + row_length(c) + c;
+    for (std::size_t i = c + 1; i < error::kSize; ++i) {
+      ph[i] += value * *below;
+      below += row_length(i);
+    }
   }
   return h.dot(ph);
 }
 
 void ErrorCovariance::reduce(const ErrorVector& ph, double s) {
+  static_assert(error::kSize % 2 == 0);
   const double scale = 1 / s;
-  alignas(16) std::array<double, error::kSize + 1> x{};
-  std::copy(ph.begin(), ph.end(), x.begin());
   double* __restrict row = p_.data();
-  for (std::size_t k = 0; k + 1 < error::kSize; k += 2) {
+  const double* __restrict x = ph.data();
+  for (std::size_t k = 0; k < error::kSize; k += 2) {
     const double g0 = x[k] * scale, g1 = x[k + 1] * scale;
     const std::size_t length = k + 2;
     for (std::size_t j = 0; j < length; j += 2) {
@@ -123,8 +128,6 @@ void ErrorCovariance::reduce(const ErrorVector& ph, double s) {
     }
     row += 2 * length;
   }
-  const double g = x[error::kSize - 1] * scale;
-  for (std::size_t j = 0; j < error::kSize + 1; ++j) row[j] -= g * x[j];
 }
 
 void ErrorCovariance::turn(std::size_t at, const Mat3& R) {

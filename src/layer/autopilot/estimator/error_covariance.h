@@ -7,18 +7,19 @@
 
 namespace skein::autopilot {
 
-/// What the strapdown leaves for the error of an interval: A = int R_NB dt and
-/// s = int R_NB f dt.
+/// What the strapdown leaves for the error of an interval: A = int R_NB dt,
+/// C = int R_NB diag(w) dt and s = int R_NB f dt.
 struct Interval {
   double dt = 0;                             ///< [s]
   std::array<std::array<double, 3>, 3> A{};  ///< rows of A [s]
+  std::array<std::array<double, 3>, 3> C{};  ///< rows of C [rad]
   std::array<double, 3> s{};                 ///< [m/s]
 };
 
 /// How the error moves while the strapdown state moves by `dt`. With the attitude error
 /// in N:
 ///
-///   theta+ = theta - A b_gyro
+///   theta+ = theta - A b_gyro - C k_gyro
 ///   v+     = v - [s]x (theta + theta+) / 2 - A b_accel
 ///   p+     = p + (v + v+) dt / 2
 ///   b+     = decay b, for each of the states that are not navigated
@@ -54,6 +55,10 @@ struct SparseRow {
 constexpr std::size_t row_start(std::size_t i) {
   const std::size_t k = i / 2;
   return 2 * k * (k + 1) + (i % 2) * (2 * k + 2);
+}
+
+constexpr std::size_t row_length(std::size_t i) {
+  return i + 2 - i % 2;
 }
 
 /// Covariance of the error: its lower triangle by rows, so that it is symmetric by

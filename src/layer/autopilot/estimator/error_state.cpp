@@ -22,6 +22,7 @@ Navigated corrected(const Navigated& x, const ErrorVector& e) {
   y.q_NB = (geo::exp_so3(three(e, error::kAttitude)) * x.q_NB).normalized();
   y.gyro_bias = x.gyro_bias + three(e, error::kGyroBias);
   y.accel_bias = x.accel_bias + three(e, error::kAccelBias);
+  y.gyro_scale = x.gyro_scale + three(e, error::kGyroScale);
   y.wind_N = x.wind_N + Vec2(e[error::kWind], e[error::kWind + 1]);
   y.gnss_bias = x.gnss_bias + three(e, error::kGnssBias);
   y.baro_bias = x.baro_bias + e[error::kBaroBias];
@@ -37,6 +38,7 @@ ErrorVector difference(const Navigated& truth, const Navigated& estimate) {
   put(e, error::kAttitude, geo::log_so3(truth.q_NB * estimate.q_NB.conjugate()));
   put(e, error::kGyroBias, truth.gyro_bias - estimate.gyro_bias);
   put(e, error::kAccelBias, truth.accel_bias - estimate.accel_bias);
+  put(e, error::kGyroScale, truth.gyro_scale - estimate.gyro_scale);
   e[error::kWind] = truth.wind_N.x() - estimate.wind_N.x();
   e[error::kWind + 1] = truth.wind_N.y() - estimate.wind_N.y();
   put(e, error::kGnssBias, truth.gnss_bias - estimate.gnss_bias);

@@ -17,15 +17,16 @@ namespace skein::autopilot {
 namespace error {
 inline constexpr std::size_t kGyroBias = 0;        // 3 [rad/s]
 inline constexpr std::size_t kAccelBias = 3;       // 3 [m/s^2]
-inline constexpr std::size_t kWind = 6;            // 2: mean wind [m/s]
-inline constexpr std::size_t kGnssBias = 8;        // 3 [m]
-inline constexpr std::size_t kBaroBias = 11;       // 1, of the pressure altitude [m]
-inline constexpr std::size_t kMagneticBias = 12;   // 3, of the unit field
-inline constexpr std::size_t kAirspeedScale = 15;  // 1, relative
-inline constexpr std::size_t kAttitude = 16;       // 3 [rad]
-inline constexpr std::size_t kVelocity = 19;       // 3 [m/s]
-inline constexpr std::size_t kPosition = 22;       // 3 [m]
-inline constexpr std::size_t kSize = 25;
+inline constexpr std::size_t kGyroScale = 6;       // 3, relative
+inline constexpr std::size_t kWind = 9;            // 2: mean wind [m/s]
+inline constexpr std::size_t kGnssBias = 11;       // 3 [m]
+inline constexpr std::size_t kBaroBias = 14;       // 1, of the pressure altitude [m]
+inline constexpr std::size_t kMagneticBias = 15;   // 3, of the unit field
+inline constexpr std::size_t kAirspeedScale = 18;  // 1, relative
+inline constexpr std::size_t kAttitude = 19;       // 3 [rad]
+inline constexpr std::size_t kVelocity = 22;       // 3 [m/s]
+inline constexpr std::size_t kPosition = 25;       // 3 [m]
+inline constexpr std::size_t kSize = 28;
 }  // namespace error
 
 using ErrorVector = std::array<double, error::kSize>;
@@ -35,11 +36,13 @@ struct Navigated {
   Vec3 p_N = Vec3::Zero();
   Vec3 v_N = Vec3::Zero();
   Quat q_NB = Quat::Identity();
-  Vec3 gyro_bias = Vec3::Zero();      ///< in B [rad/s]
-  Vec3 accel_bias = Vec3::Zero();     ///< in B [m/s^2]
-  Vec2 wind_N = Vec2::Zero();         ///< mean wind: gusts are noise to it [m/s]
-  Vec3 gnss_bias = Vec3::Zero();      ///< slow part of the receiver's error, in N [m]
-  double baro_bias = 0;               ///< pressure altitude less altitude [m]
+  Vec3 gyro_bias = Vec3::Zero();   ///< in B [rad/s]
+  Vec3 accel_bias = Vec3::Zero();  ///< in B, with what a wrong scale makes of the usual
+                                   ///< specific force (see add_scale_noise) [m/s^2]
+  Vec3 gyro_scale = Vec3::Zero();  ///< measured rate over the true one, less 1
+  Vec2 wind_N = Vec2::Zero();      ///< mean wind: gusts are noise to it [m/s]
+  Vec3 gnss_bias = Vec3::Zero();   ///< slow part of the receiver's error, in N [m]
+  double baro_bias = 0;            ///< pressure altitude less altitude [m]
   Vec3 magnetic_bias = Vec3::Zero();  ///< in B, of the field over its strength
   double airspeed_scale = 0;          ///< measured airspeed over the true one, less 1
 };

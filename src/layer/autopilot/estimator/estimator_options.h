@@ -14,11 +14,11 @@ struct EstimatorOptions {
   double gyro_noise = 2e-4;       ///< [rad/s/sqrt(Hz)]
   double gyro_bias_sd = 0.005;    ///< at the start [rad/s]
   double gyro_bias_walk = 2e-5;   ///< [rad/s/sqrt(s)]
-  double gyro_scale_sd = 0.003;   ///< error of the scale, as noise of turns
+  double gyro_scale_sd = 0.003;   ///< relative
   double accel_noise = 4e-3;      ///< [m/s^2/sqrt(Hz)]
   double accel_bias_sd = 0.1;     ///< at the start [m/s^2]
   double accel_bias_walk = 5e-4;  ///< [m/s^2/sqrt(s)]
-  double accel_scale_sd = 0.003;  ///< error of the scale, as noise of manoeuvres
+  double accel_scale_sd = 0.003;  ///< of the scale: part of the bias, see docs
 
   // Satellite navigation, horizontal per axis; vertical errors are larger as the fix
   // states. The rest of what it states wanders slowly: a first-order Gauss-Markov error.

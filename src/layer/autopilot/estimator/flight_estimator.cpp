@@ -33,6 +33,8 @@ FlightEstimator::FlightEstimator(const EstimatorOptions& options,
     : options_(options),
       gusts_along_{options.gust_sd * options.gust_sd, kFirstGusts, {}},
       gusts_across_(gusts_along_),
+      gusts_north_(gusts_along_),
+      gusts_east_(gusts_along_),
       accepted_fix_(start.time),
       airspeed_time_(start.time),
       height_time_(start.time),
@@ -44,6 +46,7 @@ FlightEstimator::FlightEstimator(const EstimatorOptions& options,
   x_.wind_N = start.wind_N;
   set_three(covariance_, error::kGyroBias, options.gyro_bias_sd);
   set_three(covariance_, error::kAccelBias, options.accel_bias_sd);
+  set_three(covariance_, error::kGyroScale, options.gyro_scale_sd);
   set_three(covariance_, error::kMagneticBias, options.magnetic_bias_sd);
   set_three(covariance_, error::kAttitude, start.sd.tilt);
   set_three(covariance_, error::kVelocity, start.sd.velocity);
@@ -83,7 +86,9 @@ void FlightEstimator::add(const ImuSample& sample) {
     align(sample, dt);
     return;
   }
-  const Vec3 w = sample.w_NB_B - x_.gyro_bias;
+  // 1 / (1 + k) = 1 - k + O(1e-5)
+  const Vec3 w =
+      (sample.w_NB_B - x_.gyro_bias).cwiseProduct(Vec3(Vec3::Ones() - x_.gyro_scale));
   const double gap = dt - sample.interval;
   if (gap > 0.5 * sample.interval && sample.interval > 0) {
     ++counts_.gaps;

@@ -10,7 +10,7 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kLeastFixSd = 0.01;       // of position [m] and velocity [m/s]
-constexpr double kManoeuvre = 6;           // over which a wrong scale acts alike [s]
+constexpr double kGetUsed = 3;             // after which a new force is the usual one [s]
 constexpr double kSwing = 1;               // faster motion to and fro does not last [s]
 constexpr double kSideslipTime = 5;        // over which side-slip lasts [s]
 constexpr double kFreshAirspeed = 1;       // [s]
@@ -70,30 +70,27 @@ void FlightEstimator::propagate() {
   step.noise[error::kAirspeedScale] = square(options_.airspeed_scale_walk) * dt;
   for (std::size_t k = 0; k < 2; ++k)
     step.noise[error::kWind + k] = square(options_.wind_walk) * dt;
+  add_scale_noise(step);
   covariance_.propagate(step);
-  add_scale_noise();
 }
 
-// A wrong scale acts about each axis of B as a constant error while a manoeuvre lasts;
-// what swings to and fro cancels out. In level flight that of the weight is part of the
-// bias.
-void FlightEstimator::add_scale_noise() {
-  const double dt = step_.dt;
-  const double share = std::min(dt / kSwing, 1.0);
-  lasting_w_ += share * (nav_.w_NB_B - lasting_w_);
+// A wrong scale k adds k (f + g) to the bias along each axis of B. When a manoeuvre
+// changes f by df for long, the bias so becomes another, by k df: that comes in as noise
+// of the bias while the usual force follows the present one. What swings to and fro
+// cancels out.
+void FlightEstimator::add_scale_noise(Transition& step) {
+  const double share = std::min(step_.dt / kSwing, 1.0);
+  const double follow = std::min(step_.dt / kGetUsed, 1.0);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
-    double f = axis == 2 ? kGravity : 0;  // of the manoeuvre, along the axis
-    for (std::size_t k = 0; k < 3; ++k) f += step_.A[k][axis] * step_.s[k] / (dt * dt);
+    double f = 0;  // mean along the axis
+    for (std::size_t k = 0; k < 3; ++k) f += step_.A[k][axis] * step_.s[k];
+    f /= step_.dt * step_.dt;
     lasting_f_[at] += share * (f - lasting_f_[at]);
-    const double turn = options_.gyro_scale_sd * lasting_w_[at];
-    const double push = options_.accel_scale_sd * lasting_f_[at];
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
-        const double both = step_.A[i][axis] * step_.A[j][axis] * kManoeuvre / dt;
-        covariance_.add(error::kAttitude + i, error::kAttitude + j, turn * turn * both);
-        covariance_.add(error::kVelocity + i, error::kVelocity + j, push * push * both);
-      }
+    const double change = options_.accel_scale_sd * (lasting_f_[at] - usual_f_[at]);
+    usual_f_[at] += follow * (lasting_f_[at] - usual_f_[at]);
+    // The change dies away with kGetUsed: in all this comes to k^2 df^2.
+    step.noise[error::kAccelBias + axis] += follow * (2 - follow) * change * change;
   }
 }
 
@@ -122,7 +119,11 @@ bool FlightEstimator::lasts(Rejection& rejection, bool accepted, double limit) {
 }
 
 double FlightEstimator::Coloured::variance(double sd2, double tau, Time now) const {
-  return any ? sd2 / std::tanh(0.5 * (now - last).seconds() / tau) : sd2;
+  if (!any) return sd2;
+  // (1 + phi) / (1 - phi) = coth(x)
+  const double x = 0.5 * (now - last).seconds() / tau;
+  if (x > 0.25) return sd2 / std::tanh(x);
+  return sd2 * (1 / x + x * (1.0 / 3 - x * x / 45));  // to 1e-6
 }
 
 // A receiver that changes its kind, or states another precision, has another error.
@@ -265,6 +266,17 @@ double FlightEstimator::bearing_curvature() const {
 }
 
 void FlightEstimator::fuse_air_data(ErrorVector& error) {
+  if (wind_N_.count > 0) {
+    // An anemometer feels the same gusts as pitot and fin do, and says more: it counts
+    // alone.
+    const double white =
+        options_.anemometer_noise * options_.anemometer_noise / wind_N_.count;
+    const Vec3 seen = wind_N_.mean();
+    for (int k = 0; k < 2; ++k)
+      fuse_through_gusts(observe_wind(x_, k), seen[k] - x_.wind_N[k], white, 0,
+                         k == 0 ? gusts_north_ : gusts_east_, error);
+    return;
+  }
   const double speed = (nav_.v_N - nav_.wind_N).norm();
   if (airspeed_.count > 0) {
     const double white =
@@ -280,14 +292,6 @@ void FlightEstimator::fuse_air_data(ErrorVector& error) {
     const Observation z = observe_sideslip(x_);
     fuse_through_gusts(z, -z.value, 0, options_.sideslip_sd * speed, gusts_across_,
                        error);
-  }
-  if (wind_N_.count > 0) {
-    const double white =
-        options_.anemometer_noise * options_.anemometer_noise / wind_N_.count;
-    const Vec3 seen = wind_N_.mean();
-    for (int k = 0; k < 2; ++k)
-      fuse_through_gusts(observe_wind(x_, k), seen[k] - x_.wind_N[k], white, 0,
-                         k == 0 ? gusts_along_ : gusts_across_, error);
   }
 }
 

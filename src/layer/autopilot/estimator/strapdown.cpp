@@ -23,6 +23,7 @@ void strapdown(Navigated& x, Interval& interval, const Vec3& w_B, const Vec3& f_
   // One Newton step keeps the length at 1.
   x.q_NB.coeffs() *= 1.5 - 0.5 * x.q_NB.squaredNorm();
 
+  const Vec3 turn = dt * w_B;
   const Vec3 dv = dt * (R * f_B);
   const Vec3 v = x.v_N;
   x.v_N += dv;
@@ -32,8 +33,10 @@ void strapdown(Navigated& x, Interval& interval, const Vec3& w_B, const Vec3& f_
   interval.dt += dt;
   for (int i = 0; i < 3; ++i) {
     const auto row = static_cast<std::size_t>(i);
-    for (int j = 0; j < 3; ++j)
+    for (int j = 0; j < 3; ++j) {
       interval.A[row][static_cast<std::size_t>(j)] += dt * R(i, j);
+      interval.C[row][static_cast<std::size_t>(j)] += R(i, j) * turn[j];
+    }
     interval.s[row] += dv[i];
   }
 }

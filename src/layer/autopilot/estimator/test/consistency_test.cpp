@@ -67,19 +67,13 @@ void expect_consistent(const Consistency& c, double all_high) {
   EXPECT_LT(mean(c.all), all_high);
 }
 
-// 95 % band of the mean of all 25.
-const double kAllHigh = 25 + 1.96 * std::sqrt(50.0 / kRuns);
-const double kAllLow = 25 - 1.96 * std::sqrt(50.0 / kRuns);
+// 95 % band of the mean of all 28.
+const double kAllHigh = 28 + 1.96 * std::sqrt(56.0 / kRuns);
 
 TEST(EstimatorConsistency, StraightAndLevel) {
   FlightPlan plan;
   plan.manoeuvres = false;
-  const Consistency c = fly(plan);
-  // Straight flight does not tell tilt from accelerometer bias, so that what is of second
-  // order in the errors of the start stays: a fifth above what it should be.
-  EXPECT_NEAR(mean(c.moving), 9, 0.2 * 9);
-  EXPECT_LT(mean(c.all), 1.2 * 25);
-  EXPECT_GT(mean(c.all), kAllLow);
+  expect_consistent(fly(plan), kAllHigh);
 }
 
 TEST(EstimatorConsistency, ThroughTurnsAndClimbs) {

@@ -71,9 +71,9 @@ class SyntheticFlight {
       return Vec3(sd * Vec3(x, y, z));
     };
     truth_.gyro_bias = three(options.gyro_bias_sd);
-    truth_.accel_bias = three(options.accel_bias_sd);
+    truth_.accel_bias = accel_bias_ = three(options.accel_bias_sd);
     truth_.magnetic_bias = three(options.magnetic_bias_sd);
-    gyro_scale_ = three(options.gyro_scale_sd);
+    truth_.gyro_scale = three(options.gyro_scale_sd);
     accel_scale_ = three(options.accel_scale_sd);
     truth_.airspeed_scale = options.airspeed_scale_sd * normal_();
     truth_.wind_N = plan.wind;
@@ -191,7 +191,13 @@ class SyntheticFlight {
     const double slip = slip_.step(normal_);
     truth_.q_NB = path * geo::from_euler({0, 0.05, 0}) * geo::from_euler({0, 0, -slip});
     truth_.gyro_bias += options_.gyro_bias_walk * std::sqrt(kDt) * normal3();
-    truth_.accel_bias += options_.accel_bias_walk * std::sqrt(kDt) * normal3();
+    accel_bias_ += options_.accel_bias_walk * std::sqrt(kDt) * normal3();
+  }
+
+  // The estimator's bias is what the accelerometers show too much in lasting flight.
+  void count_scale_as_bias(const Vec3& f) {
+    usual_f_ += kDt / 3 * (f - usual_f_);
+    truth_.accel_bias = accel_bias_ + accel_scale_.cwiseProduct(usual_f_);
   }
 
   ImuSample imu(const Quat& q, const Vec3& v) {
@@ -201,10 +207,11 @@ class SyntheticFlight {
     const Vec3 f =
         q_mid.conjugate() * Vec3((truth_.v_N - v) / kDt - Vec3(0, 0, kGravity));
     const double per_root = 1 / std::sqrt(kDt);
+    count_scale_as_bias(f + Vec3(0, 0, kGravity));
     return {now_, kDt,
-            w + gyro_scale_.cwiseProduct(w) + truth_.gyro_bias +
+            w + truth_.gyro_scale.cwiseProduct(w) + truth_.gyro_bias +
                 options_.gyro_noise * per_root * normal3(),
-            f + accel_scale_.cwiseProduct(f + Vec3(0, 0, kGravity)) + truth_.accel_bias +
+            f + accel_scale_.cwiseProduct(f + Vec3(0, 0, kGravity)) + accel_bias_ +
                 options_.accel_noise * per_root * normal3()};
   }
 
@@ -238,7 +245,7 @@ class SyntheticFlight {
   std::array<Wander, 9> slow_{none(), none(), none(), none(), none(),
                               none(), none(), none(), none()};
   Wander none() { return Wander(0, 1, 1, normal_); }
-  Vec3 gyro_scale_, accel_scale_, given_way_ = Vec3::Zero();
+  Vec3 accel_bias_, usual_f_ = Vec3::Zero(), accel_scale_, given_way_ = Vec3::Zero();
   double baro_constant_ = 0, course_ = 0, phase_ = 0, airspeed_ = 0;
   double bank_ = 0, smooth_bank_ = 0, climb_ = 0, speed_ = 20;
   std::deque<GnssFix> fixes_;
