@@ -250,6 +250,33 @@ TEST(FixedWingFlight, GivesUpHeightBeforeAirspeedWhereTheMotorIsTooWeak) {
   EXPECT_GT(least, 0.88 * airframe.slowest);
 }
 
+TEST(FixedWingFlight, LeavesAStall) {
+  // Sinking air takes height and speed for a while; then rising air stalls the wing.
+  const asset::FixedWingPlant plant(asset::glider());
+  const FixedWingAirframe airframe = airframe_of(plant);
+  const auto alpha = [](const VehicleState& s, const Vec3& wind) {
+    const Vec3 v_B = s.q_NB.conjugate() * (s.v_N - wind);
+    return std::atan2(v_B.z(), v_B.x());
+  };
+  for (const double rising : {0.0, 1.0, 2.0, 3.0, 5.0, 7.0}) {
+    VehicleState s = plant.start({Vec3(0, 0, -kHeight), 0, Vec3::Zero(), false});
+    FixedWingControl control(airframe, {});
+    double most = 0, after = 0;
+    for (double t = 0; t < 30; t += kStep) {
+      Air air;
+      air.wind_N.z() = t < 14 ? 6 : t < 24 ? -rising : 0;
+      plant.step(s,
+                 control.control({0, kHeight, 0, airframe.cruise}, truth(s, {}), kStep),
+                 air, kStep);
+      if (t > 14) most = std::max(most, alpha(s, air.wind_N));
+      if (t > 18) after = std::max(after, alpha(s, air.wind_N));
+    }
+    EXPECT_GT(most, 0.3) << "it has stalled: " << rising;
+    EXPECT_LT(after, 0.2) << rising;
+    EXPECT_GT(-s.p_N.z(), kHeight - 40) << rising;
+  }
+}
+
 TEST(FixedWingFlight, ChangesHandsWithoutAJump) {
   const asset::FixedWingPlant plant(asset::glider());
   const FixedWingAirframe airframe = airframe_of(plant);

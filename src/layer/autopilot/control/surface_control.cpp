@@ -7,11 +7,15 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kMostSum = 0.5;  // of an integrator, channel
+// Nose up less: a wing that has stalled does not follow the elevator, and one that is
+// held up for that stays stalled.
+constexpr double kMostNoseUp = 0.25;
 
 // Adds to an integrator unless the channel is at its end and would be driven further.
-void integrate(double& sum, double channel, double rate, double dt) {
+void integrate(double& sum, double channel, double rate, double dt,
+               double most = kMostSum) {
   if ((channel < 1 || rate < 0) && (channel > -1 || rate > 0))
-    sum = bounded(sum + rate * dt, kMostSum);
+    sum = bounded(sum + rate * dt, -kMostSum, most);
 }
 
 }  // namespace
@@ -61,7 +65,8 @@ void SurfaceControl::step(const FixedWingSetup& setup, const SurfaceDemand& dema
                              a.elevator_power -
                          a.trim_elevator + pitch_sum_;
   integrate(pitch_sum_, nose_up,
-            g.pitch_rate_integral * q_error / (a.elevator_power * pressure), dt);
+            g.pitch_rate_integral * q_error / (a.elevator_power * pressure), dt,
+            kMostNoseUp);
   out[channel::kElevator] = -bounded(nose_up, 1);
 
   if (!a.rudder) {
