@@ -157,6 +157,7 @@ class FlightEstimator {
   GnssFix fix_;                   // the last one
   MotionHistory::Motion at_fix_;  // estimated for its time
   double gnss_sd_ = 0, gnss_fast_ = 1, gnss_down_ = 1;
+  double gnss_time_ = 1, multipath_sd_ = 0;
   Coloured last_fix_, last_bearing_;
   Batch<double> altitude_, airspeed_;
   Batch<Vec3> field_N_, wind_N_;

@@ -9,7 +9,7 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kLeastFixSd = 0.01;       // of position [m] and velocity [m/s]
+constexpr double kLeastFixSd = 0.002;      // of position [m] and velocity [m/s]
 constexpr double kGetUsed = 3;             // after which a new force is the usual one [s]
 constexpr double kSwing = 1;               // faster motion to and fro does not last [s]
 constexpr double kSideslipTime = 5;        // over which side-slip lasts [s]
@@ -17,7 +17,7 @@ constexpr double kFreshAirspeed = 1;       // [s]
 constexpr double kMoves = 3;               // over ground: below it may be parked [m/s]
 constexpr double kLongRejection = 10;      // of bearings or altitudes [s]
 constexpr double kCarrier = 0.01;          // errors of its phase to those of the code
-constexpr double kSlowShare = 0.25;        // least share of a fix's variance [-]
+constexpr double kSlowShare = 0.05;        // least share of a fix's variance [-]
 constexpr double kChangedPrecision = 1.5;  // of a receiver that begins anew
 constexpr double kLeastLevelField = 0.05;  // of the unit field
 constexpr double kLeg = 30;                // of flight with one attitude [s]
@@ -54,8 +54,7 @@ void FlightEstimator::propagate() {
     step.noise[i] = sd * sd * (1 - phi * phi);
   };
   for (std::size_t k = 0; k < 3; ++k)
-    wander(error::kGnssBias + k, options_.gnss_correlation_time,
-           k < 2 ? gnss_sd_ : gnss_down_ * gnss_sd_);
+    wander(error::kGnssBias + k, gnss_time_, k < 2 ? gnss_sd_ : gnss_down_ * gnss_sd_);
   wander(error::kBaroBias, options_.baro_correlation_time, options_.baro_bias_sd);
   x_.gnss_bias *= step.decay[error::kGnssBias];
   x_.baro_bias *= step.decay[error::kBaroBias];
@@ -130,16 +129,22 @@ double FlightEstimator::Coloured::variance(double sd2, double tau, Time now) con
 void FlightEstimator::take_precision_of(const GnssFix& fix) {
   const double sd = std::max(fix.position_sd, kLeastFixSd);
   const double down = std::max(fix.altitude_sd, kLeastFixSd) / sd;
-  const double fast = fix.kind == GnssKind::kRtk ? kCarrier : 1;
-  const double fast2 = fast * fast *
-                       (options_.gnss_multipath_sd * options_.gnss_multipath_sd +
-                        options_.gnss_noise_sd * options_.gnss_noise_sd);
+  // By the code, multipath is taken as noise that lasts. By the carrier's phase it is so
+  // small that the position moves faster than it does: there it is the error that is
+  // followed, since it is most of it, and the noise counts as white.
+  const bool phase = fix.kind == GnssKind::kRtk;
+  const double fast = phase ? kCarrier : 1;
+  const double multipath2 = options_.gnss_multipath_sd * options_.gnss_multipath_sd;
+  const double noise2 = options_.gnss_noise_sd * options_.gnss_noise_sd;
+  const double fast2 = fast * fast * (noise2 + (phase ? 0 : multipath2));
   const double slow2 = std::max(sd * sd - fast2, kSlowShare * sd * sd);
   const double last2 = gnss_sd_ * gnss_sd_;
   const bool anew = !has_fix_ || fix.kind != fix_.kind ||
                     slow2 > kChangedPrecision * last2 ||
                     slow2 * kChangedPrecision < last2;
   gnss_sd_ = std::sqrt(slow2);
+  gnss_time_ = phase ? options_.gnss_multipath_time : options_.gnss_correlation_time;
+  multipath_sd_ = phase ? 0 : options_.gnss_multipath_sd;
   gnss_down_ = down;
   gnss_fast_ = fast * std::min(1.0, std::sqrt((1 - kSlowShare) * sd * sd / fast2));
   if (!anew) return;
@@ -156,9 +161,10 @@ void FlightEstimator::fuse_fix(ErrorVector& error) {
             x_.v_N - at_fix_.v_N};
   past.gained.z() -= past.delay * kGravity;
   const auto fast = [this](double sd, double time) {
-    return last_fix_.variance(gnss_fast_ * gnss_fast_ * sd * sd, time, fix_.time);
+    const double sd2 = gnss_fast_ * gnss_fast_ * sd * sd;
+    return fix_.kind == GnssKind::kRtk ? sd2 : last_fix_.variance(sd2, time, fix_.time);
   };
-  const double variance = fast(options_.gnss_multipath_sd, options_.gnss_multipath_time) +
+  const double variance = fast(multipath_sd_, options_.gnss_multipath_time) +
                           fast(options_.gnss_noise_sd, options_.gnss_noise_time);
   last_fix_.used(fix_.time);
   bool accepted = true;
@@ -190,7 +196,7 @@ void FlightEstimator::begin_again(const GnssFix& fix, const Past& past) {
   x_.v_N = v;
   x_.gnss_bias.setZero();
   const double velocity_sd = std::max(fix.velocity_sd, kLeastFixSd);
-  const double fast = gnss_fast_ * options_.gnss_multipath_sd;
+  const double fast = gnss_fast_ * multipath_sd_;
   for (std::size_t k = 0; k < 3; ++k) {
     const double scale = k < 2 ? 1 : gnss_down_;
     const double slow2 = scale * scale * gnss_sd_ * gnss_sd_;
