@@ -27,6 +27,7 @@ struct FixedWingAirframe {
   double trim_throttle = 0;  ///< channel
   bool rudder = true;        ///< has one
   bool motor = true;         ///< has one
+  double roll_friction = 0;  ///< of the ground along the body, over weight; 0 = not known
   // How it answers in that flight, for gains of its own. 0 = not known.
   double aileron_power = 0;    ///< roll acceleration at full aileron [rad/s^2]
   double roll_damping = 0;     ///< roll deceleration over roll rate [1/s]

@@ -14,7 +14,7 @@ enum class FlightPhase : std::uint8_t {
   kClimbOut,  ///< after take-off: full power, best climb
   kFlight,
   kApproach,  ///< down the glide slope
-  kFlare,     ///< idle, wings level, touching down
+  kFlare,     ///< wings level, by sink rate, touching down; no airspeed: motor idle
   kGlide,     ///< without motor: altitude is traded for airspeed
 };
 

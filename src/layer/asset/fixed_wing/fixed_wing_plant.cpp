@@ -148,6 +148,7 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
       stiffness_(stiffness_of(parameters)) {
   SKEIN_CHECK(faults(parameters).empty());
   airframe_ = airframe_of(model_);
+  airframe_.roll_friction = parameters.ground.friction_along;
   const double V = airframe_.cruise;
   limits_.airspeed = V;
   limits_.turn_radius = V * V / (kGravity * std::tan(kReserve * airframe_.bank_limit));

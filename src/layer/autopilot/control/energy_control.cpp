@@ -10,13 +10,10 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kFilterDamping = 0.9;
-constexpr double kFlareGain = 0.8;    // path angle times airspeed per sink rate error
-constexpr double kFlareSpeed = 1.05;  // airspeed of touching down, over the least
-constexpr double kSettles = 0.7;  // so long without the demanded sink: on the ground [s]
-constexpr double kRolls = 0.85;   // of the least airspeed
-constexpr double kSlowFrom = 1.03;  // times the least airspeed pitch begins to serve it,
+constexpr double kFlareGain = 0.8;   // path angle times airspeed per sink rate error
+constexpr double kFlareDive = 0.12;  // pitch down, still with motor [rad]
+constexpr double kSlowFrom = 1.03;   // times the least airspeed pitch begins to serve it,
 constexpr double kSlowMargin = 0.15;  // and this much below serves nothing else
-constexpr double kLevelShare = 0.3;   // of the demanded sink rate
 constexpr double kSteepPath = 0.17;   // [rad]
 constexpr double kOverspeedMargin = 0.05;
 constexpr double kMostPathSum = 0.3;  // [rad]
@@ -81,7 +78,6 @@ EnergyControl::Rates EnergyControl::rates(const FixedWingSetup& setup,
                                           const EnergyView& view, double speed) const {
   const FixedWingGains& g = setup.gains;
   const FixedWingAirframe& a = setup.airframe;
-  const bool flare = demand.phase == FlightPhase::kFlare;
   // Lift grows with the square of airspeed, so the least airspeed with the load's root.
   const double slowest = std::min(a.slowest * std::sqrt(view.load), a.fastest);
   Rates r;
@@ -90,9 +86,7 @@ EnergyControl::Rates EnergyControl::rates(const FixedWingSetup& setup,
                             demand.phase == FlightPhase::kClimbOut;
   r.height_weight =
       thrust_given ? 0 : 1 - std::max(r.too_slow, fastness(speed_, a.fastest));
-  const double speed_demand =
-      bounded(flare ? std::min(demand.airspeed, kFlareSpeed * slowest) : demand.airspeed,
-              slowest, a.fastest);
+  const double speed_demand = bounded(demand.airspeed, slowest, a.fastest);
   const double to_power = speed / kGravity;  // acceleration to specific power
   // By throttle what the motor can give; by pitch what a path angle of 10 degrees gives.
   const double by_pitch = (1 - r.height_weight) * kSteepPath * kGravity;
@@ -113,21 +107,22 @@ EnergyControl::Rates EnergyControl::rates(const FixedWingSetup& setup,
   return r;
 }
 
-void EnergyControl::move_throttle(const FixedWingSetup& setup, FlightPhase phase,
-                                  const Rates& r, double dt) {
+void EnergyControl::move_throttle(const FixedWingSetup& setup,
+                                  const FixedWingDemand& demand, const Rates& r,
+                                  double dt) {
+  const FlightPhase phase = demand.phase;
+  const bool idle_flare = phase == FlightPhase::kFlare && demand.airspeed <= 0;
   const FixedWingGains& g = setup.gains;
   const FixedWingAirframe& a = setup.airframe;
   const double error = r.energy_demand - r.energy;
   const double wanted = throttle_for(setup, r.energy_demand + r.turn_power) +
                         setup.throttle_slope * g.energy_rate_gain * error + throttle_sum_;
-  const bool stands = speed_ < kRolls * a.slowest || settled_ > kSettles;
   double aim = bounded(wanted, 0, 1);
-  if (!a.motor || phase == FlightPhase::kGlide ||
-      (phase == FlightPhase::kFlare && stands)) {
+  if (!a.motor || phase == FlightPhase::kGlide || idle_flare) {
     aim = 0;
   } else if (phase == FlightPhase::kClimbOut) {
     aim = 1;
-  } else if (phase != FlightPhase::kFlare && r.too_slow > 0) {
+  } else if (r.too_slow > 0) {
     aim += r.too_slow * (1 - aim);
   } else if ((wanted < 1 || error < 0) && (wanted > 0 || error > 0)) {
     throttle_sum_ =
@@ -148,9 +143,10 @@ void EnergyControl::move_pitch(const FixedWingSetup& setup, const FixedWingDeman
   const double path =  // path angle times airspeed [m/s]
       flare ? demand.climb_rate + kFlareGain * (demand.climb_rate - view.climb_rate)
             : r.carried() + r.balance_demand + g.balance_gain * error + path_sum_;
-  const double lowest = flare || demand.phase == FlightPhase::kClimbOut
-                            ? std::min(a.trim_alpha, 0.0)
-                            : a.pitch_down;
+  double lowest = a.pitch_down;
+  if (flare || demand.phase == FlightPhase::kClimbOut)
+    lowest = std::min(a.trim_alpha, 0.0);
+  if (flare && demand.airspeed > 0) lowest -= kFlareDive;
   const double wanted = alpha + path / speed;
   const double most = g.vertical_acceleration / speed * dt;
   pitch_ = bounded(bounded(wanted, lowest, a.pitch_up), pitch_ - most, pitch_ + most);
@@ -165,9 +161,6 @@ EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
   const FixedWingGains& g = setup.gains;
   filter(setup, view, dt);
   const bool flare = demand.phase == FlightPhase::kFlare;
-  const bool level =
-      std::abs(view.climb_rate) < kLevelShare * std::abs(demand.climb_rate);
-  settled_ = flare ? bounded(settled_ + (level ? 1 : -0.5) * dt, 0, 2 * kSettles) : 0;
 
   const double speed = std::max(speed_, 0.5 * setup.airframe.slowest);
   const Rates r = rates(setup, demand, view, speed);
@@ -179,7 +172,7 @@ EnergyOutput EnergyControl::step(const FixedWingSetup& setup,
     throttle_sum_ = throttle_ - throttle_for(setup, r.energy + r.turn_power);
     fresh_ = false;
   }
-  move_throttle(setup, demand.phase, r, dt);
+  move_throttle(setup, demand, r, dt);
   move_pitch(setup, demand, view, r, alpha, speed, dt);
   return {pitch_, throttle_};
 }

@@ -68,8 +68,8 @@ class EnergyControl {
   void filter(const FixedWingSetup& setup, const EnergyView& view, double dt);
   Rates rates(const FixedWingSetup& setup, const FixedWingDemand& demand,
               const EnergyView& view, double speed) const;
-  void move_throttle(const FixedWingSetup& setup, FlightPhase phase, const Rates& rates,
-                     double dt);
+  void move_throttle(const FixedWingSetup& setup, const FixedWingDemand& demand,
+                     const Rates& rates, double dt);
   void move_pitch(const FixedWingSetup& setup, const FixedWingDemand& demand,
                   const EnergyView& view, const Rates& rates, double alpha, double speed,
                   double dt);
@@ -81,7 +81,6 @@ class EnergyControl {
   double path_sum_ = 0;      // of the path angle times airspeed [m/s]
   double pitch_ = 0;         // last demanded [rad]
   double throttle_ = 0;      // last
-  double settled_ = 0;       // time in the flare without sinking [s]
   bool fresh_ = true;        // the integrators are to be set so that nothing jumps
 };
 

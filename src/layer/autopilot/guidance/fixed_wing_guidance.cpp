@@ -14,10 +14,12 @@ namespace {
 // A circle is followed from when it is this near, in radii: the way to it is no error.
 constexpr double kOnCircle = 0.2;
 
+constexpr double kFarOff = 2;         // look-aheads from which a circle is far away
 constexpr double kSearch = 60;        // of a plan, before and after now, at the start [s]
 constexpr double kFlares = 1;         // lateral acceleration close to the ground [m/s^2]
 constexpr double kTurnReserve = 0.9;  // of the bank limit; the rest is for corrections
 constexpr double kStopped = 0.5;      // of the slowest airspeed: no longer flying
+constexpr double kStands = 1;         // height at most, measured, at rest [m]
 constexpr double kLeastSpeed = 1;     // over ground, for windows of time [m/s]
 
 GroundMotion over_ground(const FixedWingMotion& now) {
@@ -182,8 +184,8 @@ void FixedWingGuidance::begin(const AutopilotCommand& command,
     phase_ = flies ? FlightPhase::kClimbOut : FlightPhase::kRun;
     doing_ = Doing::kTakeOff;
   } else if (const auto* l = std::get_if<Land>(&command_.guidance)) {
-    landing_.begin(*l, {p, geo::bearing(v)}, now.wind, std::max(v.norm(), kLeastSpeed),
-                   loiter_radius(now.wind.norm()), options_.landing);
+    landing_.begin(*l, {p, geo::bearing(v)}, now.wind, loiter_radius(now.wind.norm()),
+                   limits_, options_.landing);
     doing_ = Doing::kLand;
   } else {
     altitude_ = std::max(altitude_, options_.return_height - home_N_.z());
@@ -265,6 +267,15 @@ double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& de
     status_.remaining = std::max(distance - hold_.radius, 0.0);
     status_.done = status_.done || distance <= 1.2 * hold_.radius;
   }
+  const double from_centre = (ahead.position - line.centre).norm();
+  const bool course = options_.lateral.law == LateralLaw::kCourse;
+  const double speed = ahead.velocity.norm();
+  const double reach = course ? kFarOff * options_.lateral.course.look_ahead * speed
+                              : sight_.distance(speed) * sight_.sine;
+  if (from_centre - line.radius >= reach)
+    return turn_towards(line.way_onto(from_centre), ahead.velocity,
+                        course ? options_.lateral.course.gain
+                               : sight_.gain * speed / sight_.distance(speed));
   return lateral(options_.lateral, sight_, line, line.nearest(),
                  line.cross_track(ahead.position), ahead);
 }
@@ -405,11 +416,12 @@ double FixedWingGuidance::land(const FixedWingMotion& now, double dt,
                                FixedWingDemand& demand) {
   const Vec2 p = now.p_N.head<2>();
   const double speed = now.v_N.head<2>().norm();
-  const double height =
-      now.height_agl.value_or(-now.p_N.z() - landing_.command().ground_msl);
+  // On the ground the wind alone may be airspeed.
   const bool still =
-      std::min(now.airspeed, speed + now.wind.norm()) < kStopped * limits_.slowest;
-  const Landing::Step at = landing_.step(p, height, speed, still, dt);
+      std::min(now.airspeed, speed + now.wind.norm()) < kStopped * limits_.slowest ||
+      (now.height_agl && *now.height_agl < kStands && speed < kLeastSpeed);
+  const Landing::Step at =
+      landing_.step(p, -now.p_N.z(), now.height_agl, speed, still, dt);
   demand.phase = at.phase;
   demand.altitude_msl = at.altitude_msl;
   demand.climb_rate = at.climb_rate;
@@ -425,8 +437,7 @@ double FixedWingGuidance::land(const FixedWingMotion& now, double dt,
   }
   if (at.phase == FlightPhase::kGround) return 0;
   if (at.phase == FlightPhase::kApproach || at.phase == FlightPhase::kFlare) {
-    demand.airspeed =
-        std::min(options_.landing.airspeed * limits_.slowest, limits_.fastest);
+    demand.airspeed = std::min(at.airspeed, limits_.fastest);
   }
   const double a = steer(landing_.path(), at.place, now);
   return at.phase == FlightPhase::kFlare ? std::clamp(a, -kFlares, kFlares) : a;

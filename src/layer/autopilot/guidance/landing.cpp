@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/air.h"
 #include "model/path/dubins.h"
 
 namespace skein::autopilot {
@@ -11,23 +12,72 @@ namespace {
 constexpr double kCalm = 0.5;      // wind that gives no direction [m/s]
 constexpr double kRollOut = 1000;  // of line beyond the point [m]
 constexpr double kStillTime = 1;   // at rest for this long: landed [s]
+// Drag at the slowest airspeed over that at cruise, where much of it falls with speed.
+constexpr double kSlowDrag = 0.75;
+constexpr double kLeastIdle = 0.03;     // slope, however little is known [rad]
+constexpr double kSlowDownShare = 0.7;  // of the idle deceleration that is planned with
+constexpr double kLeastPace = 3;        // over ground, of an approach [m/s]
+constexpr double kMeasuredBelow = 20;   // the measured height counts [m]: from half of
+                                        // this down all of it
+constexpr double kLow = 15;  // the slope is met again gently from below this height [m]:
+constexpr double kMostAbove = 1, kMostBelow = 1.5;  // errors that are worked off [m]
+constexpr double kLowGain = 0.5;  // sink per height above the slope in the flare [1/s]
+constexpr double kBalloon = 0.7;  // above the height at which the flare began [m]
 
 }  // namespace
 
+double roll_out(double pace, double friction, double drag) {
+  // The quotient is 1 / mu where both are the same.
+  const double difference = drag - friction;
+  const double over =
+      std::abs(difference) < 1e-6 ? 1 / friction : std::log(drag / friction) / difference;
+  return pace * pace / (2 * kGravity) * over;
+}
+
 void Landing::begin(const Land& command, const model::Pose& from, const Vec2& wind,
-                    double ground_speed, double radius, const LandingOptions& options) {
+                    double radius, const FlightLimits& limits,
+                    const LandingOptions& options) {
   options_ = options;
   command_ = command;
   radius_ = radius;
-  tangent_ = std::tan(options.glide_slope);
   phase_ = FlightPhase::kFlight;
   still_for_ = 0;
+  idle_ = false;
   const Vec2 way = command.point - from.position;
   course_ = command.course        ? *command.course
             : wind.norm() > kCalm ? geo::bearing(-wind)
             : way.norm() > 1      ? geo::bearing(way)
                                   : from.course;
-  fix_ = command.point - (options.height / tangent_ + options.lead_in * ground_speed) *
+  const double cruise = limits.airspeed;
+  airspeed_ = std::max(
+      std::min(options.airspeed * limits.slowest + options.wind_share * wind.norm(),
+               cruise),
+      limits.slowest);
+  const double head_wind = -wind.dot(geo::unit(course_));
+  const double pace = std::max(airspeed_ - head_wind, kLeastPace);
+  const double idle = std::max(limits.sink_rate / cruise, kLeastIdle);
+  tangent_ = std::min(std::tan(options.glide_slope),
+                      options.idle_share * idle * airspeed_ / pace);
+
+  // Level flight from cruise to the airspeed of the approach: V dV = a dx.
+  const double braking = kSlowDownShare * kGravity * idle;
+  const double mean = (cruise + airspeed_) / 2;
+  const double slow_down =
+      (cruise - airspeed_) / braking * std::max(mean - head_wind, 0.);
+  const double lead_in = options.lead_in * std::max(cruise - head_wind, kLeastPace);
+
+  stop_way_ = 0;
+  if (options.touches_down) {
+    // The flare, with a sink that falls evenly with the height, takes longer than the
+    // straight way down.
+    const double sink = std::max(pace * tangent_, options.touch_down_sink);
+    const double ratio = sink / options.touch_down_sink;
+    const double longer = ratio > 1.01 ? std::log(ratio) / (1 - 1 / ratio) - 1 : 0;
+    stop_way_ = options.flare_time * longer * pace +
+                roll_out(std::max(airspeed_ / options.airspeed - head_wind, kLeastPace),
+                         options.roll_friction, kSlowDrag * idle);
+  }
+  fix_ = command.point - (options.height / tangent_ + lead_in + slow_down + stop_way_) *
                              geo::unit(course_);
   line_up(model::to_path(model::dubins(from, {fix_, course_}, radius), from));
 }
@@ -38,17 +88,26 @@ void Landing::line_up(const Path& before) {
   for (const PathElement& e : before) joined_at_ += e.length;
   const double line = (command_.point - fix_).norm();
   path.push_back({fix_, course_, line + kRollOut, 0});
-  touch_at_ = joined_at_ + line;
+  rest_at_ = joined_at_ + line;
+  touch_at_ = rest_at_ - stop_way_;
   path_.assign(path);
   along_ = 0;
 }
 
-Landing::Step Landing::step(const Vec2& p, double height, double ground_speed, bool still,
-                            double dt) {
+Landing::Step Landing::step(const Vec2& p, double altitude_msl,
+                            std::optional<double> height_agl, double ground_speed,
+                            bool still, double dt) {
   const double window = std::max(3 * ground_speed, 10.0);
   Step out;
   out.place = path_.project(p, along_ - window, along_ + 5 * window);
   along_ = out.place.along;
+  // Altitudes are off by metres, the height by centimetres: but that over other ground on
+  // the way says nothing.
+  double height = altitude_msl - command_.ground_msl;
+  if (height_agl) {
+    const double share = std::clamp(2 - 2 * *height_agl / kMeasuredBelow, 0.0, 1.0);
+    height += share * (*height_agl - height);
+  }
   if (phase_ == FlightPhase::kFlight && along_ >= joined_at_) {
     if (height > options_.height + options_.too_high) {
       // Once round in line with the approach.
@@ -60,40 +119,58 @@ Landing::Step Landing::step(const Vec2& p, double height, double ground_speed, b
     }
   }
   const double to_go = touch_at_ - along_;
-  // After the landing point the slope would lead into the ground: the flare's sink does.
-  const double slope_height = std::max(to_go * tangent_, 0.0);
+  const double slope_height = to_go * tangent_;
   const bool on_slope = slope_height < options_.height;
-  const double sink = ground_speed * tangent_;
+  const double sink = std::max(ground_speed * tangent_, options_.touch_down_sink);
   if (phase_ == FlightPhase::kApproach && !options_.touches_down &&
       height <= options_.floor)
     out.done = true;
-  if (phase_ == FlightPhase::kApproach && options_.touches_down &&
-      height <= options_.flare_height) {
-    phase_ = FlightPhase::kFlare;
-    flare_sink_ = std::max(sink, options_.touch_down_sink);
+  if (options_.touches_down) {
+    if (phase_ == FlightPhase::kApproach && height <= options_.sink_height) {
+      phase_ = FlightPhase::kFlare;
+      idle_ = false;
+    }
+    if (phase_ == FlightPhase::kFlare && !idle_ && height <= options_.flare_time * sink) {
+      idle_ = true;
+      flare_sink_ = sink;
+      flare_height_ = options_.flare_time * sink;
+    } else if (idle_ && height > flare_height_ + kBalloon) {
+      idle_ = false;  // thrown up by a gust: not without motor from there
+    }
   }
 
-  out.altitude_msl =
-      command_.ground_msl +
-      (phase_ == FlightPhase::kFlight || !on_slope ? options_.height : slope_height);
-  out.climb_rate = phase_ == FlightPhase::kApproach && on_slope && to_go > 0 ? -sink : 0;
-  if (phase_ == FlightPhase::kFlare) {
-    const double share = std::clamp(height / options_.flare_height, 0.0, 1.0);
-    out.altitude_msl = command_.ground_msl + std::max(height, 0.0);
+  double wanted = options_.height;
+  if (phase_ == FlightPhase::kApproach && on_slope) {
+    wanted = slope_height;
+    if (height < kLow)
+      wanted = std::clamp(wanted, height - kMostAbove, height + kMostBelow);
+    out.climb_rate = -sink;
+  } else if (phase_ == FlightPhase::kFlare && !idle_) {
+    // Sink rate alone, with what little leads back to the slope.
+    const double above = std::clamp(height - slope_height, -kMostBelow, kMostAbove);
+    wanted = height;
+    out.climb_rate = std::min(-sink - kLowGain * above, 0.0);
+  } else if (phase_ == FlightPhase::kFlare) {
+    const double share = std::clamp(height / flare_height_, 0.0, 1.0);
+    wanted = height;
     out.climb_rate =
         -(options_.touch_down_sink + share * (flare_sink_ - options_.touch_down_sink));
   }
+  // In terms of the altitude that control holds.
+  out.altitude_msl = altitude_msl + wanted - height;
   // Also without a flare: the ground may have come before the estimate of it.
   if (phase_ != FlightPhase::kFlight) {
     still_for_ = still ? still_for_ + dt : 0;
     if (still_for_ >= kStillTime) phase_ = FlightPhase::kGround;
   }
   if (phase_ == FlightPhase::kGround) {
-    out.altitude_msl = command_.ground_msl;
+    out.altitude_msl = altitude_msl;
+    out.climb_rate = 0;
     out.done = true;
   }
+  out.airspeed = phase_ == FlightPhase::kFlare && idle_ ? 0 : airspeed_;
   out.phase = phase_;
-  out.place.remaining = std::max(to_go, 0.0);
+  out.place.remaining = std::max(rest_at_ - along_, 0.0);
   return out;
 }
 

@@ -144,7 +144,9 @@ double sight_law(const Sight& sight, const Line& line, const model::TrackPoint& 
   return a + (sight.leads - sight.gain + 2) / 2 * nearest.curvature * speed * speed;
 }
 
-/// A circle as a line to follow, seen from outside or inside.
+/// A circle as a line to follow, seen from outside or inside. From far outside the way
+/// leads straight to where the tangent touches it, not at an angle to the nearest
+/// tangent.
 struct CircleLine {
   Vec2 centre = Vec2::Zero();
   double radius = 1;      ///< [m]
@@ -161,6 +163,9 @@ struct CircleLine {
   double cross_track(const Vec2& p) const {
     return -side * ((p - centre).dot(out) - radius);
   }
+  /// Course from `distance` [m] from the centre, beyond the radius, on `out`, to the
+  /// point at which it goes over into the circle; a unit vector.
+  Vec2 way_onto(double distance) const;
 };
 
 }  // namespace skein::autopilot

@@ -6,14 +6,23 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kFlareHeight = 5;  // above ground, of a descent [m]
+constexpr double kFlareHeight = 2.5;  // above ground, of a descent [m]
+constexpr double kLowHeight = 15;   // sinks slowly from here: the height is a belief [m]
+constexpr double kLowSink = 1.2;    // [m/s]
 constexpr double kDescentSink = 2;  // with motor, at most [m/s]
 constexpr double kFlareSink = 0.7;  // [m/s]
+
+FixedWingGuidanceOptions guidance_options(const SkeinSetup& setup) {
+  FixedWingGuidanceOptions options = setup.options.wing_guidance;
+  const double friction = std::get<FixedWingAirframe>(setup.airframe).roll_friction;
+  if (friction > 0) options.landing.roll_friction = friction;
+  return options;
+}
 
 }  // namespace
 
 WingFlier::WingFlier(const SkeinSetup& setup, const Vec3& home_N)
-    : guidance_(setup.options.wing_guidance, setup.limits, home_N),
+    : guidance_(guidance_options(setup), setup.limits, home_N),
       control_(setup.wing),
       sink_rate_(std::min(kDescentSink, setup.limits.sink_rate)),
       cruise_(setup.limits.airspeed) {}
@@ -39,7 +48,9 @@ void WingFlier::begin_descent(const FlierView& now) {
 Control WingFlier::descend(const FlierView& now, double dt) {
   FixedWingDemand demand = guidance_.step(motion_of(now.nav, now.height_agl), dt);
   const bool low = now.height() < kFlareHeight;
-  const double sink = low ? kFlareSink : sink_rate_;
+  const double sink = low                         ? kFlareSink
+                      : now.height() < kLowHeight ? std::min(kLowSink, sink_rate_)
+                                                  : sink_rate_;
   // Not further ahead of the aircraft than it can follow.
   const double altitude = -now.nav.p_N.z();
   descent_altitude_ = std::max(descent_altitude_ - sink * dt, altitude - 5);
@@ -50,6 +61,7 @@ Control WingFlier::descend(const FlierView& now, double dt) {
   if (low) {
     demand.lateral_acceleration = 0;
     demand.phase = FlightPhase::kFlare;
+    demand.airspeed = 0;  // motor idle
   }
   return control_.control(demand, now.nav, dt);
 }
