@@ -76,7 +76,11 @@ Fields<FenceChoice> fence_fields() {
       .number("ceiling_msl_m", &T::ceiling_msl, "Null: none.", kAltitude)
       .number("floor_msl_m", &T::floor_msl, "Null: none.", kAltitude)
       .number("margin_m", &T::margin, "Kept from the fence.",
-              {.at_least = 0, .at_most = 1e5});
+              {.at_least = 0, .at_most = 1e5})
+      .duration_s("look_ahead_s", &T::look_ahead,
+                  "Where the velocity leads in this time counts too. Null: 4 s, 1.5 s on "
+                  "what can hover.",
+                  {.at_least = 0, .at_most = 1000});
 }
 
 Fields<autopilot::EstimatorOptions> estimator_fields() {
@@ -118,6 +122,9 @@ Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
   if (choice.fence.ceiling_msl) options.fence.ceiling_msl = *choice.fence.ceiling_msl;
   if (choice.fence.floor_msl) options.fence.floor_msl = *choice.fence.floor_msl;
   options.fence.margin = choice.fence.margin;
+  // A wing turns in it, a multirotor comes to a stand.
+  const double look_ahead = c.limits.slowest > 0 ? 4 : 1.5;
+  options.fence.look_ahead = choice.fence.look_ahead.value_or(look_ahead);
   return std::shared_ptr<const autopilot::SkeinSetup>(
       std::make_shared<autopilot::SkeinSetup>(options, c.limits, c.airframe));
 }

@@ -18,6 +18,7 @@ struct FenceChoice {
   std::vector<geo::Ring> areas;
   std::optional<double> ceiling_msl, floor_msl;
   double margin = 0;
+  std::optional<double> look_ahead;  // [s]
 };
 
 /// What one lap of a route is flown with; none: as every other flight.
