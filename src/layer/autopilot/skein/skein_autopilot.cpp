@@ -111,6 +111,9 @@ FlierView SkeinAutopilot::view() const {
 void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   input_.now = now;
   input_.estimator_healthy = std::isfinite(nav.p_N.sum() + nav.v_N.sum());
+  // What the landing still takes is not known while it is flown. It is finished.
+  if (order_ == Order::kLand)
+    input_.charge_home = std::min(input_.charge_home, input_.charge);
   input_.on_ground = ground_.step(nav, throttle_);
   const bool landing =
       order_ == Order::kLand ||
