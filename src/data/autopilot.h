@@ -104,6 +104,7 @@ struct AutopilotStatus {
   int lap = 0;                ///< laps of FlyWaypoints that have been completed
   double altitude_msl = 0;    ///< demanded now [m]; of Skein's fixed-wing guidance only
   double airspeed = 0;        ///< demanded now [m/s]; of the same
+  bool on_ground = false;     ///< it stands, as far as the autopilot can tell
   FlightMode mode = FlightMode::kGuided;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FailsafeReaction reaction = FailsafeReaction::kNone;

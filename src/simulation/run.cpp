@@ -12,6 +12,7 @@
 #include "simulation/entity_step.h"
 #include "simulation/fork_join.h"
 #include "simulation/pace.h"
+#include "simulation/refusals.h"
 
 namespace skein::simulation {
 namespace {
@@ -50,7 +51,8 @@ class Stepper {
         options_(options),
         recorder_(recorder),
         arena_(options.threads),
-        states_(world.entities.size()) {}
+        states_(world.entities.size()),
+        watched_(world.entities.size()) {}
 
   Result<void> step(Time now) {
     if (due(now, options_.environment_period)) world_.fire->advance(now);
@@ -115,13 +117,20 @@ class Stepper {
       if (active == state.active) continue;
       state.active = active;
       if (active)
-        begin(world_, now, world_.entities[i], state);
+        begin(i, now);
       else
         state.inbox.clear();
       tell(now, i, active ? "joined" : "left",
            fmt::format("{} {}", world_.entities[i].name,
                        active ? "takes part" : "no longer takes part"));
     }
+  }
+
+  void begin(std::size_t i, Time now) {
+    Entity& entity = world_.entities[i];
+    simulation::begin(world_, now, entity, states_[i]);
+    if (entity.vehicle)
+      watched_[i].on_ground = entity.vehicle->autopilot->status().on_ground;
   }
 
   // Parts that fail, or work again.
@@ -137,7 +146,7 @@ class Stepper {
     }
   }
 
-  // What autopilots do by themselves: modes and failsafes.
+  // What autopilots do by themselves: modes and failsafes, take-offs and landings.
   void note_autopilots(Time now) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       if (!states_[i].active || states_[i].ended || !world_.entities[i].vehicle) continue;
@@ -151,8 +160,16 @@ class Stepper {
                  ? std::string("over")
                  : fmt::format("{}: {}", name_of(status.trigger),
                                name_of(status.reaction)));
-      if (status.refusals != told.refusals)
-        tell(now, i, "refused", std::string(status.refused));
+      Watched& watched = watched_[i];
+      if (status.refusals > told.refusals)
+        if (auto text = watched.refusals.told(now, status.refusals - told.refusals,
+                                              status.refused))
+          tell(now, i, "refused", *std::move(text));
+      if (status.on_ground != watched.on_ground)
+        tell(now, i, status.on_ground ? "landed" : "took-off",
+             fmt::format("{} {} the ground", world_.entities[i].name,
+                         status.on_ground ? "stands on" : "has left"));
+      watched.on_ground = status.on_ground;
       told = status;
     }
   }
@@ -226,11 +243,18 @@ class Stepper {
     }
   }
 
+  // What has been told of an autopilot, besides its status.
+  struct Watched {
+    bool on_ground = false;
+    Refusals refusals;
+  };
+
   World& world_;
   const RunOptions& options_;
   Recorder& recorder_;
   oneapi::tbb::task_arena arena_;
   std::vector<EntityState> states_;
+  std::vector<Watched> watched_;
   std::vector<Message> arrived_, lost_;
 };
 

@@ -231,6 +231,7 @@ AutopilotStatus SkeinAutopilot::status() const {
   AutopilotStatus status = std::visit(
       [](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
   const Decision& decision = modes_.decision();
+  status.on_ground = ground_.on_ground();
   status.mode = decision.mode;
   status.trigger = decision.trigger;
   status.reaction = decision.reaction;
