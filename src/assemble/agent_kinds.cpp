@@ -1,7 +1,10 @@
 // What reasons on board: one row each.
 
+#include <fmt/format.h>
+
 #include "assemble/kinds_of.h"
 #include "layer/reasoning/agent/monitor_agent.h"
+#include "layer/reasoning/agent/round_trip.h"
 #include "layer/reasoning/agent/route_agent.h"
 #include "layer/reasoning/team/wingman.h"
 
@@ -43,8 +46,11 @@ Fields<reasoning::WingmanOptions> wingman_fields() {
       .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
                   {.above = 0})
       .duration_s("horizon_s", &T::horizon,
-                  "Following: the leader's motion is foretold for this long.",
+                  "Following: the way to the place is planned for this long.",
                   {.above = 0, .at_most = 120})
+      .number(
+          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "Following: kept from the border of no-flight zones.", kNotNegative)
       .object("safety_zone", &T::safety_zone, safety_zone_fields(),
               "How far the flight of a path or plan may be off.");
 }
@@ -56,10 +62,32 @@ Fields<reasoning::RouteAgentOptions> route_fields() {
       .items({.at_least = 1, .at_most = 10000})
       .integer("laps", &T::laps, "Times round; it then stays at the last point.",
                {.at_least = 1, .at_most = 1000000})
+      .boolean("lands", &T::lands,
+               "After the last lap it lands where it took off; when it began in the air, "
+               "at the first point.")
       .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
                   {.above = 0})
       .object("safety_zone", &T::safety_zone, safety_zone_fields(),
               "How far the flight may be off the route.");
+}
+
+Result<std::unique_ptr<Agent>> make_route(const reasoning::RouteAgentOptions& options,
+                                          const AircraftContext& c) {
+  // From the start to the first point, then round.
+  std::vector<Vec2> way = {geo::horizontal(c.initial.p_N), options.points.front()};
+  auto crossed = reasoning::into_zone(way, false, c.zones);
+  if (!crossed) crossed = reasoning::into_zone(options.points, options.laps > 1, c.zones);
+  if (crossed)
+    return Error{
+        ErrorCode::kBadInput, "aircraft.agent.points_m",
+        fmt::format("the route leads into a no-flight zone at {:.0f} m north, {:.0f} m "
+                    "east; an agent of kind route flies it as it is.",
+                    crossed->x(), crossed->y()),
+        "Lead it round the zone: the way from the start to the first point counts too."};
+  reasoning::RouteAgentOptions all = options;
+  all.altitude_agl = c.altitude_agl;
+  return std::unique_ptr<Agent>(std::make_unique<reasoning::RouteAgent>(
+      all, c.self, c.station, c.limits, *c.map, c.zones));
 }
 
 }  // namespace
@@ -80,14 +108,11 @@ Kinds<Agent, AircraftContext> agent_kinds() {
               reasoning::WingmanOptions all = o;
               all.altitude_agl = c.altitude_agl;
               return std::make_unique<reasoning::Wingman>(all, c.self, c.station,
-                                                          c.limits, *c.map);
+                                                          c.limits, *c.map, c.zones);
             });
   kinds.add("route", "Flies a route of its own; takes no orders.", route_fields(),
             [](const reasoning::RouteAgentOptions& o, const AircraftContext& c) {
-              reasoning::RouteAgentOptions all = o;
-              all.altitude_agl = c.altitude_agl;
-              return std::make_unique<reasoning::RouteAgent>(all, c.self, c.station,
-                                                             c.limits, *c.map);
+              return make_route(o, c);
             });
   return kinds;
 }

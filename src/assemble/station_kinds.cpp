@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "assemble/kinds_of.h"
+#include "layer/reasoning/agent/round_trip.h"
 #include "layer/reasoning/agent/route_agent.h"
 #include "layer/reasoning/monitoring/coordinator/coordinator.h"
 #include "layer/reasoning/team/formation_control.h"
@@ -92,6 +93,11 @@ Result<std::unique_ptr<Agent>> make_formation(const FormationChoice& choice,
     return refuse(fmt::format("slots_m has {} places for {} followers.",
                               choice.slots.size(), c.team.size() - 1),
                   "Give one for each aircraft but the leader.");
+  if (const auto at = reasoning::into_zone(choice.route, choice.laps > 1, c.zones))
+    return refuse(fmt::format("route_m leads into a no-flight zone at {:.0f} m north, "
+                              "{:.0f} m east.",
+                              at->x(), at->y()),
+                  "Lead it round the zone.");
   reasoning::FormationOptions options;
   options.team = c.team;
   options.route = choice.route;

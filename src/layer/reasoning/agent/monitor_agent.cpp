@@ -58,6 +58,11 @@ void MonitorAgent::step(const AgentInput& in, AgentOutput& out) {
   if (!home_) home_ = geo::horizontal(in.nav->p_N);
   take_samples(in, out);
 
+  const Vec2 place = geo::horizontal(in.nav->p_N);
+  if (launch_.under_way(in, map_.elevation_msl(place) + options_.altitude_agl, out)) {
+    report(in, out);
+    return;
+  }
   const Wish wanted = wish(in, out);
   AutopilotCommand command;
   command.guidance = guard_.check(wanted.guidance, wanted.course, *in.nav);

@@ -6,6 +6,7 @@
 #include "data/path.h"
 #include "layer/reasoning/agent/edge_follower.h"
 #include "layer/reasoning/agent/execution_monitor.h"
+#include "layer/reasoning/agent/launch.h"
 #include "layer/reasoning/agent/zone_guard.h"
 #include "role/agent.h"
 #include "role/terrain.h"
@@ -27,7 +28,8 @@ struct MonitorAgentOptions {
 /// It sends every fire reading, placed by the estimated position, and a report each
 /// second to the coordinator, and flies the newest task it has heard of; without messages
 /// it goes on with the last. Whatever it flies stays out of the no-flight zones and above
-/// the ground of its map. Before the first task it circles where it is.
+/// the ground of its map. On the ground it takes off first; before the first task it
+/// circles where it is.
 class MonitorAgent final : public Agent {
  public:
   /// @param coordinator  whom to tell.
@@ -65,6 +67,7 @@ class MonitorAgent final : public Agent {
   const Terrain& map_;
   ZoneGuard guard_;
   ExecutionMonitor execution_;
+  Launch launch_;
 
   Task task_;
   bool has_task_ = false, done_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layer/reasoning/agent/altitude.h"
+#include "layer/reasoning/agent/round_trip.h"
 
 namespace skein::reasoning {
 namespace {
@@ -12,30 +13,24 @@ constexpr int kReportBytes = 48;  // on the air: id, time and content as fixed-p
 }  // namespace
 
 RouteAgent::RouteAgent(const RouteAgentOptions& options, EntityId self, EntityId station,
-                       const FlightLimits& limits, const Terrain& map)
+                       const FlightLimits& limits, const Terrain& map,
+                       std::span<const Zone> zones)
     : options_(options),
       self_(self),
       station_(station),
       limits_(limits),
+      map_(map),
       altitude_msl_(highest_along(map, options.points) + options.altitude_agl),
-      execution_(options.safety_zone) {}
+      execution_(options.safety_zone),
+      zones_(options.guard, limits, zones, self) {}
 
 void RouteAgent::step(const AgentInput& in, AgentOutput& out) {
   if (!in.nav) return;
-  if (!begun_) {
-    FlyWaypoints way;
-    way.laps = options_.laps;
-    for (const Vec2& point : options_.points)
-      way.points.push_back({point, altitude_msl_});
-    AutopilotCommand command;
-    command.guidance = std::move(way);
-    command.altitude_msl = altitude_msl_;
-    out.command = std::move(command);
-  } else if (in.autopilot.done && !done_) {
-    done_ = true;
-    out.events.push_back({in.now, self_, "route-done", "the last point has been passed"});
-  }
-  begun_ = true;
+  if (!home_)
+    home_ =
+        in.autopilot.on_ground ? geo::horizontal(in.nav->p_N) : options_.points.front();
+  if (!launch_.under_way(in, altitude_msl_, out)) fly(in, out);
+  zones_.look(in, out);
   if (auto event = execution_.check(in.now, self_, in.autopilot))
     out.events.push_back(*std::move(event));
   if (in.now < next_report_) return;
@@ -46,6 +41,23 @@ void RouteAgent::step(const AgentInput& in, AgentOutput& out) {
   report.size_bytes = kReportBytes;
   report.content = AircraftReport{*in.nav, limits_, 0, done_, obeys_orders(in.autopilot)};
   out.outbox.push_back(std::move(report));
+}
+
+void RouteAgent::fly(const AgentInput& in, AgentOutput& out) {
+  if (begun_ && (done_ || !in.autopilot.done)) return;
+  AutopilotCommand command;
+  command.altitude_msl = altitude_msl_;
+  if (!begun_) {
+    begun_ = true;
+    command.guidance = round_trip(options_.points, options_.laps, altitude_msl_);
+    out.command = std::move(command);
+    return;
+  }
+  done_ = true;
+  out.events.push_back({in.now, self_, "route-done", "the last point has been passed"});
+  if (!options_.lands) return;
+  command.guidance = Land{*home_, map_.elevation_msl(*home_)};
+  out.command = std::move(command);
 }
 
 }  // namespace skein::reasoning

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "layer/reasoning/agent/execution_monitor.h"
+#include "layer/reasoning/agent/launch.h"
+#include "layer/reasoning/agent/zone_watch.h"
 #include "role/agent.h"
 #include "role/terrain.h"
 
@@ -13,25 +17,36 @@ struct RouteAgentOptions {
   int laps = 3;                                                         ///< times round
   double altitude_agl = 120;  ///< flown above the highest ground of the route [m]
   double report_period = 1;   ///< between reports to the station [s]
+  bool lands = false;         ///< after the last lap
   SafetyZone safety_zone;
+  ZoneGuardOptions guard;
 };
 
-/// Flies given points round and round, then stays at the last of them. It takes no
-/// orders, and reports to the station where it is.
+/// Flies given points round and round, then stays at the last of them, or lands: where it
+/// took off or, when it began in the air, at the first of them. It takes no orders, and
+/// reports to the station where it is. On the ground it takes off first. It flies its
+/// route whatever lies on it, and tells when it is in a no-flight zone.
 class RouteAgent final : public Agent {
  public:
-  /// @param map  what it believes the ground to be.
+  /// @param map    what it believes the ground to be; outlives the agent.
+  /// @param zones  no-flight zones, copied.
   RouteAgent(const RouteAgentOptions& options, EntityId self, EntityId station,
-             const FlightLimits& limits, const Terrain& map);
+             const FlightLimits& limits, const Terrain& map, std::span<const Zone> zones);
 
   void step(const AgentInput& in, AgentOutput& out) override;
 
  private:
+  void fly(const AgentInput& in, AgentOutput& out);
+
   RouteAgentOptions options_;
   EntityId self_, station_;
   FlightLimits limits_;
+  const Terrain& map_;
   double altitude_msl_;
   ExecutionMonitor execution_;
+  ZoneWatch zones_;
+  Launch launch_;
+  std::optional<Vec2> home_;  // where it lands
   bool begun_ = false, done_ = false;
   Time next_report_;
 };

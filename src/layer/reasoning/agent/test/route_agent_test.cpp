@@ -18,13 +18,14 @@ class Hill final : public Terrain {
 
 struct Told {
   explicit Told(const RouteAgentOptions& options)
-      : agent(options, EntityId{1}, EntityId{7}, {}, hill) {}
+      : agent(options, EntityId{1}, EntityId{7}, {}, hill, {}) {}
   AgentOutput at(double time, bool done = false) {
     nav.time = Time::from_seconds(time);
     AgentInput in;
     in.now = nav.time;
     in.nav = &nav;
     in.autopilot.done = done;
+    in.autopilot.on_ground = on_ground;
     AgentOutput out;
     agent.step(in, out);
     return out;
@@ -32,6 +33,7 @@ struct Told {
   Hill hill;
   RouteAgent agent;
   NavEstimate nav;
+  bool on_ground = false;
 };
 
 RouteAgentOptions triangle() {
@@ -70,6 +72,25 @@ TEST(RouteAgent, ReportsToTheStationAndTellsOnceThatTheRouteIsDone) {
   EXPECT_EQ(reports, 6);  // at 0 to 5 s
   EXPECT_TRUE(done);
   EXPECT_EQ(events, 1);
+}
+
+TEST(RouteAgent, TakesOffAndLandsWhereItStood) {
+  RouteAgentOptions options = triangle();
+  options.lands = true;
+  Told told(options);
+  told.on_ground = true;
+  told.nav.p_N = {30, 20, -10};
+  const auto up = told.at(0);
+  EXPECT_TRUE(std::holds_alternative<TakeOff>(up.command->guidance));
+  EXPECT_DOUBLE_EQ(up.command->altitude_msl, 180);
+  told.on_ground = false;
+  EXPECT_FALSE(told.at(10).command);
+  EXPECT_TRUE(std::holds_alternative<FlyWaypoints>(told.at(60, true).command->guidance));
+  EXPECT_FALSE(told.at(61).command);
+  const auto down = told.at(300, true);
+  EXPECT_EQ(std::get<Land>(down.command->guidance).point, Vec2(30, 20));
+  EXPECT_EQ(std::get<Land>(down.command->guidance).ground_msl, 10);
+  EXPECT_FALSE(told.at(301, true).command);
 }
 
 }  // namespace

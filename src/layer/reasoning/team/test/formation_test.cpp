@@ -22,27 +22,6 @@ NavEstimate nav(double time, const Vec3& p, const Vec3& v) {
   return n;
 }
 
-TEST(Slot, MovesWithTheLeaderAndTurnsWithItsCourse) {
-  const NavEstimate leader = nav(10, {100, 0, -200}, {20, 0, -1});
-  const PlanPoint straight = slot_at(leader, 0, {-30, 20}, 2);
-  EXPECT_EQ(straight.time, Time::from_seconds(12));
-  EXPECT_LT((straight.p_N - Vec3(110, 20, -202)).norm(), 1e-9);
-  EXPECT_LT((straight.v_N - leader.v_N).norm(), 1e-9);
-
-  // A quarter turn to the right in 10 s: radius 20 / (pi/20).
-  const double rate = geo::kPi / 20, radius = 20 / rate;
-  const PlanPoint turned = slot_at(leader, rate, {-30, 20}, 10);
-  EXPECT_NEAR(turned.p_N.x(), 100 + radius - 20, 1e-9);
-  EXPECT_NEAR(turned.p_N.y(), radius - 30, 1e-9);
-
-  // The velocity is the derivative of the position.
-  const double h = 1e-5;
-  const Vec3 difference = (slot_at(leader, rate, {-30, 20}, 3 + h).p_N -
-                           slot_at(leader, rate, {-30, 20}, 3 - h).p_N) /
-                          (2 * h);
-  EXPECT_LT((difference - slot_at(leader, rate, {-30, 20}, 3).v_N).norm(), 1e-6);
-}
-
 FormationOptions three(bool direct) {
   FormationOptions options;
   options.team = {EntityId{1}, EntityId{2}, EntityId{3}};
@@ -131,9 +110,11 @@ class WingmanTest : public testing::Test {
     AgentInput in;
     in.now = Time::from_seconds(time);
     in.nav = &own;
+    in.autopilot.on_ground = on_ground;
+    in.autopilot.done = done;
     in.inbox = inbox;
     AgentOutput out;
-    wingman.step(in, out);
+    wingman->step(in, out);
     return out;
   }
   Message task(std::uint32_t number, decltype(Task::what) what) {
@@ -143,7 +124,11 @@ class WingmanTest : public testing::Test {
   }
 
   Plain ground;
-  Wingman wingman{WingmanOptions{}, EntityId{2}, EntityId{0}, FlightLimits{}, ground};
+  std::vector<Zone> zones;
+  bool on_ground = false, done = false;
+  std::optional<Wingman> wingman{std::in_place, WingmanOptions{}, EntityId{2},
+                                 EntityId{0},   FlightLimits{},   ground,
+                                 zones};
 };
 
 TEST_F(WingmanTest, LeadsAboveTheHighestGroundOfItsRouteAndTellsWhomItShall) {
@@ -169,18 +154,22 @@ TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   EXPECT_FALSE(step(1, {position(EntityId{7}, 1, {20, 0, 0})}).command);
   const auto out = step(1.5, {position(EntityId{1}, 1, {20, 0, 0})});
   const Plan& plan = std::get<FollowPlan>(out.command->guidance).plan;
-  EXPECT_LT((plan.front().p_N - Vec3(70, 20, -200)).norm(), 1e-9);
-  EXPECT_EQ(plan.front().time, Time::from_seconds(1));
+  // From where it is to behind its leader.
+  EXPECT_EQ(plan.front().p_N, Vec3(0, 0, -150));
+  EXPECT_EQ(plan.front().time, Time::from_seconds(1.5));
   EXPECT_EQ(plan.back().time, Time::from_seconds(1.5 + 8));
-  EXPECT_FALSE(step(1.7, {position(EntityId{1}, 1, {0, 20, 0})}).command) << "old news";
-  // Now it turns: half a radian in a second, of which it can follow a part.
+  EXPECT_GT(plan.back().v_N.norm(), 20) << "it has to catch up";
+  // Old news: the leader still goes north.
+  const auto old = step(1.7, {position(EntityId{1}, 1, {0, 20, 0})});
+  const Plan& same = std::get<FollowPlan>(old.command->guidance).plan;
+  EXPECT_GT(same.back().p_N.x(), 150);
+  // Now it turns.
   const auto turning =
       step(2, {position(EntityId{1}, 2, {20 * std::cos(0.5), 20 * std::sin(0.5), 0})});
   const Plan& bent = std::get<FollowPlan>(turning.command->guidance).plan;
-  const NavEstimate now =
-      nav(2, {100, 0, -200}, {20 * std::cos(0.5), 20 * std::sin(0.5), 0});
-  const double rate = bearable_turn_rate(now, 0.5, {-30, 20}, FlightLimits{}, 0);
-  EXPECT_LT((bent.at(1).v_N - slot_at(now, rate, {-30, 20}, 1).v_N).norm(), 1e-9);
+  EXPECT_GT(bent.back().p_N.y(), same.back().p_N.y() + 20);
+  EXPECT_TRUE(step(6.9, {}).command);
+  EXPECT_FALSE(step(7.1, {}).command) << "nothing was heard for five seconds";
 }
 
 TEST_F(WingmanTest, SwapsRolesAndKeepsTheNewestOrder) {
@@ -197,27 +186,29 @@ TEST_F(WingmanTest, RefusesWhatItCannotDo) {
   EXPECT_EQ(out.events[0].kind, "task-refused");
 }
 
-TEST(Formation, ASlotTurnsNoFasterThanItsAircraftCanFly) {
-  NavEstimate leader;
-  leader.v_N = {25, 0, 0};
-  FlightLimits limits;
-  limits.airspeed = 25;
-  limits.slowest = 18;
-  limits.fastest = 32;
-  limits.turn_radius = 100;
-  const double wind = 3;
-  for (const double side : {-50.0, 50.0})
-    for (const double rate : {-0.3, 0.3}) {
-      const Vec2 offset(-40, side);
-      const double turned = bearable_turn_rate(leader, rate, offset, limits, wind);
-      EXPECT_GT(turned * rate, 0);
-      EXPECT_LT(std::abs(turned), std::abs(rate));
-      const double speed = geo::horizontal(slot_at(leader, turned, offset, 0).v_N).x();
-      EXPECT_LE(speed, limits.fastest - wind);
-      EXPECT_GE(speed, limits.slowest + wind);
-    }
-  // A gentle turn is flown as it is.
-  EXPECT_EQ(bearable_turn_rate(leader, 0.02, {-40, 20}, limits, wind), 0.02);
+TEST_F(WingmanTest, TakesOffBeforeItLeads) {
+  on_ground = true;
+  const auto told = step(0, {task(1, FlyRoute{{{0, 0}, {500, 0}, {500, 0}}, 3, {}})});
+  EXPECT_TRUE(std::holds_alternative<TakeOff>(told.command->guidance));
+  EXPECT_EQ(told.command->altitude_msl, 10 + 120);
+  on_ground = false;
+  EXPECT_FALSE(step(5, {}).command);
+  done = true;
+  const auto up = step(30, {});
+  EXPECT_EQ(std::get<FlyWaypoints>(up.command->guidance).points.size(), 2u);
+}
+
+TEST_F(WingmanTest, FollowingTurnsAwayFromAZone) {
+  zones = {{geo::Ring{{60, -300}, {60, 300}, {400, 300}, {400, -300}}}};
+  wingman.emplace(WingmanOptions{}, EntityId{2}, EntityId{0}, FlightLimits{}, ground,
+                  zones);
+  step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})});
+  Message message;
+  message.content = TeamPosition{EntityId{1}, nav(1, {100, 0, -200}, {20, 0, 0})};
+  const auto out = step(1, {message});
+  EXPECT_FALSE(std::holds_alternative<FollowPlan>(out.command->guidance));
+  ASSERT_EQ(out.events.size(), 1u);
+  EXPECT_EQ(out.events[0].kind, "zone");
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+#include "layer/reasoning/agent/launch.h"
+
+#include <utility>
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kTellAgain = 20;  // longer than any run [s]
+constexpr double kArrival = 8;     // of the altitude, counted as reached [m]
+
+}  // namespace
+
+bool Launch::under_way(const AgentInput& in, double altitude, AgentOutput& out) {
+  if (state_ == State::kFlies) return false;
+  const bool first = state_ == State::kNew;
+  const bool up = !in.autopilot.on_ground &&
+                  (in.autopilot.done || -in.nav->p_N.z() >= altitude - kArrival);
+  if (first ? !in.autopilot.on_ground : up) {
+    state_ = State::kFlies;
+    return false;
+  }
+  state_ = State::kTakesOff;
+  const bool again = in.autopilot.on_ground && (in.now - told_).seconds() >= kTellAgain;
+  if (first || again) {
+    AutopilotCommand command;
+    command.guidance = TakeOff{in.nav->heading};
+    command.altitude_msl = altitude;
+    out.command = std::move(command);
+    told_ = in.now;
+  }
+  return true;
+}
+
+}  // namespace skein::reasoning
