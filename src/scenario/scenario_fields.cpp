@@ -122,7 +122,8 @@ Fields<Failure> failure_fields() {
       .required()
       .word("kind", &T::kind, "What happens.",
             {{"lost", Kind::kLost, "it falls silent where it is"},
-             {"land", Kind::kLand, "it lands"},
+             {"land", Kind::kLand,
+              "it leaves the run, wherever it is: no landing is flown"},
              {"motor", Kind::kMotor, "a motor gives nothing"},
              {"servo-stuck", Kind::kServoStuck, "a servo stays where it is"},
              {"servo-loose", Kind::kServoLoose, "a surface swings freely"},
@@ -204,7 +205,9 @@ Fields<AircraftGroup> aircraft_fields() {
                   {.at_least = 0.0005, .at_most = 10})
       .object("start", &T::start, start_fields(), "Place at the start.")
       .duration_s("join_s", &T::join, "When the group joins.")
-      .duration_s("leave_s", &T::leave, "When the group lands. Null: never.")
+      .duration_s("leave_s", &T::leave,
+                  "When the group leaves the run, wherever it is: no landing is "
+                  "flown. Null: never.")
       .duration_s("return_s", &T::comeback,
                   "When the group takes part again after leave_s. Null: never.")
       .object("failures", &T::failures, failure_fields(),
