@@ -6,6 +6,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kTellAgain = 20;  // longer than any run [s]
+constexpr double kSettle = 5;      // at rest: the estimator finds its errors [s]
 constexpr double kArrival = 8;     // of the altitude, counted as reached [m]
 
 }  // namespace
@@ -19,14 +20,14 @@ bool Launch::under_way(const AgentInput& in, double altitude, AgentOutput& out) 
     state_ = State::kFlies;
     return false;
   }
+  if (first) order_at_ = in.now + Time::from_seconds(kSettle);
   state_ = State::kTakesOff;
-  const bool again = in.autopilot.on_ground && (in.now - told_).seconds() >= kTellAgain;
-  if (first || again) {
+  if (in.autopilot.on_ground && in.now >= order_at_) {
     AutopilotCommand command;
     command.guidance = TakeOff{in.nav->heading};
     command.altitude_msl = altitude;
     out.command = std::move(command);
-    told_ = in.now;
+    order_at_ = in.now + Time::from_seconds(kTellAgain);
   }
   return true;
 }

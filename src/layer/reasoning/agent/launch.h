@@ -12,8 +12,8 @@ class Launch {
   /// Call at every step, before any other command.
   ///
   /// An aircraft that stands on the ground at the first step is told to take off along
-  /// its heading, again while it still stands (a failsafe may have forbidden it), and is
-  /// under way until the autopilot has reached the altitude.
+  /// its heading after five seconds of rest, again while it still stands (a failsafe may
+  /// have forbidden it), and is under way until it has reached the altitude.
   ///
   /// @param altitude  to climb to [m above mean sea level].
   /// @returns         whether it is still being done; then nothing else may be commanded.
@@ -22,7 +22,7 @@ class Launch {
  private:
   enum class State { kNew, kTakesOff, kFlies };
   State state_ = State::kNew;
-  Time told_;
+  Time order_at_;
 };
 
 }  // namespace skein::reasoning

@@ -24,12 +24,14 @@ struct Told {
 TEST(Launch, FromTheGroundTakesOffAndIsOverAtTheAltitude) {
   Told told;
   EXPECT_TRUE(told.at(0, true, false));
+  EXPECT_FALSE(told.out.command) << "first it rests";
+  EXPECT_TRUE(told.at(5, true, false));
   ASSERT_TRUE(told.out.command);
   EXPECT_EQ(std::get<TakeOff>(told.out.command->guidance).course, 1);
   EXPECT_EQ(told.out.command->altitude_msl, 80);
-  EXPECT_TRUE(told.at(1, true, true)) << "done, but on the ground: of before";
+  EXPECT_TRUE(told.at(6, true, true)) << "done, but on the ground: of before";
   EXPECT_FALSE(told.out.command);
-  EXPECT_TRUE(told.at(5, false, false));
+  EXPECT_TRUE(told.at(9, false, false));
   EXPECT_FALSE(told.at(30, false, true));
   EXPECT_FALSE(told.at(99, true, false)) << "a landing is no new start";
 }
@@ -46,9 +48,11 @@ TEST(Launch, IsOverAtTheAltitudeWhateverTheAutopilotSaysOfIt) {
 TEST(Launch, IsOrderedAgainWhileTheAircraftStands) {
   Told told;
   told.at(0, true, false);
-  EXPECT_TRUE(told.at(19, true, false));
+  told.at(5, true, false);
+  EXPECT_TRUE(told.out.command);
+  EXPECT_TRUE(told.at(24, true, false));
   EXPECT_FALSE(told.out.command);
-  EXPECT_TRUE(told.at(20, true, false));
+  EXPECT_TRUE(told.at(25, true, false));
   EXPECT_TRUE(told.out.command);
 }
 

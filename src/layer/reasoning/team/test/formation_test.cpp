@@ -188,11 +188,12 @@ TEST_F(WingmanTest, RefusesWhatItCannotDo) {
 
 TEST_F(WingmanTest, TakesOffBeforeItLeads) {
   on_ground = true;
-  const auto told = step(0, {task(1, FlyRoute{{{0, 0}, {500, 0}, {500, 0}}, 3, {}})});
+  step(0, {task(1, FlyRoute{{{0, 0}, {500, 0}, {500, 0}}, 3, {}})});
+  const auto told = step(5, {});
   EXPECT_TRUE(std::holds_alternative<TakeOff>(told.command->guidance));
   EXPECT_EQ(told.command->altitude_msl, 10 + 120);
   on_ground = false;
-  EXPECT_FALSE(step(5, {}).command);
+  EXPECT_FALSE(step(10, {}).command);
   done = true;
   const auto up = step(30, {});
   EXPECT_EQ(std::get<FlyWaypoints>(up.command->guidance).points.size(), 2u);
