@@ -13,7 +13,8 @@ constexpr double kClimbs = 2;                 // the leader's climb is foretold 
 
 constexpr double kStep = 0.1;        // of the motion [s]
 constexpr int kStepsAPoint = 5;      // of the plan
-constexpr double kAheadGain = 0.25;  // speed per distance to the slot [1/s]
+constexpr double kAheadGain = 0.15;  // speed per distance to the slot [1/s]
+constexpr double kSlowsDown = 0.25;  // what all aircraft can, at least [m/s^2]
 constexpr double kRightGain = 0.2;   // [1/s]
 constexpr double kMostAcross = 0.6;  // of the speed: the steepest way to the slot's line
 constexpr double kCourseGain = 0.8;  // turn rate per error of the course [1/s]
@@ -23,6 +24,7 @@ constexpr double kClimbGain = 0.3;      // climb rate per height to the slot [1/
 constexpr double kClimbChange = 1;      // [m/s^2]
 constexpr double kClimbReserve = 0.8;   // of climb and sink rates
 constexpr double kTurnReserve = 0.65;   // of the bank limit
+constexpr double kTurns = 0.25;         // off the wanted course: it turns [rad]
 constexpr double kRollIn = 0.8;         // from level flight to that [s]
 constexpr double kSpeedReserve = 0.05;  // of the range of speeds, at both ends
 
@@ -52,6 +54,12 @@ class Follower {
   Vec3 velocity() const {
     const Vec2 v = air_ + wind_;
     return {v.x(), v.y(), -climb_};
+  }
+
+  // At once as fast as it shall be: autopilots speed up towards their plan's speed, and
+  // a plan that begins at the present speed would ask for nothing.
+  void begin(const PlanPoint& slot) {
+    if (!hovers()) air_ = speed_for(to_slot(slot)) * air_.normalized();
   }
 
   void step(const PlanPoint& slot) {
@@ -87,10 +95,20 @@ class Follower {
     const Vec2 forward = v.normalized(), right = geo::turned_right(forward);
     const double most = kMostAcross * v.norm();
     // Beyond what the speeds allow there is no more to ask for.
-    const double ahead = std::clamp(kAheadGain * off.dot(forward), slowest_ - fastest_,
-                                    fastest_ - slowest_);
+    const double way = off.dot(forward);
+    const double closing =
+        std::min(kAheadGain * std::abs(way), std::sqrt(2 * kSlowsDown * std::abs(way)));
+    const double ahead = std::copysign(std::min(closing, fastest_ - slowest_), way);
     const double across = std::clamp(kRightGain * off.dot(right), -most, most);
     return v - wind_ + ahead * forward + across * right;
+  }
+
+  // The radius of a turn grows with the square of the speed: what is fast in a turn comes
+  // out of it far outside.
+  double speed_for(const Vec2& wanted) const {
+    const double off = std::abs(geo::wrap_pi(geo::bearing(wanted) - geo::bearing(air_)));
+    const double most = off > kTurns ? std::min(limits_.airspeed, fastest_) : fastest_;
+    return std::clamp(wanted.norm(), slowest_, std::max(most, slowest_));
   }
 
   void turn(const Vec2& wanted) {
@@ -100,7 +118,7 @@ class Follower {
         kCourseGain * geo::wrap_pi(geo::bearing(wanted) - heading), -most, most);
     const double roll_in = most * kStep / kRollIn;
     rate_ = std::clamp(rate_ + std::clamp(rate - rate_, -roll_in, roll_in), -most, most);
-    const double faster = std::clamp(wanted.norm(), slowest_, fastest_) - speed;
+    const double faster = speed_for(wanted) - speed;
     const double change =
         std::clamp(faster, -kAcceleration * kStep, kAcceleration * kStep);
     air_ = std::clamp(speed + change, slowest_, fastest_) *
@@ -149,6 +167,7 @@ Plan plan_to_slot(const NavEstimate& own, const LeaderMotion& leader, const Vec2
                   const FlightLimits& limits, double horizon) {
   const double age = (own.time - leader.at.time).seconds();
   Follower follower(own, limits);
+  follower.begin(slot_at(leader, offset, age));
   Plan plan = {{own.time, follower.place(), follower.velocity()}};
   const int points = std::max(1, static_cast<int>(horizon / (kStep * kStepsAPoint)));
   for (int k = 0; k < points * kStepsAPoint; ++k) {

@@ -28,9 +28,11 @@ PlanPoint slot_at(const LeaderMotion& leader, const Vec2& offset, double after);
 ///
 /// A point with the follower's place and speed is carried on for `horizon` seconds by
 ///
-///   v_wanted = v_slot + ahead clamp(k_a e_ahead) + right clamp(k_r e_right)
+///   v_wanted = v_slot + ahead c(e_ahead) + right clamp(k_r e_right),
+///   c(e) = sign(e) min(k_a |e|, sqrt(2 a |e|))
 ///
-/// where e is the way to the slot along the leader's course and across it; its airspeed
+/// where e is the way to the slot along the leader's course and across it, and a a
+/// deceleration that slow aircraft have too; its airspeed
 /// keeps within [slowest, fastest] and changes slowly, its lateral acceleration keeps
 /// below the bank limit. So what cannot be kept (the slot outside of a turn may be faster
 /// than any aircraft) is caught up as fast as the follower flies, and the plan can always

@@ -15,7 +15,9 @@ constexpr int kPositionBytes = 36;
 constexpr double kTurnRateLimit = 0.6;  // faster is noise of two positions [rad/s]
 constexpr double kStaleLeader = 5;      // two positions this far apart say no turn [s]
 constexpr std::size_t kAhead = 5;       // point of a plan whose bearing its course is
-constexpr double kLostLeader = 5;       // then the last plan is flown to its end [s]
+// Of the range of speeds: the rest is for followers, outside of turns and behind.
+constexpr double kLeaderSpeed = 0.4;
+constexpr double kLostLeader = 5;  // then the last plan is flown to its end [s]
 
 }  // namespace
 
@@ -92,6 +94,10 @@ void Wingman::lead(const FlyRoute& route, AgentOutput& out) const {
   const double altitude = highest_along(map_, route.points) + options_.altitude_agl;
   command.guidance = round_trip(route.points, route.laps, altitude);
   command.altitude_msl = altitude;
+  if (limits_.slowest > 0)
+    command.airspeed =
+        std::min(limits_.airspeed,
+                 limits_.slowest + kLeaderSpeed * (limits_.fastest - limits_.slowest));
   out.command = std::move(command);
 }
 
