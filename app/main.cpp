@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -81,6 +82,19 @@ Examples:
   skein study bridge --data ../shared/data/fires/bridge_2021
   skein study tuning --search 60 --threads 2
   skein study estimators --cases values.csv > out.csv)";
+
+// A finite number within bounds. (CLI::Range takes what is not a number for being
+// within.)
+CLI::Validator number_in(double low, double high) {
+  const std::string range = fmt::format("a number from {:g} to {:g}", low, high);
+  return {[low, high, range](std::string& text) {
+            double value = 0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+            return good ? std::string() : fmt::format("{} is not {}", text, range);
+          },
+          range};
+}
 
 // The option `--log` of a command.
 void add_log_option(CLI::App& command) {
@@ -169,34 +183,34 @@ int run_program(int argc, char** argv) {
   auto* fly_step = fly_cmd
                        ->add_option("--step", fly.step,
                                     "Longest integration step in seconds; default 0.005.")
-                       ->check(CLI::Range(1e-6, 1.0));
+                       ->check(number_in(1e-6, 1.0));
   auto* fly_planet = fly_cmd
                          ->add_option("--planet-radius", fly.planet_radius,
                                       "Gravity falls off as on a sphere of so many "
                                       "metres; 0: not at all; default 637100000.")
-                         ->check(CLI::Range(0.0, 1e15));
+                         ->check(number_in(0.0, 1e15));
   auto* fly_trim = fly_cmd->add_flag("--trim", steady, "Find steady flights instead.");
   std::vector<CLI::Option*> of_trim = {
       fly_cmd
           ->add_option("--airspeed", trim.airspeed,
                        "m/s; without it, all over the aircraft's range.")
-          ->check(CLI::Range(0.1, 500.0)),
+          ->check(number_in(0.1, 500.0)),
       fly_cmd->add_option("--climb-deg", trim.climb_deg, "Climb angle through the air.")
-          ->check(CLI::Range(-85.0, 85.0)),
+          ->check(number_in(-85.0, 85.0)),
       fly_cmd->add_option("--altitude", trim.altitude, "Metres above mean sea level.")
-          ->check(CLI::Range(-5000.0, 20000.0)),
+          ->check(number_in(-5000.0, 20000.0)),
       fly_cmd
           ->add_option("--hold", trim.hold,
                        "Print an input table that holds it for so many seconds.")
-          ->check(CLI::Range(0.001, 1e6)),
+          ->check(number_in(0.001, 1e6)),
       fly_cmd->add_flag("--json", trim.json, "Print as JSON.")};
   auto* fly_radius = fly_cmd
                          ->add_option("--turn-radius", trim.turn_radius,
                                       "Metres; negative: to the left.")
-                         ->check(CLI::Range(-1e6, 1e6));
+                         ->check(number_in(-1e6, 1e6));
   auto* fly_bank =
       fly_cmd->add_option("--bank-deg", trim.bank_deg, "Of the turn; negative: left.")
-          ->check(CLI::Range(-85.0, 85.0))
+          ->check(number_in(-85.0, 85.0))
           ->excludes(fly_radius);
   of_trim.insert(of_trim.end(), {fly_radius, fly_bank});
   for (CLI::Option* option : of_trim) option->needs(fly_trim);

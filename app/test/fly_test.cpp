@@ -244,6 +244,9 @@ TEST_F(Fly, RefusesWhatItCannotFlyOrWrite) {
   EXPECT_EQ(read_file(in), trimmed("25", "1"));
   EXPECT_EQ(fly(in, {"--output", "no/such/folder.csv"}).status, 1);
   EXPECT_EQ(fly(in, {"--step", "0"}).status, 2);
+  EXPECT_EQ(fly(in, {"--step", "nan"}).status, 2);
+  EXPECT_EQ(run({"fly", "--trim", "--aircraft", "bixler", "--airspeed", "nan"}).status,
+            2);
   EXPECT_EQ(fly(in, {"--trim"}).status, 2);
 }
 

@@ -18,17 +18,6 @@ namespace {
 
 using scenario::AircraftGroup;
 
-NavEstimate nav_of(const VehicleState& state) {
-  const geo::Euler attitude = geo::to_euler(state.q_NB);
-  NavEstimate nav;
-  nav.p_N = state.p_N;
-  nav.v_N = state.v_N;
-  nav.heading = attitude.yaw;
-  nav.roll = attitude.roll;
-  nav.pitch = attitude.pitch;
-  return nav;
-}
-
 // A suite's sensors one by one, so that each can fail by itself.
 std::vector<sensory::SensorSuite::Part> unpacked(const std::string& kind,
                                                  std::unique_ptr<Sensor> sensor) {
@@ -82,7 +71,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   if (!step) return step.error();
   vehicle->step = step.value();
   if (auto placed = put(name, group, index, *vehicle); !placed) return placed.error();
-  context.initial = nav_of(vehicle->state);
+  context.initial = as_estimate(vehicle->state, Time());
   context.on_ground = vehicle->state.on_ground;
 
   context.gains = gains_of(group.plant);

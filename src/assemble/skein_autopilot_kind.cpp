@@ -64,7 +64,7 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
                   {.at_least = 0, .at_most = 1e6})
       .integer("most_clears", &T::most_clears,
                "In one flight, of each; after that it stays.",
-               {.at_least = 0, .at_most = 10000})
+               {.at_least = 0, .at_most = 1000})
       .rule("", [](const T& t) { return fault_in(t).value_or(std::string()); });
 }
 
@@ -75,6 +75,12 @@ Fields<FenceChoice> fence_fields() {
       .items({.at_most = 1000})
       .number("ceiling_msl_m", &T::ceiling_msl, "Null: none.", kAltitude)
       .number("floor_msl_m", &T::floor_msl, "Null: none.", kAltitude)
+      .rule("ceiling_msl_m",
+            [](const T& t) {
+              const bool none =
+                  t.ceiling_msl && t.floor_msl && *t.ceiling_msl <= *t.floor_msl;
+              return none ? std::string("must be above floor_msl_m.") : std::string();
+            })
       .number("margin_m", &T::margin, "Kept from the fence.",
               {.at_least = 0, .at_most = 1e5})
       .duration_s("look_ahead_s", &T::look_ahead,
@@ -96,9 +102,7 @@ Fields<autopilot::EstimatorOptions> estimator_fields() {
               "Lasting relative error of the airspeed.", kSd)
       .number("baro_bias_sd_m", &T::baro_bias_sd, "Of the barometer.", kSd)
       .number("magnetic_bias_sd", &T::magnetic_bias_sd,
-              "Of the magnetometer per axis, in field strengths.", kSd)
-      .duration_s("gnss_lost_after_s", &T::gnss_lost_after, "Without a fix.",
-                  {.above = 0, .at_most = 1000});
+              "Of the magnetometer per axis, in field strengths.", kSd);
 }
 
 // What does not change from one aircraft of a group to the next.

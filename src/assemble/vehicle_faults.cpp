@@ -38,7 +38,8 @@ Result<std::vector<VehicleFault>> motor(const std::string& part,
       return no_such_part(part, fmt::format("are motors on channels {} to {}", first,
                                             first + motors - 1));
   }
-  return std::vector{VehicleFault{FaultKind::kMotor, channel, {}, {}}};
+  return std::vector{
+      VehicleFault{FaultKind::kMotor, channel, {}, {}, fmt::format("motor {}", channel)}};
 }
 
 Result<std::vector<VehicleFault>> servo(FaultKind kind, const std::string& part,
@@ -46,11 +47,11 @@ Result<std::vector<VehicleFault>> servo(FaultKind kind, const std::string& part,
   const auto* wing = std::get_if<FixedWingAirframe>(&airframe);
   if (!wing) return no_such_part(part, "are no servos on this plant");
   if (part == "aileron")
-    return std::vector{VehicleFault{kind, channel::kAileron, {}, {}}};
+    return std::vector{VehicleFault{kind, channel::kAileron, {}, {}, part}};
   if (part == "elevator")
-    return std::vector{VehicleFault{kind, channel::kElevator, {}, {}}};
+    return std::vector{VehicleFault{kind, channel::kElevator, {}, {}, part}};
   if (part == "rudder" && wing->rudder)
-    return std::vector{VehicleFault{kind, channel::kRudder, {}, {}}};
+    return std::vector{VehicleFault{kind, channel::kRudder, {}, {}, part}};
   return no_such_part(part, wing->rudder ? "are aileron, elevator and rudder"
                                          : "are aileron and elevator");
 }
@@ -59,7 +60,8 @@ Result<std::vector<VehicleFault>> sensor(const std::string& part, const Parts& p
   std::vector<VehicleFault> all;
   const auto collect = [&](const std::vector<std::string>& kinds, FaultKind kind) {
     for (std::size_t k = 0; k < kinds.size(); ++k)
-      if (part.empty() || kinds[k] == part) all.push_back({kind, k, {}, {}});
+      if (part.empty() || kinds[k] == part)
+        all.push_back({kind, k, {}, {}, "sensor " + kinds[k]});
   };
   collect(parts.sensors, FaultKind::kSensor);
   collect(parts.payload, FaultKind::kPayload);
@@ -85,9 +87,9 @@ Result<std::vector<VehicleFault>> meant(FailureKind kind, const std::string& par
     case FailureKind::kSensor:
       return sensor(part, parts);
     case FailureKind::kBattery:
-      return std::vector{VehicleFault{FaultKind::kBattery, 0, {}, {}}};
+      return std::vector{VehicleFault{FaultKind::kBattery, 0, {}, {}, part}};
     case FailureKind::kLink:
-      return std::vector{VehicleFault{FaultKind::kLink, 0, {}, {}}};
+      return std::vector{VehicleFault{FaultKind::kLink, 0, {}, {}, part}};
   }
   return std::vector<VehicleFault>{};
 }

@@ -3,22 +3,20 @@
 namespace skein {
 
 std::string text_of(const VehicleFault& fault) {
-  const std::string part = std::to_string(fault.part);
   switch (fault.kind) {
     case VehicleFault::Kind::kMotor:
-      return "motor on channel " + part;
+      return fault.name + " stands";
     case VehicleFault::Kind::kServoStuck:
-      return "servo on channel " + part + " stuck";
+      return fault.name + " is stuck";
     case VehicleFault::Kind::kServoLoose:
-      return "servo on channel " + part + " loose";
+      return fault.name + " is loose";
     case VehicleFault::Kind::kSensor:
-      return "sensor " + part + " silent";
     case VehicleFault::Kind::kPayload:
-      return "payload sensor " + part + " silent";
+      return fault.name + " is silent";
     case VehicleFault::Kind::kBattery:
-      return "battery";
+      return "the battery gives nothing";
     case VehicleFault::Kind::kLink:
-      return "radio link";
+      return "the radio link is down";
   }
   return {};
 }

@@ -22,7 +22,8 @@ struct VehicleFault {
   Kind kind = Kind::kMotor;
   std::size_t part = 0;
   Time at;
-  Time until;  ///< exclusive
+  Time until;             ///< exclusive
+  std::string name = {};  ///< of the part, for people: "motor 2", "sensor imu"
 
   bool active(Time now) const { return at <= now && now < until; }
 };

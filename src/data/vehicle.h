@@ -64,4 +64,18 @@ struct NavEstimate {
   double pitch = 0;            ///< [rad]
 };
 
+/// The true motion as an estimate without errors: what an operator tells an autopilot at
+/// the start. The wind is not known.
+inline NavEstimate as_estimate(const VehicleState& state, Time time) {
+  const geo::Euler attitude = geo::to_euler(state.q_NB);
+  NavEstimate nav;
+  nav.time = time;
+  nav.p_N = state.p_N;
+  nav.v_N = state.v_N;
+  nav.heading = attitude.yaw;
+  nav.roll = attitude.roll;
+  nav.pitch = attitude.pitch;
+  return nav;
+}
+
 }  // namespace skein

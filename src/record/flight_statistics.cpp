@@ -20,7 +20,12 @@ void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
 
 void FlightStatistics::event(const Event& event) {
   if (event.kind == "accident") ++accidents_;
-  if (event.kind == "failsafe" && event.text != "over") ++failsafes_;
+  if (event.kind != "failsafe") return;
+  // "link: return", "motor: none", "over": it begins where nothing acted before.
+  bool& acting = acting_[event.entity];
+  const bool acts = event.text != "over" && !event.text.ends_with(": none");
+  if (acts && !acting) ++failsafes_;
+  acting = acts;
 }
 
 void FlightStatistics::add_figures(std::map<std::string, double>& figures) const {

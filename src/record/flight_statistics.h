@@ -42,6 +42,7 @@ class FlightStatistics {
   std::map<EntityId, Place> last_;  // truth
   Square cross_track_, position_error_;
   std::optional<double> charge_least_;
+  std::map<EntityId, bool> acting_;  // a failsafe
   std::uint64_t accidents_ = 0, failsafes_ = 0;
 };
 

@@ -146,10 +146,12 @@ class Reader {
     std::stable_sort(run_.events.begin(), run_.events.end(),
                      [](const Event& a, const Event& b) { return a.time < b.time; });
     run_.events_left_out = total - static_cast<int>(run_.events.size());
-    done = rows("SELECT kind, text FROM events WHERE kind IN ('accident', 'failsafe')",
-                [this](const Statement& row) {
-                  statistics_.event({Time(), {}, row.text(0), row.text(1)});
-                });
+    done = rows(
+        "SELECT kind, text, entity_id FROM events WHERE kind IN ('accident', 'failsafe')"
+        " ORDER BY rowid",
+        [this](const Statement& row) {
+          statistics_.event({Time(), entity_id(row, 2), row.text(0), row.text(1)});
+        });
     if (!done) return done;
     return rows(
         "SELECT min(time_s) FROM events WHERE kind = 'allocation'",

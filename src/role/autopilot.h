@@ -13,6 +13,9 @@ class Autopilot {
  public:
   virtual ~Autopilot() = default;
 
+  /// The flight begins (again): from here on, knowing only where and how.
+  virtual void begin(const NavEstimate& start, bool on_ground) = 0;
+
   /// Takes in one sample of the vehicle's own sensors. Those of no use to it are passed
   /// over.
   virtual void sense(const SensorSample& sample) = 0;

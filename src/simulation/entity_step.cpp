@@ -14,12 +14,21 @@ SensorView view_of(const World& world, Time now, const Vehicle& vehicle) {
   return {now, vehicle.state, vehicle.air, *world.terrain, *world.fire, world.objects};
 }
 
+// A sensor that says nothing goes on measuring: its errors wander, its clock runs, and
+// when it speaks again it is about now.
+void sample_all(const std::vector<std::unique_ptr<Sensor>>& sensors, std::uint64_t silent,
+                const SensorView& view, std::vector<SensorSample>& out) {
+  for (std::size_t k = 0; k < sensors.size(); ++k) {
+    const auto before = static_cast<std::ptrdiff_t>(out.size());
+    sensors[k]->sample(view, out);
+    if ((silent >> k & 1u) != 0) out.erase(out.begin() + before, out.end());
+  }
+}
+
 void sense_flight(const World& world, Time now, Vehicle& vehicle, EntityState& state) {
   state.flight_samples.clear();
-  const SensorView view = view_of(world, now, vehicle);
-  for (std::size_t k = 0; k < vehicle.sensors.size(); ++k)
-    if ((state.silent_sensors >> k & 1u) == 0)
-      vehicle.sensors[k]->sample(view, state.flight_samples);
+  sample_all(vehicle.sensors, state.silent_sensors, view_of(world, now, vehicle),
+             state.flight_samples);
   for (const SensorSample& sample : state.flight_samples)
     vehicle.autopilot->sense(sample);
 }
@@ -86,16 +95,25 @@ void begin(const World& world, Time now, Entity& entity, EntityState& state) {
   Vehicle* vehicle = entity.vehicle.get();
   if (!vehicle) return;
   vehicle->air.wind_N = world.wind->wind(vehicle->state.p_N, now);
-  sense_flight(world, now, *vehicle, state);
+  vehicle->autopilot->begin(as_estimate(vehicle->state, now), vehicle->state.on_ground);
+  state.told = vehicle->autopilot->status();
+  if (state.flew) {
+    // What sensors have gathered since the last flight belongs to no flight.
+    state.flight_samples.clear();
+    constexpr auto kAll = ~std::uint64_t{0};
+    sample_all(vehicle->sensors, kAll, view_of(world, now, *vehicle),
+               state.flight_samples);
+  } else {
+    sense_flight(world, now, *vehicle, state);
+  }
+  state.flew = true;
 }
 
 void sense(const World& world, Time now, Entity& entity, EntityState& state) {
   Vehicle* vehicle = entity.vehicle.get();
   if (!state.active || !vehicle) return;
-  const SensorView view = view_of(world, now, *vehicle);
-  for (std::size_t k = 0; k < vehicle->payload.size(); ++k)
-    if ((state.silent_payload >> k & 1u) == 0)
-      vehicle->payload[k]->sample(view, state.samples);
+  sample_all(vehicle->payload, state.silent_payload, view_of(world, now, *vehicle),
+             state.samples);
 }
 
 void think(Time now, Entity& entity, EntityState& state) {

@@ -9,6 +9,7 @@ namespace skein::simulation {
 /// What an entity keeps between the phases of a step.
 struct EntityState {
   bool active = false;
+  bool flew = false;                  ///< has been active before
   bool ended = false;                 ///< hit the ground: takes no further part
   std::vector<SensorSample> samples;  ///< of the payload, until the agent reads them
   std::vector<SensorSample> flight_samples;  ///< of one step, kept for its memory

@@ -380,6 +380,7 @@ TEST(FixedWingFlight, LandsSoftly) {
             sink = s.v_N.z();
             at = s.p_N.x();
           }
+          demand.phase = FlightPhase::kGround;  // guidance has felt the ground
           if (plant.touch(s, 0, kStep) == Contact::kCrash) crashed = true;
         }
       }

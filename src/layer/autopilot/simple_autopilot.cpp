@@ -46,6 +46,10 @@ SimpleAutopilot::SimpleAutopilot(const SimpleAutopilotOptions& options,
   command_.altitude_msl = -initial.p_N.z();
 }
 
+void SimpleAutopilot::begin(const NavEstimate& start, bool /*on_ground*/) {
+  *this = SimpleAutopilot(options_, limits_, start);
+}
+
 void SimpleAutopilot::sense(const SensorSample& sample) {
   if (const auto* fix = std::get_if<GnssFix>(&sample)) filter_.add(*fix);
   if (const auto* air = std::get_if<AirDataSample>(&sample)) filter_.add(*air);

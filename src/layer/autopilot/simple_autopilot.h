@@ -43,6 +43,7 @@ class SimpleAutopilot final : public Autopilot {
   SimpleAutopilot(const SimpleAutopilotOptions& options, const FlightLimits& limits,
                   const NavEstimate& initial);
 
+  void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
   /// A FlightCommand.

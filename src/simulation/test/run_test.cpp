@@ -71,6 +71,7 @@ class Glider : public Plant {
 class Hands : public Autopilot {
  public:
   explicit Hands(double climb) : climb_(climb) {}
+  void begin(const NavEstimate&, bool) override {}
   void sense(const SensorSample&) override {}
   void command(const AutopilotCommand&) override {}
   Control control(Time, double) override { return FlightCommand{0, 20, climb_}; }
@@ -242,6 +243,83 @@ TEST(Run, ReportsARecorderThatFails) {
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnavailable);
   EXPECT_EQ(outcome.error().text(), "disk: it is full (at 2.000 s of simulated time).");
+}
+
+// Says how long ago it last measured, as an inertial unit's interval does.
+class Intervals : public Sensor {
+ public:
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override {
+    ImuSample sample;
+    sample.time = view.now;
+    sample.interval = (view.now - last_).seconds();
+    last_ = view.now;
+    out.emplace_back(sample);
+  }
+
+ private:
+  Time last_;
+};
+
+// Notes when its flight began and what it sensed.
+class Listener : public Hands {
+ public:
+  Listener() : Hands(0) {}
+  void begin(const NavEstimate& start, bool) override { begun.push_back(start); }
+  void sense(const SensorSample& sample) override {
+    if (const auto* imu = std::get_if<ImuSample>(&sample))
+      longest = std::max(longest, imu->interval), ++heard;
+  }
+  std::vector<NavEstimate> begun;
+  double longest = 0;
+  int heard = 0;
+};
+
+Listener* listen_to_first(World& world) {
+  auto listener = std::make_unique<Listener>();
+  Listener* heard = listener.get();
+  world.entities[0].vehicle->autopilot = std::move(listener);
+  world.entities[0].vehicle->sensors.push_back(std::make_unique<Intervals>());
+  return heard;
+}
+
+TEST(Run, AFlightBeginsWhenTheAircraftJoinsAndAgainWhenItReturns) {
+  World world = make_world(1);
+  world.entities[0].active = {{Time::from_seconds(1), Time::from_seconds(2)},
+                              {Time::from_seconds(5), Time::from_seconds(6)}};
+  Listener* listener = listen_to_first(world);
+  Notes notes;
+  Silent console;
+  ASSERT_TRUE(run(world, seconds(8), notes, console).ok());
+  ASSERT_EQ(listener->begun.size(), 2u);
+  EXPECT_EQ(listener->begun[0].time, Time::from_seconds(1));
+  EXPECT_EQ(listener->begun[1].time, Time::from_seconds(5));
+  EXPECT_NEAR(listener->begun[1].p_N.x(), 20 * 1.0, 1e-9) << "where it left";
+  EXPECT_LT(listener->longest, 1.01) << "nothing is measured over the time between";
+}
+
+TEST(Run, ASensorThatFailsSpeaksOfNowWhenItIsBack) {
+  World world = make_world(1);
+  Listener* listener = listen_to_first(world);
+  world.entities[0].vehicle->faults = {
+      {VehicleFault::Kind::kSensor, 0, Time::from_seconds(2), Time::from_seconds(4)}};
+  Notes notes;
+  Silent console;
+  ASSERT_TRUE(run(world, seconds(8), notes, console).ok());
+  EXPECT_NEAR(listener->heard, 82 - 20, 1);
+  EXPECT_LT(listener->longest, 0.11) << "not of the whole time of silence";
+  EXPECT_EQ(notes.kinds, "joined failure repaired ");
+}
+
+TEST(Run, AFailedLinkLosesMessagesBothWays) {
+  World world = make_world(2);
+  world.entities[0].vehicle->faults = {
+      {VehicleFault::Kind::kLink, 0, Time(), Time::from_seconds(100)}};
+  Notes notes;
+  Silent console;
+  ASSERT_TRUE(run(world, seconds(4), notes, console).ok());
+  EXPECT_EQ(notes.kinds.find("heard"), std::string::npos);
+  EXPECT_EQ(notes.text.find("heard"), std::string::npos);
+  EXPECT_EQ(notes.messages, 2 * 9) << "lost ones are recorded too";
 }
 
 TEST(Run, AMotionThatIsNoLongerFiniteEndsThatAircraftOnly) {

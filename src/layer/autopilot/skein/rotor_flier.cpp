@@ -8,7 +8,7 @@ namespace {
 
 // Without a position the velocity is known less from second to second: down quickly, and
 // gently only above the ground, which the barometer knows within some metres.
-constexpr double kBlindSink = 1;     // below kBlindHeight, at most [m/s]
+constexpr double kBlindSink = 1;    // below kBlindHeight, at most [m/s]
 constexpr double kBlindHeight = 8;  // [m]
 // Close to the ground, a vehicle that does not sink although it shall stands on it.
 constexpr double kStillSink = 0.15;  // [m/s]

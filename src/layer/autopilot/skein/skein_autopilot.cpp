@@ -6,8 +6,11 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kUnknownPlace = 50;     // standard deviation at the start [m]
-constexpr double kUnknownWind = 5;       // standard deviation at the start [m/s]
+constexpr double kUnknownPlace = 50;  // standard deviation at the start [m]
+constexpr double kUnknownWind = 5;    // standard deviation at the start [m/s]
+constexpr double kStaleState = 0.5;   // an estimate this old is none [s]
+constexpr double kDisbelief = 10;     // of fixes, longer than it takes to begin anew [s]
+constexpr double kSilentMonitor = 5;  // then the charge is counted on [s]
 constexpr double kCommittedHeight = 10;  // below it a landing is finished [m]
 
 EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
@@ -68,6 +71,10 @@ SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
   if (setup_->wing || setup_->rotors) last_ = Actuators{};
 }
 
+void SkeinAutopilot::begin(const NavEstimate& start, bool on_ground) {
+  *this = SkeinAutopilot(setup_, start, on_ground, -home_N_.z());
+}
+
 void SkeinAutopilot::sense(const SensorSample& sample) {
   if (const auto* pilot = std::get_if<PilotInput>(&sample)) {
     input_.pilot = *pilot;
@@ -76,17 +83,21 @@ void SkeinAutopilot::sense(const SensorSample& sample) {
   } else if (const auto* power = std::get_if<PowerSample>(&sample)) {
     take(*power);
   } else {
-    if (const auto* fix = std::get_if<GnssFix>(&sample)) input_.gnss_fix = fix->time;
+    estimator_.sense(sample);
     if (const auto* truth = std::get_if<TruthSample>(&sample))
       input_.gnss_fix = truth->time;
-    estimator_.sense(sample);
+    // Fixes that the estimator has not believed for long are none.
+    const auto* fix = std::get_if<GnssFix>(&sample);
+    if (fix && estimator_.gnss_age() < kDisbelief) input_.gnss_fix = fix->time;
   }
 }
 
 void SkeinAutopilot::take(const PowerSample& sample) {
   consumption_.sense(sample.time, sample.charge);
   standing_ = sample.motors_standing;
-  input_.charge = sample.charge;
+  input_.charge = power_charge_ = sample.charge;
+  power_time_ = sample.time;
+  powered_ = true;
   HomeFlight flight = setup_->home_flight;
   consumption_.set_powers(flight);
   const NavState& nav = estimator_.state();
@@ -110,7 +121,10 @@ FlierView SkeinAutopilot::view() const {
 
 void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   input_.now = now;
-  input_.estimator_healthy = std::isfinite(nav.p_N.sum() + nav.v_N.sum());
+  input_.estimator_healthy = std::isfinite(nav.p_N.sum() + nav.v_N.sum()) &&
+                             (now - nav.time).seconds() < kStaleState;
+  if (powered_ && (now - power_time_).seconds() > kSilentMonitor)
+    input_.charge = power_charge_ - consumption_.rate() * (now - power_time_).seconds();
   // What the landing still takes is not known while it is flown. It is finished.
   if (order_ == Order::kLand)
     input_.charge_home = std::min(input_.charge_home, input_.charge);
@@ -236,6 +250,7 @@ AutopilotStatus SkeinAutopilot::status() const {
   status.trigger = decision.trigger;
   status.reaction = decision.reaction;
   if (order_ == Order::kPilot || order_ == Order::kDescend) status.follows = false;
+  if (order_ != Order::kAgent) status.done = false;  // of what the agent wants
   status.refusals = refusals_;
   status.refused = refused_;
   status.charge = input_.charge;

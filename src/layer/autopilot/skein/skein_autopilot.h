@@ -32,6 +32,7 @@ class SkeinAutopilot final : public Autopilot {
   SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup, const NavEstimate& initial,
                  bool on_ground, std::optional<double> ground_msl = std::nullopt);
 
+  void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
   Control control(Time now, double dt) override;
@@ -67,6 +68,9 @@ class SkeinAutopilot final : public Autopilot {
   Order order_ = Order::kStand;
   AutopilotCommand agent_command_;
   AutopilotCommand take_off_;
+  bool powered_ = false;  // a battery monitor has been heard
+  Time power_time_;
+  double power_charge_ = 1;
   std::uint8_t standing_ = 0;  // motors, as the battery monitor says
   std::uint8_t failed_ = 0;    // motors that have stood under throttle
   double throttle_ = 0;        // mean of what the motors were told

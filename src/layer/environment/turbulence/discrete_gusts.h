@@ -30,12 +30,16 @@ struct DiscreteGust {
 /// Reference: [MIL-F-8785C] 3.7.1.3.
 double gust_share(const DiscreteGust& gust, double way);
 
+/// How gust_share() grows along the way [1/m].
+double gust_slope(const DiscreteGust& gust, double way);
+
 struct DiscreteGustsOptions {
   std::vector<DiscreteGust> gusts = {};
 };
 
 /// Discrete gusts of the form 1 - cosine along the vehicle's way through the air; those
-/// that overlap add up. Airspeed counts as at least 1 m/s.
+/// that overlap add up. Where a gust changes along the way x the air turns: q = -dw/dx,
+/// r = dv/dx, about the body's axes. Airspeed counts as at least 1 m/s.
 class DiscreteGusts final : public Turbulence {
  public:
   explicit DiscreteGusts(const DiscreteGustsOptions& options);

@@ -136,6 +136,61 @@ TEST(SkeinAutopilot, TurnsBackAtTheFence) {
   EXPECT_LT(geo::horizontal(flight.p).norm(), 300);
 }
 
+TEST(SkeinAutopilot, TellsWhenItsEstimatorFallsSilent) {
+  PointFlight flight;
+  flight.autopilot().command(course(0, 300));
+  flight.fly(10);
+  // No sample any more: time goes on, the estimate does not.
+  for (int k = 0; k < 40; ++k)
+    flight.autopilot().control(flight.now + Time::from_seconds(0.1 * k), 0.1);
+  EXPECT_EQ(flight.autopilot().status().trigger, FailsafeTrigger::kGnss);
+}
+
+TEST(SkeinAutopilot, CountsOnWhenTheBatteryMonitorFallsSilent) {
+  PointFlight flight;
+  flight.autopilot().command(course(0, 300));
+  double charge = 1;
+  const auto report = [&] {
+    PowerSample power;
+    power.time = flight.now;
+    power.charge = charge;
+    flight.autopilot().sense(power);
+  };
+  for (int k = 0; k < 60; ++k) {
+    report();
+    flight.fly(1);
+    charge -= 0.005;
+  }
+  flight.fly(100);
+  EXPECT_NEAR(flight.autopilot().status().charge, 1 - 0.005 * 160, 0.03);
+  EXPECT_EQ(flight.autopilot().status().trigger, FailsafeTrigger::kBattery);
+}
+
+TEST(SkeinAutopilot, WhatAFailsafeHasDoneIsNotTheMissionsEnd) {
+  PointFlight flight;
+  flight.autopilot().command(
+      {FlyWaypoints{{{{0, 0}, 300}, {{900, 0}, 300}, {{900, 900}, 300}}, 100}, 300});
+  flight.fly(60);
+  flight.link = false;
+  flight.fly(200);
+  EXPECT_EQ(flight.autopilot().status().reaction, FailsafeReaction::kReturn);
+  EXPECT_FALSE(flight.autopilot().status().done);
+}
+
+TEST(SkeinAutopilot, BeginsAnew) {
+  PointFlight flight;
+  flight.autopilot().command(course(1, 300));
+  flight.fly(30);
+  NavEstimate start;
+  start.time = Time::from_seconds(500);
+  start.p_N = {100, 200, -300};
+  start.v_N = {20, 0, 0};
+  flight.autopilot().begin(start, false);
+  EXPECT_EQ(flight.autopilot().estimate().time, start.time);
+  EXPECT_EQ(flight.autopilot().estimate().p_N, start.p_N);
+  EXPECT_EQ(flight.autopilot().status().trigger, FailsafeTrigger::kNone);
+}
+
 TEST(SkeinAutopilot, AnEmptyBatteryBringsItHome) {
   PointFlight flight;
   flight.autopilot().command(course(0, 300));
