@@ -8,11 +8,14 @@
 namespace skein {
 
 /// A plant that holds its own attitude: it takes a FlightCommand.
-struct SelfStabilised {};
+struct SelfStabilised {
+  double span = 0;  ///< of its wing [m]; 0 = not known
+};
 
 /// A fixed wing that takes Actuators (see data/control.h), as its autopilot must know it.
 struct FixedWingAirframe {
   double mass = 0;        ///< [kg]
+  double span = 0;        ///< of the wing [m]; 0 = not known
   double slowest = 0;     ///< least airspeed to fly at: stall with its reserve [m/s]
   double cruise = 0;      ///< airspeed [m/s]
   double fastest = 0;     ///< [m/s]
@@ -60,9 +63,18 @@ struct MultirotorAirframe {
   double climb_rate = 0;  ///< [m/s]
   double sink_rate = 0;   ///< [m/s]
   double motor_lag = 0;   ///< time constant of a rotor's speed [s]; 0 = not known
+  double diameter = 0;    ///< of the circle that holds all rotors [m]; 0 = not known
 };
 
 /// What an autopilot is set up for.
 using Airframe = std::variant<SelfStabilised, FixedWingAirframe, MultirotorAirframe>;
+
+/// Its size across, as gusts feel it [m]; 0 = not known.
+inline double span_of(const Airframe& airframe) {
+  if (const auto* rotors = std::get_if<MultirotorAirframe>(&airframe))
+    return rotors->diameter;
+  if (const auto* wing = std::get_if<FixedWingAirframe>(&airframe)) return wing->span;
+  return std::get<SelfStabilised>(airframe).span;
+}
 
 }  // namespace skein

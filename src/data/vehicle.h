@@ -50,6 +50,8 @@ struct FlightLimits {
   double slowest = 15;      ///< least airspeed in level flight [m/s]; 0 = it can hover
   double fastest = 25;      ///< [m/s]
   double sink_rate = 3;     ///< largest [m/s]
+  /// Thinnest air that it can fly level in [kg/m^3]; 0 = it flies in any.
+  double least_density = 0;
 };
 
 /// What an autopilot's estimator believes about its own vehicle.

@@ -43,6 +43,23 @@ StandardAir standard_air(double altitude_msl) {
   return air;
 }
 
+double standard_altitude(double density) {
+  const double tropopause_density =
+      kSeaLevelPressure *
+      std::pow(kTropopauseTemperature / kSeaLevelTemperature, kExponent) /
+      (kGasConstant * kTropopauseTemperature);
+  double H = 0;
+  if (density > tropopause_density) {
+    const double sea_level = kSeaLevelPressure / (kGasConstant * kSeaLevelTemperature);
+    H = kSeaLevelTemperature / kLapse *
+        (1 - std::pow(density / sea_level, 1 / (kExponent - 1)));
+  } else {
+    H = kTropopause + kGasConstant * kTropopauseTemperature / kGravity *
+                          std::log(tropopause_density / density);
+  }
+  return kEarthRadius * H / (kEarthRadius - H);
+}
+
 DensityAround density_around(double altitude_msl) {
   const StandardAir air = standard_air(altitude_msl);
   DensityAround around{air.density, 0, 0};

@@ -20,6 +20,9 @@ struct StandardAir {
 };
 StandardAir standard_air(double altitude_msl);
 
+/// The altitude above mean sea level [m] where that air has a density [kg/m^3], above 0.
+double standard_altitude(double density);
+
 inline constexpr double kSeaLevelDensity = 1.225;  ///< rounded, as standards quote it
 
 /// Density around one altitude, for the stages of an integration step: the exact one and

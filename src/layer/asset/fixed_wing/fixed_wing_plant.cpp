@@ -17,6 +17,9 @@ constexpr double kFastest = 0.5;
 constexpr double kMostParts = 1000;
 // Of what the aircraft can do just so, planners and autopilots get this share.
 constexpr double kReserve = 0.8;
+// Where its ceiling is looked for [m].
+constexpr double kLowestCeiling = 0;
+constexpr double kHighestCeiling = 30000;
 // A motor that shall stand and turns slower than this does [rad/s or share].
 constexpr double kStands = 1e-3;
 
@@ -80,6 +83,28 @@ double glide(const FixedWingModel& model) {
     (result.trim.thrust > 0 ? low : high) = middle;
   }
   return low;
+}
+
+// The thinnest air in which it flies level at some airspeed that keeps the lift reserve
+// of its slowest one; a glider needs no thrust, only that airspeed.
+double least_density(const FixedWingModel& model) {
+  const Envelope& envelope = model.envelope;
+  const auto flies = [&](double altitude) {
+    const double density = model::standard_air(altitude).density;
+    const double least = envelope.slowest * std::sqrt(model::kSeaLevelDensity / density);
+    if (least > envelope.fastest) return false;
+    if (!model.engine.exists()) return true;
+    for (const double airspeed :
+         {std::max(least, envelope.cruise), least, (least + envelope.fastest) / 2})
+      if (find_trim(model, {airspeed, 0, 0, altitude}).found()) return true;
+    return false;
+  };
+  double low = kLowestCeiling, high = kHighestCeiling;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = (low + high) / 2;
+    (flies(middle) ? low : high) = middle;
+  }
+  return model::standard_air(low).density;
 }
 
 FixedWingAirframe airframe_of(const FixedWingModel& model) {
@@ -148,6 +173,7 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
       stiffness_(stiffness_of(parameters)) {
   SKEIN_CHECK(faults(parameters).empty());
   airframe_ = airframe_of(model_);
+  airframe_.span = parameters.geometry.span;
   airframe_.roll_friction = parameters.ground.friction_along;
   const double V = airframe_.cruise;
   limits_.airspeed = V;
@@ -156,6 +182,7 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
   limits_.sink_rate = airframe_.sink_rate;
   limits_.slowest = airframe_.slowest;
   limits_.fastest = airframe_.fastest;
+  limits_.least_density = least_density(model_);
 }
 
 VehicleState FixedWingPlant::start(const VehicleStart& start) const {

@@ -11,6 +11,8 @@ namespace {
 
 // A rotor below this stands [rad/s]; so no step works with numbers near underflow.
 constexpr double kStands = 1e-6;
+// The rotors must give this many times what hovering takes: to climb, and to correct.
+constexpr double kHoverReserve = 1.1;
 
 // Level, thrust along `up` instead of straight up, forward axis towards `heading`.
 Quat attitude_of(const Vec3& up_N, double heading) {
@@ -42,8 +44,19 @@ FlightLimits MultirotorPlant::limits() const {
   const double most = kGravity * std::tan(p.tilt_limit);
   const double turning =
       std::sqrt(std::max(most * most - against_drag * against_drag, 1e-4 * most * most));
-  return {p.cruise,   p.cruise * p.cruise / turning, p.climb_rate, 0, p.fastest,
-          p.sink_rate};
+  // Thrust is in proportion to the density.
+  const auto hover =
+      rotors_.thrusts(p.mass * kGravity, Vec3::Zero(), p.torque_factor / p.thrust_factor);
+  const double loaded = *std::max_element(
+      hover.begin(), hover.begin() + static_cast<std::ptrdiff_t>(rotors_.size()));
+  const double full_thrust = p.thrust_factor * p.fastest_rotor * p.fastest_rotor;
+  return {p.cruise,
+          p.cruise * p.cruise / turning,
+          p.climb_rate,
+          0,
+          p.fastest,
+          p.sink_rate,
+          kHoverReserve * loaded / full_thrust * kRotorDensity};
 }
 
 Airframe MultirotorPlant::airframe() const {
@@ -61,6 +74,8 @@ Airframe MultirotorPlant::airframe() const {
   a.climb_rate = p.climb_rate;
   a.sink_rate = p.sink_rate;
   a.motor_lag = p.motor_lag;
+  for (const RotorPlace& rotor : p.rotors)
+    a.diameter = std::max(a.diameter, 2 * (rotor.position.norm() + p.rotor_radius));
   return a;
 }
 

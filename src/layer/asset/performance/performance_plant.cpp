@@ -9,9 +9,11 @@
 namespace skein::asset {
 namespace {
 
-constexpr double kLongestStep = 0.1;  // of the integration [s]
-constexpr double kFullClimb = 1;      // climb rate from which all power is used [m/s]
-constexpr double kSteepest = 1.4;     // bank that the equations still cover [rad]
+constexpr double kLongestStep = 0.1;     // of the integration [s]
+constexpr double kFullClimb = 1;         // climb rate from which all power is used [m/s]
+constexpr double kSteepest = 1.4;        // bank that the equations still cover [rad]
+constexpr double kSpanEfficiency = 0.8;  // Oswald's e of light aeroplanes
+constexpr int kAirspeeds = 20;           // looked at for a ceiling
 
 EnergySource source_of(const PerformanceParameters& p) {
   if (p.electric) return Battery(p.battery);
@@ -64,7 +66,41 @@ FlightLimits PerformancePlant::limits() const {
           std::clamp(climb, 0.0, p.climb_rate),
           p.slowest,
           p.fastest,
-          std::min(p.sink_rate, sink)};
+          std::min(p.sink_rate, sink),
+          least_density()};
+}
+
+// K = 1 / (pi e b^2 / S): the induced drag tells the span.
+Airframe PerformancePlant::airframe() const {
+  const PerformanceParameters& p = parameters_;
+  if (p.induced_drag <= 0) return SelfStabilised{};
+  return SelfStabilised{
+      std::sqrt(p.wing_area / (geo::kPi * kSpanEfficiency * p.induced_drag))};
+}
+
+// The thinnest air, with full tank, in which the cruise power holds some airspeed that
+// the wing can be flown at.
+double PerformancePlant::least_density() const {
+  const PerformanceParameters& p = parameters_;
+  const double mass = model_.mass(1);
+  const auto flies = [&](double density) {
+    const double least =
+        std::max(p.slowest, p.stall_reserve * model_.stall_speed(mass, density));
+    for (int i = 0; i <= kAirspeeds; ++i) {
+      const double v = least + (p.fastest - least) * i / kAirspeeds;
+      if (v > p.fastest) return false;
+      const double power = p.cruise_power * model_.most_power(density);
+      if (model_.thrust(power, v) >= model_.drag(v, mass * kGravity, density))
+        return true;
+    }
+    return false;
+  };
+  double low = 0, high = kSeaLevel;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = (low + high) / 2;
+    (flies(middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 // The bank that the airspeed carries with its reserve; a little even when it is too slow.

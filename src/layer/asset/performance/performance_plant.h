@@ -36,7 +36,7 @@ class PerformancePlant final : public Plant {
   explicit PerformancePlant(const PerformanceParameters& parameters);
 
   FlightLimits limits() const override;
-  Airframe airframe() const override { return SelfStabilised{}; }
+  Airframe airframe() const override;
   VehicleState start(const VehicleStart& start) const override;
   /// Takes a FlightCommand.
   void step(VehicleState& state, const Control& control, const Air& air,
@@ -50,6 +50,7 @@ class PerformancePlant final : public Plant {
   struct Point;
   struct Rate;
   struct Phase;
+  double least_density() const;
   double steepest_bank(double airspeed, double mass, double density) const;
   Rate rate(const Point& point, double roll, const Phase& phase) const;
   Point short_step(const Point& point, const Phase& phase, double roll, double roll_rate,

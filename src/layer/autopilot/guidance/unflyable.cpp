@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/atmosphere/atmosphere.h"
 #include "model/path/plan_curve.h"
 #include "model/path/wind_triangle.h"
 
@@ -16,6 +17,7 @@ using Reason = std::optional<std::string>;
 constexpr double kSpeedSlack = 0.03;
 constexpr double kClimbSlack = 0.1;
 constexpr double kTurnSlack = 0.01;
+constexpr double kDensitySlack = 1e-6;
 constexpr int kInstants = 16;       // of a plan's segment or of a turn
 constexpr double kOnePoint = 1e-3;  // waypoints nearer than this are one [m]
 
@@ -29,6 +31,7 @@ bool finite(const Vec3& v) {
 struct Judge {
   const FlightLimits& limits;
   const Vec2& wind;
+  double usual_airspeed;  // where the guidance has none of its own [m/s]
 
   bool hovers() const { return limits.slowest <= 0; }
   double most_lateral() const {
@@ -102,6 +105,26 @@ struct Judge {
     return {};
   }
 
+  // Whether the air at an altitude carries it at an airspeed.
+  template <class What>
+  Reason carried(double altitude_msl, double at, const What& what) const {
+    if (limits.least_density <= 0) return {};
+    const double density = model::standard_air(altitude_msl).density;
+    if (density < limits.least_density * (1 - kDensitySlack))
+      return fmt::format(
+          "{} is {:.0f} m, where the air is too thin to fly level at any airspeed: "
+          "{:.0f} "
+          "m is the most",
+          what(), altitude_msl,
+          std::floor(model::standard_altitude(limits.least_density)));
+    const double slowest = limits.slowest * std::sqrt(model::kSeaLevelDensity / density);
+    if (at >= slowest * (1 - kSpeedSlack)) return {};
+    return fmt::format(
+        "{} is {:.0f} m, where the thin air carries from {:.1f} m/s on: the airspeed is "
+        "{:.1f} m/s",
+        what(), altitude_msl, slowest, at);
+  }
+
   Reason judge(const FollowPath& f) const {
     for (std::size_t i = 0; i < f.path.size(); ++i) {
       const PathElement& e = f.path[i];
@@ -171,6 +194,10 @@ struct Judge {
           "the plan at {:.1f} s needs an airspeed of {:.1f} m/s in {:.1f} m/s of wind: "
           "from {:.1f} to {:.1f} m/s can be flown",
           time, airspeed, wind.norm(), limits.slowest, limits.fastest);
+    if (auto r = carried(-at.p_N.z(), airspeed, [time] {
+          return fmt::format("the altitude of the plan at {:.1f} s", time);
+        }))
+      return r;
     if (auto r = climb(-at.v_N.z(),
                        [time] { return fmt::format("the plan at {:.1f} s", time); }))
       return r;
@@ -191,6 +218,11 @@ struct Judge {
     for (std::size_t i = 0; i < w.points.size(); ++i)
       if (!finite(w.points[i].point) || !std::isfinite(w.points[i].altitude_msl))
         return fmt::format("waypoint {} is not finite", i + 1);
+    for (std::size_t i = 0; i < w.points.size(); ++i)
+      if (auto r = carried(w.points[i].altitude_msl, usual_airspeed, [i] {
+            return fmt::format("the altitude of waypoint {}", i + 1);
+          }))
+        return r;
     // The leg back to the first counts when there is another lap.
     const std::size_t n = w.points.size();
     const std::size_t legs = w.laps > 1 ? n : n - 1;
@@ -248,7 +280,10 @@ std::optional<std::string> unflyable(const AutopilotCommand& command,
           "an airspeed of {:.1f} m/s: from {:.1f} to {:.1f} m/s can be flown", v,
           limits.slowest, limits.fastest);
   }
-  const Judge judge{limits, wind};
+  const Judge judge{limits, wind, command.airspeed.value_or(limits.airspeed)};
+  if (auto reason = judge.carried(command.altitude_msl, judge.usual_airspeed,
+                                  [] { return "the commanded altitude"; }))
+    return reason;
   return std::visit([&](const auto& guidance) { return judge.judge(guidance); },
                     command.guidance);
 }

@@ -51,6 +51,12 @@ TEST(Atmosphere, DensityAroundAnAltitudeIsGoodToTheThirdOrder) {
   }
 }
 
+TEST(Atmosphere, AltitudeOfADensityIsTheInverse) {
+  // 1 mm: the two formulas round differently, no more.
+  for (const double altitude : {-4000.0, 0.0, 3000.0, 10900.0, 11100.0, 25000.0})
+    EXPECT_NEAR(standard_altitude(standard_air(altitude).density), altitude, 1e-3);
+}
+
 TEST(Atmosphere, StaysFiniteAnywhere) {
   for (const double h : {-1e6, -5001.0, 3e4, 1e6, 1e9}) {
     const DensityAround around = density_around(h);

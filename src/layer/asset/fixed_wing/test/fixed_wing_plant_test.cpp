@@ -9,6 +9,7 @@
 #include "layer/asset/fixed_wing/open_loop.h"
 #include "layer/asset/fixed_wing/test/aircraft.h"
 #include "layer/asset/fixed_wing/trim.h"
+#include "model/atmosphere/atmosphere.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SKEIN_COUNTS_MALLOC 0
@@ -235,6 +236,26 @@ TEST(FixedWingPlant, BatteryLastsAsLongAsItsEnergy) {
   fly(plant, state, cruise_channels(plant, 300), {}, 60);
   // 2.2 Ah at about 12.4 V; the phugoid makes the power go up and down a little.
   EXPECT_NEAR(1 - state.energy.charge, power * 60 / (2.2 * 3600 * 12.4), 0.1 * 0.034);
+}
+
+TEST(FixedWingPlant, FliesLevelDownToItsLeastDensity) {
+  for (const FixedWingParameters& p : {aerosonde(), glider(), light_sport()}) {
+    const FixedWingPlant plant(p);
+    EXPECT_EQ(span_of(plant.airframe()), p.geometry.span);
+    // Whether there is level flight at an altitude, fast enough for the lift reserve.
+    const auto flies = [&](double altitude) {
+      const double density = model::standard_air(altitude).density;
+      const double least = p.envelope.slowest * std::sqrt(1.225 / density);
+      for (double V = least; V <= p.envelope.fastest; V += 0.25)
+        if (find_trim(plant.model(), {V, 0, 0, altitude}).found()) return true;
+      return false;
+    };
+    // The ceiling is found to 8 m, by three airspeeds only: 3 % of it for the others.
+    const double ceiling = model::standard_altitude(plant.limits().least_density);
+    EXPECT_GT(ceiling, 2000);
+    EXPECT_TRUE(flies(ceiling - 10));
+    EXPECT_FALSE(flies(1.03 * ceiling + 10));
+  }
 }
 
 TEST(FixedWingPlant, ClimbsAndSinksAsItSays) {

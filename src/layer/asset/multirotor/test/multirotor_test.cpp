@@ -44,6 +44,19 @@ VehicleState tumbling() {
   return s;
 }
 
+TEST(MultirotorPlant, KeepsAReserveOfThrustAtItsLeastDensity) {
+  for (const MultirotorParameters& p : {MultirotorParameters{}, hexarotor()}) {
+    const MultirotorPlant plant(p);
+    const MultirotorTrim hover = plant.trim({0, 0, 0}, 0, plant.limits().least_density);
+    double most = 0;
+    for (const double speed : hover.rotors) most = std::max(most, speed);
+    // A tenth more thrust than hovering takes; it grows with the square of the speed.
+    EXPECT_NEAR(p.fastest_rotor * p.fastest_rotor / (most * most), 1.1, 1e-6);
+  }
+  EXPECT_NEAR(span_of(MultirotorPlant(MultirotorParameters{}).airframe()),
+              2 * (0.177 * std::sqrt(2.0) + 0.127), 1e-12);
+}
+
 TEST(MultirotorPlant, HoverInWindIsAnEquilibrium) {
   for (const MultirotorParameters& p : {MultirotorParameters{}, hexarotor()}) {
     const MultirotorPlant plant(p);

@@ -51,6 +51,33 @@ TEST(Unflyable, AirspeedIsBounded) {
   EXPECT_FALSE(unflyable({HoldCourse{0}, 100, 18.0}, kWing, kCalm));
 }
 
+TEST(Unflyable, TheAirAtAnAltitudeMustCarry) {
+  FlightLimits wing = kWing;
+  // The slowest airspeed, 15 m/s at sea level, is the fastest, 25 m/s, where the density
+  // is 1.225 (15/25)^2 = 0.441 kg/m^3: at 9,475 m of the standard atmosphere.
+  wing.least_density = 1.225 * 0.36;
+  EXPECT_TRUE(says({HoldCourse{0}, 20000, 24.0}, "9475 m is the most", kCalm, wing));
+  EXPECT_TRUE(says({HoldCourse{0}, 9480, 25.0}, "commanded altitude", kCalm, wing));
+  EXPECT_FALSE(unflyable({HoldCourse{0}, 9470, 25.0}, wing, kCalm));
+  // At 8,000 m 15 m/s are 22.9 m/s, more than cruise.
+  EXPECT_TRUE(says({HoldCourse{0}, 8000, {}}, "carries from 22.9 m/s on", kCalm, wing));
+  EXPECT_FALSE(unflyable({HoldCourse{0}, 8000, 23.0}, wing, kCalm));
+  EXPECT_FALSE(unflyable({HoldCourse{0}, 4000, {}}, wing, kCalm));
+  EXPECT_TRUE(says({FlyWaypoints{{{{0, 0}, 100}, {{1e6, 0}, 20000}}, 1}, 0, {}},
+                   "altitude of waypoint 2", kCalm, wing));
+  Plan high = plan({0, 10}, {20, 0, 0});
+  for (PlanPoint& point : high) point.p_N.z() = -20000;
+  EXPECT_TRUE(
+      says({FollowPlan{high}, 0, {}}, "altitude of the plan at 0.0 s", kCalm, wing));
+
+  FlightLimits rotor = kRotor;
+  rotor.least_density = 0.6;
+  EXPECT_TRUE(says({HoldPosition{{0, 0}}, 20000, {}}, "too thin", kCalm, rotor));
+  EXPECT_FALSE(unflyable({HoldPosition{{0, 0}}, 5000, {}}, rotor, kCalm));
+  // What needs no air to fly has no ceiling.
+  EXPECT_FALSE(unflyable({HoldCourse{0}, 20000, {}}, kWing, kCalm));
+}
+
 TEST(Unflyable, TurnsAreHeldAgainstTheSlowestAirspeedInTheWind) {
   // a_max = 20^2 / 60; calm: 15^2 / a_max = 33.75 m.
   EXPECT_FALSE(unflyable({FollowPath{turn(0, 1, 34)}, 100, {}}, kWing, kCalm));
