@@ -58,6 +58,22 @@ class BothRecorders final : public Recorder {
     first_.crossing(crossing);
     second_.crossing(crossing);
   }
+  void object(const GroundObject& object) override {
+    first_.object(object);
+    second_.object(object);
+  }
+  void detection(const Detection& detection) override {
+    first_.detection(detection);
+    second_.detection(detection);
+  }
+  void footprint(const Footprint& footprint) override {
+    first_.footprint(footprint);
+    second_.footprint(footprint);
+  }
+  void ranges(const RangeScan& scan) override {
+    first_.ranges(scan);
+    second_.ranges(scan);
+  }
   Result<void> step_done(Time time) override {
     auto done = first_.step_done(time);
     if (!done) return done;

@@ -18,6 +18,10 @@ enum : std::uint64_t {
   kPerimeter,
   kEvent,
   kCrossing,
+  kObject,
+  kDetection,
+  kFootprint,
+  kRanges,
 };
 
 }  // namespace
@@ -152,6 +156,10 @@ void ContentHash::estimate(EntityId id, const NavEstimate& estimate,
   put(static_cast<std::uint64_t>(status.mode));
   put(static_cast<std::uint64_t>(status.trigger));
   put(static_cast<std::uint64_t>(status.reaction));
+  put(status.charge);
+  put(status.reserve);
+  put(status.endurance.has_value());
+  put(status.endurance.value_or(0));
   end();
 }
 
@@ -217,6 +225,48 @@ void ContentHash::crossing(const Crossing& crossing) {
   put(crossing.track);
   put(crossing.point_sd);
   put(crossing.entered);
+  end();
+}
+
+void ContentHash::object(const GroundObject& object) {
+  begin(kObject);
+  put(std::uint64_t{object.id});
+  put(std::string_view(object.name));
+  put(object.position);
+  put(object.velocity);
+  end();
+}
+
+void ContentHash::detection(const Detection& detection) {
+  begin(kDetection);
+  put(detection.time);
+  put(detection.aircraft);
+  put(std::uint64_t{detection.sensor});
+  put(std::uint64_t{detection.object});
+  put(detection.point);
+  put(detection.point_sd);
+  end();
+}
+
+void ContentHash::footprint(const Footprint& footprint) {
+  begin(kFootprint);
+  put(footprint.time);
+  put(footprint.aircraft);
+  put(std::uint64_t{footprint.sensor});
+  for (const Vec2& corner : footprint.corners) put(corner);
+  end();
+}
+
+void ContentHash::ranges(const RangeScan& scan) {
+  begin(kRanges);
+  put(scan.time);
+  put(scan.aircraft);
+  put(std::uint64_t{scan.sensor});
+  put(std::uint64_t{scan.beams.size()});
+  for (const RangeSample& beam : scan.beams) {
+    put(beam.beam_B);
+    put(beam.range);
+  }
   end();
 }
 

@@ -24,6 +24,10 @@ class ContentHash {
                  const BoundaryEstimate& belief);
   void event(const Event& event);
   void crossing(const Crossing& crossing);
+  void object(const GroundObject& object);
+  void detection(const Detection& detection);
+  void footprint(const Footprint& footprint);
+  void ranges(const RangeScan& scan);
 
   /// The fingerprint of all so far: 32 hexadecimal digits.
   std::string hex() const { return hasher_.hex(); }

@@ -18,6 +18,12 @@ void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
   position_error_.add((geo::horizontal(p_N) - truth->second.position).squaredNorm());
 }
 
+void FlightStatistics::reserve(EntityId id, double reserve) {
+  if (reserve >= 1) return;
+  const auto [least, first] = reserve_least_.try_emplace(id, reserve);
+  if (!first) least->second = std::min(least->second, reserve);
+}
+
 void FlightStatistics::event(const Event& event) {
   if (event.kind == "accident") ++accidents_;
   if (event.kind != "failsafe") return;
@@ -28,7 +34,9 @@ void FlightStatistics::event(const Event& event) {
   acting = acts;
 }
 
-void FlightStatistics::add_figures(std::map<std::string, double>& figures) const {
+void FlightStatistics::add_figures(
+    std::map<std::string, double>& figures,
+    const std::function<std::string(EntityId)>& name_of) const {
   figures["accidents"] = static_cast<double>(accidents_);
   figures["failsafes"] = static_cast<double>(failsafes_);
   const auto put = [&](const char* name, const Square& square) {
@@ -37,6 +45,8 @@ void FlightStatistics::add_figures(std::map<std::string, double>& figures) const
   put("cross_track_rms_m", cross_track_);
   put("position_error_rms_m", position_error_);
   if (charge_least_) figures["charge_least"] = *charge_least_;
+  for (const auto& [id, reserve] : reserve_least_)
+    figures["reserve_least_" + name_of(id)] = reserve;
 }
 
 }  // namespace skein::record

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,12 +21,17 @@ class FlightStatistics {
   /// @param cross_track  of the path that it follows; none when it follows nothing [m].
   void estimate(Time time, EntityId id, const Vec3& p_N,
                 std::optional<double> cross_track);
+  /// @param reserve  charge less what it takes to get home, from 0 to 1; 1 while nothing
+  ///                 is known of it.
+  void reserve(EntityId id, double reserve);
   void event(const Event& event);
 
   /// Adds `accidents`, `failsafes` (how often one began to act), and where there is
   /// something to say `cross_track_rms_m`, `position_error_rms_m` (horizontal, of the
   /// estimates against the truth of the same time) and `charge_least`.
-  void add_figures(std::map<std::string, double>& figures) const;
+  /// Per aircraft, by its name, `reserve_least_<name>` once something was known of it.
+  void add_figures(std::map<std::string, double>& figures,
+                   const std::function<std::string(EntityId)>& name_of) const;
 
  private:
   struct Square {
@@ -42,6 +48,7 @@ class FlightStatistics {
   std::map<EntityId, Place> last_;  // truth
   Square cross_track_, position_error_;
   std::optional<double> charge_least_;
+  std::map<EntityId, double> reserve_least_;
   std::map<EntityId, bool> acting_;  // a failsafe
   std::uint64_t accidents_ = 0, failsafes_ = 0;
 };

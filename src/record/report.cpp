@@ -117,6 +117,7 @@ Result<void> write_report(std::span<const fs::path> run_directories,
   budget.frames = std::max(30, budget.frames / count);
   budget.track_samples = std::max(4000, budget.track_samples / count);
   budget.crossings = std::max(500, budget.crossings / count);
+  budget.detections = std::max(500, budget.detections / count);
 
   Json runs = Json::array();
   std::vector<Error> errors;

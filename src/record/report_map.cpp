@@ -131,6 +131,11 @@ Extent extent_of(const StoredRun& run) {
   add(run.belief, kBeliefFloats);
   for (const Crossing& crossing : run.crossings)
     extent.add(crossing.point.x(), crossing.point.y());
+  for (const GroundObject& object : run.objects)
+    for (const Time time : {Time(), Time::from_seconds(run.duration)})
+      extent.add(object.at(time).x(), object.at(time).y());
+  for (const Detection& detection : run.detections)
+    extent.add(detection.point.x(), detection.point.y());
   return extent;
 }
 
@@ -216,6 +221,34 @@ Json crossings_json(const StoredRun& run, const Extent& extent) {
   return {{"time_s", packed(times)}, {"north", packed(north)}, {"east", packed(east)}};
 }
 
+// The things on the ground, and where the aircraft believed what they found of them.
+Json objects_json(const StoredRun& run) {
+  Json objects = Json::array();
+  for (const GroundObject& object : run.objects)
+    objects.push_back({{"id", object.id},
+                       {"name", object.name},
+                       {"north_m", object.position.x()},
+                       {"east_m", object.position.y()},
+                       {"velocity_north_m_s", object.velocity.x()},
+                       {"velocity_east_m_s", object.velocity.y()}});
+  return objects;
+}
+
+Json detections_json(const StoredRun& run, const Extent& extent) {
+  std::vector<float> times;
+  Shorts north, east, object;
+  for (const Detection& detection : run.detections) {
+    times.push_back(static_cast<float>(detection.time.seconds()));
+    north.push_back(extent.north(detection.point.x()));
+    east.push_back(extent.east(detection.point.y()));
+    object.push_back(static_cast<std::uint16_t>(detection.object));
+  }
+  return {{"time_s", packed(times)},
+          {"north", packed(north)},
+          {"east", packed(east)},
+          {"object", packed(object)}};
+}
+
 Json terrain_json(const TerrainRow& terrain) {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (const float height : terrain.heights)
@@ -252,7 +285,9 @@ Json map_json(const StoredRun& run) {
               {"tracks", tracks_json(run, extent)},
               {"truth", truth_json(run, extent)},
               {"belief", belief_json(run, extent, sigma_step)},
-              {"crossings", crossings_json(run, extent)}};
+              {"crossings", crossings_json(run, extent)},
+              {"objects", objects_json(run)},
+              {"detections", detections_json(run, extent)}};
   if (run.terrain)
     if (Json terrain = terrain_json(*run.terrain); !terrain.is_null())
       map["terrain"] = std::move(terrain);

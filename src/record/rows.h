@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -8,6 +9,8 @@
 #include "data/event.h"
 #include "data/fire.h"
 #include "data/message.h"
+#include "data/object.h"
+#include "data/payload.h"
 #include "data/vehicle.h"
 #include "geo/polygon.h"
 
@@ -45,7 +48,9 @@ struct EstimateRow {
         mode(s.mode),
         trigger(s.trigger),
         reaction(s.reaction),
-        charge(s.charge) {}
+        charge(s.charge),
+        reserve(s.reserve),
+        endurance(s.endurance) {}
   EntityId id;
   NavEstimate estimate;
   double cross_track, time_error;
@@ -53,7 +58,8 @@ struct EstimateRow {
   FlightMode mode;
   FailsafeTrigger trigger;
   FailsafeReaction reaction;
-  double charge;
+  double charge, reserve;
+  std::optional<double> endurance;
 };
 
 struct MessageRow {
@@ -90,7 +96,8 @@ struct TerrainRow {
 /// One thing to be stored. Rare and large kinds are held by pointer: the common ones
 /// decide the size.
 using Row = std::variant<TruthRow, EstimateRow, FireReading, Crossing, MessageRow,
-                         EntityRow, Event, std::unique_ptr<TaskRow>,
+                         EntityRow, Event, Detection, Footprint, RangeScan,
+                         std::unique_ptr<GroundObject>, std::unique_ptr<TaskRow>,
                          std::unique_ptr<PerimeterRow>, std::unique_ptr<TerrainRow>>;
 
 }  // namespace skein::record

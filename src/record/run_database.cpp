@@ -25,7 +25,7 @@ CREATE TABLE estimates (time_s REAL, entity_id INTEGER, north_m REAL, east_m REA
   altitude_msl_m REAL, velocity_north_m_s REAL, velocity_east_m_s REAL, climb_m_s REAL,
   heading_deg REAL, wind_north_m_s REAL, wind_east_m_s REAL, position_sd_m REAL,
   roll_deg REAL, pitch_deg REAL, cross_track_m REAL, time_error_s REAL, mode TEXT,
-  failsafe TEXT, reaction TEXT, charge REAL);
+  failsafe TEXT, reaction TEXT, charge REAL, reserve REAL, endurance_s REAL);
 CREATE TABLE readings (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
   position_sd_m REAL, inside INTEGER);
 CREATE TABLE crossings (time_s REAL, entity_id INTEGER, north_m REAL, east_m REAL,
@@ -40,10 +40,19 @@ CREATE TABLE perimeters (time_s REAL, source TEXT, believer_id INTEGER, ring INT
 CREATE TABLE events (time_s REAL, entity_id INTEGER, kind TEXT, text TEXT);
 CREATE TABLE terrain (rows INTEGER, columns INTEGER, low_north_m REAL, low_east_m REAL,
   spacing_m REAL, heights_msl_m BLOB);
+CREATE TABLE objects (object_id INTEGER PRIMARY KEY, name TEXT, north_m REAL,
+  east_m REAL, velocity_north_m_s REAL, velocity_east_m_s REAL);
+CREATE TABLE detections (time_s REAL, entity_id INTEGER, sensor INTEGER,
+  object_id INTEGER, north_m REAL, east_m REAL, position_sd_m REAL);
+CREATE TABLE footprints (time_s REAL, entity_id INTEGER, sensor INTEGER,
+  front_left_north_m REAL, front_left_east_m REAL, front_right_north_m REAL,
+  front_right_east_m REAL, back_right_north_m REAL, back_right_east_m REAL,
+  back_left_north_m REAL, back_left_east_m REAL);
+CREATE TABLE ranges (time_s REAL, entity_id INTEGER, sensor INTEGER, beams INTEGER,
+  hits INTEGER, least_m REAL, mean_m REAL, data BLOB);
 CREATE TABLE summary (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
 )sql";
 
-constexpr int kSchemaVersion = 2;
 constexpr double kNull = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kPageBytes = 4096;
 
@@ -158,12 +167,16 @@ Result<void> RunDatabase::prepare() {
       {meta_, "meta", 2},
       {entity_, "entities", 3},
       {truth_, "truth", 14},
-      {estimate_, "estimates", 20},
+      {estimate_, "estimates", 22},
       {reading_, "readings", 6},
       {crossing_, "crossings", 6},
       {message_, "messages", 8},
       {task_, "tasks", 12},
       {event_, "events", 4},
+      {object_, "objects", 6},
+      {detection_, "detections", 7},
+      {footprint_, "footprints", 11},
+      {ranges_, "ranges", 8},
       {terrain_, "terrain", 6},
       {perimeter_, "perimeters", 6},
       {metrics_, "metrics", 2 + static_cast<int>(metric_fields().size())},
@@ -206,7 +219,8 @@ Result<void> RunDatabase::write(const EstimateRow& row) {
                 e.wind_N.x(), e.wind_N.y(), e.position_sd, geo::degrees(e.roll),
                 geo::degrees(e.pitch), row.follows ? row.cross_track : kNull,
                 row.follows ? row.time_error : kNull, name_of(row.mode),
-                name_of(row.trigger), name_of(row.reaction), row.charge);
+                name_of(row.trigger), name_of(row.reaction), row.charge, row.reserve,
+                row.endurance);
 }
 
 Result<void> RunDatabase::write(const FireReading& row) {
@@ -236,6 +250,40 @@ Result<void> RunDatabase::write(const TaskRow& row) {
 
 Result<void> RunDatabase::write(const Event& row) {
   return insert(event_, row.time.seconds(), row.entity.value, row.kind, row.text);
+}
+
+Result<void> RunDatabase::write(const GroundObject& row) {
+  return insert(object_, row.id, row.name, row.position.x(), row.position.y(),
+                row.velocity.x(), row.velocity.y());
+}
+
+Result<void> RunDatabase::write(const Detection& row) {
+  return insert(detection_, row.time.seconds(), row.aircraft.value, row.sensor,
+                row.object, row.point.x(), row.point.y(), row.point_sd);
+}
+
+Result<void> RunDatabase::write(const Footprint& row) {
+  const auto& c = row.corners;
+  return insert(footprint_, row.time.seconds(), row.aircraft.value, row.sensor, c[0].x(),
+                c[0].y(), c[1].x(), c[1].y(), c[2].x(), c[2].y(), c[3].x(), c[3].y());
+}
+
+Result<void> RunDatabase::write(const RangeScan& row) {
+  std::vector<float> floats;
+  double hits = 0, sum = 0, least = std::numeric_limits<double>::infinity();
+  for (const RangeSample& beam : row.beams) {
+    for (const double number :
+         {beam.beam_B.x(), beam.beam_B.y(), beam.beam_B.z(), beam.range})
+      floats.push_back(static_cast<float>(number));
+    if (beam.range <= 0) continue;
+    hits += 1;
+    sum += beam.range;
+    least = std::min(least, beam.range);
+  }
+  return insert(ranges_, row.time.seconds(), row.aircraft.value, row.sensor,
+                static_cast<std::int64_t>(row.beams.size()),
+                static_cast<std::int64_t>(hits), hits > 0 ? least : kNull,
+                hits > 0 ? sum / hits : kNull, bytes(floats));
 }
 
 Result<void> RunDatabase::write(const TerrainRow& row) {

@@ -18,6 +18,12 @@ namespace skein::record {
 inline constexpr std::size_t kTruthFloats = 2;   ///< north, east [m]
 inline constexpr std::size_t kBeliefFloats = 7;  ///< ... normal n, e, sigma, growth, rate
 
+/// One beam of a stored scan: forward, right, down of its direction, then the range [m].
+inline constexpr std::size_t kBeamFloats = 4;
+
+/// Of the tables, in `PRAGMA user_version`. 3: energy reserves and the payload's tables.
+inline constexpr int kSchemaVersion = 3;
+
 /// The tables of one run, for writing. Write errors leave what was committed untouched.
 class RunDatabase {
  public:
@@ -39,6 +45,10 @@ class RunDatabase {
   Result<void> write(const MessageRow& row);
   Result<void> write(const TaskRow& row);
   Result<void> write(const Event& row);
+  Result<void> write(const GroundObject& row);
+  Result<void> write(const Detection& row);
+  Result<void> write(const Footprint& row);
+  Result<void> write(const RangeScan& row);
   Result<void> write(const TerrainRow& row);
   Result<void> write_truth(Time time, const geo::Region& truth);
   Result<void> write_belief(Time time, EntityId believer, const BoundaryEstimate& belief);
@@ -59,6 +69,7 @@ class RunDatabase {
   Sqlite sqlite_;
   Statement meta_, entity_, truth_, estimate_, reading_, crossing_, message_, task_,
       event_;
+  Statement object_, detection_, footprint_, ranges_;
   Statement terrain_, perimeter_, metrics_, summary_;
 };
 

@@ -27,6 +27,19 @@ std::vector<float> float_blob(const Statement& row, int column) {
   return floats;
 }
 
+// The first schema with energy reserves and tables of the payload.
+constexpr std::int64_t kPayloadSchema = 3;
+
+// Every k-th, so that about `most` are left at most.
+template <class T>
+std::vector<T> thinned(const std::vector<T>& all, int most) {
+  const std::size_t keep_each =
+      all.size() / static_cast<std::size_t>(std::max(1, most)) + 1;
+  std::vector<T> kept;
+  for (std::size_t i = 0; i < all.size(); i += keep_each) kept.push_back(all[i]);
+  return kept;
+}
+
 // Turns rows of one entity into samples at equal steps, by interpolation.
 class TrackBuilder {
  public:
@@ -74,10 +87,10 @@ class Reader {
   Result<StoredRun> read() {
     using Part = Result<void> (Reader::*)();
     for (const Part part :
-         {&Reader::meta, &Reader::entities, &Reader::duration, &Reader::events,
-          &Reader::metrics, &Reader::tracks, &Reader::estimates, &Reader::readings,
-          &Reader::messages, &Reader::perimeters, &Reader::crossings, &Reader::terrain,
-          &Reader::summary})
+         {&Reader::schema, &Reader::meta, &Reader::entities, &Reader::duration,
+          &Reader::events, &Reader::metrics, &Reader::tracks, &Reader::estimates,
+          &Reader::readings, &Reader::messages, &Reader::perimeters, &Reader::crossings,
+          &Reader::payload, &Reader::terrain, &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -92,6 +105,11 @@ class Reader {
     while (row.next()) take(row);
     if (row.failed()) return database_.error();
     return {};
+  }
+
+  Result<void> schema() {
+    return rows("PRAGMA user_version",
+                [this](const Statement& row) { schema_ = row.integer(0); });
   }
 
   Result<void> meta() {
@@ -204,11 +222,16 @@ class Reader {
 
   // Only for the figures of a run that was cut off; without the truth beside them.
   Result<void> estimates() {
-    return rows(
+    auto done = rows(
         "SELECT entity_id, cross_track_m FROM estimates WHERE cross_track_m IS NOT NULL",
         [this](const Statement& row) {
           statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(), row.real(1));
         });
+    if (!done || schema_ < kPayloadSchema) return done;
+    return rows("SELECT entity_id, min(reserve) FROM estimates GROUP BY entity_id",
+                [this](const Statement& row) {
+                  statistics_.reserve(entity_id(row, 0), row.real(1));
+                });
   }
 
   // Only for the counts of a run that was cut off.
@@ -278,11 +301,43 @@ class Reader {
           all.push_back(crossing);
           statistics_.crossing(crossing);
         });
-    const std::size_t keep_each =
-        all.size() / static_cast<std::size_t>(std::max(1, budget_.crossings)) + 1;
-    for (std::size_t i = 0; i < all.size(); i += keep_each)
-      run_.crossings.push_back(all[i]);
+    run_.crossings = thinned(all, budget_.crossings);
     return done;
+  }
+
+  // What cameras and ranging sensors saw; older runs have no tables of it.
+  Result<void> payload() {
+    if (schema_ < kPayloadSchema) return {};
+    auto done = rows(
+        "SELECT object_id, name, north_m, east_m, velocity_north_m_s, velocity_east_m_s"
+        " FROM objects",
+        [this](const Statement& row) {
+          run_.objects.push_back({static_cast<std::uint32_t>(row.integer(0)), row.text(1),
+                                  Vec2(row.real(2), row.real(3)),
+                                  Vec2(row.real(4), row.real(5))});
+          statistics_.payload().object(run_.objects.back());
+        });
+    if (!done) return done;
+    std::vector<Detection> all;
+    done = rows(
+        "SELECT time_s, entity_id, object_id, north_m, east_m FROM detections"
+        " ORDER BY time_s",
+        [&](const Statement& row) {
+          Detection detection;
+          detection.time = Time::from_seconds(row.real(0));
+          detection.aircraft = entity_id(row, 1);
+          detection.object = static_cast<std::uint32_t>(row.integer(2));
+          detection.point = Vec2(row.real(3), row.real(4));
+          all.push_back(detection);
+          statistics_.payload().detection(detection);
+        });
+    if (!done) return done;
+    run_.detections = thinned(all, budget_.detections);
+    done = rows("SELECT 1 FROM footprints",
+                [this](const Statement&) { statistics_.payload().footprint(); });
+    if (!done) return done;
+    return rows("SELECT 1 FROM ranges",
+                [this](const Statement&) { statistics_.payload().ranges(); });
   }
 
   Result<void> terrain() {
@@ -330,6 +385,7 @@ class Reader {
   RunStatistics statistics_;
   StoredRun run_;
   double movers_ = 1;
+  std::int64_t schema_ = 0;
 };
 
 }  // namespace

@@ -41,6 +41,8 @@ struct StoredRun {
   std::vector<StoredTrack> tracks;
   std::vector<StoredFrame> truth, belief;
   std::vector<Crossing> crossings;
+  std::vector<GroundObject> objects;
+  std::vector<Detection> detections;              ///< without sensor and deviation
   std::vector<Event> events;                      ///< in order of time
   int events_left_out = 0;                        ///< more of the most frequent kinds
   double message_bin = 60;                        ///< [s]
@@ -54,6 +56,7 @@ struct ReadBudget {
   int track_samples = 120000;  ///< over all entities
   double shortest_step = 1;    ///< between track samples [s]
   int crossings = 6000;
+  int detections = 6000;
   int events = 400;
 };
 

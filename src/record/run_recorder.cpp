@@ -115,6 +115,26 @@ void RunRecorder::crossing(const Crossing& crossing) {
   parts_->writer.push(crossing);
 }
 
+void RunRecorder::object(const GroundObject& object) {
+  parts_->hash.object(object);
+  parts_->writer.push(std::make_unique<GroundObject>(object));
+}
+
+void RunRecorder::detection(const Detection& detection) {
+  parts_->hash.detection(detection);
+  parts_->writer.push(detection);
+}
+
+void RunRecorder::footprint(const Footprint& footprint) {
+  parts_->hash.footprint(footprint);
+  parts_->writer.push(footprint);
+}
+
+void RunRecorder::ranges(const RangeScan& scan) {
+  parts_->hash.ranges(scan);
+  parts_->writer.push(scan);
+}
+
 Result<void> RunRecorder::step_done(Time time) {
   parts_->now = time;
   return parts_->writer.status();

@@ -52,6 +52,10 @@ class RunRecorder final : public Recorder {
                  const BoundaryEstimate& belief) override;
   void event(const Event& event) override;
   void crossing(const Crossing& crossing) override;
+  void object(const GroundObject& object) override;
+  void detection(const Detection& detection) override;
+  void footprint(const Footprint& footprint) override;
+  void ranges(const RangeScan& scan) override;
   Result<void> step_done(Time time) override;
 
   /// Keeps a small grid of the ground for the report's map, row by row: row r, column c

@@ -147,6 +147,7 @@ Result<void> RunWriter::write(const TruthRow& row) {
 Result<void> RunWriter::write(const EstimateRow& row) {
   statistics_.estimate(row.estimate.time, row.id, row.estimate.p_N,
                        row.follows ? std::optional(row.cross_track) : std::nullopt);
+  statistics_.reserve(row.id, row.reserve);
   return database_.write(row);
 }
 
@@ -168,6 +169,26 @@ Result<void> RunWriter::write(const MessageRow& row) {
 Result<void> RunWriter::write(const Event& row) {
   statistics_.event(row);
   return database_.write(row);
+}
+
+Result<void> RunWriter::write(const Detection& row) {
+  statistics_.payload().detection(row);
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(const Footprint& row) {
+  statistics_.payload().footprint();
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(const RangeScan& row) {
+  statistics_.payload().ranges();
+  return database_.write(row);
+}
+
+Result<void> RunWriter::write(std::unique_ptr<GroundObject>& row) {
+  statistics_.payload().object(*row);
+  return database_.write(*row);
 }
 
 Result<void> RunWriter::write(std::unique_ptr<TaskRow>& row) {

@@ -57,6 +57,10 @@ class RunWriter {
   Result<void> write(const Crossing& row);
   Result<void> write(const MessageRow& row);
   Result<void> write(const Event& row);
+  Result<void> write(const Detection& row);
+  Result<void> write(const Footprint& row);
+  Result<void> write(const RangeScan& row);
+  Result<void> write(std::unique_ptr<GroundObject>& row);
   Result<void> write(std::unique_ptr<TaskRow>& row);
   Result<void> write(std::unique_ptr<TerrainRow>& row);
   Result<void> write(std::unique_ptr<PerimeterRow>& row);

@@ -93,7 +93,11 @@ std::map<std::string, double> RunStatistics::figures() const {
   }
   out["distance_flown_total_m"] = total;
   if (flown > 0) out["distance_flown_mean_m"] = total / flown;
-  flight_statistics_.add_figures(out);
+  flight_statistics_.add_figures(out, [this](EntityId id) {
+    const auto flight = flights_.find(id);
+    return flight == flights_.end() ? std::to_string(id.value) : flight->second.name;
+  });
+  payload_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

@@ -10,6 +10,7 @@
 #include "data/vehicle.h"
 #include "record/flight_statistics.h"
 #include "record/metrics.h"
+#include "record/payload_statistics.h"
 #include "record/reading_ages.h"
 #include "record/summary.h"
 
@@ -26,6 +27,8 @@ class RunStatistics {
                 std::optional<double> cross_track) {
     flight_statistics_.estimate(time, id, p_N, cross_track);
   }
+  void reserve(EntityId id, double reserve) { flight_statistics_.reserve(id, reserve); }
+  PayloadStatistics& payload() { return payload_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
@@ -64,6 +67,7 @@ class RunStatistics {
 
   std::map<EntityId, Flight> flights_;
   FlightStatistics flight_statistics_;
+  PayloadStatistics payload_;
   ReadingAges ages_;
   std::optional<EntityId> believer_;
   std::optional<Time> allocation_start_;

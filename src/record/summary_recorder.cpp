@@ -22,6 +22,7 @@ void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate,
   hash_.estimate(id, estimate, status);
   statistics_.estimate(estimate.time, id, estimate.p_N,
                        status.follows ? std::optional(status.cross_track) : std::nullopt);
+  statistics_.reserve(id, status.reserve);
 }
 
 void SummaryRecorder::reading(const FireReading& reading) {
@@ -48,6 +49,26 @@ void SummaryRecorder::event(const Event& event) {
 void SummaryRecorder::crossing(const Crossing& crossing) {
   hash_.crossing(crossing);
   statistics_.crossing(crossing);
+}
+
+void SummaryRecorder::object(const GroundObject& object) {
+  hash_.object(object);
+  statistics_.payload().object(object);
+}
+
+void SummaryRecorder::detection(const Detection& detection) {
+  hash_.detection(detection);
+  statistics_.payload().detection(detection);
+}
+
+void SummaryRecorder::footprint(const Footprint& footprint) {
+  hash_.footprint(footprint);
+  statistics_.payload().footprint();
+}
+
+void SummaryRecorder::ranges(const RangeScan& scan) {
+  hash_.ranges(scan);
+  statistics_.payload().ranges();
 }
 
 Result<void> SummaryRecorder::step_done(Time time) {

@@ -24,6 +24,10 @@ class SummaryRecorder final : public Recorder {
                  const BoundaryEstimate& belief) override;
   void event(const Event& event) override;
   void crossing(const Crossing& crossing) override;
+  void object(const GroundObject& object) override;
+  void detection(const Detection& detection) override;
+  void footprint(const Footprint& footprint) override;
+  void ranges(const RangeScan& scan) override;
   Result<void> step_done(Time time) override;
 
   /// Sets one more number of the summary, such as `deadline_misses`.

@@ -7,6 +7,8 @@
 #include "data/event.h"
 #include "data/fire.h"
 #include "data/message.h"
+#include "data/object.h"
+#include "data/payload.h"
 #include "data/vehicle.h"
 #include "geo/polygon.h"
 
@@ -34,6 +36,14 @@ class Recorder {
   /// An aircraft has passed the boundary, as the agent that keeps the belief found. May
   /// come later than it happened.
   virtual void crossing(const Crossing& crossing) = 0;
+
+  // What cameras and ranging sensors look at and see. A recorder that has no use for it
+  // passes it over.
+  /// A thing on the ground exists. Before the first step.
+  virtual void object(const GroundObject& /*object*/) {}
+  virtual void detection(const Detection& /*detection*/) {}
+  virtual void footprint(const Footprint& /*footprint*/) {}
+  virtual void ranges(const RangeScan& /*scan*/) {}
 
   /// Called at the end of every step; may write out what has gathered.
   /// Fails: kUnavailable when the records can no longer be written (disk full...).

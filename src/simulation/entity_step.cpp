@@ -16,13 +16,17 @@ SensorView view_of(const World& world, Time now, const Vehicle& vehicle) {
 
 // A sensor that says nothing goes on measuring: its errors wander, its clock runs, and
 // when it speaks again it is about now.
+void sample_one(Sensor& sensor, bool silent, const SensorView& view,
+                std::vector<SensorSample>& out) {
+  const auto before = static_cast<std::ptrdiff_t>(out.size());
+  sensor.sample(view, out);
+  if (silent) out.erase(out.begin() + before, out.end());
+}
+
 void sample_all(const std::vector<std::unique_ptr<Sensor>>& sensors, std::uint64_t silent,
                 const SensorView& view, std::vector<SensorSample>& out) {
-  for (std::size_t k = 0; k < sensors.size(); ++k) {
-    const auto before = static_cast<std::ptrdiff_t>(out.size());
-    sensors[k]->sample(view, out);
-    if ((silent >> k & 1u) != 0) out.erase(out.begin() + before, out.end());
-  }
+  for (std::size_t k = 0; k < sensors.size(); ++k)
+    sample_one(*sensors[k], (silent >> k & 1u) != 0, view, out);
 }
 
 void sense_flight(const World& world, Time now, Vehicle& vehicle, EntityState& state) {
@@ -112,8 +116,13 @@ void begin(const World& world, Time now, Entity& entity, EntityState& state) {
 void sense(const World& world, Time now, Entity& entity, EntityState& state) {
   Vehicle* vehicle = entity.vehicle.get();
   if (!state.active || !vehicle) return;
-  sample_all(vehicle->payload, state.silent_payload, view_of(world, now, *vehicle),
-             state.samples);
+  state.fresh = state.samples.size();
+  state.payload_ends.clear();
+  for (std::size_t k = 0; k < vehicle->payload.size(); ++k) {
+    sample_one(*vehicle->payload[k], (state.silent_payload >> k & 1u) != 0,
+               view_of(world, now, *vehicle), state.samples);
+    state.payload_ends.push_back(state.samples.size());
+  }
 }
 
 void think(Time now, Entity& entity, EntityState& state) {

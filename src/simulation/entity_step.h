@@ -12,6 +12,9 @@ struct EntityState {
   bool flew = false;                  ///< has been active before
   bool ended = false;                 ///< hit the ground: takes no further part
   std::vector<SensorSample> samples;  ///< of the payload, until the agent reads them
+  /// Where those of each payload sensor in this step end, after those before `fresh`.
+  std::size_t fresh = 0;
+  std::vector<std::size_t> payload_ends;
   std::vector<SensorSample> flight_samples;  ///< of one step, kept for its memory
   enum class Accident { kNone, kGround, kNotFinite };
   Accident accident = Accident::kNone;  ///< in the last step

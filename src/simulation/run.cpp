@@ -12,6 +12,7 @@
 #include "simulation/entity_step.h"
 #include "simulation/fork_join.h"
 #include "simulation/pace.h"
+#include "simulation/payload_log.h"
 #include "simulation/refusals.h"
 
 namespace skein::simulation {
@@ -59,6 +60,7 @@ class Stepper {
     update_presence(now);
     update_parts(now);
     for_each([&](std::size_t i) { sense(world_, now, world_.entities[i], states_[i]); });
+    note_payload();
     for_each([&](std::size_t i) { think(now, world_.entities[i], states_[i]); });
     exchange(now);
     record(now);
@@ -73,6 +75,7 @@ class Stepper {
   void introduce() {
     for (std::size_t i = 0; i < world_.entities.size(); ++i)
       recorder_.entity(id_of(i), world_.entities[i].name, world_.entities[i].kind);
+    for (const GroundObject& object : world_.objects) recorder_.object(object);
   }
 
  private:
@@ -131,6 +134,23 @@ class Stepper {
     simulation::begin(world_, now, entity, states_[i]);
     if (entity.vehicle)
       watched_[i].on_ground = entity.vehicle->autopilot->status().on_ground;
+  }
+
+  // What cameras and ranging sensors have said in this step.
+  void note_payload() {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      const EntityState& state = states_[i];
+      const std::span<const SensorSample> samples = state.samples;
+      if (!state.active || state.fresh == samples.size()) continue;
+      const Autopilot& autopilot = *world_.entities[i].vehicle->autopilot;
+      std::size_t begin = state.fresh;
+      for (std::uint32_t k = 0; k < state.payload_ends.size(); ++k) {
+        const std::size_t end = state.payload_ends[k];
+        log_payload(samples.subspan(begin, end - begin), id_of(i), k, autopilot,
+                    recorder_);
+        begin = end;
+      }
+    }
   }
 
   // Parts that fail, or work again.

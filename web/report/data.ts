@@ -17,6 +17,16 @@ export interface Frame {
   rings: Packed[]; // truth: uint16 north, east; belief: north, east, normal, sigma
 }
 
+/** A thing on the ground that moves evenly: its place at time 0. */
+export interface GroundObject {
+  id: number;
+  name: string;
+  north_m: number;
+  east_m: number;
+  velocity_north_m_s: number;
+  velocity_east_m_s: number;
+}
+
 export interface Terrain {
   rows: number;
   columns: number;
@@ -38,6 +48,8 @@ export interface MapData {
   truth: Frame[];
   belief: Frame[];
   crossings: { time_s: Packed; north: Packed; east: Packed }; // float32, uint16, uint16
+  objects: GroundObject[];
+  detections: { time_s: Packed; north: Packed; east: Packed; object: Packed }; // the same, uint16
   terrain?: Terrain;
 }
 

@@ -48,6 +48,12 @@ const key = (name: string) => (run: RunData) => run.summary[name];
 const of = (run: RunData, metric: Metric, part: string) =>
   run.summary[`${metric.name}_${part}${metric.unit ? `_${metric.unit}` : ""}`];
 
+/** The smallest figure whose name begins so, times `factor`; undefined without any. */
+function lowest(run: RunData, beginning: string, factor: number): number | undefined {
+  const all = Object.entries(run.summary).filter(([name]) => name.startsWith(beginning)).map(([, value]) => value);
+  return all.length > 0 ? factor * Math.min(...all) : undefined;
+}
+
 const kCounts: Count[] = [
   { label: "Simulated time", show: (run) => run.duration_s, text: clock },
   { label: "Speed", unit: "×", show: key("real_time_factor") },
@@ -56,6 +62,10 @@ const kCounts: Count[] = [
   { label: "Distance flown, all", unit: "km", show: (run) => run.summary.distance_flown_total_m / 1000 },
   { label: "Observations", show: key("observations") },
   { label: "Crossings", show: key("crossings") },
+  { label: "Lowest reserve", unit: "%", show: (run) => lowest(run, "reserve_least_", 100) },
+  { label: "Objects found", show: (run) => run.summary.objects && run.summary.objects_found },
+  { label: "Detections", show: key("detections") },
+  { label: "Scans", show: key("range_scans") },
   { label: "Messages lost", unit: "%",
     show: (run) => run.summary.messages_sent > 0
       ? (100 * run.summary.messages_lost) / run.summary.messages_sent : undefined },

@@ -16,17 +16,19 @@ export interface Layers {
   band: boolean;
   tracks: boolean;
   crossings: boolean;
+  objects: boolean;
   names: boolean;
   tail: number; // length of the tracks [s]
 }
 
 export const kAllLayers: Layers = {
-  terrain: true, truth: true, belief: true, band: true, tracks: true, crossings: true, names: true,
-  tail: 180,
+  terrain: true, truth: true, belief: true, band: true, tracks: true, crossings: true, objects: true,
+  names: true, tail: 180,
 };
 
 const kBand95 = 1.96;
 const kCrossingShown = 300; // crossings fade over this time [s]
+const kDetectionShown = 300; // and detections [s]
 /** From so many aircraft on, the map shows less of each. */
 export const kMany = 20;
 
@@ -165,6 +167,16 @@ function drawScale(context: CanvasRenderingContext2D, view: View, width: number,
   context.fillText("N", cx, cy + 22);
 }
 
+function label(context: CanvasRenderingContext2D, text: string, x: number, y: number, theme: Theme): void {
+  context.font = "12px system-ui, sans-serif";
+  context.textAlign = "left";
+  context.lineWidth = 3;
+  context.strokeStyle = theme.paper;
+  context.strokeText(text, x, y);
+  context.fillStyle = theme.ink;
+  context.fillText(text, x, y);
+}
+
 function drawTracks(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place,
   layers: Layers, theme: Theme): void {
   const many = scene.tracks.length > kMany;
@@ -205,15 +217,41 @@ function drawTracks(context: CanvasRenderingContext2D, scene: Scene, time: numbe
     context.stroke();
     context.restore();
     if (layers.names && !many) {
-      context.font = "12px system-ui, sans-serif";
-      context.textAlign = "left";
-      context.lineWidth = 3;
-      context.strokeStyle = theme.paper;
-      context.strokeText(track.name, x + 11, y - 6);
-      context.fillStyle = theme.ink;
-      context.fillText(track.name, x + 11, y - 6);
+      label(context, track.name, x + 11, y - 6, theme);
     }
   });
+}
+
+/** Things on the ground as squares, filled once found, and where cameras placed them. */
+function drawObjects(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place,
+  names: boolean, theme: Theme): void {
+  const { time: when, north, east, object } = scene.detections;
+  const found = new Set<number>();
+  context.strokeStyle = theme.found;
+  context.lineWidth = 1.3;
+  for (let i = 0; i < when.length && when[i] <= time + 1e-3; ++i) {
+    found.add(object[i]);
+    const age = time - when[i];
+    if (age > kDetectionShown) continue;
+    const [x, y] = place(north[i], east[i]);
+    context.globalAlpha = 0.15 + 0.75 * (1 - age / kDetectionShown);
+    context.beginPath();
+    context.moveTo(x - 3, y - 3);
+    context.lineTo(x + 3, y + 3);
+    context.moveTo(x - 3, y + 3);
+    context.lineTo(x + 3, y - 3);
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+  for (const each of scene.objects) {
+    const [x, y] = place(each.north_m + time * each.velocity_north_m_s, each.east_m + time * each.velocity_east_m_s);
+    context.fillStyle = found.has(each.id) ? theme.found : theme.paper;
+    context.strokeStyle = theme.found;
+    context.lineWidth = 1.6;
+    context.fillRect(x - 4, y - 4, 8, 8);
+    context.strokeRect(x - 4, y - 4, 8, 8);
+    if (names && scene.objects.length <= kMany) label(context, each.name, x + 8, y + 4, theme);
+  }
 }
 
 /** Draws everything; the context's units are CSS pixels. */
@@ -274,6 +312,7 @@ export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights
     }
     context.globalAlpha = 1;
   }
+  if (layers.objects) drawObjects(context, scene, time, place, layers.names, theme);
   drawTracks(context, scene, time, place, layers, theme);
   drawScale(context, view, width, height, theme);
 }

@@ -20,6 +20,7 @@ const kLayerNames: [keyof Layers, string, string][] = [
   ["band", "95 % band", "band"],
   ["tracks", "tracks", "track"],
   ["crossings", "crossings", "crossing"],
+  ["objects", "objects, and where they were seen", "object"],
   ["names", "names", ""],
   ["terrain", "terrain", ""],
 ];
@@ -119,9 +120,10 @@ export class Player {
   }
 
   private layerChoice(): HTMLElement {
-    const terrain = this.shown.some((s) => s.heights);
+    const there = (key: keyof Layers) => this.shown.some((s) =>
+      key === "terrain" ? s.heights : key !== "objects" || s.scene.objects.length + s.scene.detections.time.length > 0);
     return h("div", { class: "layers", role: "group", "aria-label": "What the map shows" },
-      ...kLayerNames.filter(([key]) => key !== "terrain" || terrain).map(([key, text, style]) =>
+      ...kLayerNames.filter(([key]) => there(key)).map(([key, text, style]) =>
         h("label", {},
           h("input", { type: "checkbox", checked: true, onchange: (event) => {
             (this.layers[key] as boolean) = (event.target as HTMLInputElement).checked;
@@ -270,7 +272,8 @@ export class Player {
       const layers = { ...kAllLayers, tail: this.layers.tail };
       return h("div", { class: "print-maps" },
         h("p", {}, "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. " +
-          `Dots: crossings of the last five minutes. Coloured lines: the last ${clock(this.layers.tail)} of flight.`),
+          `Dots: crossings of the last five minutes. Squares: objects, filled once found; crosses: where cameras placed them. ` +
+          `Coloured lines: the last ${clock(this.layers.tail)} of flight.`),
         ...times.map((time) => {
           const canvas = h("canvas");
           paint(canvas, width, height, (context) =>

@@ -1,5 +1,5 @@
 /** What is where at a time: unpacked tracks and perimeters of one run. */
-import { floats, octets, shorts, type Frame, type MapData, type RunData, type Terrain } from "./data";
+import { floats, octets, shorts, type Frame, type GroundObject, type MapData, type RunData, type Terrain } from "./data";
 
 /** A believed ring: places, outward directions and deviations, point by point. */
 export interface Ring {
@@ -29,6 +29,8 @@ const kTurn = 2 * Math.PI;
 export class Scene {
   readonly tracks: Track[];
   readonly crossings: { time: Float32Array; north: Float32Array; east: Float32Array };
+  readonly objects: GroundObject[];
+  readonly detections: { time: Float32Array; north: Float32Array; east: Float32Array; object: Uint16Array };
   readonly terrain?: Terrain;
   readonly duration: number;
   private readonly cache = new Map<Frame, Ring[]>();
@@ -49,6 +51,13 @@ export class Scene {
       time: floats(map.crossings.time_s),
       north: this.places(shorts(map.crossings.north), map.low_north_m),
       east: this.places(shorts(map.crossings.east), map.low_east_m),
+    };
+    this.objects = map.objects;
+    this.detections = {
+      time: floats(map.detections.time_s),
+      north: this.places(shorts(map.detections.north), map.low_north_m),
+      east: this.places(shorts(map.detections.east), map.low_east_m),
+      object: shorts(map.detections.object),
     };
   }
 
@@ -121,6 +130,8 @@ export class Scene {
       }
     };
     for (const track of this.tracks) add(track.north, track.east);
+    add(this.detections.north, this.detections.east);
+    for (const { north_m, east_m } of this.objects) add(Float32Array.of(north_m), Float32Array.of(east_m));
     for (const rings of [this.truth(this.duration), this.belief(this.duration), this.truth(0)])
       for (const ring of rings) add(ring.north, ring.east);
     if (!(n0 <= n1)) return { low: [-500, -500], high: [500, 500] };

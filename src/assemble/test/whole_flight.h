@@ -57,6 +57,15 @@ class FlightLog final : public Recorder {
     events.push_back(event);
   }
   void crossing(const Crossing& crossing) override { hash_->crossing(crossing); }
+  void detection(const Detection& detection) override {
+    hash_->detection(detection);
+    detections.push_back(detection);
+  }
+  void footprint(const Footprint& footprint) override { hash_->footprint(footprint); }
+  void ranges(const RangeScan& scan) override {
+    hash_->ranges(scan);
+    scans.push_back(scan);
+  }
   Result<void> step_done(Time) override { return {}; }
 
   std::string hash() const { return hash_->hex(); }
@@ -77,6 +86,8 @@ class FlightLog final : public Recorder {
 
   std::map<std::uint32_t, std::vector<FlightRow>> rows;  ///< by entity
   std::vector<Event> events;
+  std::vector<Detection> detections;
+  std::vector<RangeScan> scans;
 
  private:
   // Its own, so that a log can be moved.

@@ -60,6 +60,50 @@ TEST(RunRecorder, KeepsEverythingItWasGiven) {
   EXPECT_GT(summary.numbers.at("crossings"), 10);
 }
 
+TEST(RunRecorder, KeepsWhatThePayloadSaw) {
+  const TemporaryFolder folder("payload");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  record_sample(*recorder, 100);
+  const RunSummary summary = recorder->close().value();
+  recorder.reset();
+  const auto& run = folder.path();
+  EXPECT_EQ(ask_text(run, "SELECT name FROM objects WHERE object_id = 1"), "person");
+  EXPECT_EQ(ask(run, "SELECT north_m FROM detections WHERE time_s = 100"), 40 + 10 + 3);
+  EXPECT_EQ(ask(run, "SELECT position_sd_m FROM detections"), 2.5);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM footprints"), 101);
+  EXPECT_EQ(ask(run, "SELECT front_right_east_m - back_left_east_m FROM footprints"), 18);
+  EXPECT_EQ(ask(run,
+                "SELECT count(*) FROM ranges WHERE beams = 3 AND hits = 2 AND"
+                " least_m = 40 AND mean_m = 45 AND length(data) = 3 * 4 * 4"),
+            101);
+  EXPECT_EQ(summary.number("objects"), 2);
+  EXPECT_EQ(summary.number("objects_found"), 1);
+  EXPECT_EQ(summary.number("detections"), 11);
+  EXPECT_EQ(summary.number("pictures"), 101);
+  EXPECT_EQ(summary.number("range_scans"), 101);
+  EXPECT_NEAR(*summary.number("detection_error_rms_m"), 5, 1e-9);
+  SummaryRecorder without(kInfo);
+  EXPECT_FALSE(without.summary().number("detections")) << "nothing to count";
+  EXPECT_FALSE(without.summary().number("range_scans"));
+}
+
+TEST(RunRecorder, KeepsChargeReserveAndEndurance) {
+  const TemporaryFolder folder("reserve");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  record_sample(*recorder, 100);
+  const RunSummary summary = recorder->close().value();
+  recorder.reset();
+  const auto& run = folder.path();
+  const std::string at = " FROM estimates WHERE entity_id = 1 AND time_s = 50";
+  EXPECT_DOUBLE_EQ(ask(run, "SELECT charge" + at), 0.95);
+  EXPECT_DOUBLE_EQ(ask(run, "SELECT reserve" + at), 0.85);
+  EXPECT_DOUBLE_EQ(ask(run, "SELECT endurance_s" + at), 950);
+  EXPECT_EQ(ask(run, "SELECT count(endurance_s) FROM estimates WHERE entity_id = 2"), 0)
+      << "not known: null";
+  EXPECT_DOUBLE_EQ(*summary.number("reserve_least_uav1"), 0.8);
+  EXPECT_FALSE(summary.number("reserve_least_uav2")) << "nothing is known of it";
+}
+
 TEST(RunRecorder, MessagesThatAreNotStoredCountAllTheSame) {
   const TemporaryFolder folder("unstored");
   const auto summary_of = [&](const char* name, bool messages) {
@@ -192,6 +236,45 @@ TEST(RunRecorder, CountsEveryFieldForTheHash) {
   EXPECT_NE(same,
             hash([](auto&, auto&, auto&, auto& b, auto&) { b.rings[0][3].rate = 1; }));
   EXPECT_NE(same, hash([](auto&, auto&, auto&, auto&, bool& lost) { lost = true; }));
+}
+
+TEST(RunRecorder, CountsEveryFieldOfPayloadAndEnergyForTheHash) {
+  const auto hash = [](auto&& change) {
+    SummaryRecorder recorder(kInfo);
+    GroundObject object{1, "car", {1, 2}, {3, 4}};
+    Detection detection{Time::from_seconds(1), EntityId{1}, 0, 1, {5, 6}, 7};
+    Footprint footprint{Time::from_seconds(1), EntityId{1}, 0, {}};
+    RangeScan scan{
+        Time::from_seconds(1), EntityId{1}, 1, {{Time::from_seconds(1), {0, 0, 1}, 9}}};
+    AutopilotStatus status;
+    change(object, detection, footprint, scan, status);
+    recorder.object(object);
+    recorder.detection(detection);
+    recorder.footprint(footprint);
+    recorder.ranges(scan);
+    recorder.estimate(EntityId{1}, {}, status);
+    return recorder.summary().content_hash;
+  };
+  const std::string same = hash([](auto&...) {});
+  EXPECT_EQ(same, hash([](auto&...) {}));
+  EXPECT_NE(same, hash([](auto& o, auto&...) { o.velocity.x() = 0; }));
+  EXPECT_NE(same, hash([](auto& o, auto&...) { o.name = "cat"; }));
+  EXPECT_NE(same, hash([](auto&, auto& d, auto&...) { d.point.y() += 1e-9; }));
+  EXPECT_NE(same, hash([](auto&, auto& d, auto&...) { d.sensor = 1; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, Footprint& f, auto&...) { f.corners[3].x() = 1; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, RangeScan& s, auto&) { s.beams[0].range = 8; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, RangeScan& s, auto&) { s.beams.clear(); }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto&, auto&, AutopilotStatus& s) {
+              s.reserve = 0.9;
+            }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, auto&, AutopilotStatus& s) { s.charge = 0.9; }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto&, auto&, AutopilotStatus& s) {
+              s.endurance = 0;
+            }));
 }
 
 TEST(RunRecorder, WaitsForASlowDiskInsteadOfGrowing) {

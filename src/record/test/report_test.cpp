@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "record/page.h"
+#include "record/run_reader.h"
 #include "record/run_recorder.h"
 #include "record/sqlite.h"
 #include "record/study_report.h"
@@ -82,6 +83,8 @@ TEST(Report, HoldsTheRunAndNothingFromTheNetwork) {
   EXPECT_EQ(run["map"]["truth"].size(), 31u);
   EXPECT_EQ(run["map"]["belief"].size(), 31u);
   EXPECT_TRUE(run["map"].contains("terrain"));
+  EXPECT_EQ(run["map"]["objects"][1]["name"], "person");
+  EXPECT_FALSE(run["map"]["detections"]["north"].get<std::string>().empty());
   EXPECT_GT(run["summary"]["perf_mean_m"], 0);
 }
 
@@ -163,9 +166,29 @@ TEST(Report, ReadsARunThatWasCutOff) {
 
   // Its figures are those of the full records, computed from the rows.
   const RunSummary whole = recorder->close().value();
-  for (const char* name : {"perf_mean_m", "iou_final", "crossings", "observations",
-                           "messages_sent", "aircraft"})
+  for (const char* name :
+       {"perf_mean_m", "iou_final", "crossings", "observations", "messages_sent",
+        "aircraft", "objects_found", "detections", "detection_error_rms_m", "pictures",
+        "range_scans", "reserve_least_uav1"})
     EXPECT_NEAR(cut["summary"][name].get<double>(), whole.numbers.at(name), 1e-9) << name;
+}
+
+TEST(Report, ReadsARunOfBeforeThePayloadWasRecorded) {
+  const TemporaryFolder folder("older");
+  make_run(folder.path() / "old", 60);
+  // As the second schema had it.
+  std::string sql = "PRAGMA user_version = 2;";
+  for (const char* table : {"objects", "detections", "footprints", "ranges"})
+    sql += std::string("DROP TABLE ") + table + ";";
+  for (const char* column : {"reserve", "endurance_s"})
+    sql += std::string("ALTER TABLE estimates DROP COLUMN ") + column + ";";
+  auto database =
+      Sqlite::open(folder.path() / "old" / "run.sqlite", Sqlite::Mode::kCreate).value();
+  ASSERT_TRUE(database.execute(sql));
+  const auto run = read_run(folder.path() / "old", {});
+  ASSERT_TRUE(run.ok()) << run.error().text();
+  EXPECT_TRUE(run.value().objects.empty());
+  EXPECT_EQ(run.value().tracks.size(), 2u);
 }
 
 TEST(Report, ShowsRunsThatHoldLittle) {

@@ -60,6 +60,9 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
   for (int a = 1; a <= aircraft; ++a)
     recorder.entity(EntityId{static_cast<std::uint32_t>(a)}, "uav" + std::to_string(a),
                     "aircraft");
+  const GroundObject car{0, "car", {40, -30}, {0.1, 0}};
+  recorder.object(car);
+  recorder.object({1, "person", {-500, 0}, {0, 0}});  // never seen
   std::uint64_t number = 0;
   for (int step = 0; step <= seconds * rows_per_second; ++step) {
     const Time now = Time::from_seconds(static_cast<double>(step) / rows_per_second);
@@ -86,8 +89,28 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
       AutopilotStatus status;
       status.follows = a == 1;
       status.cross_track = 0.5 * std::sin(t);
+      if (a == 1) {
+        status.charge = 1 - t / 1000;
+        status.reserve = status.charge - 0.1;
+        status.endurance = 1000 - t;
+      }
       recorder.estimate(id, estimate, status);
       if (!whole_second) continue;
+      // A camera and a LiDAR of three beams, the last without a hit.
+      if (a == 1) {
+        recorder.footprint(
+            {now,
+             id,
+             0,
+             {{p + Vec2(9, -9), p + Vec2(9, 9), p + Vec2(-9, 9), p + Vec2(-9, -9)}}});
+        if (step % (10 * rows_per_second) == 0)
+          recorder.detection({now, id, 0, car.id, car.at(now) + Vec2(3, 4), 2.5});
+        recorder.ranges(
+            {now,
+             id,
+             1,
+             {{now, {0, 0, 1}, 40}, {now, {0, 0.6, 0.8}, 50}, {now, {0, 1, 0}, 0}}});
+      }
       const FireReading reading{now, id, p, 1.5, distance < radius};
       recorder.reading(reading);
       const double before =

@@ -127,12 +127,15 @@ class Notes : public Recorder {
     text += fmt::format("C{} {};", c.time.ns(), c.aircraft.value);
     ++crossings;
   }
+  void object(const GroundObject& o) override { objects += o.name + ";"; }
+  void ranges(const RangeScan& scan) override { scans.push_back(scan); }
   Result<void> step_done(Time now) override {
     if (full_at && now >= *full_at)
       return Error{ErrorCode::kUnavailable, "disk", "it is full.", ""};
     return {};
   }
-  std::string text, kinds;
+  std::string text, kinds, objects;
+  std::vector<RangeScan> scans;
   int truths = 0, messages = 0, crossings = 0;
   std::optional<Time> full_at;
 };
@@ -308,6 +311,45 @@ TEST(Run, ASensorThatFailsSpeaksOfNowWhenItIsBack) {
   EXPECT_NEAR(listener->heard, 82 - 20, 1);
   EXPECT_LT(listener->longest, 0.11) << "not of the whole time of silence";
   EXPECT_EQ(notes.kinds, "joined failure repaired ");
+}
+
+// Payload that measures a range of its own in every step.
+class Beam : public Sensor {
+ public:
+  explicit Beam(double range) : range_(range) {}
+  bool payload() const override { return true; }
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override {
+    out.emplace_back(RangeSample{view.now, {0, 0, 1}, range_});
+  }
+
+ private:
+  double range_;
+};
+
+TEST(Run, TellsOfEachPayloadSampleOnceAndByWhichSensor) {
+  World world = make_world(1);
+  Vehicle& vehicle = *world.entities[0].vehicle;
+  vehicle.payload.push_back(std::make_unique<Beam>(10));
+  vehicle.payload.push_back(std::make_unique<Beam>(20));
+  vehicle.faults = {
+      {VehicleFault::Kind::kPayload, 0, Time::from_seconds(1), Time::from_seconds(2)}};
+  world.objects.push_back({4, "car", {1, 2}, {0, 0}});
+  Notes notes;
+  Silent console;
+  ASSERT_TRUE(run(world, seconds(3), notes, console).ok());
+  EXPECT_EQ(notes.objects, "car;");
+  int first = 0, second = 0;
+  Time last = Time::from_ns(-1);
+  for (const RangeScan& scan : notes.scans) {
+    ASSERT_EQ(scan.beams.size(), 1u);
+    EXPECT_EQ(scan.beams[0].range, scan.sensor == 0 ? 10 : 20);
+    EXPECT_EQ(scan.aircraft, EntityId{0});
+    EXPECT_GE(scan.time, last);
+    last = scan.time;
+    ++(scan.sensor == 0 ? first : second);
+  }
+  EXPECT_EQ(second, 31) << "one in each step, though the agent thinks every five";
+  EXPECT_EQ(first, 31 - 10);
 }
 
 TEST(Run, AFailedLinkLosesMessagesBothWays) {
