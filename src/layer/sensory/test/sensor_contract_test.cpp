@@ -11,7 +11,6 @@
 #include "layer/sensory/anemometer.h"
 #include "layer/sensory/barometer.h"
 #include "layer/sensory/camera.h"
-#include "layer/sensory/failing_sensor.h"
 #include "layer/sensory/gnss_receiver.h"
 #include "layer/sensory/height_sensor.h"
 #include "layer/sensory/imu_sensor.h"
@@ -103,9 +102,6 @@ TEST(EverySensor, ServesTheAutopilotOrTheAgent) {
   for (const Kind& k : kinds())
     EXPECT_EQ(k.make(0, 1, 1, 0)->payload(), k.payload) << k.name;
   EXPECT_FALSE(SafetyPilot({}).payload());
-  EXPECT_TRUE(
-      FailingSensor(std::make_unique<Camera>(CameraOptions{}, 1, EntityId{1}), {}, 1, {1})
-          .payload());
 }
 
 TEST(EverySensor, SamplesComeAfterExactlyTheLatency) {
@@ -184,26 +180,6 @@ TEST(Delay, TakesMoreThanItWasMadeFor) {
   ASSERT_EQ(out.size(), 300U);
   for (std::size_t i = 0; i < 300; ++i)
     EXPECT_EQ(std::get<HeightSample>(out[i]).height_agl, double(i));
-}
-
-TEST(FailingSensor, IsSilentAtItsTimesAndUnchangedBetween) {
-  const TestWorld world = flying();
-  Barometer plain({.rate_hz = 10}, 1, {1});
-  FailingSensor failing(
-      std::make_unique<Barometer>(BarometerOptions{.rate_hz = 10}, 1, EntityId{1}),
-      {.spans = {{2, 5}, {8}}}, 1, {1});
-  const auto all = only<BarometerSample>(world.run(plain, ms(50), 200));
-  const auto some = only<BarometerSample>(world.run(failing, ms(50), 200));
-  std::size_t i = 0;
-  for (const auto& sample : all) {
-    const double t = sample.time.seconds();
-    if ((t >= 2 && t < 5) || t >= 8) continue;
-    ASSERT_LT(i, some.size());
-    EXPECT_EQ(some[i].time, sample.time);
-    EXPECT_EQ(some[i].altitude_msl, sample.altitude_msl);
-    ++i;
-  }
-  EXPECT_EQ(i, some.size());
 }
 
 TEST(SafetyPilot, TakesOverAndHandsBack) {
