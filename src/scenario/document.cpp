@@ -86,7 +86,7 @@ Reading read_document_text(std::string_view text, const std::string& name,
   for (const Override& change : overrides) sources.push_back("--set " + change.text);
   Problems problems(std::move(sources));
 
-  std::optional<Node> root = parse_yaml(text, 0, problems);
+  std::optional<Node> root = parse_yaml(text, 0, document.name, problems);
   if (!root && problems.count() == 0) {
     problems.add({0, 1, 1}, "", "the file is empty.", document.empty_hint);
   }

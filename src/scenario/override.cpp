@@ -109,8 +109,8 @@ void apply_override(const Override& change, std::int32_t source, Node& root,
     return problems.add(place, "", "needs the form key.key[0].key=value.");
   }
   const std::size_t before = problems.count();
-  std::optional<Node> value =
-      parse_yaml(std::string_view(change.text).substr(equals + 1), source, problems);
+  std::optional<Node> value = parse_yaml(std::string_view(change.text).substr(equals + 1),
+                                         source, "a value", problems);
   if (problems.count() != before) return;
   if (!value) value = Node::of(Node::Kind::kNull);
   set_place(*value, place);

@@ -227,7 +227,15 @@ bool has_tab_indent(std::string_view text, int line) {
              .find('\t') != std::string_view::npos;
 }
 
-bool text_is_sound(std::string_view text, std::int32_t source, Problems& problems) {
+std::string capitalised(std::string_view text) {
+  std::string out(text);
+  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z')
+    out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  return out;
+}
+
+bool text_is_sound(std::string_view text, std::int32_t source, std::string_view name,
+                   Problems& problems) {
   if (text.size() > ParseLimits::kBytes) {
     problems.add(
         {source, 0, 0}, "",
@@ -238,7 +246,7 @@ bool text_is_sound(std::string_view text, std::int32_t source, Problems& problem
     problems.add(
         place_of_byte(text, *bad, source), "",
         fmt::format("byte 0x{:02x} is not text.", static_cast<unsigned char>(text[*bad])),
-        "A scenario is a YAML file in UTF-8.");
+        fmt::format("{} is a YAML file in UTF-8.", capitalised(name)));
     return false;
   }
   return true;
@@ -247,8 +255,8 @@ bool text_is_sound(std::string_view text, std::int32_t source, Problems& problem
 }  // namespace
 
 std::optional<Node> parse_yaml(std::string_view text, std::int32_t source,
-                               Problems& problems) {
-  if (!text_is_sound(text, source, problems)) return std::nullopt;
+                               std::string_view name, Problems& problems) {
+  if (!text_is_sound(text, source, name, problems)) return std::nullopt;
   TreeBuilder builder(source, problems);
   TextBuffer buffer(text);
   std::istream stream(&buffer);
@@ -258,8 +266,9 @@ std::optional<Node> parse_yaml(std::string_view text, std::int32_t source,
     std::optional<Node> root = builder.take_root();
     if (parser.HandleNextDocument(builder)) {
       const auto second = builder.take_root();
-      problems.add(second ? second->place : Place{source, 1, 1}, "",
-                   "a second document starts here; a scenario is one document.");
+      problems.add(
+          second ? second->place : Place{source, 1, 1}, "",
+          fmt::format("a second document starts here; {} is one document.", name));
     }
     return root;
   } catch (const Refused& refused) {

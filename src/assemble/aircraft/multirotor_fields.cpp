@@ -85,7 +85,10 @@ Fields<MultirotorFile> multirotor_fields() {
       .number("fastest_rotor_rad_per_s", in(&M::fastest_rotor), "Speed at full throttle.",
               {.above = 0, .at_most = 1e5})
       .required()
-      .duration_s("motor_lag_s", in(&M::motor_lag), "Time constant of the rotor's speed.")
+      .duration_s("motor_lag_s", in(&M::motor_lag),
+                  "Time constant of the rotor's speed. Slower rotors than that cannot "
+                  "balance the airframe.",
+                  {.above = 0, .at_most = 0.5})
       .number("rotor_drag_ns2_per_m", in(&M::rotor_drag),
               "Force over rotor speed and air speed in the rotor's plane, of one rotor.",
               kDrag)

@@ -224,6 +224,8 @@ INSTANTIATE_TEST_SUITE_P(
              "performance.slowest_mps: 30 must be above"},
         Case{"quad", "yaws: clockwise}", "yaws: left}", "multirotor.rotors[0].yaws"},
         Case{"quad", "mass_kg: 1.5", "mass_kg: 15", "multirotor.fastest_rotor_rad_per_s"},
+        Case{"quad", "motor_lag_s: 0.04", "motor_lag_s: 50",
+             "multirotor.motor_lag_s: 50 must be above 0 and at most"},
         Case{"quad", "multirotor:", "fixed_wing_gains: {}\nmultirotor:",
              "fixed_wing_gains: is of no use without fixed_wing."}));
 
@@ -231,6 +233,16 @@ TEST(AircraftFileReader, NeedsAWayToFly) {
   const auto file = read_aircraft("name: stone", "x.yaml");
   ASSERT_FALSE(file.ok());
   EXPECT_NE(file.error().text().find("does not say how it flies"), std::string::npos);
+}
+
+TEST(AircraftFileReader, SpeaksOfAnAircraftNotOfAScenario) {
+  for (const std::string text : {"name: \xFF", "name: x\n---\nname: y"}) {
+    const auto file = read_aircraft(text, "x.yaml");
+    ASSERT_FALSE(file.ok());
+    const std::string said = file.error().text();
+    EXPECT_NE(said.find("aircraft is"), std::string::npos) << said;
+    EXPECT_EQ(said.find("scenario"), std::string::npos) << said;
+  }
 }
 
 TEST(AircraftFileReader, TellsAllProblemsAtOnce) {
