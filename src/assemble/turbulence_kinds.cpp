@@ -1,5 +1,7 @@
 // Turbulence: one row each.
 
+#include <optional>
+
 #include "assemble/kinds_of.h"
 #include "layer/environment/turbulence/dryden_turbulence.h"
 
@@ -12,8 +14,12 @@ using scenario::Fields;
 
 struct NoTurbulence {};
 
-Fields<DrydenOptions> dryden_fields() {
-  using T = DrydenOptions;
+struct DrydenChoice : DrydenOptions {
+  std::optional<double> own_span;  // [m]; none: of each aircraft
+};
+
+Fields<DrydenChoice> dryden_fields() {
+  using T = DrydenChoice;
   return Fields<T>()
       .word("intensity", &T::intensity, "How rough the air is.",
             {{"light", TurbulenceIntensity::kLight, "wind of 15 kt near the ground"},
@@ -23,7 +29,9 @@ Fields<DrydenOptions> dryden_fields() {
           "wind20_mps", &T::wind20,
           "Wind 20 ft above the ground instead; 0: no turbulence. Null: as intensity.",
           {.at_least = 0, .at_most = 60})
-      .number("span_m", &T::span, "Wing span, or size, of the aircraft.",
+      .number("span_m", &T::own_span,
+              "Wing span, or size, of the aircraft. Null: that of each aircraft's plant, "
+              "2 m for kinematic ones.",
               {.above = 0, .at_most = 100});
 }
 
@@ -38,8 +46,11 @@ Kinds<Turbulence, AircraftContext> turbulence_kinds() {
             });
   kinds.add("dryden",
             "Dryden's, after MIL-F-8785C: gusts and rates by height and airspeed.",
-            dryden_fields(), [](const DrydenOptions& o, const AircraftContext& c) {
-              return std::make_unique<environment::DrydenTurbulence>(o, c.seed, c.self);
+            dryden_fields(), [](const DrydenChoice& o, const AircraftContext& c) {
+              DrydenOptions all = o;
+              const double span = o.own_span.value_or(span_of(c.airframe));
+              if (span > 0) all.span = span;
+              return std::make_unique<environment::DrydenTurbulence>(all, c.seed, c.self);
             });
   return kinds;
 }

@@ -98,6 +98,29 @@ TEST(AircraftBuilder, StandsOnTheGroundWhereItIsAsked) {
   EXPECT_EQ(vehicle(b).state.v_N, Vec3(Vec3::Zero()));
 }
 
+TEST(AircraftBuilder, GustsAreFeltOverTheAircraftsOwnSpan) {
+  // Roll rates of the same gusts: those of a wide wing are slower.
+  const auto rates = [](const std::string& plant, const std::string& turbulence) {
+    const Build b = built(
+        "environment: {turbulence: {kind: dryden" + turbulence +
+        "}}\naircraft: [{autopilot: skein, sensors: [flight], plant: " + plant + "}]");
+    double squares = 0;
+    for (int i = 0; i < 200; ++i)
+      squares += vehicle(b)
+                     .turbulence
+                     ->advance({Time::from_seconds(0.01 * i), vehicle(b).state, 100,
+                                Vec3::Zero()},
+                               0.01)
+                     .rates_B.squaredNorm();
+    return squares;
+  };
+  const std::string bixler = "{kind: fixed-wing, aircraft: bixler}";
+  EXPECT_EQ(rates("fixed-wing", ""), rates("fixed-wing", ", span_m: 2.8956"));
+  EXPECT_EQ(rates(bixler, ""), rates(bixler, ", span_m: 1.5"));
+  EXPECT_GT(rates("multirotor", ""), rates("multirotor", ", span_m: 2"));
+  EXPECT_EQ(rates("kinematic", ""), rates("kinematic", ", span_m: 2"));
+}
+
 TEST(AircraftBuilder, EachAircraftOfASpreadGroupDiffersAndItsAutopilotDoesNotKnow) {
   const Build b = built(std::string(kWing) + ", parameter_spread: 0.1}]");
   EXPECT_NE(vehicle(b, 1).plant, vehicle(b, 2).plant);
