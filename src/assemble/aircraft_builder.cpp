@@ -11,7 +11,6 @@
 #include "layer/environment/turbulence/discrete_gusts.h"
 #include "layer/environment/turbulence/gusts.h"
 #include "layer/sensory/sensor_suite.h"
-#include "scenario/numbers.h"
 
 namespace skein::assemble {
 namespace {
@@ -28,16 +27,10 @@ std::vector<sensory::SensorSuite::Part> unpacked(const std::string& kind,
   return one;
 }
 
-// The autopilot skein moves on by inertial samples, or by the truth.
-Result<void> sensors_fit(const std::string& name, const AircraftGroup& group) {
-  if (group.autopilot.kind != "skein") return {};
-  for (const scenario::Choice& sensor : group.sensors)
-    if (sensor.kind == "imu" || sensor.kind == "flight" ||
-        sensor.kind == "ideal-navigation")
-      return {};
-  return Error{ErrorCode::kBadInput, name,
-               "the autopilot skein needs a sensor flight, imu or ideal-navigation.",
-               "Add one to sensors, as in sensors: [flight, fire]."};
+// An error of the aircraft called `name`, if it does not say where.
+Error at(const std::string& name, Error error) {
+  if (error.place.empty()) error.place = name;
+  return error;
 }
 
 }  // namespace
@@ -67,8 +60,8 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     if (!own) return own.error();
     vehicle->plant = std::move(own).value();
   }
-  auto step = flight_step(name, group, context.airframe);
-  if (!step) return step.error();
+  auto step = flight_step(scenario_, group);
+  if (!step) return at(name, step.error());
   vehicle->step = step.value();
   if (auto placed = put(name, group, index, *vehicle); !placed) return placed.error();
   context.initial = as_estimate(vehicle->state, Time());
@@ -76,13 +69,8 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
 
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
-  if (auto fit = sensors_fit(name, group); !fit) return fit.error();
   auto autopilot = autopilot_kinds().make(group.autopilot, context);
-  if (!autopilot) {
-    Error error = autopilot.error();
-    if (error.place.empty()) error.place = name;
-    return error;
-  }
+  if (!autopilot) return at(name, autopilot.error());
   vehicle->autopilot = std::move(autopilot).value();
   auto parts = mount_sensors(group, context, *vehicle);
   if (!parts) return parts.error();
@@ -132,20 +120,6 @@ Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
   parts.push_back(std::make_unique<environment::DiscreteGusts>(single));
   return std::unique_ptr<Turbulence>(
       std::make_unique<environment::Gusts>(std::move(parts)));
-}
-
-Result<Time> AircraftBuilder::flight_step(const std::string& name,
-                                          const AircraftGroup& group,
-                                          const Airframe& airframe) const {
-  if (group.flight_step) return *group.flight_step;
-  if (std::holds_alternative<SelfStabilised>(airframe)) return scenario_.step;
-  if (scenario_.step < kFlightStep) return scenario_.step;
-  if (scenario_.step.ns() % kFlightStep.ns() == 0) return kFlightStep;
-  return Error{ErrorCode::kBadInput, name,
-               fmt::format("steps of {} s do not divide step_s, {} s.",
-                           scenario::seconds_text(kFlightStep),
-                           scenario::seconds_text(scenario_.step)),
-               "Give flight_step_s, or another step_s."};
 }
 
 // In level flight at cruise, in the wind of that place, or on the ground.

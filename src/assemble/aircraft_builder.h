@@ -46,8 +46,6 @@ class AircraftBuilder {
                               AircraftContext& context,
                               simulation::Vehicle& vehicle) const;
   Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
-  Result<Time> flight_step(const std::string& name, const scenario::AircraftGroup& group,
-                           const Airframe& airframe) const;
 
   const scenario::Scenario& scenario_;
   std::shared_ptr<const Terrain> map_;

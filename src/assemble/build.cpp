@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "assemble/aircraft_builder.h"
+#include "assemble/aircraft_fit.h"
 #include "assemble/kinds_of.h"
 #include "assemble/sampling.h"
 #include "geo/clip.h"
@@ -118,7 +119,7 @@ class Builder {
     entity.name = "station";
     entity.kind = "station";
     entity.agent = std::move(agent).value();
-    if (const Time period = heartbeat(); period > Time())
+    if (const Time period = heartbeat(scenario_); period > Time())
       entity.agent = std::make_unique<reasoning::Heartbeat>(std::move(entity.agent),
                                                             context.team, period);
     entity.agent_period = scenario_.station.agent_period;
@@ -135,15 +136,6 @@ class Builder {
     return all;
   }
 
-  // Between the station's signs of life; 0 = none.
-  Time heartbeat() const {
-    if (scenario_.station.heartbeat) return *scenario_.station.heartbeat;
-    const bool watched =
-        std::any_of(scenario_.aircraft.begin(), scenario_.aircraft.end(),
-                    [](const AircraftGroup& g) { return g.autopilot.kind == "skein"; });
-    return watched ? Time::from_seconds(1) : Time();
-  }
-
   void aircraft() {
     AircraftBuilder builder(scenario_, map_, zones_, *build_.world.wind, kStation);
     for (const AircraftGroup& group : scenario_.aircraft)
@@ -151,8 +143,19 @@ class Builder {
         auto made = builder.make(
             group, i, EntityId{static_cast<std::uint32_t>(build_.world.entities.size())});
         if (!note(made)) break;  // the others of its group are alike
+        if (!note_fit(group, i, made.value())) break;
         build_.world.entities.push_back(std::move(made).value());
       }
+  }
+
+  bool note_fit(const AircraftGroup& group, int index,
+                const simulation::Entity& aircraft) {
+    const std::vector<Error> found = misfits(scenario_, group, aircraft);
+    faults_.insert(faults_.end(), found.begin(), found.end());
+    if (index == 0)
+      for (const std::string& doubt : doubts(group, aircraft))
+        build_.warnings.push_back(doubt);
+    return found.empty();
   }
 
   void objects() {

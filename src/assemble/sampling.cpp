@@ -15,6 +15,9 @@ namespace {
 using scenario::Scenario;
 using scenario::seconds_text;
 
+// Of plants that take actuators, where the scenario does not say.
+const Time kFlightStep = Time::from_ns(10'000'000);
+
 struct Sampling {
   std::string key;  // of the sensor's rate
   double rate_hz = 0;
@@ -38,19 +41,16 @@ bool looks_at_fire(const std::string& kind) {
          kNotAtTheFire.end();
 }
 
-// The step of plant and autopilot; see AircraftBuilder.
-Time own_step(const Scenario& scenario, const scenario::AircraftGroup& group) {
-  if (group.flight_step) return *group.flight_step;
-  const bool takes_actuators =
-      group.plant.kind == "fixed-wing" || group.plant.kind == "multirotor";
-  return takes_actuators ? std::min(scenario.step, kFlightStep) : scenario.step;
-}
-
 // Every sensor whose kind has the key rate_hz. Kinds that are not known here count as
 // looking at the fire: that costs time, never truth.
 std::vector<Sampling> all_sensors(const Scenario& scenario) {
   scenario::KindTable table;
   sensor_kinds().describe(table);
+  std::vector<Time> steps;
+  for (const scenario::AircraftGroup& group : scenario.aircraft) {
+    const Result<Time> step = flight_step(scenario, group);
+    steps.push_back(step ? step.value() : scenario.step);  // the build says why not
+  }
   std::vector<Sampling> all;
   for (std::size_t g = 0; g < scenario.aircraft.size(); ++g)
     for (std::size_t s = 0; s < scenario.aircraft[g].sensors.size(); ++s) {
@@ -63,9 +63,7 @@ std::vector<Sampling> all_sensors(const Scenario& scenario) {
       const bool fire = looks_at_fire(sensor.kind);
       all.push_back({fmt::format("aircraft[{}].sensors[{}].rate_hz", g, s),
                      *static_cast<const double*>(rate->in(keys.content(options))), fire,
-                     fire || of_agent(sensor.kind)
-                         ? scenario.step
-                         : own_step(scenario, scenario.aircraft[g])});
+                     fire || of_agent(sensor.kind) ? scenario.step : steps[g]});
     }
   return all;
 }
@@ -86,6 +84,18 @@ Time derived_period(const Scenario& scenario) {
 }
 
 }  // namespace
+
+Result<Time> flight_step(const Scenario& scenario, const scenario::AircraftGroup& group) {
+  if (group.flight_step) return *group.flight_step;
+  const std::string& plant = group.plant.kind;
+  const bool takes_actuators = plant == "fixed-wing" || plant == "multirotor";
+  if (!takes_actuators || scenario.step < kFlightStep) return scenario.step;
+  if (scenario.step.ns() % kFlightStep.ns() == 0) return kFlightStep;
+  return Error{ErrorCode::kBadInput, "",
+               fmt::format("steps of {} s do not divide step_s, {} s.",
+                           seconds_text(kFlightStep), seconds_text(scenario.step)),
+               "Give flight_step_s, or another step_s."};
+}
 
 Time truth_period(const Scenario& scenario) {
   return scenario.environment.period.value_or(derived_period(scenario));

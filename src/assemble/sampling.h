@@ -3,13 +3,17 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "base/time.h"
 #include "scenario/scenario.h"
 
 namespace skein::assemble {
 
-/// The step of plants that take actuators, where the scenario does not say.
-inline const Time kFlightStep = Time::from_ns(10'000'000);
+/// The step of sensors, autopilot and plant of a group: as the scenario says, else the
+/// run's, for plants that take actuators at most 10 ms.
+/// Fails: kBadInput when 10 ms do not divide the run's step.
+Result<Time> flight_step(const scenario::Scenario& scenario,
+                         const scenario::AircraftGroup& group);
 
 /// How often the true fire moves: as the scenario says, else the longest period that
 /// divides one second, the metrics' period and the time between two looks of every

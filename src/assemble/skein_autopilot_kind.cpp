@@ -4,6 +4,7 @@
 
 #include "assemble/aircraft/gains_fields.h"
 #include "geo/clip.h"
+#include "geo/self_crossing.h"
 #include "layer/autopilot/skein/skein_autopilot.h"
 
 namespace skein::assemble {
@@ -68,11 +69,26 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
       .rule("", [](const T& t) { return fault_in(t).value_or(std::string()); });
 }
 
+// Where a ring crosses itself, in words; nothing when none does. It would be doubtful
+// what is inside.
+std::string crossing_in(const std::vector<geo::Ring>& rings) {
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    if (const auto at = geo::self_crossing(rings[r]))
+      return fmt::format(
+          "area {} crosses itself at {:.0f} m north, {:.0f} m east, between its corners "
+          "{} and {}, and {} and {}.",
+          r + 1, at->point.x(), at->point.y(), at->first + 1,
+          (at->first + 1) % rings[r].size() + 1, at->second + 1,
+          (at->second + 1) % rings[r].size() + 1);
+  return {};
+}
+
 Fields<FenceChoice> fence_fields() {
   using T = FenceChoice;
   return Fields<T>()
       .polygon("areas_m", &T::areas, "Areas to stay in. Empty: no limit.")
       .items({.at_most = 1000})
+      .rule("areas_m", [](const T& t) { return crossing_in(t.areas); })
       .number("ceiling_msl_m", &T::ceiling_msl, "Null: none.", kAltitude)
       .number("floor_msl_m", &T::floor_msl, "Null: none.", kAltitude)
       .rule("ceiling_msl_m",
@@ -120,15 +136,9 @@ Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
     return Error{ErrorCode::kBadInput, "autopilot.lap_gains",
                  "are for fixed wings with six degrees of freedom.",
                  "Choose plant: fixed-wing, or leave them out."};
-  options.fence.area = geo::clean(choice.fence.areas, geo::FillRule::kNonZero);
+  options.fence = geofence_of(choice.fence, c.limits);
   if (options.fence.area.empty() && !choice.fence.areas.empty())
     return Error{ErrorCode::kBadInput, "autopilot.fence.areas_m", "enclose nothing.", ""};
-  if (choice.fence.ceiling_msl) options.fence.ceiling_msl = *choice.fence.ceiling_msl;
-  if (choice.fence.floor_msl) options.fence.floor_msl = *choice.fence.floor_msl;
-  options.fence.margin = choice.fence.margin;
-  // A wing turns in it, a multirotor comes to a stand.
-  const double look_ahead = c.limits.slowest > 0 ? 4 : 1.5;
-  options.fence.look_ahead = choice.fence.look_ahead.value_or(look_ahead);
   return std::shared_ptr<const autopilot::SkeinSetup>(
       std::make_shared<autopilot::SkeinSetup>(options, c.limits, c.airframe));
 }
@@ -172,6 +182,18 @@ Fields<autopilot::LateralOptions> lateral_fields() {
       .duration_s("roll_lag_s", &T::roll_lag,
                   "From a change of the demand to the acceleration.",
                   {.at_least = 0, .at_most = 10});
+}
+
+autopilot::GeofenceOptions geofence_of(const FenceChoice& fence,
+                                       const FlightLimits& limits) {
+  autopilot::GeofenceOptions options;
+  options.area = geo::clean(fence.areas, geo::FillRule::kNonZero);
+  if (fence.ceiling_msl) options.ceiling_msl = *fence.ceiling_msl;
+  if (fence.floor_msl) options.floor_msl = *fence.floor_msl;
+  options.margin = fence.margin;
+  // A wing turns in it, a multirotor comes to a stand.
+  options.look_ahead = fence.look_ahead.value_or(limits.slowest > 0 ? 4 : 1.5);
+  return options;
 }
 
 autopilot::LapGains fixed_wing_gains(const SkeinChoice& choice,

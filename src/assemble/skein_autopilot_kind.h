@@ -37,6 +37,10 @@ struct SkeinChoice {
   std::vector<LapGainsChoice> lap_gains;
 };
 
+/// The fence as the autopilot is given it.
+autopilot::GeofenceOptions geofence_of(const FenceChoice& fence,
+                                       const FlightLimits& limits);
+
 scenario::Fields<SkeinChoice> skein_fields();
 scenario::Fields<autopilot::LateralOptions> lateral_fields();
 

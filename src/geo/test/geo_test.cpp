@@ -6,6 +6,7 @@
 #include "geo/boundary_index.h"
 #include "geo/clip.h"
 #include "geo/local_frame.h"
+#include "geo/self_crossing.h"
 #include "geo/vec.h"
 
 namespace skein::geo {
@@ -25,6 +26,22 @@ TEST(Angles, WrapIntoTheirRanges) {
   EXPECT_LT(wrap_2pi(-1e-20), 2 * kPi);
   for (double b : {-3.0, -0.5, 0.0, 2.0}) EXPECT_NEAR(bearing(unit(b)), b, 1e-15);
   EXPECT_NEAR((turned_right(unit(0.3)) - unit(0.3 + kPi / 2)).norm(), 0, 1e-15);
+}
+
+TEST(SelfCrossing, IsFoundWithItsPlaceAndNotWhereEdgesOnlyTouch) {
+  EXPECT_FALSE(self_crossing(circle({3, 4}, 50, 40)));
+  // A bow tie: its diagonals cross in the middle.
+  const auto at = self_crossing(Ring{{0, 0}, {10, 10}, {10, 0}, {0, 10}});
+  ASSERT_TRUE(at);
+  EXPECT_EQ(at->first, 0u);
+  EXPECT_EQ(at->second, 2u);
+  EXPECT_NEAR((at->point - Vec2(5, 5)).norm(), 0, 1e-12);
+  // Two triangles that meet in one corner.
+  EXPECT_FALSE(self_crossing(Ring{{0, 0}, {5, 5}, {10, 0}, {10, 10}, {5, 5}, {0, 10}}));
+  // The last edge counts.
+  const auto last = self_crossing(Ring{{0, 0}, {0, 10}, {10, 10}, {-5, 5}, {8, 2}});
+  ASSERT_TRUE(last);
+  EXPECT_FALSE(self_crossing(Ring{{0, 0}, {1, 1}}));
 }
 
 TEST(LocalFrame, GoesThereAndBack) {
