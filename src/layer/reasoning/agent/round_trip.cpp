@@ -13,7 +13,8 @@ std::optional<double> meets(const Vec2& a, const Vec2& b, const geo::Ring& ring)
   std::optional<double> first;
   const Vec2 way = b - a;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 c = ring[i], side = ring[(i + 1) % ring.size()] - c;
+    const Vec2& c = ring[i];
+    const Vec2 side = ring[(i + 1) % ring.size()] - c;
     const double both = geo::cross(way, side);
     if (both == 0) continue;  // along the side: its neighbours are met
     const double share = geo::cross(c - a, side) / both;
@@ -43,7 +44,7 @@ std::optional<Vec2> into_zone(std::span<const Vec2> points, bool closed,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool last = i + 1 == points.size();
     if (last && !closed && i > 0) break;
-    const Vec2 a = points[i], b = points[last ? 0 : i + 1];
+    const Vec2 &a = points[i], &b = points[last ? 0 : i + 1];
     std::optional<double> first;
     for (const Zone& zone : zones)
       if (const auto at = meets(a, b, zone.ring))

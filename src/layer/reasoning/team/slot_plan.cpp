@@ -14,10 +14,13 @@ constexpr double kClimbs = 2;                 // the leader's climb is foretold 
 constexpr double kStep = 0.1;        // of the motion [s]
 constexpr int kStepsAPoint = 5;      // of the plan
 constexpr double kAheadGain = 0.15;  // speed per distance to the slot [1/s]
-constexpr double kSlowsDown = 0.12;  // what all aircraft can, at least [m/s^2]
-constexpr double kRightGain = 0.2;   // [1/s]
-constexpr double kMostAcross = 0.6;  // of the speed: the steepest way to the slot's line
-constexpr double kCourseGain = 0.8;  // turn rate per error of the course [1/s]
+// Idle, a wing slows down by what it would sink otherwise; autopilots keep half of that
+// for the height.
+constexpr double kIdle = 0.4;
+constexpr double kSlowsEarly = 0.6;   // of the deceleration, on the way into the slot
+constexpr double kRightGain = 0.2;    // [1/s]
+constexpr double kMostAcross = 0.35;  // of the speed: the steepest way to the slot's line
+constexpr double kCourseGain = 0.8;   // turn rate per error of the course [1/s]
 constexpr double kAcceleration = 1.2;   // of a fixed wing along its path [m/s^2]
 constexpr double kHoverMoves = 2;       // of what can hover, to any side [m/s^2]
 constexpr double kClimbGain = 0.3;      // climb rate per height to the slot [1/s]
@@ -44,6 +47,7 @@ class Follower {
     most_lateral_ = kTurnReserve * limits.airspeed * limits.airspeed /
                     std::max(limits.turn_radius, 1.0);
     climb_ = bounded_climb(climb_);
+    deceleration_ = kIdle * limits.sink_rate * kGravity / std::max(limits.airspeed, 1.0);
     const double most = most_lateral_ / std::max(air_.norm(), 1.0);
     const double roll = std::clamp(own.roll, -1.0, 1.0);
     rate_ =
@@ -97,7 +101,8 @@ class Follower {
     // Beyond what the speeds allow there is no more to ask for.
     const double way = off.dot(forward);
     const double closing =
-        std::min(kAheadGain * std::abs(way), std::sqrt(2 * kSlowsDown * std::abs(way)));
+        std::min(kAheadGain * std::abs(way),
+                 std::sqrt(2 * kSlowsEarly * deceleration_ * std::abs(way)));
     const double ahead = std::copysign(std::min(closing, fastest_ - slowest_), way);
     const double across = std::clamp(kRightGain * off.dot(right), -most, most);
     return v - wind_ + ahead * forward + across * right;
@@ -120,7 +125,7 @@ class Follower {
     rate_ = std::clamp(rate_ + std::clamp(rate - rate_, -roll_in, roll_in), -most, most);
     const double faster = speed_for(wanted) - speed;
     const double change =
-        std::clamp(faster, -kAcceleration * kStep, kAcceleration * kStep);
+        std::clamp(faster, -deceleration_ * kStep, kAcceleration * kStep);
     air_ = std::clamp(speed + change, slowest_, fastest_) *
            geo::unit(heading + rate_ * kStep);
   }
@@ -135,7 +140,7 @@ class Follower {
   Vec2 wind_, air_;
   Vec3 p_;
   double climb_, rate_ = 0;
-  double slowest_, fastest_, most_lateral_;
+  double slowest_, fastest_, most_lateral_, deceleration_;
 };
 
 }  // namespace

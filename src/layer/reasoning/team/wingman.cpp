@@ -67,6 +67,7 @@ void Wingman::listen(const AgentInput& in, AgentOutput& out) {
         continue;
       }
       leader_.reset();
+      demanded_.reset();
       out.events.push_back({in.now, self_, "task", leads ? "leads" : "follows"});
     } else if (const auto* told = std::get_if<TeamPosition>(&message.content)) {
       hear(*told);
@@ -111,8 +112,16 @@ void Wingman::follow(const FollowLeader& order, const AgentInput& in, AgentOutpu
     return;
   }
   if ((in.now - leader_->at.time).seconds() > kLostLeader) return;
-  FollowPlan plan{
-      plan_to_slot(*in.nav, *leader_, order.offset, limits_, options_.horizon)};
+  if (!obeys_orders(in.autopilot)) demanded_.reset();
+  NavEstimate from = *in.nav;
+  if (demanded_) {
+    const model::PlanCurve::State height = demanded_->at(from.time.seconds());
+    from.p_N.z() = height.p_N.z();
+    from.v_N.z() = height.v_N.z();
+  }
+  command.altitude_msl = -from.p_N.z();
+  FollowPlan plan{plan_to_slot(from, *leader_, order.offset, limits_, options_.horizon)};
+  demanded_.emplace().assign(plan.plan);
   const Vec2 ahead = geo::horizontal(
       plan.plan[std::min<std::size_t>(kAhead, plan.plan.size() - 1)].p_N - in.nav->p_N);
   command.guidance = zones_.keep_out(std::move(plan), geo::bearing(ahead), *in.nav);

@@ -7,6 +7,7 @@
 #include "layer/reasoning/agent/launch.h"
 #include "layer/reasoning/agent/zone_watch.h"
 #include "layer/reasoning/team/slot_plan.h"
+#include "model/path/plan_curve.h"
 #include "role/agent.h"
 #include "role/terrain.h"
 
@@ -53,6 +54,9 @@ class Wingman final : public Agent {
   Task task_;
   bool has_task_ = false, task_is_new_ = false, done_ = false;
   std::optional<LeaderMotion> leader_;
+  // The last plan to the slot. The next one goes on at its height: one that began at the
+  // aircraft's own would never call back what gusts have carried off.
+  std::optional<model::PlanCurve> demanded_;
   Time next_report_;
 };
 

@@ -106,11 +106,12 @@ TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {
 class WingmanTest : public testing::Test {
  protected:
   AgentOutput step(double time, std::vector<Message> inbox) {
-    const NavEstimate own = nav(time, {0, 0, -150}, {20, 0, 0});
+    const NavEstimate own = nav(time, {0, 0, -altitude}, {20, 0, -climb});
     AgentInput in;
     in.now = Time::from_seconds(time);
     in.nav = &own;
     in.autopilot.on_ground = on_ground;
+    in.autopilot.reaction = reaction;
     in.inbox = inbox;
     AgentOutput out;
     wingman->step(in, out);
@@ -125,6 +126,8 @@ class WingmanTest : public testing::Test {
   Plain ground;
   std::vector<Zone> zones;
   bool on_ground = false;
+  double altitude = 150, climb = 0;
+  FailsafeReaction reaction = FailsafeReaction::kNone;
   std::optional<Wingman> wingman{std::in_place, WingmanOptions{}, EntityId{2},
                                  EntityId{0},   FlightLimits{},   ground,
                                  zones};
@@ -169,6 +172,25 @@ TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   EXPECT_GT(bent.back().p_N.y(), same.back().p_N.y() + 20);
   EXPECT_TRUE(step(6.9, {}).command);
   EXPECT_FALSE(step(7.1, {}).command) << "nothing was heard for five seconds";
+}
+
+TEST_F(WingmanTest, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
+  step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})});
+  const auto heights = [&](double time) {
+    Message message;
+    message.content = TeamPosition{EntityId{1}, nav(time, {100, 0, -150}, {20, 0, 0})};
+    return std::get<FollowPlan>(step(time, {message}).command->guidance).plan;
+  };
+  heights(1);
+  altitude = 165, climb = 4;  // carried off
+  for (const PlanPoint& point : heights(1.5)) EXPECT_NEAR(point.p_N.z(), -150, 1e-9);
+  // Whom somebody else has flown begins anew.
+  reaction = FailsafeReaction::kHold;
+  EXPECT_NEAR(heights(2).front().p_N.z(), -165, 1e-9);
+  reaction = FailsafeReaction::kNone;
+  const Plan back = heights(2.5);
+  EXPECT_LT(back.front().p_N.z(), -160);
+  EXPECT_GT(back.back().p_N.z(), -160) << "down to the leader";
 }
 
 TEST_F(WingmanTest, SwapsRolesAndKeepsTheNewestOrder) {
