@@ -7,6 +7,7 @@
 
 #include "assemble/sensor_kinds.h"
 #include "assemble/skein_autopilot_kind.h"
+#include "layer/autopilot/guidance/unflyable.h"
 #include "layer/autopilot/modes/geofence.h"
 
 namespace skein::assemble {
@@ -106,6 +107,19 @@ void check_fence(const SkeinChoice& choice, const simulation::Vehicle& vehicle,
        "Widen the fence or move the start."});
 }
 
+// Agents give no airspeed: at its altitude the air must carry it at cruise.
+void check_air(const AircraftGroup& group, const simulation::Vehicle& vehicle,
+               std::vector<Error>& found) {
+  const VehicleState& start = vehicle.state;
+  const double altitude = -start.p_N.z() + (start.on_ground ? group.altitude_agl : 0);
+  AutopilotCommand stay;
+  stay.guidance = HoldPosition{geo::horizontal(start.p_N)};
+  stay.altitude_msl = altitude;
+  if (auto reason = autopilot::unflyable(stay, vehicle.plant->limits(), Vec2::Zero()))
+    found.push_back({ErrorCode::kBadInput, "altitude_agl_m", *reason + ".",
+                     "Fly lower, or choose another plant."});
+}
+
 }  // namespace
 
 Time heartbeat(const Scenario& scenario) {
@@ -119,13 +133,15 @@ Time heartbeat(const Scenario& scenario) {
 std::vector<Error> misfits(const Scenario& scenario, const AircraftGroup& group,
                            const simulation::Entity& aircraft) {
   std::vector<Error> found;
-  if (group.autopilot.kind != "skein") return found;
   const simulation::Vehicle& vehicle = *aircraft.vehicle;
-  const auto& choice = group.autopilot.as<SkeinChoice>();
-  check_sensors(group, found);
-  check_gains(choice, group, vehicle.plant->airframe(), found);
-  check_delays(choice, scenario, group, vehicle, found);
-  check_fence(choice, vehicle, found);
+  check_air(group, vehicle, found);
+  if (group.autopilot.kind == "skein") {
+    const auto& choice = group.autopilot.as<SkeinChoice>();
+    check_sensors(group, found);
+    check_gains(choice, group, vehicle.plant->airframe(), found);
+    check_delays(choice, scenario, group, vehicle, found);
+    check_fence(choice, vehicle, found);
+  }
   for (Error& error : found) error.place = aircraft.name + ": " + error.place;
   return found;
 }

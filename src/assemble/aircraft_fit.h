@@ -12,7 +12,8 @@ namespace skein::assemble {
 /// 0 = none.
 Time heartbeat(const scenario::Scenario& scenario);
 
-/// What of a ready aircraft does not go together, all of it: sensors that its autopilot
+/// What of a ready aircraft does not go together, all of it: an altitude where the air
+/// does not carry it, sensors that its autopilot
 /// cannot fly by, gains for another airframe, failsafes that would act at once for ever,
 /// a fence that it starts outside of.
 ///

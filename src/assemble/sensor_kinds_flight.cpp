@@ -19,7 +19,6 @@ namespace skein::assemble {
 namespace {
 
 using scenario::Fields;
-using scenario::Range;
 
 // A planned loss of fix; without an end it lasts.
 struct PlannedOutage {

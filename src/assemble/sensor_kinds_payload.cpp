@@ -10,7 +10,6 @@ namespace skein::assemble {
 namespace {
 
 using scenario::Fields;
-using scenario::Range;
 
 Fields<sensory::FireSensorOptions> fire_sensor_fields() {
   using T = sensory::FireSensorOptions;

@@ -92,6 +92,19 @@ TEST(AircraftFit, AFenceHoldsTheStartAndDoesNotCrossItself) {
       "");
 }
 
+TEST(AircraftFit, TheAirAtItsAltitudeCarriesIt) {
+  const std::string bixler = ", plant: {kind: fixed-wing, aircraft: bixler}";
+  const std::string skein = "autopilot: skein, sensors: [flight]";
+  expect_said(skein + bixler + ", altitude_agl_m: 20000", "too thin to fly level");
+  expect_said(skein + bixler + ", start: {on_ground: true}, altitude_agl_m: 20000",
+              "altitude_agl_m: the commanded altitude is 20000 m");
+  expect_said(skein + ", plant: multirotor, altitude_agl_m: 15000", "too thin");
+  expect_said("plant: performance, altitude_agl_m: 15000", "too thin");
+  EXPECT_EQ(said_of(skein + bixler + ", altitude_agl_m: 3000"), "");
+  EXPECT_EQ(said_of(skein + ", plant: multirotor, altitude_agl_m: 3000"), "");
+  EXPECT_EQ(said_of("plant: kinematic, altitude_agl_m: 15000"), "");
+}
+
 TEST(AircraftFit, AllThatDoesNotFitIsToldAtOnce) {
   const std::string said = said_of(
       skein("rotor_gains: {}, failsafe: {gnss: {delay_s: 0}, link: {delay_s: 0}}"));
