@@ -31,7 +31,9 @@ Fields<FailsafeRule> rule_fields() {
                  {"descend", kDescend, "come down here"}});
   };
   Fields<T> fields;
-  fields.duration_s("delay_s", &T::delay, "For which it must last.",
+  fields.duration_s("delay_s", &T::delay,
+                    "For which it must last; silence of link or gnss for longer than "
+                    "between two signs of life or positions.",
                     {.at_least = 0, .at_most = 1e6});
   reactions(fields, "reaction", &T::reaction, "What is done.");
   fields.duration_s("escalates_after_s", &T::escalates_after,
