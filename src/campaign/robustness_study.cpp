@@ -181,6 +181,10 @@ record::StudyReport robustness_report(const StudyPlan& plan,
       const Gathered g = of(name);
       return g.sum / g.count;
     };
+    const auto most = [&](const char* name) {
+      const Gathered g = of(name);
+      return g.count > 0 ? g.most : std::nan("");
+    };
     const Gathered gone = of("lost");
     runs += gone.count;
     losses += gone.sum;
@@ -189,11 +193,11 @@ record::StudyReport robustness_report(const StudyPlan& plan,
                           {cell.strategy},
                           {gone.count},
                           {gone.sum, gone.sum > 0},
-                          {of("tilt_most_deg").most},
-                          {of("slow_longest_s").most},
-                          {of("height_error_most_m").most},
+                          {most("tilt_most_deg")},
+                          {most("slow_longest_s")},
+                          {most("height_error_most_m")},
                           {mean("height_error_rms_m")},
-                          {of("track_error_most_m").most},
+                          {most("track_error_most_m")},
                           {mean("track_error_rms_m")}});
     for (const std::size_t item : cell.items) {
       const auto& summary = outcomes[item].summary;
@@ -209,13 +213,10 @@ record::StudyReport robustness_report(const StudyPlan& plan,
                            {number("track_error_most_m")}});
     }
   }
-  table.caption = fmt::format(
-      "{:.0f} of {:.0f} runs lost control. Columns \"most\": the "
-      "worst of all runs; \"rms\": mean over the runs.",
-      losses, runs);
+  table.caption = "Columns \"most\": the worst of all runs; \"rms\": mean over the runs.";
   report.tables.push_back(std::move(table));
   if (!lost.rows.empty()) report.tables.push_back(std::move(lost));
-  report.notes = {report.tables.front().caption};
+  report.notes = {fmt::format("{:.0f} of {:.0f} runs lost control.", losses, runs)};
   return report;
 }
 

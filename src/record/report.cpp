@@ -48,6 +48,21 @@ Json metrics_json(const StoredRun& run) {
   return {{"time_s", packed(times)}, {"columns", std::move(columns)}};
 }
 
+Json flights_json(const StoredRun& run) {
+  Json flights = Json::array();
+  for (const FlightSeries& flight : run.flights)
+    flights.push_back({{"entity", flight.id.value},
+                       {"time_s", packed(flight.time)},
+                       {"columns",
+                        {{"altitude_msl_m", packed(flight.altitude_msl)},
+                         {"airspeed_m_s", packed(flight.airspeed)},
+                         {"cross_track_m", packed(flight.cross_track)},
+                         {"position_error_m", packed(flight.position_error)},
+                         {"charge", packed(flight.charge)},
+                         {"reserve", packed(flight.reserve)}}}});
+  return flights;
+}
+
 Json run_json(const StoredRun& run, const std::string& label, const fs::path& directory) {
   Json entities = Json::array(), events = Json::array();
   for (const EntityRow& entity : run.entities)
@@ -75,6 +90,7 @@ Json run_json(const StoredRun& run, const std::string& label, const fs::path& di
           {"summary", run.summary.numbers},
           {"entities", std::move(entities)},
           {"metrics", metrics_json(run)},
+          {"flights", flights_json(run)},
           {"messages",
            {{"bin_s", run.message_bin},
             {"sent", run.messages_sent},
@@ -116,6 +132,7 @@ Result<void> write_report(std::span<const fs::path> run_directories,
   // Many runs share the room of one page.
   budget.frames = std::max(30, budget.frames / count);
   budget.track_samples = std::max(4000, budget.track_samples / count);
+  if (count > 1) budget.flights = 0;  // comparisons show their figures only
   budget.crossings = std::max(500, budget.crossings / count);
   budget.detections = std::max(500, budget.detections / count);
 

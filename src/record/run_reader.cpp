@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "record/run_database.h"
@@ -17,6 +19,11 @@ constexpr Time kNever = Time::from_ns(-1);
 
 EntityId entity_id(const Statement& row, int column) {
   return EntityId{static_cast<std::uint32_t>(row.integer(column))};
+}
+
+double known(const Statement& row, int column) {
+  return row.is_null(column) ? std::numeric_limits<double>::quiet_NaN()
+                             : row.real(column);
 }
 
 std::vector<float> float_blob(const Statement& row, int column) {
@@ -204,14 +211,19 @@ class Reader {
   Result<void> tracks() {
     const double step =
         std::max(budget_.shortest_step, run_.duration * movers_ / budget_.track_samples);
+    flights_.emplace(
+        std::max(budget_.shortest_step, run_.duration / budget_.flight_samples),
+        budget_.flights);
     std::map<EntityId, TrackBuilder> builders;
     auto done = rows(
-        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg, charge "
-        "FROM truth",
+        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg, charge,"
+        " airspeed_m_s FROM truth",
         [&](const Statement& row) {
           const EntityId id = entity_id(row, 0);
           statistics_.truth(Time::from_seconds(row.real(1)), id,
                             Vec3(row.real(2), row.real(3), -row.real(4)), row.real(6));
+          flights_->truth(id, {row.real(1), Vec2(row.real(2), row.real(3)), row.real(4),
+                               known(row, 7), known(row, 6)});
           builders.try_emplace(id, id, step)
               .first->second.add(row.real(1), row.real(2), row.real(3),
                                  geo::radians(row.real(5)));
@@ -220,13 +232,20 @@ class Reader {
     return done;
   }
 
-  // Only for the figures of a run that was cut off; without the truth beside them.
+  // The figures of a run that was cut off have no truth beside the estimates.
   Result<void> estimates() {
-    auto done = rows(
-        "SELECT entity_id, cross_track_m FROM estimates WHERE cross_track_m IS NOT NULL",
-        [this](const Statement& row) {
-          statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(), row.real(1));
-        });
+    const std::string reserve = schema_ < kPayloadSchema ? "NULL" : "reserve";
+    auto done = rows("SELECT entity_id, cross_track_m, time_s, north_m, east_m, " +
+                         reserve + " FROM estimates",
+                     [this](const Statement& row) {
+                       if (!row.is_null(1))
+                         statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(),
+                                              row.real(1));
+                       flights_->estimate(entity_id(row, 0),
+                                          {row.real(2), Vec2(row.real(3), row.real(4)),
+                                           known(row, 1), known(row, 5)});
+                     });
+    run_.flights = flights_->take();
     if (!done || schema_ < kPayloadSchema) return done;
     return rows("SELECT entity_id, min(reserve) FROM estimates GROUP BY entity_id",
                 [this](const Statement& row) {
@@ -384,6 +403,7 @@ class Reader {
   ReadBudget budget_;
   RunStatistics statistics_;
   StoredRun run_;
+  std::optional<FlightSeriesBuilder> flights_;
   double movers_ = 1;
   std::int64_t schema_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "record/flight_series.h"
 #include "record/metrics.h"
 #include "record/rows.h"
 #include "record/summary.h"
@@ -39,6 +40,7 @@ struct StoredRun {
   std::vector<double> metric_times;       ///< [s]
   std::vector<PerimeterMetrics> metrics;  ///< of the believer that came first
   std::vector<StoredTrack> tracks;
+  std::vector<FlightSeries> flights;
   std::vector<StoredFrame> truth, belief;
   std::vector<Crossing> crossings;
   std::vector<GroundObject> objects;
@@ -55,6 +57,8 @@ struct ReadBudget {
   int frames = 240;            ///< perimeters of the truth, and of the belief
   int track_samples = 120000;  ///< over all entities
   double shortest_step = 1;    ///< between track samples [s]
+  int flights = 8;             ///< aircraft whose flight over time is kept
+  int flight_samples = 500;    ///< of each
   int crossings = 6000;
   int detections = 6000;
   int events = 400;

@@ -53,6 +53,9 @@ export interface MapData {
   terrain?: Terrain;
 }
 
+export type FlightColumn =
+  "altitude_msl_m" | "airspeed_m_s" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
+
 export interface RunData {
   label: string;
   name: string;
@@ -67,6 +70,8 @@ export interface RunData {
   summary: Record<string, number>;
   entities: { id: number; name: string; kind: string }[];
   metrics: { time_s: Packed; columns: Record<string, Packed> }; // float32, NaN = absent
+  /** The first aircraft, over time; empty in comparisons. */
+  flights: { entity: number; time_s: Packed; columns: Record<FlightColumn, Packed> }[]; // float32
   messages: { bin_s: number; sent: number[]; lost: number[] };
   events: { time_s: number; entity: number; kind: string; text: string }[];
   events_left_out: number;

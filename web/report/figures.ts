@@ -60,6 +60,11 @@ const kCounts: Count[] = [
   { label: "Missed deadlines", show: key("deadline_misses") },
   { label: "Aircraft", show: key("aircraft") },
   { label: "Distance flown, all", unit: "km", show: (run) => run.summary.distance_flown_total_m / 1000 },
+  { label: "Accidents", show: key("accidents") },
+  { label: "Failsafes", show: key("failsafes") },
+  { label: "Off the path, RMS", unit: "m", show: key("cross_track_rms_m") },
+  { label: "Error of own position, RMS", unit: "m", show: key("position_error_rms_m") },
+  { label: "Least charge", unit: "%", show: (run) => 100 * run.summary.charge_least },
   { label: "Observations", show: key("observations") },
   { label: "Crossings", show: key("crossings") },
   { label: "Lowest reserve", unit: "%", show: (run) => lowest(run, "reserve_least_", 100) },
@@ -70,6 +75,9 @@ const kCounts: Count[] = [
     show: (run) => run.summary.messages_sent > 0
       ? (100 * run.summary.messages_lost) / run.summary.messages_sent : undefined },
 ];
+
+/** Counts that say something only when they are not zero. */
+const kWhenAny = ["Missed deadlines", "Accidents", "Failsafes", "Observations", "Crossings"];
 
 const known = (value: number | undefined): value is number => value != null && Number.isFinite(value);
 
@@ -103,6 +111,10 @@ function table(caption: string | null, columns: (Node | string)[], rows: Row[], 
       ...columns.map((column) => h("th", { scope: "col" }, column)))),
     h("tbody", {}, ...before, ...body)));
 }
+
+/** Whether the run was about a fire at all. */
+export const hasMetrics = (run: RunData) =>
+  kMetrics.some((metric) => ["mean", "run_mean", "final"].some((part) => known(of(run, metric, part))));
 
 /** One run: each metric's means and last value. */
 export function figuresTable(run: RunData): HTMLElement {
@@ -157,6 +169,6 @@ export function tiles(run: RunData): HTMLElement {
       return known(mean) ? tile(`${metric.label}, mean`, mean, metric.unit)
         : tile(`${metric.label}, whole run`, of(run, metric, "run_mean"), metric.unit);
     }),
-    ...kCounts.filter((count) => count.label !== "Missed deadlines" || count.show(run))
+    ...kCounts.filter((count) => !kWhenAny.includes(count.label) || count.show(run))
       .map((count) => tile(count.label, count.show(run), count.unit, count.text)));
 }

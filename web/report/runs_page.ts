@@ -2,7 +2,8 @@
 import { chart, type Chart, type ChartOptions, type Dash, type Line } from "./chart";
 import { floats, type RunData } from "./data";
 import { clock, h, section } from "./dom";
-import { comparisonTables, figuresTable, tiles } from "./figures";
+import { comparisonTables, figuresTable, hasMetrics, tiles } from "./figures";
+import { flightCharts } from "./flight_plots";
 import { chosen, sameFire } from "./scenario_text";
 import { Player } from "./player";
 
@@ -14,9 +15,10 @@ const kStates = {
 
 function identity(run: RunData): HTMLElement {
   const row = (label: string, value: string) => value ? [h("dt", {}, label), h("dd", {}, value)] : [];
+  const monitors = hasMetrics(run)
+    ? [...row("Estimator", chosen(run.scenario, "estimator")), ...row("Strategy", chosen(run.scenario, "strategy"))] : [];
   return h("dl", { class: "identity" },
-    ...row("Scenario", run.name), ...row("Estimator", chosen(run.scenario, "estimator")),
-    ...row("Strategy", chosen(run.scenario, "strategy")), ...row("Directory", run.directory), ...row("Seed", run.seed),
+    ...row("Scenario", run.name), ...monitors, ...row("Directory", run.directory), ...row("Seed", run.seed),
     ...row("Skein", run.version), ...row("Start", run.start_utc),
     ...row("Simulated", clock(run.duration_s)), ...row("State", kStates[run.state]),
     ...row("Content hash", run.content_hash));
@@ -80,7 +82,7 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
   const marks = runs.length === 1 && runs[0].allocation_start_s != null
     ? [{ x: runs[0].allocation_start_s, label: "allocation starts" }] : [];
   const make = (options: Omit<ChartOptions, "sync" | "marks" | "onPick">) =>
-    chart({ ...options, logY: options.logY || (options.unit === "m" && needsLog(options.lines, runs)),
+    options.lines.length === 0 ? [] : chart({ ...options, logY: options.logY || (options.unit === "m" && needsLog(options.lines, runs)),
       marks, sync: "time", onPick });
   return [
     make({ title: "Perf", unit: "m", note: "error and stated deviation together; small is good",
@@ -100,8 +102,9 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
     make({ title: "Age of knowledge", unit: "s", note: "since the boundary was last crossed nearby",
       lines: lines(runs, [["latency_mean_s", "mean"], ["latency_max_s", "oldest"]]) }),
     make({ title: "Burnt area", unit: "ha", lines: areaLines(runs) }),
+    ...(runs.length === 1 ? flightCharts(runs[0]).map(make) : []),
     make({ title: "Messages per minute", lines: messageLines(runs) }),
-  ];
+  ].flat();
 }
 
 function eventList(runs: RunData[]): HTMLElement | null {
@@ -135,7 +138,9 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
         : "their fires differ (environment or seed), so no value is marked as the best.")), ...comparisonTables(runs), meaning,
       ...runs.map((run) => h("details", {}, h("summary", {}, `What ${run.label} was`), identity(run))))
     : section("Overview", "overview", tiles(runs[0]),
-      h("div", { class: "side-by-side" }, h("div", {}, figuresTable(runs[0]), meaning), identity(runs[0])));
+      hasMetrics(runs[0])
+        ? h("div", { class: "side-by-side" }, h("div", {}, figuresTable(runs[0]), meaning), identity(runs[0]))
+        : identity(runs[0]));
   return [
     h("header", {}, h("h1", {}, title)),
     overview,

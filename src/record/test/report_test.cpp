@@ -151,6 +151,63 @@ TEST(Report, PlaysAndAnswersKeysAndClicks) {
   EXPECT_EQ(dom.substr(clock, 25), "data-clock=\"2:00 of 10:00");
 }
 
+TEST(Report, ShowsHowTheAircraftOfOneRunFlew) {
+  const TemporaryFolder folder("flights");
+  make_run(folder.path() / "one", 300);
+  const StoredRun run = read_run(folder.path() / "one", {}).value();
+  ASSERT_EQ(run.flights.size(), 2u);
+  const FlightSeries& first = run.flights[0];
+  ASSERT_EQ(first.time.size(), 301u);  // every second, of ten rows each
+  double error2 = 0;
+  for (std::size_t k = 0; k < first.time.size(); ++k) {
+    const auto t = static_cast<float>(k);
+    ASSERT_EQ(first.time[k], t);
+    EXPECT_EQ(first.altitude_msl[k], 400);
+    EXPECT_EQ(first.airspeed[k], 20);
+    EXPECT_NEAR(first.cross_track[k], 0.5 * std::sin(k), 1e-6);
+    EXPECT_NEAR(first.reserve[k], 0.9 - static_cast<double>(k) / 1000, 1e-6);
+    error2 += static_cast<double>(first.position_error[k] * first.position_error[k]);
+    EXPECT_TRUE(std::isnan(run.flights[1].cross_track[k])) << "it follows nothing";
+  }
+  // Two unit normal errors, 301 of them: a deviation of 2 / sqrt(301), five times that.
+  EXPECT_NEAR(error2 / 301, 2, 0.6);
+  ReadBudget less;
+  less.flights = 1;
+  less.flight_samples = 100;
+  const StoredRun thin = read_run(folder.path() / "one", less).value();
+  ASSERT_EQ(thin.flights.size(), 1u);
+  EXPECT_EQ(thin.flights[0].time.size(), 101u);
+}
+
+TEST(Report, LeavesOutWhatAFlightWithoutFireHasNot) {
+  const TemporaryFolder folder("no_fire");
+  auto recorder = RunRecorder::create(folder.path() / "run", kInfo).value();
+  const EntityId id{1};
+  recorder->entity(id, "uav", "aircraft");
+  for (int k = 0; k < 60; ++k) {
+    VehicleState state;
+    state.p_N = Vec3(k, 0, -100 - k);
+    NavEstimate estimate;
+    estimate.time = Time::from_seconds(k);
+    estimate.p_N = state.p_N + Vec3(0.1 * k, 0, 0);
+    recorder->truth(estimate.time, id, state);
+    recorder->estimate(id, estimate, {});
+  }
+  ASSERT_TRUE(recorder->close());
+  const fs::path page = folder.path() / "report.html";
+  const fs::path runs[] = {folder.path() / "run"};
+  ASSERT_TRUE(write_report(runs, page));
+  const std::string dom = shown(page, folder.path());
+  if (dom.empty()) GTEST_SKIP() << "no chromium on this machine";
+  const std::size_t main = dom.find("<main");
+  const std::string body = dom.substr(main, dom.find("</main>") - main);
+  EXPECT_NE(body.find(">Altitude<"), std::string::npos);
+  EXPECT_NE(body.find(">Error of own position<"), std::string::npos);
+  EXPECT_EQ(body.find(">Airspeed<"), std::string::npos) << "it does not change";
+  EXPECT_EQ(body.find("Intersection over union"), std::string::npos);
+  EXPECT_EQ(body.find("The records hold nothing"), std::string::npos);
+}
+
 TEST(Report, ReadsARunThatWasCutOff) {
   // As SIGKILL leaves it: the database and its log copied while the run goes on.
   const TemporaryFolder folder("cut");
@@ -189,6 +246,7 @@ TEST(Report, ReadsARunOfBeforeThePayloadWasRecorded) {
   ASSERT_TRUE(run.ok()) << run.error().text();
   EXPECT_TRUE(run.value().objects.empty());
   EXPECT_EQ(run.value().tracks.size(), 2u);
+  EXPECT_TRUE(std::isnan(run.value().flights.at(0).reserve.at(0)));
 }
 
 TEST(Report, ShowsRunsThatHoldLittle) {
