@@ -120,6 +120,27 @@ void check_air(const AircraftGroup& group, const simulation::Vehicle& vehicle,
                      "Fly lower, or choose another plant."});
 }
 
+void doubt_rotors(const SkeinChoice& choice, const AircraftGroup& group,
+                  const simulation::Entity& aircraft, std::vector<std::string>& found) {
+  const Airframe airframe = aircraft.vehicle->plant->airframe();
+  const auto* rotors = std::get_if<MultirotorAirframe>(&airframe);
+  if (!rotors) return;
+  autopilot::MultirotorGains gains = choice.options.rotor_gains;
+  if (const AircraftGains of_file = gains_of(group.plant); of_file.rotors)
+    gains = *of_file.rotors;
+  if (choice.rotor_gains) gains = *choice.rotor_gains;
+  const autopilot::MultirotorSetup setup(*rotors, gains);
+  // Measured: with the defaults it hovers well up to a ratio of 1, from 1.2 on it swings.
+  if (setup.gains.tilt_gain < setup.gains.velocity_gain)
+    found.push_back(fmt::format(
+        "{}: its motors with a lag of {:.3g} s let it tilt with a gain of {:.3g} /s, "
+        "less "
+        "than velocity_gain_per_s, {:.3g}: it will swing. Lower velocity_gain_per_s and "
+        "position_gain_per_s in the same proportion.",
+        aircraft.name, setup.motor_lag, setup.gains.tilt_gain,
+        setup.gains.velocity_gain));
+}
+
 }  // namespace
 
 Time heartbeat(const Scenario& scenario) {
@@ -146,28 +167,18 @@ std::vector<Error> misfits(const Scenario& scenario, const AircraftGroup& group,
   return found;
 }
 
-std::vector<std::string> doubts(const AircraftGroup& group,
+std::vector<std::string> doubts(const Scenario& scenario, const AircraftGroup& group,
                                 const simulation::Entity& aircraft) {
   std::vector<std::string> found;
   if (group.autopilot.kind != "skein") return found;
-  const Airframe airframe = aircraft.vehicle->plant->airframe();
-  const auto* rotors = std::get_if<MultirotorAirframe>(&airframe);
-  if (!rotors) return found;
   const auto& choice = group.autopilot.as<SkeinChoice>();
-  autopilot::MultirotorGains gains = choice.options.rotor_gains;
-  if (const AircraftGains of_file = gains_of(group.plant); of_file.rotors)
-    gains = *of_file.rotors;
-  if (choice.rotor_gains) gains = *choice.rotor_gains;
-  const autopilot::MultirotorSetup setup(*rotors, gains);
-  // Measured: with the defaults it hovers well up to a ratio of 1, from 1.2 on it swings.
-  if (setup.gains.tilt_gain < setup.gains.velocity_gain)
+  const autopilot::FailsafeRule& link = choice.options.failsafe.link;
+  if (heartbeat(scenario) <= Time() && link.reaction != FailsafeReaction::kNone)
     found.push_back(fmt::format(
-        "{}: its motors with a lag of {:.3g} s let it tilt with a gain of {:.3g} /s, "
-        "less "
-        "than velocity_gain_per_s, {:.3g}: it will swing. Lower velocity_gain_per_s and "
-        "position_gain_per_s in the same proportion.",
-        aircraft.name, setup.motor_lag, setup.gains.tilt_gain,
-        setup.gains.velocity_gain));
+        "station.heartbeat_s: the station gives no signs of life. Where {:.6g} s pass "
+        "without an order the failsafe link of {} acts.",
+        link.delay, aircraft.name));
+  doubt_rotors(choice, group, aircraft, found);
   return found;
 }
 

@@ -24,7 +24,8 @@ std::vector<Error> misfits(const scenario::Scenario& scenario,
                            const simulation::Entity& aircraft);
 
 /// What will hardly fly well, in one line each.
-std::vector<std::string> doubts(const scenario::AircraftGroup& group,
+std::vector<std::string> doubts(const scenario::Scenario& scenario,
+                                const scenario::AircraftGroup& group,
                                 const simulation::Entity& aircraft);
 
 }  // namespace skein::assemble

@@ -153,7 +153,7 @@ class Builder {
     const std::vector<Error> found = misfits(scenario_, group, aircraft);
     faults_.insert(faults_.end(), found.begin(), found.end());
     if (index == 0)
-      for (const std::string& doubt : doubts(group, aircraft))
+      for (const std::string& doubt : doubts(scenario_, group, aircraft))
         build_.warnings.push_back(doubt);
     return found.empty();
   }

@@ -111,18 +111,29 @@ TEST(AircraftFit, AllThatDoesNotFitIsToldAtOnce) {
   EXPECT_NE(said.find("3 problems"), std::string::npos) << said;
 }
 
+std::vector<std::string> doubts_of(const std::string& aircraft,
+                                   const std::string& rest = "") {
+  const auto read = scenario::read_scenario_text(
+      "aircraft: [{" + aircraft + "}]\n" + rest, "test", ".", kind_table());
+  EXPECT_TRUE(read.ok()) << read.report();
+  return build(*read.scenario).value().warnings;
+}
+
 TEST(AircraftFit, SlowRotorsAreDoubted) {
-  const auto warnings = [](const std::string& gains) {
-    const auto read = scenario::read_scenario_text(
-        "aircraft: [{" + skein(gains, "multirotor") + "}]\n", "test", ".", kind_table());
-    EXPECT_TRUE(read.ok()) << read.report();
-    return build(*read.scenario).value().warnings;
-  };
   // The quadrotor's motors let it tilt with a gain of 5 /s.
-  EXPECT_TRUE(warnings("rotor_gains: {}").empty());
-  const auto said = warnings("rotor_gains: {velocity_gain_per_s: 5.1}");
+  EXPECT_TRUE(doubts_of(skein("rotor_gains: {}", "multirotor")).empty());
+  const auto said =
+      doubts_of(skein("rotor_gains: {velocity_gain_per_s: 5.1}", "multirotor"));
   ASSERT_EQ(said.size(), 1u);
   EXPECT_NE(said[0].find("it will swing"), std::string::npos) << said[0];
+}
+
+TEST(AircraftFit, AStationWithoutSignsOfLifeIsDoubted) {
+  const auto silent =
+      doubts_of(skein("rounds_corners: true"), "station: {heartbeat_s: 0}");
+  ASSERT_EQ(silent.size(), 1u);
+  EXPECT_NE(silent[0].find("failsafe link of scout-1 acts"), std::string::npos);
+  EXPECT_TRUE(doubts_of(skein("rounds_corners: true")).empty());
 }
 
 }  // namespace
