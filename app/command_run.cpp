@@ -78,6 +78,8 @@ void print_table(const record::RunSummary& summary) {
       {"cross_track_rms_m", "distance to the path flown, RMS [m]"},
       {"position_error_rms_m", "error of own position, RMS [m]"},
       {"charge_least", "least charge left, of 1"},
+      {"objects_found", "objects found"},
+      {"detections", "detections of objects"},
       {"simulated_s", "simulated time [s]"},
       {"real_time_factor", "speed, times real time"}};
   for (const auto& [name, text] : kRows)

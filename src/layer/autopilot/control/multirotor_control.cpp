@@ -4,6 +4,7 @@
 
 #include "data/air.h"
 #include "layer/autopilot/control/bounded.h"
+#include "model/atmosphere/atmosphere.h"
 
 namespace skein::autopilot {
 namespace {
@@ -17,6 +18,7 @@ constexpr double kSinkMargin = 0.7;      // faster than demanded that costs no t
 constexpr double kTiltPerSink = 0.6;     // share of the tilt lost per speed beyond [s/m]
 constexpr double kLeastTilt = 0.2;       // share that is always left
 constexpr double kIntegratesWithin = 1;  // speed errors beyond are on the way [m/s]
+constexpr double kSameAir = 50;          // of altitude: density changes by 0.5 % [m]
 
 bool finite(const NavState& n) {
   return std::isfinite(n.p_N.sum() + n.v_N.sum() + n.q_NB.coeffs().sum() +
@@ -103,6 +105,15 @@ Vec3 MultirotorControl::acceleration_for(const MultirotorDemand& demand,
   return {across.x(), across.y(), down};
 }
 
+// Thrust at sea level that makes one unit of thrust up here: the rotors' is known there.
+double MultirotorControl::thin_air(double altitude_msl) {
+  if (!(std::abs(altitude_msl - air_altitude_) < kSameAir)) {
+    air_altitude_ = altitude_msl;
+    thin_air_ = model::kSeaLevelDensity / model::standard_air(altitude_msl).density;
+  }
+  return thin_air_;
+}
+
 // Turn rates that bring the rotors' axis to a direction given in the body.
 Vec3 MultirotorControl::tilt_rates(const Vec3& up_B) const {
   const double cosine = -up_B.z();
@@ -146,6 +157,7 @@ Actuators MultirotorControl::turn(const Vec3& rates, double thrust, const NavSta
     torque.head<2>() =
         Vec2(c * torque.x() - s * torque.y(), s * torque.x() + c * torque.y());
   }
+  torque *= thin_air(-nav.p_N.z());
   const Mix mix = mixer_.mix({thrust, torque});
   const bool airborne = thrust > kAirborneShare * setup_->airframe.mass * kGravity;
   if (airborne && !spins_) {
@@ -173,8 +185,8 @@ Actuators MultirotorControl::control(const MultirotorDemand& demand, const NavSt
   const Vec3 up_B = nav.q_NB.conjugate() * (f_N / length);
 
   // The share of the thrust that already points where it shall.
-  const double thrust =
-      setup_->airframe.mass * hover_scale_ * length * bounded(-up_B.z(), 0.2, 1);
+  const double thrust = setup_->airframe.mass * thin_air(-nav.p_N.z()) * hover_scale_ *
+                        length * bounded(-up_B.z(), 0.2, 1);
   if (cos_tilt > kLearnsAbove) {
     const double moved = g.hover_learning * dt * velocity_sum_.z();
     const double scale = bounded(hover_scale_ * (1 - moved / kGravity),

@@ -62,11 +62,12 @@ class MultirotorControl {
   AttitudeDemand attitude_for(const PilotInput& sticks) const;
 
   const MultirotorSetup& setup() const { return *setup_; }
-  /// Hover thrust over mass times gravity, as learnt.
+  /// Hover thrust over mass times gravity, as learnt; what thin air costs is known.
   double hover_scale() const { return hover_scale_; }
 
  private:
   Vec3 acceleration_for(const MultirotorDemand& demand, const NavState& nav, double dt);
+  double thin_air(double altitude_msl);
   Vec3 tilt_rates(const Vec3& up_B) const;
   void integrate_rates(const std::array<bool, 3>& limited, const Vec3& step);
   Actuators turn(const Vec3& rates, double thrust, const NavState& nav, double dt);
@@ -77,8 +78,9 @@ class MultirotorControl {
   bool spins_ = false;                // the rotors left cannot hold the heading at all
   Vec3 velocity_sum_ = Vec3::Zero();  // integral part of the acceleration, in N [m/s^2]
   double hover_scale_ = 1;
-  Vec3 rate_sum_ = Vec3::Zero();  // of the angular acceleration [rad/s^2]
-  Vec3 rates_ = Vec3::Zero();     // filtered, for the derivative [rad/s]
+  double air_altitude_ = 0, thin_air_ = 1;  // where the density was last looked up [m]
+  Vec3 rate_sum_ = Vec3::Zero();            // of the angular acceleration [rad/s^2]
+  Vec3 rates_ = Vec3::Zero();               // filtered, for the derivative [rad/s]
   Actuators last_;
   bool fresh_ = true;
 };

@@ -123,6 +123,21 @@ TEST(MultirotorControl, LearnsTheHoverThrust) {
   EXPECT_NEAR(control.hover_scale(), 1 / 0.8, 0.02);
 }
 
+TEST(MultirotorControl, KnowsThatThinAirCarriesLess) {
+  // The International Standard Atmosphere at 5,000 m: 0.736 kg/m^3 of 1.225.
+  const double share = 0.7364 / 1.225;
+  MultirotorControl control(airframe(), {});
+  NavState nav = at_rest();
+  nav.p_N.z() = -5000;
+  MultirotorDemand demand = hover();
+  demand.altitude_msl = 5000;
+  for (int k = 0; k < 3000; ++k) {
+    fly(nav, control.control(demand, nav, kStep), share, kStep);
+    ASSERT_NEAR(-nav.p_N.z(), 5000, 0.05) << "from the first step on";
+  }
+  EXPECT_NEAR(control.hover_scale(), 1, 0.01) << "there is nothing to learn";
+}
+
 TEST(MultirotorControl, StabilizesAsTheSticksSay) {
   MultirotorControl control(airframe(), {});
   NavState nav = at_rest();
