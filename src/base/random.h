@@ -35,7 +35,6 @@ enum class Purpose : std::uint32_t {
   kCamera = 23,
   kPower = 24,
   kTurbulence = 25,
-  kSensorOutage = 26,
   kVehicleFault = 40,
   kAirframe = 41,
 };
