@@ -32,6 +32,7 @@ inline constexpr std::size_t kAileron = 0;
 inline constexpr std::size_t kElevator = 1;
 inline constexpr std::size_t kRudder = 2;
 inline constexpr std::size_t kThrottle = 3;
+inline constexpr std::size_t kBrake = 4;  ///< of the wheels, from 0 to 1
 }  // namespace channel
 
 /// What goes from an autopilot to its plant.

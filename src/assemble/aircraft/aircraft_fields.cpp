@@ -165,6 +165,8 @@ Fields<asset::GroundContactParameters> ground_fields() {
               "Coefficient along the body: wheels 0.03 to 0.1.", kFriction)
       .number("friction_across", &T::friction_across, "Coefficient across the body.",
               kFriction)
+      .number("brake_friction", &T::brake_friction,
+              "On top along the body at full brake; 0: it has no brakes.", kFriction)
       .angle_deg("rest_pitch_deg", &T::rest_pitch, "Pitch at which it stands.",
                  {.at_least = -45, .at_most = 45})
       .duration_s("levelling_s", &T::levelling, "Time constant of coming level.",
@@ -178,6 +180,9 @@ Fields<asset::GroundContactParameters> ground_fields() {
       .number("yaw_grip_rad_per_m", &T::yaw_grip,
               "Turn rate that the ground stops per vertical speed that it stops.",
               {.at_least = 0, .at_most = 1e6})
+      .number("steering_rad_per_m", &T::steering,
+              "Turn per way that wheels make at full rudder; 0: they do not steer.",
+              {.at_least = 0, .at_most = 10})
       .rules([](const T& ground) {
         return at_file_keys(*ground_fields().description(), faults(ground));
       });

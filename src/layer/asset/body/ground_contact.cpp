@@ -20,15 +20,17 @@ std::vector<ParameterFault> faults(const GroundContactParameters& p) {
   check.within("tilt_limit", p.tilt_limit, 0, geo::kPi);
   check.at_least("friction_along", p.friction_along, 0);
   check.at_least("friction_across", p.friction_across, 0);
+  check.at_least("brake_friction", p.brake_friction, 0);
   check.within("rest_pitch", p.rest_pitch, -geo::kPi / 4, geo::kPi / 4);
   check.above("levelling", p.levelling, 0);
   check.require(true, "nose_fall", p.nose_fall, "");
   check.at_least("yaw_grip", p.yaw_grip, 0);
+  check.at_least("steering", p.steering, 0);
   return check.take();
 }
 
 Contact touch_ground(const GroundContactParameters& p, VehicleState& state,
-                     double ground_msl, double dt, double steer) {
+                     double ground_msl, double dt, double brake, double steer) {
   const bool from_air = !state.on_ground;
   state.on_ground = true;
   const double sink = state.v_N.z();
@@ -45,7 +47,8 @@ Contact touch_ground(const GroundContactParameters& p, VehicleState& state,
   const Vec2 forward = geo::unit(attitude.yaw);
   const Vec2 right = geo::turned_right(forward);
   const Vec2 over_ground = state.v_N.head<2>();
-  const double along = pulled(over_ground.dot(forward), 0, p.friction_along * press);
+  const double friction = p.friction_along + p.brake_friction * brake;
+  const double along = pulled(over_ground.dot(forward), 0, friction * press);
   const double across = pulled(over_ground.dot(right), 0, p.friction_across * press);
   state.v_N.head<2>() = along * forward + across * right;
 

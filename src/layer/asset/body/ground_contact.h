@@ -13,6 +13,7 @@ struct GroundContactParameters {
   double tilt_limit = 0.6;  ///< at touch, between the body's down and down [rad]
   double friction_along = 0.6;   ///< coefficient along the body: wheels 0.03 to 0.1
   double friction_across = 0.6;  ///< coefficient across the body
+  double brake_friction = 0;     ///< on top along the body at full brake; 0 = no brakes
   double rest_pitch = 0;         ///< pitch at which it stands [rad]
   double levelling = 0.1;        ///< time constant of coming level [s]
   /// How the nose falls when it is above the rest pitch, and so how hard it is to raise
@@ -23,6 +24,7 @@ struct GroundContactParameters {
   /// Turn rate that the ground stops per vertical speed that it stops [rad/m]: friction
   /// times the distance of the feet from the middle times mass over inertia about down.
   double yaw_grip = 10;
+  double steering = 0;  ///< turn per way that wheels make at full rudder [rad/m]
 };
 
 /// What must hold for these.
@@ -38,6 +40,7 @@ std::vector<ParameterFault> faults(const GroundContactParameters& parameters);
 /// way the wheels' impulse turns the nose down (nose_fall) and stops turning (yaw_grip).
 /// Roll goes to 0, and a pitch below rest to rest, in the time `levelling`.
 ///
+/// @param brake  how far the brakes are on, from 0 to 1.
 /// @param steer  turn per way that the wheels are set to [rad/m], clockwise positive; the
 ///               yaw rate is pulled towards steer times the speed along the body.
 /// @returns      kCrash when a limit is passed at the touch, with the state as it hit;
@@ -45,6 +48,6 @@ std::vector<ParameterFault> faults(const GroundContactParameters& parameters);
 ///               speed limit counts only when it comes from the air.
 /// Valid: level ground at that height; no spring, no bounce.
 Contact touch_ground(const GroundContactParameters& parameters, VehicleState& state,
-                     double ground_msl, double dt, double steer = 0);
+                     double ground_msl, double dt, double brake = 0, double steer = 0);
 
 }  // namespace skein::asset

@@ -175,6 +175,9 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
   airframe_ = airframe_of(model_);
   airframe_.span = parameters.geometry.span;
   airframe_.roll_friction = parameters.ground.friction_along;
+  airframe_.rest_pitch = parameters.ground.rest_pitch;
+  if (airframe_.rudder) airframe_.steering = parameters.ground.steering;
+  airframe_.brake_friction = parameters.ground.brake_friction;
   const double V = airframe_.cruise;
   limits_.airspeed = V;
   limits_.turn_radius = V * V / (kGravity * std::tan(kReserve * airframe_.bank_limit));
@@ -229,6 +232,14 @@ void FixedWingPlant::step(VehicleState& state, const Control& control, const Air
   if (-state.p_N.z() > height) state.on_ground = false;
 }
 
+Contact FixedWingPlant::touch(VehicleState& state, double ground_msl, double dt) const {
+  // Wheels turn with the rudder, which yaws left when positive.
+  const double left =
+      airframe_.rudder ? state.actuators[channel::kRudder] / model_.servos.rudder_max : 0;
+  return touch_ground(ground_, state, ground_msl, dt, state.actuators[channel::kBrake],
+                      -ground_.steering * left);
+}
+
 void FixedWingPlant::short_step(VehicleState& state, const Actuators& control,
                                 const Air& air, double dt) const {
   const double altitude = -state.p_N.z();
@@ -249,6 +260,11 @@ void FixedWingPlant::short_step(VehicleState& state, const Actuators& control,
   const Course aileron = surface(channel::kAileron, servos.aileron_max);
   const Course elevator = surface(channel::kElevator, servos.elevator_max);
   const Course rudder = surface(channel::kRudder, servos.rudder_max);
+  // Brakes act faster than the wheels slow down; a dead one does not hold.
+  if (!state.faults.is_stuck(channel::kBrake))
+    state.actuators[channel::kBrake] = state.faults.is_dead(channel::kBrake)
+                                           ? 0
+                                           : bounded(control[channel::kBrake], 0, 1);
 
   const Engine& engine = model_.engine;
   double& spin = state.actuators[channel::kThrottle];

@@ -36,9 +36,7 @@ class FixedWingPlant final : public Plant {
   void step(VehicleState& state, const Control& control, const Air& air,
             double dt) const override;
 
-  Contact touch(VehicleState& state, double ground_msl, double dt) const override {
-    return touch_ground(ground_, state, ground_msl, dt);
-  }
+  Contact touch(VehicleState& state, double ground_msl, double dt) const override;
 
   const FixedWingModel& model() const { return model_; }
 

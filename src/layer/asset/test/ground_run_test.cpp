@@ -137,6 +137,53 @@ TEST(GroundRun, TouchesDownSlidesAndStops) {
   }
 }
 
+// From 15 m/s along the heading, on its wheels: way, and turn, until it stands.
+struct Stop {
+  double way = 0, turn = 0;
+};
+Stop stop(const GroundRun& run, const Actuators& actuators, std::uint8_t dead = 0) {
+  VehicleState s = run.standing();
+  s.v_N.head<2>() = 15 * geo::unit(0.5);
+  s.faults.dead = dead;
+  const Vec3 from = s.p_N;
+  Stop out;
+  for (int i = 0; i < 20000 && geo::horizontal(s.v_N).norm() > 0; ++i) {
+    EXPECT_EQ(run.step(s, actuators), Contact::kRests);
+    out.turn += s.w_NB_B.z() * kStep;
+  }
+  out.way = (s.p_N - from).norm();
+  return out;
+}
+
+TEST(GroundRun, BrakesStopIt) {
+  const GroundRun run(light_sport());
+  Actuators braking;
+  braking[channel::kBrake] = 1;
+  const double rolls = stop(run, {}).way, brakes = stop(run, braking).way;
+  // Friction alone; drag, and lift that takes weight off the wheels, make a tenth.
+  const double friction = run.parameters().ground.friction_along;
+  const double all = friction + run.parameters().ground.brake_friction;
+  EXPECT_NEAR(brakes, 15 * 15 / (2 * kGravity * all), 0.1 * brakes);
+  EXPECT_GT(rolls, 4 * brakes);
+  EXPECT_NEAR(stop(run, braking, 1u << channel::kBrake).way, rolls, 1e-9) << "they fail";
+  const GroundRun belly((glider()));
+  EXPECT_NEAR(stop(belly, braking).way, stop(belly, {}).way, 1e-9) << "it has none";
+}
+
+TEST(GroundRun, WheelsSteerWithTheRudder) {
+  for (const double rudder : {-0.2, 0.2}) {
+    const GroundRun run(light_sport());
+    Actuators a;
+    a[channel::kBrake] = 0.3;
+    a[channel::kRudder] = rudder;
+    const Stop stopped = stop(run, a);
+    // Turn per way times way; where the wheels slip it is less.
+    const double asked = -rudder * run.parameters().ground.steering * stopped.way;
+    EXPECT_GT(stopped.turn / asked, 0.7);
+    EXPECT_LT(stopped.turn / asked, 1.3);
+  }
+}
+
 TEST(GroundRun, FlyingIntoTheGroundBreaksIt) {
   const GroundRun run(light_sport());
   VehicleState s = run.approaching(40, 2, 50);

@@ -49,6 +49,20 @@ TEST(GroundContact, SlidesToAStopAsFrictionSays) {
   EXPECT_TRUE(s.on_ground);
 }
 
+TEST(GroundContact, BrakesStopIt) {
+  GroundContactParameters p = wheels();
+  p.brake_friction = 0.3;
+  for (const double brake : {0.0, 0.5, 1.0}) {
+    VehicleState s = at_ground({8, 0, 0.5}, {0, 0.02, 0});
+    s.on_ground = true;
+    EXPECT_EQ(touch_ground(p, s, kGround, kStep, brake), Contact::kRests);
+    EXPECT_NEAR(s.v_N.x(), 8 - (0.05 + 0.3 * brake) * 0.5, 1e-12);
+  }
+  VehicleState slow = at_ground({0.1, 0, 0.5}, {0, 0.02, 0});
+  touch_ground(p, slow, kGround, kStep, 1);
+  EXPECT_EQ(slow.v_N.x(), 0) << "and not backwards";
+}
+
 TEST(GroundContact, LiftTakesTheLoadOffTheWheels) {
   VehicleState s = at_ground({10, 0, 0}, {});
   s.on_ground = true;
@@ -122,7 +136,7 @@ TEST(GroundContact, TheNoseFallsToRestAndNotBelow) {
 
 TEST(GroundContact, WheelsSteer) {
   VehicleState s = at_ground({5, 0, 0.2}, {});
-  touch_ground(wheels(), s, kGround, kStep, 0.1);
+  touch_ground(wheels(), s, kGround, kStep, 0, 0.1);
   EXPECT_NEAR(s.w_NB_B.z(), 0.1 * s.v_N.x(), 1e-9);
 }
 

@@ -71,10 +71,12 @@ inline FixedWingParameters aerosonde() {
               .tilt_limit = 0.6,
               .friction_along = 0.05,
               .friction_across = 0.6,
+              .brake_friction = 0.3,
               .rest_pitch = 0.05,
               .levelling = 0.1,
               .nose_fall = 0.8,
-              .yaw_grip = 3};
+              .yaw_grip = 3,
+              .steering = 0.1};
   return p;
 }
 
@@ -140,10 +142,12 @@ inline FixedWingParameters light_sport() {
               .tilt_limit = 0.5,
               .friction_along = 0.04,
               .friction_across = 0.6,
+              .brake_friction = 0.35,
               .rest_pitch = 0.03,
               .levelling = 0.2,
               .nose_fall = 0.2,
-              .yaw_grip = 0.5};
+              .yaw_grip = 0.5,
+              .steering = 0.05};
   return p;
 }
 
