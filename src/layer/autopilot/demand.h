@@ -15,6 +15,7 @@ enum class FlightPhase : std::uint8_t {
   kFlight,
   kApproach,  ///< down the glide slope
   kFlare,     ///< wings level, by sink rate, touching down; no airspeed: motor idle
+  kRollOut,   ///< after touch-down: nose down, wings level, along the course, braking
   kGlide,     ///< without motor: altitude is traded for airspeed
 };
 
@@ -25,6 +26,10 @@ struct FixedWingDemand {
   double climb_rate = 0;  ///< at which the demanded altitude changes [m/s], up positive
   double airspeed = 0;    ///< [m/s]
   FlightPhase phase = FlightPhase::kFlight;
+  /// Unit vector that the nose is to point along just before the touch, with idle motor,
+  /// and in the roll-out; zero: along the way through the air.
+  Vec2 heading = Vec2::Zero();
+  double braking = 0;  ///< deceleration of the roll-out over ground [m/s^2]
 };
 
 /// For a multirotor: a reference that moves.

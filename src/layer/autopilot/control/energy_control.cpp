@@ -10,8 +10,9 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kFilterDamping = 0.9;
-constexpr double kFlareGain = 0.8;   // path angle times airspeed per sink rate error
+constexpr double kFlareGain = 1.5;   // path angle times airspeed per sink rate error
 constexpr double kFlareDive = 0.12;  // pitch down, still with motor [rad]
+constexpr double kSoftSink = 0.2;    // of a touch-down with level nose [m/s]
 constexpr double kSlowFrom = 1.03;   // times the least airspeed pitch begins to serve it,
 constexpr double kSlowMargin = 0.15;  // and this much below serves nothing else
 constexpr double kSteepPath = 0.17;   // [rad]
@@ -146,6 +147,8 @@ void EnergyControl::move_pitch(const FixedWingSetup& setup, const FixedWingDeman
   double lowest = a.pitch_down;
   if (flare || demand.phase == FlightPhase::kClimbOut)
     lowest = std::min(a.trim_alpha, 0.0);
+  // The nose may be down for a sink that is asked for, but not any more at the touch.
+  if (flare) lowest += std::min(demand.climb_rate + kSoftSink, 0.0) / speed;
   if (flare && demand.airspeed > 0) lowest -= kFlareDive;
   const double wanted = alpha + path / speed;
   const double most = g.vertical_acceleration / speed * dt;

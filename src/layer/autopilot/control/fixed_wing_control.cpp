@@ -9,6 +9,7 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kRunSteers = 4;  // ground speed for full use of a lateral demand [m/s]
+constexpr double kWindy = 0.35;   // airspeed of a parked aircraft, over the slowest
 
 // Adding up is enough: what is not finite stays so.
 bool finite(const NavState& n) {
@@ -91,29 +92,62 @@ void FixedWingControl::move_roll(double aim, double dt) {
   roll_ = bounded(roll_ + roll_rate_ * dt, geo::kPi);
 }
 
-Actuators FixedWingControl::ground_run(double lateral_acceleration, const NavState& nav,
+Actuators FixedWingControl::ground_run(const FixedWingDemand& wanted, const NavState& nav,
                                        const Posture& posture, double dt) {
+  const FixedWingAirframe& a = setup_->airframe;
+  const bool takes_off = wanted.phase == FlightPhase::kRun;
   const Vec2 heading = heading_of(nav.q_NB);
-  if (run_heading_.isZero()) run_heading_ = heading;
+  if (run_heading_.isZero())
+    run_heading_ = wanted.heading.isZero() ? heading : wanted.heading;
   const double speed = geo::horizontal(nav.v_N).norm();
-  const double turn = bounded(lateral_acceleration / std::max(speed, kRunSteers), 0.5);
+  const double turn =
+      bounded(wanted.lateral_acceleration / std::max(speed, kRunSteers), 0.5);
   run_heading_ =
       (run_heading_ + turn * dt * geo::turned_right(run_heading_)).normalized();
-  SurfaceDemand demand;
-  demand.pitch = setup_->airframe.trim_alpha;
-  demand.airspeed = energy_.airspeed();
-  demand.lift_reserve = setup_->gains.lift_reserve;
+  SurfaceDemand demand = without_lift();
+  if (takes_off) demand.pitch = a.trim_alpha;
   demand.extra_turn =
       turn + setup_->gains.run_heading_gain * geo::cross(heading, run_heading_);
   surfaces_.reset();  // the ground holds against them
   surfaces_.step(*setup_, demand, nav, posture, dt, last_);
+  if (a.rudder && a.steering > 0) {
+    const double by_wheels =
+        demand.extra_turn / (a.steering * std::max(speed, kRunSteers));
+    last_[channel::kRudder] = bounded(last_[channel::kRudder] - by_wheels, 1);
+  }
   last_[channel::kThrottle] =
-      setup_->airframe.motor
+      a.motor && takes_off
           ? bounded(last_[channel::kThrottle] + setup_->gains.throttle_rate * dt, 0, 1)
           : 0;
+  if (!takes_off && a.brake_friction > 0)
+    last_[channel::kBrake] =
+        bounded((wanted.braking / kGravity - a.roll_friction) / a.brake_friction, 0, 1);
   energy_.follow(*setup_, view_of(nav, posture), posture.pitch, last_[channel::kThrottle],
                  dt);
   move_roll(0, dt);
+  return last_;
+}
+
+// On the ground gusts shall not lift it, and its weight brakes it.
+SurfaceDemand FixedWingControl::without_lift() const {
+  SurfaceDemand demand;
+  demand.pitch = setup_->airframe.trim_alpha - setup_->alpha_per_load;
+  demand.airspeed = energy_.airspeed();
+  demand.lift_reserve = setup_->gains.lift_reserve;
+  return demand;
+}
+
+Actuators FixedWingControl::stand(const NavState& nav, const Posture& posture,
+                                  double dt) {
+  const FixedWingAirframe& a = setup_->airframe;
+  last_ = {};
+  last_[channel::kElevator] = bounded(a.trim_elevator, 1);
+  reset(nav);
+  surfaces_.reset();
+  // In a wind that could lift it, it is held down.
+  if (nav.airspeed > kWindy * a.slowest)
+    surfaces_.step(*setup_, without_lift(), nav, posture, dt, last_);
+  last_[channel::kBrake] = a.brake_friction > 0 ? 1 : 0;
   return last_;
 }
 
@@ -122,23 +156,25 @@ Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavStat
   if (!(dt > 0) || !finite(nav) || !finite(demand)) return last_;
   if (fresh_) reset(nav);
   const Posture posture(nav.q_NB);
-  if (demand.phase == FlightPhase::kGround) {
-    surfaces_.reset();
-    last_ = {};
-    last_[channel::kElevator] = bounded(setup_->airframe.trim_elevator, 1);
-    reset(nav);
-    return last_;
-  }
-  if (demand.phase == FlightPhase::kRun)
-    return ground_run(demand.lateral_acceleration, nav, posture, dt);
+  if (demand.phase == FlightPhase::kGround) return stand(nav, posture, dt);
+  last_[channel::kBrake] = 0;
+  if (demand.phase == FlightPhase::kRun || demand.phase == FlightPhase::kRollOut)
+    return ground_run(demand, nav, posture, dt);
+  run_heading_.setZero();
   move_roll(bank_demand(demand, nav), dt);
   const EnergyOutput energy = energy_.step(*setup_, demand, view_of(nav, posture), dt);
   const FixedWingGains& g = setup_->gains;
   const double reserve =
       demand.phase == FlightPhase::kFlare ? g.flare_reserve : g.lift_reserve;
-  surfaces_.step(*setup_,
-                 {roll_, roll_rate_, energy.pitch, energy_.airspeed(), reserve, 0}, nav,
-                 posture, dt, last_);
+  SurfaceDemand surfaces{roll_, roll_rate_, energy.pitch, energy_.airspeed(), reserve, 0};
+  const bool aligns = demand.phase == FlightPhase::kFlare && demand.airspeed <= 0 &&
+                      !demand.heading.isZero();
+  if (aligns) {
+    const Vec2 heading = heading_of(nav.q_NB);
+    surfaces.off_heading =
+        std::atan2(geo::cross(demand.heading, heading), demand.heading.dot(heading));
+  }
+  surfaces_.step(*setup_, surfaces, nav, posture, dt, last_);
   last_[channel::kThrottle] = bounded(energy.throttle, 0, 1);
   return last_;
 }
@@ -160,6 +196,7 @@ Actuators FixedWingControl::stabilize(const AttitudeDemand& demand, const NavSta
   surface.extra_turn = bounded(demand.yaw_rate, 1);
   surfaces_.step(*setup_, surface, nav, posture, dt, last_);
   last_[channel::kThrottle] = a.motor ? bounded(demand.throttle, 0, 1) : 0;
+  last_[channel::kBrake] = 0;
   energy_.follow(*setup_, view_of(nav, posture), posture.pitch, last_[channel::kThrottle],
                  dt);
   return last_;
@@ -173,6 +210,7 @@ Actuators FixedWingControl::manual(const PilotInput& sticks, const NavState&, do
   last_[channel::kElevator] = bounded(a.trim_elevator - bounded(sticks.pitch, 1), 1);
   last_[channel::kRudder] = a.rudder ? -bounded(sticks.yaw, 1) : 0;
   last_[channel::kThrottle] = a.motor ? bounded(sticks.throttle, 0, 1) : 0;
+  last_[channel::kBrake] = 0;
   return last_;
 }
 

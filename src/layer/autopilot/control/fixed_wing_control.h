@@ -47,8 +47,10 @@ class FixedWingControl {
 
  private:
   double bank_demand(const FixedWingDemand& demand, const NavState& nav) const;
-  Actuators ground_run(double lateral_acceleration, const NavState& nav,
+  Actuators ground_run(const FixedWingDemand& demand, const NavState& nav,
                        const Posture& posture, double dt);
+  Actuators stand(const NavState& nav, const Posture& posture, double dt);
+  SurfaceDemand without_lift() const;
   void move_roll(double aim, double dt);
 
   std::shared_ptr<const FixedWingSetup> setup_;
@@ -56,7 +58,7 @@ class FixedWingControl {
   SurfaceControl surfaces_;
   double roll_ = 0;                  // demanded, rate bounded [rad]
   double roll_rate_ = 0;             // at which that changes [rad/s]
-  Vec2 run_heading_ = Vec2::Zero();  // of the take-off run, unit; zero: none
+  Vec2 run_heading_ = Vec2::Zero();  // on the ground, unit; zero: none
   Actuators last_;
   bool fresh_ = true;   // the state is to be taken over first
   bool flown_ = false;  // there is a last output; before, flight begins in trim

@@ -8,7 +8,8 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kFilterCruise = 15;  // for which gust_filter is given [m/s]
+constexpr double kFilterCruise = 15;     // for which gust_filter is given [m/s]
+constexpr double kLeastRestLoad = 0.25;  // wings carry something, standing, at cruise
 
 void assume(double& value, double otherwise) {
   if (!(value > 0)) value = otherwise;
@@ -42,7 +43,12 @@ FixedWingSetup::FixedWingSetup(const FixedWingAirframe& a, const FixedWingGains&
       airframe(completed(a)),
       gust_bandwidth(g.gust_filter * kFilterCruise / airframe.cruise),
       bank_tangent(std::tan(airframe.bank_limit)),
+      lift_off(0),
       alpha_per_load(kGravity / (airframe.cruise * airframe.lift_slope)),
-      throttle_slope((1 - std::min(airframe.trim_throttle, 0.9)) / airframe.climb_rate) {}
+      throttle_slope((1 - std::min(airframe.trim_throttle, 0.9)) / airframe.climb_rate) {
+  // Lift grows evenly with the pitch, and with the square of the airspeed.
+  const double load = 1 + (airframe.rest_pitch - airframe.trim_alpha) / alpha_per_load;
+  lift_off = airframe.cruise / std::sqrt(std::max(load, kLeastRestLoad));
+}
 
 }  // namespace skein::autopilot

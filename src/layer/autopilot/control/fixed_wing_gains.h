@@ -29,7 +29,9 @@ struct FixedWingGains {
   // Yaw.
   double yaw_rate_gain = 2;     ///< yaw acceleration per rate error [1/s]
   double sideslip_gain = 1;     ///< yaw acceleration per sine of sideslip [1/s^2]
-  double run_heading_gain = 2;  ///< yaw rate per heading error in the take-off run [1/s]
+  double run_heading_gain = 2;  ///< yaw rate per heading error on the ground [1/s]
+  double align_gain = 6;       ///< rudder channel per heading error at touch-down [1/rad]
+  double align_rate_gain = 6;  ///< yaw acceleration per yaw rate meanwhile [1/s]
   // Energy.
   double height_gain = 0.8;       ///< climb rate per height error [1/s]
   double airspeed_gain = 0.5;     ///< acceleration per airspeed error [1/s]
@@ -60,6 +62,7 @@ struct FixedWingSetup {
   FixedWingAirframe airframe;  ///< with assumed values in place of those not known
   double gust_bandwidth;       ///< of gust_filter [rad/s]
   double bank_tangent;         ///< of the bank limit
+  double lift_off;        ///< airspeed that carries it in the attitude it stands in [m/s]
   double alpha_per_load;  ///< angle of attack for one g at cruise, from zero lift [rad]
   /// Throttle per specific power [s/m]. It is that above level flight, below as well: a
   /// propeller stops pulling long before the throttle is shut.

@@ -73,13 +73,20 @@ void SurfaceControl::step(const FixedWingSetup& setup, const SurfaceDemand& dema
     out[channel::kRudder] = 0;
     return;
   }
+  const double yaw_power = a.rudder_power * pressure;
+  if (demand.off_heading) {
+    // Hard against the weathercock: the sideslip that this makes is that of the wind.
+    out[channel::kRudder] = bounded(g.align_gain * *demand.off_heading +
+                                        g.align_rate_gain * nav.w_NB_B.z() / yaw_power,
+                                    1);
+    return;
+  }
   // Sideslip from the estimated wind: weak, because the wind is known with errors.
   const Vec3 air_B = nav.q_NB.conjugate() * (nav.v_N - nav.wind_N);
   const double sideslip = bounded(air_B.y() / speed, 0.5);
-  out[channel::kRudder] =
-      -bounded((g.yaw_rate_gain * (r - nav.w_NB_B.z()) + g.sideslip_gain * sideslip) /
-                   (a.rudder_power * pressure),
-               1);
+  out[channel::kRudder] = -bounded(
+      (g.yaw_rate_gain * (r - nav.w_NB_B.z()) + g.sideslip_gain * sideslip) / yaw_power,
+      1);
 }
 
 }  // namespace skein::autopilot

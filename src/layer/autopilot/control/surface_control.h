@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "data/control.h"
 #include "layer/autopilot/control/fixed_wing_gains.h"
 #include "layer/autopilot/control/posture.h"
@@ -15,6 +17,9 @@ struct SurfaceDemand {
   double airspeed = 0;      ///< without noise, for the effect of surfaces [m/s]
   double lift_reserve = 1;  ///< most lift, over the weight at the least airspeed
   double extra_turn = 0;    ///< turn rate beyond that of a turn without sideslip [rad/s]
+  /// Instead of without sideslip the nose is held along a course, from which it is off by
+  /// this [rad], clockwise positive.
+  std::optional<double> off_heading = std::nullopt;
 };
 
 /// The inner loops of a fixed wing: attitude to turn rates, turn rates to surfaces.

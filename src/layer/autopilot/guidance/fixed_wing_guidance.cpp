@@ -418,11 +418,15 @@ double FixedWingGuidance::land(const FixedWingMotion& now, double dt,
   const double speed = now.v_N.head<2>().norm();
   // On the ground the wind alone may be airspeed.
   const bool still =
-      std::min(now.airspeed, speed + now.wind.norm()) < kStopped * limits_.slowest ||
-      (now.height_agl && *now.height_agl < kStands && speed < kLeastSpeed);
+      phase_ == FlightPhase::kRollOut
+          ? speed < kLeastSpeed
+          : std::min(now.airspeed, speed + now.wind.norm()) <
+                    kStopped * limits_.slowest ||
+                (now.height_agl && *now.height_agl < kStands && speed < kLeastSpeed);
   const Landing::Step at =
-      landing_.step(p, -now.p_N.z(), now.height_agl, speed, still, dt);
-  demand.phase = at.phase;
+      landing_.step({p, -now.p_N.z(), now.height_agl, -now.v_N.z(), speed, still}, dt);
+  demand.phase = phase_ = at.phase;
+  demand.braking = at.braking;
   demand.altitude_msl = at.altitude_msl;
   demand.climb_rate = at.climb_rate;
   status_.remaining = at.place.remaining;
@@ -436,11 +440,11 @@ double FixedWingGuidance::land(const FixedWingMotion& now, double dt,
     return circle(now, demand);
   }
   if (at.phase == FlightPhase::kGround) return 0;
-  if (at.phase == FlightPhase::kApproach || at.phase == FlightPhase::kFlare) {
-    demand.airspeed = std::min(at.airspeed, limits_.fastest);
-  }
   const double a = steer(landing_.path(), at.place, now);
-  return at.phase == FlightPhase::kFlare ? std::clamp(a, -kFlares, kFlares) : a;
+  if (at.phase == FlightPhase::kFlight) return a;
+  demand.airspeed = std::min(at.airspeed, limits_.fastest);
+  if (at.aligns) demand.heading = geo::unit(landing_.course());
+  return at.phase == FlightPhase::kApproach ? a : std::clamp(a, -kFlares, kFlares);
 }
 
 }  // namespace skein::autopilot

@@ -23,15 +23,29 @@ constexpr double kLow = 15;  // the slope is met again gently from below this he
 constexpr double kMostAbove = 1, kMostBelow = 1.5;  // errors that are worked off [m]
 constexpr double kLowGain = 0.5;  // sink per height above the slope in the flare [1/s]
 constexpr double kBalloon = 0.7;  // above the height at which the flare began [m]
+// The ground is felt when it sinks less than this [m/s], this low [m], for a while [s]:
+// longer where no height is measured.
+constexpr double kFeltSink = 0.2;
+constexpr double kFeltHeight = 0.3;
+constexpr double kFeltTime = 0.3, kGuessedTime = 1;
+constexpr double kLeastWay = 0.5;  // to brake on [m]
 
 }  // namespace
 
-double roll_out(double pace, double friction, double drag) {
-  // The quotient is 1 / mu where both are the same.
-  const double difference = drag - friction;
-  const double over =
-      std::abs(difference) < 1e-6 ? 1 / friction : std::log(drag / friction) / difference;
-  return pace * pace / (2 * kGravity) * over;
+double roll_out(double airspeed, double head_wind, const Stopping& s) {
+  const double pace = airspeed - head_wind;
+  const auto seconds = [&](double speed) {  // V / -V'
+    const double air2 = (speed + head_wind) * (speed + head_wind);
+    const double pressed = std::max(1 - air2 / (s.lift_off * s.lift_off), 0.0);
+    return speed /
+           (kGravity * (s.friction * pressed + s.drag * air2 / (airspeed * airspeed)));
+  };
+  constexpr int kParts = 20;
+  const double h = pace / kParts;
+  double sum = seconds(pace);
+  for (int k = 0; k < kParts; ++k)
+    sum += (k == 0 ? 1 : 2) * seconds(k * h) + 4 * seconds((k + 0.5) * h);
+  return sum * h / 6;
 }
 
 void Landing::begin(const Land& command, const model::Pose& from, const Vec2& wind,
@@ -69,13 +83,18 @@ void Landing::begin(const Land& command, const model::Pose& from, const Vec2& wi
   stop_way_ = 0;
   if (options.touches_down) {
     // The flare, with a sink that falls evenly with the height, takes longer than the
-    // straight way down.
+    // straight way down; motor idle the aircraft slows down meanwhile.
     const double sink = std::max(pace * tangent_, options.touch_down_sink);
     const double ratio = sink / options.touch_down_sink;
-    const double longer = ratio > 1.01 ? std::log(ratio) / (1 - 1 / ratio) - 1 : 0;
-    stop_way_ = options.flare_time * longer * pace +
-                roll_out(std::max(airspeed_ / options.airspeed - head_wind, kLeastPace),
-                         options.roll_friction, kSlowDrag * idle);
+    const double longer = ratio > 1.01 ? std::log(ratio) / (1 - 1 / ratio) : 1;
+    const double slowing = kSlowDrag * idle * kGravity * options.flare_time * longer;
+    const double touch = std::max(airspeed_ - slowing, head_wind + kLeastPace);
+    stop_way_ =
+        options.flare_time * ((longer - 1) * pace - longer * slowing / 2) +
+        roll_out(
+            touch, head_wind,
+            {options.roll_friction + options.brake_share * options.brake_friction,
+             kSlowDrag * idle, options.lift_off > 0 ? options.lift_off : limits.slowest});
   }
   fix_ = command.point - (options.height / tangent_ + lead_in + slow_down + stop_way_) *
                              geo::unit(course_);
@@ -94,34 +113,78 @@ void Landing::line_up(const Path& before) {
   along_ = 0;
 }
 
-Landing::Step Landing::step(const Vec2& p, double altitude_msl,
-                            std::optional<double> height_agl, double ground_speed,
-                            bool still, double dt) {
-  const double window = std::max(3 * ground_speed, 10.0);
-  Step out;
-  out.place = path_.project(p, along_ - window, along_ + 5 * window);
-  along_ = out.place.along;
+double Landing::height_of(const View& now) const {
   // Altitudes are off by metres, the height by centimetres: but that over other ground on
   // the way says nothing.
-  double height = altitude_msl - command_.ground_msl;
-  if (height_agl) {
-    const double share = std::clamp(2 - 2 * *height_agl / kMeasuredBelow, 0.0, 1.0);
-    height += share * (*height_agl - height);
+  const double height = now.altitude_msl - command_.ground_msl;
+  if (!now.height_agl) return height;
+  const double share = std::clamp(2 - 2 * *now.height_agl / kMeasuredBelow, 0.0, 1.0);
+  return height + share * (*now.height_agl - height);
+}
+
+void Landing::feel_ground(const View& now, double height, double dt) {
+  if (phase_ == FlightPhase::kRollOut) {
+    if (now.height_agl && height > kBalloon) {
+      phase_ = FlightPhase::kFlare;  // thrown up by a gust
+      felt_for_ = 0;
+    }
+    return;
   }
+  // It sinks no longer, although it shall.
+  const bool felt = phase_ == FlightPhase::kFlare && idle_ &&
+                    std::abs(now.climb_rate) < kFeltSink &&
+                    (!now.height_agl || height < kFeltHeight);
+  felt_for_ = felt ? felt_for_ + dt : 0;
+  if (felt_for_ >= (now.height_agl ? kFeltTime : kGuessedTime))
+    phase_ = FlightPhase::kRollOut;
+}
+
+Landing::Step Landing::step(const View& now, double dt) {
+  const double window = std::max(3 * now.ground_speed, 10.0);
+  Step out;
+  out.place = path_.project(now.p, along_ - window, along_ + 5 * window);
+  along_ = out.place.along;
+  const double height = height_of(now);
   if (phase_ == FlightPhase::kFlight && along_ >= joined_at_) {
     if (height > options_.height + options_.too_high) {
       // Once round in line with the approach.
       line_up({{fix_, course_, 2 * geo::kPi * radius_, 1 / radius_}});
-      out.place = path_.project(p, 0, window);
+      out.place = path_.project(now.p, 0, window);
       along_ = out.place.along;
     } else {
       phase_ = FlightPhase::kApproach;
     }
   }
+  descend(now, height, out);
+  // Also without a flare: the ground may have come before the estimate of it.
+  if (phase_ != FlightPhase::kFlight) {
+    feel_ground(now, height, dt);
+    still_for_ = now.still ? still_for_ + dt : 0;
+    if (still_for_ >= kStillTime) phase_ = FlightPhase::kGround;
+  }
+  out.place.remaining = std::max(rest_at_ - along_, 0.0);
+  out.aligns =
+      options_.align_height > 0 &&
+      (phase_ == FlightPhase::kRollOut ||
+       (phase_ == FlightPhase::kFlare && idle_ && height < options_.align_height));
+  if (phase_ == FlightPhase::kRollOut)
+    out.braking = now.ground_speed * now.ground_speed /
+                  (2 * std::max(out.place.remaining, kLeastWay));
+  if (phase_ == FlightPhase::kGround) {
+    out.altitude_msl = now.altitude_msl;
+    out.climb_rate = 0;
+    out.done = true;
+  }
+  out.airspeed = idle_ && phase_ != FlightPhase::kApproach ? 0 : airspeed_;
+  out.phase = phase_;
+  return out;
+}
+
+void Landing::descend(const View& now, double height, Step& out) {
   const double to_go = touch_at_ - along_;
   const double slope_height = to_go * tangent_;
   const bool on_slope = slope_height < options_.height;
-  const double sink = std::max(ground_speed * tangent_, options_.touch_down_sink);
+  const double sink = std::max(now.ground_speed * tangent_, options_.touch_down_sink);
   if (phase_ == FlightPhase::kApproach && !options_.touches_down &&
       height <= options_.floor)
     out.done = true;
@@ -150,28 +213,14 @@ Landing::Step Landing::step(const Vec2& p, double altitude_msl,
     const double above = std::clamp(height - slope_height, -kMostBelow, kMostAbove);
     wanted = height;
     out.climb_rate = std::min(-sink - kLowGain * above, 0.0);
-  } else if (phase_ == FlightPhase::kFlare) {
+  } else if (phase_ == FlightPhase::kFlare || phase_ == FlightPhase::kRollOut) {
     const double share = std::clamp(height / flare_height_, 0.0, 1.0);
     wanted = height;
     out.climb_rate =
         -(options_.touch_down_sink + share * (flare_sink_ - options_.touch_down_sink));
   }
   // In terms of the altitude that control holds.
-  out.altitude_msl = altitude_msl + wanted - height;
-  // Also without a flare: the ground may have come before the estimate of it.
-  if (phase_ != FlightPhase::kFlight) {
-    still_for_ = still ? still_for_ + dt : 0;
-    if (still_for_ >= kStillTime) phase_ = FlightPhase::kGround;
-  }
-  if (phase_ == FlightPhase::kGround) {
-    out.altitude_msl = altitude_msl;
-    out.climb_rate = 0;
-    out.done = true;
-  }
-  out.airspeed = phase_ == FlightPhase::kFlare && idle_ ? 0 : airspeed_;
-  out.phase = phase_;
-  out.place.remaining = std::max(rest_at_ - along_, 0.0);
-  return out;
+  out.altitude_msl = now.altitude_msl + wanted - height;
 }
 
 }  // namespace skein::autopilot

@@ -18,7 +18,7 @@ namespace skein::autopilot {
 //   fly(now, dt)            the command in force
 //   descend(now, dt)        down, near the place where begin_descent() was called
 //   pilot(sticks, now, dt)  what the sticks say
-//   stand()                 motors off
+//   stand(now, dt)          motors off
 //   take_over(now)          another has flown: go on from the motion now
 
 /// The own motion, as fliers need it.

@@ -73,7 +73,7 @@ Control PointFlier::pilot(const PilotInput& sticks, const FlierView&, double) {
   return command;
 }
 
-Control PointFlier::stand() {
+Control PointFlier::stand(const FlierView&, double) {
   return FlightCommand{0, limits_.slowest, 0};
 }
 

@@ -21,7 +21,7 @@ class PointFlier {
   Control descend(const FlierView& now, double dt);
   /// Sticks say roll angle, climb rate and airspeed; manual and stabilized are one.
   Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
-  Control stand();
+  Control stand(const FlierView& now, double dt);
   void take_over(const FlierView& now);
   const AutopilotStatus& status() const { return guidance_.status(); }
 

@@ -30,7 +30,7 @@ std::optional<std::string> RotorFlier::command(const AutopilotCommand& command,
 
 Control RotorFlier::fly(const FlierView& now, double dt) {
   const MultirotorDemand demand = guidance_.step(now.nav, dt, now.height_agl);
-  if (demand.phase == FlightPhase::kGround) return stand();
+  if (demand.phase == FlightPhase::kGround) return stand(now, dt);
   return control_.control(demand, now.nav, dt);
 }
 
@@ -58,7 +58,7 @@ Control RotorFlier::descend(const FlierView& now, double dt) {
                       altitude - descent_altitude_ > kPushed &&
                       std::abs(now.nav.v_N.z()) < kStillSink;
   still_for_ = stands ? still_for_ + dt : 0;
-  if (still_for_ > kStillTime) return stand();
+  if (still_for_ > kStillTime) return stand(now, dt);
   demand.heading = heading_;
   return control_.control(demand, now.nav, dt);
 }
@@ -68,7 +68,7 @@ Control RotorFlier::pilot(const PilotInput& sticks, const FlierView& now, double
   return control_.stabilize(control_.attitude_for(sticks), now.nav, dt);
 }
 
-Control RotorFlier::stand() {
+Control RotorFlier::stand(const FlierView&, double) {
   return Actuators{};
 }
 

@@ -19,7 +19,7 @@ class RotorFlier {
   /// Straight down above the ground below; without a position, with level attitude.
   Control descend(const FlierView& now, double dt);
   Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
-  Control stand();
+  Control stand(const FlierView& now, double dt);
   void take_over(const FlierView& now);
   const AutopilotStatus& status() const { return guidance_.status(); }
 

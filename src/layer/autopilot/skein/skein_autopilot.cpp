@@ -220,7 +220,7 @@ Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
       [&](auto& flier) {
         switch (order) {
           case Order::kStand:
-            return flier.stand();
+            return flier.stand(now, dt);
           case Order::kPilot:
             return flier.pilot(*input_.pilot, now, dt);
           case Order::kDescend:

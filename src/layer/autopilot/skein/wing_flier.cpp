@@ -11,11 +11,15 @@ constexpr double kLowHeight = 15;   // sinks slowly from here: the height is a b
 constexpr double kLowSink = 1.2;    // [m/s]
 constexpr double kDescentSink = 2;  // with motor, at most [m/s]
 constexpr double kFlareSink = 0.7;  // [m/s]
+constexpr double kWheels = 0.15;    // friction at most; a belly has more
 
 FixedWingGuidanceOptions guidance_options(const SkeinSetup& setup) {
   FixedWingGuidanceOptions options = setup.options.wing_guidance;
-  const double friction = std::get<FixedWingAirframe>(setup.airframe).roll_friction;
-  if (friction > 0) options.landing.roll_friction = friction;
+  const auto& airframe = std::get<FixedWingAirframe>(setup.airframe);
+  if (airframe.roll_friction > 0) options.landing.roll_friction = airframe.roll_friction;
+  options.landing.brake_friction = airframe.brake_friction;
+  if (airframe.roll_friction > kWheels) options.landing.align_height = 0;
+  options.landing.lift_off = setup.wing->lift_off;
   return options;
 }
 
@@ -71,8 +75,10 @@ Control WingFlier::pilot(const PilotInput& sticks, const FlierView& now, double 
   return control_.stabilize(control_.attitude_for(sticks), now.nav, dt);
 }
 
-Control WingFlier::stand() {
-  return Actuators{};
+Control WingFlier::stand(const FlierView& now, double dt) {
+  FixedWingDemand still;
+  still.phase = FlightPhase::kGround;
+  return control_.control(still, now.nav, dt);
 }
 
 void WingFlier::change(const LateralOptions& lateral,

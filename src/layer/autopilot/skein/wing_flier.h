@@ -22,7 +22,7 @@ class WingFlier {
   /// for the last metres.
   Control descend(const FlierView& now, double dt);
   Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
-  Control stand();
+  Control stand(const FlierView& now, double dt);
   void take_over(const FlierView& now);
   const AutopilotStatus& status() const { return guidance_.status(); }
 

@@ -134,6 +134,77 @@ TEST(FixedWingControl, KeepsTheRunStraightAndStandsOnTheGround) {
   EXPECT_EQ(control.control(d, nav, kStep)[channel::kThrottle], 0);
 }
 
+TEST(FixedWingControl, RollsOutWithoutLiftAndBrakes) {
+  FixedWingAirframe a = airframe();
+  a.roll_friction = 0.05;
+  a.brake_friction = 0.3;
+  FixedWingControl control(a, {});
+  NavState nav = cruising();
+  nav.airspeed = 18;
+  nav.v_N = Vec3(18, 0, 0);
+  FixedWingDemand d = level();
+  d.phase = FlightPhase::kRollOut;
+  d.heading = {1, 0};
+  const auto braked = [&](double deceleration) {
+    d.braking = deceleration;
+    return control.control(d, nav, kStep);
+  };
+  const Actuators u = braked(2);
+  EXPECT_EQ(u[channel::kThrottle], 0);
+  EXPECT_NEAR(u[channel::kBrake], (2 / kGravity - 0.05) / 0.3, 1e-9);
+  EXPECT_GT(u[channel::kElevator], airframe().trim_elevator) << "nose down";
+  EXPECT_EQ(braked(0.1)[channel::kBrake], 0) << "friction does that";
+  EXPECT_EQ(braked(100)[channel::kBrake], 1);
+  nav.q_NB = geo::from_euler({0, 0.05, 0.1});
+  EXPECT_GT(braked(0)[channel::kRudder], 0.05) << "back to the left";
+  nav.q_NB = geo::from_euler({0.1, 0.05, 0});
+  EXPECT_LT(braked(0)[channel::kAileron], -0.05);
+  braked(100);
+  EXPECT_EQ(control.control(level(), nav, kStep)[channel::kBrake], 0);
+  a.brake_friction = 0;
+  FixedWingControl without(a, {});
+  EXPECT_EQ(without.control(d, nav, kStep)[channel::kBrake], 0);
+}
+
+TEST(FixedWingControl, PointsTheNoseAlongTheCourseJustBeforeTheTouch) {
+  const auto rudder = [](double airspeed, const Vec2& heading) {
+    FixedWingControl control(airframe(), {});
+    NavState nav = cruising();
+    nav.q_NB = geo::from_euler({0, 0.05, 0.1});
+    nav.wind_N = nav.v_N - 25 * geo::from_euler({0, 0, 0.1}).toRotationMatrix().col(0);
+    FixedWingDemand d = level();
+    d.phase = FlightPhase::kFlare;
+    d.airspeed = airspeed;
+    d.heading = heading;
+    return control.control(d, nav, kStep)[channel::kRudder];
+  };
+  EXPECT_GT(rudder(0, {1, 0}), 0.3);
+  EXPECT_NEAR(rudder(20, {1, 0}), 0, 0.1) << "still with motor";
+  EXPECT_NEAR(rudder(0, {0, 0}), 0, 0.1) << "not asked";
+  EXPECT_LT(rudder(0, geo::unit(0.2)), -0.3);
+}
+
+TEST(FixedWingControl, HoldsAParkedAircraftDownInAWind) {
+  FixedWingAirframe a = airframe();
+  a.brake_friction = 0.3;
+  FixedWingControl control(a, {});
+  FixedWingDemand d = level();
+  d.phase = FlightPhase::kGround;
+  NavState nav = cruising(0.1, 0.1);
+  nav.v_N.setZero();
+  nav.airspeed = 12;
+  const Actuators windy = control.control(d, nav, kStep);
+  EXPECT_GT(windy[channel::kElevator], 0.05) << "nose down";
+  EXPECT_LT(windy[channel::kAileron], -0.05);
+  EXPECT_EQ(windy[channel::kThrottle], 0);
+  EXPECT_EQ(windy[channel::kBrake], 1);
+  nav.airspeed = 3;
+  const Actuators calm = control.control(d, nav, kStep);
+  EXPECT_EQ(calm[channel::kElevator], -0.2);
+  EXPECT_EQ(calm[channel::kAileron], 0);
+  EXPECT_EQ(calm[channel::kBrake], 1);
+}
+
 TEST(FixedWingControl, ChangesHandsWithoutAJump) {
   // Flown by the pilot with bank, climb and power; then the law takes over at the same
   // bank, with height and airspeed far away. One step may move a channel by what rates

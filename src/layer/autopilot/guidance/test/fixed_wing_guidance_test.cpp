@@ -310,7 +310,9 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
   for (const double wind : {0.0, 5.0}) {
     Flight flight({-wind, 0});
     FixedWingGuidanceOptions options;
-    options.landing.roll_friction = 0.2;  // the wing stops with 2 m/s^2
+    options.landing.roll_friction = flight.wing.friction / kGravity;
+    options.landing.brake_friction =
+        (flight.wing.brakes - flight.wing.friction) / kGravity;
     flight.guidance = FixedWingGuidance(options, flight.wing.limits, {0, 0, 0});
     flight.wing.p.setZero();
     flight.wing.airspeed = 0;
@@ -345,13 +347,69 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
     EXPECT_TRUE(approached);
     EXPECT_EQ(flight.demand.phase, FlightPhase::kGround);
     EXPECT_LT(line.most, 2);
-    // The wing's brakes are no friction, and it has no drag of its own.
-    EXPECT_LT((flight.position() - Vec2(200, 50)).norm(), 40);
+    // It brakes so that it stops there.
+    EXPECT_LT((flight.position() - Vec2(200, 50)).norm(), 3);
     EXPECT_GT(touch_sink, -0.8);
     // Against the wind.
     if (wind > 0) {
       EXPECT_NEAR(geo::wrap_pi(flight.wing.heading), 0, 0.1);
     }
+  }
+}
+
+TEST(RollOut, IsTheWayThatFrictionAndDragLeave) {
+  // Where the wings carry it at the touch, without wind, in closed form.
+  const double closed = 20 * 20 / (2 * kGravity) * std::log(0.08 / 0.2) / (0.08 - 0.2);
+  EXPECT_NEAR(roll_out(20, 0, {0.2, 0.08, 20}), closed, 0.01);
+  // In wind, with lift that goes early or late, against small steps in time.
+  for (const double wind : {0.0, 4.0, -3.0})
+    for (const double lift_off : {15.0, 26.0}) {
+      constexpr double kDt = 1e-3;
+      double speed = 20 - wind, way = 0;
+      while (speed > 0) {
+        const double air = speed + wind;
+        const double pressed = std::max(1 - air * air / (lift_off * lift_off), 0.0);
+        way += speed * kDt;
+        speed -= kGravity * (0.2 * pressed + 0.08 * air * air / 400) * kDt;
+      }
+      EXPECT_NEAR(roll_out(20, wind, {0.2, 0.08, lift_off}), way, 0.002 * way + 0.02);
+    }
+}
+
+TEST(Landing, FeelsTheGroundAndGoesOnFlyingWhenItIsThrownUp) {
+  const FlightLimits limits{15, 40, 3, 11, 20, 3};
+  for (const bool measured : {true, false}) {
+    Landing landing;
+    landing.begin({{0, 0}, 0, 0.0}, {{-900, 0}, 0}, Vec2::Zero(), 50, limits, {});
+    Landing::View now;
+    now.ground_speed = 12;
+    const auto at = [&](double x, double height, double climb, double seconds) {
+      Landing::Step step;
+      for (double t = 0; t < seconds; t += 0.01) {
+        now.p = {x, 0};
+        now.altitude_msl = height;
+        if (measured) now.height_agl = height;
+        now.climb_rate = climb;
+        step = landing.step(now, 0.01);
+      }
+      return step;
+    };
+    for (double x = -900; x < -60; x += 10) at(x, 40, 0, 0.01);
+    EXPECT_EQ(at(-60, 3, -1, 0.1).phase, FlightPhase::kFlare);
+    EXPECT_GT(at(-59, 3, -1, 0.1).airspeed, 0);
+    EXPECT_EQ(at(-40, 0.9, -0.5, 0.1).airspeed, 0) << "motor idle";
+    EXPECT_EQ(at(-38, 0.1, -0.5, 0.5).phase, FlightPhase::kFlare) << "it still sinks";
+    EXPECT_EQ(at(-36, 0.1, 0, 0.2).phase, FlightPhase::kFlare) << "not long enough";
+    const Landing::Step rolling = at(-30, 0.1, 0, measured ? 0.2 : 1.2);
+    EXPECT_EQ(rolling.phase, FlightPhase::kRollOut);
+    EXPECT_NEAR(rolling.braking, 12 * 12 / (2 * 30.0), 1e-9);
+    if (measured) {
+      EXPECT_EQ(at(-25, 0.9, 0.5, 0.1).phase, FlightPhase::kFlare) << "a gust";
+      EXPECT_EQ(at(-15, 0.1, 0, 0.5).phase, FlightPhase::kRollOut);
+    }
+    now.still = true;
+    now.ground_speed = 0.1;
+    EXPECT_EQ(at(-1, 0.1, 0, 1.2).phase, FlightPhase::kGround);
   }
 }
 

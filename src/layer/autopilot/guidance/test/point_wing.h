@@ -16,6 +16,7 @@ struct PointWing {
   static constexpr double kStep = 0.01;  // [s]
   FlightLimits limits{15, 40, 3, 11, 20, 3};
   double roll_lag = 0.35, roll_rate = 1.5, airspeed_lag = 2;
+  double friction = 1, brakes = 4;  // decelerations on the ground [m/s^2]
   Vec3 p = {0, 0, -100};
   double heading = 0, roll = 0, airspeed = 15, climb = 0;
   Vec2 wind = Vec2::Zero();
@@ -60,6 +61,11 @@ struct PointWing {
     if (d.phase == FlightPhase::kFlare) rate = d.climb_rate;
     if (d.phase == FlightPhase::kGround || (on_ground && d.phase == FlightPhase::kFlare))
       speed = 0;
+    if (d.phase == FlightPhase::kRollOut) {
+      speed = airspeed;
+      airspeed =
+          std::max(airspeed - std::clamp(d.braking, friction, brakes) * kStep, 0.0);
+    }
     wanted = std::clamp(wanted, -bank_limit(), bank_limit());
     roll += std::clamp((wanted - roll) / roll_lag, -roll_rate, roll_rate) * kStep;
     airspeed += std::clamp((speed - airspeed) / airspeed_lag, -2.0, 2.0) * kStep;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace skein::autopilot {
 namespace {
 
@@ -35,6 +37,18 @@ TEST(LandDetector, AWingIsOnTheGroundWhenItIsTooSlowToFlyForASecond) {
   LandDetector hanging(wing(), 0, false);
   for (int k = 0; k < 50; ++k)
     EXPECT_FALSE(hanging.step(moving(0.1 * k, {0, 0, 0}, 14, 100), 0.5));
+}
+
+TEST(LandDetector, AWingIsSeenToStandInAWind) {
+  LandDetector detector(wing(), 0, false);
+  const auto standing = [](double t) {  // with errors of the velocity, and gusts
+    return moving(t, {0.5 * std::sin(3 * t), 0.5, 0.2}, 8 + 2 * std::sin(t), 100);
+  };
+  for (double t = 0; t < 2.9; t += 0.1) EXPECT_FALSE(detector.step(standing(t), 0));
+  EXPECT_TRUE(detector.step(standing(3), 0));
+  // Gusts that could carry it do not make it fly as long as it stands.
+  EXPECT_TRUE(detector.step(moving(4, {0.3, 0, 0}, 13, 100), 0));
+  EXPECT_FALSE(detector.step(moving(5, {0, 0, -1.5}, 13, 100.5), 0)) << "but lifted";
 }
 
 TEST(LandDetector, AWingTakesOffByItsSpeedOrHeight) {
