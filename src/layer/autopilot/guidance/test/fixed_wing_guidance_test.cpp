@@ -347,8 +347,8 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
     EXPECT_TRUE(approached);
     EXPECT_EQ(flight.demand.phase, FlightPhase::kGround);
     EXPECT_LT(line.most, 2);
-    // It brakes so that it stops there.
-    EXPECT_LT((flight.position() - Vec2(200, 50)).norm(), 3);
+    // It brakes so that it stops there, or before by what friction alone leaves.
+    EXPECT_LT((flight.position() - Vec2(200, 50)).norm(), 5);
     EXPECT_GT(touch_sink, -0.8);
     // Against the wind.
     if (wind > 0) {
