@@ -46,7 +46,11 @@ Fields<autopilot::FixedWingGains> fixed_wing_gains_fields() {
       .number("sideslip_gain_per_s2", &T::sideslip_gain,
               "Yaw acceleration per sine of the side-slip.", kIntegral)
       .number("run_heading_gain_per_s", &T::run_heading_gain,
-              "Yaw rate per heading error in the take-off run.", kIntegral)
+              "Yaw rate per heading error on the ground.", kIntegral)
+      .number("align_gain_per_rad", &T::align_gain,
+              "Rudder per heading error at touch-down on wheels.", kIntegral)
+      .number("align_rate_gain_per_s", &T::align_rate_gain,
+              "Yaw acceleration per yaw rate meanwhile.", kIntegral)
       .number("height_gain_per_s", &T::height_gain, "Climb rate per height error.", kGain)
       .number("airspeed_gain_per_s", &T::airspeed_gain,
               "Acceleration per airspeed error.", kGain)
