@@ -178,6 +178,7 @@ void fly(const World& world, Time now, Time until, Entity& entity, EntityState& 
     }
     sense_flight(world, now, *vehicle, state);
   }
+  state.status = vehicle->autopilot->status();  // as long as it is at hand
 }
 
 }  // namespace skein::simulation

@@ -23,6 +23,7 @@ struct EntityState {
   std::uint64_t silent_sensors = 0, silent_payload = 0;  ///< bit k: sensor k
   bool link_down = false;
   std::vector<bool> fault_active;  ///< of each of the vehicle's faults
+  AutopilotStatus status;          ///< at the end of the last step
   AutopilotStatus told;            ///< the last status that was looked at
   std::vector<Message> inbox;
   AgentOutput output;

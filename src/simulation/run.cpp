@@ -14,6 +14,7 @@
 #include "simulation/pace.h"
 #include "simulation/payload_log.h"
 #include "simulation/refusals.h"
+#include "simulation/working_set.h"
 
 namespace skein::simulation {
 namespace {
@@ -53,7 +54,11 @@ class Stepper {
         recorder_(recorder),
         arena_(options.threads),
         states_(world.entities.size()),
-        watched_(world.entities.size()) {}
+        watched_(world.entities.size()) {
+    working_sets_.reserve(states_.size());
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      working_sets_.emplace_back(world.entities[i], states_[i]);
+  }
 
   Result<void> step(Time now) {
     if (due(now, options_.environment_period)) world_.fire->advance(now);
@@ -65,8 +70,10 @@ class Stepper {
     exchange(now);
     record(now);
     const Time next = now + options_.step;
-    for_each(
-        [&](std::size_t i) { fly(world_, now, next, world_.entities[i], states_[i]); });
+    for_each([&](std::size_t i) {
+      if (i + 1 < states_.size()) working_sets_[i + 1].prefetch();
+      fly(world_, now, next, world_.entities[i], states_[i]);
+    });
     note_accidents(now);
     note_autopilots(next);
     return recorder_.step_done(now);
@@ -170,7 +177,7 @@ class Stepper {
   void note_autopilots(Time now) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       if (!states_[i].active || states_[i].ended || !world_.entities[i].vehicle) continue;
-      const AutopilotStatus status = world_.entities[i].vehicle->autopilot->status();
+      const AutopilotStatus& status = states_[i].status;
       AutopilotStatus& told = states_[i].told;
       if (status.mode != told.mode)
         tell(now, i, "mode", std::string(name_of(status.mode)));
@@ -274,6 +281,7 @@ class Stepper {
   Recorder& recorder_;
   oneapi::tbb::task_arena arena_;
   std::vector<EntityState> states_;
+  std::vector<WorkingSet> working_sets_;
   std::vector<Watched> watched_;
   std::vector<Message> arrived_, lost_;
 };
