@@ -45,7 +45,7 @@ void estimator_step(benchmark::State& state) {
   std::int64_t steps = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    std::vector<FlightEstimator> all(fleet, FlightEstimator({}, r.start));
+    std::vector<FlightEstimator> all(fleet, FlightEstimator(EstimatorOptions{}, r.start));
     // Vehicles do not correct in the same step.
     for (std::size_t v = 0; v < fleet; ++v)
       for (std::size_t i = 0; i < r.ends[v % 10]; ++i) all[v].sense(r.samples[i]);
@@ -94,7 +94,8 @@ void estimator_nees(benchmark::State& state) {
     std::vector<double> moving(kSeconds), all(kSeconds), wind(kSeconds);
     for (int run = 0; run < runs; ++run) {
       SyntheticFlight flight({}, plan, 1000 + static_cast<std::uint64_t>(run));
-      FlightEstimator estimator({}, flight.start({2, 3, 0.3, 0.02, 0.05, 2}));
+      FlightEstimator estimator(EstimatorOptions{},
+                                flight.start({2, 3, 0.3, 0.02, 0.05, 2}));
       for (std::size_t t = 0; t < kSeconds; ++t) {
         for (int k = 0; k < 100; ++k)
           flight.step([&](const auto& sample) { estimator.add(sample); });

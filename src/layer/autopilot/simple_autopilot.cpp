@@ -35,19 +35,26 @@ bool for_shared(const AutopilotCommand& command) {
 
 SimpleAutopilot::SimpleAutopilot(const SimpleAutopilotOptions& options,
                                  const FlightLimits& limits, const NavEstimate& initial)
+    : SimpleAutopilot(options, limits, initial, initial.p_N) {}
+
+SimpleAutopilot::SimpleAutopilot(const SimpleAutopilotOptions& options,
+                                 const FlightLimits& limits, const NavEstimate& initial,
+                                 const Vec3& home_N)
     : options_(options),
       limits_(limits),
       roll_limit_(
           std::atan(limits.airspeed * limits.airspeed / (kGravity * limits.turn_radius))),
       filter_(initial, options.wind_lag),
-      shared_(shared_options(options.guidance), limits, initial.p_N) {
-  home_ = geo::horizontal(initial.p_N);
-  command_.guidance = circle_around(home_);
+      home_N_(home_N),
+      shared_(shared_options(options.guidance), limits, home_N) {
+  command_.guidance = circle_around(geo::horizontal(home_N));
   command_.altitude_msl = -initial.p_N.z();
 }
 
 void SimpleAutopilot::begin(const NavEstimate& start, bool /*on_ground*/) {
-  *this = SimpleAutopilot(options_, limits_, start);
+  const AutopilotCommand last = std::move(command_);
+  *this = SimpleAutopilot(options_, limits_, start, home_N_);
+  command(last);
 }
 
 void SimpleAutopilot::sense(const SensorSample& sample) {
@@ -78,7 +85,7 @@ void SimpleAutopilot::command(const AutopilotCommand& command) {
   if (goes_on) return;
   begin_status({});
   along_ = 0;
-  hold_circle_ = circle_around(home_);
+  hold_circle_ = circle_around(geo::horizontal(home_N_));
   if (const auto* hold = std::get_if<HoldPosition>(&command_.guidance))
     hold_circle_ = circle_around(hold->point);
   const auto* next = std::get_if<FollowPath>(&command_.guidance);

@@ -43,6 +43,7 @@ class SimpleAutopilot final : public Autopilot {
   SimpleAutopilot(const SimpleAutopilotOptions& options, const FlightLimits& limits,
                   const NavEstimate& initial);
 
+  /// Home stays where it is, and the last command is flown again from its beginning.
   void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
@@ -52,6 +53,9 @@ class SimpleAutopilot final : public Autopilot {
   AutopilotStatus status() const override { return status_; }
 
  private:
+  SimpleAutopilot(const SimpleAutopilotOptions& options, const FlightLimits& limits,
+                  const NavEstimate& initial, const Vec3& home_N);
+
   CourseDemand demand(const Motion& motion);
   CourseDemand follow(const Motion& motion, double ground_speed);
   FlightCommand fly_shared(double dt);
@@ -71,7 +75,7 @@ class SimpleAutopilot final : public Autopilot {
   double along_ = 0;   // of the path, where the vehicle is
   Circle end_circle_;  // flown when the path is done
   Circle hold_circle_;
-  Vec2 home_ = Vec2::Zero();
+  Vec3 home_N_;
   FixedWingGuidance shared_;  // flies what is not flown here
   bool is_shared_ = false;
   std::string refused_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "data/air.h"
 #include "layer/autopilot/estimator/strapdown.h"
@@ -28,10 +29,10 @@ void set_three(ErrorCovariance& p, std::size_t at, double sd) {
 
 }  // namespace
 
-FlightEstimator::FlightEstimator(const EstimatorOptions& options,
+FlightEstimator::FlightEstimator(std::shared_ptr<const EstimatorOptions> options,
                                  const EstimatorStart& start)
-    : options_(options),
-      gusts_along_{options.gust_sd * options.gust_sd, kFirstGusts, {}},
+    : options_(std::move(options)),
+      gusts_along_{options_->gust_sd * options_->gust_sd, kFirstGusts, {}},
       gusts_across_(gusts_along_),
       gusts_north_(gusts_along_),
       gusts_east_(gusts_along_),
@@ -44,18 +45,18 @@ FlightEstimator::FlightEstimator(const EstimatorOptions& options,
   x_.v_N = start.v_N;
   x_.q_NB = start.q_NB.normalized();
   x_.wind_N = start.wind_N;
-  set_three(covariance_, error::kGyroBias, options.gyro_bias_sd);
-  set_three(covariance_, error::kAccelBias, options.accel_bias_sd);
-  set_three(covariance_, error::kGyroScale, options.gyro_scale_sd);
-  set_three(covariance_, error::kMagneticBias, options.magnetic_bias_sd);
+  set_three(covariance_, error::kGyroBias, options_->gyro_bias_sd);
+  set_three(covariance_, error::kAccelBias, options_->accel_bias_sd);
+  set_three(covariance_, error::kGyroScale, options_->gyro_scale_sd);
+  set_three(covariance_, error::kMagneticBias, options_->magnetic_bias_sd);
   set_three(covariance_, error::kAttitude, start.sd.tilt);
   set_three(covariance_, error::kVelocity, start.sd.velocity);
   set_three(covariance_, error::kPosition, start.sd.position);
   const auto set = [&](std::size_t i, double sd) { covariance_.restart(i, sd * sd); };
   set(error::kWind, start.sd.wind);
   set(error::kWind + 1, start.sd.wind);
-  set(error::kBaroBias, options.baro_bias_sd);
-  set(error::kAirspeedScale, options.airspeed_scale_sd);
+  set(error::kBaroBias, options_->baro_bias_sd);
+  set(error::kAirspeedScale, options_->airspeed_scale_sd);
   set(error::kAttitude + 2, start.sd.heading);
   set(error::kPosition + 2, start.sd.altitude);
   nav_.time = start.time;
@@ -98,7 +99,7 @@ void FlightEstimator::add(const ImuSample& sample) {
   strapdown(x_, step_, w, sample.f_B - x_.accel_bias, dt);
   history_.remember(nav_.time, {x_.p_N, x_.v_N});
   publish(w);
-  if (step_.dt > options_.period - 0.5 * dt) correct();
+  if (step_.dt > options_->period - 0.5 * dt) correct();
 }
 
 // Across a long gap the motion goes straight on. What may have happened in it is noise.
@@ -119,7 +120,7 @@ void FlightEstimator::bridge(double gap) {
 void FlightEstimator::align(const ImuSample& sample, double dt) {
   align_w_.add(dt * sample.w_NB_B);
   align_f_.add(dt * sample.f_B);
-  if (seconds_since(align_from_) >= options_.alignment_time) finish_alignment();
+  if (seconds_since(align_from_) >= options_->alignment_time) finish_alignment();
 }
 
 void FlightEstimator::finish_alignment() {
@@ -130,26 +131,26 @@ void FlightEstimator::finish_alignment() {
   set_three(covariance_, error::kAttitude, kRestTilt);
   if (align_m_.count > 0) {
     const Vec3 m = geo::from_euler({e.roll, e.pitch, 0}) * align_m_.sum;
-    e.yaw = options_.declination - std::atan2(m.y(), m.x());
+    e.yaw = options_->declination - std::atan2(m.y(), m.x());
     // The first bearing brings it down, and ties it to the magnetometer's bias.
     covariance_.restart(error::kAttitude + 2, kUnknownHeading * kUnknownHeading);
   }
   x_.q_NB = geo::from_euler(e);
   // Gravity shows the tilt but for the accelerometers' bias b: theta x (-g) = R b.
   const Mat3 R = x_.q_NB.toRotationMatrix();
-  const double bias = options_.accel_bias_sd / kGravity;
+  const double bias = options_->accel_bias_sd / kGravity;
   for (std::size_t i = 0; i < 2; ++i) {
     covariance_.add(error::kAttitude + i, bias * bias);
     for (std::size_t j = 0; j < 3; ++j) {
       const double r = R(i == 0 ? 1 : 0, static_cast<Eigen::Index>(j));
       covariance_.add(error::kAttitude + i, error::kAccelBias + j,
-                      (i == 0 ? 1 : -1) * bias * options_.accel_bias_sd * r);
+                      (i == 0 ? 1 : -1) * bias * options_->accel_bias_sd * r);
     }
   }
   const double seconds = seconds_since(align_from_);
   x_.gyro_bias = align_w_.sum / seconds;
   set_three(covariance_, error::kGyroBias,
-            std::hypot(options_.gyro_noise / std::sqrt(seconds), 1e-4));
+            std::hypot(options_->gyro_noise / std::sqrt(seconds), 1e-4));
   publish(Vec3::Zero());
 }
 
@@ -217,7 +218,7 @@ void FlightEstimator::add(const AirspeedSample& sample) {
   airspeed_offset_ += share * (misfit - airspeed_offset_);
   has_airspeed_ = true;
   airspeed_time_ = sample.time;
-  if (sample.airspeed > options_.airspeed_least)
+  if (sample.airspeed > options_->airspeed_least)
     airspeed_.add((1 + x_.airspeed_scale) * misfit);
 }
 
@@ -282,7 +283,7 @@ NavEstimate FlightEstimator::estimate() const {
   e.roll = angles.roll;
   e.pitch = angles.pitch;
   const Vec2 air = (nav_.v_N - nav_.wind_N).head<2>();
-  e.heading = options_.fixed_wing && air.norm() > options_.airspeed_least
+  e.heading = options_->fixed_wing && air.norm() > options_->airspeed_least
                   ? geo::bearing(air)
                   : angles.yaw;
   e.position_sd = accuracy().position;

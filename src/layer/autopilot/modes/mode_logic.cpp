@@ -1,34 +1,10 @@
 #include "layer/autopilot/modes/mode_logic.h"
 
-#include <algorithm>
-
 #include "base/check.h"
+#include "layer/autopilot/modes/mode_digest.h"
 
 namespace skein::autopilot {
 namespace {
-
-// Bits of the digest. The first six are conditions, in the order of Failsafe.
-constexpr unsigned kUnhealthy = 6;
-constexpr unsigned kPilotHeard = 7;
-constexpr unsigned kPilotTakesOver = 8;
-constexpr unsigned kPilotManual = 9;
-constexpr unsigned kPilotLongSilent = 10;
-constexpr unsigned kOnGround = 11;
-constexpr unsigned kDone = 12;
-constexpr unsigned kLanded = 13;
-constexpr unsigned kCommitted = 14;
-constexpr unsigned kHomeOutOfReach = 15;
-constexpr unsigned kTaken = 16;  // tells a digest from none
-
-constexpr std::uint32_t bit(bool value, unsigned place) {
-  return static_cast<std::uint32_t>(value) << place;
-}
-constexpr bool has(std::uint32_t digest, unsigned place) {
-  return (digest >> place & 1u) != 0;
-}
-constexpr unsigned place(Failsafe failsafe) {
-  return static_cast<unsigned>(failsafe);
-}
 
 Order order_of(FailsafeReaction reaction) {
   switch (reaction) {
@@ -88,34 +64,6 @@ ModeRules::Rule ModeRules::made_ready(const FailsafeRule& rule) {
           rule.reaction, rule.escalates_to, rule.resumes};
 }
 
-// Written so that a charge that is not a number counts as a bad one.
-std::uint32_t ModeLogic::digest(const ModeInput& in) const {
-  const ModeRules& rules = *rules_;
-  const Time link_delay = rules.rules_[place(Failsafe::kLink)].delay;
-  const Time gnss_delay = rules.rules_[place(Failsafe::kGnss)].delay;
-  std::uint32_t bits = bit(true, kTaken);
-  bits |= bit(in.now - in.link_heard > link_delay, place(Failsafe::kLink));
-  bits |= bit(in.now - in.gnss_fix > gnss_delay, place(Failsafe::kGnss));
-  bits |= bit(!(in.charge - in.charge_home >= rules.battery_reserve_),
-              place(Failsafe::kBatteryLow));
-  bits |=
-      bit(!(in.charge >= rules.battery_critical_at_), place(Failsafe::kBatteryCritical));
-  bits |= bit(in.outside_fence, place(Failsafe::kGeofence));
-  bits |= bit(in.motor_failed, place(Failsafe::kMotor));
-  bits |= bit(!in.estimator_healthy, kUnhealthy);
-  bits |= bit(!(in.charge >= in.charge_home), kHomeOutOfReach);
-  bits |= bit(in.on_ground, kOnGround) | bit(in.done, kDone);
-  bits |= bit(in.landed, kLanded) | bit(in.committed, kCommitted);
-  if (in.pilot) {
-    const Time silence = in.now - in.pilot->time;
-    bits |= bit(silence <= rules.pilot_silence_, kPilotHeard);
-    bits |= bit(silence > link_delay, kPilotLongSilent);
-    bits |= bit(in.pilot->takes_over, kPilotTakesOver);
-    bits |= bit(in.pilot->mode == FlightMode::kManual, kPilotManual);
-  }
-  return bits;
-}
-
 const Decision& ModeLogic::think(const ModeInput& in) {
   digest_ = digest(in);
   wake_ = kNotFitted;
@@ -138,92 +86,8 @@ const Decision& ModeLogic::think(const ModeInput& in) {
   return decision_;
 }
 
-void ModeLogic::wake_by(Time time, Time now) {
-  if (time > now) wake_ = std::min(wake_, time);
-}
-
-void ModeLogic::hear_pilot() {
-  handed_back_ = false;
-  if (has(digest_, kPilotHeard)) {
-    const bool takes_over = has(digest_, kPilotTakesOver);
-    if (takes_over && !pilot_flies_) decision_.events.insert(ModeEvent::kPilotTookOver);
-    if (!takes_over && (pilot_flies_ || pilot_lost_)) {
-      handed_back_ = true;
-      decision_.events.insert(ModeEvent::kPilotHandedBack);
-    }
-    pilot_flies_ = takes_over;
-    pilot_lost_ = false;
-  } else if (pilot_flies_) {
-    pilot_flies_ = false;
-    pilot_lost_ = true;
-    decision_.events.insert(ModeEvent::kPilotLost);
-  }
-}
-
-void ModeLogic::feel_ground(const ModeInput& in) {
-  if (!in.on_ground) {
-    touches_ = grounded_ = false;
-    return;
-  }
-  if (!touches_) {
-    touches_ = true;
-    touched_ = in.now;
-  }
-  if (grounded_) return;
-  grounded_ = in.now - touched_ >= rules_->ground_time_;
-  wake_by(touched_ + rules_->ground_time_, in.now);
-}
-
-bool ModeLogic::may_clear(Failsafe failsafe, bool released) const {
-  if (lasts(failsafe)) return false;
-  if (standing_) return true;
-  const std::size_t i = place(failsafe);
-  return clears_[i] < rules_->most_clears_ && (released || rules_->rules_[i].resumes);
-}
-
-void ModeLogic::watch(Time now, Failsafe failsafe, bool released) {
-  const std::size_t i = place(failsafe);
-  const ModeRules::Rule& rule = rules_->rules_[i];
-  // Silence has lasted its delay when it is in the digest; other conditions wait here.
-  bool silent = false;
-  bool wrong = has(digest_, place(failsafe));
-  if (failsafe == Failsafe::kLink) {
-    silent = wrong || (pilot_lost_ && has(digest_, kPilotLongSilent));
-    wrong = false;
-  } else if (failsafe == Failsafe::kGnss) {
-    silent = wrong;
-    wrong = has(digest_, kUnhealthy);
-  }
-  const bool bad = silent || wrong;
-  const auto mask = static_cast<std::uint8_t>(1u << i);
-  if (bad != ((bad_ & mask) != 0)) {
-    bad_ ^= mask;
-    edge_[i] = now;
-  }
-  if (!decision_.raised.has(failsafe)) {
-    if (silent || (wrong && now - edge_[i] >= rule.delay)) {
-      decision_.raised.insert(failsafe);
-      decision_.raised_now.insert(failsafe);
-      decision_.events.insert(ModeEvent::kFailsafeRaised);
-      raised_at_[i] = now;
-    } else if (wrong) {
-      wake_by(edge_[i] + rule.delay, now);
-    }
-  } else if (!bad) {
-    if (now - edge_[i] < rules_->recovery_) {
-      wake_by(edge_[i] + rules_->recovery_, now);
-    } else if (may_clear(failsafe, released)) {
-      decision_.raised.erase(failsafe);
-      decision_.cleared_now.insert(failsafe);
-      decision_.events.insert(ModeEvent::kFailsafeCleared);
-      if (!standing_) ++clears_[i];
-    }
-  }
-  if (decision_.raised.has(failsafe)) wake_by(raised_at_[i] + rule.escalates_after, now);
-}
-
 FailsafeReaction ModeLogic::reaction_of(Failsafe failsafe, Time now) const {
-  const std::size_t i = place(failsafe);
+  const std::size_t i = mode_bits::place(failsafe);
   const ModeRules::Rule& rule = rules_->rules_[i];
   const bool escalated =
       rule.escalates_after > Time() && now - raised_at_[i] >= rule.escalates_after;
@@ -246,7 +110,7 @@ void ModeLogic::decide(const ModeInput& in) {
   const FailsafeReaction reaction_before = decision_.reaction;
   const std::optional<Failsafe> failsafe = acting(in.now);
   if (decision_.raised.has(Failsafe::kBatteryCritical))
-    home_lost_ = home_lost_ || has(digest_, kHomeOutOfReach);
+    home_lost_ = home_lost_ || mode_bits::has(digest_, mode_bits::kHomeOutOfReach);
 
   if (pilot_flies_) {
     standing_ = false;
@@ -263,8 +127,9 @@ void ModeLogic::decide(const ModeInput& in) {
     decision_.mode = FlightMode::kGuided;
   } else if (pilot_flies_) {
     decision_.order = Order::kPilot;
-    decision_.mode =
-        has(digest_, kPilotManual) ? FlightMode::kManual : FlightMode::kStabilized;
+    decision_.mode = mode_bits::has(digest_, mode_bits::kPilotManual)
+                         ? FlightMode::kManual
+                         : FlightMode::kStabilized;
   } else if (failsafe) {
     fly_failsafe(in, reaction_of(*failsafe, in.now));
   } else if (pilot_lost_) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace skein::autopilot {
 namespace {
@@ -58,10 +59,17 @@ SkeinAutopilot::Flier SkeinAutopilot::make_flier(const SkeinSetup& setup,
 SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
                                const NavEstimate& initial, bool on_ground,
                                std::optional<double> ground_msl)
+    : SkeinAutopilot(
+          std::move(setup), initial, on_ground,
+          Vec3(initial.p_N.x(), initial.p_N.y(),
+               on_ground ? initial.p_N.z() : -ground_msl.value_or(-initial.p_N.z()))) {}
+
+SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
+                               const NavEstimate& initial, bool on_ground,
+                               const Vec3& home_N)
     : setup_(std::move(setup)),
-      home_N_(initial.p_N.x(), initial.p_N.y(),
-              on_ground ? initial.p_N.z() : -ground_msl.value_or(-initial.p_N.z())),
-      estimator_(setup_->options.estimator, start_of(initial, on_ground)),
+      home_N_(home_N),
+      estimator_({setup_, &setup_->options.estimator}, start_of(initial, on_ground)),
       modes_(setup_->rules),
       fence_(setup_->fence),
       motors_(setup_->options.motor_watch),
@@ -72,7 +80,12 @@ SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
 }
 
 void SkeinAutopilot::begin(const NavEstimate& start, bool on_ground) {
-  *this = SkeinAutopilot(setup_, start, on_ground, -home_N_.z());
+  SkeinAutopilot anew(setup_, start, on_ground, home_N_);
+  const bool unheard = input_.command != CommandKind::kNone;
+  anew.input_.command = unheard ? input_.command : modes_.agent_command();
+  anew.agent_command_ = std::move(agent_command_);
+  anew.take_off_ = std::move(take_off_);
+  *this = std::move(anew);
 }
 
 void SkeinAutopilot::sense(const SensorSample& sample) {

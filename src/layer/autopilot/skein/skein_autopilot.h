@@ -32,6 +32,8 @@ class SkeinAutopilot final : public Autopilot {
   SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup, const NavEstimate& initial,
                  bool on_ground, std::optional<double> ground_msl = std::nullopt);
 
+  /// Home stays where it is, and the agent's last command is flown again from its
+  /// beginning: agents may command only once.
   void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
@@ -44,6 +46,8 @@ class SkeinAutopilot final : public Autopilot {
 
  private:
   using Flier = std::variant<WingFlier, RotorFlier, PointFlier>;
+  SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup, const NavEstimate& initial,
+                 bool on_ground, const Vec3& home_N);
   static Flier make_flier(const SkeinSetup& setup, const Vec3& home_N);
 
   FlierView view() const;

@@ -362,6 +362,37 @@ TEST(SimpleAutopilot, FliesWaypointsReturnsAndComesDownTo30Metres) {
   EXPECT_LT((flight.position() - Vec2(100, 100)).norm(), 150);
 }
 
+TEST(SimpleAutopilot, KeepsHomeAndItsLastCommandWhenItComesBack) {
+  const auto back_at = [](Flight& flight, const Vec3& p) {
+    flight.vehicle.p = p;
+    flight.vehicle.roll = 0;
+    NavEstimate start;
+    start.time = Time::from_ns(flight.tick * 20'000'000LL);
+    start.p_N = p;
+    start.v_N = flight.vehicle.velocity();
+    start.heading = flight.vehicle.heading;
+    flight.autopilot->begin(start, false);
+  };
+  Flight held({0, 0});
+  held.autopilot->command({HoldCourse{1}, 330});
+  held.fly(10);
+  held.vehicle.heading = -1;
+  back_at(held, {3000, 1000, -300});
+  held.fly(60);
+  EXPECT_NEAR(held.vehicle.heading, 1, 0.02);
+  EXPECT_NEAR(-held.vehicle.p.z(), 330, 1);
+
+  // Both what it flies itself and what shared guidance flies know the first home.
+  for (const bool commanded : {false, true}) {
+    Flight flight({0, 0});
+    if (commanded) flight.autopilot->command({Return{}, 300});
+    flight.fly(10);
+    back_at(flight, {3000, 1000, -300});
+    flight.fly(400);
+    EXPECT_LT(flight.position().norm(), 3 * kRadius) << commanded;
+  }
+}
+
 TEST(SimpleAutopilot, RefusesAPlanItCannotFlyAndGoesOn) {
   Flight flight({0, 0});
   flight.autopilot->command({HoldCourse{1}, 300, {}});

@@ -22,7 +22,7 @@ struct Flown {
 
   explicit Flown(const FlightPlan& plan, const NavAccuracy& sd = kStart,
                  std::uint64_t seed = 5)
-      : flight({}, plan, seed), estimator({}, flight.start(sd)) {}
+      : flight({}, plan, seed), estimator(EstimatorOptions{}, flight.start(sd)) {}
 
   void fly(int seconds) {
     for (int k = 0; k < 100 * seconds; ++k)
@@ -44,7 +44,7 @@ TEST(FlightEstimator, FindsTheHeadingFromThirtyDegreesOff) {
     SyntheticFlight flight({}, plan, 3);
     EstimatorStart start = flight.start(sd);
     start.q_NB = geo::exp_so3({0, 0, geo::radians(off)}) * flight.truth().q_NB;
-    FlightEstimator estimator({}, start);
+    FlightEstimator estimator(EstimatorOptions{}, start);
     for (int k = 0; k < 6000; ++k)
       flight.step([&](const auto& sample) { estimator.add(sample); });
     const ErrorVector e = difference(flight.truth(), estimator.navigated());
@@ -58,7 +58,7 @@ TEST(FlightEstimator, FindsTheHeadingThatItWasSureOf) {
   SyntheticFlight flight({}, {}, 3);
   EstimatorStart start = flight.start(kStart);
   start.q_NB = geo::exp_so3({0, 0, geo::radians(30)}) * flight.truth().q_NB;
-  FlightEstimator estimator({}, start);
+  FlightEstimator estimator(EstimatorOptions{}, start);
   for (int k = 0; k < 9000; ++k)
     flight.step([&](const auto& sample) { estimator.add(sample); });
   EXPECT_LT(
@@ -275,7 +275,7 @@ TEST(FlightEstimator, AlignsAtRest) {
 
 TEST(FlightEstimator, TakesTheTruthAsItIs) {
   SyntheticFlight flight({}, {}, 1);
-  FlightEstimator estimator({}, flight.start(kStart));
+  FlightEstimator estimator(EstimatorOptions{}, flight.start(kStart));
   const TruthSample truth{
       Time::from_seconds(3), {1, 2, -30}, {4, 5, 6}, geo::from_euler({0.1, 0.2, 0.3}),
       {0.1, 0, 0},           {1, 2, 0}};
@@ -317,7 +317,7 @@ TEST(FlightEstimator, CarriesTheHeightOnAndForgetsIt) {
   SyntheticFlight flight({}, {}, 1);
   EstimatorStart start = flight.start(kStart);
   start.v_N.z() = -2;
-  FlightEstimator estimator({}, start);
+  FlightEstimator estimator(EstimatorOptions{}, start);
   EXPECT_FALSE(estimator.height_agl());
   estimator.add(HeightSample{start.time - Time::from_seconds(0.5), 10});
   EXPECT_DOUBLE_EQ(estimator.height_agl().value(), 11);

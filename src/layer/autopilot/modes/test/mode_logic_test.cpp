@@ -183,6 +183,31 @@ TEST(ModeLogic, CriticalBatteryFarFromHomeDescendsAndStaysWithIt) {
   EXPECT_EQ(c.run(10).order, Order::kDescend);
 }
 
+TEST(ModeLogic, ALandingAtHomeBecomesADescentWhenHomeIsOutOfReach) {
+  Cockpit c;
+  c.in.charge = 0.07;
+  c.in.charge_home = 0.05;
+  EXPECT_EQ(c.run(3.1).reaction, FailsafeReaction::kLand);
+  c.in.charge_home = 0.07;  // just enough
+  EXPECT_EQ(c.run(5).reaction, FailsafeReaction::kLand);
+  c.in.charge_home = 0.071;
+  EXPECT_EQ(c.step().reaction, FailsafeReaction::kDescend);
+  EXPECT_EQ(c.now().order, Order::kDescend);
+  EXPECT_TRUE(c.now().events.has(ModeEvent::kReactionChanged));
+  EXPECT_EQ(c.now().trigger, FailsafeTrigger::kBattery);
+}
+
+TEST(ModeLogic, ALowBatteryAloneDoesNotGiveUpTheWayHome) {
+  FailsafeOptions options;
+  options.battery_low.reaction = FailsafeReaction::kLand;
+  Cockpit c(false, options);
+  c.in.charge = 0.2;
+  c.in.charge_home = 0.3;
+  EXPECT_EQ(c.run(60).reaction, FailsafeReaction::kLand);
+  c.in.charge = 0.07;  // critical
+  EXPECT_EQ(c.run(3.1).reaction, FailsafeReaction::kDescend);
+}
+
 TEST(ModeLogic, AChargeThatIsNoNumberCountsAsBad) {
   Cockpit c;
   c.in.charge = std::numeric_limits<double>::quiet_NaN();
