@@ -41,4 +41,19 @@ class ParameterCheck {
   std::vector<ParameterFault> faults_;
 };
 
+/// What checks `void(ParameterCheck&, const Parameters&)` find, one after the other: a
+/// check may rely on what those before it have found nothing wrong with.
+template <class Parameters, class... Check>
+std::vector<ParameterFault> found_by(const Parameters& parameters, Check... checks) {
+  std::vector<ParameterFault> found;
+  const auto make = [&](auto check) {
+    if (!found.empty()) return;
+    ParameterCheck gathered;
+    check(gathered, parameters);
+    found = gathered.take();
+  };
+  (make(checks), ...);
+  return found;
+}
+
 }  // namespace skein::asset

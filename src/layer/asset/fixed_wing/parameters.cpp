@@ -96,34 +96,28 @@ void check_flight(ParameterCheck& check, const FixedWingParameters& p) {
   }
 }
 
-}  // namespace
-
-std::vector<ParameterFault> faults(const FixedWingParameters& p) {
-  const auto part = [](auto check_part, const auto& value) {
-    ParameterCheck check;
-    check_part(check, value);
-    return check.take();
-  };
-  ParameterCheck check;
+void check_numbers(ParameterCheck& check, const FixedWingParameters& p) {
   check.above("mass", p.mass, 0);
   check.inertia("inertia", p.inertia);
   check.above("geometry.area", p.geometry.area, 0);
   check.above("geometry.span", p.geometry.span, 0);
   check.above("geometry.chord", p.geometry.chord, 0);
-  check.part("aero", part(check_aero, p.aero));
+  check.part("aero", found_by(p.aero, check_aero));
   if (p.stall) {
     check.within("stall.alpha", p.stall->alpha, 0.05, 1);
     check.within("stall.sharpness", p.stall->sharpness, 5, 200);
   }
-  check.part("propulsion", part(check_propulsion, p.propulsion));
+  check.part("propulsion", found_by(p.propulsion, check_propulsion));
   check.within("thrust_above", p.thrust_above, -10, 10);
-  check.part("servos", part(check_servos, p.servos));
-  check.part("envelope", part(check_envelope, p.envelope));
+  check.part("servos", found_by(p.servos, check_servos));
+  check.part("envelope", found_by(p.envelope, check_envelope));
   check.part("ground", faults(p.ground));
-  std::vector<ParameterFault> found = check.take();
-  if (!found.empty()) return found;
-  check_flight(check, p);
-  return check.take();
+}
+
+}  // namespace
+
+std::vector<ParameterFault> faults(const FixedWingParameters& p) {
+  return found_by(p, check_numbers, check_flight);
 }
 
 }  // namespace skein::asset

@@ -84,17 +84,11 @@ void check_flight(ParameterCheck& check, const MultirotorParameters& p) {
 }  // namespace
 
 std::vector<ParameterFault> number_faults(const MultirotorParameters& parameters) {
-  ParameterCheck check;
-  check_numbers(check, parameters);
-  return check.take();
+  return found_by(parameters, check_numbers);
 }
 
 std::vector<ParameterFault> faults(const MultirotorParameters& parameters) {
-  std::vector<ParameterFault> found = number_faults(parameters);
-  if (!found.empty()) return found;
-  ParameterCheck check;
-  check_flight(check, parameters);
-  return check.take();
+  return found_by(parameters, check_numbers, check_flight);
 }
 
 }  // namespace skein::asset

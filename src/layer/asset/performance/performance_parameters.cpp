@@ -61,17 +61,11 @@ void check_flight(ParameterCheck& check, const PerformanceParameters& p) {
 }  // namespace
 
 std::vector<ParameterFault> number_faults(const PerformanceParameters& parameters) {
-  ParameterCheck check;
-  check_numbers(check, parameters);
-  return check.take();
+  return found_by(parameters, check_numbers);
 }
 
 std::vector<ParameterFault> faults(const PerformanceParameters& parameters) {
-  std::vector<ParameterFault> found = number_faults(parameters);
-  if (!found.empty()) return found;
-  ParameterCheck check;
-  check_flight(check, parameters);
-  return check.take();
+  return found_by(parameters, check_numbers, check_flight);
 }
 
 }  // namespace skein::asset
