@@ -9,8 +9,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
+#include <numeric>
+#include <vector>
 
 #include "assemble/build.h"
 #include "assemble/kinds_of.h"
@@ -22,7 +23,8 @@ namespace {
 
 constexpr double kStepsPerSecond = 100;
 
-class Nothing final : public Recorder {
+// Records nothing, and takes the time of the processor at each second of the run.
+class Stopwatch final : public Recorder {
  public:
   void entity(EntityId, const std::string&, const std::string&) override {}
   void truth(Time, EntityId, const VehicleState&) override {}
@@ -32,7 +34,21 @@ class Nothing final : public Recorder {
   void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
   void event(const Event&) override {}
   void crossing(const Crossing&) override {}
-  Result<void> step_done(Time) override { return {}; }
+  Result<void> step_done(Time now) override {
+    if (now.ns() % Time::from_seconds(1).ns() == 0) at_.push_back(std::clock());
+    return {};
+  }
+
+  // Spent on each second from second `from` on [s].
+  std::vector<double> seconds(std::size_t from) const {
+    std::vector<double> spent;
+    for (std::size_t k = from; k + 1 < at_.size(); ++k)
+      spent.push_back(static_cast<double>(at_[k + 1] - at_[k]) / CLOCKS_PER_SEC);
+    return spent;
+  }
+
+ private:
+  std::vector<std::clock_t> at_;
 };
 
 class Quiet final : public OperatorConsole {
@@ -41,9 +57,11 @@ class Quiet final : public OperatorConsole {
   bool stop_requested() const override { return false; }
 };
 
-// Time that the processor spends on the run, without building it [s].
-double run_fleet(const std::string& plant, const std::string& sensors,
-                 const std::string& turbulence, long count, double seconds) {
+constexpr int kStart = 2;  // until then aircraft join and get their routes [s]
+
+// Time that the processor spends on each second of flight after the start [s].
+std::vector<double> run_fleet(const std::string& plant, const std::string& sensors,
+                              const std::string& turbulence, long count, int seconds) {
   const std::string text = fmt::format(
       "duration_s: {}\n"
       "environment: {{wind: {{kind: uniform, speed_mps: 5, from_deg: 250}}, "
@@ -53,36 +71,38 @@ double run_fleet(const std::string& plant, const std::string& sensors,
       "aircraft:\n"
       "  - {{count: {}, plant: {}, autopilot: skein, sensors: [{}], agent: route,\n"
       "     start: {{placement: ring, distance_m: 2000}}}}\n",
-      seconds, turbulence, count, plant, sensors);
+      kStart + seconds, turbulence, count, plant, sensors);
   const auto read =
       scenario::read_scenario_text(text, "fleet", ".", assemble::kind_table());
   if (!read.ok()) throw std::runtime_error(read.report());
   auto built = assemble::build(*read.scenario);
   if (!built) throw std::runtime_error(built.error().text());
   built.value().options.threads = 1;
-  Nothing recorder;
+  Stopwatch stopwatch;
   Quiet console;
-  const std::clock_t begin = std::clock();
-  (void)simulation::run(built.value().world, built.value().options, recorder, console)
+  (void)simulation::run(built.value().world, built.value().options, stopwatch, console)
       .value();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return stopwatch.seconds(kStart);
 }
 
+// Median over the seconds of all iterations: others on the machine make some of them
+// slow.
 void fleet(benchmark::State& state, const char* plant, const char* sensors,
            const char* turbulence) {
   const long count = state.range(0);
-  // Two seconds at least, and no longer than all are on their routes.
-  const double seconds =
-      std::clamp(std::round(6000.0 / static_cast<double>(count)), 2.0, 300.0);
-  double spent = 0, flown = 0;
+  // Fleets are all measured over the same part of their flight.
+  const int seconds = count == 1 ? 300 : 3;
+  std::vector<double> times;
   for (auto _ : state) {
-    const double time = run_fleet(plant, sensors, turbulence, count, seconds);
-    state.SetIterationTime(time);
-    spent += time;
-    flown += static_cast<double>(count) * seconds;
+    const auto spent = run_fleet(plant, sensors, turbulence, count, seconds);
+    times.insert(times.end(), spent.begin(), spent.end());
+    state.SetIterationTime(std::accumulate(spent.begin(), spent.end(), 0.0));
   }
-  state.counters["aircraft"] = flown / spent;
-  state.counters["us_step"] = 1e6 * spent / (flown * kStepsPerSecond);
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  const double per_aircraft = *middle / static_cast<double>(count);
+  state.counters["aircraft"] = 1 / per_aircraft;
+  state.counters["us_step"] = 1e6 * per_aircraft / kStepsPerSecond;
 }
 
 #define SKEIN_FLEET(name, plant, sensors, turbulence)        \

@@ -1,10 +1,13 @@
 #include <benchmark/benchmark.h>
 
+#include <memory>
+#include <variant>
 #include <vector>
 
 #include "layer/asset/body/battery.h"
 #include "layer/asset/multirotor/multirotor_plant.h"
 #include "layer/asset/performance/performance_plant.h"
+#include "layer/autopilot/control/multirotor_control.h"
 
 namespace skein::asset {
 namespace {
@@ -36,6 +39,46 @@ void multirotor_step(benchmark::State& run) {
   }
 }
 BENCHMARK(multirotor_step)->Arg(1)->Arg(100)->Arg(10000);
+
+// The same with the cascade that flies them: each holds a point in wind that changes, by
+// the truth.
+void multirotor_step_with_cascade(benchmark::State& run) {
+  struct Flying {
+    VehicleState state;
+    autopilot::MultirotorControl control;
+  };
+  const MultirotorPlant plant{MultirotorParameters{}};
+  const auto frame = std::get<MultirotorAirframe>(plant.airframe());
+  const auto setup = std::make_shared<const autopilot::MultirotorSetup>(
+      frame, autopilot::MultirotorGains{});
+  Actuators throttles;
+  const Flying first{hovering(plant, throttles), autopilot::MultirotorControl(setup)};
+  std::vector<Flying> all(static_cast<std::size_t>(run.range(0)), first);
+  autopilot::MultirotorDemand demand;
+  demand.altitude_msl = 100;
+  demand.heading = 0.3;
+  Air air;
+  std::size_t i = 0, round = 0;
+  for (auto _ : run) {
+    VehicleState& s = all[i].state;
+    air.wind_N = {round / 100 % 2 == 0 ? 4.0 : 2.0, 3, 0};
+    autopilot::NavState nav;
+    nav.p_N = s.p_N;
+    nav.v_N = s.v_N;
+    nav.q_NB = s.q_NB;
+    nav.w_NB_B = s.w_NB_B;
+    plant.step(s, all[i].control.control(demand, nav, 0.01), air, 0.01);
+    benchmark::DoNotOptimize(s.p_N);
+    s.energy.charge = 1;
+    if (++i == all.size()) {
+      i = 0;
+      ++round;
+    }
+  }
+  if ((all.front().state.p_N - first.state.p_N).norm() > 5)
+    run.SkipWithError("it does not hold its place");
+}
+BENCHMARK(multirotor_step_with_cascade)->Arg(1)->Arg(100)->Arg(10000);
 
 void performance_step(benchmark::State& run) {
   const PerformancePlant plant{PerformanceParameters{}};
