@@ -5,6 +5,7 @@
 
 #include "data/air.h"
 #include "layer/autopilot/guidance/same_guidance.h"
+#include "layer/autopilot/guidance/steering.h"
 #include "layer/autopilot/guidance/unflyable.h"
 #include "model/path/wind_triangle.h"
 
@@ -16,51 +17,17 @@ constexpr double kOnCircle = 0.2;
 
 constexpr double kFarOff = 2;         // look-aheads from which a circle is far away
 constexpr double kSearch = 60;        // of a plan, before and after now, at the start [s]
-constexpr double kFlares = 1;         // lateral acceleration close to the ground [m/s^2]
 constexpr double kTurnReserve = 0.9;  // of the bank limit; the rest is for corrections
-constexpr double kStopped = 0.5;      // of the slowest airspeed: no longer flying
-constexpr double kStands = 1;         // height at most, measured, at rest [m]
-constexpr double kLeastSpeed = 1;     // over ground, for windows of time [m/s]
-
-GroundMotion over_ground(const FixedWingMotion& now) {
-  return {now.p_N.head<2>(), now.v_N.head<2>(), now.lateral_acceleration};
-}
-
-// The law in use, on a line whose nearest point to the motion ahead is known.
-template <class Line>
-double lateral(const LateralOptions& options, const Sight& sight, const Line& line,
-               const model::TrackPoint& nearest, double cross_track,
-               const GroundMotion& ahead) {
-  if (options.law == LateralLaw::kCourse)
-    return course_law(nearest, cross_track, ahead.velocity, options.course);
-  return sight_law(sight, line, nearest, cross_track, ahead);
-}
 
 Sight sight_of(const LateralOptions& options) {
   return options.law == LateralLaw::kL1 ? l1_sight(options.l1)
                                         : l2_plus_sight(options.l2);
 }
 
-// A path or curve near the vehicle's place, moved on to where it will be `ahead`.
-double moved(const model::TrackPoint& at, double cross_track, const Vec2& by) {
-  return by.dot(at.tangent) / std::max(1 - at.curvature * cross_track, 0.2);
-}
-double off_track(const model::TrackPoint& at, const Vec2& p) {
-  return geo::cross(at.tangent, p - at.position);
-}
-
 struct PathAhead {
   const model::PathCursor& path;
   double along;
   model::TrackPoint at(double ahead) const { return path.at(along + ahead); }
-};
-
-struct PlanAhead {
-  const model::PlanCurve& plan;
-  double time, speed;
-  model::TrackPoint at(double ahead) const {
-    return model::PlanCurve::track(plan.at(time + ahead / speed));
-  }
 };
 
 }  // namespace
@@ -290,161 +257,6 @@ double FixedWingGuidance::steer(const model::PathCursor& path,
   const model::TrackPoint nearest = path.at(along);
   return lateral(options_.lateral, sight_, PathAhead{path, along}, nearest,
                  off_track(nearest, ahead.position), ahead);
-}
-
-double FixedWingGuidance::follow_path(const FixedWingMotion& now,
-                                      FixedWingDemand& demand) {
-  const Vec2 p = now.p_N.head<2>();
-  const double speed = std::max(now.v_N.head<2>().norm(), kLeastSpeed);
-  // Only the near part of the path counts, so that it may cross itself.
-  const model::PathCursor::Place place =
-      path_.project(p, along_ - 3 * speed, along_ + 15 * speed);
-  along_ = place.along;
-  if (place.remaining <= 0 && (p - place.point.position).dot(place.point.tangent) >= 0) {
-    arrive(place.point.position, now);
-    return circle(now, demand);
-  }
-  status_.remaining = place.remaining;
-  status_.cross_track = place.cross_track;
-  status_.along = place.point.tangent;
-  status_.follows = true;
-  demand.airspeed = airspeed_for(
-      path_.tightest(along_, along_ + options_.slow_down * speed), now.wind.norm());
-  return steer(path_, place, now);
-}
-
-double FixedWingGuidance::follow_plan(const FixedWingMotion& now, double dt,
-                                      FixedWingDemand& demand) {
-  const Vec2 p = now.p_N.head<2>();
-  const double followed = plan_.follow(p, plan_time_);
-  const model::PlanCurve::State here = plan_.at(followed);
-  const double speed = here.v_N.head<2>().norm();
-  // Where the plan stands still only time passes.
-  plan_time_ = followed == plan_time_ && speed < kLeastSpeed ? followed + dt : followed;
-  const model::TrackPoint track = model::PlanCurve::track(here);
-  if (plan_time_ >= plan_.end()) {
-    altitude_ = -plan_.at(plan_.end()).p_N.z();
-    demand.altitude_msl = altitude_;
-    arrive(plan_.at(plan_.end()).p_N.head<2>(), now);
-    return circle(now, demand);
-  }
-  const double late = now.time.seconds() - plan_time_;
-  status_.time_error = late;
-  status_.remaining = plan_.remaining(plan_time_);
-  status_.cross_track = off_track(track, p);
-  status_.along = track.tangent;
-  status_.follows = true;
-
-  const double share =
-      std::clamp(options_.time_gain * late, -options_.time_reach, options_.time_reach);
-  const Vec3 soon = plan_.at(std::min(plan_time_ + options_.speed_lead, plan_.end())).v_N;
-  const Vec2 air = (1 + share) * soon.head<2>() - now.wind;
-  demand.airspeed = std::clamp(std::sqrt(air.squaredNorm() + soon.z() * soon.z()),
-                               limits_.slowest, limits_.fastest);
-  demand.altitude_msl = -here.p_N.z();
-  const double flown = now.v_N.head<2>().dot(track.tangent);
-  const double pace = std::clamp(flown / std::max(speed, kLeastSpeed), 0.0, 2.0);
-  demand.climb_rate = -here.v_N.z() * pace;
-
-  const GroundMotion motion = over_ground(now);
-  const GroundMotion ahead = ahead_of(motion, options_.lateral.roll_lag);
-  const double per_second = std::max(speed, kLeastSpeed);
-  const double then =
-      plan_time_ +
-      moved(track, status_.cross_track, ahead.position - motion.position) / per_second;
-  const model::TrackPoint nearest = model::PlanCurve::track(plan_.at(then));
-  return lateral(options_.lateral, sight_, PlanAhead{plan_, then, per_second}, nearest,
-                 off_track(nearest, ahead.position), ahead);
-}
-
-double FixedWingGuidance::fly_waypoints(const FixedWingMotion& now,
-                                        FixedWingDemand& demand) {
-  const Vec2 p = now.p_N.head<2>();
-  const double speed = std::max(now.v_N.head<2>().norm(), kLeastSpeed);
-  const double wind = now.wind.norm();
-  if (options_.rounds_corners) route_.set_rule({loiter_radius(wind), 0});
-  const WaypointRoute::Place place = route_.project(p, 3 * speed);
-  if (place.done) {
-    altitude_ = place.altitude_msl;
-    demand.altitude_msl = altitude_;
-    arrive(route_.last().point, now);
-    status_.lap = route_.laps();
-    return circle(now, demand);
-  }
-  status_.remaining = place.remaining;
-  status_.cross_track = place.on_path.cross_track;
-  status_.along = place.on_path.point.tangent;
-  status_.follows = true;
-  status_.lap = route_.lap();
-  demand.altitude_msl = place.altitude_msl;
-  demand.climb_rate = place.slope * now.v_N.head<2>().dot(place.on_path.point.tangent);
-  const double along = place.on_path.along;
-  demand.airspeed = airspeed_for(
-      route_.cursor().tightest(along, along + options_.slow_down * speed), wind);
-  return steer(route_.cursor(), place.on_path, now);
-}
-
-double FixedWingGuidance::take_off(const FixedWingMotion& now, FixedWingDemand& demand) {
-  const double height = now.height_agl.value_or(-now.p_N.z() - run_altitude_);
-  if (phase_ == FlightPhase::kRun &&
-      now.airspeed >= options_.take_off_speed * limits_.slowest)
-    phase_ = FlightPhase::kClimbOut;
-  if (phase_ == FlightPhase::kClimbOut &&
-      (height >= options_.climb_out_height ||
-       -now.p_N.z() >= altitude_ - options_.arrival)) {
-    phase_ = FlightPhase::kFlight;
-    hold_at(home_N_.head<2>(), now);
-    doing_ = Doing::kTakeOff;
-  }
-  demand.phase = phase_;
-  status_.remaining = std::max(altitude_ + now.p_N.z(), 0.0);
-  if (phase_ == FlightPhase::kFlight) {
-    status_.done = status_.done || -now.p_N.z() >= altitude_ - options_.arrival;
-    return circle(now, demand);
-  }
-  // Along the line of the run.
-  const GroundMotion ahead = ahead_of(over_ground(now), options_.lateral.roll_lag);
-  const Vec2 off = ahead.position - run_start_;
-  const model::TrackPoint line{run_start_ + off.dot(course_) * course_, course_, 0};
-  const double a = course_law(line, off_track(line, ahead.position), ahead.velocity,
-                              options_.lateral.course);
-  if (phase_ == FlightPhase::kRun) return std::clamp(a, -kFlares, kFlares);
-  return a;
-}
-
-double FixedWingGuidance::land(const FixedWingMotion& now, double dt,
-                               FixedWingDemand& demand) {
-  const Vec2 p = now.p_N.head<2>();
-  const double speed = now.v_N.head<2>().norm();
-  // On the ground the wind alone may be airspeed.
-  const bool still =
-      phase_ == FlightPhase::kRollOut
-          ? speed < kLeastSpeed
-          : std::min(now.airspeed, speed + now.wind.norm()) <
-                    kStopped * limits_.slowest ||
-                (now.height_agl && *now.height_agl < kStands && speed < kLeastSpeed);
-  const Landing::Step at =
-      landing_.step({p, -now.p_N.z(), now.height_agl, -now.v_N.z(), speed, still}, dt);
-  demand.phase = phase_ = at.phase;
-  demand.braking = at.braking;
-  demand.altitude_msl = at.altitude_msl;
-  demand.climb_rate = at.climb_rate;
-  status_.remaining = at.place.remaining;
-  status_.cross_track = at.place.cross_track;
-  status_.follows = at.phase != FlightPhase::kGround;
-  status_.done = at.done;
-  if (at.done && !options_.landing.touches_down) {
-    altitude_ = landing_.command().ground_msl + options_.landing.floor;
-    demand = {0, altitude_, 0, base_airspeed(), FlightPhase::kFlight};
-    arrive(landing_.command().point, now);
-    return circle(now, demand);
-  }
-  if (at.phase == FlightPhase::kGround) return 0;
-  const double a = steer(landing_.path(), at.place, now);
-  if (at.phase == FlightPhase::kFlight) return a;
-  demand.airspeed = std::min(at.airspeed, limits_.fastest);
-  if (at.aligns) demand.heading = geo::unit(landing_.course());
-  return at.phase == FlightPhase::kApproach ? a : std::clamp(a, -kFlares, kFlares);
 }
 
 }  // namespace skein::autopilot
