@@ -145,7 +145,8 @@ void think(Time now, Entity& entity, EntityState& state) {
   state.inbox.clear();
 }
 
-void fly(const World& world, Time now, Time until, Entity& entity, EntityState& state) {
+void fly(const World& world, Time now, Time until, Entity& entity, EntityState& state,
+         const WorkingSet* next) {
   Vehicle* vehicle = entity.vehicle.get();
   if (!state.active || !vehicle) return;
   const double dt = vehicle->step.seconds();
@@ -154,7 +155,9 @@ void fly(const World& world, Time now, Time until, Entity& entity, EntityState& 
   vehicle->air.density = model::standard_air(-vehicle->state.p_N.z()).density;
   double ground = ground_below(world, *vehicle);
   const bool near_ground = -vehicle->state.p_N.z() - ground < kNearGround;
-  while (now < until) {
+  const std::int64_t steps = (until - now).ns() / vehicle->step.ns();
+  for (std::int64_t step = 0; now < until; ++step) {
+    if (next) next->prefetch(step, steps);
     const Control control = vehicle->autopilot->control(now, dt);
     vehicle->air.wind_N = world.wind->wind(vehicle->state.p_N, now);
     if (vehicle->turbulence) {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "simulation/working_set.h"
 #include "simulation/world.h"
 
 namespace skein::simulation {
@@ -39,7 +40,9 @@ void sense(const World& world, Time now, Entity& entity, EntityState& state);
 void think(Time now, Entity& entity, EntityState& state);
 /// From `now` to `until`, in the vehicle's own steps: control, motion, then what its
 /// sensors say of the new state.
-void fly(const World& world, Time now, Time until, Entity& entity, EntityState& state);
+/// @param next  of the entity that flies next, to be loaded meanwhile; may be null.
+void fly(const World& world, Time now, Time until, Entity& entity, EntityState& state,
+         const WorkingSet* next);
 /// What the vehicle's own sensors say before it first flies.
 void begin(const World& world, Time now, Entity& entity, EntityState& state);
 

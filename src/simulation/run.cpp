@@ -71,8 +71,8 @@ class Stepper {
     record(now);
     const Time next = now + options_.step;
     for_each([&](std::size_t i) {
-      if (i + 1 < states_.size()) working_sets_[i + 1].prefetch();
-      fly(world_, now, next, world_.entities[i], states_[i]);
+      const WorkingSet* after = i + 1 < states_.size() ? &working_sets_[i + 1] : nullptr;
+      fly(world_, now, next, world_.entities[i], states_[i], after);
     });
     note_accidents(now);
     note_autopilots(next);

@@ -2,10 +2,14 @@
 
 #include <malloc.h>
 
+#include <algorithm>
+
+#include "simulation/entity_step.h"
+
 namespace skein::simulation {
 namespace {
 
-constexpr std::size_t kCacheLine = 64;  // [bytes]; only speed depends on it
+constexpr std::int64_t kCacheLine = 64;  // [bytes]; only speed depends on it
 
 // The heap block of an object, whatever its type is.
 template <class Role>
@@ -26,13 +30,21 @@ WorkingSet::WorkingSet(const Entity& entity, const EntityState& state) {
   blocks_.push_back(block_of(*vehicle->autopilot));
   if (vehicle->turbulence) blocks_.push_back(block_of(*vehicle->turbulence));
   for (const auto& sensor : vehicle->sensors) blocks_.push_back(block_of(*sensor));
+  for (const auto& block : blocks_) size_ += std::ssize(block);
 }
 
-void WorkingSet::prefetch() const {
+void WorkingSet::prefetch(std::int64_t part, std::int64_t parts) const {
   constexpr int kToWrite = 1, kIntoSecondLevel = 2;
-  for (const std::span<const std::byte> block : blocks_)
-    for (std::size_t at = 0; at < block.size(); at += kCacheLine)
+  std::int64_t from = size_ * part / parts, to = size_ * (part + 1) / parts;
+  for (const auto& block : blocks_) {
+    if (to <= 0) return;
+    const std::int64_t end = std::min(to, std::ssize(block));
+    std::int64_t at = std::max<std::int64_t>(from, 0);
+    for (; at < end; at += kCacheLine)
       __builtin_prefetch(block.data() + at, kToWrite, kIntoSecondLevel);
+    from -= std::ssize(block);
+    to -= std::ssize(block);
+  }
 }
 
 }  // namespace skein::simulation

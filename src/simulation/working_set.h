@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "simulation/entity_step.h"
+#include "simulation/world.h"
 
 namespace skein::simulation {
+
+struct EntityState;
 
 /// The memory in which a flying entity keeps what its steps read and write, to be loaded
 /// while another one flies.
@@ -20,11 +23,14 @@ class WorkingSet {
   /// Both must stay where they are.
   WorkingSet(const Entity& entity, const EntityState& state);
 
-  /// Has the processor load it all, without waiting.
-  void prefetch() const;
+  /// Has the processor load one of `parts` equal parts of it, without waiting: it can
+  /// only wait for so many cache lines at a time.
+  /// @param part  from 0 to parts - 1.
+  void prefetch(std::int64_t part, std::int64_t parts) const;
 
  private:
   std::vector<std::span<const std::byte>> blocks_;
+  std::int64_t size_ = 0;  // of all together [bytes]
 };
 
 }  // namespace skein::simulation
