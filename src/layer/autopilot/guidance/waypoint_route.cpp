@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kNoLeg = 1e-3;   // points nearer than this are one [m]
 constexpr double kNoTurn = 1e-6;  // [rad]
+constexpr double kOther = 0.1;    // of a radius: a corner is laid out anew
+constexpr double kNear = 0.3;     // of a radius: it is too late for that
 
 }  // namespace
 
@@ -25,6 +27,15 @@ void WaypointRoute::begin(const FlyWaypoints& command, const Vec3& from,
   before_ = {};
   along_ = 0;
   lay_out();
+}
+
+void WaypointRoute::set_rule(const CornerRule& rule) {
+  rule_ = rule;
+  const Corner corner = corner_after(leg_);
+  if (std::abs(corner.radius - after_.radius) <= kOther * after_.radius) return;
+  // Not once the arc is near, or the line would jump aside.
+  const double begins = straight_ + std::min(after_.tangent - corner.tangent, 0.0);
+  if (along_ < begins - kNear * corner.radius) lay_out();
 }
 
 FlyWaypoints::Waypoint WaypointRoute::point(long leg) const {

@@ -17,16 +17,17 @@ struct CornerRule {
 /// Waypoints as a line to follow, leg by leg.
 ///
 /// Two legs and their corners are laid out at a time, so that laps cost no memory and a
-/// new rule (another wind) holds from the next leg on. With turn angle D the arc of a
-/// corner begins radius tan(D/2) before it; a cut c gives radius = c / (1/cos(D/2) - 1).
-/// An arc that would take more than half of a leg is left out (with `cut`: made smaller).
-/// Altitude changes evenly with the way from the middle of one corner to the next.
+/// new rule (another wind) holds from the next corner on that is still ahead. With turn
+/// angle D the arc of a corner begins radius tan(D/2) before it; a cut c gives radius = c
+/// / (1/cos(D/2) - 1). An arc that would take more than half of a leg is left out (with
+/// `cut`: made smaller). Altitude changes evenly with the way from the middle of one
+/// corner to the next.
 class WaypointRoute {
  public:
   /// @param command  at least one point, at least one lap.
   /// @param from     where the first leg begins.
   void begin(const FlyWaypoints& command, const Vec3& from, const CornerRule& rule);
-  void set_rule(const CornerRule& rule) { rule_ = rule; }
+  void set_rule(const CornerRule& rule);
 
   /// Where the vehicle is on the route. Goes on to the next leg when one is done.
   ///

@@ -357,6 +357,26 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
   }
 }
 
+TEST(WaypointRoute, RoundsTheCornerAheadAsTheWindThatIsKnownNowAsks) {
+  // The wind is not known yet when a route begins.
+  FlyWaypoints command;
+  command.points = {{{400, 0}, 100}, {{400, 400}, 100}};
+  WaypointRoute route;
+  route.begin(command, {0, 0, -100}, {40, 0});
+  const auto tightest = [&] { return route.cursor().tightest(0, 600); };
+  route.project({100, 0}, 50);
+  route.set_rule({42, 0});
+  EXPECT_DOUBLE_EQ(tightest(), 1 / 40.0) << "hardly another";
+  route.set_rule({90, 0});
+  EXPECT_DOUBLE_EQ(tightest(), 1 / 90.0);
+  const WaypointRoute::Place place = route.project({110, 3}, 50);
+  EXPECT_NEAR(place.on_path.along, 110, 1e-9) << "it goes on where it was";
+  EXPECT_NEAR(place.on_path.cross_track, 3, 1e-9);
+  route.project({295, 0}, 200);  // the arc begins at 310
+  route.set_rule({60, 0});
+  EXPECT_DOUBLE_EQ(tightest(), 1 / 90.0) << "too near";
+}
+
 TEST(RollOut, IsTheWayThatFrictionAndDragLeave) {
   // Where the wings carry it at the touch, without wind, in closed form.
   const double closed = 20 * 20 / (2 * kGravity) * std::log(0.08 / 0.2) / (0.08 - 0.2);

@@ -1,0 +1,120 @@
+// Landings of whole aircraft with all their sensors, against the wind, from all around.
+//
+//   mean, most   distance at rest from the point [m]
+//   accidents    before they came to rest
+//   toppled      afterwards
+
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "assemble/build.h"
+#include "assemble/kinds_of.h"
+#include "scenario/scenario_file.h"
+#include "simulation/run.h"
+
+namespace skein {
+namespace {
+
+constexpr int kAircraft = 30;
+constexpr double kStill = 0.3;    // at rest [m/s]
+constexpr double kStillTime = 1;  // for this long [s]
+
+// Where each aircraft comes to rest.
+class Touches final : public Recorder {
+ public:
+  struct One {
+    bool touched = false, rests = false, broke = false;
+    Time still_since;
+    double off = 0;  // from the point, at rest [m]
+  };
+  void entity(EntityId, const std::string&, const std::string&) override {}
+  void truth(Time time, EntityId id, const VehicleState& state) override {
+    One& one = all[id.value];
+    one.touched |= state.on_ground;
+    if (!one.touched || state.v_N.norm() > kStill) one.still_since = time;
+    if (one.rests || (time - one.still_since).seconds() < kStillTime) return;
+    one.rests = true;
+    one.off = geo::horizontal(state.p_N).norm();
+  }
+  void estimate(EntityId, const NavEstimate&, const AutopilotStatus&) override {}
+  void reading(const FireReading&) override {}
+  void message(const Message&, Time, bool) override {}
+  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
+  void event(const Event& event) override {
+    if (event.kind == "accident") all[event.entity.value].broke = true;
+  }
+  void crossing(const Crossing&) override {}
+  Result<void> step_done(Time) override { return {}; }
+
+  std::map<std::uint32_t, One> all;
+};
+
+class Quiet final : public OperatorConsole {
+ public:
+  void show(const RunProgress&) override {}
+  bool stop_requested() const override { return false; }
+};
+
+void landing(benchmark::State& state, const char* aircraft, double wind,
+             const char* turbulence, double distance) {
+  const std::string text = fmt::format(
+      "seed: 1\n"
+      "duration_s: 500\n"
+      "environment: {{terrain: flat, fire: none, turbulence: {},\n"
+      "  wind: {{kind: uniform, speed_mps: {}, from_deg: 0}}}}\n"
+      "station: {{agent: listener}}\n"
+      "aircraft:\n"
+      "  - {{count: {}, plant: {{kind: fixed-wing, aircraft: {}}}, autopilot: skein,\n"
+      "     sensors: [flight], altitude_agl_m: 100,\n"
+      "     agent: {{kind: route, points_m: [[0, 0]], laps: 1, lands: true}},\n"
+      "     start: {{placement: ring, distance_m: {}}}}}\n",
+      turbulence, wind, kAircraft, aircraft, distance);
+  for (auto _ : state) {
+    const auto read = scenario::read_scenario_text(text, "landing", SKEIN_SOURCE_DIR,
+                                                   assemble::kind_table());
+    if (!read.ok()) throw std::runtime_error(read.report());
+    auto built = assemble::build(*read.scenario);
+    if (!built) throw std::runtime_error(built.error().text());
+    Touches touches;
+    Quiet console;
+    (void)simulation::run(built.value().world, built.value().options, touches, console)
+        .value();
+    double sum = 0, most = 0, resting = 0, accidents = 0, toppled = 0;
+    for (const auto& [id, one] : touches.all) {
+      accidents += one.broke && !one.rests;
+      toppled += one.broke && one.rests;
+      if (!one.rests) continue;
+      ++resting;
+      sum += one.off;
+      most = std::max(most, one.off);
+    }
+    state.counters["mean"] = resting > 0 ? sum / resting : 0;
+    state.counters["most"] = most;
+    state.counters["accidents"] = accidents;
+    state.counters["toppled"] = toppled;
+  }
+}
+
+#define SKEIN_LANDING(name, aircraft, distance)                          \
+  BENCHMARK_CAPTURE(landing, name##_calm, aircraft, 0, "none", distance) \
+      ->Iterations(1)                                                    \
+      ->Unit(benchmark::kMillisecond);                                   \
+  BENCHMARK_CAPTURE(landing, name##_light, aircraft, 4,                  \
+                    "{kind: dryden, intensity: light}", distance)        \
+      ->Iterations(1)                                                    \
+      ->Unit(benchmark::kMillisecond);                                   \
+  BENCHMARK_CAPTURE(landing, name##_moderate, aircraft, 8,               \
+                    "{kind: dryden, intensity: moderate}", distance)     \
+      ->Iterations(1)                                                    \
+      ->Unit(benchmark::kMillisecond)
+SKEIN_LANDING(bixler, "bixler", 600);
+SKEIN_LANDING(aerosonde, "aerosonde", 600);
+SKEIN_LANDING(light_sport, "light-sport", 1500);
+#undef SKEIN_LANDING
+
+}  // namespace
+}  // namespace skein
