@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "layer/asset/body/bounded.h"
 #include "layer/asset/fixed_wing/trim.h"
 #include "model/atmosphere/atmosphere.h"
 
@@ -22,10 +23,6 @@ constexpr double kLowestCeiling = 0;
 constexpr double kHighestCeiling = 30000;
 // A motor that shall stand and turns slower than this does [rad/s or share].
 constexpr double kStands = 1e-3;
-
-double bounded(double value, double low, double high) {
-  return std::isnan(value) ? 0 : std::clamp(value, low, high);
-}
 
 // Where a servo is after h [s], with `decay` = exp(-h / lag): at its largest rate until
 // the lag asks for less.
@@ -252,7 +249,8 @@ void FixedWingPlant::short_step(VehicleState& state, const Actuators& control,
   const auto surface = [&](std::size_t k, double largest) -> Course {
     double& at = state.actuators[k];
     if (state.faults.is_stuck(k)) return {at, at, at};
-    const double to = state.faults.is_dead(k) ? 0 : bounded(control[k], -1, 1) * largest;
+    const double to =
+        state.faults.is_dead(k) ? 0 : bounded_or(0, control[k], -1, 1) * largest;
     const Course course = servo_course(servos, at, to, dt, servo_decay);
     at = course[2];
     return course;
@@ -262,9 +260,10 @@ void FixedWingPlant::short_step(VehicleState& state, const Actuators& control,
   const Course rudder = surface(channel::kRudder, servos.rudder_max);
   // Brakes act faster than the wheels slow down; a dead one does not hold.
   if (!state.faults.is_stuck(channel::kBrake))
-    state.actuators[channel::kBrake] = state.faults.is_dead(channel::kBrake)
-                                           ? 0
-                                           : bounded(control[channel::kBrake], 0, 1);
+    state.actuators[channel::kBrake] =
+        state.faults.is_dead(channel::kBrake)
+            ? 0
+            : bounded_or(0, control[channel::kBrake], 0, 1);
 
   const Engine& engine = model_.engine;
   double& spin = state.actuators[channel::kThrottle];
@@ -275,7 +274,7 @@ void FixedWingPlant::short_step(VehicleState& state, const Actuators& control,
     if (!state.faults.is_stuck(channel::kThrottle)) {
       const bool runs = !state.faults.is_dead(channel::kThrottle) &&
                         !state.faults.battery && state.energy.charge > 0;
-      const double throttle = runs ? bounded(control[channel::kThrottle], 0, 1) : 0;
+      const double throttle = runs ? bounded_or(0, control[channel::kThrottle], 0, 1) : 0;
       const double to =
           engine.target(throttle, state.energy.voltage, forward, density.density);
       const double decay = std::exp(-0.5 * dt / engine.lag());
