@@ -10,7 +10,7 @@ namespace {
 // A point in coordinated flight, fed back through the ideal navigation sensor.
 class PointFlight {
  public:
-  explicit PointFlight(SkeinOptions options = {}) {
+  explicit PointFlight(const SkeinOptions& options = {}) {
     NavEstimate start;
     start.p_N = p;
     start.v_N = {20, 0, 0};
