@@ -5,11 +5,11 @@
 #include <string>
 
 #include "base/random.h"
+#include "base/test/allocations.h"
 #include "layer/asset/fixed_wing/fixed_wing_plant.h"
 #include "layer/asset/kinematic_plant.h"
 #include "layer/asset/multirotor/multirotor_plant.h"
 #include "layer/asset/performance/performance_plant.h"
-#include "layer/asset/test/allocations.h"
 
 // What every plant owes to whoever flies it.
 
@@ -77,8 +77,9 @@ TEST_P(AnyPlant, LimitsAreInOrder) {
 TEST_P(AnyPlant, StepDoesNotAllocate) {
   VehicleState s = plant_->start({{0, 0, -300}, 0, Vec3::Zero(), false});
   const Control control = control_of([] { return 0.6; });
-  const std::size_t before = allocations();
-  ASSERT_GT(before, 0u);
+  const auto before = allocations();
+  if (!before) GTEST_SKIP() << "the sanitizer's own malloc is in the way";
+  ASSERT_GT(before, 0);
   for (int i = 0; i < 100; ++i) plant_->step(s, control, {}, 0.01);
   plant_->touch(s, 0, 0.01);
   EXPECT_EQ(allocations(), before);

@@ -3,33 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
+#include <memory>
 
 #include "base/random.h"
+#include "base/test/allocations.h"
 #include "layer/asset/fixed_wing/open_loop.h"
 #include "layer/asset/fixed_wing/test/aircraft.h"
 #include "layer/asset/fixed_wing/trim.h"
 #include "model/atmosphere/atmosphere.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SKEIN_COUNTS_MALLOC 0
-#else
-#define SKEIN_COUNTS_MALLOC 1
-#endif
-
-#if SKEIN_COUNTS_MALLOC
-namespace {
-long allocations = 0;
-}  // namespace
-
-// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
-#endif
 
 namespace skein::asset {
 namespace {
@@ -359,18 +340,15 @@ TEST(FixedWingPlant, TumblesThroughAnythingWithoutBlowingUp) {
 }
 
 TEST(FixedWingPlant, StepsWithoutAllocating) {
-#if SKEIN_COUNTS_MALLOC
   const FixedWingPlant plant(glider());
   VehicleState state = plant.start({{0, 0, -300}, 0, Vec3::Zero(), false});
   const Control control = cruise_channels(plant, 300);
-  const long before = allocations;
+  const auto before = allocations();
+  if (!before) GTEST_SKIP() << "the sanitizer's own malloc is in the way";
   for (int i = 0; i < 100; ++i) plant.step(state, control, {}, 0.01);
-  EXPECT_EQ(allocations, before);
-  std::free(std::malloc(1));
-  EXPECT_GT(allocations, before);  // the counter works
-#else
-  GTEST_SKIP() << "the sanitizer's own malloc is in the way";
-#endif
+  EXPECT_EQ(allocations(), before);
+  EXPECT_NE(std::make_unique<FixedWingPlant>(glider()), nullptr);
+  EXPECT_GT(allocations(), before);  // the counter works
 }
 
 }  // namespace

@@ -1,37 +1,13 @@
-// Counts calls of malloc. The sanitizers bring their own, so the test stands aside there.
-
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
+#include "base/test/allocations.h"
 #include "geo/vec.h"
 #include "layer/reasoning/monitoring/joint/joint_estimator.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SKEIN_COUNTS_MALLOC 0
-#else
-#define SKEIN_COUNTS_MALLOC 1
-#endif
-
-#if SKEIN_COUNTS_MALLOC
-namespace {
-long allocations = 0;
-}  // namespace
-
-// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
-#endif
 
 namespace skein::monitoring {
 namespace {
 
 TEST(JointEstimator, LearnsWithoutAllocating) {
-#if SKEIN_COUNTS_MALLOC
   JointEstimator estimator(PerimeterPrior{}, JointOptions{});
   const auto hour = [&estimator](int from, int to) {
     for (int second = from; second < to; ++second) {
@@ -55,14 +31,12 @@ TEST(JointEstimator, LearnsWithoutAllocating) {
     }
   };
   hour(1, 10);
-  const long before = allocations;
+  const auto before = allocations();
+  if (!before) GTEST_SKIP() << "the sanitizer's own malloc is in the way";
   hour(10, 100);
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocations(), before);
   const auto copy = estimator.clone();
-  EXPECT_GT(allocations, before);  // the counter works
-#else
-  GTEST_SKIP() << "the sanitizer's own malloc is in the way";
-#endif
+  EXPECT_GT(allocations(), before);  // the counter works
 }
 
 }  // namespace
