@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "assemble/aircraft_fit.h"
 #include "assemble/kinds_of.h"
 #include "assemble/placement.h"
 #include "assemble/presence.h"
 #include "assemble/sampling.h"
+#include "assemble/sensor_kinds.h"
 #include "assemble/vehicle_faults.h"
 #include "geo/polygon.h"
 #include "layer/environment/turbulence/discrete_gusts.h"
@@ -67,6 +69,9 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.initial = as_estimate(vehicle->state, Time());
   context.on_ground = vehicle->state.on_ground;
 
+  context.hears_station = heartbeat(scenario_) > Time();
+  for (const scenario::Choice& sensor : group.sensors)
+    context.has_position |= position_age(sensor, vehicle->step.seconds()).has_value();
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
   auto autopilot = autopilot_kinds().make(group.autopilot, context);

@@ -48,6 +48,8 @@ struct AircraftContext {
   NavEstimate initial;          ///< where and how it flies at the start
   bool on_ground = false;       ///< at the start
   AircraftGains gains;          ///< of the plant's file
+  bool hears_station = false;   ///< the station gives signs of life
+  bool has_position = false;    ///< a sensor says where it is
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common
   double parameter_spread = 0;  ///< of the plant's parameters, at most
 };

@@ -138,6 +138,8 @@ Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
     return Error{ErrorCode::kBadInput, "autopilot.lap_gains",
                  "are for fixed wings with six degrees of freedom.",
                  "Choose plant: fixed-wing, or leave them out."};
+  options.watches_link = c.hears_station;
+  options.watches_gnss = c.has_position;
   options.fence = geofence_of(choice.fence, c.limits);
   if (options.fence.area.empty() && !choice.fence.areas.empty())
     return Error{ErrorCode::kBadInput, "autopilot.fence.areas_m", "enclose nothing.", ""};

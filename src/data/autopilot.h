@@ -117,8 +117,10 @@ struct AutopilotStatus {
       std::nullopt;  ///< flight time left at the present power [s]
 };
 
-/// Whether the autopilot does what its agent says: no pilot, no failsafe flies.
+/// Whether the autopilot does what its agent says: no pilot, no failsafe flies or forbids
+/// to take off.
 constexpr bool obeys_orders(const AutopilotStatus& status) {
+  if (status.on_ground && status.trigger != FailsafeTrigger::kNone) return false;
   const bool pilot =
       status.mode == FlightMode::kManual || status.mode == FlightMode::kStabilized;
   return !pilot && status.reaction == FailsafeReaction::kNone;

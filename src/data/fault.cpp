@@ -21,4 +21,15 @@ std::string text_of(const VehicleFault& fault) {
   return {};
 }
 
+std::string text_of_end(const VehicleFault& fault) {
+  switch (fault.kind) {
+    case VehicleFault::Kind::kBattery:
+      return "the battery works again";
+    case VehicleFault::Kind::kLink:
+      return "the radio link works again";
+    default:
+      return fault.name + " works again";
+  }
+}
+
 }  // namespace skein

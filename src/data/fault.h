@@ -30,5 +30,7 @@ struct VehicleFault {
 
 /// What has failed, in words.
 std::string text_of(const VehicleFault& fault);
+/// The same of its end.
+std::string text_of_end(const VehicleFault& fault);
 
 }  // namespace skein

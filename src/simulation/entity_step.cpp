@@ -9,6 +9,8 @@ namespace {
 
 // Above this the ground is looked for once a step of the run only [m].
 constexpr double kNearGround = 20;
+// Ground that rises towards an aircraft faster than this is no runway [m/s].
+constexpr double kHillside = 3;
 
 SensorView view_of(const World& world, Time now, const Vehicle& vehicle) {
   return {now, vehicle.state, vehicle.air, *world.terrain, *world.fire, world.objects};
@@ -66,6 +68,11 @@ void apply(const VehicleFault& fault, Faults& faults, EntityState& state) {
       state.link_down = true;
       return;
   }
+}
+
+// How fast the ground comes up because of the way over it [m/s].
+double rise_of_ground(const World& world, const VehicleState& s) {
+  return geo::horizontal(s.v_N).dot(world.terrain->gradient(geo::horizontal(s.p_N)));
 }
 
 double ground_below(const World& world, const Vehicle& vehicle) {
@@ -175,7 +182,8 @@ void fly(const World& world, Time now, Time until, Entity& entity, EntityState& 
     }
     if (near_ground || now >= until) ground = ground_below(world, *vehicle);
     if (-vehicle->state.p_N.z() < ground &&
-        vehicle->plant->touch(vehicle->state, ground, dt) == Contact::kCrash) {
+        (rise_of_ground(world, vehicle->state) > kHillside ||
+         vehicle->plant->touch(vehicle->state, ground, dt) == Contact::kCrash)) {
       state.accident = EntityState::Accident::kGround;
       return;
     }

@@ -168,7 +168,9 @@ class Stepper {
         continue;
       for (const std::size_t k : update_faults(now, entity, states_[i])) {
         const VehicleFault& fault = entity.vehicle->faults[k];
-        tell(now, i, states_[i].fault_active[k] ? "failure" : "repaired", text_of(fault));
+        const bool fails = states_[i].fault_active[k];
+        tell(now, i, fails ? "failure" : "repaired",
+             fails ? text_of(fault) : text_of_end(fault));
       }
     }
   }

@@ -120,6 +120,21 @@ TEST(Failsafe, ReactsInTimeInEveryModeAndEndsWell) {
       }
 }
 
+TEST(Failsafe, WhatWasNeverHeardIsMissedToo) {
+  const Trouble troubles[] = {{"link", "{kind: link, at_s: 0}", "", 5,
+                               FailsafeReaction::kReturn, FailsafeReaction::kReturn},
+                              {"gnss", "{kind: sensor, part: gnss-receiver, at_s: 0}", "",
+                               2.1, FailsafeReaction::kHold, FailsafeReaction::kDescend}};
+  for (const char* plant : {kBixler, kQuad})
+    for (const Trouble& trouble : troubles) {
+      SCOPED_TRACE(fmt::format("{} {}", plant, trouble.name));
+      const FlightLog log = fly_into(trouble, plant, "guided", 10);
+      const double at = since(log, plant == kQuad ? trouble.quad : trouble.wing);
+      EXPECT_GE(at, 0) << log.story();
+      EXPECT_LE(at, trouble.delay + kStep) << log.story();
+    }
+}
+
 TEST(Failsafe, WaitsForThePilotAndActsWhenHeHandsBack) {
   for (const char* plant : {kBixler, kQuad})
     for (const Trouble& trouble : kTroubles)

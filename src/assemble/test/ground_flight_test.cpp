@@ -53,6 +53,33 @@ TEST(WholeRoute, LeadsFromGroundToGround) {
   }
 }
 
+TEST(WholeRoute, AWingThatFliesIntoAHillsideHasAnAccident) {
+  for (const char* aircraft : {"bixler", "aerosonde-stall"}) {
+    SCOPED_TRACE(aircraft);
+    // At 60 m the hill of 300 m rises by 0.27: faster than gears bear at these speeds.
+    const AutopilotCommand command{HoldCourse{geo::kPi}, 60, {}};
+    const FlightLog log = fly(fmt::format(R"(
+duration_s: 120
+environment:
+  terrain: {{kind: hill, height_m: 300, width_m: 400, centre_m: [0, 0]}}
+  wind: {{kind: uniform, speed_mps: 0, from_deg: 0}}
+  fire: none
+station: {{agent: listener}}
+aircraft:
+  - plant: {{kind: fixed-wing, aircraft: {}}}
+    autopilot: skein
+    sensors: [flight]
+    altitude_agl_m: 60
+    start: {{placement: list, positions_m: [[1500, 0]], heading_deg: 180}}
+)",
+                                          aircraft),
+                              {{{command}}});
+    ASSERT_NE(log.find("accident"), nullptr) << log.story();
+    const FlightRow& last = log.rows.at(1).back();
+    EXPECT_LT(last.altitude(), 90) << "on the flank, not on top";
+  }
+}
+
 TEST(WholeRoute, AScoutAndAWingmanTakeOffToo) {
   for (const char* agent : {"scout", "wingman"}) {
     SCOPED_TRACE(agent);

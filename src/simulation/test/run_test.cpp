@@ -311,6 +311,7 @@ TEST(Run, ASensorThatFailsSpeaksOfNowWhenItIsBack) {
   EXPECT_NEAR(listener->heard, 82 - 20, 1);
   EXPECT_LT(listener->longest, 0.11) << "not of the whole time of silence";
   EXPECT_EQ(notes.kinds, "joined failure repaired ");
+  EXPECT_NE(notes.text.find(" repaired  works again;"), std::string::npos) << notes.text;
 }
 
 // Payload that measures a range of its own in every step.

@@ -77,6 +77,8 @@ SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
       ground_(setup_->limits, hover_throttle(setup_->airframe), on_ground),
       flier_(make_flier(*setup_, home_N_)) {
   if (setup_->wing || setup_->rotors) last_ = Actuators{};
+  if (setup_->options.watches_link) input_.link_heard = initial.time;
+  if (setup_->options.watches_gnss) input_.gnss_fix = initial.time;
 }
 
 void SkeinAutopilot::begin(const NavEstimate& start, bool on_ground) {

@@ -40,6 +40,8 @@ struct SkeinOptions {
   PointGains point_gains;
   FailsafeOptions failsafe;
   GeofenceOptions fence;
+  /// Signs of life and positions are to come: their silence counts from the start on.
+  bool watches_link = false, watches_gnss = false;
   MotorWatchOptions motor_watch;
   ConsumptionOptions consumption;
   /// Fixed wings: lap k of FlyWaypoints is flown with entry k, those beyond the last with

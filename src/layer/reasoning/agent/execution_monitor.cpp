@@ -23,10 +23,13 @@ std::optional<Event> ExecutionMonitor::check(Time now, EntityId self,
   const bool off = off_ ? !within(half(zone_), error) : !within(zone_, error);
   if (off == off_) return std::nullopt;
   off_ = off;
-  return Event{
-      now, self, off ? "off-plan" : "on-plan",
-      fmt::format("{:.1f} s {} the plan, {:.1f} m off the path", std::abs(error.time),
-                  error.time < 0 ? "ahead of" : "behind", std::abs(error.across))};
+  // A path has no times to be late for.
+  const std::string late =
+      error.time == 0 ? ""
+                      : fmt::format("{:.1f} s {} the plan, ", std::abs(error.time),
+                                    error.time < 0 ? "ahead of" : "behind");
+  return Event{now, self, off ? "off-plan" : "on-plan",
+               fmt::format("{}{:.1f} m off the path", late, std::abs(error.across))};
 }
 
 }  // namespace skein::reasoning

@@ -40,6 +40,11 @@ TEST(ExecutionMonitor, TellsOnceWhenAnErrorLeavesItsRangeAndOnceWhenItIsBack) {
   EXPECT_EQ(on->text, "0.5 s ahead of the plan, 0.0 m off the path");
 }
 
+TEST(ExecutionMonitor, SaysNothingOfTimeWhereThereIsNone) {
+  ExecutionMonitor monitor(SafetyZone{2, 8, 20});
+  EXPECT_EQ(monitor.check({}, {}, status(0, 30))->text, "30.0 m off the path");
+}
+
 TEST(ExecutionMonitor, JudgesOnlyWhatIsFollowed) {
   ExecutionMonitor monitor(SafetyZone{});
   AutopilotStatus s = status(100, 500);
