@@ -69,8 +69,14 @@ std::string file_key(const Object& keys, std::string_view member) {
 std::vector<scenario::RuleFault> at_file_keys(
     const Object& keys, const std::vector<asset::ParameterFault>& faults) {
   std::vector<scenario::RuleFault> found;
-  for (const asset::ParameterFault& fault : faults)
-    found.push_back({file_key(keys, fault.key), fault.message + ".", {""}});
+  for (const asset::ParameterFault& fault : faults) {
+    const std::string key = file_key(keys, fault.key);
+    const bool in_degrees = key.find("_deg") != std::string::npos;
+    found.push_back(
+        {key,
+         fault.message + (in_degrees ? " (in radians; the file has degrees)." : "."),
+         {""}});
+  }
   return found;
 }
 

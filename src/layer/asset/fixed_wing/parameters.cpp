@@ -58,8 +58,8 @@ void check_servos(ParameterCheck& check, const Servos& s) {
   check.within("aileron_max", s.aileron_max, 0.01, 1.5);
   check.within("elevator_max", s.elevator_max, 0.01, 1.5);
   check.within("rudder_max", s.rudder_max, 0, 1.5);
-  check.within("rate", s.rate, 0.01, 1000);
-  check.within("lag", s.lag, 1e-3, 10);
+  check.within("rate", s.rate, 0.1, 1000);
+  check.within("lag", s.lag, 1e-3, 1);
 }
 
 void check_envelope(ParameterCheck& check, const Envelope& e) {
@@ -102,6 +102,11 @@ void check_numbers(ParameterCheck& check, const FixedWingParameters& p) {
   check.above("geometry.area", p.geometry.area, 0);
   check.above("geometry.span", p.geometry.span, 0);
   check.above("geometry.chord", p.geometry.chord, 0);
+  const double box = p.geometry.span * p.geometry.chord;
+  check.require(
+      box > 0.4 * p.geometry.area && box < 2.5 * p.geometry.area, "geometry.chord",
+      p.geometry.chord,
+      "times the span must be the wing's area, or within a factor of 2.5 of it");
   check.part("aero", found_by(p.aero, check_aero));
   if (p.stall) {
     check.within("stall.alpha", p.stall->alpha, 0.05, 1);
