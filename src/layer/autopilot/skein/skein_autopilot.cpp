@@ -139,7 +139,8 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   input_.estimator_healthy = std::isfinite(nav.p_N.sum() + nav.v_N.sum()) &&
                              (now - nav.time).seconds() < kStaleState;
   if (powered_ && (now - power_time_).seconds() > kSilentMonitor)
-    input_.charge = power_charge_ - consumption_.rate() * (now - power_time_).seconds();
+    input_.charge = std::max(
+        0.0, power_charge_ - consumption_.rate() * (now - power_time_).seconds());
   // What the landing still takes is not known while it is flown. It is finished.
   if (order_ == Order::kLand)
     input_.charge_home = std::min(input_.charge_home, input_.charge);

@@ -164,6 +164,8 @@ TEST(SkeinAutopilot, CountsOnWhenTheBatteryMonitorFallsSilent) {
   flight.fly(100);
   EXPECT_NEAR(flight.autopilot().status().charge, 1 - 0.005 * 160, 0.03);
   EXPECT_EQ(flight.autopilot().status().trigger, FailsafeTrigger::kBattery);
+  flight.fly(100);
+  EXPECT_EQ(flight.autopilot().status().charge, 0) << "empty, not less";
 }
 
 TEST(SkeinAutopilot, WhatAFailsafeHasDoneIsNotTheMissionsEnd) {
