@@ -112,7 +112,10 @@ void Wingman::follow(const FollowLeader& order, const AgentInput& in, AgentOutpu
     return;
   }
   if ((in.now - leader_->at.time).seconds() > kLostLeader) return;
-  if (!obeys_orders(in.autopilot)) demanded_.reset();
+  // What nobody has flown since, or what has come to its end, says nothing of now.
+  if (!obeys_orders(in.autopilot) ||
+      (demanded_ && demanded_->end() < in.nav->time.seconds()))
+    demanded_.reset();
   NavEstimate from = *in.nav;
   if (demanded_) {
     const model::PlanCurve::State height = demanded_->at(from.time.seconds());

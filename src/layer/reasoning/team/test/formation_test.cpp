@@ -112,6 +112,7 @@ class WingmanTest : public testing::Test {
     in.nav = &own;
     in.autopilot.on_ground = on_ground;
     in.autopilot.reaction = reaction;
+    in.autopilot.trigger = trigger;
     in.inbox = inbox;
     AgentOutput out;
     wingman->step(in, out);
@@ -128,6 +129,7 @@ class WingmanTest : public testing::Test {
   bool on_ground = false;
   double altitude = 150, climb = 0;
   FailsafeReaction reaction = FailsafeReaction::kNone;
+  FailsafeTrigger trigger = FailsafeTrigger::kNone;
   std::optional<Wingman> wingman{std::in_place, WingmanOptions{}, EntityId{2},
                                  EntityId{0},   FlightLimits{},   ground,
                                  zones};
@@ -191,6 +193,21 @@ TEST_F(WingmanTest, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
   const Plan back = heights(2.5);
   EXPECT_LT(back.front().p_N.z(), -160);
   EXPECT_GT(back.back().p_N.z(), -160) << "down to the leader";
+  // A leader that was lost for long is followed anew from where one is.
+  altitude = 140, climb = 0;
+  EXPECT_NEAR(heights(60).front().p_N.z(), -140, 1e-9);
+}
+
+TEST_F(WingmanTest, ReportsThatItDoesNotObeyWhereAFailsafeHasLandedIt) {
+  const auto obeys = [&](double time) {
+    return std::get<AircraftReport>(step(time, {}).outbox.at(0).content).obeys;
+  };
+  trigger = FailsafeTrigger::kBattery;
+  EXPECT_TRUE(obeys(0)) << "it is told of, and flies on";
+  on_ground = true;
+  EXPECT_FALSE(obeys(2));
+  trigger = FailsafeTrigger::kNone;
+  EXPECT_TRUE(obeys(4)) << "it may take off";
 }
 
 TEST_F(WingmanTest, SwapsRolesAndKeepsTheNewestOrder) {
