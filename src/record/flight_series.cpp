@@ -19,9 +19,8 @@ void FlightSeriesBuilder::truth(EntityId id, const Truth& row) {
     at->second.series.id = id;
   }
   FlightSeries& s = at->second.series;
-  if (!s.time.empty() &&
-      row.time < static_cast<double>(s.time.back()) + step_ - kSameTime)
-    return;
+  if (!s.time.empty() && row.time < at->second.due - kSameTime) return;
+  at->second.due = row.time + step_;
   s.time.push_back(static_cast<float>(row.time));
   s.altitude_msl.push_back(static_cast<float>(row.altitude_msl));
   s.airspeed.push_back(static_cast<float>(row.airspeed));

@@ -49,6 +49,7 @@ class FlightSeriesBuilder {
   struct Flight {
     FlightSeries series;
     std::vector<Vec2> places;  // of the samples
+    double due = 0;            // time of the next sample, if there is one [s]
     std::size_t next = 0;      // sample that waits for its estimate
   };
   double step_;

@@ -179,6 +179,16 @@ TEST(Report, ShowsHowTheAircraftOfOneRunFlew) {
   EXPECT_EQ(thin.flights[0].time.size(), 101u);
 }
 
+TEST(FlightSeries, HasEvenStepsUntilTheEndOfALongRun) {
+  FlightSeriesBuilder builder(7.2, 8);
+  for (int k = 0; k <= 36000; ++k)
+    builder.truth(EntityId{1}, {0.1 * k, Vec2::Zero(), 100, 20, 1});
+  const FlightSeries series = builder.take().at(0);
+  ASSERT_EQ(series.time.size(), 501u);
+  for (std::size_t k = 0; k < series.time.size(); ++k)
+    EXPECT_NEAR(series.time[k], 7.2 * static_cast<double>(k), 1e-3);
+}
+
 TEST(Report, LeavesOutWhatAFlightWithoutFireHasNot) {
   const TemporaryFolder folder("no_fire");
   auto recorder = RunRecorder::create(folder.path() / "run", kInfo).value();
