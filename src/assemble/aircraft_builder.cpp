@@ -156,7 +156,7 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
   vehicle.state = vehicle.plant->start(start);
   vehicle.air.wind_N = start.wind_N;
   for (const Zone& zone : zones_)
-    if (geo::contains(zone.ring, place.position))
+    if (covers(zone, place.position))
       return Error{ErrorCode::kBadInput, name,
                    fmt::format("starts inside a no-flight zone, at {:.0f} m north, "
                                "{:.0f} m east.",

@@ -66,7 +66,7 @@ class Builder {
     const geo::Region area =
         geo::clean(scenario.environment.zones, geo::FillRule::kNonZero);
     for (const geo::Ring& ring : area)
-      if (geo::signed_area(ring) > 0) zones_.push_back({ring});
+      if (geo::signed_area(ring) > 0) zones_.push_back({.area = ring});
   }
 
   Result<Build> build() {

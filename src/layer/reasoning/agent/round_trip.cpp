@@ -47,7 +47,7 @@ std::optional<Vec2> into_zone(std::span<const Vec2> points, bool closed,
     const Vec2 &a = points[i], &b = points[last ? 0 : i + 1];
     std::optional<double> first;
     for (const Zone& zone : zones)
-      if (const auto at = meets(a, b, zone.ring))
+      if (const auto at = meets(a, b, outline(zone)))
         first = std::min(first.value_or(*at), *at);
     if (first) return a + *first * (b - a);
   }

@@ -20,7 +20,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 ZoneGuard::ZoneGuard(const ZoneGuardOptions& options, const FlightLimits& limits,
                      std::span<const Zone> zones)
     : options_(options), limits_(limits) {
-  for (const Zone& zone : zones) zones_.emplace_back(geo::Region{zone.ring});
+  for (const Zone& zone : zones) zones_.emplace_back(geo::Region{outline(zone)});
 }
 
 double ZoneGuard::distance(const Vec2& p) const {

@@ -196,8 +196,9 @@ TEST(MonitorAgent, FollowsAFire) {
 }
 
 TEST(MonitorAgent, NeverEntersAZoneWhateverItsTask) {
-  const std::vector<Zone> zones{{{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}},
-                                {{{600, -200}, {900, -200}, {900, 200}, {600, 200}}}};
+  const std::vector<Zone> zones{
+      {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}},
+      {.area = geo::Ring{{600, -200}, {900, -200}, {900, 200}, {600, 200}}}};
   const std::vector<decltype(Task::what)> tasks{FlyTo{{450, 0}},
                                                 FlyTo{{0, 0}},
                                                 FlyCourse{0},
@@ -222,7 +223,8 @@ TEST(MonitorAgent, NeverEntersAZoneWhateverItsTask) {
 }
 
 TEST(MonitorAgent, PassesAZoneOnItsWay) {
-  const std::vector<Zone> zones{{{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}}};
+  const std::vector<Zone> zones{
+      {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}}};
   Mission mission(zones, {0, 4});
   mission.aircraft.p = {-1000, 20, -220};
   mission.send(1, FlyTo{{1000, 0}});

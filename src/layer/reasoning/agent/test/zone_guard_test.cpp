@@ -13,22 +13,22 @@ namespace skein::reasoning {
 namespace {
 
 Zone hexagon(const Vec2& centre, double radius) {
-  Zone zone;
+  geo::Ring ring;
   for (int i = 0; i < 6; ++i)
-    zone.ring.push_back(centre + radius * geo::unit(i * geo::kPi / 3));
-  return zone;
+    ring.push_back(centre + radius * geo::unit(i * geo::kPi / 3));
+  return {.area = ring};
 }
 
 // A bay 600 m wide and 800 m deep, open to the south.
 Zone bay() {
-  return {{{-400, -500},
-           {600, -500},
-           {600, 500},
-           {-400, 500},
-           {-400, 300},
-           {400, 300},
-           {400, -300},
-           {-400, -300}}};
+  return {.area = geo::Ring{{-400, -500},
+                            {600, -500},
+                            {600, 500},
+                            {-400, 500},
+                            {-400, 300},
+                            {400, 300},
+                            {400, -300},
+                            {-400, -300}}};
 }
 
 // Flies with `wanted` (asked once a second) and returns the smallest distance to a zone.

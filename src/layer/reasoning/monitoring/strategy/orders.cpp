@@ -39,7 +39,7 @@ std::optional<Vec2> Orders::place(EntityId aircraft) const {
 
 bool in_zone(std::span<const Zone> zones, const Vec2& place) {
   return std::any_of(zones.begin(), zones.end(),
-                     [&](const Zone& zone) { return geo::contains(zone.ring, place); });
+                     [&](const Zone& zone) { return covers(zone, place); });
 }
 
 }  // namespace skein::monitoring

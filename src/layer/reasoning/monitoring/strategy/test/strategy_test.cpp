@@ -212,7 +212,8 @@ TEST(Sweep, SpreadsMoreAircraftThanThereAreArcs) {
 
 TEST(Sweep, OrdersNothingWhereNoPlaceIsAllowed) {
   Scene scene;
-  scene.zones = {{{{-5000, -5000}, {5000, -5000}, {5000, 5000}, {-5000, 5000}}}};
+  scene.zones = {
+      {.area = geo::Ring{{-5000, -5000}, {5000, -5000}, {5000, 5000}, {-5000, 5000}}}};
   EXPECT_TRUE(SweepStrategy({}).assign(scene.situation()).empty());
 }
 

@@ -1,0 +1,148 @@
+#include "model/connection/connection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "model/connection/words.h"
+#include "model/path/flight_plan.h"
+
+namespace skein::model {
+namespace {
+
+using words::kNever;
+
+// The centres' distance below which the goal's way counts as irregular, in turn radii.
+constexpr double kIrregular = 4;
+
+bool finite(const Pose& pose) {
+  return std::isfinite(pose.position.x()) && std::isfinite(pose.position.y()) &&
+         std::isfinite(pose.course);
+}
+
+words::Problem reduced(const Pose& from, const Pose& to, const AirMotion& air) {
+  const Vec2 along = geo::unit(from.course);
+  const auto turned = [&](const Vec2& v) {
+    return Vec2(along.dot(v), geo::cross(along, v));
+  };
+  words::Problem p;
+  p.goal = turned(to.position - from.position) / air.turn_radius;
+  p.phi = words::turned(to.course - from.course);
+  p.sin_phi = std::sin(p.phi);
+  p.cos_phi = std::cos(p.phi);
+  p.wind = turned(air.wind) / air.airspeed;
+  p.wind2 = p.wind.squaredNorm();
+  return p;
+}
+
+// Whether the goal, seen from the air mass, is within 4 radii of the start at some time
+// up to `time`.
+bool irregular(const words::Problem& p, double time) {
+  if (p.wind2 == 0) return false;
+  const double nearest = std::clamp(p.goal.dot(p.wind) / p.wind2, 0.0, time);
+  return (p.goal - nearest * p.wind).squaredNorm() < kIrregular * kIrregular;
+}
+
+// Turns of the parts of a word: +1 right, -1 left, 0 straight.
+std::array<int, 3> sides(DubinsWord word) {
+  switch (word) {
+    case DubinsWord::kLSL:
+      return {-1, 0, -1};
+    case DubinsWord::kLSR:
+      return {-1, 0, +1};
+    case DubinsWord::kRSL:
+      return {+1, 0, -1};
+    case DubinsWord::kRSR:
+      return {+1, 0, +1};
+    case DubinsWord::kLRL:
+      return {-1, +1, -1};
+    case DubinsWord::kRLR:
+      return {+1, -1, +1};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view name_of(ConnectionStatus status) {
+  switch (status) {
+    case ConnectionStatus::kFound:
+      return "found";
+    case ConnectionStatus::kWindTooStrong:
+      return "wind-too-strong";
+    case ConnectionStatus::kBadInput:
+      return "bad-input";
+  }
+  return "";
+}
+
+std::string_view name_of(DubinsWord word) {
+  constexpr std::array<std::string_view, 6> kNames = {"LSL", "LSR", "RSL",
+                                                      "RSR", "LRL", "RLR"};
+  return kNames[static_cast<std::size_t>(word)];
+}
+
+Connection connect(const Pose& from, const Pose& to, const AirMotion& air) {
+  Connection best;
+  best.time = kNever;
+  const bool usable = finite(from) && finite(to) && std::isfinite(air.airspeed) &&
+                      std::isfinite(air.turn_radius) && air.wind.allFinite() &&
+                      air.airspeed > 0 && air.turn_radius > 0;
+  if (!usable) return best;
+  const words::Problem right = reduced(from, to, air);
+  if (right.wind2 >= 1) {
+    best.status = ConnectionStatus::kWindTooStrong;
+    return best;
+  }
+  const words::Problem left = right.mirrored();
+  double time = kNever;
+  const auto take = [&](DubinsWord word, const words::Meeting& m) {
+    if (!(m.time < time)) return;
+    time = m.time;
+    best.word = word;
+    best.parts = m.parts;
+  };
+  take(DubinsWord::kRSR, words::equal_turns(right, time));
+  take(DubinsWord::kLSL, words::equal_turns(left, time));
+  take(DubinsWord::kRSL, words::opposite_turns(right, time));
+  take(DubinsWord::kLSR, words::opposite_turns(left, time));
+  take(DubinsWord::kRLR, words::three_turns(right, time));
+  take(DubinsWord::kLRL, words::three_turns(left, time));
+  SKEIN_CHECK(time < kNever, from.course, to.course, air.airspeed);
+  best.status = ConnectionStatus::kFound;
+  best.irregular = irregular(right, time);
+  best.time = time * air.turn_radius / air.airspeed;
+  return best;
+}
+
+void connect(std::span<const ConnectionQuery> queries, std::span<Connection> out) {
+  SKEIN_CHECK(queries.size() == out.size(), queries.size(), out.size());
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    out[i] = connect(queries[i].from, queries[i].to, queries[i].air);
+}
+
+FlightPlan to_flight_plan(const Connection& connection, const Pose& from,
+                          const AirMotion& air, double start, double down) {
+  FlightPlan plan;
+  if (connection.status != ConnectionStatus::kFound) return plan;
+  const std::array<int, 3> side = sides(connection.word);
+  FlightElement e;
+  e.start = start;
+  e.p_N = {from.position.x(), from.position.y(), down};
+  e.heading = from.course;
+  e.airspeed = air.airspeed;
+  e.wind = air.wind;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (connection.parts[i] <= 0) continue;
+    e.duration = connection.parts[i] * air.turn_radius / air.airspeed;
+    e.turn_rate = side[i] * air.airspeed / air.turn_radius;
+    plan.push_back(e);
+    const FlightMoment end = end_of(e);
+    e.start += e.duration;
+    e.p_N = end.p_N;
+    e.heading = end.heading;
+  }
+  return plan;
+}
+
+}  // namespace skein::model
