@@ -21,7 +21,7 @@ struct Zone {
   double ceiling_msl = std::numeric_limits<double>::infinity();  ///< highest altitude [m]
   double from = -std::numeric_limits<double>::infinity();        ///< forbidden since [s]
   double until = std::numeric_limits<double>::infinity();        ///< forbidden until [s]
-  std::string name;  ///< for people; may be empty
+  std::string name = {};  ///< for people; may be empty
 };
 
 /// Whether a place on the map lies over or under the zone, whatever altitude and time.
