@@ -25,4 +25,10 @@ struct FlightElement {
 /// plan is no flight.
 using FlightPlan = std::vector<FlightElement>;
 
+/// A place in space with a heading of the air-relative velocity.
+struct FlightState {
+  Vec3 p_N = Vec3::Zero();  ///< [m]
+  double heading = 0;       ///< [rad]
+};
+
 }  // namespace skein

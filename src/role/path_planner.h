@@ -14,12 +14,6 @@
 
 namespace skein {
 
-/// A place in space with a heading of the air-relative velocity.
-struct FlightState {
-  Vec3 p_N = Vec3::Zero();  ///< [m]
-  double heading = 0;       ///< [rad]
-};
-
 /// How much work a planner may do.
 struct PlanningBudget {
   /// States it may look at. What is simulated uses this limit only: it does not depend on

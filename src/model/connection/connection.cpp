@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "model/connection/words.h"
 #include "model/path/flight_plan.h"
+#include "model/path/wind_triangle.h"
 
 namespace skein::model {
 namespace {
@@ -35,31 +36,18 @@ words::Problem reduced(const Pose& from, const Pose& to, const AirMotion& air) {
   return p;
 }
 
+Connection calm(const Pose& from, const Pose& to, const AirMotion& air) {
+  const DubinsPath path = dubins(from, to, air.turn_radius);
+  return {ConnectionStatus::kFound, path.word, false, path.parts,
+          path.length() / air.airspeed};
+}
+
 // Whether the goal, seen from the air mass, is within 4 radii of the start at some time
 // up to `time`.
 bool irregular(const words::Problem& p, double time) {
   if (p.wind2 == 0) return false;
   const double nearest = std::clamp(p.goal.dot(p.wind) / p.wind2, 0.0, time);
   return (p.goal - nearest * p.wind).squaredNorm() < kIrregular * kIrregular;
-}
-
-// Turns of the parts of a word: +1 right, -1 left, 0 straight.
-std::array<int, 3> sides(DubinsWord word) {
-  switch (word) {
-    case DubinsWord::kLSL:
-      return {-1, 0, -1};
-    case DubinsWord::kLSR:
-      return {-1, 0, +1};
-    case DubinsWord::kRSL:
-      return {+1, 0, -1};
-    case DubinsWord::kRSR:
-      return {+1, 0, +1};
-    case DubinsWord::kLRL:
-      return {-1, +1, -1};
-    case DubinsWord::kRLR:
-      return {+1, -1, +1};
-  }
-  return {};
 }
 
 }  // namespace
@@ -76,12 +64,6 @@ std::string_view name_of(ConnectionStatus status) {
   return "";
 }
 
-std::string_view name_of(DubinsWord word) {
-  constexpr std::array<std::string_view, 6> kNames = {"LSL", "LSR", "RSL",
-                                                      "RSR", "LRL", "RLR"};
-  return kNames[static_cast<std::size_t>(word)];
-}
-
 Connection connect(const Pose& from, const Pose& to, const AirMotion& air) {
   Connection best;
   best.time = kNever;
@@ -89,6 +71,7 @@ Connection connect(const Pose& from, const Pose& to, const AirMotion& air) {
                       std::isfinite(air.turn_radius) && air.wind.allFinite() &&
                       air.airspeed > 0 && air.turn_radius > 0;
   if (!usable) return best;
+  if (air.wind.isZero(0)) return calm(from, to, air);
   const words::Problem right = reduced(from, to, air);
   if (right.wind2 >= 1) {
     best.status = ConnectionStatus::kWindTooStrong;
@@ -115,6 +98,12 @@ Connection connect(const Pose& from, const Pose& to, const AirMotion& air) {
   return best;
 }
 
+std::optional<Pose> heading_pose(const Pose& over_ground, const AirMotion& air) {
+  const auto heading = heading_for_course(over_ground.course, air.airspeed, air.wind);
+  if (!heading) return std::nullopt;
+  return Pose{over_ground.position, *heading};
+}
+
 void connect(std::span<const ConnectionQuery> queries, std::span<Connection> out) {
   SKEIN_CHECK(queries.size() == out.size(), queries.size(), out.size());
   for (std::size_t i = 0; i < queries.size(); ++i)
@@ -125,7 +114,7 @@ FlightPlan to_flight_plan(const Connection& connection, const Pose& from,
                           const AirMotion& air, double start, double down) {
   FlightPlan plan;
   if (connection.status != ConnectionStatus::kFound) return plan;
-  const std::array<int, 3> side = sides(connection.word);
+  const std::array<int, 3> side = sides_of(connection.word);
   FlightElement e;
   e.start = start;
   e.p_N = {from.position.x(), from.position.y(), down};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -28,8 +29,6 @@ enum class ConnectionStatus : std::uint8_t {
 
 /// The word for a status, as files and messages have it.
 std::string_view name_of(ConnectionStatus status);
-/// "LSL", ...
-std::string_view name_of(DubinsWord word);
 
 /// The quickest flight of one Dubins word from one pose to another in a constant wind.
 struct Connection {
@@ -64,6 +63,11 @@ struct Connection {
 /// Cost:     no allocation.
 /// Reference: docs/planning.md (derivation); [McGee05].
 Connection connect(const Pose& from, const Pose& to, const AirMotion& air);
+
+/// The pose whose heading makes good the course of `over_ground` in the wind: connections
+/// take headings, courses over ground go through here. Nothing when no heading gives that
+/// course, which is never the case while |wind| < airspeed.
+std::optional<Pose> heading_pose(const Pose& over_ground, const AirMotion& air);
 
 /// Many connections in one wind model each; `out` has the size of `queries`.
 struct ConnectionQuery {

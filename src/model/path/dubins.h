@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "data/path.h"
 #include "model/path/pose.h"
@@ -11,9 +12,11 @@ namespace skein::model {
 /// straight.
 enum class DubinsWord { kLSL, kLSR, kRSL, kRSR, kLRL, kRLR };
 
-inline constexpr std::array kDubinsWords = {DubinsWord::kLSL, DubinsWord::kLSR,
-                                            DubinsWord::kRSL, DubinsWord::kRSR,
-                                            DubinsWord::kLRL, DubinsWord::kRLR};
+/// Turns of the three parts of a word: +1 right, -1 left, 0 straight.
+std::array<int, 3> sides_of(DubinsWord word);
+
+/// "LSL", ...
+std::string_view name_of(DubinsWord word);
 
 /// One path of turns and straights between two poses.
 struct DubinsPath {
@@ -25,18 +28,11 @@ struct DubinsPath {
   double length() const { return radius * (parts[0] + parts[1] + parts[2]); }  ///< [m]
 };
 
-/// The path of one word; infinitely long when that word does not reach.
-///
-/// Of the two middle arcs of LRL and RLR the one over pi is taken, which is the one a
-/// shortest path can have.
-///
-/// @param radius  of the turns [m], above 0.
-DubinsPath dubins_word(DubinsWord word, const Pose& from, const Pose& to, double radius);
-
 /// The shortest path between two poses with turns no tighter than `radius`.
 ///
-/// Equal poses give length 0. A turn within 1e-9 rad of a full one counts as none, so
-/// that rounding never adds a loop. Cost:      no allocation, about ten angle functions.
+/// Equal poses give length 0. A turn within 1e-11 rad of a full one counts as none, so
+/// that rounding never adds a loop.
+/// Cost:      no allocation, about five angle functions; figures in docs/planning.md.
 /// Reference: [Dubins57]; closed forms as derived in docs/aircraft.md.
 DubinsPath dubins(const Pose& from, const Pose& to, double radius);
 
