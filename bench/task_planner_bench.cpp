@@ -1,0 +1,120 @@
+// Planners for tasks: what a survey costs to plan, and how far it is from the best sweep
+// of all bearings in steps of 0.25 degrees.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "layer/reasoning/planning/tasks/coverage.h"
+#include "layer/reasoning/planning/tasks/sweep_search.h"
+
+namespace skein::planning {
+namespace {
+
+const FlightLimits kLimits{15, 40, 3, 11, 20, 3};
+
+// A star-shaped ring of random corners, about `radius` around the origin.
+geo::Ring ring_of(RandomStream& random, int corners, double radius, double ragged) {
+  geo::Ring ring;
+  for (int i = 0; i < corners; ++i)
+    ring.push_back(random.uniform(radius * (1 - ragged), radius) *
+                   geo::unit(2 * geo::kPi * (i + 0.7 * random.uniform()) / corners));
+  return ring;
+}
+
+// Case i of a series: shapes from triangles to ragged stars, some with a hole, turn radii
+// from half to two thirds of twice the spacing, wind up to 0.8 of the airspeed.
+SweepTask task_of(std::uint64_t i, int aircraft) {
+  RandomStream random(i, 0, Purpose::kTest);
+  SweepTask task;
+  task.area = {ring_of(random, 3 + static_cast<int>(i % 6), 700, i % 2 == 0 ? 0.3 : 0.7)};
+  if (i % 3 == 2) {
+    geo::Ring hole = ring_of(random, 5, 120, 0.4);
+    std::reverse(hole.begin(), hole.end());
+    task.area.push_back(hole);
+  }
+  task.spacing = random.uniform(60, 200);
+  const double radius = random.uniform(0.25, 1.5) * task.spacing;
+  task.air = {15, radius, random.uniform(0, 12) * geo::unit(random.uniform(0, 6.3))};
+  task.joined = radius;
+  for (int k = 0; k < aircraft; ++k)
+    task.ends.push_back(
+        {model::Pose{{random.uniform(-900, 900), -900}, random.uniform(0, 6)},
+         std::nullopt});
+  return task;
+}
+
+double best_of_all(const SweepTask& task) {
+  double best = 1e300;
+  for (int k = 0; k < 720; ++k)
+    best = std::min(best, sweep_at(task, k * geo::kPi / 720, {}).longest);
+  return best;
+}
+
+// How much longer than the best of 720 bearings, with the same orders: worst and mean.
+void sweep_gap(benchmark::State& state) {
+  const auto aircraft = static_cast<int>(state.range(0));
+  double worst = -1, mean = 0, over = 0;
+  constexpr std::uint64_t kCases = 200;
+  for (auto _ : state) {
+    for (std::uint64_t i = 0; i < kCases; ++i) {
+      const SweepTask task = task_of(i, aircraft);
+      const double gap = best_sweep(task).longest / best_of_all(task) - 1;
+      worst = std::max(worst, gap);
+      mean += gap / kCases;
+      over += gap > 0.03 ? 1 : 0;
+    }
+  }
+  state.counters["worst_%"] = 100 * worst;
+  state.counters["mean_%"] = 100 * mean;
+  state.counters["above_3%"] = over;
+}
+BENCHMARK(sweep_gap)->Arg(1)->Arg(3)->Iterations(1)->Unit(benchmark::kSecond);
+
+// How much longer than the best order, of up to 11 lines.
+void order_gap(benchmark::State& state) {
+  double worst = 0, mean = 0, count = 0;
+  for (auto _ : state)
+    for (std::uint64_t i = 0; i < 400; ++i) {
+      const SweepTask task = task_of(i, 1);
+      auto lines = lines_at(task, static_cast<double>(i), CellRule::kCommonLines);
+      if (lines.size() > 11) lines.resize(11);
+      LineCosts costs(lines, task.air, task.ends);
+      const Route pattern = quickest_pattern(costs, 0, 6);
+      const double best = route_time(costs, 0, quickest_order(costs, 0, pattern));
+      const double gap = route_time(costs, 0, improved(costs, 0, pattern, 20)) / best - 1;
+      worst = std::max(worst, gap);
+      mean += gap;
+      ++count;
+    }
+  state.counters["worst_%"] = 100 * worst;
+  state.counters["mean_%"] = 100 * mean / count;
+}
+BENCHMARK(order_gap)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// A square of `range` lines with a hole.
+void coverage(benchmark::State& state) {
+  CoverageQuery q;
+  q.area = {{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}};
+  q.holes = {{{900, 900}, {1100, 950}, {1000, 1200}}};
+  q.swath = 2000 / static_cast<double>(state.range(0));
+  q.limits = kLimits;
+  q.wind = {3, 4};
+  q.aircraft.assign(static_cast<std::size_t>(state.range(1)), {FlightState{}, {}});
+  double longest = 0;
+  for (auto _ : state) longest = plan_coverage(q).longest;
+  state.counters["longest_s"] = longest;
+}
+BENCHMARK(coverage)
+    ->Args({10, 1})
+    ->Args({30, 1})
+    ->Args({100, 1})
+    ->Args({300, 1})
+    ->Args({30, 3})
+    ->Args({100, 3})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace skein::planning

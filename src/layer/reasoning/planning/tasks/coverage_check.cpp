@@ -1,0 +1,169 @@
+#include "layer/reasoning/planning/tasks/coverage_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geo/clip.h"
+#include "geo/self_crossing.h"
+#include "layer/reasoning/planning/tasks/limits_check.h"
+#include "layer/reasoning/planning/tasks/sweep_lines.h"
+
+namespace skein::planning {
+namespace {
+
+constexpr std::size_t kMostCorners = 2000;  // of all rings together
+constexpr double kMostCoordinate = 1e6;     // [m]
+
+CoverageResult refused(CoverageOutcome outcome, std::string reason) {
+  CoverageResult result;
+  result.outcome = outcome;
+  result.reason = std::move(reason);
+  return result;
+}
+
+// What is wrong with a ring; empty when nothing is.
+std::string fault_of(const geo::Ring& ring, const std::string& what) {
+  if (ring.size() < 3)
+    return fmt::format("{} has {} points; at least 3 make an area", what, ring.size());
+  if (ring.size() > kMostCorners)
+    return fmt::format("{} has {} points; {} are allowed", what, ring.size(),
+                       kMostCorners);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (!ring[i].allFinite() || ring[i].cwiseAbs().maxCoeff() > kMostCoordinate)
+      return fmt::format("point {} of {} is not a place within {:.0f} km", i, what,
+                         kMostCoordinate / 1000);
+  if (const auto crossing = geo::self_crossing(ring))
+    return fmt::format(
+        "{} crosses itself at north {:.1f} m, east {:.1f} m: edges {} and {}", what,
+        crossing->point.x(), crossing->point.y(), crossing->first, crossing->second);
+  if (std::abs(geo::signed_area(ring)) < kLeastArea)
+    return fmt::format("{} has no area", what);
+  return {};
+}
+
+std::string fault_of(const Zone& zone, const std::string& what) {
+  if (const auto* disc = std::get_if<Disc>(&zone.area)) {
+    const bool fine = disc->centre.allFinite() && std::isfinite(disc->radius) &&
+                      disc->centre.cwiseAbs().maxCoeff() <= kMostCoordinate &&
+                      disc->radius > 0 && disc->radius <= kMostCoordinate;
+    return fine ? "" : what + " is a disc without a place or a radius above 0";
+  }
+  const geo::Ring& ring = std::get<geo::Ring>(zone.area);
+  std::string fault = fault_of(ring, what);
+  if (fault.empty() && geo::signed_area(ring) < 0)
+    fault = what + " runs anticlockwise on the map; turned around it is fine";
+  return fault;
+}
+
+bool finite(const FlightState& state) {
+  return state.p_N.allFinite() && std::isfinite(state.heading);
+}
+
+std::optional<CoverageResult> check_aircraft(const CoverageQuery& query) {
+  const auto refuse = [&](std::string reason) {
+    return refused(CoverageOutcome::kBadAircraft, std::move(reason));
+  };
+  if (query.aircraft.empty()) return refuse("there is no aircraft");
+  if (query.aircraft.size() > 64) return refuse("more than 64 aircraft");
+  if (!std::isfinite(query.altitude_msl) || !std::isfinite(query.start_time))
+    return refuse("altitude and start time must be numbers");
+  if (std::string fault = limits_fault(query.limits); !fault.empty())
+    return refuse(std::move(fault));
+  for (std::size_t k = 0; k < query.aircraft.size(); ++k)
+    for (const auto& state : {query.aircraft[k].start, query.aircraft[k].end}) {
+      if (!state) continue;
+      if (!finite(*state))
+        return refuse(fmt::format("start or end of aircraft {} is not a number", k));
+      const double climb = query.altitude_msl + state->p_N.z();
+      if (std::abs(climb) > 1e-9 &&
+          !(query.limits.climb_rate > 0 && query.limits.sink_rate > 0))
+        return refuse(fmt::format(
+            "aircraft {} starts or ends {:.1f} m from the survey's altitude, but "
+            "cannot climb and sink",
+            k, climb));
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CoverageResult> check(const CoverageQuery& query) {
+  if (std::string fault = fault_of(query.area, "the area"); !fault.empty()) {
+    CoverageResult result = refused(CoverageOutcome::kBadArea, std::move(fault));
+    const bool crosses =
+        query.area.size() >= 3 && query.area.size() <= kMostCorners &&
+        std::all_of(query.area.begin(), query.area.end(), [](const Vec2& p) {
+          return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMostCoordinate;
+        });
+    if (crosses) result.alternative = geo::clean({query.area}, geo::FillRule::kEvenOdd);
+    if (result.alternative && result.alternative->empty()) result.alternative.reset();
+    return result;
+  }
+  for (std::size_t k = 0; k < query.holes.size(); ++k)
+    if (auto fault = fault_of(query.holes[k], fmt::format("hole {}", k)); !fault.empty())
+      return refused(CoverageOutcome::kBadZone, std::move(fault));
+  for (std::size_t k = 0; k < query.zones.size(); ++k)
+    if (auto fault = fault_of(query.zones[k], fmt::format("zone {}", k)); !fault.empty())
+      return refused(CoverageOutcome::kBadZone, std::move(fault));
+  const bool swath_fine =
+      std::isfinite(query.swath) && query.swath > 0 && query.overlap >= 0 &&
+      query.overlap < 1 && std::isfinite(query.overshoot) && query.overshoot >= 0 &&
+      (!query.zone_distance ||
+       (std::isfinite(*query.zone_distance) && *query.zone_distance >= 0));
+  if (!swath_fine)
+    return refused(
+        CoverageOutcome::kBadSwath,
+        "the swath must be above 0, the overlap from 0 to below 1, overshoot and "
+        "distance to zones at least 0");
+  if (query.bearing && !std::isfinite(*query.bearing))
+    return refused(CoverageOutcome::kBadSwath,
+                   "the bearing of the lines is not a number");
+  if (auto bad = check_aircraft(query)) return bad;
+  if (!query.wind.allFinite())
+    return refused(CoverageOutcome::kBadAircraft, "the wind is not a number");
+  if (query.wind.norm() >= query.limits.airspeed)
+    return refused(CoverageOutcome::kWindTooStrong,
+                   too_strong(query.wind.norm(), query.limits.airspeed));
+  return std::nullopt;
+}
+
+std::optional<CoverageResult> check_lines(const CoverageQuery& query,
+                                          const geo::Region& area) {
+  double widest = 0;
+  for (int k = 0; k < 180; ++k)
+    widest = std::max(widest, width_across(area, geo::radians(k)));
+  const double spacing = query.swath * (1 - query.overlap);
+  const double lines = widest / spacing;
+  if (lines <= kMostLines / 2.0) return std::nullopt;
+  return refused(
+      CoverageOutcome::kTooManyLines,
+      fmt::format("lines {:.3g} m apart make {:.0f} over an area {:.0f} m wide; {} are "
+                  "allowed: a swath of at least {:.3g} m",
+                  spacing, lines, widest, kMostLines / 2,
+                  2 * widest / kMostLines / (1 - query.overlap)));
+}
+
+std::vector<geo::Ring> zones_that_count(const CoverageQuery& query) {
+  std::vector<geo::Ring> rings;
+  for (const Zone& zone : query.zones)
+    if (query.altitude_msl >= zone.floor_msl && query.altitude_msl <= zone.ceiling_msl &&
+        zone.until >= query.start_time)
+      rings.push_back(outline(zone));
+  return rings;
+}
+
+geo::Region area_to_cover(const CoverageQuery& query,
+                          const std::vector<geo::Ring>& zones) {
+  geo::Region cut = zones;
+  for (const geo::Ring& hole : query.holes) {
+    cut.push_back(hole);
+    if (geo::signed_area(hole) < 0) std::reverse(cut.back().begin(), cut.back().end());
+  }
+  geo::Ring outer = query.area;
+  if (geo::signed_area(outer) < 0) std::reverse(outer.begin(), outer.end());
+  return geo::subtract({outer}, cut);
+}
+
+}  // namespace skein::planning

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "layer/reasoning/planning/tasks/line_order.h"
+
+namespace skein::planning {
+
+/// Divides all lines among the aircraft, and orders each one's, so that the longest route
+/// is short; of equally long ones, so that the sum is. One aircraft flies them all.
+///
+/// A good order for all lines is cut into parts (dynamic programme over the cuts); then
+/// lines are moved from the longest route to others, and ends of routes exchanged, while
+/// that helps.
+/// @returns  one route for each aircraft; some may be empty.
+std::vector<Route> share_lines(LineCosts& costs, const OrderEffort& effort);
+
+}  // namespace skein::planning

@@ -1,0 +1,259 @@
+#include "layer/reasoning/planning/tasks/sweep_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "layer/reasoning/planning/tasks/zone_lines.h"
+#include "model/path/wind_triangle.h"
+
+namespace skein::planning {
+namespace {
+
+// Between bearings that are tried.
+constexpr double kStep = geo::kPi / 720;
+constexpr std::array kRules = {CellRule::kCommonLines, CellRule::kSplit,
+                               CellRule::kSplitAtJumps};
+
+bool convex(const geo::Region& area) {
+  if (area.size() != 1) return false;
+  const geo::Ring& r = area[0];
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const Vec2& p = r[i];
+    const Vec2& q = r[(i + 1) % r.size()];
+    const Vec2& s = r[(i + 2) % r.size()];
+    if (geo::cross(q - p, s - q) < -1e-6 * (q - p).norm()) return false;
+  }
+  return true;
+}
+
+double half_turn(double bearing) {
+  const double b = geo::wrap_2pi(bearing);
+  return b >= geo::kPi ? b - geo::kPi : b;
+}
+
+// Bearings at which the number of lines across the whole area changes, on the side where
+// it is smaller.
+void add_fewer_lines(const SweepTask& task, std::vector<double>& bearings) {
+  const auto count = [&](double b) {
+    return std::ceil(width_across(task.area, b) / task.spacing - 1e-9);
+  };
+  for (int k = 0; k < 720; ++k) {
+    double few = k * kStep, many = few + kStep;
+    if (count(few) == count(many)) continue;
+    if (count(few) > count(many)) std::swap(few, many);
+    const double least = count(few);
+    for (int i = 0; i < 30; ++i) {
+      const double middle = (few + many) / 2;
+      (count(middle) <= least ? few : many) = middle;
+    }
+    bearings.push_back(half_turn(few));
+  }
+}
+
+std::vector<double> candidate_bearings(const SweepTask& task) {
+  std::vector<double> bearings;
+  for (int k = 0; k < 720; ++k) bearings.push_back(k * kStep);
+  for (const geo::Ring& ring : task.area)
+    for (std::size_t i = 0; i < ring.size() && ring.size() <= 64; ++i)
+      bearings.push_back(half_turn(geo::bearing(ring[(i + 1) % ring.size()] - ring[i])));
+  if (task.air.wind.norm() > 0)
+    for (const double turned : {0.0, geo::kPi / 2})
+      bearings.push_back(half_turn(geo::bearing(task.air.wind) + turned));
+  add_fewer_lines(task, bearings);
+  return bearings;
+}
+
+// How wide turns are in lines, and one more.
+int skip_of(const SweepTask& task) {
+  const double wide = 2 * task.air.turn_radius / task.spacing;
+  return std::clamp(static_cast<int>(std::ceil(wide)) + 1, 1, 8);
+}
+
+struct Candidate {
+  double bearing;
+  CellRule rule;
+  double time;  // estimate [s]
+  std::size_t lines;
+};
+
+// The quickest way from a line to one beside it, both ending at the same level [s].
+double usual_turn(const SweepTask& task, double bearing) {
+  double least = 1e300;
+  const Vec2 across = geo::turned_right(geo::unit(bearing));
+  for (const double course : {bearing, bearing + geo::kPi}) {
+    const auto out = model::heading_for_course(course, task.air.airspeed, task.air.wind);
+    const auto back =
+        model::heading_for_course(course + geo::kPi, task.air.airspeed, task.air.wind);
+    for (int skip = 1; skip <= skip_of(task); ++skip)
+      for (const double side : {-1.0, 1.0}) {
+        const model::Pose to{side * skip * task.spacing * across, *back};
+        least = std::min(least, model::connect({{0, 0}, *out}, to, task.air).time);
+      }
+  }
+  return least;
+}
+
+// Time on the lines, flown as often one way as the other, and usual turns between [s].
+double rough_time(const SweepTask& task, const std::vector<SweepLine>& lines,
+                  double bearing, double turn) {
+  double slowness = 0;  // of both directions together [s/m]
+  for (const double course : {bearing, bearing + geo::kPi}) {
+    const auto h = model::heading_for_course(course, task.air.airspeed, task.air.wind);
+    slowness += 1 / (task.air.airspeed * geo::unit(*h) + task.air.wind).norm();
+  }
+  double length = 0;
+  for (const SweepLine& line : lines) length += (line.b - line.a).norm();
+  return length * slowness / 2 + static_cast<double>(lines.size()) * turn;
+}
+
+DetourTime detour_of(const SweepTask& task) {
+  if (task.zones.empty()) return {};
+  double around = 0;
+  for (const geo::Ring& ring : task.zones) around = std::max(around, geo::length(ring));
+  const double slow = task.air.airspeed - task.air.wind.norm();
+  // Half around the largest zone and a turn: rather long, as it shall be avoided.
+  const double lost = (around / 2 + 2 * geo::kPi * task.air.turn_radius) / slow;
+  return [&task, lost](const model::Pose& from, const model::Pose&,
+                       const model::Connection& c) {
+    return enters(model::to_flight_plan(c, from, task.air), task.zones) ? lost : 0.0;
+  };
+}
+
+Sweep swept(const SweepTask& task, double bearing, CellRule rule,
+            const OrderEffort& effort) {
+  Sweep sweep;
+  sweep.bearing = bearing;
+  sweep.lines = lines_at(task, bearing, rule);
+  sweep.too_many = sweep.lines.size() > kMostLines;
+  if (sweep.lines.empty() || sweep.too_many) return sweep;
+  LineCosts costs(sweep.lines, task.air, task.ends, detour_of(task));
+  sweep.routes = share_lines(costs, effort);
+  sweep.longest = sweep.total = 0;
+  for (int a = 0; a < costs.aircraft(); ++a) {
+    const double time = route_time(costs, a, sweep.routes[static_cast<std::size_t>(a)]);
+    sweep.longest = std::max(sweep.longest, time);
+    sweep.total += time;
+  }
+  return sweep;
+}
+
+std::size_t count_for(double work, const std::vector<Candidate>& candidates, double least,
+                      double most) {
+  const auto lines = static_cast<double>(candidates.front().lines);
+  return static_cast<std::size_t>(std::clamp(work / lines, least, most));
+}
+
+void sort(std::vector<Candidate>& candidates) {
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.time < b.time; });
+}
+
+// The first of the list with its time in a simple order, the quickest first.
+std::vector<Candidate> in_simple_order(const SweepTask& task,
+                                       std::vector<Candidate> candidates) {
+  sort(candidates);
+  const std::size_t count = count_for(4000, candidates, 12, 100);
+  if (candidates.size() > count) candidates.resize(count);
+  for (Candidate& c : candidates) {
+    LineCosts costs(lines_at(task, c.bearing, c.rule), task.air, task.ends,
+                    detour_of(task));
+    c.time = route_time(costs, 0, quickest_pattern(costs, 0, skip_of(task)));
+  }
+  sort(candidates);
+  return candidates;
+}
+
+// Whether a list has one of the same rule within a step.
+bool has_like(const std::vector<Candidate>& list, const Candidate& c) {
+  return std::any_of(list.begin(), list.end(), [&](const Candidate& other) {
+    return other.rule == c.rule && std::abs(other.bearing - c.bearing) < 1.5 * kStep;
+  });
+}
+
+OrderEffort effort_for(const SweepTask& task, std::size_t lines) {
+  OrderEffort effort;
+  effort.most_skip = skip_of(task);
+  effort.kicks = static_cast<int>(std::clamp<std::size_t>(1000 / lines, 2, 40));
+  return effort;
+}
+
+Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
+  candidates = in_simple_order(task, std::move(candidates));
+  const std::size_t count = count_for(400, candidates, 3, 12);
+  std::vector<Candidate> tried;
+  Sweep best;
+  Candidate from = candidates.front();
+  for (const Candidate& c : candidates) {
+    if (tried.size() >= count) break;
+    if (has_like(tried, c)) continue;
+    tried.push_back(c);
+    Sweep next = swept(task, c.bearing, c.rule, effort_for(task, c.lines));
+    if (!better(next, best)) continue;
+    best = std::move(next);
+    from = c;
+  }
+  // Bearings beside the best one, ever closer.
+  for (double step = kStep; step > kStep / 10; step /= 2)
+    for (const double side : {-1.0, 1.0}) {
+      Sweep next = swept(task, best.bearing + side * step, from.rule,
+                         effort_for(task, from.lines));
+      if (better(next, best)) best = std::move(next);
+    }
+  return best;
+}
+
+}  // namespace
+
+bool better(const Sweep& a, const Sweep& b) {
+  if (a.longest < b.longest - 1e-9) return true;
+  return a.longest <= b.longest + 1e-9 && a.total < b.total - 1e-9;
+}
+
+std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule rule) {
+  std::vector<SweepLine> lines =
+      sweep_lines(task.area, bearing, task.spacing, rule, task.joined);
+  const Vec2 more = task.overshoot * geo::unit(bearing);
+  for (SweepLine& line : lines) {
+    line.a -= more;
+    line.b += more;
+  }
+  return clear_of(lines, task.zones, task.zone_distance);
+}
+
+Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort) {
+  Sweep best;
+  for (const CellRule rule : kRules) {
+    Sweep next = swept(task, bearing, rule, effort);
+    if (better(next, best) || (next.too_many && best.lines.empty()))
+      best = std::move(next);
+    if (convex(task.area)) break;
+  }
+  return best;
+}
+
+Sweep best_sweep(const SweepTask& task) {
+  std::vector<Candidate> candidates;
+  const bool one_rule = convex(task.area);
+  bool too_many = false;
+  for (const double bearing : candidate_bearings(task)) {
+    const double turn = usual_turn(task, bearing);
+    for (const CellRule rule : kRules) {
+      const auto lines = lines_at(task, bearing, rule);
+      too_many = too_many || lines.size() > kMostLines;
+      if (!lines.empty() && lines.size() <= kMostLines)
+        candidates.push_back(
+            {bearing, rule, rough_time(task, lines, bearing, turn), lines.size()});
+      if (one_rule) break;
+    }
+  }
+  if (candidates.empty()) {
+    Sweep none;
+    none.too_many = too_many;
+    return none;
+  }
+  return best_of(task, candidates);
+}
+
+}  // namespace skein::planning

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "layer/reasoning/planning/tasks/line_sharing.h"
+
+namespace skein::planning {
+
+/// An area to be swept by equal aircraft in one wind.
+struct SweepTask {
+  geo::Region area;              ///< clean
+  double spacing = 100;          ///< largest distance of lines [m]
+  double overshoot = 0;          ///< lines are this much longer at both ends [m]
+  double joined = 0;             ///< see sweep_lines
+  std::vector<geo::Ring> zones;  ///< to keep out of; positive
+  double zone_distance = 0;      ///< lines keep this far from them [m]
+  model::AirMotion air;
+  std::vector<RouteEnds> ends;  ///< of each aircraft
+};
+
+/// One way to sweep it.
+struct Sweep {
+  double bearing = 0;  ///< [rad]
+  std::vector<SweepLine> lines;
+  std::vector<Route> routes;
+  double longest = 1e300;  ///< of the routes [s]
+  double total = 1e300;    ///< of all routes [s]
+  bool too_many = false;   ///< no way: more than kMostLines lines
+};
+
+/// Whether a is done earlier than b, or as early with less flying.
+bool better(const Sweep& a, const Sweep& b);
+
+/// Lines at a bearing, with overshoot and clear of zones.
+std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule rule);
+
+/// The best sweep at a bearing, of all rules of division.
+Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort);
+
+/// The best sweep found over all bearings. `longest` is infinite when there are no lines.
+Sweep best_sweep(const SweepTask& task);
+
+}  // namespace skein::planning
