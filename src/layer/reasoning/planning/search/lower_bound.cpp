@@ -1,0 +1,48 @@
+#include "layer/reasoning/planning/search/lower_bound.h"
+
+#include <cmath>
+#include <limits>
+
+#include "layer/reasoning/planning/search/tangent_graph.h"
+
+namespace skein::planning {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMargin = 0.02;  // about corners [m]
+
+bool always(const Zone& z) {
+  return z.floor_msl == -kInfinity && z.ceiling_msl == kInfinity &&
+         z.from == -kInfinity && z.until == kInfinity;
+}
+
+}  // namespace
+
+LowerBound lower_bound(const PathQuery& query, Effort& effort) {
+  Airspace lasting;
+  if (query.airspace != nullptr)
+    for (const Zone& zone : query.airspace->zones)
+      if (always(zone)) lasting.zones.push_back(zone);
+  if (lasting.zones.empty()) return {};
+  PathQuery alone;
+  alone.airspace = &lasting;
+  const AirspaceMap map(alone);
+  std::vector<Round> rounds = rounds_of(lasting, {0, 0}, {0, 0}, 0);
+  for (Round& r : rounds)
+    if (r.corner) r.radius = kMargin;
+  const GroundSpeed speed(query.limits.airspeed, query.wind);
+  WayRequest request;
+  request.start = geo::horizontal(query.start.p_N);
+  request.goal = geo::horizontal(query.goal.p_N);
+  PlanningBudget budget = query.budget;
+  budget.states = effort.left();
+  const Ways found = find_ways(map, rounds, speed, request, budget);
+  effort.spend(found.states);
+  if (found.ways.empty()) return {found.complete ? kInfinity : 0};
+  double more = 0;  // what the margin adds [m]
+  for (const Way::Arc& arc : found.ways.front().arcs)
+    if (arc.round.corner) more += kMargin * arc.turned;
+  return {found.ways.front().time - more / speed.slowest()};
+}
+
+}  // namespace skein::planning
