@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,64 +73,6 @@ int estimators(const fs::path& folder) {
 }
 
 // --- studies of many runs -----------------------------------------------------------
-
-Result<record::RunSummary> run_item(const campaign::BatchItem& item,
-                                    const std::atomic<bool>& stop,
-                                    Recorder* listener = nullptr) {
-  assemble::QuietRun how;
-  how.version = kVersion;
-  how.stop = &stop;
-  how.listener = listener;
-  return assemble::run_quietly(item.scenario, how);
-}
-
-/// @param run  of one item; none: run_item().
-Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
-                                                     const StudyArguments& arguments,
-                                                     const fs::path& folder,
-                                                     const std::atomic<bool>& stop,
-                                                     campaign::RunScenario run = {}) {
-  if (auto made = make_folder(folder); !made) return made.error();
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  campaign::BatchOptions options;
-  options.threads = arguments.threads;
-  options.program = program_fingerprint();
-  options.journal = folder / "runs.jsonl";
-  options.stop = &stop;
-  options.progress = [terminal](std::size_t done, std::size_t all) {
-    if (terminal) complain("\r{} of {} runs", done, all);
-  };
-  if (!run)
-    run = [&stop](const campaign::BatchItem& item) { return run_item(item, stop); };
-  auto outcomes = campaign::run_batch(plan.items, run, options);
-  if (terminal) complain("\n");
-  return outcomes;
-}
-
-int finish(const std::string& study, const campaign::StudyPlan& plan,
-           const std::vector<campaign::BatchOutcome>& outcomes,
-           const record::StudyReport& report, const fs::path& folder,
-           const std::atomic<bool>& stop) {
-  const bool failed = tell_failures(plan.items, outcomes, folder);
-  if (auto written = write_text(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
-      !written)
-    return say_error(written.error());
-  if (auto written = record::write_study_report(report, folder / "report.html"); !written)
-    return say_error(written.error());
-  if (auto written = campaign::write_study_summary(
-          study, kVersion, report.alert.empty() ? "complete" : report.alert,
-          campaign::study_figures(plan, outcomes), folder);
-      !written)
-    return say_error(written.error());
-  for (const record::StudyTable& table : report.tables) print_table(table);
-  for (const std::string& warning : campaign::warnings_of(outcomes))
-    log_warning("{}", warning);
-  if (!report.alert.empty()) print("\n{}\n", report.alert);
-  print("\nWritten: {}  summary.json  runs.csv  runs.jsonl\n",
-        (folder / "report.html").string());
-  if (stop) return kInterrupted;
-  return failed ? kFailed : kDone;
-}
 
 int monitoring(const StudyArguments& arguments, const fs::path& folder,
                const std::atomic<bool>& stop) {
@@ -241,6 +182,11 @@ const std::vector<StudyKind>& study_kinds() {
        "the default mission from kinematic points to aircraft in gusts",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
         "--set"}},
+      {"wind-following",
+       "plans made for the wind against plans made without it: how closely they are "
+       "flown",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
+        "--set"}},
       {"robustness",
        "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
@@ -287,7 +233,7 @@ std::string not_for(const StudyArguments& arguments) {
 
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop) {
   if (arguments.name.empty()) {
-    for (const StudyKind& kind : study_kinds()) print("{:<13}{}\n", kind.name, kind.help);
+    for (const StudyKind& kind : study_kinds()) print("{:<15}{}\n", kind.name, kind.help);
     return kDone;
   }
   if (const std::string odd = not_for(arguments); !odd.empty()) {
@@ -305,6 +251,7 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
   if (arguments.name == "monitoring") return monitoring(arguments, folder, stop);
   if (arguments.name == "fidelity") return fidelity(arguments, folder, stop);
   if (arguments.name == "robustness") return robustness(arguments, folder, stop);
+  if (arguments.name == "wind-following") return following_study(arguments, folder, stop);
   if (arguments.name == "tuning") return tuning_study(arguments, folder, stop);
   return bridge(arguments, folder, stop);
 }

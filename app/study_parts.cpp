@@ -1,12 +1,18 @@
 #include "app/study_parts.h"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/common.h"
 #include "app/output.h"
+#include "app/version.h"
+#include "assemble/run.h"
+#include "base/log.h"
+#include "campaign/monitoring_report.h"
+#include "campaign/study_summary.h"
 
 namespace skein::app {
 
@@ -68,6 +74,64 @@ bool tell_failures(const std::vector<campaign::BatchItem>& items,
         complain("Replay: skein run {}\n", replay.string());
     }
   return failed;
+}
+
+Result<record::RunSummary> run_item(const campaign::BatchItem& item,
+                                    const std::atomic<bool>& stop, Recorder* listener) {
+  assemble::QuietRun how;
+  how.version = kVersion;
+  how.stop = &stop;
+  how.listener = listener;
+  return assemble::run_quietly(item.scenario, how);
+}
+
+Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
+                                                     const StudyArguments& arguments,
+                                                     const fs::path& folder,
+                                                     const std::atomic<bool>& stop,
+                                                     campaign::RunScenario run) {
+  if (auto made = make_folder(folder); !made) return made.error();
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  campaign::BatchOptions options;
+  options.threads = arguments.threads;
+  options.program = program_fingerprint();
+  options.journal = folder / "runs.jsonl";
+  options.stop = &stop;
+  options.progress = [terminal](std::size_t done, std::size_t all) {
+    if (terminal) complain("\r{} of {} runs", done, all);
+  };
+  if (!run)
+    run = [&stop](const campaign::BatchItem& item) { return run_item(item, stop); };
+  auto outcomes = campaign::run_batch(plan.items, run, options);
+  if (terminal) complain("\n");
+  return outcomes;
+}
+
+int finish(const std::string& study, const campaign::StudyPlan& plan,
+           const std::vector<campaign::BatchOutcome>& outcomes,
+           const record::StudyReport& report, const fs::path& folder,
+           const std::atomic<bool>& stop, const std::map<std::string, double>& more) {
+  campaign::StudyFigures figures = campaign::study_figures(plan, outcomes);
+  figures.insert(more.begin(), more.end());
+  const bool failed = tell_failures(plan.items, outcomes, folder);
+  if (auto written = write_text(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
+      !written)
+    return say_error(written.error());
+  if (auto written = record::write_study_report(report, folder / "report.html"); !written)
+    return say_error(written.error());
+  if (auto written = campaign::write_study_summary(
+          study, kVersion, report.alert.empty() ? "complete" : report.alert, figures,
+          folder);
+      !written)
+    return say_error(written.error());
+  for (const record::StudyTable& table : report.tables) print_table(table);
+  for (const std::string& warning : campaign::warnings_of(outcomes))
+    log_warning("{}", warning);
+  if (!report.alert.empty()) print("\n{}\n", report.alert);
+  print("\nWritten: {}  summary.json  runs.csv  runs.jsonl\n",
+        (folder / "report.html").string());
+  if (stop) return kInterrupted;
+  return failed ? kFailed : kDone;
 }
 
 }  // namespace skein::app

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
 #include "base/result.h"
 #include "campaign/batch.h"
+#include "campaign/monitoring_study.h"
 #include "record/study_report.h"
+#include "role/recorder.h"
 
 namespace skein::app {
 
@@ -26,6 +30,31 @@ void print_table(const record::StudyTable& table);
 bool tell_failures(const std::vector<campaign::BatchItem>& items,
                    const std::vector<campaign::BatchOutcome>& outcomes,
                    const std::filesystem::path& folder);
+
+/// Runs one item without records.
+Result<record::RunSummary> run_item(const campaign::BatchItem& item,
+                                    const std::atomic<bool>& stop,
+                                    Recorder* listener = nullptr);
+
+/// Runs all items of a plan, with progress on a terminal; what is finished is kept in the
+/// folder.
+/// @param run  of one item; none: run_item().
+Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
+                                                     const StudyArguments& arguments,
+                                                     const std::filesystem::path& folder,
+                                                     const std::atomic<bool>& stop,
+                                                     campaign::RunScenario run = {});
+
+/// Writes report, CSV and summary, prints the tables; returns the exit status.
+/// @param more  figures of the summary besides the means over the runs.
+int finish(const std::string& study, const campaign::StudyPlan& plan,
+           const std::vector<campaign::BatchOutcome>& outcomes,
+           const record::StudyReport& report, const std::filesystem::path& folder,
+           const std::atomic<bool>& stop, const std::map<std::string, double>& more = {});
+
+/// `skein study wind-following`; returns the exit status.
+int following_study(const StudyArguments& arguments, const std::filesystem::path& folder,
+                    const std::atomic<bool>& stop);
 
 /// `skein study tuning`; returns the exit status.
 int tuning_study(const StudyArguments& arguments, const std::filesystem::path& folder,

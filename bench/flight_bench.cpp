@@ -10,8 +10,8 @@
 #include "layer/asset/kinematic_plant.h"
 #include "layer/autopilot/simple_autopilot.h"
 #include "layer/reasoning/agent/zone_guard.h"
+#include "model/connection/point_connection.h"
 #include "model/path/dubins.h"
-#include "model/path/point_path.h"
 
 namespace skein {
 namespace {
@@ -53,7 +53,8 @@ void time_to_point(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const Query& q = all[i++ % kQueries];
-    benchmark::DoNotOptimize(model::time_to_point(q.from, q.to.position, 20, 60, wind));
+    benchmark::DoNotOptimize(
+        model::connect_to_point(q.from, q.to.position, {20, 60, wind}).time);
   }
   state.SetItemsProcessed(state.iterations());
 }
@@ -105,7 +106,8 @@ BENCHMARK(aircraft_step)->ArgName("path")->Arg(0)->Arg(1);
 
 // One decision of an agent beside a zone's border, where every course is tried.
 void zone_guard(benchmark::State& state) {
-  const std::vector<Zone> zones{{{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}}};
+  const std::vector<Zone> zones{
+      {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}}};
   NavEstimate nav;
   nav.p_N = {-300, 0, -300};
   nav.v_N = {20, 0, 0};

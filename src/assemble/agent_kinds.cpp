@@ -7,6 +7,7 @@
 #include "layer/reasoning/agent/round_trip.h"
 #include "layer/reasoning/agent/route_agent.h"
 #include "layer/reasoning/team/wingman.h"
+#include "layer/reasoning/tour/tour_agent.h"
 
 namespace skein::assemble {
 namespace {
@@ -71,6 +72,47 @@ Fields<reasoning::RouteAgentOptions> route_fields() {
               "How far the flight may be off the route.");
 }
 
+// Points that follow one another, the first after the last, at one place.
+std::string repeated_point(const std::vector<Vec2>& points) {
+  constexpr double kOnePlace = 1e-3;  // [m]
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t next = (i + 1) % points.size();
+    if ((points[next] - points[i]).norm() < kOnePlace)
+      return fmt::format("points {} and {} are at one place.", i + 1, next + 1);
+  }
+  return {};
+}
+
+Fields<reasoning::TourAgentOptions> tour_fields() {
+  using T = reasoning::TourAgentOptions;
+  using reasoning::TourCurves;
+  return Fields<T>()
+      .point("points_m", &T::points,
+             "Flown through one after the other, across the bisector of each corner.")
+      .items({.at_least = 2, .at_most = 10000})
+      .rule("points_m", [](const T& t) { return repeated_point(t.points); })
+      .integer("laps", &T::laps, "Times round; it then circles the last point.",
+               {.at_least = 1, .at_most = 1000000})
+      .word("curves", &T::curves, "What the way is planned with.",
+            {{"trochoids", TourCurves::kTrochoids,
+              "turns and straights in the wind as it is believed to be"},
+             {"dubins", TourCurves::kDubins,
+              "turns and straights over ground, as if there were no wind"}})
+      .number("radius_factor", &T::radius_factor,
+              "Radius of planned turns over the least of the aircraft.",
+              {.at_least = 1, .at_most = 100})
+      .duration_s("settling_s", &T::settling,
+                  "Circling before it plans, to learn of the wind.", {.at_least = 0})
+      .boolean("keeps_times", &T::keeps_times,
+               "The plan is flown in time; else at cruise airspeed.")
+      .boolean("replans", &T::replans,
+               "When it leaves the safety zone it plans anew from where it is.")
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight may be off the plan.");
+}
+
 Result<std::unique_ptr<Agent>> make_route(const reasoning::RouteAgentOptions& options,
                                           const AircraftContext& c) {
   // From the start to the first point, then round.
@@ -113,6 +155,16 @@ Kinds<Agent, AircraftContext> agent_kinds() {
   kinds.add("route", "Flies a route of its own; takes no orders.", route_fields(),
             [](const reasoning::RouteAgentOptions& o, const AircraftContext& c) {
               return make_route(o, c);
+            });
+  kinds.add("tour",
+            "Flies through points on turns and straights planned for the wind; takes no "
+            "orders.",
+            tour_fields(),
+            [](const reasoning::TourAgentOptions& o, const AircraftContext& c) {
+              reasoning::TourAgentOptions all = o;
+              all.altitude_agl = c.altitude_agl;
+              return std::make_unique<reasoning::TourAgent>(all, c.self, c.station,
+                                                            c.limits, *c.map);
             });
   return kinds;
 }

@@ -219,6 +219,11 @@ Fields<SkeinChoice> skein_fields() {
           "rounds_corners",
           [](T & t) -> auto& { return t.options.wing_guidance.rounds_corners; },
           "Fixed wings round the corners of a route; else they fly over them.")
+      .boolean(
+          "refuses", [](T & t) -> auto& { return t.options.wing_guidance.refuses; },
+          "Fixed wings refuse commands that they cannot fly; else they fly them as near "
+          "as "
+          "they can.")
       .object(
           "failsafe", [](T & t) -> auto& { return t.options.failsafe; },
           failsafe_fields(), "What goes wrong, and what is done.")

@@ -35,7 +35,9 @@ struct HoldPosition {
   Vec2 point = Vec2::Zero();
 };
 
-/// Be where the plan says when it says, then stay at its end. Altitudes are the plan's.
+/// Be where the plan says when it says, then stay at its end. Altitudes are the plan's. A
+/// fixed wing that is commanded an airspeed too flies the plan's line at that airspeed
+/// and does not keep its times.
 struct FollowPlan {
   Plan plan;
 };

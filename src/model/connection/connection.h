@@ -61,7 +61,7 @@ struct Connection {
 /// @returns  found whenever |wind| < airspeed and everything is finite; the parts, flown,
 ///           end at the goal to rounding.
 /// Cost:     no allocation.
-/// Reference: docs/planning.md (derivation); [McGee05].
+/// Reference: docs/connection.md (derivation); [McGee05].
 Connection connect(const Pose& from, const Pose& to, const AirMotion& air);
 
 /// The pose whose heading makes good the course of `over_ground` in the wind: connections

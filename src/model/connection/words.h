@@ -10,7 +10,7 @@
 // The six words in reduced form: the start is the origin with heading 0, lengths are in
 // turn radii and the airspeed is 1, so that times and lengths are the same. A positive
 // turn has growing heading. Words that begin with a negative turn are solved as their
-// mirror images. Derivations are in docs/planning.md.
+// mirror images. Derivations are in docs/connection.md.
 namespace skein::model::words {
 
 inline constexpr double kTurn = 2 * std::numbers::pi;

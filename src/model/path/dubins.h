@@ -32,8 +32,8 @@ struct DubinsPath {
 ///
 /// Equal poses give length 0. A turn within 1e-11 rad of a full one counts as none, so
 /// that rounding never adds a loop.
-/// Cost:      no allocation, about five angle functions; figures in docs/planning.md.
-/// Reference: [Dubins57]; closed forms as derived in docs/aircraft.md.
+/// Cost:      no allocation, about five angle functions; figures in docs/connection.md.
+/// Reference: [Dubins57]; docs/connection.md.
 DubinsPath dubins(const Pose& from, const Pose& to, double radius);
 
 /// The elements of `dubins`, flown from `from`; parts without length are left out.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "data/air.h"
 #include "layer/autopilot/guidance/same_guidance.h"
@@ -71,6 +72,16 @@ double FixedWingGuidance::base_airspeed() const {
                     limits_.fastest);
 }
 
+// Limits for `unflyable`; without any, only what is malformed is left to refuse.
+FlightLimits FixedWingGuidance::judged_by() const {
+  if (options_.refuses) return limits_;
+  FlightLimits none = limits_;
+  none.slowest = 0;
+  none.fastest = none.climb_rate = none.sink_rate = std::numeric_limits<double>::max();
+  none.least_density = 0;
+  return none;
+}
+
 double FixedWingGuidance::airspeed_for(double curvature, double wind_speed) const {
   const double base = base_airspeed();
   if (curvature <= 0) return base;
@@ -82,14 +93,14 @@ std::optional<std::string> FixedWingGuidance::command(const AutopilotCommand& co
                                                       const FixedWingMotion& now) {
   if (same_guidance(command_, command)) {
     if (auto reason = unflyable({HoldPosition{}, command.altitude_msl, command.airspeed},
-                                limits_, now.wind))
+                                judged_by(), now.wind))
       return reason;
     command_.altitude_msl = command.altitude_msl;
     command_.airspeed = command.airspeed;
     if (!has_own_altitude(command_)) altitude_ = command.altitude_msl;
     return {};
   }
-  if (auto reason = unflyable(command, limits_, now.wind)) return reason;
+  if (auto reason = unflyable(command, judged_by(), now.wind)) return reason;
   begin(command, now);
   return {};
 }

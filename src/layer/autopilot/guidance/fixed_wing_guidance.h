@@ -28,6 +28,8 @@ struct FixedWingGuidanceOptions {
   double climb_out_height = 40;  ///< straight climb after take-off [m]
   double arrival = 5;            ///< of an altitude, counted as reached [m]
   double return_height = 60;     ///< least, above where the flight began [m]
+  /// Commands that cannot be flown are refused; false: flown as near as it can.
+  bool refuses = true;
 };
 
 /// The own motion as guidance needs it: what of a NavState counts, or of a simpler
@@ -53,7 +55,8 @@ FixedWingMotion motion_of(const NavState& nav,
 ///   curvature). After the end a circle around it.
 /// - FollowPlan: nearest point of the curve, altitude from there; ground speed = the
 ///   curve's times 1 + clamp(time_gain e_t, +-time_reach) with e_t = now - time of the
-///   nearest point; airspeed from the wind triangle, within its limits.
+///   nearest point; airspeed from the wind triangle, within its limits; or the commanded
+///   airspeed, without regard to the times.
 /// - FlyWaypoints: straight legs, corners rounded at the radius the wind allows.
 /// - Circle, HoldPosition: not tighter than the wind allows at the slowest airspeed
 /// (hold:
@@ -103,6 +106,7 @@ class FixedWingGuidance {
   double hold_course(const Vec2& course, const FixedWingMotion& now) const;
   double airspeed_for(double curvature, double wind_speed) const;
   double base_airspeed() const;
+  FlightLimits judged_by() const;
   double steer(const model::PathCursor& path, const model::PathCursor::Place& place,
                const FixedWingMotion& now) const;
 

@@ -68,6 +68,7 @@ double FixedWingGuidance::follow_plan(const FixedWingMotion& now, double dt,
   const Vec2 air = (1 + share) * soon.head<2>() - now.wind;
   demand.airspeed = std::clamp(std::sqrt(air.squaredNorm() + soon.z() * soon.z()),
                                limits_.slowest, limits_.fastest);
+  if (command_.airspeed) demand.airspeed = base_airspeed();
   demand.altitude_msl = -here.p_N.z();
   const double flown = now.v_N.head<2>().dot(track.tangent);
   const double pace = std::clamp(flown / std::max(speed, kLeastSpeed), 0.0, 2.0);

@@ -12,7 +12,6 @@ namespace skein::model {
 namespace {
 
 constexpr double kRadius = 60;
-constexpr double kAirspeed = 20;
 
 Pose random_pose(RandomStream& random) {
   return {{random.uniform(-50, 50), random.uniform(-50, 50)},
@@ -66,49 +65,6 @@ TEST(PointPath, SimpleCases) {
   const double angle = std::acos(7.0 / 8);
   EXPECT_NEAR(length_to_point(north, {0, 60}, kRadius),
               kRadius * (angle + 2 * geo::kPi - std::acos(1.0 / 4)), 1e-6);
-}
-
-TEST(TimeToPoint, WithoutWindIsLengthOverAirspeed) {
-  RandomStream random(3, 0, Purpose::kTest);
-  for (int i = 0; i < 200; ++i) {
-    const Pose from = random_pose(random);
-    const Vec2 point{random.uniform(-300, 300), random.uniform(-300, 300)};
-    EXPECT_DOUBLE_EQ(time_to_point(from, point, kAirspeed, kRadius, Vec2::Zero()),
-                     length_to_point(from, point, kRadius) / kAirspeed);
-  }
-}
-
-TEST(TimeToPoint, IsTheFirstTimeThatTheMovingPointIsWithinReach) {
-  RandomStream random(4, 0, Purpose::kTest);
-  for (int i = 0; i < 1000; ++i) {
-    const double extent = i % 2 == 0 ? 150 : 600;
-    const Pose from = random_pose(random);
-    const Vec2 point{random.uniform(-extent, extent), random.uniform(-extent, extent)};
-    const Vec2 wind = random.uniform(0, 16) * geo::unit(random.uniform(0, 2 * geo::kPi));
-    const double time = time_to_point(from, point, kAirspeed, kRadius, wind);
-    ASSERT_TRUE(std::isfinite(time));
-    const auto gap = [&](double t) {
-      return length_to_point(from, point - wind * t, kRadius) - kAirspeed * t;
-    };
-    EXPECT_LE(gap(time + 1e-5), 1e-3);  // 20 m/s times the tolerance in time
-    const int steps = 2000;
-    for (int k = 0; k < steps; ++k) {
-      const double t = (time - 1e-5) * k / steps;
-      ASSERT_GT(gap(t), 0) << "reached at " << t << " before " << time;
-    }
-  }
-}
-
-TEST(TimeToPoint, StraightFlightsHaveTheirGroundSpeed) {
-  const Pose north{{0, 0}, 0};
-  EXPECT_NEAR(time_to_point(north, {1000, 0}, 20, 60, {8, 0}), 1000.0 / 28, 1e-6);
-  EXPECT_NEAR(time_to_point(north, {1000, 0}, 20, 60, {-8, 0}), 1000.0 / 12, 1e-6);
-}
-
-TEST(TimeToPoint, IsInfiniteInAWindThatCannotBeBeaten) {
-  EXPECT_TRUE(std::isinf(time_to_point({{0, 0}, 0}, {100, 0}, 20, 60, {20, 0})));
-  EXPECT_TRUE(std::isinf(time_to_point({{0, 0}, 0}, {100, 0}, 20, 60, {0, 25})));
-  EXPECT_TRUE(std::isfinite(time_to_point({{0, 0}, 0}, {100, 0}, 20, 60, {0, 19.9})));
 }
 
 }  // namespace

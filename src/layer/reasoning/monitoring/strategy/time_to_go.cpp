@@ -2,15 +2,16 @@
 
 #include <cmath>
 
-#include "model/path/point_path.h"
+#include "model/connection/point_connection.h"
 
 namespace skein::monitoring {
 
 double time_to_go(const AircraftStatus& aircraft, const Vec2& place) {
   const NavEstimate& nav = aircraft.nav;
-  return model::time_to_point({geo::horizontal(nav.p_N), nav.heading}, place,
-                              aircraft.limits.airspeed, aircraft.limits.turn_radius,
-                              nav.wind_N);
+  return model::connect_to_point(
+             {geo::horizontal(nav.p_N), nav.heading}, place,
+             {aircraft.limits.airspeed, aircraft.limits.turn_radius, nav.wind_N})
+      .time;
 }
 
 BoundaryPoint carried_on(const BoundaryPoint& point, double time) {

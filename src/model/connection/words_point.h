@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/connection/words.h"
+
+namespace skein::model::words {
+
+/// A point to be met in some wind, in the reduced form of words.h.
+struct PointProblem {
+  Vec2 point = Vec2::Zero();  ///< at time 0
+  Vec2 wind = Vec2::Zero();
+  double wind2 = 0;  ///< squared, below 1
+
+  /// The same for the turns exchanged.
+  PointProblem mirrored() const;
+};
+
+/// Earliest meetings before `best`: a positive turn and a straight, a positive and a
+/// negative turn. The first two parts count.
+Meeting turn_straight(const PointProblem& p, double best);
+Meeting turn_turn(const PointProblem& p, double best);
+
+}  // namespace skein::model::words
