@@ -52,10 +52,15 @@ PointConnection connect_to_point(const Pose& from, const Vec2& point,
     best.straight = straight;
     best.parts = {m.parts[0], m.parts[1]};
   };
-  take(true, true, words::turn_straight(right, time));
-  take(false, true, words::turn_straight(left, time));
-  take(true, false, words::turn_turn(right, time));
-  take(false, false, words::turn_turn(left, time));
+  const bool on_right = right.point.y() >= 0;
+  const words::PointProblem &near = on_right ? right : left,
+                            &far = on_right ? left : right;
+  take(on_right, true, words::turn_straight(near, time));
+  if (!words::stays_outside(near, time)) {
+    take(!on_right, true, words::turn_straight(far, time));
+    take(on_right, false, words::turn_turn(near, time));
+    take(!on_right, false, words::turn_turn(far, time));
+  }
   SKEIN_CHECK(time < words::kNever, from.course, air.airspeed);
   best.time = time * air.turn_radius / air.airspeed;
   return best;

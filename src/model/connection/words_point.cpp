@@ -94,6 +94,13 @@ PointProblem PointProblem::mirrored() const {
   return {{point.x(), -point.y()}, {wind.x(), -wind.y()}, wind2};
 }
 
+bool stays_outside(const PointProblem& p, double time) {
+  const Vec2 way = p.point - Vec2(0, 1), end = p.point - p.wind * time;
+  if (p.point.y() < 0 || end.y() < 0) return false;
+  const double nearest = std::clamp(way.dot(p.wind) / p.wind2, 0.0, time);
+  return (way - p.wind * nearest).squaredNorm() >= 1;
+}
+
 Meeting turn_straight(const PointProblem& p, double best) {
   const Vec2 way = p.point - Vec2(0, 1);
   const double least = straight_after(way, p.wind, 1 - p.wind2, 1) * (1 - kRounding);

@@ -14,6 +14,10 @@ struct PointProblem {
   PointProblem mirrored() const;
 };
 
+/// Whether the point stays on the side of the positive turn, outside of its circle, until
+/// `time`. Then nothing is quicker than that turn and a straight.
+bool stays_outside(const PointProblem& p, double time);
+
 /// Earliest meetings before `best`: a positive turn and a straight, a positive and a
 /// negative turn. The first two parts count.
 Meeting turn_straight(const PointProblem& p, double best);

@@ -17,14 +17,14 @@ model::Pose pose_of(const FlightState& state) {
   return {geo::horizontal(state.p_N), state.heading};
 }
 
-FlightPlan join(const FlightState& from, const FlightState& to, const FlightLimits& limits,
-                const Vec2& wind, double start) {
+FlightPlan join(const FlightState& from, const FlightState& to,
+                const FlightLimits& limits, const Vec2& wind, double start) {
   const model::AirMotion air = motion_of(limits, wind);
   // Rounding of altitudes is no climb, and level flight needs no climb rate.
   if (std::abs(from.p_N.z() - to.p_N.z()) < 1e-9) {
     const model::Pose begin = pose_of(from);
-    return model::to_flight_plan(model::connect(begin, pose_of(to), air), begin, air, start,
-                                 from.p_N.z());
+    return model::to_flight_plan(model::connect(begin, pose_of(to), air), begin, air,
+                                 start, from.p_N.z());
   }
   return model::starting_at(
       model::connect(from, to, air, {limits.climb_rate, limits.sink_rate}).plan, start);

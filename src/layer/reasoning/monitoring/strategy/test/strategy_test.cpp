@@ -117,8 +117,9 @@ TEST(Gus, LeavesOutNoFlightZones) {
   Scene scene;
   scene.boundary.rings[0][20].sigma = 80;
   const Vec2 centre = scene.boundary.rings[0][20].position;
-  scene.zones.push_back({.area = geo::Ring{centre + Vec2(-200, -200), centre + Vec2(200, -200),
-                          centre + Vec2(200, 200), centre + Vec2(-200, 200)}});
+  scene.zones.push_back(
+      {.area = geo::Ring{centre + Vec2(-200, -200), centre + Vec2(200, -200),
+                         centre + Vec2(200, 200), centre + Vec2(-200, 200)}});
   GusStrategy gus({}, false);
   for (const Assignment& order : gus.assign(scene.situation()))
     EXPECT_FALSE(in_zone(scene.zones, target(order)));
