@@ -21,8 +21,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Ways keep this far from discs and corners, so that rounding is no conflict [m].
 constexpr double kMargin = 0.02;
-// Ways of different kinds that are followed.
+// Ways of different kinds that are followed, and by which part of the best path's time
+// they may seem longer at first.
 constexpr int kWays = 3;
+constexpr double kOtherWays = 0.05;
 
 // Finer and less greedy from round to round; each may use a part of what is left.
 struct Pass {
@@ -129,21 +131,28 @@ void Planning::take_ways() {
   request.start_time = query_.start_time;
   request.start_altitude = a;
   request.goal_altitude = b;
-  request.ways = query_.budget.first ? 1 : kWays;
-  PlanningBudget budget = query_.budget;
-  budget.states = effort_.left();
-  const Ways found = find_ways(map_, rounds, speed, request, budget);
-  effort_.spend(found.states);
-  for (std::size_t i = 0; i < found.ways.size() && !done(); ++i) {
-    const Way& way = found.ways[i];
-    if (fly_exactly(way)) {
-      shortest_ = i == 0 && !map_.is_timed() && a == b;
-      continue;
+  // One to have a path, others as far as they do not take too much of the budget.
+  std::size_t followed = 0;
+  for (const int ways : {1, kWays}) {
+    if (done()) return;
+    request.ways = ways;
+    request.most_time = best_.duration * (1 + kOtherWays);
+    PlanningBudget budget = query_.budget;
+    budget.states = effort_.left() / 3;
+    const Ways found = find_ways(map_, rounds, speed, request, budget);
+    effort_.spend(found.states);
+    for (; followed < found.ways.size() && !done(); ++followed) {
+      const Way& way = found.ways[followed];
+      if (fly_exactly(way)) {
+        shortest_ = followed == 0 && !map_.is_timed() && a == b;
+        continue;
+      }
+      // A way that cannot be flown as it is still tells where to pass.
+      auto chain = follow_way(way, map_, effort_, Detail::kCoarse);
+      if (!chain && !done()) chain = follow_way(way, map_, effort_, Detail::kFine);
+      take(std::move(chain));
     }
-    // A way that cannot be flown as it is still tells where to pass.
-    auto chain = follow_way(way, map_, effort_, Detail::kCoarse);
-    if (!chain && !effort_.ended()) chain = follow_way(way, map_, effort_, Detail::kFine);
-    take(std::move(chain));
+    if (query_.budget.first && !best_.plan.empty()) return;
   }
 }
 
@@ -185,7 +194,7 @@ void Planning::take_waits() {
       before = wait;
       continue;
     }
-    for (int k = 0; k < 12 && wait - before > 0.1; ++k) {
+    for (int k = 0; k < 12 && before > 0 && wait - before > 0.1; ++k) {
       const double half = (before + wait) / 2;
       auto sooner = make_chain({{query_.start, half}, {query_.goal}}, query_);
       const bool free = sooner && map_.is_free(to_flight_plan(*sooner, query_));

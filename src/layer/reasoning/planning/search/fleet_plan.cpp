@@ -1,0 +1,122 @@
+#include "layer/reasoning/planning/search/fleet_plan.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "layer/reasoning/planning/search/aa_star.h"
+#include "layer/reasoning/planning/search/chain.h"
+#include "layer/reasoning/planning/search/query_check.h"
+#include "model/path/flight_plan.h"
+
+namespace skein::planning {
+namespace {
+
+// Starts are tried this far apart [s], and this far where a search is made for each.
+constexpr double kStep = 3, kSearchStep = 30;
+
+class Fleet {
+ public:
+  explicit Fleet(const FleetQuery& query) : query_(query), map_(query.common) {
+    // The map points to what is kept here.
+    flights_.reserve(query.members.size());
+  }
+
+  FleetPlan run();
+
+ private:
+  PathQuery query_of(const FleetMember& member, double start) const;
+  PlannedPath plan(const FleetMember& member);
+  void go_straight(const FleetMember& member, PlannedPath& best);
+  void search(const FleetMember& member, PlannedPath& best);
+  double arrival(const PlannedPath& path) const {
+    return path.plan.empty() ? path.duration : model::end_time_of(path.plan);
+  }
+
+  const FleetQuery& query_;
+  AirspaceMap map_;
+  std::vector<PlannedFlight> flights_;
+};
+
+PathQuery Fleet::query_of(const FleetMember& member, double start) const {
+  PathQuery q = query_.common;
+  q.start = member.start;
+  q.goal = member.goal;
+  q.start_time = start;
+  q.limits = member.limits;
+  q.budget.first = true;
+  return q;
+}
+
+// The earliest start from which the link is free.
+void Fleet::go_straight(const FleetMember& member, PlannedPath& best) {
+  PathQuery q = query_of(member, member.earliest_start);
+  const Link l = link(q.start, q.goal, q);
+  for (double t = member.earliest_start; t <= member.latest_start; t += kStep) {
+    FlightPlan plan = to_flight_plan(l, q.start, t, q);
+    ++best.states;
+    if (plan.empty() || !map_.is_free(plan)) continue;
+    best.outcome = PlanningOutcome::kFound;
+    best.duration = l.duration;
+    best.plan = std::move(plan);
+    return;
+  }
+}
+
+void Fleet::search(const FleetMember& member, PlannedPath& best) {
+  PlannedPath last;
+  for (double t = member.earliest_start; t <= member.latest_start; t += kSearchStep) {
+    const PathQuery q = query_of(member, t);
+    const Link l = link(q.start, q.goal, q);
+    if (!best.plan.empty() && t + least_time(l, q.start, q.goal, q) >= arrival(best))
+      return;
+    PlannedPath path = AaStar().plan(q, map_);
+    best.states += path.states;
+    const bool better =
+        !path.plan.empty() && (best.plan.empty() || arrival(path) < arrival(best));
+    if (!better) {
+      if (best.plan.empty()) last = std::move(path);
+      continue;
+    }
+    path.states = best.states;
+    best = std::move(path);
+  }
+  if (!best.plan.empty()) return;
+  last.states = best.states;
+  best = std::move(last);
+}
+
+PlannedPath Fleet::plan(const FleetMember& member) {
+  const PathQuery q = query_of(member, member.earliest_start);
+  if (auto refused = refuse(q)) return *refused;
+  map_.ask(q);
+  PlannedPath best;
+  go_straight(member, best);
+  const bool at_once =
+      !best.plan.empty() && model::start_of(best.plan) == member.earliest_start;
+  if (!at_once) search(member, best);
+  return best;
+}
+
+FleetPlan Fleet::run() {
+  FleetPlan out;
+  const double time = std::max(query_.zone.ahead, query_.zone.behind);
+  for (const FleetMember& member : query_.members) {
+    PlannedPath path = plan(member);
+    if (!path.plan.empty()) {
+      ++out.planned;
+      flights_.push_back(
+          {member.who, path.plan, {time, time, query_.zone.across}, query_.height});
+      map_.add(flights_.back());
+    }
+    out.paths.push_back(std::move(path));
+  }
+  return out;
+}
+
+}  // namespace
+
+FleetPlan plan_fleet(const FleetQuery& query) {
+  return Fleet(query).run();
+}
+
+}  // namespace skein::planning
