@@ -6,13 +6,19 @@ namespace {
 
 constexpr const char* kBash = R"sh(_skein() {
   local cur=${COMP_WORDS[COMP_CWORD]}
-  local commands="run check list schema keys fly report study completion"
+  local commands="run check list schema keys fly plan report study completion"
   local options
   if [ "$COMP_CWORD" = 1 ]; then
     COMPREPLY=($(compgen -W "$commands --help --version" -- "$cur"))
     return
   fi
-  options=$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --help 2>/dev/null |
+  if [ "${COMP_WORDS[1]}" = plan ] && [ "$COMP_CWORD" = 2 ]; then
+    COMPREPLY=($(compgen -W "connect --help" -- "$cur"))
+    return
+  fi
+  local command=${COMP_WORDS[1]}
+  if [ "$command" = plan ]; then command="plan ${COMP_WORDS[2]}"; fi
+  options=$("${COMP_WORDS[0]}" $command --help 2>/dev/null |
             grep -oE -- '--[a-z-]+' | sort -u)
   case "${COMP_WORDS[1]}" in
     study) options="$options $("${COMP_WORDS[0]}" study 2>/dev/null | sed 's/ .*//')" ;;

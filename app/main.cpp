@@ -8,7 +8,9 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/number_range.h"
 #include "app/output.h"
+#include "app/plan_options.h"
 #include "app/version.h"
 #include "base/check.h"
 #include "base/log.h"
@@ -82,19 +84,6 @@ Examples:
   skein study bridge --data ../shared/data/fires/bridge_2021
   skein study tuning --search 60 --threads 2
   skein study estimators --cases values.csv > out.csv)";
-
-// A finite number within bounds. (CLI::Range takes what is not a number for being
-// within.)
-CLI::Validator number_in(double low, double high) {
-  const std::string range = fmt::format("a number from {:g} to {:g}", low, high);
-  return {[low, high, range](std::string& text) {
-            double value = 0;
-            const bool good =
-                CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-            return good ? std::string() : fmt::format("{} is not {}", text, range);
-          },
-          range};
-}
 
 // The option `--log` of a command.
 void add_log_option(CLI::App& command) {
@@ -218,6 +207,8 @@ int run_program(int argc, char** argv) {
     fly_trim->excludes(option);
   fly_cmd->footer(kFlyExamples);
 
+  const PlanOptions plan(app);
+
   std::vector<std::filesystem::path> runs;
   std::filesystem::path report_out;
   auto* report_cmd =
@@ -289,6 +280,7 @@ int run_program(int argc, char** argv) {
     return trim_command(trim);
   }
   if (*fly_cmd) return fly_command(fly, stop_requested);
+  if (plan.chosen()) return plan.run(stop_requested);
   if (*report_cmd) return report_command(runs, report_out);
   if (*study_cmd) return study_command(study, stop_requested);
   return completion_command(shell);

@@ -28,6 +28,13 @@ void put_out(std::string_view text) {
     lost_because = errno;
 }
 
+bool put_out_now(std::string_view text) {
+  put_out(text);
+  errno = 0;
+  if (std::fflush(stdout) != 0 && lost_because == 0) lost_because = errno;
+  return std::ferror(stdout) == 0;
+}
+
 void put_err(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }

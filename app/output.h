@@ -10,6 +10,9 @@ namespace skein::app {
 /// Puts text on standard output. Never throws: whether all of it got there is asked once,
 /// by finish_output().
 void put_out(std::string_view text);
+/// As put_out(), and not held back: a reader at the other end of a pipe has it at once.
+/// @returns false when output is lost or nobody reads any more, so that more is in vain.
+bool put_out_now(std::string_view text);
 /// Puts text on standard error. Never throws: there is nobody left to tell.
 void put_err(std::string_view text);
 

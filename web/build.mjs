@@ -1,15 +1,17 @@
-// Bundles the report page and writes it as C++ text: build.mjs OUTPUT.cpp
+// Bundles a page's folder (main.ts and the style sheet it imports) and writes script and
+// style as C++ text, functions page_script() and page_style() of skein::NAMESPACE that the
+// header NAMESPACE/page_assets.h declares: build.mjs FOLDER NAMESPACE OUTPUT.cpp
 import { writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const output = process.argv[2];
-if (!output) throw new Error("usage: node build.mjs OUTPUT.cpp");
+const [folder, namespace, output] = process.argv.slice(2);
+if (!output) throw new Error("usage: node build.mjs FOLDER NAMESPACE OUTPUT.cpp");
 
 const result = await build({
-  entryPoints: [join(here, "report/main.ts")],
+  entryPoints: [join(here, folder, "main.ts")],
   bundle: true,
   minify: true,
   format: "iife",
@@ -36,9 +38,9 @@ function content(extension) {
 writeFileSync(
   output,
   `// Made by web/build.mjs.
-#include "record/page_assets.h"
+#include "${namespace}/page_assets.h"
 
-namespace skein::record {
+namespace skein::${namespace} {
 
 std::string_view page_script() {
   static constexpr std::string_view text =
@@ -52,6 +54,6 @@ std::string_view page_style() {
   return text;
 }
 
-}  // namespace skein::record
+}  // namespace skein::${namespace}
 `,
 );

@@ -1,0 +1,193 @@
+#include "app/plan_input.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "exchange/csv_cells.h"
+#include "model/path/wind_triangle.h"
+
+namespace skein::app {
+namespace {
+
+constexpr double kFarthest = 1e6;   // from the origin [m]
+constexpr double kHighest = 20000;  // [m]
+constexpr const char* kLocalForm = "EAST,NORTH,HEADING_DEG[,ALTITUDE], metres";
+constexpr const char* kGeoForm = "LAT,LON,HEADING_DEG[,ALTITUDE], degrees and metres";
+
+Error wrong(const std::string& option, const std::string& message,
+            const std::string& hint = "") {
+  return {ErrorCode::kBadInput, option, message, hint};
+}
+
+Result<geo::Geodetic> geodetic(const std::string& option,
+                               const std::vector<double>& numbers) {
+  if (std::abs(numbers[0]) > 90 || std::abs(numbers[1]) > 360)
+    return wrong(option,
+                 fmt::format("latitude {} and longitude {}: the latitude must be within "
+                             "-90 to 90, the longitude within -360 to 360.",
+                             numbers[0], numbers[1]),
+                 "The latitude comes first.");
+  return geo::Geodetic{numbers[0], numbers[1], 0};
+}
+
+Result<Vec2> wind_of(const PlanSetting& given) {
+  if (!given.wind.empty() && !given.wind_from.empty())
+    return wrong("--wind", "given with --wind-from; one of them is allowed.");
+  if (!given.wind.empty()) {
+    const auto n = numbers_of("--wind", given.wind, 2, 2, "EAST,NORTH in m/s");
+    if (!n) return n.error();
+    return Vec2(n.value()[1], n.value()[0]);
+  }
+  if (given.wind_from.empty()) return Vec2(0, 0);
+  const auto n = numbers_of("--wind-from", given.wind_from, 2, 2,
+                            "SPEED,BEARING_DEG in m/s and degrees");
+  if (!n) return n.error();
+  if (n.value()[0] < 0)
+    return wrong("--wind-from",
+                 fmt::format("speed {} must be at least 0.", n.value()[0]));
+  return Vec2(-n.value()[0] * geo::unit(geo::radians(n.value()[1])));
+}
+
+Result<std::optional<geo::Geodetic>> origin_of(
+    const PlanSetting& given, const std::optional<geo::Geodetic>& elsewhere) {
+  if (given.origin.empty()) return elsewhere;
+  const auto n = numbers_of("--origin", given.origin, 2, 2, "LAT,LON in degrees");
+  if (!n) return n.error();
+  const auto place = geodetic("--origin", n.value());
+  if (!place) return place.error();
+  return std::optional(place.value());
+}
+
+Result<model::AirMotion> air_of(const PlanSetting& given) {
+  if (!given.airspeed) return wrong("--airspeed", "is needed, in m/s.");
+  if (!given.turn_radius) return wrong("--turn-radius", "is needed, in metres.");
+  const auto wind = wind_of(given);
+  if (!wind) return wind.error();
+  if (wind.value().norm() >= *given.airspeed)
+    return wrong(given.wind.empty() ? "--wind-from" : "--wind",
+                 fmt::format("{:.6g} m/s must be below the airspeed, {:.6g} m/s: places "
+                             "upwind cannot be reached.",
+                             wind.value().norm(), *given.airspeed));
+  return model::AirMotion{*given.airspeed, *given.turn_radius, wind.value()};
+}
+
+struct End {
+  FlightState state;
+  bool has_altitude = false;
+};
+
+Result<End> read_end(const std::string& name, const std::string& local,
+                     const std::string& geographic, const ReadSetting& setting) {
+  const std::string option = "--" + name, geo_option = option + "-geo";
+  if (local.empty() == geographic.empty())
+    return wrong(
+        option, local.empty() ? "is needed." : "given with " + geo_option + ".",
+        fmt::format("Give {} {} or {} {}.", option, kLocalForm, geo_option, kGeoForm));
+  const bool in_metres = !local.empty();
+  const auto read =
+      numbers_of(in_metres ? option : geo_option, in_metres ? local : geographic, 3, 4,
+                 in_metres ? kLocalForm : kGeoForm);
+  if (!read) return read.error();
+  const std::vector<double>& n = read.value();
+  Vec2 p(n[1], n[0]);
+  if (!in_metres) {
+    const auto place = geodetic(geo_option, n);
+    if (!place) return place.error();
+    if (!setting.frame)
+      return wrong(geo_option, "the origin is not known.", "Give --origin.");
+    p = setting.frame->to_plane(n[0], n[1]);
+  }
+  if (!(p.norm() <= kFarthest))
+    return wrong(
+        in_metres ? option : geo_option,
+        fmt::format("lies {:.6g} km from the origin; at most {:.0f} km are allowed.",
+                    p.norm() / 1000, kFarthest / 1000));
+  End end;
+  end.has_altitude = n.size() > 3 || setting.altitude.has_value();
+  const double altitude = n.size() > 3 ? n[3] : setting.altitude.value_or(0);
+  if (std::abs(altitude) > kHighest)
+    return wrong(in_metres ? option : geo_option,
+                 fmt::format("altitude {} m must be within -{:.0f} to {:.0f}.", altitude,
+                             kHighest, kHighest));
+  end.state.p_N = {p.x(), p.y(), -altitude};
+  end.state.heading = geo::radians(std::remainder(n[2], 360.0));
+  return end;
+}
+
+Result<void> take_course(const std::string& option, FlightState& state,
+                         const model::AirMotion& air) {
+  const auto heading = model::heading_for_course(state.heading, air.airspeed, air.wind);
+  if (!heading)
+    return wrong(option,
+                 fmt::format("no heading makes good the course {:.6g}° in this wind.",
+                             geo::degrees(geo::wrap_2pi(state.heading))),
+                 "Give a heading, or another course.");
+  state.heading = *heading;
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<double>> numbers_of(const std::string& option, const std::string& text,
+                                       std::size_t least, std::size_t most,
+                                       const std::string& form) {
+  std::vector<double> numbers;
+  exchange::CsvCells cells(text);
+  while (const auto cell = cells.next()) {
+    const auto value = exchange::number_in(*cell);
+    if (!value || !std::isfinite(*value))
+      return wrong(option, fmt::format("\"{}\" is not a finite number.", *cell),
+                   fmt::format("Wanted: {}.", form));
+    numbers.push_back(*value);
+  }
+  if (numbers.size() < least || numbers.size() > most)
+    return wrong(
+        option,
+        fmt::format("{} number{} given.", numbers.size(), numbers.size() == 1 ? "" : "s"),
+        fmt::format("Wanted: {}.", form));
+  return numbers;
+}
+
+Result<ReadSetting> read_setting(const PlanSetting& given,
+                                 const std::optional<geo::Geodetic>& elsewhere) {
+  const auto origin = origin_of(given, elsewhere);
+  if (!origin) return origin.error();
+  const auto air = air_of(given);
+  if (!air) return air.error();
+  if (!origin.value()) return ReadSetting{std::nullopt, air.value(), given.altitude};
+  const auto frame = geo::LocalFrame::at(*origin.value());
+  if (!frame) return frame.error();
+  return ReadSetting{frame.value(), air.value(), given.altitude};
+}
+
+Result<std::optional<geo::Geodetic>> place_of(const PlanEnds& given) {
+  if (given.from_geo.empty()) return std::optional<geo::Geodetic>();
+  const auto n = numbers_of("--from-geo", given.from_geo, 3, 4, kGeoForm);
+  if (!n) return n.error();
+  const auto place = geodetic("--from-geo", n.value());
+  if (!place) return place.error();
+  return std::optional(place.value());
+}
+
+Result<ReadEnds> read_ends(const PlanEnds& given, const ReadSetting& setting) {
+  const auto from = read_end("from", given.from, given.from_geo, setting);
+  if (!from) return from.error();
+  const auto to = read_end("to", given.to, given.to_geo, setting);
+  if (!to) return to.error();
+  ReadEnds ends{from.value().state, to.value().state,
+                from.value().has_altitude && to.value().has_altitude};
+  if (from.value().has_altitude != to.value().has_altitude)
+    return wrong(from.value().has_altitude ? "--to" : "--from",
+                 "has no altitude, but the other end has.",
+                 "Give both, or --altitude-m.");
+  if (given.from_course)
+    if (auto good = take_course("--from-course", ends.from, setting.air); !good)
+      return good.error();
+  if (given.to_course)
+    if (auto good = take_course("--to-course", ends.to, setting.air); !good)
+      return good.error();
+  return ends;
+}
+
+}  // namespace skein::app

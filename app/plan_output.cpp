@@ -1,0 +1,121 @@
+#include "app/plan_output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/common.h"
+#include "app/output.h"
+#include "exchange/formats.h"
+#include "exchange/samples.h"
+#include "exchange/text_shown.h"
+#include "geo/vec.h"
+#include "model/path/flight_plan.h"
+
+namespace skein::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRows = 60;  // of a table for people
+
+double bearing_deg(double angle) {
+  return geo::degrees(geo::wrap_2pi(angle));
+}
+
+Json place(const Vec3& p) {
+  return {{"east_m", p.y()}, {"north_m", p.x()}, {"altitude_m", 0.0 - p.z()}};
+}
+
+Json element_json(const FlightElement& e) {
+  const model::FlightMoment end = model::end_of(e);
+  Json is = {{"kind", exchange::kind_of(e)},
+             {"start_s", e.start},
+             {"duration_s", e.duration},
+             {"length_m", model::ground_length(e)},
+             {"start", place(e.p_N)},
+             {"end", place(end.p_N)},
+             {"heading_deg", bearing_deg(e.heading)},
+             {"end_heading_deg", bearing_deg(end.heading)},
+             {"turned_deg", geo::degrees(e.turn_rate * e.duration)},
+             {"airspeed_mps", e.airspeed},
+             {"climb_mps", e.climb_rate}};
+  if (e.turn_rate != 0) is["turn_radius_m"] = e.airspeed / std::abs(e.turn_rate);
+  return is;
+}
+
+Json plan_json(const exchange::NamedPlan& plan) {
+  Json is = {{"name", plan.name}};
+  if (!plan.word.empty()) is["word"] = plan.word;
+  is["time_s"] = model::duration(plan.plan);
+  is["length_m"] = model::ground_length(plan.plan);
+  is["elements"] = Json::array();
+  for (const FlightElement& e : plan.plan) is["elements"].push_back(element_json(e));
+  return is;
+}
+
+void print_plan(const exchange::NamedPlan& plan) {
+  print("\n{}{}: {}, {} over ground\n", plan.name,
+        plan.word.empty() ? "" : fmt::format(" ({})", plan.word),
+        exchange::shown_time(model::duration(plan.plan)),
+        exchange::shown_length(model::ground_length(plan.plan)));
+  print(
+      "   #  element       start s    time s  length m  heading deg        east m    "
+      "north m  altitude m\n");
+  for (std::size_t k = 0; k < plan.plan.size() && k < kMostRows; ++k) {
+    const FlightElement& e = plan.plan[k];
+    print(
+        "{:>4}  {:<11} {:>9.2f} {:>9.2f} {:>9.1f}  {:>5.1f} > {:>5.1f} {:>11.1f} "
+        "{:>10.1f} {:>11.1f}\n",
+        k + 1, exchange::kind_of(e), e.start, e.duration, model::ground_length(e),
+        bearing_deg(e.heading), bearing_deg(model::end_of(e).heading), e.p_N.y(),
+        e.p_N.x(), 0.0 - e.p_N.z());
+  }
+  if (plan.plan.size() > kMostRows)
+    print("      ... {} more; --json and files have all.\n",
+          plan.plan.size() - kMostRows);
+}
+
+void print_document(const exchange::Document& document) {
+  print("{}\n", document.title);
+  for (const auto& [name, value] : document.facts) print("  {}: {}\n", name, value);
+  for (const exchange::NamedPlan& plan : document.plans) print_plan(plan);
+}
+
+}  // namespace
+
+Result<void> check_files(const PlanOutput& output) {
+  for (const std::filesystem::path& file : output.files)
+    if (const auto format = exchange::format_of(file); !format) return format.error();
+  return {};
+}
+
+int put_plan(const exchange::Document& document, const Json& about,
+             const PlanOutput& output) {
+  const exchange::WritingOptions options{output.tolerance, output.step};
+  for (const std::filesystem::path& file : output.files) {
+    const auto format = exchange::format_of(file);
+    if (!format) return say_error(format.error());
+    auto text = exchange::to_text(document, format.value(), options);
+    if (!text) {
+      Error error = text.error();
+      error.place = file.string();
+      return say_error(error);
+    }
+    if (auto good = write_text(file, text.value()); !good) return say_error(good.error());
+  }
+  if (!output.json) {
+    print_document(document);
+    return kDone;
+  }
+  Json all = about;
+  all["plans"] = Json::array();
+  for (const exchange::NamedPlan& plan : document.plans)
+    all["plans"].push_back(plan_json(plan));
+  print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
+  return kDone;
+}
+
+}  // namespace skein::app

@@ -1,0 +1,62 @@
+#include "exchange/formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace skein::exchange {
+namespace {
+
+struct Ending {
+  std::string_view text;
+  Format format;
+};
+constexpr std::array kEndings = {Ending{".geojson", Format::kGeojson},
+                                 Ending{".csv", Format::kCsv},
+                                 Ending{".kml", Format::kKml},
+                                 Ending{".plan", Format::kQgcPlan},
+                                 Ending{".waypoints", Format::kWaypoints},
+                                 Ending{".svg", Format::kSvg},
+                                 Ending{".html", Format::kHtml}};
+
+}  // namespace
+
+Result<Format> format_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  std::string known;
+  for (const Ending& each : kEndings) {
+    if (each.text == ending) return each.format;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", each.text);
+  }
+  return Error{ErrorCode::kBadInput, file.string(),
+               "the ending of the name says no format that plans are written in.",
+               fmt::format("Allowed: {}.", known)};
+}
+
+Result<std::string> to_text(const Document& document, Format format,
+                            const WritingOptions& options) {
+  switch (format) {
+    case Format::kGeojson:
+      return to_geojson(document, options);
+    case Format::kCsv:
+      return to_csv(document, options);
+    case Format::kKml:
+      return to_kml(document, options);
+    case Format::kQgcPlan:
+      return to_qgc_plan(document, options);
+    case Format::kWaypoints:
+      return to_waypoints(document, options);
+    case Format::kSvg:
+      return to_svg(document);
+    case Format::kHtml:
+      return to_html(document);
+  }
+  return Error{};
+}
+
+}  // namespace skein::exchange

@@ -1,0 +1,54 @@
+#include "exchange/mission.h"
+
+#include <fmt/format.h>
+
+#include "exchange/samples.h"
+
+namespace skein::exchange {
+namespace {
+
+constexpr int kGlobal = 0, kNoPlace = 2;           // MAV_FRAME
+constexpr int kWaypoint = 16, kChangeSpeed = 178;  // MAV_CMD
+
+Error refused(const std::string& why, const std::string& hint) {
+  return {ErrorCode::kBadInput, "", why, hint};
+}
+
+}  // namespace
+
+Result<std::vector<MissionItem>> to_mission(const Document& document,
+                                            const WritingOptions& options) {
+  if (!document.frame)
+    return refused(
+        "missions have latitudes and longitudes; the place on Earth is not "
+        "known.",
+        "Give --origin.");
+  if (!document.has_altitude)
+    return refused("missions have altitudes; none was given.", "Give --altitude-m.");
+  if (document.plans.size() != 1 || document.plans[0].plan.empty())
+    return refused(fmt::format("a mission file holds one flight; there are {}.",
+                               document.plans.size()),
+                   "Plan for one aircraft, or write another format.");
+  const FlightPlan& plan = document.plans[0].plan;
+  std::vector<MissionItem> items;
+  double airspeed = 0;
+  for (const FlightSample& each : samples(plan, options.tolerance)) {
+    const FlightElement& e = plan[each.element];
+    if (e.airspeed != airspeed) {
+      airspeed = e.airspeed;
+      // Airspeed (0), its value, throttle as it is (-1).
+      items.push_back({kNoPlace, kChangeSpeed, {0, airspeed, -1, 0}});
+    }
+    const Vec3& p = each.moment.p_N;
+    const geo::Geodetic at = document.frame->from_plane(p.head<2>());
+    items.push_back({kGlobal,
+                     kWaypoint,
+                     {0, 0, 0, 0},
+                     at.latitude_deg,
+                     at.longitude_deg,
+                     0.0 - p.z()});
+  }
+  return items;
+}
+
+}  // namespace skein::exchange
