@@ -150,16 +150,21 @@ void sort(std::vector<Candidate>& candidates) {
       [](const Candidate& a, const Candidate& b) { return a.time < b.time; });
 }
 
-// The first of the list with its time in a simple order, the quickest first.
-std::vector<Candidate> in_simple_order(const SweepTask& task,
-                                       std::vector<Candidate> candidates) {
+// The first `count` of the list with their times in a simple order, or in a better one,
+// the quickest first.
+std::vector<Candidate> in_order(const SweepTask& task, std::vector<Candidate> candidates,
+                                std::size_t count, bool improve) {
   sort(candidates);
-  const std::size_t count = count_for(4000, candidates, 12, 100);
   if (candidates.size() > count) candidates.resize(count);
   for (Candidate& c : candidates) {
     LineCosts costs(lines_at(task, c.bearing, c.rule), task.air, task.ends,
                     detour_of(task));
-    c.time = route_time(costs, 0, quickest_pattern(costs, 0, skip_of(task)));
+    Route route = quickest_pattern(costs, 0, skip_of(task));
+    if (improve && costs.lines() <= 8)
+      route = quickest_order(costs, 0, route);
+    else if (improve)
+      route = improved(costs, 0, std::move(route), 0);
+    c.time = route_time(costs, 0, route);
   }
   sort(candidates);
   return candidates;
@@ -180,8 +185,12 @@ OrderEffort effort_for(const SweepTask& task, std::size_t lines) {
 }
 
 Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
-  candidates = in_simple_order(task, std::move(candidates));
-  const std::size_t count = count_for(400, candidates, 3, 12);
+  sort(candidates);
+  const std::size_t simply = count_for(12000, candidates, 24, 3000);
+  const std::size_t better_ordered = count_for(2400, candidates, 12, 300);
+  const std::size_t count = count_for(250, candidates, 4, 30);
+  candidates = in_order(task, std::move(candidates), simply, false);
+  candidates = in_order(task, std::move(candidates), better_ordered, true);
   std::vector<Candidate> tried;
   Sweep best;
   Candidate from = candidates.front();
