@@ -18,6 +18,15 @@ std::string limits_fault(const FlightLimits& limits) {
   return {};
 }
 
+std::string speeds_fault(const FlightLimits& limits) {
+  if (limits.slowest >= 0 && limits.slowest <= limits.airspeed &&
+      limits.airspeed <= limits.fastest && std::isfinite(limits.fastest))
+    return {};
+  return fmt::format(
+      "airspeed {} m/s must lie between the slowest, {}, and the fastest, {}",
+      limits.airspeed, limits.slowest, limits.fastest);
+}
+
 std::string too_strong(double wind, double airspeed) {
   return fmt::format(
       "wind of {:.1f} m/s is not below the airspeed of {:.1f} m/s: places upwind cannot "

@@ -10,6 +10,9 @@ namespace skein::planning {
 /// turn radius, climb and sink rate); empty when nothing is.
 std::string limits_fault(const FlightLimits& limits);
 
+/// The same for the range of airspeeds: 0 <= slowest <= airspeed <= fastest.
+std::string speeds_fault(const FlightLimits& limits);
+
 /// Words for a wind that no plan can be made in.
 std::string too_strong(double wind, double airspeed);
 

@@ -37,10 +37,8 @@ OrbitResult checked(const OrbitQuery& q) {
                    "1e6 s");
   if (std::string fault = limits_fault(q.limits); !fault.empty())
     return refused(OrbitOutcome::kBadAircraft, std::move(fault));
-  if (!(q.limits.slowest >= 0 && q.limits.slowest <= q.limits.airspeed &&
-        q.limits.fastest >= q.limits.airspeed && std::isfinite(q.limits.fastest)))
-    return refused(OrbitOutcome::kBadAircraft,
-                   "the airspeed must lie between the slowest and the fastest");
+  if (std::string fault = speeds_fault(q.limits); !fault.empty())
+    return refused(OrbitOutcome::kBadAircraft, std::move(fault));
   if (!q.start.p_N.allFinite() || !std::isfinite(q.start.heading) ||
       !std::isfinite(q.start_time) || !std::isfinite(q.altitude_msl) ||
       !q.wind.allFinite())
