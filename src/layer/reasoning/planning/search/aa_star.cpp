@@ -116,8 +116,12 @@ bool Planning::fly_exactly(const Way& way) {
 void Planning::take_ways() {
   if (query_.airspace == nullptr || query_.airspace->zones.empty()) return;
   const double a = -query_.start.p_N.z(), b = -query_.goal.p_N.z();
-  const auto rounds = rounds_of(*query_.airspace, {std::min(a, b), std::max(a, b)},
-                                {query_.start_time, kInfinity}, kMargin);
+  std::vector<Zone> zones;
+  for (const Zone& z : query_.airspace->zones) {
+    const bool met = z.ceiling_msl >= std::min(a, b) && z.floor_msl <= std::max(a, b) &&
+                     z.until >= query_.start_time;
+    if (met) zones.push_back(z);
+  }
   const GroundSpeed speed(query_.limits.airspeed, query_.wind);
   WayRequest request;
   request.start = geo::horizontal(query_.start.p_N);
@@ -139,7 +143,8 @@ void Planning::take_ways() {
     request.most_time = best_.duration * (1 + kOtherWays);
     PlanningBudget budget = query_.budget;
     budget.states = effort_.left() / 3;
-    const Ways found = find_ways(map_, rounds, speed, request, budget);
+    const Ways found =
+        ways_around(zones, query_, speed, request, {kMargin, kMargin}, budget);
     effort_.spend(found.states);
     for (; followed < found.ways.size() && !done(); ++followed) {
       const Way& way = found.ways[followed];
@@ -272,13 +277,14 @@ PlannedPath Planning::run() {
 }  // namespace
 
 PlannedPath AaStar::plan(const PathQuery& query) const {
-  if (auto refused = refuse(query)) return *refused;
+  if (auto refused = refuse_airspace(query)) return *refused;
+  if (auto refused = refuse_flight(query)) return *refused;
   AirspaceMap map(query);
   return Planning(query, map, options_).run();
 }
 
 PlannedPath AaStar::plan(const PathQuery& query, AirspaceMap& map) const {
-  if (auto refused = refuse(query)) return *refused;
+  if (auto refused = refuse_flight(query)) return *refused;
   map.ask(query);
   return Planning(query, map, options_).run();
 }

@@ -12,6 +12,8 @@ namespace skein::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Rings with more get an index.
+constexpr std::size_t kManyCorners = 24;
 
 }  // namespace
 
@@ -22,6 +24,10 @@ AirspaceMap::AirspaceMap(const PathQuery& query) : query_(query) {
   for (const Zone& zone : query_.airspace->zones) {
     timed_ |= std::isfinite(zone.from) || std::isfinite(zone.until);
     add_pieces(zone, index++, pieces);
+    rings_.emplace_back();
+    const auto* ring = std::get_if<geo::Ring>(&zone.area);
+    if (ring != nullptr && ring->size() > kManyCorners)
+      rings_.back().emplace(geo::Region{*ring});
   }
   index = 0;
   for (const MovingObstacle& mover : query_.airspace->movers)
@@ -57,11 +63,12 @@ void AirspaceMap::add(const PlannedFlight& flight) {
   keep(std::move(pieces));
 }
 
-const Corners* AirspaceMap::ring_of(const Obstacle& o) const {
+RingShape AirspaceMap::ring_of(const Obstacle& o) const {
   const bool edged =
       o.kind == Obstacle::Kind::kEdges || o.kind == Obstacle::Kind::kInside;
-  if (!edged) return nullptr;
-  return &std::get<geo::Ring>(zone(static_cast<std::size_t>(o.index)).area);
+  if (!edged) return {};
+  const auto i = static_cast<std::size_t>(o.index);
+  return {&std::get<geo::Ring>(zone(i).area), rings_[i] ? &*rings_[i] : nullptr};
 }
 
 bool AirspaceMap::within(const Vec2& p) const {
@@ -132,6 +139,24 @@ bool AirspaceMap::is_free(const FlightPlan& plan) const {
                      [&](const FlightElement& e) { return is_free(e); });
 }
 
+std::vector<std::size_t> AirspaceMap::zones_met(const FlightPlan& plan) const {
+  std::vector<std::size_t> met;
+  for (const FlightElement& e : plan) {
+    const Box box = box_of(e);
+    forest_.walk([&](const Box& b) { return b.meets(box); },
+                 [&](std::int32_t id) {
+                   const Obstacle& o = obstacles_[static_cast<std::size_t>(id)];
+                   const bool zone = o.kind != Obstacle::Kind::kMover &&
+                                     o.kind != Obstacle::Kind::kFlight;
+                   if (zone && first_contact(o, ring_of(o), e, kInfinity) >= 0)
+                     met.push_back(static_cast<std::size_t>(o.index));
+                 });
+  }
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  return met;
+}
+
 double AirspaceMap::room(const Vec3& p_N, double time, const Reach& reach,
                          double most) const {
   double room = most;
@@ -156,14 +181,14 @@ double AirspaceMap::room(const Vec3& p_N, double time, const Reach& reach,
         if (o.kind == Obstacle::Kind::kDisc) {
           away = (p - o.a).norm() - o.radius;
         } else if (o.kind == Obstacle::Kind::kEdges) {
-          const Corners& ring = *ring_of(o);
+          const geo::Ring& ring = *ring_of(o).corners;
           away = kInfinity;
           for (std::int32_t k = o.first; k < o.first + o.count; ++k) {
             const auto i = static_cast<std::size_t>(k);
             away = std::min(away, distance(p, ring[i], ring[(i + 1) % ring.size()]));
           }
         } else if (o.kind == Obstacle::Kind::kInside) {
-          away = geo::contains(*ring_of(o), p) ? 0 : kInfinity;
+          away = ring_of(o).contains(p) ? 0 : kInfinity;
         } else if (o.kind == Obstacle::Kind::kFlight) {
           away = distance(p, o.a, o.b) - o.radius;
         } else {

@@ -40,7 +40,8 @@ class AirspaceMap {
   static constexpr double kSteepest = 2;   ///< height over distance
   static constexpr double kLeastLook = 2;  ///< [m]
 
-  /// Keeps pointers to the airspace and the terrain, which must outlive it.
+  /// Keeps pointers to the airspace and the terrain, which must outlive it. The airspace
+  /// must be one that refuse_airspace() accepts.
   explicit AirspaceMap(const PathQuery& query);
 
   /// Asks for another flight in the same airspace, over the same terrain and area.
@@ -55,6 +56,9 @@ class AirspaceMap {
   std::optional<Conflict> first_conflict(const FlightPlan& plan) const;
   /// What is at a place at a time, if anything is.
   std::optional<Conflict> conflict_at(const Vec3& p_N, double time) const;
+
+  /// The zones that a plan comes into, each once, in the order of their numbers.
+  std::vector<std::size_t> zones_met(const FlightPlan& plan) const;
 
   /// Whether anything depends on the time.
   bool is_timed() const { return timed_; }
@@ -78,7 +82,7 @@ class AirspaceMap {
   };
 
   void keep(Pieces pieces);
-  const Corners* ring_of(const Obstacle& o) const;
+  RingShape ring_of(const Obstacle& o) const;
   Contact contact(const FlightElement& e, double leaf) const;
   double ground_contact(const FlightElement& e) const;
   double edge_contact(const FlightElement& e, const Box& box, double leaf) const;
@@ -88,6 +92,7 @@ class AirspaceMap {
   PathQuery query_;
   std::vector<Obstacle> obstacles_;
   BoxForest forest_;
+  std::vector<std::optional<geo::BoundaryIndex>> rings_;  // of zones with many corners
   std::vector<const PlannedFlight*> flights_;
   bool timed_ = false;
 };

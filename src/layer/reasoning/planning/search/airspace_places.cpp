@@ -137,7 +137,7 @@ std::optional<double> AirspaceMap::free_from(const Vec3& p_N, double time) const
       for (const Obstacle& o : obstacles_)
         if (o.kind == Obstacle::Kind::kFlight &&
             o.index == static_cast<std::int32_t>(c.index) &&
-            first_contact(o, nullptr, e, kInfinity) >= 0)
+            first_contact(o, {}, e, kInfinity) >= 0)
           until = std::max(until, o.until);
     if (c.blocker == Blocker::kMover) {
       const MovingObstacle& m = query_.airspace->movers[c.index];

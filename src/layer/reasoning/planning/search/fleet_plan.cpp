@@ -87,7 +87,7 @@ void Fleet::search(const FleetMember& member, PlannedPath& best) {
 
 PlannedPath Fleet::plan(const FleetMember& member) {
   const PathQuery q = query_of(member, member.earliest_start);
-  if (auto refused = refuse(q)) return *refused;
+  if (auto refused = refuse_flight(q)) return *refused;
   map_.ask(q);
   PlannedPath best;
   go_straight(member, best);
@@ -116,6 +116,11 @@ FleetPlan Fleet::run() {
 }  // namespace
 
 FleetPlan plan_fleet(const FleetQuery& query) {
+  if (auto refused = refuse_airspace(query.common)) {
+    FleetPlan out;
+    out.paths.assign(query.members.size(), *refused);
+    return out;
+  }
   return Fleet(query).run();
 }
 

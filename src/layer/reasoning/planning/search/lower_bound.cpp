@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "layer/reasoning/planning/search/tangent_graph.h"
+#include "layer/reasoning/planning/search/ways.h"
 
 namespace skein::planning {
 namespace {
@@ -19,24 +19,18 @@ bool always(const Zone& z) {
 }  // namespace
 
 LowerBound lower_bound(const PathQuery& query, Effort& effort) {
-  Airspace lasting;
+  std::vector<Zone> zones;
   if (query.airspace != nullptr)
     for (const Zone& zone : query.airspace->zones)
-      if (always(zone)) lasting.zones.push_back(zone);
-  if (lasting.zones.empty()) return {};
-  PathQuery alone;
-  alone.airspace = &lasting;
-  const AirspaceMap map(alone);
-  std::vector<Round> rounds = rounds_of(lasting, {0, 0}, {0, 0}, 0);
-  for (Round& r : rounds)
-    if (r.corner) r.radius = kMargin;
+      if (always(zone)) zones.push_back(zone);
+  if (zones.empty()) return {};
   const GroundSpeed speed(query.limits.airspeed, query.wind);
   WayRequest request;
   request.start = geo::horizontal(query.start.p_N);
   request.goal = geo::horizontal(query.goal.p_N);
   PlanningBudget budget = query.budget;
   budget.states = effort.left();
-  const Ways found = find_ways(map, rounds, speed, request, budget);
+  const Ways found = ways_around(zones, {}, speed, request, {0, kMargin}, budget);
   effort.spend(found.states);
   if (found.ways.empty()) return {found.complete ? kInfinity : 0};
   double more = 0;  // what the margin adds [m]

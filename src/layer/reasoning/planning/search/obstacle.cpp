@@ -19,7 +19,7 @@ T between(const T& a, const T& b, double part) {
   return a + part * (b - a);
 }
 
-double edges_gap(const Obstacle& o, const Corners& ring, const Vec2& p, const Vec2& q) {
+double edges_gap(const Obstacle& o, const geo::Ring& ring, const Vec2& p, const Vec2& q) {
   double least = kInfinity;
   const auto n = ring.size();
   for (std::int32_t i = o.first; i < o.first + o.count; ++i) {
@@ -70,7 +70,7 @@ double disc_contact(const Obstacle& o, const FlightElement& e, const Span& span,
 
 }  // namespace
 
-double first_contact(const Obstacle& o, const Corners* ring, const FlightElement& e,
+double first_contact(const Obstacle& o, const RingShape& ring, const FlightElement& e,
                      double leaf) {
   Span span = Span{0, e.duration}.cut({o.from - e.start, o.until - e.start});
   if (span.empty()) return -1;
@@ -85,14 +85,13 @@ double first_contact(const Obstacle& o, const Corners* ring, const FlightElement
     case Obstacle::Kind::kMover:
       return disc_contact(o, e, span, leaf);
     case Obstacle::Kind::kInside:
-      return geo::contains(*ring, geo::horizontal(model::position(e, span.begin)))
-                 ? span.begin
-                 : -1;
+      return ring.contains(geo::horizontal(model::position(e, span.begin))) ? span.begin
+                                                                            : -1;
     case Obstacle::Kind::kEdges:
       return first_near(
           e, span, model::position(e, span.begin), model::position(e, span.end), kDepth,
           leaf, [&](const Span&, const Vec3& p, const Vec3& q) {
-            return edges_gap(o, *ring, geo::horizontal(p), geo::horizontal(q));
+            return edges_gap(o, *ring.corners, geo::horizontal(p), geo::horizontal(q));
           });
     case Obstacle::Kind::kFlight:
       return first_near(e, span, model::position(e, span.begin),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "data/airspace.h"
+#include "geo/boundary_index.h"
 #include "layer/reasoning/planning/search/box_forest.h"
 #include "layer/reasoning/planning/search/sweep.h"
 
@@ -42,8 +43,15 @@ void add_pieces(const Zone& zone, std::int32_t index, Pieces& pieces);
 void add_pieces(const MovingObstacle& mover, std::int32_t index, Pieces& pieces);
 void add_pieces(const PlannedFlight& flight, std::int32_t index, Pieces& pieces);
 
-/// A ring of a zone, for what lies inside.
-using Corners = std::vector<Vec2>;
+/// The ring of a zone; one with many corners has an index.
+struct RingShape {
+  const geo::Ring* corners = nullptr;
+  const geo::BoundaryIndex* index = nullptr;
+
+  bool contains(const Vec2& p) const {
+    return index != nullptr ? index->contains(p) : geo::contains(*corners, p);
+  }
+};
 
 /// When an element first comes into an obstacle, deeper than kDepth.
 ///
@@ -53,11 +61,11 @@ using Corners = std::vector<Vec2>;
 /// - Flight: pieces of at most 0.05 s, for each of which the other may be anywhere where
 ///   it is in the whole piece's range of times.
 ///
-/// @param ring  the corners of the obstacle's zone, if it has any.
+/// @param ring  of the obstacle's zone, if it has one.
 /// @param leaf  how exactly the time is wanted [s]; infinite: only whether.
 /// @returns     seconds after the element's start, at or shortly before the contact;
 ///              negative if there is none.
-double first_contact(const Obstacle& obstacle, const Corners* ring,
+double first_contact(const Obstacle& obstacle, const RingShape& ring,
                      const FlightElement& element, double leaf);
 
 }  // namespace skein::planning

@@ -147,12 +147,16 @@ PlannedPath blocked(PlanningOutcome outcome, const AirspaceMap& map,
 
 }  // namespace
 
-std::optional<PlannedPath> refuse(const PathQuery& query) {
+std::optional<PlannedPath> refuse_airspace(const PathQuery& query) {
+  if (query.airspace == nullptr) return std::nullopt;
+  std::string problem = problem_of(*query.airspace);
+  if (problem.empty()) return std::nullopt;
+  return answer(PlanningOutcome::kBadQuery, std::move(problem));
+}
+
+std::optional<PlannedPath> refuse_flight(const PathQuery& query) {
   if (std::string p = problem_of_limits(query); !p.empty())
     return answer(PlanningOutcome::kBadQuery, std::move(p));
-  if (query.airspace != nullptr)
-    if (std::string p = problem_of(*query.airspace); !p.empty())
-      return answer(PlanningOutcome::kBadQuery, std::move(p));
   if (query.wind.norm() >= query.limits.airspeed)
     return answer(
         PlanningOutcome::kWindTooStrong,

@@ -209,8 +209,8 @@ FlightPlan part_of(const FlightPlan& plan, double from, double until) {
 
 RepairedPath repair(const FlightPlan& old, const PathQuery& query, AirspaceMap& now,
                     const RepairOptions& options) {
-  RepairedPath out;
-  if (auto refused = refuse(query)) {
+  if (auto refused = refuse_flight(query)) {
+    RepairedPath out;
     out.path = std::move(*refused);
     return out;
   }
@@ -220,13 +220,13 @@ RepairedPath repair(const FlightPlan& old, const PathQuery& query, AirspaceMap& 
 
 RepairedPath repair(const FlightPlan& old, const PathQuery& query,
                     const RepairOptions& options) {
-  RepairedPath out;
-  if (auto refused = refuse(query)) {
+  if (auto refused = refuse_airspace(query)) {
+    RepairedPath out;
     out.path = std::move(*refused);
     return out;
   }
   AirspaceMap map(query);
-  return Repairer(old, query, map, options).run();
+  return repair(old, query, map, options);
 }
 
 }  // namespace skein::planning

@@ -80,7 +80,7 @@ class Search {
   std::vector<Node> nodes_;
   std::vector<std::vector<Tangent>> tangents_;       // by row
   std::vector<bool> has_tangents_;                   // by row
-  std::vector<Known> straights_;                     // by rows, unless timed
+  std::vector<std::vector<Known>> straights_;        // by rows, unless timed
   std::vector<std::vector<std::int32_t>> arrivals_;  // by row
   std::priority_queue<Open> open_;
   std::int64_t states_ = 0;
@@ -109,7 +109,7 @@ Search::Search(const AirspaceMap& map, std::span<const Round> rounds,
   tangents_.resize(rows);
   has_tangents_.resize(rows);
   arrivals_.resize(rows);
-  straights_.resize(rows * rows, Known::kNot);
+  straights_.resize(rows);
 }
 
 std::optional<Tangent> Search::tangent(std::size_t i, int side, std::size_t k,
@@ -182,8 +182,9 @@ bool Search::arc_free(Node& node, double turned) {
 }
 
 bool Search::straight_free(const Node& from, const Tangent& t, double begin) {
-  Known& known =
-      straights_[row(from.round, from.side) * 2 * rounds_.size() + row(t.round, t.side)];
+  auto& of_row = straights_[row(from.round, from.side)];
+  if (of_row.empty()) of_row.resize(2 * rounds_.size(), Known::kNot);
+  Known& known = of_row[row(t.round, t.side)];
   if (!map_.is_timed() && known != Known::kNot) return known == Known::kFree;
   const bool free = map_.is_free(geometry(t.begin, t.course, 0, (t.end - t.begin).norm(),
                                           begin, begin + t.time, t.end));
@@ -291,64 +292,6 @@ Ways find_ways(const AirspaceMap& map, std::span<const Round> rounds,
                const GroundSpeed& speed, const WayRequest& request,
                const PlanningBudget& budget) {
   return Search(map, rounds, speed, request, budget).run();
-}
-
-std::vector<Round> rounds_of(const Airspace& airspace, const Span& altitudes,
-                             const Span& times, double margin) {
-  std::vector<Round> rounds;
-  for (const Zone& zone : airspace.zones) {
-    if (altitudes.cut({zone.floor_msl, zone.ceiling_msl}).empty()) continue;
-    if (times.cut({zone.from, zone.until}).empty()) continue;
-    if (const auto* disc = std::get_if<Disc>(&zone.area)) {
-      rounds.push_back({disc->centre, disc->radius + margin});
-      continue;
-    }
-    const auto& ring = std::get<geo::Ring>(zone.area);
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec2 before = ring[i] - ring[(i + n - 1) % n];
-      const Vec2 after = ring[(i + 1) % n] - ring[i];
-      if (geo::cross(before, after) > 0) rounds.push_back({ring[i], margin, true});
-    }
-  }
-  return rounds;
-}
-
-FlightPlan fly_way(const Way& way, const PathQuery& query) {
-  FlightPlan plan;
-  FlightElement e;
-  e.start = query.start_time;
-  e.p_N = query.start.p_N;
-  e.heading = query.start.heading;
-  e.airspeed = query.limits.airspeed;
-  const auto add = [&](double duration, double turn_rate) {
-    if (duration <= 0) return;
-    e.duration = duration;
-    e.turn_rate = turn_rate;
-    plan.push_back(e);
-    const model::FlightMoment end = model::end_of(e);
-    e.start += duration;
-    e.p_N = end.p_N;
-    e.heading = end.heading;
-  };
-  for (std::size_t i = 0; i < way.arcs.size(); ++i) {
-    const Way::Arc& arc = way.arcs[i];
-    const double r = arc.round.radius;
-    if (r > 0) add(r * arc.turned / e.airspeed, arc.side * e.airspeed / r);
-    if (i + 1 == way.arcs.size()) break;
-    const Way::Arc& next = way.arcs[i + 1];
-    const Vec2 out = geo::turned_right(geo::unit(next.course));
-    const Vec2 straight = next.round.centre - next.side * next.round.radius * out -
-                          arc.round.centre + arc.side * r * out;
-    add(straight.norm() / e.airspeed, 0);
-  }
-  const double whole = model::duration(plan);
-  const double climb = whole > 0 ? (query.start.p_N.z() - query.goal.p_N.z()) / whole : 0;
-  for (FlightElement& piece : plan) {
-    piece.climb_rate = climb;
-    piece.p_N.z() = query.start.p_N.z() - climb * (piece.start - query.start_time);
-  }
-  return plan;
 }
 
 }  // namespace skein::planning

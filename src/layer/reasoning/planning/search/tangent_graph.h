@@ -71,13 +71,4 @@ Ways find_ways(const AirspaceMap& map, std::span<const Round> rounds,
                const GroundSpeed& speed, const WayRequest& request,
                const PlanningBudget& budget);
 
-/// The discs, and the convex corners of the rings, of zones that a flight between two
-/// altitudes may meet from a time on. Within `margin` [m] around them.
-std::vector<Round> rounds_of(const Airspace& airspace, const Span& altitudes,
-                             const Span& times, double margin);
-
-/// A way as flown without wind: straights and turns at constant altitude rate.
-/// Valid: no wind; arcs no tighter than the aircraft can fly.
-FlightPlan fly_way(const Way& way, const PathQuery& query);
-
 }  // namespace skein::planning

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "layer/reasoning/planning/search/chain.h"
-#include "layer/reasoning/planning/search/tangent_graph.h"
+#include "layer/reasoning/planning/search/ways.h"
 
 namespace skein::planning {
 
