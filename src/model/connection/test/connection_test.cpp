@@ -9,7 +9,7 @@
 namespace skein::model {
 namespace {
 
-void expect_exact(const ConnectionQuery& q, int number) {
+void expect_exact(const ConnectionQuery& q, std::uint32_t number) {
   const Connection c = connect(q.from, q.to, q.air);
   ASSERT_EQ(c.status, ConnectionStatus::kFound) << number;
   // Rounding of positions of a thousand radii is 1e-13 radii; near-tangent straights and
@@ -20,11 +20,11 @@ void expect_exact(const ConnectionQuery& q, int number) {
 }
 
 TEST(Connection, IsNeverLaterThanADenseSearchOnRandomCases) {
-  for (int i = 0; i < 3000; ++i) expect_exact(test::random_case(i), i);
+  for (std::uint32_t i = 0; i < 3000; ++i) expect_exact(test::random_case(i), i);
 }
 
 TEST(Connection, IsNeverLaterThanADenseSearchOnHardCases) {
-  for (int i = 0; i < 3000; ++i) expect_exact(test::hard_case(i), i);
+  for (std::uint32_t i = 0; i < 3000; ++i) expect_exact(test::hard_case(i), i);
 }
 
 }  // namespace
