@@ -21,9 +21,12 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Ways keep this far from discs and corners, so that rounding is no conflict [m].
 constexpr double kMargin = 0.02;
-// Ways of different kinds that are followed, and by which part of the best path's time
-// they may seem longer at first.
-constexpr int kWays = 3;
+struct Try {
+  int ways;
+  double greed;
+};
+constexpr std::array<Try, 4> kTries = {{{1, 1}, {1, 1.1}, {1, 1.5}, {3, 1}}};
+// By which part of the best path's time other ways may seem longer at first.
 constexpr double kOtherWays = 0.05;
 
 // Finer and less greedy from round to round; each may use a part of what is left.
@@ -56,6 +59,7 @@ class Planning {
   void take_ways();
   void take_levels();
   void take_waits();
+  void follow(const Way& way, bool quickest);
   bool fly_exactly(const Way& way);
   void search();
   PlannedPath answer();
@@ -65,7 +69,7 @@ class Planning {
   AaStar::Options options_;
   Effort effort_;
   PlannedPath best_;
-  bool shortest_ = false, exhausted_ = false;
+  bool shortest_ = false, exhausted_ = false, followed_ = false;
 };
 
 void Planning::take(FlightPlan plan) {
@@ -135,30 +139,36 @@ void Planning::take_ways() {
   request.start_time = query_.start_time;
   request.start_altitude = a;
   request.goal_altitude = b;
-  // One to have a path, others as far as they do not take too much of the budget.
-  std::size_t followed = 0;
-  for (const int ways : {1, kWays}) {
+  // One to have a path, the quickest if that is not too much work; then others.
+  for (const Try& t : kTries) {
     if (done()) return;
-    request.ways = ways;
+    if (t.greed > 1 && !best_.plan.empty() && followed_) continue;
+    request.ways = t.ways;
+    request.greed = t.greed;
     request.most_time = best_.duration * (1 + kOtherWays);
     PlanningBudget budget = query_.budget;
-    budget.states = effort_.left() / 3;
+    budget.states = effort_.left() / 6;
     const Ways found =
         ways_around(zones, query_, speed, request, {kMargin, kMargin}, budget);
     effort_.spend(found.states);
-    for (; followed < found.ways.size() && !done(); ++followed) {
-      const Way& way = found.ways[followed];
-      if (fly_exactly(way)) {
-        shortest_ = followed == 0 && !map_.is_timed() && a == b;
-        continue;
-      }
-      // A way that cannot be flown as it is still tells where to pass.
-      auto chain = follow_way(way, map_, effort_, Detail::kCoarse);
-      if (!chain && !done()) chain = follow_way(way, map_, effort_, Detail::kFine);
-      take(std::move(chain));
-    }
+    const bool quickest = t.greed == 1 && a == b && !map_.is_timed();
+    for (std::size_t i = followed_ && t.ways > 1 ? 1 : 0;
+         i < found.ways.size() && !done(); ++i)
+      follow(found.ways[i], quickest && i == 0);
     if (query_.budget.first && !best_.plan.empty()) return;
   }
+}
+
+void Planning::follow(const Way& way, bool quickest) {
+  followed_ = true;
+  if (fly_exactly(way)) {
+    shortest_ = quickest;
+    return;
+  }
+  // A way that cannot be flown as it is still tells where to pass.
+  auto chain = follow_way(way, map_, effort_, Detail::kCoarse);
+  if (!chain && !done()) chain = follow_way(way, map_, effort_, Detail::kFine);
+  take(std::move(chain));
 }
 
 // Up or down to what lies over and under zones and the ground, across, and back.

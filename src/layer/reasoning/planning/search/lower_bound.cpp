@@ -9,7 +9,8 @@ namespace skein::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMargin = 0.02;  // about corners [m]
+constexpr double kMargin = 0.02;    // about corners [m]
+constexpr std::int64_t kShare = 8;  // of what is left, for the bound
 
 bool always(const Zone& z) {
   return z.floor_msl == -kInfinity && z.ceiling_msl == kInfinity &&
@@ -29,7 +30,7 @@ LowerBound lower_bound(const PathQuery& query, Effort& effort) {
   request.start = geo::horizontal(query.start.p_N);
   request.goal = geo::horizontal(query.goal.p_N);
   PlanningBudget budget = query.budget;
-  budget.states = effort.left();
+  budget.states = effort.left() / kShare;
   const Ways found = ways_around(zones, {}, speed, request, {0, kMargin}, budget);
   effort.spend(found.states);
   if (found.ways.empty()) return {found.complete ? kInfinity : 0};

@@ -12,6 +12,7 @@ namespace {
 
 // Arcs this near to a full circle are none [rad].
 constexpr double kFullCircle = 1e-9;
+constexpr std::int64_t kTangentsPerState = 8;
 
 struct Tangent {
   std::size_t round;  // where it ends
@@ -83,7 +84,7 @@ class Search {
   std::vector<std::vector<Known>> straights_;        // by rows, unless timed
   std::vector<std::vector<std::int32_t>> arrivals_;  // by row
   std::priority_queue<Open> open_;
-  std::int64_t states_ = 0;
+  std::int64_t tangents_seen_ = 0;
 };
 
 Search::Search(const AirspaceMap& map, std::span<const Round> rounds,
@@ -213,14 +214,15 @@ void Search::expand(std::int32_t index) {
   const double most = round.corner ? geo::kPi : 2 * geo::kPi - kFullCircle;
   const auto push = [&](double course, double straight, const Vec2& end,
                         std::int32_t tangent) {
-    ++states_;
+    ++tangents_seen_;
     double turned = geo::wrap_2pi(node.side * (course - node.course));
     if (turned > 2 * geo::kPi - kFullCircle || free_course) turned = 0;
     if (turned > most) return;
     const double time =
         node.time + straight + speed_.arc(round.radius, node.course, node.side * turned);
-    const double bound = time + speed_.straight(request_.goal - end);
-    if (bound <= request_.most_time) open_.push({bound, time, index, tangent, turned});
+    const double left = speed_.straight(request_.goal - end);
+    if (time + left <= request_.most_time)
+      open_.push({time + request_.greed * left, time, index, tangent, turned});
   };
   if (is_goal(node.round)) {
     if (curved_)
@@ -262,14 +264,15 @@ Ways Search::run() {
   }
   const auto enough = [&] { return static_cast<int>(out.ways.size()) >= request_.ways; };
   std::int64_t settled = 0;
-  while (!open_.empty() && !enough() && states_ < budget_.states) {
+  while (!open_.empty() && !enough() &&
+         tangents_seen_ / kTangentsPerState < budget_.states) {
     if ((++settled & 63) == 0 && budget_.stop && budget_.stop()) break;
     const Open next = open_.top();
     open_.pop();
     settle(next, out);
   }
   out.complete = open_.empty();
-  out.states = states_;
+  out.states = tangents_seen_ / kTangentsPerState + 1;
   return out;
 }
 

@@ -39,13 +39,16 @@ struct WayRequest {
   double start_altitude = 0, goal_altitude = 0;  ///< [m]
   double most_time = 1e300;  ///< ways that take longer are not looked for [s]
   int ways = 1;              ///< how many to look for
+  /// Weight of the time left: 1 finds the quickest first, more finds one sooner that
+  /// takes at most so many times longer.
+  double greed = 1;
 };
 
 /// How a search for ways ended.
 struct Ways {
-  std::vector<Way> ways;  ///< the quickest first
-  bool complete = false;  ///< all was looked at: there is no other way of this kind
-  std::int64_t states = 0;
+  std::vector<Way> ways;    ///< the quickest first
+  bool complete = false;    ///< all was looked at: there is no other way of this kind
+  std::int64_t states = 0;  ///< eight tangents, which are quickly looked at, are one
 };
 
 /// Ways of least time that consist of straights and arcs along rounds: A* over the common
