@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <charconv>
 #include <optional>
 
@@ -128,7 +130,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   std::optional<Error> failure;
   bool interrupted = false;
   {
-    hmi::TerminalConsole console(stop);
+    hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
     const auto outcome = simulation::run(ready.world, ready.options, recorder, console);
     if (outcome) {
       interrupted = outcome.value().end == simulation::RunOutcome::End::kStopped;

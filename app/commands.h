@@ -21,6 +21,7 @@ struct RunArguments {
   bool report = false;
   bool json = false;
   bool overwrite = false;
+  bool commands = false;  ///< read the operator's from standard input
 };
 
 struct StudyArguments {

@@ -120,6 +120,9 @@ int run_program(int argc, char** argv) {
       ->allow_extra_args(false);
   run_cmd->add_option("--threads", run.threads, "Threads of the simulation.")
       ->check(CLI::Range(1, 256));
+  run_cmd->add_flag("--commands", run.commands,
+                    "Take commands from standard input: zone on, zone off; see the "
+                    "user guide.");
   run_cmd->add_flag("--report", run.report, "Write report.html at the end.");
   run_cmd->add_flag("--json", run.json, "Print the summary as JSON on standard output.");
   run_cmd->add_flag("--overwrite", run.overwrite, "Replace a run that is in the folder.");

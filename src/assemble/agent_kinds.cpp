@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "assemble/kinds_of.h"
+#include "layer/reasoning/agent/altitude.h"
 #include "layer/reasoning/agent/monitor_agent.h"
 #include "layer/reasoning/agent/round_trip.h"
 #include "layer/reasoning/agent/route_agent.h"
@@ -56,8 +60,12 @@ Fields<reasoning::WingmanOptions> wingman_fields() {
               "How far the flight of a path or plan may be off.");
 }
 
-Fields<reasoning::RouteAgentOptions> route_fields() {
-  using T = reasoning::RouteAgentOptions;
+struct RouteChoice : reasoning::RouteAgentOptions {
+  bool around_zones = false;  // those known from the start may lie on the route
+};
+
+Fields<RouteChoice> route_fields() {
+  using T = RouteChoice;
   return Fields<T>()
       .point("points_m", &T::points, "Flown to one after the other, by straight legs.")
       .items({.at_least = 1, .at_most = 10000})
@@ -66,6 +74,13 @@ Fields<reasoning::RouteAgentOptions> route_fields() {
       .boolean("lands", &T::lands,
                "After the last lap it lands where it took off; when it began in the air, "
                "at the first point.")
+      .boolean("around_zones", &T::around_zones,
+               "It flies around no-flight zones that lie on the route from the start; "
+               "else such a route is refused. Zones that come later it always flies "
+               "around.")
+      .number(
+          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "Kept from the border of zones that it flies around.", kNotNegative)
       .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
                   {.above = 0})
       .object("safety_zone", &T::safety_zone, safety_zone_fields(),
@@ -113,23 +128,39 @@ Fields<reasoning::TourAgentOptions> tour_fields() {
               "How far the flight may be off the plan.");
 }
 
-Result<std::unique_ptr<Agent>> make_route(const reasoning::RouteAgentOptions& options,
+// Zones that forbid these altitudes at any time.
+std::vector<Zone> lasting(const std::vector<Zone>& zones, double low, double high) {
+  std::vector<Zone> some;
+  for (const Zone& zone : zones)
+    if (zone.from <= 0 && std::isinf(zone.until) && concerns(zone, low, high, 0, 0))
+      some.push_back(zone);
+  return some;
+}
+
+Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
                                           const AircraftContext& c) {
+  const double start = -c.initial.p_N.z();
+  const double altitude =
+      reasoning::highest_along(*c.map, options.points) + c.altitude_agl;
+  std::vector<Zone> zones;
+  if (!options.around_zones)
+    zones = lasting(c.zones, std::min(start, altitude), std::max(start, altitude));
   // From the start to the first point, then round.
   std::vector<Vec2> way = {geo::horizontal(c.initial.p_N), options.points.front()};
-  auto crossed = reasoning::into_zone(way, false, c.zones);
-  if (!crossed) crossed = reasoning::into_zone(options.points, options.laps > 1, c.zones);
+  auto crossed = reasoning::into_zone(way, false, zones);
+  if (!crossed) crossed = reasoning::into_zone(options.points, options.laps > 1, zones);
   if (crossed)
     return Error{
         ErrorCode::kBadInput, "aircraft.agent.points_m",
         fmt::format("the route leads into a no-flight zone at {:.0f} m north, {:.0f} m "
-                    "east; an agent of kind route flies it as it is.",
+                    "east.",
                     crossed->x(), crossed->y()),
-        "Lead it round the zone: the way from the start to the first point counts too."};
+        "Lead it round the zone (the way from the start to the first point counts too), "
+        "or set around_zones."};
   reasoning::RouteAgentOptions all = options;
   all.altitude_agl = c.altitude_agl;
   return std::unique_ptr<Agent>(std::make_unique<reasoning::RouteAgent>(
-      all, c.self, c.station, c.limits, *c.map, c.zones));
+      all, c.self, c.station, c.limits, *c.map, c.zones, c.planner));
 }
 
 }  // namespace
@@ -149,13 +180,12 @@ Kinds<Agent, AircraftContext> agent_kinds() {
             [](const reasoning::WingmanOptions& o, const AircraftContext& c) {
               reasoning::WingmanOptions all = o;
               all.altitude_agl = c.altitude_agl;
-              return std::make_unique<reasoning::Wingman>(all, c.self, c.station,
-                                                          c.limits, *c.map, c.zones);
+              return std::make_unique<reasoning::Wingman>(
+                  all, c.self, c.station, c.limits, *c.map, c.zones, c.planner);
             });
-  kinds.add("route", "Flies a route of its own; takes no orders.", route_fields(),
-            [](const reasoning::RouteAgentOptions& o, const AircraftContext& c) {
-              return make_route(o, c);
-            });
+  kinds.add(
+      "route", "Flies a route of its own; takes no orders.", route_fields(),
+      [](const RouteChoice& o, const AircraftContext& c) { return make_route(o, c); });
   kinds.add("tour",
             "Flies through points on turns and straights planned for the wind; takes no "
             "orders.",

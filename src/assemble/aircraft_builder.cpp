@@ -156,12 +156,13 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
   vehicle.state = vehicle.plant->start(start);
   vehicle.air.wind_N = start.wind_N;
   for (const Zone& zone : zones_)
-    if (covers(zone, place.position))
-      return Error{ErrorCode::kBadInput, name,
-                   fmt::format("starts inside a no-flight zone, at {:.0f} m north, "
-                               "{:.0f} m east.",
-                               place.position.x(), place.position.y()),
-                   "Move its start or the zone."};
+    if (covers(zone, place.position) && holds_at(zone, altitude, group.join.seconds()))
+      return Error{
+          ErrorCode::kBadInput, name,
+          fmt::format("starts inside the no-flight zone {}, at {:.0f} m north, "
+                      "{:.0f} m east, {:.0f} m above mean sea level.",
+                      zone.name, place.position.x(), place.position.y(), altitude),
+          "Move its start or the zone."};
   return {};
 }
 

@@ -9,11 +9,12 @@
 #include "assemble/aircraft_fit.h"
 #include "assemble/kinds_of.h"
 #include "assemble/sampling.h"
-#include "geo/clip.h"
 #include "geo/polygon.h"
 #include "layer/environment/terrain/synthetic_terrain.h"
 #include "layer/environment/wind/uniform_wind.h"
 #include "layer/reasoning/agent/heartbeat.h"
+#include "layer/reasoning/agent/zone_desk.h"
+#include "scenario/zones.h"
 
 namespace skein::assemble {
 namespace {
@@ -62,16 +63,19 @@ class Builder {
  public:
   Builder(const Scenario& scenario, geo::LocalFrame frame)
       : scenario_(scenario), frame_(std::move(frame)) {
-    // A zone drawn the other way round, or crossing itself, means the same area.
-    const geo::Region area =
-        geo::clean(scenario.environment.zones, geo::FillRule::kNonZero);
-    for (const geo::Ring& ring : area)
-      if (geo::signed_area(ring) > 0) zones_.push_back({.area = ring});
+    const scenario::Environment& environment = scenario.environment;
+    for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
+      zones_.push_back(scenario::ring_zone(environment.zone_rings[i], i));
+    for (const scenario::NoFlightZone& zone : environment.zones)
+      if (zone.active) zones_.push_back(scenario::to_zone(zone));
   }
 
   Result<Build> build() {
     build_.options = run_options(scenario_);
     build_.warnings = sampling_warnings(scenario_);
+    for (std::string& doubt : scenario::zone_doubts(scenario_.environment))
+      build_.warnings.push_back(std::move(doubt));
+    build_.world.zones = zones_;
     environment();
     note(station());
     aircraft();
@@ -119,6 +123,8 @@ class Builder {
     entity.name = "station";
     entity.kind = "station";
     entity.agent = std::move(agent).value();
+    entity.agent =
+        std::make_unique<reasoning::ZoneDesk>(desk_options(), std::move(entity.agent));
     if (const Time period = heartbeat(scenario_); period > Time())
       entity.agent = std::make_unique<reasoning::Heartbeat>(std::move(entity.agent),
                                                             context.team, period);
@@ -126,6 +132,22 @@ class Builder {
     entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
     build_.world.entities.push_back(std::move(entity));
     return {};
+  }
+
+  // Who says which zones are in force, and when the scenario wants changes.
+  reasoning::ZoneDeskOptions desk_options() const {
+    reasoning::ZoneDeskOptions options;
+    options.team = team();
+    options.known = options.drawn = zones_;
+    for (const scenario::NoFlightZone& described : scenario_.environment.zones) {
+      const Zone zone = scenario::to_zone(described);
+      if (!described.active) options.drawn.push_back(zone);
+      for (const scenario::ZoneSwitch& change : described.switches)
+        options.planned.push_back({change.at, {0, change.on, zone}});
+    }
+    std::stable_sort(options.planned.begin(), options.planned.end(),
+                     [](const auto& a, const auto& b) { return a.at < b.at; });
+    return options;
   }
 
   std::vector<EntityId> team() const {

@@ -17,6 +17,7 @@
 #include "data/vehicle.h"
 #include "data/zone.h"
 #include "geo/local_frame.h"
+#include "role/path_planner.h"
 #include "role/terrain.h"
 #include "role/wind_field.h"
 #include "scenario/scenario.h"
@@ -40,16 +41,17 @@ struct AircraftContext {
   std::uint32_t instance = 0;  ///< number among its sensors of one kind, from 0
   EntityId station;
   Time agent_period;
-  double altitude_agl = 0;             ///< flight altitude above ground [m]
-  std::shared_ptr<const Terrain> map;  ///< the terrain as the agent knows it
-  std::vector<Zone> zones;
-  FlightLimits limits;          ///< of the plant
-  Airframe airframe;            ///< of the plant
-  NavEstimate initial;          ///< where and how it flies at the start
-  bool on_ground = false;       ///< at the start
-  AircraftGains gains;          ///< of the plant's file
-  bool hears_station = false;   ///< the station gives signs of life
-  bool has_position = false;    ///< a sensor says where it is
+  double altitude_agl = 0;                     ///< flight altitude above ground [m]
+  std::shared_ptr<const Terrain> map;          ///< the terrain as the agent knows it
+  std::vector<Zone> zones;                     ///< in force from the start
+  std::shared_ptr<const PathPlanner> planner;  ///< of ways around zones; null: none
+  FlightLimits limits;                         ///< of the plant
+  Airframe airframe;                           ///< of the plant
+  NavEstimate initial;                         ///< where and how it flies at the start
+  bool on_ground = false;                      ///< at the start
+  AircraftGains gains;                         ///< of the plant's file
+  bool hears_station = false;                  ///< the station gives signs of life
+  bool has_position = false;                   ///< a sensor says where it is
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common
   double parameter_spread = 0;  ///< of the plant's parameters, at most
 };

@@ -58,6 +58,10 @@ class BothRecorders final : public Recorder {
     first_.crossing(crossing);
     second_.crossing(crossing);
   }
+  void zone(Time time, const ZoneChange& change) override {
+    first_.zone(time, change);
+    second_.zone(time, change);
+  }
   void object(const GroundObject& object) override {
     first_.object(object);
     second_.object(object);

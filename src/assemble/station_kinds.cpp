@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "assemble/kinds_of.h"
 #include "layer/reasoning/agent/round_trip.h"
 #include "layer/reasoning/agent/route_agent.h"
@@ -93,7 +95,13 @@ Result<std::unique_ptr<Agent>> make_formation(const FormationChoice& choice,
     return refuse(fmt::format("slots_m has {} places for {} followers.",
                               choice.slots.size(), c.team.size() - 1),
                   "Give one for each aircraft but the leader.");
-  if (const auto at = reasoning::into_zone(choice.route, choice.laps > 1, c.zones))
+  // Others the leader flies around, when and where they forbid its flight.
+  std::vector<Zone> zones = c.zones;
+  std::erase_if(zones, [](const Zone& zone) {
+    return zone.from > 0 || std::isfinite(zone.until) || std::isfinite(zone.floor_msl) ||
+           std::isfinite(zone.ceiling_msl);
+  });
+  if (const auto at = reasoning::into_zone(choice.route, choice.laps > 1, zones))
     return refuse(fmt::format("route_m leads into a no-flight zone at {:.0f} m north, "
                               "{:.0f} m east.",
                               at->x(), at->y()),

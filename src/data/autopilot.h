@@ -64,8 +64,10 @@ struct Land {
   std::optional<double> course = std::nullopt;  ///< [rad]; none: against the wind
 };
 
-/// Go to where the flight began, and stay above.
-struct Return {};
+/// Go to a place and stay above.
+struct Return {
+  std::optional<Vec2> point = std::nullopt;  ///< [m]; none: where the flight began
+};
 
 /// What the vehicle shall do now.
 struct AutopilotCommand {
@@ -74,6 +76,17 @@ struct AutopilotCommand {
       guidance = HoldCourse{};
   double altitude_msl = 0;  ///< [m]; for guidance that has none of its own
   std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise
+};
+
+/// Where returns lead from now on, those of failsafes too, and by what way: around what
+/// is forbidden.
+struct ReturnWay {
+  /// One after the other, each straight from the last; at the last one it stays or lands
+  /// [m]. Empty: straight to where the flight began.
+  std::vector<Vec2> points;
+  double ground_msl = 0;  ///< at the last one [m]
+
+  bool operator==(const ReturnWay&) const = default;
 };
 
 /// What has gone wrong, most severe last.

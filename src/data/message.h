@@ -8,6 +8,7 @@
 #include "data/fire.h"
 #include "data/task.h"
 #include "data/vehicle.h"
+#include "data/zone_change.h"
 
 namespace skein {
 
@@ -19,6 +20,8 @@ struct AircraftReport {
   bool task_done = false;
   /// False while a pilot or a failsafe flies: then orders wait.
   bool obeys = true;
+  /// It knows all changes of no-flight zones up to this number.
+  std::uint32_t zone_changes = 0;
 };
 
 /// Where an aircraft of the team is, told on by the ground station or by itself.
@@ -37,7 +40,8 @@ struct Message {
   std::uint64_t number = 0;
   Time sent;
   int size_bytes = 0;  ///< as coded on the air
-  std::variant<FireReading, AircraftReport, Task, SignOfLife, TeamPosition> content;
+  std::variant<FireReading, AircraftReport, Task, SignOfLife, TeamPosition, ZoneChange>
+      content;
 };
 
 }  // namespace skein

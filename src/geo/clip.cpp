@@ -80,6 +80,16 @@ Region subtract(const Region& a, const Region& b) {
   return execute(ClipperLib::ctDifference, a, b, ClipperLib::pftNonZero);
 }
 
+Region grown(const Region& rings, double distance, double tolerance) {
+  // The chords of an arc lie inside of it by the tolerance, which is added.
+  ClipperLib::ClipperOffset offset(2, tolerance * kScale);
+  offset.AddPaths(to_paths(clean(rings, FillRule::kNonZero)), ClipperLib::jtRound,
+                  ClipperLib::etClosedPolygon);
+  Paths solution;
+  offset.Execute(solution, (distance + tolerance) * kScale);
+  return to_region(solution);
+}
+
 double shared_area(const Region& a, const Region& b, FillRule rule) {
   // Rings that touch themselves do not change an area: the costly splitting is left out.
   return area(execute(ClipperLib::ctIntersection, a, b, fill_type(rule), 0));

@@ -25,6 +25,11 @@ Region unite(const Region& a, const Region& b);
 Region intersect(const Region& a, const Region& b);
 Region subtract(const Region& a, const Region& b);
 
+/// Everything within `distance` [m] of the rings' insides: no point nearer than that is
+/// left out, and none is in that is further than distance + 2 tolerance. Corners become
+/// arcs. `distance` and `tolerance` above 0.
+Region grown(const Region& rings, double distance, double tolerance);
+
 /// Area [m^2] that two sets of rings have in common, each read under `rule`. Much faster
 /// than area(intersect(a, b)), because no clean region is built.
 double shared_area(const Region& a, const Region& b, FillRule rule);

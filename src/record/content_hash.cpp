@@ -22,6 +22,7 @@ enum : std::uint64_t {
   kDetection,
   kFootprint,
   kRanges,
+  kZone,
 };
 
 }  // namespace
@@ -80,6 +81,24 @@ void ContentHash::put(const AircraftReport& report) {
   put(std::uint64_t{report.task_number});
   put(report.task_done);
   put(report.obeys);
+  put(std::uint64_t{report.zone_changes});
+}
+
+void ContentHash::put(const ZoneChange& change) {
+  put(std::uint64_t{change.number});
+  put(change.on);
+  put(std::string_view(change.zone.name));
+  put(std::uint64_t{change.zone.area.index()});
+  if (const auto* disc = std::get_if<Disc>(&change.zone.area)) {
+    put(disc->centre);
+    put(disc->radius);
+  } else {
+    put(std::get<geo::Ring>(change.zone.area));
+  }
+  put(change.zone.floor_msl);
+  put(change.zone.ceiling_msl);
+  put(change.zone.from);
+  put(change.zone.until);
 }
 
 void ContentHash::put(const TeamPosition& position) {
@@ -225,6 +244,13 @@ void ContentHash::crossing(const Crossing& crossing) {
   put(crossing.track);
   put(crossing.point_sd);
   put(crossing.entered);
+  end();
+}
+
+void ContentHash::zone(Time time, const ZoneChange& change) {
+  begin(kZone);
+  put(time);
+  put(change);
   end();
 }
 

@@ -24,6 +24,7 @@ class ContentHash {
                  const BoundaryEstimate& belief);
   void event(const Event& event);
   void crossing(const Crossing& crossing);
+  void zone(Time time, const ZoneChange& change);
   void object(const GroundObject& object);
   void detection(const Detection& detection);
   void footprint(const Footprint& footprint);
@@ -46,6 +47,7 @@ class ContentHash {
   void put(const Task& task);
   void put(const SignOfLife&) {}
   void put(const TeamPosition& position);
+  void put(const ZoneChange& change);
   void put(const std::vector<Vec2>& points);
   void put(std::string_view text);
   void begin(std::uint64_t kind);

@@ -79,6 +79,12 @@ struct TaskRow {
   bool lost = false;
 };
 
+/// A no-flight zone that came into force or was taken back.
+struct ZoneRow {
+  Time time;
+  ZoneChange change;
+};
+
 struct PerimeterRow {
   Time time;
   EntityId believer;
@@ -95,9 +101,10 @@ struct TerrainRow {
 
 /// One thing to be stored. Rare and large kinds are held by pointer: the common ones
 /// decide the size.
-using Row = std::variant<TruthRow, EstimateRow, FireReading, Crossing, MessageRow,
-                         EntityRow, Event, Detection, Footprint, RangeScan,
-                         std::unique_ptr<GroundObject>, std::unique_ptr<TaskRow>,
-                         std::unique_ptr<PerimeterRow>, std::unique_ptr<TerrainRow>>;
+using Row =
+    std::variant<TruthRow, EstimateRow, FireReading, Crossing, MessageRow, EntityRow,
+                 Event, Detection, Footprint, RangeScan, std::unique_ptr<GroundObject>,
+                 std::unique_ptr<TaskRow>, std::unique_ptr<PerimeterRow>,
+                 std::unique_ptr<TerrainRow>, std::unique_ptr<ZoneRow>>;
 
 }  // namespace skein::record

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,9 @@ CREATE TABLE footprints (time_s REAL, entity_id INTEGER, sensor INTEGER,
   back_left_north_m REAL, back_left_east_m REAL);
 CREATE TABLE ranges (time_s REAL, entity_id INTEGER, sensor INTEGER, beams INTEGER,
   hits INTEGER, least_m REAL, mean_m REAL, data BLOB);
+CREATE TABLE zones (time_s REAL, number INTEGER, name TEXT, in_force INTEGER,
+  ring_json TEXT, centre_north_m REAL, centre_east_m REAL, radius_m REAL,
+  floor_msl_m REAL, ceiling_msl_m REAL, from_s REAL, until_s REAL);
 CREATE TABLE summary (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
 )sql";
 
@@ -57,8 +61,8 @@ constexpr double kNull = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kPageBytes = 4096;
 
 // The order of Message::content.
-constexpr std::array kContentNames = {"reading", "report", "task", "sign-of-life",
-                                      "team-position"};
+constexpr std::array kContentNames = {"reading",      "report",        "task",
+                                      "sign-of-life", "team-position", "zone"};
 static_assert(kContentNames.size() == std::variant_size_v<decltype(Message::content)>);
 
 std::string values(int count) {
@@ -74,6 +78,13 @@ std::string metrics_schema() {
   return sql + ");";
 }
 
+// [[north, east], ...]
+std::string json_list(const std::vector<Vec2>& points) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Vec2& p : points) list.push_back({p.x(), p.y()});
+  return list.dump();
+}
+
 // The columns of `tasks` that depend on the kind of task.
 struct TaskColumns {
   const char* kind = "";
@@ -84,11 +95,7 @@ struct TaskColumns {
     north = point.x();
     east = point.y();
   }
-  void list(const std::vector<Vec2>& points) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const Vec2& p : points) list.push_back({p.x(), p.y()});
-    points_json = list.dump();
-  }
+  void list(const std::vector<Vec2>& points) { points_json = json_list(points); }
   void operator()(const Loiter& task) {
     kind = "loiter";
     place(task.centre);
@@ -177,6 +184,7 @@ Result<void> RunDatabase::prepare() {
       {detection_, "detections", 7},
       {footprint_, "footprints", 11},
       {ranges_, "ranges", 8},
+      {zone_, "zones", 12},
       {terrain_, "terrain", 6},
       {perimeter_, "perimeters", 6},
       {metrics_, "metrics", 2 + static_cast<int>(metric_fields().size())},
@@ -250,6 +258,22 @@ Result<void> RunDatabase::write(const TaskRow& row) {
 
 Result<void> RunDatabase::write(const Event& row) {
   return insert(event_, row.time.seconds(), row.entity.value, row.kind, row.text);
+}
+
+Result<void> RunDatabase::write(const ZoneRow& row) {
+  const Zone& zone = row.change.zone;
+  const auto* disc = std::get_if<Disc>(&zone.area);
+  const auto* ring = std::get_if<geo::Ring>(&zone.area);
+  // Of a zone that goes only the name is told; no limit is null.
+  const bool on = row.change.on;
+  const auto limit = [&](double value) {
+    return on && std::isfinite(value) ? value : kNull;
+  };
+  return insert(zone_, row.time.seconds(), row.change.number, zone.name, on,
+                ring && on ? json_list(*ring) : std::string(),
+                disc ? disc->centre.x() : kNull, disc ? disc->centre.y() : kNull,
+                disc ? disc->radius : kNull, limit(zone.floor_msl),
+                limit(zone.ceiling_msl), limit(zone.from), limit(zone.until));
 }
 
 Result<void> RunDatabase::write(const GroundObject& row) {

@@ -21,8 +21,9 @@ inline constexpr std::size_t kBeliefFloats = 7;  ///< ... normal n, e, sigma, gr
 /// One beam of a stored scan: forward, right, down of its direction, then the range [m].
 inline constexpr std::size_t kBeamFloats = 4;
 
-/// Of the tables, in `PRAGMA user_version`. 3: energy reserves and the payload's tables.
-inline constexpr int kSchemaVersion = 3;
+/// Of the tables, in `PRAGMA user_version`. 3: energy reserves and the payload's tables;
+/// 4: zones.
+inline constexpr int kSchemaVersion = 4;
 
 /// The tables of one run, for writing. Write errors leave what was committed untouched.
 class RunDatabase {
@@ -50,6 +51,7 @@ class RunDatabase {
   Result<void> write(const Footprint& row);
   Result<void> write(const RangeScan& row);
   Result<void> write(const TerrainRow& row);
+  Result<void> write(const ZoneRow& row);
   Result<void> write_truth(Time time, const geo::Region& truth);
   Result<void> write_belief(Time time, EntityId believer, const BoundaryEstimate& belief);
   Result<void> write_metrics(Time time, EntityId believer,
@@ -69,7 +71,7 @@ class RunDatabase {
   Sqlite sqlite_;
   Statement meta_, entity_, truth_, estimate_, reading_, crossing_, message_, task_,
       event_;
-  Statement object_, detection_, footprint_, ranges_;
+  Statement object_, detection_, footprint_, ranges_, zone_;
   Statement terrain_, perimeter_, metrics_, summary_;
 };
 

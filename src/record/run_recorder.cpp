@@ -115,6 +115,11 @@ void RunRecorder::crossing(const Crossing& crossing) {
   parts_->writer.push(crossing);
 }
 
+void RunRecorder::zone(Time time, const ZoneChange& change) {
+  parts_->hash.zone(time, change);
+  parts_->writer.push(std::make_unique<ZoneRow>(ZoneRow{time, change}));
+}
+
 void RunRecorder::object(const GroundObject& object) {
   parts_->hash.object(object);
   parts_->writer.push(std::make_unique<GroundObject>(object));

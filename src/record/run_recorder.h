@@ -52,6 +52,7 @@ class RunRecorder final : public Recorder {
                  const BoundaryEstimate& belief) override;
   void event(const Event& event) override;
   void crossing(const Crossing& crossing) override;
+  void zone(Time time, const ZoneChange& change) override;
   void object(const GroundObject& object) override;
   void detection(const Detection& detection) override;
   void footprint(const Footprint& footprint) override;

@@ -195,6 +195,10 @@ Result<void> RunWriter::write(std::unique_ptr<TaskRow>& row) {
   return database_.write(*row);
 }
 
+Result<void> RunWriter::write(std::unique_ptr<ZoneRow>& row) {
+  return database_.write(*row);
+}
+
 Result<void> RunWriter::write(std::unique_ptr<TerrainRow>& row) {
   return database_.write(*row);
 }

@@ -64,6 +64,7 @@ class RunWriter {
   Result<void> write(std::unique_ptr<TaskRow>& row);
   Result<void> write(std::unique_ptr<TerrainRow>& row);
   Result<void> write(std::unique_ptr<PerimeterRow>& row);
+  Result<void> write(std::unique_ptr<ZoneRow>& row);
   Result<void> store(const PerimeterRow& row);
 
   // Of the writing thread.

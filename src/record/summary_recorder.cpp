@@ -51,6 +51,10 @@ void SummaryRecorder::crossing(const Crossing& crossing) {
   statistics_.crossing(crossing);
 }
 
+void SummaryRecorder::zone(Time time, const ZoneChange& change) {
+  hash_.zone(time, change);
+}
+
 void SummaryRecorder::object(const GroundObject& object) {
   hash_.object(object);
   statistics_.payload().object(object);

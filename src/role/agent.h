@@ -27,8 +27,11 @@ struct AgentOutput {
   std::vector<Message>
       outbox;  ///< `from`, `number` and `sent` are filled in by the sender
   std::optional<AutopilotCommand> command;
+  std::optional<ReturnWay> return_way;  ///< when returns shall lead elsewhere from now on
   std::vector<Event> events;
   std::vector<Crossing> crossings;  ///< that it made out of the readings it has; records
+  /// No-flight zones that a ground station has put into force or taken back; records.
+  std::vector<ZoneChange> zone_changes;
 };
 
 /// The reasoning of one entity. It never learns whether its vehicle is real.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/time.h"
+#include "data/zone_change.h"
 
 namespace skein {
 
@@ -24,6 +26,12 @@ class OperatorConsole {
 
   /// Whether the operator asked for an end of the run. Must be quick.
   virtual bool stop_requested() const = 0;
+
+  /// No-flight zones that the operator has drawn or taken back since the last call, in
+  /// order, without numbers. Asked at every step of a run, so it must be quick. They take
+  /// effect at the next decision of the ground station; what it does not take up becomes
+  /// an event "zone-refused".
+  virtual std::vector<ZoneChange> zone_wishes() { return {}; }
 };
 
 }  // namespace skein

@@ -10,6 +10,7 @@
 #include "data/object.h"
 #include "data/payload.h"
 #include "data/vehicle.h"
+#include "data/zone_change.h"
 #include "geo/polygon.h"
 
 namespace skein {
@@ -36,6 +37,11 @@ class Recorder {
   /// An aircraft has passed the boundary, as the agent that keeps the belief found. May
   /// come later than it happened.
   virtual void crossing(const Crossing& crossing) = 0;
+
+  /// A no-flight zone comes into force for those who have heard of it, or is taken back;
+  /// number 0: known to all from the start, before the first step. A recorder that has no
+  /// use for it passes it over.
+  virtual void zone(Time /*time*/, const ZoneChange& /*change*/) {}
 
   // What cameras and ranging sensors look at and see. A recorder that has no use for it
   // passes it over.

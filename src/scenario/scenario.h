@@ -31,6 +31,24 @@ struct GustEvent {
   double hold = 0;     ///< way at full strength [m]
 };
 
+/// The ground station puts a zone into force, or takes it back.
+struct ZoneSwitch {
+  Time at;
+  bool on = true;
+};
+
+/// A no-flight zone: a ring, or a disc.
+struct NoFlightZone {
+  std::string name;
+  std::optional<geo::Ring> ring;                 ///< [m]
+  std::optional<Vec2> centre;                    ///< of a disc [m]
+  std::optional<double> radius;                  ///< of a disc [m]
+  std::optional<double> floor_msl, ceiling_msl;  ///< [m]; none: no limit
+  std::optional<Time> from, until;               ///< forbidden then; none: no limit
+  bool active = true;                            ///< known to all from the start
+  std::vector<ZoneSwitch> switches;
+};
+
 /// What surrounds the aircraft.
 struct Environment {
   Choice terrain{"flat"};
@@ -38,8 +56,9 @@ struct Environment {
   Choice turbulence{"none"};
   std::vector<GustEvent> gusts;
   Choice fire{"thesis"};
-  std::optional<Time> period;    ///< of moving the fire; none: as the fire sensors need
-  std::vector<geo::Ring> zones;  ///< no-flight zones [m]
+  std::optional<Time> period;  ///< of moving the fire; none: as the fire sensors need
+  std::vector<geo::Ring> zone_rings;  ///< no-flight zones, at all altitudes and times [m]
+  std::vector<NoFlightZone> zones;
   std::vector<PlacedObject> objects;
 };
 

@@ -9,6 +9,7 @@
 
 #include "scenario/numbers.h"
 #include "scenario/scenario.h"
+#include "scenario/zones.h"
 
 namespace skein::scenario {
 namespace {
@@ -47,6 +48,40 @@ Fields<GustEvent> gust_fields() {
               {.at_least = 0, .at_most = 1e6});
 }
 
+Fields<ZoneSwitch> switch_fields() {
+  using T = ZoneSwitch;
+  return Fields<T>()
+      .duration_s("at_s", &T::at, "When the ground station says so.")
+      .required()
+      .boolean("on", &T::on, "The zone comes into force; else it is taken back.");
+}
+
+Fields<NoFlightZone> zone_fields() {
+  using T = NoFlightZone;
+  constexpr Range kAltitude{.at_least = -1000, .at_most = 100000};
+  return Fields<T>()
+      .text("name", &T::name, "What it is called; each name once.")
+      .required()
+      .polygon("ring_m", &T::ring, "Its corners. Null: it is a disc.")
+      .point("centre_m", &T::centre, "Centre of a disc. Null: it has corners.")
+      .number("radius_m", &T::radius, "Radius of a disc. Null: it has corners.", kLength)
+      .number("floor_msl_m", &T::floor_msl,
+              "Lowest altitude that is forbidden, above mean sea level. Null: no limit.",
+              kAltitude)
+      .number("ceiling_msl_m", &T::ceiling_msl,
+              "Highest altitude that is forbidden, above mean sea level. Null: no limit.",
+              kAltitude)
+      .duration_s("from_s", &T::from, "Forbidden from then on. Null: no limit.")
+      .duration_s("until_s", &T::until, "Forbidden until then. Null: no limit.")
+      .boolean("active", &T::active,
+               "In force, and known to all, from the start. Else it comes with the first "
+               "switch, or when the operator names it.")
+      .object("switches", &T::switches, switch_fields(),
+              "When the ground station puts it into force and takes it back, by radio.")
+      .items({.at_most = 1000})
+      .rules(zone_faults);
+}
+
 Fields<PlacedObject> object_fields() {
   using T = PlacedObject;
   return Fields<T>()
@@ -70,8 +105,13 @@ Fields<Environment> environment_fields() {
                   "Time between two steps of the fire. Null: every second, and as often "
                   "as a sensor looks at the fire and metrics are taken.",
                   kPeriod)
-      .polygon("zones_m", &T::zones, "No-flight zones, each a list of its corners.")
+      .polygon("zones_m", &T::zone_rings,
+               "No-flight zones at all altitudes and times, each a list of its corners.")
       .items({.at_most = 1000})
+      .object("zones", &T::zones, zone_fields(),
+              "No-flight zones with names, floors, ceilings, times and switches.")
+      .items({.at_most = 1000})
+      .rules(zone_list_faults)
       .object("objects", &T::objects, object_fields(),
               "Things on the ground, for cameras to find.")
       .items({.at_most = 10000});

@@ -147,7 +147,10 @@ void think(Time now, Entity& entity, EntityState& state) {
   entity.agent->step(in, state.output);
   if (state.output.command && entity.vehicle)
     entity.vehicle->autopilot->command(*state.output.command);
+  if (state.output.return_way && entity.vehicle)
+    entity.vehicle->autopilot->set_return(*state.output.return_way);
   state.output.command.reset();
+  state.output.return_way.reset();
   state.samples.clear();
   state.inbox.clear();
 }

@@ -60,9 +60,11 @@ class Stepper {
       working_sets_.emplace_back(world.entities[i], states_[i]);
   }
 
-  Result<void> step(Time now) {
+  /// @param wishes  of the operator since the last step.
+  Result<void> step(Time now, const std::vector<ZoneChange>& wishes) {
     if (due(now, options_.environment_period)) world_.fire->advance(now);
     update_presence(now);
+    take(now, wishes);
     update_parts(now);
     for_each([&](std::size_t i) { sense(world_, now, world_.entities[i], states_[i]); });
     note_payload();
@@ -83,6 +85,7 @@ class Stepper {
     for (std::size_t i = 0; i < world_.entities.size(); ++i)
       recorder_.entity(id_of(i), world_.entities[i].name, world_.entities[i].kind);
     for (const GroundObject& object : world_.objects) recorder_.object(object);
+    for (const Zone& zone : world_.zones) recorder_.zone(Time(), {0, true, zone});
   }
 
  private:
@@ -105,6 +108,20 @@ class Stepper {
           });
     });
     fork_join::join();
+  }
+
+  // What the operator has asked for goes to the ground stations, where the operator is.
+  void take(Time now, const std::vector<ZoneChange>& wishes) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      if (world_.entities[i].vehicle || !states_[i].active) continue;
+      for (const ZoneChange& wish : wishes) {
+        Message message;
+        message.from = message.to = id_of(i);
+        message.sent = now;
+        message.content = wish;
+        states_[i].inbox.push_back(std::move(message));
+      }
+    }
   }
 
   void tell(Time now, std::size_t i, const char* kind, std::string text) {
@@ -220,9 +237,11 @@ class Stepper {
       }
       for (const Event& event : output.events) note(event);
       for (const Crossing& crossing : output.crossings) recorder_.crossing(crossing);
+      for (const ZoneChange& change : output.zone_changes) recorder_.zone(now, change);
       output.outbox.clear();
       output.events.clear();
       output.crossings.clear();
+      output.zone_changes.clear();
     }
     arrived_.clear();
     lost_.clear();
@@ -312,9 +331,10 @@ Error failed_at(Time now, Error error) {
 }
 
 // One step; whatever it throws ends the run, not the program: others may be going on.
-Result<void> guarded_step(Stepper& stepper, Time now) {
+Result<void> guarded_step(Stepper& stepper, Time now,
+                          const std::vector<ZoneChange>& wishes) {
   try {
-    return stepper.step(now);
+    return stepper.step(now, wishes);
   } catch (const Bug& bug) {
     return Error{ErrorCode::kUnavailable, "", bug.what(),
                  "This is a fault in Skein, please report it."};
@@ -341,7 +361,7 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
       outcome.end = RunOutcome::End::kStopped;
       break;
     }
-    if (auto stepped = guarded_step(stepper, now); !stepped)
+    if (auto stepped = guarded_step(stepper, now, console.zone_wishes()); !stepped)
       return failed_at(now, stepped.error());
     if (pace.show_due())
       console.show(

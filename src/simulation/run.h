@@ -35,6 +35,7 @@ struct RunOutcome {
 
 /// Moves `world` through time until the end or until the operator asks to stop.
 ///
+/// Before each step the ground stations get what the operator asked for since the last.
 /// Each step: environment -> sensors -> agents -> radio -> autopilots -> plants ->
 /// record. Entities run in parallel inside a phase, each writing only itself; messages
 /// are merged in entity order. So the records depend on neither `threads` nor `speed`.

@@ -10,6 +10,7 @@
 #include "data/fault.h"
 #include "data/object.h"
 #include "data/vehicle.h"
+#include "data/zone.h"
 #include "role/agent.h"
 #include "role/autopilot.h"
 #include "role/phenomenon.h"
@@ -59,6 +60,7 @@ struct World {
   std::unique_ptr<Radio> radio;
   std::vector<Entity> entities;
   std::vector<GroundObject> objects;
+  std::vector<Zone> zones;  ///< known to all from the start; for the records
 };
 
 }  // namespace skein::simulation

@@ -57,6 +57,7 @@ class FlightLog final : public Recorder {
     events.push_back(event);
   }
   void crossing(const Crossing& crossing) override { hash_->crossing(crossing); }
+  void zone(Time time, const ZoneChange& change) override { hash_->zone(time, change); }
   void detection(const Detection& detection) override {
     hash_->detection(detection);
     detections.push_back(detection);

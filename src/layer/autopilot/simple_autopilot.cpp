@@ -53,7 +53,9 @@ SimpleAutopilot::SimpleAutopilot(const SimpleAutopilotOptions& options,
 
 void SimpleAutopilot::begin(const NavEstimate& start, bool /*on_ground*/) {
   const AutopilotCommand last = std::move(command_);
+  const std::optional<Vec2> place = return_;
   *this = SimpleAutopilot(options_, limits_, start, home_N_);
+  return_ = place;
   command(last);
 }
 
@@ -62,7 +64,19 @@ void SimpleAutopilot::sense(const SensorSample& sample) {
   if (const auto* air = std::get_if<AirDataSample>(&sample)) filter_.add(*air);
 }
 
+void SimpleAutopilot::set_return(const ReturnWay& way) {
+  const auto* back = std::get_if<Return>(&command_.guidance);
+  const bool under_way = is_shared_ && back && back->point == return_;
+  return_ = way.points.empty() ? std::nullopt : std::optional(way.points.back());
+  if (under_way) command({Return{}, command_.altitude_msl, command_.airspeed});
+}
+
 void SimpleAutopilot::command(const AutopilotCommand& command) {
+  if (const auto* back = std::get_if<Return>(&command.guidance);
+      back && !back->point && return_) {
+    this->command({Return{return_}, command.altitude_msl, command.airspeed});
+    return;
+  }
   if (for_shared(command)) {
     // Judged by the mean wind, not by what is felt just now.
     const FixedWingMotion at = motion(estimate().wind_N);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "layer/autopilot/guidance.h"
@@ -47,6 +48,9 @@ class SimpleAutopilot final : public Autopilot {
   void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
+  /// It has no failsafes: the last place of the way is where a commanded return leads,
+  /// straight.
+  void set_return(const ReturnWay& way) override;
   /// A FlightCommand.
   Control control(Time now, double dt) override;
   NavEstimate estimate() const override { return filter_.estimate(); }
@@ -76,7 +80,8 @@ class SimpleAutopilot final : public Autopilot {
   Circle end_circle_;  // flown when the path is done
   Circle hold_circle_;
   Vec3 home_N_;
-  FixedWingGuidance shared_;  // flies what is not flown here
+  std::optional<Vec2> return_;  // none: home
+  FixedWingGuidance shared_;    // flies what is not flown here
   bool is_shared_ = false;
   std::string refused_;
 };

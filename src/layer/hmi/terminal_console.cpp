@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layer/hmi/zone_command.h"
+
 namespace skein::hmi {
 namespace {
 
@@ -55,15 +57,36 @@ std::string progress_line(const RunProgress& progress, int width) {
   return cut(line, width);
 }
 
-TerminalConsole::TerminalConsole(const std::atomic<bool>& stop, std::FILE* out)
-    : TerminalConsole(stop, out, isatty(fileno(out)) == 1, 0) {}
+TerminalConsole::TerminalConsole(const std::atomic<bool>& stop, std::FILE* out, int input)
+    : TerminalConsole(stop, out, isatty(fileno(out)) == 1, 0, input) {}
 
 TerminalConsole::TerminalConsole(const std::atomic<bool>& stop, std::FILE* out,
-                                 bool is_terminal, int width)
-    : stop_(stop), out_(out), is_terminal_(is_terminal), fixed_width_(width) {}
+                                 bool is_terminal, int width, int input)
+    : stop_(stop),
+      out_(out),
+      is_terminal_(is_terminal),
+      fixed_width_(width),
+      input_(input) {}
 
 TerminalConsole::~TerminalConsole() {
   if (!drawn_.empty()) std::fputs("\n", out_);
+}
+
+std::vector<ZoneChange> TerminalConsole::zone_wishes() {
+  std::vector<ZoneChange> wishes;
+  for (const std::string& line : input_.take()) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    auto change = parse_zone_command(line);
+    if (change) {
+      wishes.push_back(std::move(change).value());
+      continue;
+    }
+    // On a line of its own; the progress is drawn anew below.
+    fmt::print(out_, "{}{}\n", drawn_.empty() ? "" : "\n", change.error().text());
+    std::fflush(out_);
+    drawn_.clear();
+  }
+  return wishes;
 }
 
 void TerminalConsole::show(const RunProgress& progress) {

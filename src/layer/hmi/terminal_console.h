@@ -3,7 +3,9 @@
 #include <atomic>
 #include <cstdio>
 #include <string>
+#include <vector>
 
+#include "layer/hmi/line_input.h"
 #include "role/operator_console.h"
 
 namespace skein::hmi {
@@ -13,7 +15,8 @@ namespace skein::hmi {
 std::string progress_line(const RunProgress& progress, int width);
 
 /// Shows a run's progress in one line of a terminal, redrawn in place. When the output is
-/// no terminal it stays silent.
+/// no terminal it stays silent. Reads commands of the operator (zone_command.h) line by
+/// line, when it is given an input; what is wrong with one is told at once.
 ///
 /// Thread safety: used by one thread; only `stop` may be set from others or from a signal
 /// handler (the atomic must then be lock-free, as it is on every supported machine).
@@ -21,11 +24,13 @@ class TerminalConsole final : public OperatorConsole {
  public:
   /// @param stop  outlives the console; true asks the run to end.
   /// @param out   where to draw; standard error, so that results can be piped.
-  explicit TerminalConsole(const std::atomic<bool>& stop, std::FILE* out = stderr);
+  /// @param input  descriptor to read commands from; negative: none.
+  explicit TerminalConsole(const std::atomic<bool>& stop, std::FILE* out = stderr,
+                           int input = -1);
   /// As above, told whether `out` is a terminal and how wide: for tests and odd
   /// terminals.
   TerminalConsole(const std::atomic<bool>& stop, std::FILE* out, bool is_terminal,
-                  int width);
+                  int width, int input = -1);
   /// Ends the line.
   ~TerminalConsole() override;
   TerminalConsole(const TerminalConsole&) = delete;
@@ -34,6 +39,7 @@ class TerminalConsole final : public OperatorConsole {
   /// Draws nothing that is drawn already.
   void show(const RunProgress& progress) override;
   bool stop_requested() const override { return stop_.load(std::memory_order_relaxed); }
+  std::vector<ZoneChange> zone_wishes() override;
 
  private:
   const std::atomic<bool>& stop_;
@@ -41,6 +47,7 @@ class TerminalConsole final : public OperatorConsole {
   bool is_terminal_;
   int fixed_width_;  // 0 = ask the terminal
   std::string drawn_;
+  LineInput input_;
 };
 
 }  // namespace skein::hmi

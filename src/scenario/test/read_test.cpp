@@ -325,11 +325,11 @@ TEST(Read, SurvivesHostileFiles) {
 }
 
 TEST(Read, AnswersToTenMegabytes) {
-  std::string ring = "environment:\n  zones_m:\n    - [";
-  while (ring.size() < 10'000'000) ring += "[1234.5, -678.9],\n       ";
-  const ReadOutcome good = read_text(ring + "[0, 1]]\n");
+  std::string list = "aircraft:\n  - start:\n      positions_m: [";
+  while (list.size() < 10'000'000) list += "[1234.5, -678.9],\n       ";
+  const ReadOutcome good = read_text(list + "[0, 1]]\n");
   ASSERT_EQ(good.report(), "");
-  EXPECT_GE(good.scenario->environment.zones.at(0).size(), 400000u);
+  EXPECT_GE(good.scenario->aircraft.at(0).start.positions.size(), 400000u);
 
   std::string nonsense;
   for (int i = 0; nonsense.size() < 10'000'000; ++i) {

@@ -34,7 +34,7 @@ TEST(Write, GivesAFileThatReadsAsTheSameScenario) {
       "seed: 9223372036854775807\n"
       "duration_s: 0.000000001\n"
       "origin: {latitude_deg: -33.123456789012345, longitude_deg: 179.99999999999997}\n"
-      "environment:\n  zones_m: [[[0, 0], [0, 1], [1e-300, 1]], [[5, 5], [6, 6], [7, "
+      "environment:\n  zones_m: [[[0, 0], [0, 1], [1, 1e-300]], [[5, 5], [6, 6], [7, "
       "5]]]\n"
       "aircraft:\n"
       "  - {count: 0, leave_s: 5, start: {heading_deg: 359.9, first_bearing_deg: 0.1}}\n"
@@ -46,7 +46,7 @@ TEST(Write, GivesAFileThatReadsAsTheSameScenario) {
   EXPECT_EQ(again.name, s.name);
   EXPECT_EQ(again.seed, s.seed);
   EXPECT_EQ(again.duration, Time::from_ns(1));
-  EXPECT_EQ(again.environment.zones, s.environment.zones);
+  EXPECT_EQ(again.environment.zone_rings, s.environment.zone_rings);
   EXPECT_EQ(again.aircraft.at(0).start.heading, s.aircraft.at(0).start.heading);
   EXPECT_EQ(again.monitoring.deployment.courses, s.monitoring.deployment.courses);
 }

@@ -11,6 +11,7 @@ class Pilot : public Autopilot {
   void begin(const NavEstimate&, bool) override {}
   void sense(const SensorSample&) override {}
   void command(const AutopilotCommand&) override {}
+  void set_return(const ReturnWay&) override {}
   Control control(Time, double) override { return FlightCommand{}; }
   NavEstimate estimate() const override {
     NavEstimate nav;

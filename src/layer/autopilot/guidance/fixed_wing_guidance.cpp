@@ -167,7 +167,7 @@ void FixedWingGuidance::begin(const AutopilotCommand& command,
     doing_ = Doing::kLand;
   } else {
     altitude_ = std::max(altitude_, options_.return_height - home_N_.z());
-    hold_at(home_N_.head<2>(), now);
+    hold_at(std::get<Return>(command_.guidance).point.value_or(home_N_.head<2>()), now);
   }
 }
 

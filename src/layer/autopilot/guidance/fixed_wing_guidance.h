@@ -64,7 +64,8 @@ FixedWingMotion motion_of(const NavState& nav,
 /// - TakeOff: run along the start's course until take_off_speed, straight climb to
 ///   climb_out_height, then circling up to the altitude.
 /// - Land: see Landing.
-/// - Return: home, at the commanded altitude but return_height above the start at least.
+/// - Return: to the point or home, at the commanded altitude but return_height above the
+/// start at least.
 ///
 /// Until the first command it circles home.
 class FixedWingGuidance {

@@ -168,11 +168,11 @@ MultirotorDemand MultirotorGuidance::step(const NavState& now, double dt,
 }
 
 MultirotorGuidance::Wish MultirotorGuidance::hold(const NavState& now) {
-  const bool returns = std::holds_alternative<Return>(command_.guidance);
+  const auto* returns = std::get_if<Return>(&command_.guidance);
   if (returns) {
     // Up first, so that nothing is in the way.
     climbs_first_ = climbs_first_ && -now.p_N.z() < altitude_ - options_.arrival;
-    if (!climbs_first_) point_ = home_N_.head<2>();
+    if (!climbs_first_) point_ = returns->point.value_or(home_N_.head<2>());
   }
   if (returns || std::holds_alternative<HoldPosition>(command_.guidance)) {
     status_.remaining = (point_ - now.p_N.head<2>()).norm();

@@ -53,7 +53,7 @@ struct MultirotorGuidanceOptions {
 /// - FollowPlan: where the plan is now; before its first time at its start.
 /// - HoldCourse: that course over ground; position does not count.
 /// - TakeOff: straight up. Land: above the point, straight down, slow below slow_height.
-/// - Return: up to return_height at least, home, stay.
+/// - Return: up to return_height at least, to the point or home, stay.
 ///
 /// Until the first command it stays where it is at the first step.
 class MultirotorGuidance {

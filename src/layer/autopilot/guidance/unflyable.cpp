@@ -264,7 +264,10 @@ struct Judge {
     return course(geo::unit(*l.course), [] { return "the approach"; });
   }
 
-  Reason judge(const Return& /*home*/) const { return {}; }
+  Reason judge(const Return& order) const {
+    if (order.point && !finite(*order.point)) return "the point is not finite";
+    return {};
+  }
 };
 
 }  // namespace

@@ -13,6 +13,8 @@ constexpr double kStaleState = 0.5;   // an estimate this old is none [s]
 constexpr double kDisbelief = 10;     // of fixes, longer than it takes to begin anew [s]
 constexpr double kSilentMonitor = 5;  // then the charge is counted on [s]
 constexpr double kCommittedHeight = 10;  // below it a landing is finished [m]
+constexpr double kNearCorner = 2;        // of the way home, passed within [turn radii]
+constexpr double kLeastNear = 10;        // and within this at least [m]
 
 EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
   EstimatorStart start;
@@ -87,6 +89,7 @@ void SkeinAutopilot::begin(const NavEstimate& start, bool on_ground) {
   anew.input_.command = unheard ? input_.command : modes_.agent_command();
   anew.agent_command_ = std::move(agent_command_);
   anew.take_off_ = std::move(take_off_);
+  anew.return_ = std::move(return_);
   *this = std::move(anew);
 }
 
@@ -115,11 +118,36 @@ void SkeinAutopilot::take(const PowerSample& sample) {
   powered_ = true;
   HomeFlight flight = setup_->home_flight;
   consumption_.set_powers(flight);
-  const NavState& nav = estimator_.state();
-  const Vec3 to_home = home_N_ - nav.p_N;
-  input_.charge_home = home_need(geo::horizontal(to_home), to_home.z(),
-                                 geo::horizontal(nav.wind_N), flight)
-                           .energy;
+  input_.charge_home = need_of_return(estimator_.state(), flight).energy;
+}
+
+// Leg by leg; height is changed over the last place.
+HomeNeed SkeinAutopilot::need_of_return(const NavState& nav,
+                                        const HomeFlight& flight) const {
+  const Vec2 wind = geo::horizontal(nav.wind_N);
+  Vec2 from = geo::horizontal(nav.p_N);
+  if (return_.points.empty())
+    return home_need(geo::horizontal(home_N_) - from, home_N_.z() - nav.p_N.z(), wind,
+                     flight);
+  HomeFlight leg = flight;
+  leg.landing_time = 0;
+  HomeNeed all;
+  for (std::size_t k = 0; k < return_.points.size(); ++k) {
+    const bool last = k + 1 == return_.points.size();
+    const double height = last ? -return_.ground_msl - nav.p_N.z() : 0;
+    const HomeNeed need =
+        home_need(return_.points[k] - from, height, wind, last ? flight : leg);
+    all.time += need.time;
+    all.energy += need.energy;
+    from = return_.points[k];
+  }
+  return all;
+}
+
+void SkeinAutopilot::set_return(const ReturnWay& way) {
+  if (way == return_) return;
+  return_ = way;
+  return_changed_ = true;
 }
 
 void SkeinAutopilot::command(const AutopilotCommand& command) {
@@ -160,7 +188,9 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
       [](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
   input_.done = flown.done;
   input_.landed = landing && flown.done && input_.on_ground;
-  input_.committed = landing && -nav.p_N.z() + home_N_.z() < kCommittedHeight;
+  const bool elsewhere = order_ == Order::kLand && !return_.points.empty();
+  const double ground = elsewhere ? return_.ground_msl : -home_N_.z();
+  input_.committed = landing && -nav.p_N.z() - ground < kCommittedHeight;
 }
 
 Control SkeinAutopilot::control(Time now, double dt) {
@@ -176,6 +206,7 @@ Control SkeinAutopilot::control(Time now, double dt) {
     give(agent_command_, seen);  // the same kind again, with other content
   }
   input_.command = CommandKind::kNone;
+  lead_home(seen);
   last_ = fly(order_, seen, dt);
   if (!setup_->lap_wings.empty()) change_gains();
   throttle_ = mean_throttle(last_, setup_->airframe);
@@ -209,23 +240,52 @@ void SkeinAutopilot::obey(Order order, Order before, const FlierView& now) {
   }
 }
 
+bool SkeinAutopilot::returns() const {
+  return order_ == Order::kReturn || order_ == Order::kLand ||
+         (order_ == Order::kAgent &&
+          std::holds_alternative<Return>(agent_command_.guidance));
+}
+
+// Another way home, or the next piece of it.
+void SkeinAutopilot::lead_home(const FlierView& now) {
+  std::vector<Vec2>& points = return_.points;
+  if (returns() && points.size() > 1) {
+    const double near = std::max(kNearCorner * setup_->limits.turn_radius, kLeastNear);
+    if ((geo::horizontal(now.nav.p_N) - points.front()).norm() < near) {
+      points.erase(points.begin());
+      return_changed_ = true;
+    }
+  }
+  if (!return_changed_) return;
+  return_changed_ = false;
+  if (!returns() || input_.committed) return;
+  if (order_ == Order::kAgent)
+    give(agent_command_, now);
+  else
+    give(failsafe_command(order_, now), now);
+}
+
 AutopilotCommand SkeinAutopilot::failsafe_command(Order order,
                                                   const FlierView& now) const {
   AutopilotCommand command;
   command.altitude_msl = -now.nav.p_N.z();
-  const Vec2 home = geo::horizontal(home_N_);
-  if (order == Order::kReturn)
+  const bool at_home = return_.points.empty();
+  if (order == Order::kReturn || (order == Order::kLand && return_.points.size() > 1))
     command.guidance = Return{};
   else if (order == Order::kLand)
-    command.guidance = Land{home, -home_N_.z()};
+    command.guidance = at_home ? Land{geo::horizontal(home_N_), -home_N_.z()}
+                               : Land{return_.points.back(), return_.ground_msl};
   else
     command.guidance = HoldPosition{geo::horizontal(now.nav.p_N)};
   return command;
 }
 
 void SkeinAutopilot::give(const AutopilotCommand& command, const FlierView& now) {
-  auto reason =
-      std::visit([&](auto& flier) { return flier.command(command, now); }, flier_);
+  const auto* back = std::get_if<Return>(&command.guidance);
+  AutopilotCommand led = command;
+  if (back && !back->point && !return_.points.empty())
+    led.guidance = Return{return_.points.front()};
+  auto reason = std::visit([&](auto& flier) { return flier.command(led, now); }, flier_);
   if (!reason) return;
   refused_ = std::move(*reason);
   ++refusals_;

@@ -25,6 +25,10 @@ namespace skein::autopilot {
 ///
 /// Commands that cannot be flown are refused (AutopilotStatus::refused), and what was
 /// flown goes on. Until the first command it holds where it is; on the ground it stands.
+///
+/// Returns and landings of failsafes, and returns that the agent commands, lead along the
+/// way of set_return(), which holds until another is set; so does what it takes to get
+/// home.
 class SkeinAutopilot final : public Autopilot {
  public:
   /// @param initial     where and how the flight begins: home is there.
@@ -37,6 +41,7 @@ class SkeinAutopilot final : public Autopilot {
   void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
+  void set_return(const ReturnWay& way) override;
   Control control(Time now, double dt) override;
   NavEstimate estimate() const override { return estimator_.estimate(); }
   AutopilotStatus status() const override;
@@ -55,6 +60,9 @@ class SkeinAutopilot final : public Autopilot {
   void look_around(Time now, const NavState& nav);
   void obey(Order order, Order before, const FlierView& now);
   void give(const AutopilotCommand& command, const FlierView& now);
+  void lead_home(const FlierView& now);
+  bool returns() const;
+  HomeNeed need_of_return(const NavState& nav, const HomeFlight& flight) const;
   AutopilotCommand failsafe_command(Order order, const FlierView& now) const;
   Control fly(Order order, const FlierView& now, double dt);
   void change_gains();
@@ -72,6 +80,8 @@ class SkeinAutopilot final : public Autopilot {
   Order order_ = Order::kStand;
   AutopilotCommand agent_command_;
   AutopilotCommand take_off_;
+  ReturnWay return_;
+  bool return_changed_ = false;
   bool powered_ = false;  // a battery monitor has been heard
   Time power_time_;
   double power_charge_ = 1;

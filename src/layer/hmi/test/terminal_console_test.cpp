@@ -1,6 +1,7 @@
 #include "layer/hmi/terminal_console.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -89,6 +90,25 @@ TEST(TerminalConsole, PassesOnTheWishToStop) {
   EXPECT_FALSE(console.stop_requested());
   stop = true;
   EXPECT_TRUE(console.stop_requested());
+}
+
+TEST(TerminalConsole, TakesCommandsAndSaysWhatIsWrongWithThem) {
+  std::array<int, 2> pipe_ends{};
+  ASSERT_EQ(pipe(pipe_ends.data()), 0);
+  const std::string text = "zone on a circle 0,0 50\n\nzone in a\nzone off a\n";
+  ASSERT_EQ(write(pipe_ends[1], text.data(), text.size()),
+            static_cast<ssize_t>(text.size()));
+  File file;
+  const std::atomic<bool> stop = false;
+  TerminalConsole console(stop, file.get(), false, 80, pipe_ends[0]);
+  const std::vector<ZoneChange> wishes = console.zone_wishes();
+  ASSERT_EQ(wishes.size(), 2u);
+  EXPECT_TRUE(wishes[0].on);
+  EXPECT_FALSE(wishes[1].on);
+  EXPECT_NE(file.text().find("this is no command"), std::string::npos);
+  EXPECT_TRUE(console.zone_wishes().empty());
+  close(pipe_ends[0]);
+  close(pipe_ends[1]);
 }
 
 }  // namespace

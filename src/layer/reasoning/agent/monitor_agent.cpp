@@ -16,10 +16,11 @@ namespace {
 
 // On the air: ids, time and content as fixed-point numbers.
 constexpr int kReadingBytes = 28;
-constexpr int kReportBytes = 48;
+constexpr int kReportBytes = 50;
 constexpr double kPathReserve = 1.1;  // of turn radii over ground: room to correct
 constexpr double kLineAhead = 3;      // pursuit point of a line, flight time ahead [s]
 constexpr double kLineJoin = 2;       // a line begins this near to its start [turn radii]
+constexpr double kSamePlace = 1;      // nearer is the same place [m]
 constexpr double kLineEnd = 20;       // and ends this far before its end [m]
 
 const char* name_of(const decltype(Task::what)& what) {
@@ -48,31 +49,35 @@ MonitorAgent::MonitorAgent(const MonitorAgentOptions& options, EntityId self,
       coordinator_(coordinator),
       limits_(limits),
       map_(map),
-      guard_(options.guard, limits, zones),
+      zones_(options.guard, limits, zones, self),
+      returns_(options.guard, limits, self, map),
       execution_(options.safety_zone) {}
 
 void MonitorAgent::step(const AgentInput& in, AgentOutput& out) {
   for (const Message& message : in.inbox)
     if (const auto* task = std::get_if<Task>(&message.content)) take_task(*task, in, out);
+  const bool news = zones_.listen(in, out);
   if (!in.nav) return;
   if (!home_) home_ = geo::horizontal(in.nav->p_N);
   take_samples(in, out);
 
+  returns_.step(in, *home_, zones_.zones(), news, out);
+
   const Vec2 place = geo::horizontal(in.nav->p_N);
-  if (launch_.under_way(in, map_.elevation_msl(place) + options_.altitude_agl, out)) {
+  const double up = map_.elevation_msl(place) + options_.altitude_agl;
+  if (zones_.keeps_on_ground(in, up) || launch_.under_way(in, up, out)) {
     report(in, out);
     return;
   }
+  altitude_msl_ = altitude_over(map_, place, geo::horizontal(in.nav->v_N),
+                                options_.altitude_agl, limits_.climb_rate);
   const Wish wanted = wish(in, out);
   AutopilotCommand command;
-  command.guidance = guard_.check(wanted.guidance, wanted.course, *in.nav);
-  const bool deflected = guard_.deflecting();
-  if (deflected && !deflected_)
-    out.events.push_back({in.now, self_, "zone", "turns away from a no-flight zone"});
-  deflected_ = deflected;
-  command.altitude_msl =
-      altitude_over(map_, geo::horizontal(in.nav->p_N), geo::horizontal(in.nav->v_N),
-                    options_.altitude_agl, limits_.climb_rate);
+  command.guidance =
+      zones_.keep_out(wanted.guidance, wanted.course, *in.nav, altitude_msl_);
+  deflected_ = zones_.deflecting();
+  zones_.look(in, out);
+  command.altitude_msl = altitude_msl_;
   out.command = std::move(command);
   if (auto event = execution_.check(in.now, self_, in.autopilot))
     out.events.push_back(*std::move(event));
@@ -90,6 +95,7 @@ void MonitorAgent::take_task(const Task& task, const AgentInput& in, AgentOutput
   task_ = task;
   has_task_ = true;
   done_ = joined_ = lost_ = false;
+  moved_.reset();
   path_.clear();
   along_ = 0;
   follower_.reset();
@@ -133,20 +139,43 @@ void MonitorAgent::report(const AgentInput& in, AgentOutput& out) {
   Message message;
   message.to = coordinator_;
   message.size_bytes = kReportBytes;
-  message.content = AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_,
-                                   obeys_orders(in.autopilot)};
+  message.content = AircraftReport{*in.nav,
+                                   limits_,
+                                   has_task_ ? task_.number : 0,
+                                   done_,
+                                   obeys_orders(in.autopilot),
+                                   zones_.changes_known()};
   out.outbox.push_back(std::move(message));
 }
 
 MonitorAgent::Wish MonitorAgent::wish(const AgentInput& in, AgentOutput& out) {
-  if (!has_task_) return circle_at(*home_, *in.nav);
-  if (const auto* order = std::get_if<FlyTo>(&task_.what)) return fly_to(*order, in);
+  if (!has_task_) return circle_at(allowed(*home_, in, out), *in.nav);
+  if (const auto* order = std::get_if<FlyTo>(&task_.what))
+    return fly_to(allowed(order->point, in, out), in);
   if (follower_) return follow_edge(in, out);
   if (const auto* order = std::get_if<FollowLine>(&task_.what))
     return follow_line(*order, in);
   if (const auto* order = std::get_if<FlyCourse>(&task_.what))
     return {HoldCourse{order->course}, order->course};
-  return circle_at(std::get<Loiter>(task_.what).centre, *in.nav);
+  return circle_at(allowed(std::get<Loiter>(task_.what).centre, in, out), *in.nav);
+}
+
+// A task's place, or the nearest one that no zone forbids.
+Vec2 MonitorAgent::allowed(const Vec2& place, const AgentInput& in, AgentOutput& out) {
+  const Vec2 instead = zones_.allowed(place, *in.nav, altitude_msl_);
+  const Vec2 before = moved_.value_or(place);
+  if ((instead - before).norm() <= kSamePlace) return before;
+  moved_ = instead;
+  path_.clear();
+  out.events.push_back(
+      {in.now, self_, "task-moved",
+       instead == place
+           ? std::string("no zone forbids the place of the task any more")
+           : fmt::format(
+                 "the place of the task lies in a no-flight zone: {:.0f} m north, "
+                 "{:.0f} m east instead",
+                 instead.x(), instead.y())});
+  return instead;
 }
 
 MonitorAgent::Wish MonitorAgent::circle_at(const Vec2& centre,
@@ -161,12 +190,12 @@ MonitorAgent::Wish MonitorAgent::circle_at(const Vec2& centre,
   return {Circle{centre, radius, true}, course};
 }
 
-MonitorAgent::Wish MonitorAgent::fly_to(const FlyTo& order, const AgentInput& in) {
+MonitorAgent::Wish MonitorAgent::fly_to(const Vec2& point, const AgentInput& in) {
   const NavEstimate& nav = *in.nav;
   const Vec2 position = geo::horizontal(nav.p_N);
   const Vec2 velocity = geo::horizontal(nav.v_N);
   if (!path_.empty() && !deflected_ && in.autopilot.done) done_ = true;
-  if (done_) return circle_at(order.point, nav);
+  if (done_) return circle_at(point, nav);
 
   bool plan = path_.empty() || deflected_ ||
               (nav.wind_N - path_wind_).norm() > options_.replan_wind;
@@ -180,12 +209,12 @@ MonitorAgent::Wish MonitorAgent::fly_to(const FlyTo& order, const AgentInput& in
     const double radius =
         kPathReserve * model::ground_turn_radius(limits_.turn_radius, limits_.airspeed,
                                                  nav.wind_N.norm());
-    path_ = model::path_to_point({position, geo::bearing(velocity)}, order.point, radius);
+    path_ = model::path_to_point({position, geo::bearing(velocity)}, point, radius);
     path_wind_ = nav.wind_N;
     along_ = 0;
     if (path_.empty()) {
       done_ = true;
-      return circle_at(order.point, nav);
+      return circle_at(point, nav);
     }
   }
   const Vec2 ahead =

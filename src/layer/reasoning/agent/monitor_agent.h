@@ -7,7 +7,8 @@
 #include "layer/reasoning/agent/edge_follower.h"
 #include "layer/reasoning/agent/execution_monitor.h"
 #include "layer/reasoning/agent/launch.h"
-#include "layer/reasoning/agent/zone_guard.h"
+#include "layer/reasoning/agent/return_keeper.h"
+#include "layer/reasoning/agent/zone_watch.h"
 #include "role/agent.h"
 #include "role/terrain.h"
 
@@ -28,13 +29,15 @@ struct MonitorAgentOptions {
 /// It sends every fire reading, placed by the estimated position, and a report each
 /// second to the coordinator, and flies the newest task it has heard of; without messages
 /// it goes on with the last. Whatever it flies stays out of the no-flight zones and above
-/// the ground of its map. On the ground it takes off first; before the first task it
-/// circles where it is.
+/// the ground of its map. On the ground it takes off first, as long as no zone forbids
+/// it; before the first task it circles where it is. When the place of a task, to fly to
+/// or to circle, lies in a zone, the nearest place where it can circle takes its place,
+/// named in an event "task-moved".
 class MonitorAgent final : public Agent {
  public:
   /// @param coordinator  whom to tell.
   /// @param map          what it believes the ground to be; outlives the agent.
-  /// @param zones        no-flight zones, copied.
+  /// @param zones        no-flight zones in force from the start, copied.
   MonitorAgent(const MonitorAgentOptions& options, EntityId self, EntityId coordinator,
                const FlightLimits& limits, const Terrain& map,
                std::span<const Zone> zones);
@@ -56,22 +59,26 @@ class MonitorAgent final : public Agent {
   void report(const AgentInput& in, AgentOutput& out);
 
   Wish wish(const AgentInput& in, AgentOutput& out);
-  Wish fly_to(const FlyTo& order, const AgentInput& in);
+  Wish fly_to(const Vec2& point, const AgentInput& in);
   Wish follow_edge(const AgentInput& in, AgentOutput& out);
   Wish follow_line(const FollowLine& order, const AgentInput& in);
   Wish circle_at(const Vec2& centre, const NavEstimate& nav) const;
+  Vec2 allowed(const Vec2& place, const AgentInput& in, AgentOutput& out);
 
   MonitorAgentOptions options_;
   EntityId self_, coordinator_;
   FlightLimits limits_;
   const Terrain& map_;
-  ZoneGuard guard_;
+  ZoneWatch zones_;
+  ReturnKeeper returns_;
   ExecutionMonitor execution_;
   Launch launch_;
 
   Task task_;
   bool has_task_ = false, done_ = false;
-  std::optional<Vec2> home_;  // circled before the first task
+  std::optional<Vec2> home_;   // circled before the first task
+  std::optional<Vec2> moved_;  // where the task's place has been moved to
+  double altitude_msl_ = 0;    // commanded [m]
   std::optional<Time> next_report_;
 
   Path path_;                      // of FlyTo, and the line of FollowLine

@@ -1,6 +1,7 @@
 #include "layer/reasoning/agent/round_trip.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace skein::reasoning {
 namespace {
@@ -23,6 +24,13 @@ std::optional<double> meets(const Vec2& a, const Vec2& b, const geo::Ring& ring)
     first = std::min(first.value_or(share), share);
   }
   return first;
+}
+
+double to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 way = b - a;
+  const double square = way.squaredNorm();
+  const double share = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
+  return (a + share * way - p).norm();
 }
 
 }  // namespace
@@ -52,6 +60,17 @@ std::optional<Vec2> into_zone(std::span<const Vec2> points, bool closed,
     if (first) return a + *first * (b - a);
   }
   return {};
+}
+
+double distance_between(const Vec2& a, const Vec2& b, const geo::Ring& ring) {
+  if (meets(a, b, ring)) return 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &c = ring[i], &d = ring[(i + 1) % ring.size()];
+    nearest = std::min(
+        {nearest, to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b)});
+  }
+  return nearest;
 }
 
 }  // namespace skein::reasoning

@@ -22,4 +22,8 @@ FlyWaypoints round_trip(const std::vector<Vec2>& points, int laps, double altitu
 std::optional<Vec2> into_zone(std::span<const Vec2> points, bool closed,
                               std::span<const Zone> zones);
 
+/// Distance of a straight line from a to b to what a ring surrounds [m]; 0 when it leads
+/// into it.
+double distance_between(const Vec2& a, const Vec2& b, const geo::Ring& ring);
+
 }  // namespace skein::reasoning

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "layer/reasoning/agent/execution_monitor.h"
 #include "layer/reasoning/agent/launch.h"
+#include "layer/reasoning/agent/return_keeper.h"
+#include "layer/reasoning/agent/route_flight.h"
 #include "layer/reasoning/agent/zone_watch.h"
 #include "role/agent.h"
 #include "role/terrain.h"
@@ -24,19 +27,24 @@ struct RouteAgentOptions {
 
 /// Flies given points round and round, then stays at the last of them, or lands: where it
 /// took off or, when it began in the air, at the first of them. It takes no orders, and
-/// reports to the station where it is. On the ground it takes off first. It flies its
-/// route whatever lies on it, and tells when it is in a no-flight zone.
+/// reports to the station where it is. On the ground it takes off first, as long as no
+/// no-flight zone forbids it. It flies around zones (RouteFlight), and tells when it is
+/// in one.
 class RouteAgent final : public Agent {
  public:
   /// @param map    what it believes the ground to be; outlives the agent.
-  /// @param zones  no-flight zones, copied.
+  /// @param zones    no-flight zones in force from the start, copied.
+  /// @param planner  of ways around zones; null: none.
   RouteAgent(const RouteAgentOptions& options, EntityId self, EntityId station,
-             const FlightLimits& limits, const Terrain& map, std::span<const Zone> zones);
+             const FlightLimits& limits, const Terrain& map, std::span<const Zone> zones,
+             std::shared_ptr<const PathPlanner> planner = nullptr);
 
   void step(const AgentInput& in, AgentOutput& out) override;
 
  private:
   void fly(const AgentInput& in, AgentOutput& out);
+  void land(const AgentInput& in, AgentOutput& out);
+  void report(const AgentInput& in, AgentOutput& out);
 
   RouteAgentOptions options_;
   EntityId self_, station_;
@@ -45,9 +53,13 @@ class RouteAgent final : public Agent {
   double altitude_msl_;
   ExecutionMonitor execution_;
   ZoneWatch zones_;
+  ReturnKeeper returns_;
+  RouteFlight flight_;
   Launch launch_;
-  std::optional<Vec2> home_;  // where it lands
-  bool begun_ = false, done_ = false;
+  std::optional<Vec2> start_;      // home of the autopilot
+  Vec2 home_ = Vec2::Zero();       // where it lands
+  std::optional<Vec2> lands_now_;  // where it has been told to
+  bool done_ = false, land_again_ = false;
   Time next_report_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geo/clip.h"
 #include "model/path/wind_triangle.h"
 
 namespace skein::reasoning {
@@ -19,15 +20,51 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 ZoneGuard::ZoneGuard(const ZoneGuardOptions& options, const FlightLimits& limits,
                      std::span<const Zone> zones)
-    : options_(options), limits_(limits) {
-  for (const Zone& zone : zones) zones_.emplace_back(geo::Region{outline(zone)});
+    : options_(options), limits_(limits), border_(geo::Region{}) {
+  set_zones(zones);
+}
+
+void ZoneGuard::set_zones(std::span<const Zone> zones) {
+  zones_.assign(zones.begin(), zones.end());
+  counts_.assign(zones_.size(), true);
+  draw_border();
+}
+
+void ZoneGuard::draw_border() {
+  geo::Region rings;
+  for (const Zone& zone : counting()) rings.push_back(outline(zone));
+  border_ = geo::BoundaryIndex(geo::clean_touching(rings, geo::FillRule::kNonZero));
+}
+
+bool ZoneGuard::regard(const NavEstimate& nav, std::optional<double> altitude_msl) {
+  const double here = -nav.p_N.z(), there = altitude_msl.value_or(here);
+  const double low = std::min(here, there) - options_.vertical_margin;
+  const double high = std::max(here, there) + options_.vertical_margin;
+  const double now = nav.time.seconds();
+  bool changed = false;
+  for (std::size_t k = 0; k < zones_.size(); ++k) {
+    const bool counts = concerns(zones_[k], low, high, now, now + options_.lead);
+    changed = changed || counts != counts_[k];
+    counts_[k] = counts;
+  }
+  if (changed) draw_border();
+  return changed;
+}
+
+std::vector<Zone> ZoneGuard::counting() const {
+  std::vector<Zone> all;
+  for (std::size_t k = 0; k < zones_.size(); ++k)
+    if (counts_[k]) all.push_back(zones_[k]);
+  return all;
+}
+
+double ZoneGuard::circle_radius(const NavEstimate& nav) const {
+  return kRadiusReserve * model::ground_turn_radius(limits_.turn_radius, limits_.airspeed,
+                                                    nav.wind_N.norm());
 }
 
 double ZoneGuard::distance(const Vec2& p) const {
-  double nearest = kInfinity;
-  for (const geo::BoundaryIndex& zone : zones_)
-    nearest = std::min(nearest, zone.signed_distance(p));
-  return nearest;
+  return border_.empty() ? kInfinity : border_.signed_distance(p);
 }
 
 // The state after the preview when turning to `course` now; `nearest` becomes the
@@ -71,27 +108,22 @@ double ZoneGuard::slack(const NavEstimate& nav, double course) const {
   return std::min(nearest - options_.margin, best_escape(end).clearance);
 }
 
-Vec2 ZoneGuard::nearest_border(const Vec2& p) const {
-  geo::NearestPoint best{p, kInfinity, 0, 0, 0};
-  for (const geo::BoundaryIndex& zone : zones_) {
-    const geo::NearestPoint here = zone.nearest(p);
-    if (zone.contains(p) && here.distance < best.distance) best = here;
-  }
-  return best.point;
-}
-
 decltype(AutopilotCommand::guidance) ZoneGuard::check(
     const decltype(AutopilotCommand::guidance)& wanted, double course,
-    const NavEstimate& nav) {
+    const NavEstimate& nav, std::optional<double> altitude_msl) {
   deflecting_ = false;
   if (empty()) return wanted;
+  regard(nav, altitude_msl);
+  if (border_.empty()) {
+    side_ = 0;
+    return wanted;
+  }
   const Vec2 position = geo::horizontal(nav.p_N);
-  radius_ =
-      kRadiusReserve *
-      model::ground_turn_radius(limits_.turn_radius, limits_.airspeed, nav.wind_N.norm());
+  radius_ = circle_radius(nav);
   const double here = distance(position);
   deflecting_ = here < 0;
-  if (deflecting_) return HoldCourse{geo::bearing(nearest_border(position) - position)};
+  if (deflecting_)
+    return HoldCourse{geo::bearing(border_.nearest(position).point - position)};
   const double reach = options_.preview * (limits_.airspeed + nav.wind_N.norm());
   const bool far = here > reach + 2 * radius_ + options_.margin;
   if (far || slack(nav, course) >= 0) {

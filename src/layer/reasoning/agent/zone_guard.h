@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace skein::reasoning {
 struct ZoneGuardOptions {
   double margin = 30;    ///< kept from the border, for errors of position and control [m]
   double preview = 2.5;  ///< flight that is looked at before the way out must be open [s]
+  double vertical_margin = 20;  ///< kept from floors and ceilings [m]
+  double lead = 60;             ///< kept out of this long before a zone's time begins [s]
 };
 
 /// Keeps an aircraft out of no-flight zones.
@@ -24,23 +27,44 @@ struct ZoneGuardOptions {
 /// follows the border; when there is none, it flies the circle. In an aircraft that
 /// starts within the margin, the way out comes first. Valid: wind changes during one
 /// circle are covered by `margin` only.
+///
+/// Only zones count that forbid an altitude between that of the aircraft and the
+/// commanded one, `vertical_margin` above and below included, at a time from now to
+/// `lead` later. Under a floor that the commanded altitude does not keep, it turns away
+/// sideways.
 class ZoneGuard {
  public:
   ZoneGuard(const ZoneGuardOptions& options, const FlightLimits& limits,
             std::span<const Zone> zones);
 
+  /// Other zones from now on.
+  void set_zones(std::span<const Zone> zones);
+
   bool empty() const { return zones_.empty(); }
 
-  /// What to fly instead of `wanted`, whose course over ground is `course` now.
+  /// Finds out which zones count now; those of before are forgotten.
+  /// @param altitude_msl  commanded [m]; none: the present one.
+  /// @returns             whether these are others than before.
+  bool regard(const NavEstimate& nav, std::optional<double> altitude_msl);
+
+  /// What to fly instead of `wanted`, whose course over ground is `course` now. Regards
+  /// the zones first.
   decltype(AutopilotCommand::guidance) check(
       const decltype(AutopilotCommand::guidance)& wanted, double course,
-      const NavEstimate& nav);
+      const NavEstimate& nav, std::optional<double> altitude_msl = std::nullopt);
 
   /// Whether the last check changed what was wanted.
   bool deflecting() const { return deflecting_; }
 
-  /// Distance to the nearest zone [m], negative inside; infinite without zones.
+  /// Distance to the nearest zone that counted when last regarded, at first any [m];
+  /// negative inside; infinite without.
   double distance(const Vec2& p) const;
+
+  /// The zones that counted when last regarded; at first all.
+  std::vector<Zone> counting() const;
+
+  /// Of a circle that can be flown over ground in the wind, with room to correct [m].
+  double circle_radius(const NavEstimate& nav) const;
 
  private:
   struct State {
@@ -55,13 +79,15 @@ class ZoneGuard {
   Escape best_escape(const State& state) const;
   // How well a course keeps the invariant [m]; allowed when not negative.
   double slack(const NavEstimate& nav, double course) const;
-  Vec2 nearest_border(const Vec2& p) const;
+  void draw_border();
 
   ZoneGuardOptions options_;
   FlightLimits limits_;
-  std::vector<geo::BoundaryIndex> zones_;
-  double radius_ = 0;  // of the escape circle in the wind of the last check [m]
-  int side_ = 0;       // of the deflection: +1 right; 0 = none
+  std::vector<Zone> zones_;
+  std::vector<bool> counts_;   // of zones_
+  geo::BoundaryIndex border_;  // around those that count, taken together
+  double radius_ = 0;          // of the escape circle in the wind of the last check [m]
+  int side_ = 0;               // of the deflection: +1 right; 0 = none
   bool deflecting_ = false;
 };
 

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "layer/reasoning/agent/altitude.h"
-#include "layer/reasoning/agent/round_trip.h"
 
 namespace skein::reasoning {
 namespace {
 
 // On the air: ids, time and content as fixed-point numbers.
-constexpr int kReportBytes = 48;
+constexpr int kReportBytes = 50;
 constexpr int kPositionBytes = 36;
 constexpr double kTurnRateLimit = 0.6;  // faster is noise of two positions [rad/s]
 constexpr double kStaleLeader = 5;      // two positions this far apart say no turn [s]
@@ -23,20 +22,26 @@ constexpr double kLostLeader = 5;  // then the last plan is flown to its end [s]
 
 Wingman::Wingman(const WingmanOptions& options, EntityId self, EntityId station,
                  const FlightLimits& limits, const Terrain& map,
-                 std::span<const Zone> zones)
+                 std::span<const Zone> zones, std::shared_ptr<const PathPlanner> planner)
     : options_(options),
       self_(self),
       station_(station),
       limits_(limits),
       map_(map),
       execution_(options.safety_zone),
-      zones_(options.guard, limits, zones, self) {}
+      zones_(options.guard, limits, zones, self),
+      returns_(options.guard, limits, self, map),
+      planner_(std::move(planner)) {}
 
 void Wingman::step(const AgentInput& in, AgentOutput& out) {
   listen(in, out);
+  const bool news = zones_.listen(in, out);
   if (!in.nav) return;
-  const double ground = map_.elevation_msl(geo::horizontal(in.nav->p_N));
-  if (!launch_.under_way(in, ground + options_.altitude_agl, out)) fly(in, out);
+  const Vec2 here = geo::horizontal(in.nav->p_N);
+  if (!home_) home_ = here;
+  returns_.step(in, *home_, zones_.zones(), news, out);
+  const double up = map_.elevation_msl(here) + options_.altitude_agl;
+  if (!zones_.keeps_on_ground(in, up) && !launch_.under_way(in, up, out)) fly(in, out);
   zones_.look(in, out);
   if (auto event = execution_.check(in.now, self_, in.autopilot))
     out.events.push_back(*std::move(event));
@@ -47,10 +52,11 @@ void Wingman::fly(const AgentInput& in, AgentOutput& out) {
   const bool leads = std::holds_alternative<FlyRoute>(task_.what);
   if (const auto* order = std::get_if<FollowLeader>(&task_.what); order && has_task_)
     follow(*order, in, out);
-  else if (leads && task_is_new_)
-    lead(std::get<FlyRoute>(task_.what), out);
-  done_ = done_ || (leads && !task_is_new_ && in.autopilot.done);
+  if (leads && task_is_new_) lead(std::get<FlyRoute>(task_.what));
   task_is_new_ = false;
+  if (!leads || !route_) return;
+  route_->step(in, zones_, execution_.off_plan(), out);
+  done_ = route_->done();
 }
 
 void Wingman::listen(const AgentInput& in, AgentOutput& out) {
@@ -68,6 +74,7 @@ void Wingman::listen(const AgentInput& in, AgentOutput& out) {
       }
       leader_.reset();
       demanded_.reset();
+      route_.reset();
       out.events.push_back({in.now, self_, "task", leads ? "leads" : "follows"});
     } else if (const auto* told = std::get_if<TeamPosition>(&message.content)) {
       hear(*told);
@@ -90,16 +97,17 @@ void Wingman::hear(const TeamPosition& told) {
   leader_ = now;
 }
 
-void Wingman::lead(const FlyRoute& route, AgentOutput& out) const {
-  AutopilotCommand command;
-  const double altitude = highest_along(map_, route.points) + options_.altitude_agl;
-  command.guidance = round_trip(route.points, route.laps, altitude);
-  command.altitude_msl = altitude;
+void Wingman::lead(const FlyRoute& route) {
+  RouteFlightOptions options;
+  options.points = route.points;
+  options.laps = route.laps;
+  options.altitude_msl = highest_along(map_, route.points) + options_.altitude_agl;
+  options.ground_clearance = options_.altitude_agl / 2;
   if (limits_.slowest > 0)
-    command.airspeed =
+    options.airspeed =
         std::min(limits_.airspeed,
                  limits_.slowest + kLeaderSpeed * (limits_.fastest - limits_.slowest));
-  out.command = std::move(command);
+  route_.emplace(options, RouteWorld{limits_, &map_, planner_}, self_);
 }
 
 void Wingman::follow(const FollowLeader& order, const AgentInput& in, AgentOutput& out) {
@@ -127,7 +135,8 @@ void Wingman::follow(const FollowLeader& order, const AgentInput& in, AgentOutpu
   demanded_.emplace().assign(plan.plan);
   const Vec2 ahead = geo::horizontal(
       plan.plan[std::min<std::size_t>(kAhead, plan.plan.size() - 1)].p_N - in.nav->p_N);
-  command.guidance = zones_.keep_out(std::move(plan), geo::bearing(ahead), *in.nav);
+  command.guidance = zones_.keep_out(std::move(plan), geo::bearing(ahead), *in.nav,
+                                     command.altitude_msl);
   out.command = std::move(command);
 }
 
@@ -144,7 +153,7 @@ void Wingman::report(const AgentInput& in, AgentOutput& out) {
   };
   send(station_, kReportBytes,
        AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_,
-                      obeys_orders(in.autopilot)});
+                      obeys_orders(in.autopilot), zones_.changes_known()});
   if (const auto* route = std::get_if<FlyRoute>(&task_.what))
     for (const EntityId id : route->tell)
       send(id, kPositionBytes, TeamPosition{self_, *in.nav});

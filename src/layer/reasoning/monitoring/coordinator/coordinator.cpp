@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace skein::monitoring {
 namespace {
 
 constexpr int kTaskBytes = 48;
-constexpr double kStaleAfter = 5;   // nothing heard for this long: predict the belief [s]
-constexpr double kNewsEvery = 60;   // of one kind of doubt [s]
+constexpr double kStaleAfter = 5;  // nothing heard for this long: predict the belief [s]
+constexpr double kLevel = 50;      // zones this far above and below an aircraft count [m]
+constexpr double kSoon = 60;       // zones that come into force within this count [s]
+constexpr double kNewsEvery = 60;  // of one kind of doubt [s]
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
@@ -45,6 +48,7 @@ Coordinator::Coordinator(const CoordinatorOptions& options,
       belief_(std::move(estimator), options.late_window),
       strategy_(std::move(strategy)),
       roster_(options.team, options.lost_after),
+      zones_(options.zones),
       boundary_(belief_.boundary_at(Time())) {}
 
 void Coordinator::step(const AgentInput& in, AgentOutput& out) {
@@ -64,6 +68,8 @@ void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
       roster_.take(*report, message.from, in.now);
     else if (const auto* reading = std::get_if<FireReading>(&message.content))
       readings.push_back(*reading);
+    else if (const auto* change = std::get_if<ZoneChange>(&message.content))
+      zones_.take(*change);
   }
   if (!readings.empty()) last_heard_ = in.now;
   for (const FireReading& reading : readings)
@@ -163,6 +169,7 @@ void Coordinator::deploy(Time now, AgentOutput& out) {
 
 void Coordinator::force_crossings(Time now, AgentOutput& out) {
   if (options_.forced_crossing <= 0) return;
+  const std::vector<Zone> zones = zones_in_the_way(now);
   for (Member& member : roster_.members()) {
     if (!member.available || member.deploying) continue;
     if (member.forced) {
@@ -172,12 +179,29 @@ void Coordinator::force_crossings(Time now, AgentOutput& out) {
     }
     const Time since = std::max(member.status.last_crossing, member.deployed);
     if ((now - since).seconds() < options_.forced_crossing) continue;
+    const Vec2 goal = sure_crossing(member.status, boundary_, options_.origin);
+    if (std::any_of(zones.begin(), zones.end(),
+                    [&](const Zone& zone) { return covers(zone, goal); }))
+      continue;
     member.forced = true;
-    order(member, FlyTo{sure_crossing(member.status, boundary_, options_.origin)}, now,
-          out);
+    order(member, FlyTo{goal}, now, out);
     out.events.push_back({now, member.status.id, "forced-crossing",
                           "no crossing for long: sent across the boundary"});
   }
+}
+
+std::vector<Zone> Coordinator::zones_in_the_way(Time now) const {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Member& member : roster_.members()) {
+    if (!member.available) continue;
+    low = std::min(low, -member.status.nav.p_N.z() - kLevel);
+    high = std::max(high, -member.status.nav.p_N.z() + kLevel);
+  }
+  std::vector<Zone> zones;
+  for (const Zone& zone : zones_.zones())
+    if (concerns(zone, low, high, now.seconds(), now.seconds() + kSoon))
+      zones.push_back(zone);
+  return zones;
 }
 
 void Coordinator::allocate(Time now, AgentOutput& out) {
@@ -190,8 +214,8 @@ void Coordinator::allocate(Time now, AgentOutput& out) {
       nav.time = now;
     }
   if (ready.empty()) return;
-  const MonitoringSituation situation{now, &boundary_, ready, options_.origin,
-                                      options_.zones};
+  const std::vector<Zone> zones = zones_in_the_way(now);
+  const MonitoringSituation situation{now, &boundary_, ready, options_.origin, zones};
   for (Assignment& assignment : strategy_->assign(situation))
     if (Member* member = roster_.find(assignment.aircraft))
       order(*member, std::move(assignment.what), now, out);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "data/zone_book.h"
 #include "layer/reasoning/monitoring/coordinator/belief.h"
 #include "layer/reasoning/monitoring/coordinator/confidence_monitor.h"
 #include "layer/reasoning/monitoring/coordinator/roster.h"
@@ -22,7 +23,7 @@ struct CoordinatorOptions {
   double deployment_limit = 600;  ///< a transect without crossing ends after this [s]
   double lost_after = 5;          ///< an aircraft not heard for this long is lost [s]
   double late_window = 60;        ///< readings this late still count [s]
-  std::vector<Zone> zones;        ///< no-flight zones
+  std::vector<Zone> zones;        ///< no-flight zones in force from the start
 };
 
 /// The ground station's agent of a perimeter mission: keeps the belief from all readings,
@@ -31,6 +32,9 @@ struct CoordinatorOptions {
 /// Deployment: each aircraft flies its transect until its first crossing; then it is
 /// allocated. When all that are heard are allocated, the event "allocation" marks the
 /// start of that phase, even if some transects met nothing.
+///
+/// No order leads into a no-flight zone in force, or soon in force, at the altitude of
+/// any aircraft.
 ///
 /// Doubts about the belief become events: "outlier" (readings set aside), "too-late"
 /// (readings older than `late_window`), "over-confident" and "trusted" (see
@@ -61,11 +65,13 @@ class Coordinator : public Agent {
   void order(Member& member, decltype(Task::what) what, Time now, AgentOutput& out);
   void note_crossing(const Crossing& crossing, AgentOutput& out);
   void judge(const Crossing& crossing, AgentOutput& out);
+  std::vector<Zone> zones_in_the_way(Time now) const;
 
   CoordinatorOptions options_;
   Belief belief_;
   std::unique_ptr<MonitoringStrategy> strategy_;
   Roster roster_;
+  ZoneBook zones_;
   BoundaryEstimate boundary_;
   ConfidenceMonitor confidence_;
   Tally outliers_, dropped_;

@@ -1,0 +1,234 @@
+#include "layer/reasoning/agent/route_flight.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layer/reasoning/agent/round_trip.h"
+#include "model/path/flight_plan.h"
+#include "model/path/wind_triangle.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr std::int64_t kMostPoints = 500;  // of one command, but for whole laps
+constexpr double kPlanAgain = 10;          // after the last try, at the earliest [s]
+constexpr double kPlanRadius = 1.1;        // of the turn radius: room to correct
+constexpr double kReached = 2;             // a point is, this near to it [turn radii]
+constexpr double kLeastReached = 20;       // and this near at least [m]
+constexpr double kBeside = 6;              // of a corner, still passed [turn radii]
+
+double reach(const FlightLimits& limits) {
+  return std::max(kReached * limits.turn_radius, kLeastReached);
+}
+
+}  // namespace
+
+RouteFlight::RouteFlight(const RouteFlightOptions& options, const RouteWorld& world,
+                         EntityId self)
+    : options_(options),
+      world_(world),
+      self_(self),
+      route_(round_trip(options.points, options.laps, options.altitude_msl)),
+      total_(static_cast<std::int64_t>(route_.points.size()) * route_.laps) {}
+
+const Vec2& RouteFlight::point(std::int64_t index) const {
+  const auto count = static_cast<std::int64_t>(route_.points.size());
+  return route_.points[static_cast<std::size_t>(index % count)].point;
+}
+
+void RouteFlight::give(decltype(AutopilotCommand::guidance) guidance,
+                       AgentOutput& out) const {
+  AutopilotCommand command;
+  command.guidance = std::move(guidance);
+  command.altitude_msl = options_.altitude_msl;
+  command.airspeed = options_.airspeed;
+  out.command = std::move(command);
+}
+
+// Whether the next point lies behind: beyond the line that halves the corner there.
+bool RouteFlight::passed(const Vec2& position) const {
+  const Vec2& corner = point(next_);
+  const Vec2 off = position - corner;
+  const double near = kBeside * std::max(world_.limits.turn_radius, kLeastReached);
+  if (next_ + 1 >= total_ || off.norm() > near) return false;
+  const Vec2 in = (corner - from_).normalized();
+  const Vec2 on = (point(next_ + 1) - corner).normalized();
+  const Vec2 through = in + on;
+  // Straight back: the way on begins when it has turned.
+  if (through.norm() < 0.1) return off.norm() < reach(world_.limits);
+  return off.dot(through) > 0;
+}
+
+void RouteFlight::keep_count(const AgentInput& in, ZoneWatch& zones) {
+  const Vec2 here = geo::horizontal(in.nav->p_N);
+  const bool done = in.autopilot.done && obeys_orders(in.autopilot);
+  const auto go_on = [&](std::int64_t to) {
+    from_ = point(to - 1);
+    next_ = to;
+  };
+  if (stage_ == Stage::kRoute) {
+    while (next_ + 1 < until_ && passed(here)) go_on(next_ + 1);
+    if (done) go_on(until_), stage_ = Stage::kNew;
+  } else if (stage_ == Stage::kPlanned && done) {
+    go_on(next_ + 1);
+    stage_ = Stage::kNew;
+  } else if (stage_ == Stage::kGuarded) {
+    const Vec2 end = zones.ways(*in.nav).nearest_allowed(point(next_));
+    if ((here - end).norm() > reach(world_.limits)) return;
+    go_on(next_ + 1);
+    stage_ = Stage::kNew;
+  }
+}
+
+void RouteFlight::step(const AgentInput& in, ZoneWatch& zones, bool off_plan,
+                       AgentOutput& out) {
+  zones.regard(*in.nav, options_.altitude_msl);
+  const bool changed = zones.take_change();
+  if (stage_ == Stage::kDone) return stay(in, zones, out);
+  const bool first = stage_ == Stage::kNew;
+  if (first) from_ = geo::horizontal(in.nav->p_N);
+  keep_count(in, zones);
+  if (changed || must_choose(in, zones, off_plan)) choose(in, zones, out);
+  if (stage_ == Stage::kGuarded) fly_guarded(in, zones, out);
+}
+
+bool RouteFlight::must_choose(const AgentInput& in, const ZoneWatch& zones,
+                              bool off_plan) const {
+  const Vec2 here = geo::horizontal(in.nav->p_N);
+  const bool inside = zones.distance(here) < 0;
+  switch (stage_) {
+    case Stage::kNew:
+      return true;
+    case Stage::kRoute:
+      return inside;
+    case Stage::kPlanned:
+      return inside || (off_plan && in.now >= plan_again_);
+    case Stage::kGuarded:
+      return !inside && (in.now >= plan_again_ || !zones.blocks(here, point(next_)));
+    case Stage::kDone:
+      return false;
+  }
+  return false;
+}
+
+// Points in zones are left out, but for the last one: near there it stays.
+void RouteFlight::leave_out(const AgentInput& in, const ZoneWatch& zones,
+                            AgentOutput& out) {
+  while (next_ + 1 < total_ && zones.distance(point(next_)) < 0) {
+    const Vec2& p = point(next_);
+    out.events.push_back({in.now, self_, "point-left-out",
+                          fmt::format("{:.0f} m north, {:.0f} m east lies in a no-flight "
+                                      "zone",
+                                      p.x(), p.y())});
+    ++next_;
+  }
+}
+
+void RouteFlight::choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
+  const Vec2 here = geo::horizontal(in.nav->p_N);
+  if (next_ < total_) leave_out(in, zones, out);
+  if (next_ >= total_) {
+    stage_ = Stage::kDone;
+    return stay(in, zones, out);
+  }
+  if (zones.distance(here) < 0) {
+    stage_ = Stage::kGuarded;
+    plan_again_ = in.now;
+    return;
+  }
+  // The points that free legs lead to. After a lap legs repeat, but for the first one.
+  const auto lap = static_cast<std::int64_t>(route_.points.size());
+  std::int64_t free = next_;
+  const Vec2* from = &here;
+  while (free < total_ && free <= next_ + lap && !zones.blocks(*from, point(free)))
+    from = &point(free++);
+  if (free > next_ + lap) free = total_;
+  if (free > next_) return fly_route(free, out);
+  plan_again_ = in.now + Time::from_seconds(kPlanAgain);
+  if (fly_planned(in, zones, out)) return;
+  stage_ = Stage::kGuarded;
+}
+
+void RouteFlight::fly_route(std::int64_t free, AgentOutput& out) {
+  const auto lap = static_cast<std::int64_t>(route_.points.size());
+  FlyWaypoints way;
+  if (next_ % lap == 0 && free == total_) {
+    way = route_;
+    way.laps = static_cast<int>((total_ - next_) / lap);
+    until_ = total_;
+  } else {
+    until_ = std::min(free, next_ + kMostPoints);
+    for (std::int64_t k = next_; k < until_; ++k)
+      way.points.push_back({point(k), options_.altitude_msl});
+  }
+  stage_ = Stage::kRoute;
+  give(std::move(way), out);
+}
+
+bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
+                              AgentOutput& out) {
+  if (!world_.planner) return false;
+  const NavEstimate& nav = *in.nav;
+  const Vec2 here = geo::horizontal(nav.p_N), goal = point(next_);
+  const Vec2 on = next_ + 1 < total_ ? Vec2(point(next_ + 1) - goal) : Vec2(goal - here);
+  Airspace airspace;
+  airspace.zones = zones.obstacles();
+  PathQuery query;
+  query.limits = world_.limits;
+  query.limits.turn_radius *= kPlanRadius;
+  if (options_.airspeed) query.limits.airspeed = *options_.airspeed;
+  const double course = geo::bearing(on);
+  query.start = {{here.x(), here.y(), -options_.altitude_msl}, nav.heading};
+  query.goal = {{goal.x(), goal.y(), -options_.altitude_msl},
+                model::heading_for_course(course, query.limits.airspeed, nav.wind_N)
+                    .value_or(course)};
+  query.start_time = in.now.seconds();
+  query.wind = nav.wind_N;
+  query.ground_clearance = options_.ground_clearance;
+  query.airspace = &airspace;
+  query.terrain = world_.map;
+  query.budget.states = options_.planning_states;
+  PlannedPath path = world_.planner->plan(query);
+  if (path.plan.empty()) {
+    out.events.push_back(
+        {in.now, self_, "no-path",
+         fmt::format("{}: {}; goes round by sight", name_of(path.outcome), path.reason)});
+    return false;
+  }
+  out.events.push_back({in.now, self_, "planned",
+                        fmt::format("a way of {:.0f} s around no-flight zones",
+                                    model::duration(path.plan))});
+  stage_ = Stage::kPlanned;
+  give(FollowPlan{model::sample(path.plan)}, out);
+  return true;
+}
+
+void RouteFlight::fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
+  const Vec2 here = geo::horizontal(in.nav->p_N);
+  const Vec2 aim = zones.ways(*in.nav).way(here, point(next_)).front();
+  const double course = geo::bearing(aim - here);
+  give(zones.keep_out(HoldCourse{course}, course, *in.nav, options_.altitude_msl), out);
+}
+
+void RouteFlight::stay(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
+  if (zones.zones().empty() && !stays_) return;
+  const Vec2 here = geo::horizontal(in.nav->p_N);
+  const Vec2 place = zones.allowed(point(total_ - 1), *in.nav, options_.altitude_msl);
+  const bool was_deflecting = zones.deflecting();
+  // Along the circle there, straight to it from afar.
+  const double radius = world_.limits.turn_radius;
+  const Vec2 off = here - place;
+  const double course =
+      geo::bearing(off) + geo::kPi / 2 + std::atan2(off.norm() - radius, radius);
+  auto guidance =
+      zones.keep_out(HoldPosition{place}, course, *in.nav, options_.altitude_msl);
+  if (!zones.deflecting() && !was_deflecting &&
+      place == stays_.value_or(point(total_ - 1)))
+    return;
+  stays_ = place;
+  give(std::move(guidance), out);
+}
+
+}  // namespace skein::reasoning
