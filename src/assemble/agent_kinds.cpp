@@ -10,6 +10,7 @@
 #include "layer/reasoning/agent/monitor_agent.h"
 #include "layer/reasoning/agent/round_trip.h"
 #include "layer/reasoning/agent/route_agent.h"
+#include "layer/reasoning/agent/zone_shield.h"
 #include "layer/reasoning/team/wingman.h"
 #include "layer/reasoning/tour/tour_agent.h"
 
@@ -193,8 +194,10 @@ Kinds<Agent, AircraftContext> agent_kinds() {
             [](const reasoning::TourAgentOptions& o, const AircraftContext& c) {
               reasoning::TourAgentOptions all = o;
               all.altitude_agl = c.altitude_agl;
-              return std::make_unique<reasoning::TourAgent>(all, c.self, c.station,
-                                                            c.limits, *c.map);
+              return std::make_unique<reasoning::ZoneShield>(
+                  reasoning::ZoneGuardOptions{}, c.self, c.limits, *c.map, c.zones,
+                  std::make_unique<reasoning::TourAgent>(all, c.self, c.station, c.limits,
+                                                         *c.map));
             });
   return kinds;
 }

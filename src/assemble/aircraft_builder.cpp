@@ -48,6 +48,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.altitude_agl = group.altitude_agl;
   context.map = map_;
   context.zones = zones_;
+  context.planner = planner_;
 
   auto nominal = nominal_plant(group, context);
   if (!nominal) return nominal.error();

@@ -9,6 +9,8 @@
 #include "assemble/vehicle_faults.h"
 #include "base/result.h"
 #include "data/zone.h"
+#include "layer/reasoning/planning/search/aa_star.h"
+#include "role/path_planner.h"
 #include "role/plant.h"
 #include "role/wind_field.h"
 #include "scenario/scenario.h"
@@ -27,7 +29,8 @@ class AircraftBuilder {
         map_(std::move(map)),
         zones_(zones),
         wind_(wind),
-        station_(station) {}
+        station_(station),
+        planner_(std::make_shared<planning::AaStar>()) {}
 
   /// Aircraft `index` of `group`, which becomes entity `self`.
   /// Fails: what a part cannot be made from; a start inside terrain or a no-flight zone;
@@ -52,6 +55,7 @@ class AircraftBuilder {
   const std::vector<Zone>& zones_;
   const WindField& wind_;
   EntityId station_;
+  std::shared_ptr<const PathPlanner> planner_;
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
   std::map<std::string, int> named_;  // how many aircraft have a group's name
