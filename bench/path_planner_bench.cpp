@@ -210,18 +210,21 @@ void plan_fleet_of(benchmark::State& state) {
   FleetPlan plan;
   for (auto _ : state) plan = plan_fleet(fleet);
   double late = 0, longer = 0, states = 0;
+  FleetPlan each_alone;  // as if there were no others: what is to be resolved
   for (std::size_t i = 0; i < plan.paths.size(); ++i) {
     const PlannedPath& p = plan.paths[i];
     states += static_cast<double>(p.states);
-    if (p.plan.empty()) continue;
-    late += model::start_of(p.plan);
     FleetQuery alone = fleet;
     alone.members = {fleet.members[i]};
-    longer += p.duration / plan_fleet(alone).paths.front().duration - 1;
+    each_alone.paths.push_back(plan_fleet(alone).paths.front());
+    if (p.plan.empty()) continue;
+    late += model::start_of(p.plan);
+    longer += p.duration / each_alone.paths.back().duration - 1;
   }
   const double n = static_cast<double>(std::max<std::size_t>(1, plan.planned));
   state.counters["planned"] = static_cast<double>(plan.planned);
   state.counters["conflicts"] = static_cast<double>(conflicts(fleet, plan));
+  state.counters["conflicts_alone"] = static_cast<double>(conflicts(fleet, each_alone));
   state.counters["late_s"] = late / n;
   state.counters["longer_percent"] = 100 * longer / n;
   state.counters["states"] = states;

@@ -11,9 +11,10 @@ namespace skein::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMostTurns = 1000;
-// A wait that is not enough grows by this at least [s].
-constexpr double kLeastWait = 1e-3;
+constexpr double kMostTurns = 10'000;
+// A wait that is not enough grows by this part of a full turn at least, then by twice as
+// much.
+constexpr double kLeastWait = 1.0 / 4096;
 
 double climb_time(double height, const FlightLimits& limits) {
   return height > 0 ? height / limits.climb_rate : -height / limits.sink_rate;
@@ -46,8 +47,10 @@ Link link(const FlightState& from, const FlightState& to, const PathQuery& query
   // Without wind the wait is known at once; in wind turns carry the aircraft away from
   // the goal or towards it, and what is left changes.
   const double turn = full_turn(query);
+  double least = kLeastWait * turn;
   while (out.duration < needed * (1 - 1e-12)) {
-    out.wait = std::max(turn, out.wait + std::max(needed - out.duration, kLeastWait));
+    out.wait = std::max(turn, out.wait + std::max(needed - out.duration, least));
+    least *= 2;
     connect_after_wait();
     if (out.wait > kMostTurns * turn) out.duration = kInfinity;
   }

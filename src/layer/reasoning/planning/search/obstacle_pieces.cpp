@@ -14,6 +14,8 @@ constexpr std::size_t kEdgesTogether = 4;
 // Pieces of planned flights: no longer, and their chords no further off than this.
 constexpr double kPieceTime = 10;    // [s]
 constexpr double kPieceError = 0.5;  // [m]
+// Flights that would take more pieces have longer ones, with a larger room.
+constexpr double kMostPieces = 20'000;
 // What moves is cut into pieces that double from the time at which its place is known.
 constexpr double kFirstPiece = 30;  // [s]
 constexpr int kDoublings = 9;
@@ -120,7 +122,8 @@ void add_pieces(const PlannedFlight& flight, std::int32_t index, Pieces& pieces)
     const double bend = e.airspeed * std::abs(e.turn_rate);
     double most = kPieceTime;
     if (bend > 0) most = std::min(most, std::sqrt(8 * kPieceError / bend));
-    const int count = std::max(1, static_cast<int>(std::ceil(e.duration / most)));
+    const double wanted = std::clamp(std::ceil(e.duration / most), 1.0, kMostPieces);
+    const int count = static_cast<int>(wanted);
     const double h = e.duration / count;
     for (int i = 0; i < count; ++i) {
       const Vec3 a = model::position(e, i * h), b = model::position(e, (i + 1) * h);

@@ -4,11 +4,21 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "geo/self_crossing.h"
 
 namespace skein::planning {
 namespace {
+
+constexpr double kFurthest = 1e8;     // [m]
+constexpr double kMostHeading = 1e6;  // [rad]
+constexpr double kMostTime = 1e12;    // [s]
+
+struct Range {
+  double least, most;
+};
 
 PlannedPath answer(PlanningOutcome outcome, std::string reason) {
   PlannedPath out;
@@ -101,26 +111,34 @@ std::string problem_of(const Airspace& airspace) {
   return "";
 }
 
+// Whether a place is one: finite and not further away than the earth's surface goes.
+bool is_place(const Vec3& p) {
+  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFurthest;
+}
+
+// A value out of its range, in words; empty when it is in it.
+std::string out_of(const Range& range, double x, std::string_view name) {
+  if (x >= range.least && x <= range.most) return "";
+  return fmt::format("the {} is {:g}; it must be from {:g} to {:g}", name, x, range.least,
+                     range.most);
+}
+
 std::string problem_of_limits(const PathQuery& q) {
-  const auto finite = [](const FlightState& s) {
-    return s.p_N.allFinite() && std::isfinite(s.heading);
+  const auto sound = [](const FlightState& s) {
+    return is_place(s.p_N) && std::abs(s.heading) <= kMostHeading;
   };
-  if (!finite(q.start)) return "the start is not finite";
-  if (!finite(q.goal)) return "the goal is not finite";
-  if (!std::isfinite(q.start_time)) return "the start's time is not finite";
+  if (!sound(q.start)) return "the start is not a place with a heading";
+  if (!sound(q.goal)) return "the goal is not a place with a heading";
+  if (!(std::abs(q.start_time) <= kMostTime)) return "the start's time is not a time";
   if (!q.wind.allFinite()) return "the wind is not finite";
-  const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
-  if (!positive(q.limits.airspeed))
-    return fmt::format("the airspeed is {} m/s; it must be above 0", q.limits.airspeed);
-  if (!positive(q.limits.turn_radius))
-    return fmt::format("the turn radius is {} m; it must be above 0",
-                       q.limits.turn_radius);
-  if (!positive(q.limits.climb_rate) || !positive(q.limits.sink_rate))
-    return fmt::format("climb and sink rate are {} and {} m/s; they must be above 0",
-                       q.limits.climb_rate, q.limits.sink_rate);
-  if (!std::isfinite(q.ground_clearance) || q.ground_clearance < 0)
-    return fmt::format("the ground clearance is {} m; it must be 0 or above",
-                       q.ground_clearance);
+  const std::string limits[] = {
+      out_of({0.01, 1e4}, q.limits.airspeed, "airspeed in m/s"),
+      out_of({0.01, 1e6}, q.limits.turn_radius, "turn radius in m"),
+      out_of({1e-3, 1e4}, q.limits.climb_rate, "climb rate in m/s"),
+      out_of({1e-3, 1e4}, q.limits.sink_rate, "sink rate in m/s"),
+      out_of({0, 1e5}, q.ground_clearance, "ground clearance in m")};
+  for (const std::string& problem : limits)
+    if (!problem.empty()) return problem;
   if (q.budget.states <= 0)
     return fmt::format("the budget is {} states; it must be above 0", q.budget.states);
   if (!(q.least.x() < q.most.x() && q.least.y() < q.most.y()))
