@@ -45,7 +45,6 @@ Connection calm(const Pose& from, const Pose& to, const AirMotion& air) {
 // Whether the goal, seen from the air mass, is within 4 radii of the start at some time
 // up to `time`.
 bool irregular(const words::Problem& p, double time) {
-  if (p.wind2 == 0) return false;
   const double nearest = std::clamp(p.goal.dot(p.wind) / p.wind2, 0.0, time);
   return (p.goal - nearest * p.wind).squaredNorm() < kIrregular * kIrregular;
 }
@@ -71,7 +70,7 @@ Connection connect(const Pose& from, const Pose& to, const AirMotion& air) {
                       std::isfinite(air.turn_radius) && air.wind.allFinite() &&
                       air.airspeed > 0 && air.turn_radius > 0;
   if (!usable) return best;
-  if (air.wind.isZero(0)) return calm(from, to, air);
+  if (words::is_calm(air.wind, air.airspeed)) return calm(from, to, air);
   const words::Problem right = reduced(from, to, air);
   if (right.wind2 >= 1) {
     best.status = ConnectionStatus::kWindTooStrong;

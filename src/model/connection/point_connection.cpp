@@ -18,7 +18,7 @@ PointConnection connect_to_point(const Pose& from, const Vec2& point,
                       std::isfinite(air.airspeed) && std::isfinite(air.turn_radius) &&
                       air.airspeed > 0 && air.turn_radius > 0;
   if (!usable) return best;
-  if (air.wind.isZero(0)) {
+  if (words::is_calm(air.wind, air.airspeed)) {
     const PointPath path = shortest_to_point(from, point, air.turn_radius);
     return {ConnectionStatus::kFound,
             path.right,

@@ -40,7 +40,10 @@ class TangentSearch {
       const double slack = kRounding * missing + kTimeRounding * (1 + low);
       const double earliest = low + (missing - slack) / (1 + wind);
       if (earliest >= high) return {};
-      const double latest = low + (missing + slack) / (1 - wind);
+      // Of a wind as strong as the airspeed but for 1e-9 only that difference is known to
+      // 1e-7.
+      const double latest =
+          low + (missing + slack) / (1 - wind) * (1 + 1e-15 / (1 - wind));
       const Moment m = solve(start, missing, earliest, std::min(high, latest));
       if (m.time >= high) return {};
       const double loops = std::round(m.spare() / kTurn);
@@ -108,7 +111,6 @@ Meeting earliest_meeting(const TangentWord& word, double least, double best) {
   const TangentSearch search(word, best);
   // While the centre is within reach there is no tangent.
   const double outside = word.way.squaredNorm() - word.reach * word.reach + kTouch;
-  if (word.wind2 == 0) return outside < 0 ? Meeting{} : search.first_in(least, kNever);
   const double b = word.way.dot(word.wind);
   const double root2 = b * b - word.wind2 * outside;
   if (root2 <= 0) return search.first_in(least, kNever);

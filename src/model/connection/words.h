@@ -19,13 +19,18 @@ inline constexpr double kNever = std::numeric_limits<double>::infinity();
 // straight leaves the aircraft's own circle would add a spurious loop.
 inline constexpr double kSnap = 1e-11;
 
-/// Where the goal is, reduced, with the sines that all words need.
+/// Whether there is no wind, or so little that its square would lose its digits.
+inline bool is_calm(const Vec2& wind, double airspeed) {
+  return wind.squaredNorm() <= 1e-280 * airspeed * airspeed;
+}
+
+/// Where the goal is in some wind, reduced, with the sines that all words need.
 struct Problem {
   Vec2 goal = Vec2::Zero();  ///< at time 0
   double phi = 0;            ///< heading at the goal, in [0, 2 pi)
   double sin_phi = 0, cos_phi = 1;
   Vec2 wind = Vec2::Zero();
-  double wind2 = 0;  ///< squared, below 1
+  double wind2 = 0;  ///< squared, in (0, 1)
 
   /// The same for the turns exchanged.
   Problem mirrored() const;

@@ -8,7 +8,7 @@ namespace skein::model::words {
 struct PointProblem {
   Vec2 point = Vec2::Zero();  ///< at time 0
   Vec2 wind = Vec2::Zero();
-  double wind2 = 0;  ///< squared, below 1
+  double wind2 = 0;  ///< squared, in (0, 1)
 
   /// The same for the turns exchanged.
   PointProblem mirrored() const;

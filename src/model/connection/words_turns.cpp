@@ -8,14 +8,16 @@ namespace {
 constexpr int kMostNewton = 100;
 
 // f(T) = |D - w T|^2 - 8 - 8 cos((T - c) / 2), which is 0 where a middle turn fits
-// between the outer ones.
+// between the outer ones. Written with squares, it keeps its digits where both are small.
 struct Gap {
-  double d2, dw, w2, c;
+  Vec2 d0, wind;
+  double c;
   double value(double t) const {
-    return d2 - 2 * dw * t + w2 * t * t - 8 - 8 * std::cos((t - c) / 2);
+    const double cosine = std::cos((t - c) / 4);
+    return (d0 - wind * t).squaredNorm() - 16 * cosine * cosine;
   }
   double slope(double t) const {
-    return -2 * dw + 2 * w2 * t + 4 * std::sin((t - c) / 2);
+    return -2 * wind.dot(d0 - wind * t) + 4 * std::sin((t - c) / 2);
   }
 };
 
@@ -72,8 +74,7 @@ class ThreeTurns {
 
  private:
   Meeting first_about(double c, double high) const {
-    if (p_.wind2 == 0) return first_in_calm(c, high);
-    const Gap f{d0_.squaredNorm(), d0_.dot(p_.wind), p_.wind2, c};
+    const Gap f{d0_, p_.wind, c};
     // f'' = 2 w^2 + 2 cos((T - c)/2): convex in the middle, concave on both sides.
     const double bend = 2 * std::acos(-p_.wind2);
     const std::array<double, 4> cuts = {c - kTurn, c - bend, c + bend, c + kTurn};
@@ -85,16 +86,6 @@ class ThreeTurns {
         const Meeting m = meeting(r.at[k], c);
         if (m.time < kNever) return m;
       }
-    }
-    return {};
-  }
-
-  Meeting first_in_calm(double c, double high) const {
-    const double half = 4 * std::acos(std::min(1.0, d0_.norm() / 4));
-    for (const double time : {c - half, c + half}) {
-      if (time < 0 || time > high) continue;
-      const Meeting m = meeting(time, c);
-      if (m.time < kNever) return m;
     }
     return {};
   }
@@ -123,7 +114,6 @@ Meeting three_turns(const Problem& p, double best) {
   // The outer circles' centres must be within 4.
   const Vec2 d0 = p.same_turns();
   const double outside = d0.squaredNorm() - 16;
-  if (p.wind2 == 0) return outside > 0 ? Meeting{} : ThreeTurns(p, 0, best).first();
   const double b = d0.dot(p.wind);
   const double root2 = b * b - p.wind2 * outside;
   if (root2 < 0) return {};

@@ -180,6 +180,31 @@ ConnectionQuery hard_case(std::uint32_t number) {
   return q;
 }
 
+ConnectionQuery extreme_case(std::uint32_t number) {
+  RandomStream random(number, 2, Purpose::kTest);
+  const auto magnitude = [&](double low, double high) {
+    return std::pow(10.0, random.uniform(low, high));
+  };
+  const double downwind = number % 5 == 0
+                              ? geo::kPi / 2 * std::floor(4 * random.uniform())
+                              : random.uniform(0, kTurn);
+  const double ratio = number % 3 == 0   ? 1 - magnitude(-9, 0)
+                       : number % 3 == 1 ? 0.999 * magnitude(-12, 0)
+                                         : 0;
+  ConnectionQuery q;
+  q.air = {magnitude(-1, 2.5), magnitude(-1, 4), Vec2::Zero()};
+  q.air.wind = q.air.airspeed * ratio * geo::unit(downwind);
+  q.from.course = random.uniform(-10, 10);
+  const double way = number % 7 == 0   ? q.from.course
+                     : number % 7 == 1 ? downwind
+                                       : random.uniform(0, kTurn);
+  q.to.position = magnitude(-9, 4) * q.air.turn_radius * geo::unit(way);
+  q.to.course = number % 6 == 0   ? q.from.course
+                : number % 6 == 1 ? q.from.course + geo::kPi
+                                  : random.uniform(0, kTurn);
+  return q;
+}
+
 double end_error(const ConnectionQuery& q, const Connection& c) {
   if (c.status != ConnectionStatus::kFound) return kNever;
   const FlightPlan plan = to_flight_plan(c, q.from, q.air);

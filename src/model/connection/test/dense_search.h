@@ -16,6 +16,9 @@ double dense_search(const ConnectionQuery& query, double until, int steps);
 /// of the airspeed, and hard ones (see dense_search.cpp).
 ConnectionQuery random_case(std::uint32_t number);
 ConnectionQuery hard_case(std::uint32_t number);
+/// From 1e-9 to 1e4 turn radii away, in winds from 1e-12 of the airspeed to 1e-9 below
+/// it.
+ConnectionQuery extreme_case(std::uint32_t number);
 
 /// How far the flown connection ends from the goal: turn radii, or rad of heading if that
 /// is more. Infinite when nothing was found.
