@@ -27,7 +27,7 @@ struct RepairOptions {
   double on_plan = 1;
   /// A repaired path that takes this much longer than what is possible at least is
   /// compared with one planned anew.
-  double worse = 0.05;
+  double worse = 0.03;
   std::int64_t states = 400;  ///< for each try to rejoin
 };
 
