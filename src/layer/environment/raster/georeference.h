@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "geo/gdal/gdal_handles.h"
 #include "geo/vec.h"
-#include "layer/environment/raster/gdal_handles.h"
 
 namespace skein::environment {
 
@@ -16,11 +16,11 @@ inline Vec2 affine(const Affine& c, const Vec2& p) {
 /// Where a raster lies on the Earth.
 struct Georeference {
   int columns = 0, rows = 0;
-  bool geographic = false;    ///< its axes are latitude and longitude
-  Affine geo{};               ///< pixel to the raster's system, affine
-  Affine inverse{};           ///< and back
-  GdalTransform to_raster;    ///< WGS 84 degrees to the raster's system
-  GdalTransform from_raster;  ///< and back
+  bool geographic = false;         ///< its axes are latitude and longitude
+  Affine geo{};                    ///< pixel to the raster's system, affine
+  Affine inverse{};                ///< and back
+  geo::GdalTransform to_raster;    ///< WGS 84 degrees to the raster's system
+  geo::GdalTransform from_raster;  ///< and back
 };
 
 }  // namespace skein::environment

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "layer/environment/raster/gdal_guard.h"
+#include "geo/gdal/gdal_guard.h"
 
 namespace skein::environment {
 namespace {
@@ -71,7 +71,7 @@ PixelWindow window_around(const PixelMap& map, const Georeference& raster) {
 
 Result<PixelMap> map_pixels(const Georeference& raster, const geo::LocalFrame& frame,
                             const GridShape& shape, const std::string& path) {
-  const GdalGuard guard;
+  const geo::GdalGuard guard;
   PixelMap map;
   map.shape_ = shape;
   map.raster_columns_ = raster.columns;

@@ -12,8 +12,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "geo/gdal/gdal_guard.h"
 #include "layer/environment/raster/band_info.h"
-#include "layer/environment/raster/gdal_guard.h"
 #include "layer/environment/raster/whole_file.h"
 
 namespace skein::environment {
@@ -64,7 +64,7 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 struct RasterFile::Handles {
-  GdalDataset dataset;
+  geo::GdalDataset dataset;
   Georeference place;
 };
 
@@ -86,9 +86,9 @@ Result<RasterFile> RasterFile::open(const std::string& path,
   if (!std::filesystem::is_regular_file(path, ignored))
     return Error{ErrorCode::kBadInput, path, "is not a file but a folder or device",
                  "give one raster file"};
-  const GdalGuard guard;
+  const geo::GdalGuard guard;
   auto handles = std::make_unique<Handles>();
-  handles->dataset = open_dataset(path, DataKind::kRaster);
+  handles->dataset = geo::open_dataset(path, geo::DataKind::kRaster);
   if (!handles->dataset)
     return Error{ErrorCode::kBadInput, path,
                  "cannot be read as a raster: " + guard.failure(),
@@ -112,7 +112,7 @@ Result<RasterFile> RasterFile::open(const std::string& path,
                    variable.empty() ? "has several variables and none was chosen"
                                     : fmt::format("has no variable \"{}\"", variable),
                    "it has: " + joined(names)};
-    handles->dataset = open_dataset(chosen->name, DataKind::kRaster);
+    handles->dataset = geo::open_dataset(chosen->name, geo::DataKind::kRaster);
     if (!handles->dataset)
       return Error{
           ErrorCode::kBadInput, path,
@@ -127,7 +127,7 @@ Result<RasterFile> RasterFile::open(const std::string& path,
 }
 
 Result<void> RasterFile::georeference() {
-  const GdalGuard guard;
+  const geo::GdalGuard guard;
   GDALDatasetH dataset = handles_->dataset.get();
   Georeference& place = handles_->place;
   place.columns = GDALGetRasterXSize(dataset);
@@ -142,8 +142,8 @@ Result<void> RasterFile::georeference() {
     return fault("has no coordinate reference system",
                  "assign one, for example with gdal_translate -a_srs");
   place.geographic = OSRIsGeographic(system) != 0;
-  place.to_raster = transform_from_degrees(system);
-  place.from_raster = transform_to_degrees(system);
+  place.to_raster = geo::transform_from_degrees(system);
+  place.from_raster = geo::transform_to_degrees(system);
   if (!place.to_raster || !place.from_raster)
     return fault("has a coordinate reference system that cannot be used: " +
                  guard.failure());
@@ -188,7 +188,7 @@ Result<int> RasterFile::find_band(int number, const std::string& name) const {
 }
 
 Result<geo::Geodetic> RasterFile::geodetic(const Vec2& pixel) const {
-  const GdalGuard guard;
+  const geo::GdalGuard guard;
   const Vec2 there = affine(handles_->place.geo, pixel);
   double x = there.x(), y = there.y();
   int good = 0;
@@ -219,7 +219,7 @@ Result<PixelMap> RasterFile::map(const geo::LocalFrame& frame,
 }
 
 Result<PixelWindow> RasterFile::read(int band, const PixelWindow& window) const {
-  const GdalGuard guard;
+  const geo::GdalGuard guard;
   if (band < 1 || band > static_cast<int>(bands_.size()))
     return fault(fmt::format("has no band {}", band));
   PixelWindow pixels = window;

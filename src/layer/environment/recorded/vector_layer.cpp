@@ -11,9 +11,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "geo/gdal/gdal_guard.h"
+#include "geo/gdal/gdal_handles.h"
 #include "layer/environment/raster/csv_table.h"
-#include "layer/environment/raster/gdal_guard.h"
-#include "layer/environment/raster/gdal_handles.h"
 #include "layer/environment/raster/utc_time.h"
 
 namespace skein::environment {
@@ -224,8 +224,8 @@ class ThreadOption {
 }  // namespace
 
 struct VectorReader::Systems {
-  std::string text;          // of the last .prj
-  GdalTransform to_degrees;  // that it stands for
+  std::string text;               // of the last .prj
+  geo::GdalTransform to_degrees;  // that it stands for
 };
 
 VectorReader::VectorReader() : systems_(std::make_unique<Systems>()) {}
@@ -234,7 +234,7 @@ VectorReader::~VectorReader() = default;
 Result<std::vector<VectorFeature>> VectorReader::read(
     const std::string& name, const std::string& time_field, bool need_time,
     std::vector<std::string>& warnings) {
-  const GdalGuard guard;
+  const geo::GdalGuard guard;
   const std::string text = projection_text(name);
   const bool known = !text.empty() && text == systems_->text && systems_->to_degrees;
   std::optional<ThreadOption> without_search;
@@ -242,7 +242,7 @@ Result<std::vector<VectorFeature>> VectorReader::read(
   const auto fault = [&](const std::string& message, const std::string& hint = "") {
     return Error{ErrorCode::kBadInput, name, message, hint};
   };
-  const GdalDataset dataset = open_dataset(name, DataKind::kVector);
+  const geo::GdalDataset dataset = geo::open_dataset(name, geo::DataKind::kVector);
   if (!dataset)
     return fault("cannot be read as vector data: " + guard.failure(),
                  "any vector format that GDAL reads is allowed");
@@ -252,7 +252,7 @@ Result<std::vector<VectorFeature>> VectorReader::read(
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), l);
     OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer);
     const int time = time_index(definition, time_field);
-    GdalTransform own_transform;
+    geo::GdalTransform own_transform;
     void* to_degrees = known ? systems_->to_degrees.get() : nullptr;
     OGR_L_ResetReading(layer);
     for (int n = 0;; ++n) {
@@ -264,7 +264,7 @@ Result<std::vector<VectorFeature>> VectorReader::read(
         if (own == nullptr)
           return fault("has no coordinate reference system",
                        "a .prj file or an entry in the file is needed");
-        own_transform = transform_to_degrees(own);
+        own_transform = geo::transform_to_degrees(own);
         to_degrees = own_transform.get();
         if (to_degrees == nullptr)
           return fault("has a coordinate reference system that cannot be used: " +

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "layer/environment/raster/gdal_guard.h"
+#include "geo/gdal/gdal_guard.h"
 #include "layer/environment/raster/test/make_raster.h"
 #include "layer/environment/raster/utc_time.h"
 

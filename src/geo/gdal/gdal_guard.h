@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace skein::environment {
+namespace skein::geo {
 
 /// While it lives, what GDAL has to say on this thread is collected here instead of being
 /// written to standard error. The first one made in the program registers GDAL's drivers.
@@ -24,4 +24,4 @@ class GdalGuard {
   bool failed_ = false;
 };
 
-}  // namespace skein::environment
+}  // namespace skein::geo

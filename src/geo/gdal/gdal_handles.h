@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-namespace skein::environment {
+namespace skein::geo {
 
 struct CloseDataset {
   void operator()(void* dataset) const;
@@ -28,4 +28,4 @@ GdalDataset open_dataset(const std::string& name, DataKind kind);
 GdalTransform transform_to_degrees(void* system);
 GdalTransform transform_from_degrees(void* system);
 
-}  // namespace skein::environment
+}  // namespace skein::geo

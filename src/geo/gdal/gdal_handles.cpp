@@ -1,9 +1,9 @@
-#include "layer/environment/raster/gdal_handles.h"
+#include "geo/gdal/gdal_handles.h"
 
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
-namespace skein::environment {
+namespace skein::geo {
 namespace {
 
 struct DestroyReference {
@@ -52,4 +52,4 @@ GdalTransform transform_from_degrees(void* system) {
       degrees().get(), easting_first(OSRClone(system)).get()));
 }
 
-}  // namespace skein::environment
+}  // namespace skein::geo

@@ -1,11 +1,11 @@
-#include "layer/environment/raster/gdal_guard.h"
+#include "geo/gdal/gdal_guard.h"
 
 #include <cpl_error.h>
 #include <gdal.h>
 
 #include <mutex>
 
-namespace skein::environment {
+namespace skein::geo {
 
 struct GdalGuardAccess {
   static void CPL_STDCALL collect(CPLErr severity, CPLErrorNum, const char* message) {
@@ -27,4 +27,4 @@ GdalGuard::~GdalGuard() {
   CPLErrorReset();
 }
 
-}  // namespace skein::environment
+}  // namespace skein::geo
