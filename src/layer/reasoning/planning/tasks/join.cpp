@@ -47,7 +47,7 @@ FlightElement straight(const Vec2& from, const Vec2& to, double down,
           air.wind};
 }
 
-FlightState state_after(const FlightPlan& plan) {
+FlightState end_state(const FlightPlan& plan) {
   const model::FlightMoment end = model::end_of(plan.back());
   return {end.p_N, geo::wrap_pi(end.heading)};
 }

@@ -29,6 +29,6 @@ FlightElement straight(const Vec2& from, const Vec2& to, double down,
                        const model::AirMotion& air, double start);
 
 /// Where a plan ends.
-FlightState state_after(const FlightPlan& plan);
+FlightState end_state(const FlightPlan& plan);
 
 }  // namespace skein::planning

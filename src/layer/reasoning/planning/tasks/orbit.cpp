@@ -122,7 +122,7 @@ OrbitResult circle(const OrbitQuery& q, double felt) {
     return result;
   }
   result.entry_time = model::end_time_of(entry);
-  const FlightState there = state_after(entry);
+  const FlightState there = end_state(entry);
   FlightPlan around;
   // A sixteenth of a circle, then ever shorter.
   double step = q.radius / speed->airspeed * geo::kPi / 8;
