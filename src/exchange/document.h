@@ -31,6 +31,7 @@ struct Mark {
 struct Shape {
   std::string name;
   bool closed = false;       ///< an area
+  bool left_out = false;     ///< a hole in an area
   std::vector<Vec2> points;  ///< [m]
 };
 

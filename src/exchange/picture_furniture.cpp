@@ -109,12 +109,11 @@ std::pair<std::string, double> legend(const Document& document, double width) {
     rows.add(fmt::format("<path class=\"element\" stroke=\"{}\" d=\"M0 0H26\"/>",
                          colour_of(i)),
              document.plans[i].name);
-  bool starts = false, goals = false, areas = false, lines = false;
+  bool starts = false, goals = false;
   for (const Mark& mark : document.marks) {
     starts = starts || mark.kind == Mark::Kind::kStart;
     goals = goals || mark.kind == Mark::Kind::kGoal;
   }
-  for (const Shape& shape : document.shapes) (shape.closed ? areas : lines) = true;
   if (starts)
     rows.add("<g class=\"start\" transform=\"translate(13 0)\"><circle r=\"6\"/></g>",
              "start, with heading");
@@ -131,9 +130,11 @@ std::pair<std::string, double> legend(const Document& document, double width) {
         "<circle class=\"mover\" cx=\"9\" r=\"7\"/><path class=\"mover-way\" d=\"M9 "
         "0H28\"/>",
         "moving obstacle, 30 s of its way");
-  if (areas)
-    rows.add("<rect class=\"area\" y=\"-8\" width=\"26\" height=\"16\"/>", "area");
-  if (lines) rows.add("<path class=\"line\" d=\"M0 0H26\"/>", "line");
+  for (const Shape& shape : document.shapes)
+    if (!shape.left_out)
+      rows.add(shape.closed ? "<rect class=\"area\" y=\"-8\" width=\"26\" height=\"16\"/>"
+                            : "<path class=\"line\" d=\"M0 0H26\"/>",
+               shape.name);
   return rows.finish();
 }
 
@@ -147,6 +148,7 @@ text.coordinate{font-size:10.5px;fill:#8b9089}
 .limited{stroke-dasharray:6 4}
 text.zone-name{fill:#8f2515;font-size:11.5px}text.zone-limits{fill:#a8473a;font-size:10px}
 .area{fill:#3f8f52;fill-opacity:.10;stroke:#3f8f52;stroke-width:1.3;stroke-dasharray:7 4;vector-effect:non-scaling-stroke}
+.hole{fill:#fbfbf7;fill-opacity:1}
 .line{fill:none;stroke:#6b7178;stroke-width:3;stroke-opacity:.55;stroke-linecap:round;vector-effect:non-scaling-stroke}
 .mover{fill:#e0a100;fill-opacity:.28;stroke:#9a6f00;vector-effect:non-scaling-stroke}
 .mover-way{fill:none;stroke:#9a6f00;stroke-width:1.5;stroke-dasharray:3 3;vector-effect:non-scaling-stroke}

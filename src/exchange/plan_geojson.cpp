@@ -107,7 +107,8 @@ class Writer {
   }
 
   void add_shape(const Shape& shape) {
-    Json is = {{"what", shape.closed ? "area" : "line"}, {"name", shape.name}};
+    const char* const what = shape.left_out ? "hole" : shape.closed ? "area" : "line";
+    Json is = {{"what", what}, {"name", shape.name}};
     if (shape.closed) {
       geo::Ring ring = shape.points;
       if (geo::signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());

@@ -12,6 +12,7 @@ namespace skein::exchange {
 namespace {
 
 constexpr double kLineTolerance = 0.15;  // [px]
+constexpr std::size_t kMostJoints = 40;  // that are marked; more are a string of beads
 constexpr int kClocks = 8;               // times along a plan, about
 
 class Painter {
@@ -57,8 +58,10 @@ class Painter {
   void paint_shape(const Shape& shape) {
     if (shape.points.empty()) return;
     put("<path class=\"{}\" d=\"{}{}\"><title>{}</title></path>\n",
-        shape.closed ? "area" : "line", way(shape.points), shape.closed ? "Z" : "",
-        escaped(shape.name));
+        shape.left_out ? "area hole"
+        : shape.closed ? "area"
+                       : "line",
+        way(shape.points), shape.closed ? "Z" : "", escaped(shape.name));
   }
 
   static std::string limits(const Zone& zone) {
@@ -118,7 +121,7 @@ class Painter {
           index, k, way(points), escaped(document_.plans[index].name), kind_of(plan[k]),
           shown_clock(plan[k].start), shown_clock(plan[k].start + plan[k].duration));
     }
-    for (std::size_t k = 1; k < plan.size(); ++k) {
+    for (std::size_t k = 1; k < plan.size() && plan.size() <= kMostJoints; ++k) {
       const Vec2 at = view_.px(plan[k].p_N.head<2>());
       put("<g class=\"fixed\" transform=\"translate({:.2f} {:.2f})\"><circle "
           "class=\"joint\" r=\"2.4\"/></g>\n",

@@ -37,7 +37,7 @@ Document example() {
   d.zones[1].until = std::numeric_limits<double>::infinity();
   d.marks = {{Mark::Kind::kStart, "start", {0, 0, -350}, 1.0},
              {Mark::Kind::kGoal, "goal", {700, 900, -350}, 4.0}};
-  d.shapes.push_back({"field", true, {{0, 0}, {0, 100}, {100, 100}}});
+  d.shapes.push_back({"field", true, false, {{0, 0}, {0, 100}, {100, 100}}});
   d.movers.push_back({});
   return d;
 }
