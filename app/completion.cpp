@@ -13,7 +13,7 @@ constexpr const char* kBash = R"sh(_skein() {
     return
   fi
   if [ "${COMP_WORDS[1]}" = plan ] && [ "$COMP_CWORD" = 2 ]; then
-    COMPREPLY=($(compgen -W "connect --help" -- "$cur"))
+    COMPREPLY=($(compgen -W "connect path coverage patrol orbit rendezvous --help" -- "$cur"))
     return
   fi
   local command=${COMP_WORDS[1]}

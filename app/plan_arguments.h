@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -35,6 +36,25 @@ struct PlanEnds {
   bool from_course = false, to_course = false;  ///< headings are courses over ground
 };
 
+/// What aircraft can do beside their setting.
+struct PlanLimits {
+  double climb = 3, sink = 3;              ///< largest rates [m/s]
+  std::optional<double> slowest, fastest;  ///< [m/s]; none: the airspeed
+};
+
+/// Where aircraft start, one for each.
+struct PlanStarts {
+  std::vector<std::string> from;      ///< EAST,NORTH,HEADING_DEG[,ALTITUDE]
+  std::vector<std::string> from_geo;  ///< LAT,LON,HEADING_DEG[,ALTITUDE]
+};
+
+/// Map files and how their coordinates are meant.
+struct PlanMaps {
+  std::vector<std::string> zones;      ///< files
+  std::vector<std::string> obstacles;  ///< files
+  bool metres = false;                 ///< coordinates are metres also with an origin
+};
+
 struct PlanConnectArguments {
   PlanSetting setting;
   PlanEnds ends;
@@ -45,8 +65,77 @@ struct PlanConnectArguments {
   std::string batch_output = "-";  ///< CSV; - = standard output
 };
 
+struct PlanPathArguments {
+  PlanSetting setting;
+  PlanEnds ends;
+  PlanLimits limits;
+  PlanMaps maps;
+  std::string terrain;                   ///< raster file; empty: no ground
+  double clearance = 0;                  ///< above the ground [m]
+  std::optional<double> floor, ceiling;  ///< altitudes to keep within [m]
+  std::string planner = "aastar";
+  std::optional<double> time_limit;    ///< [s]
+  std::optional<std::int64_t> states;  ///< to look at
+  bool first = false;                  ///< end with the first path
+  PlanOutput output;
+};
+
+struct PlanCoverageArguments {
+  PlanSetting setting;
+  PlanStarts starts;
+  PlanLimits limits;
+  PlanMaps maps;
+  std::string area;  ///< map file
+  double swath = 0, overlap = 0, overshoot = 0;
+  std::optional<double> zone_distance, bearing_deg;
+  int aircraft = 1;
+  bool back = false;  ///< each ends where it starts
+  PlanOutput output;
+};
+
+struct PlanPatrolArguments {
+  PlanSetting setting;
+  PlanStarts starts;
+  PlanLimits limits;
+  PlanMaps maps;
+  std::string line;  ///< map file
+  bool closed = false;
+  double offset = 0, corner_tolerance = 20;
+  std::string corners = "rounded";
+  int rounds = 1;
+  std::optional<double> until;
+  PlanOutput output;
+};
+
+struct PlanOrbitArguments {
+  PlanSetting setting;
+  PlanStarts starts;
+  PlanLimits limits;
+  PlanMaps maps;
+  std::string target, target_geo;  ///< EAST,NORTH or LAT,LON at the start time
+  std::string velocity;            ///< EAST,NORTH [m/s]
+  std::string kind = "circle", side = "either";
+  double radius = 150, error = 1, duration = 300;
+  PlanOutput output;
+};
+
+struct PlanRendezvousArguments {
+  PlanSetting setting;
+  PlanStarts starts;
+  std::vector<std::string> to, to_geo;
+  PlanLimits limits;
+  std::optional<double> time;
+  double spacing = 0;
+  PlanOutput output;
+};
+
 int plan_connect_command(const PlanConnectArguments& arguments);
 int plan_batch_command(const PlanConnectArguments& arguments,
                        const std::atomic<bool>& stop);
+int plan_path_command(const PlanPathArguments& arguments, const std::atomic<bool>& stop);
+int plan_coverage_command(const PlanCoverageArguments& arguments);
+int plan_patrol_command(const PlanPatrolArguments& arguments);
+int plan_orbit_command(const PlanOrbitArguments& arguments);
+int plan_rendezvous_command(const PlanRendezvousArguments& arguments);
 
 }  // namespace skein::app

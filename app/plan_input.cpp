@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "app/output.h"
 #include "exchange/csv_cells.h"
+#include "exchange/zones.h"
 #include "model/path/wind_triangle.h"
 
 namespace skein::app {
@@ -72,47 +74,23 @@ Result<model::AirMotion> air_of(const PlanSetting& given) {
   return model::AirMotion{*given.airspeed, *given.turn_radius, wind.value()};
 }
 
-struct End {
-  FlightState state;
-  bool has_altitude = false;
-};
-
-Result<End> read_end(const std::string& name, const std::string& local,
-                     const std::string& geographic, const ReadSetting& setting) {
-  const std::string option = "--" + name, geo_option = option + "-geo";
-  if (local.empty() == geographic.empty())
-    return wrong(
-        option, local.empty() ? "is needed." : "given with " + geo_option + ".",
-        fmt::format("Give {} {} or {} {}.", option, kLocalForm, geo_option, kGeoForm));
-  const bool in_metres = !local.empty();
-  const auto read =
-      numbers_of(in_metres ? option : geo_option, in_metres ? local : geographic, 3, 4,
-                 in_metres ? kLocalForm : kGeoForm);
-  if (!read) return read.error();
-  const std::vector<double>& n = read.value();
+// The first two numbers as a place in the plane.
+Result<Vec2> plane_point(const std::string& option, bool in_metres,
+                         const std::vector<double>& n, const ReadSetting& setting) {
   Vec2 p(n[1], n[0]);
   if (!in_metres) {
-    const auto place = geodetic(geo_option, n);
+    const auto place = geodetic(option, n);
     if (!place) return place.error();
     if (!setting.frame)
-      return wrong(geo_option, "the origin is not known.", "Give --origin.");
+      return wrong(option, "the origin is not known.", "Give --origin.");
     p = setting.frame->to_plane(n[0], n[1]);
   }
   if (!(p.norm() <= kFarthest))
-    return wrong(
-        in_metres ? option : geo_option,
-        fmt::format("lies {:.6g} km from the origin; at most {:.0f} km are allowed.",
-                    p.norm() / 1000, kFarthest / 1000));
-  End end;
-  end.has_altitude = n.size() > 3 || setting.altitude.has_value();
-  const double altitude = n.size() > 3 ? n[3] : setting.altitude.value_or(0);
-  if (std::abs(altitude) > kHighest)
-    return wrong(in_metres ? option : geo_option,
-                 fmt::format("altitude {} m must be within -{:.0f} to {:.0f}.", altitude,
-                             kHighest, kHighest));
-  end.state.p_N = {p.x(), p.y(), -altitude};
-  end.state.heading = geo::radians(std::remainder(n[2], 360.0));
-  return end;
+    return wrong(option,
+                 fmt::format("lies {:.6g} km from the origin; at most {:.0f} km are "
+                             "allowed.",
+                             p.norm() / 1000, kFarthest / 1000));
+  return p;
 }
 
 Result<void> take_course(const std::string& option, FlightState& state,
@@ -161,19 +139,141 @@ Result<ReadSetting> read_setting(const PlanSetting& given,
   return ReadSetting{frame.value(), air.value(), given.altitude};
 }
 
-Result<std::optional<geo::Geodetic>> place_of(const PlanEnds& given) {
-  if (given.from_geo.empty()) return std::optional<geo::Geodetic>();
-  const auto n = numbers_of("--from-geo", given.from_geo, 3, 4, kGeoForm);
+Result<std::optional<geo::Geodetic>> place_of(const std::string& from_geo) {
+  if (from_geo.empty()) return std::optional<geo::Geodetic>();
+  const auto n = numbers_of("--from-geo", from_geo, 3, 4, kGeoForm);
   if (!n) return n.error();
   const auto place = geodetic("--from-geo", n.value());
   if (!place) return place.error();
   return std::optional(place.value());
 }
 
+Result<ReadState> read_state(const std::string& name, const std::string& local,
+                             const std::string& geographic, const ReadSetting& setting) {
+  const std::string option = "--" + name, geo_option = option + "-geo";
+  if (local.empty() == geographic.empty())
+    return wrong(
+        option, local.empty() ? "is needed." : "given with " + geo_option + ".",
+        fmt::format("Give {} {} or {} {}.", option, kLocalForm, geo_option, kGeoForm));
+  const bool in_metres = !local.empty();
+  const auto read =
+      numbers_of(in_metres ? option : geo_option, in_metres ? local : geographic, 3, 4,
+                 in_metres ? kLocalForm : kGeoForm);
+  if (!read) return read.error();
+  const std::vector<double>& n = read.value();
+  const auto place = plane_point(in_metres ? option : geo_option, in_metres, n, setting);
+  if (!place) return place.error();
+  const Vec2 p = place.value();
+  ReadState end;
+  end.has_altitude = n.size() > 3 || setting.altitude.has_value();
+  const double altitude = n.size() > 3 ? n[3] : setting.altitude.value_or(0);
+  if (std::abs(altitude) > kHighest)
+    return wrong(in_metres ? option : geo_option,
+                 fmt::format("altitude {} m must be within -{:.0f} to {:.0f}.", altitude,
+                             kHighest, kHighest));
+  end.state.p_N = {p.x(), p.y(), -altitude};
+  end.state.heading = geo::radians(std::remainder(n[2], 360.0));
+  return end;
+}
+
+Result<std::vector<ReadState>> read_states(const std::string& name,
+                                           const std::vector<std::string>& local,
+                                           const std::vector<std::string>& geographic,
+                                           const ReadSetting& setting) {
+  if (!local.empty() && !geographic.empty())
+    return wrong("--" + name, "given with --" + name + "-geo; one of them is allowed.");
+  std::vector<ReadState> states;
+  for (const std::string& text : local) {
+    const auto state = read_state(name, text, "", setting);
+    if (!state) return state.error();
+    states.push_back(state.value());
+  }
+  for (const std::string& text : geographic) {
+    const auto state = read_state(name, "", text, setting);
+    if (!state) return state.error();
+    states.push_back(state.value());
+  }
+  return states;
+}
+
+Result<Vec2> read_point(const std::string& name, const std::string& local,
+                        const std::string& geographic, const ReadSetting& setting) {
+  const std::string option = "--" + name, geo_option = option + "-geo";
+  if (local.empty() == geographic.empty())
+    return wrong(option, local.empty() ? "is needed." : "given with " + geo_option + ".",
+                 fmt::format("Give {} EAST,NORTH or {} LAT,LON.", option, geo_option));
+  const bool in_metres = !local.empty();
+  const auto n =
+      numbers_of(in_metres ? option : geo_option, in_metres ? local : geographic, 2, 2,
+                 in_metres ? "EAST,NORTH, metres" : "LAT,LON, degrees");
+  if (!n) return n.error();
+  return plane_point(in_metres ? option : geo_option, in_metres, n.value(), setting);
+}
+
+Result<FlightLimits> limits_of(const PlanLimits& given, const ReadSetting& setting) {
+  FlightLimits limits;
+  limits.airspeed = setting.air.airspeed;
+  limits.turn_radius = setting.air.turn_radius;
+  limits.climb_rate = given.climb;
+  limits.sink_rate = given.sink;
+  limits.slowest = given.slowest.value_or(limits.airspeed);
+  limits.fastest = given.fastest.value_or(limits.airspeed);
+  if (!(limits.slowest <= limits.airspeed))
+    return wrong("--slowest", fmt::format("{} m/s is above the airspeed, {} m/s.",
+                                          limits.slowest, limits.airspeed));
+  if (!(limits.fastest >= limits.airspeed))
+    return wrong("--fastest", fmt::format("{} m/s is below the airspeed, {} m/s.",
+                                          limits.fastest, limits.airspeed));
+  return limits;
+}
+
+Result<std::vector<exchange::MapFeature>> read_features(const std::string& file,
+                                                        const PlanMaps& given,
+                                                        const ReadSetting& setting) {
+  std::vector<std::string> warnings;
+  const bool in_metres = given.metres || !setting.frame;
+  auto features =
+      exchange::read_map(file, in_metres ? nullptr : &*setting.frame, warnings);
+  for (const std::string& warning : warnings) complain("note: {}\n", warning);
+  return features;
+}
+
+Result<Airspace> read_airspace(const PlanMaps& given, const ReadSetting& setting,
+                               bool has_altitude) {
+  Airspace airspace;
+  for (const std::string& file : given.zones) {
+    const auto features = read_features(file, given, setting);
+    if (!features) return features.error();
+    const auto zones = exchange::zones_of(features.value());
+    if (!zones) return zones.error();
+    for (const Zone& zone : zones.value()) {
+      if (!has_altitude &&
+          (std::isfinite(zone.floor_msl) || std::isfinite(zone.ceiling_msl)))
+        return Error{ErrorCode::kBadInput, file,
+                     "has zones with a floor or a ceiling; the flight has no altitude.",
+                     "Give --altitude-m."};
+      airspace.zones.push_back(zone);
+    }
+  }
+  for (const std::string& file : given.obstacles) {
+    const auto features = read_features(file, given, setting);
+    if (!features) return features.error();
+    const auto movers = exchange::movers_of(features.value());
+    if (!movers) return movers.error();
+    if (!has_altitude)
+      return Error{ErrorCode::kBadInput, file,
+                   "obstacles have altitudes; the flight has none.",
+                   "Give --altitude-m."};
+    airspace.movers.insert(airspace.movers.end(), movers.value().begin(),
+                           movers.value().end());
+  }
+  return airspace;
+}
+
 Result<ReadEnds> read_ends(const PlanEnds& given, const ReadSetting& setting) {
-  const auto from = read_end("from", given.from, given.from_geo, setting);
+  const auto from = read_state("from", given.from, given.from_geo, setting);
   if (!from) return from.error();
-  const auto to = read_end("to", given.to, given.to_geo, setting);
+  const auto to = read_state("to", given.to, given.to_geo, setting);
   if (!to) return to.error();
   ReadEnds ends{from.value().state, to.value().state,
                 from.value().has_altitude && to.value().has_altitude};

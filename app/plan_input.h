@@ -6,6 +6,8 @@
 
 #include "app/plan_arguments.h"
 #include "base/result.h"
+#include "data/airspace.h"
+#include "exchange/map_features.h"
 #include "geo/local_frame.h"
 #include "model/connection/connection.h"
 #include "role/path_planner.h"
@@ -33,14 +35,53 @@ struct ReadSetting {
 Result<ReadSetting> read_setting(const PlanSetting& given,
                                  const std::optional<geo::Geodetic>& elsewhere);
 
+/// A flight state and whether its altitude was given.
+struct ReadState {
+  FlightState state;
+  bool has_altitude = false;
+};
+
+/// One end of a flight, from the text of `--name` or of `--name-geo`.
+/// Fails: kBadInput for one that is missing, given twice, no numbers, or far from the
+///        origin.
+Result<ReadState> read_state(const std::string& name, const std::string& local,
+                             const std::string& geographic, const ReadSetting& setting);
+
+/// The ends of several flights, from the texts of `--name` or of `--name-geo`.
+Result<std::vector<ReadState>> read_states(const std::string& name,
+                                           const std::vector<std::string>& local,
+                                           const std::vector<std::string>& geographic,
+                                           const ReadSetting& setting);
+
+/// A point, from the text of `--name` (EAST,NORTH) or of `--name-geo` (LAT,LON).
+Result<Vec2> read_point(const std::string& name, const std::string& local,
+                        const std::string& geographic, const ReadSetting& setting);
+
+/// The limits that planners take.
+/// Fails: kBadInput unless slowest <= airspeed <= fastest.
+Result<FlightLimits> limits_of(const PlanLimits& given, const ReadSetting& setting);
+
+/// Zones and moving obstacles of map files; says the files' oddities on standard error.
+/// Fails: as exchange::read_map(), zones_of(), movers_of(); for limits of altitude when
+/// no
+///        altitude was given.
+Result<Airspace> read_airspace(const PlanMaps& given, const ReadSetting& setting,
+                               bool has_altitude);
+
+/// The features of one map file; says its oddities on standard error.
+Result<std::vector<exchange::MapFeature>> read_features(const std::string& file,
+                                                        const PlanMaps& given,
+                                                        const ReadSetting& setting);
+
 /// The two ends of a flight in the local frame, headings of the air-relative velocity.
 struct ReadEnds {
   FlightState from, to;
   bool has_altitude = false;  ///< given with the ends or for the plan
 };
 
-/// The place of --from-geo, where the origin is unless --origin says otherwise.
-Result<std::optional<geo::Geodetic>> place_of(const PlanEnds& given);
+/// The place of --from-geo, where the origin is unless --origin says otherwise; none for
+/// an empty text.
+Result<std::optional<geo::Geodetic>> place_of(const std::string& from_geo);
 
 /// Fails: kBadInput for ends that are missing, given twice or no numbers, far from the
 ///        origin, or with a course that no heading gives.

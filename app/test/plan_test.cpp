@@ -202,5 +202,154 @@ TEST_F(PlanBatch, EndsWhenNobodyReads) {
   EXPECT_EQ(full.status, 1);
 }
 
+constexpr const char* kDiscs = R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"name":"tower","radius_m":200},
+ "geometry":{"type":"Point","coordinates":[1000,0]}},
+{"type":"Feature","properties":{"radius_m":100,"floor_m":0,"ceiling_m":50},
+ "geometry":{"type":"Point","coordinates":[400,0]}}]})";
+constexpr const char* kField = R"({"type":"Feature","properties":{"name":"field"},
+"geometry":{"type":"Polygon","coordinates":[[[0,0],[900,0],[900,600],[0,600],[0,0]]]}})";
+constexpr const char* kPipe = R"({"type":"Feature","properties":{"name":"pipe"},
+"geometry":{"type":"LineString","coordinates":[[0,0],[900,0],[1500,600]]}})";
+
+class PlanTask : public PlanConnect {
+ protected:
+  Finished plan(const std::string& task, std::vector<std::string> more) {
+    std::vector<std::string> all = {"plan",          task, "--airspeed", "15",
+                                    "--turn-radius", "60"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+  nlohmann::json json_of_task(const std::string& task, std::vector<std::string> more) {
+    more.push_back("--json");
+    const Finished finished = plan(task, std::move(more));
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    return nlohmann::json::parse(finished.out, nullptr, false);
+  }
+};
+
+TEST_F(PlanTask, PathsKeepOutOfZones) {
+  const auto zones = write("zones.geojson", kDiscs).string();
+  const std::vector<std::string> ends = {"--from",    "0,0,90",  "--to",
+                                         "2000,0,90", "--zones", zones};
+  auto high = ends;
+  high.insert(high.end(), {"--altitude-m", "80", "--out", "path.csv", "--out", "p.svg"});
+  const auto path = json_of_task("path", high);
+  EXPECT_EQ(path["outcome"], "found");
+  EXPECT_GT(double(path["time_s"]), 2000 / 15.0);
+  EXPECT_LE(double(path["bound_s"]), double(path["time_s"]) + 1e-9);
+  std::istringstream rows(read_file(folder_ / "path.csv"));
+  std::string line, cell;
+  std::getline(rows, line);
+  int over_low_zone = 0;
+  while (std::getline(rows, line)) {
+    std::istringstream cells(line);
+    std::vector<std::string> c;
+    while (std::getline(cells, cell, ',')) c.push_back(cell);
+    EXPECT_GE(std::hypot(std::stod(c[3]) - 1000, std::stod(c[4])), 200 - 0.11) << line;
+    over_low_zone += std::hypot(std::stod(c[3]) - 400, std::stod(c[4])) < 100 ? 1 : 0;
+  }
+  EXPECT_GT(over_low_zone, 0) << "flown over, above its ceiling";
+  const auto tangent = json_of_task("path", [&] {
+    auto all = high;
+    all.insert(all.end(), {"--planner", "tangent"});
+    return all;
+  }());
+  EXPECT_NEAR(tangent["time_s"], double(path["time_s"]), 0.5);
+  EXPECT_NE(plan("path", ends).err.find("Give --altitude-m"), std::string::npos);
+}
+
+TEST_F(PlanTask, PathsThatCannotBeSayWhy) {
+  const auto zones = write("zones.geojson", kDiscs).string();
+  const Finished inside =
+      plan("path", {"--from", "1000,50,0", "--to", "2000,0,0", "--zones", zones,
+                    "--altitude-m", "80", "--json"});
+  EXPECT_EQ(inside.status, 2);
+  EXPECT_NE(inside.err.find("start-blocked"), std::string::npos) << inside.err;
+  const auto about = nlohmann::json::parse(inside.out, nullptr, false);
+  EXPECT_EQ(about["outcome"], "start-blocked");
+  EXPECT_TRUE(about.contains("alternative")) << inside.out;
+  const auto crossing =
+      write("crossing.geojson",
+            R"({"type":"Polygon","coordinates":[[[0,0],[100,100],[100,0],
+                                 [0,90],[0,0]]]})");
+  const Finished crossed =
+      plan("path", {"--from", "0,0,0", "--to", "900,0,0", "--zones", crossing.string()});
+  EXPECT_EQ(crossed.status, 2);
+  EXPECT_NE(crossed.err.find("feature 0: its ring crosses itself"), std::string::npos)
+      << crossed.err;
+  EXPECT_EQ(plan("path", {"--from", "0,0,0", "--to", "900,0,0", "--terrain", "x.tif",
+                          "--altitude-m", "50"})
+                .status,
+            2);
+}
+
+TEST_F(PlanTask, PathsStayInTheirBandOfAltitudes) {
+  const auto path = json_of_task("path", {"--from", "0,0,90,100", "--to", "3000,0,90,100",
+                                          "--floor-m", "90", "--ceiling-m", "120"});
+  for (const auto& element : path["plans"][0]["elements"])
+    EXPECT_NEAR(element["start"]["altitude_m"], 105, 15);
+  const Finished out =
+      plan("path", {"--from", "0,0,90,80", "--to", "3000,0,90,100", "--floor-m", "90"});
+  EXPECT_EQ(out.status, 2);
+  EXPECT_NE(out.err.find("below --floor-m"), std::string::npos) << out.err;
+}
+
+TEST_F(PlanTask, CoverageSweepsTheArea) {
+  const auto area = write("field.geojson", kField).string();
+  const auto found = json_of_task(
+      "coverage", {"--area", area, "--swath-m", "100", "--from", "0,-100,0", "--from",
+                   "900,-100,0", "--out", "c.html", "--wind-from", "4,200"});
+  EXPECT_EQ(found["outcome"], "planned");
+  EXPECT_EQ(found["plans"].size(), 2u);
+  EXPECT_NEAR(found["area_m2"], 540000, 1);
+  EXPECT_NEAR(found["covered_share"], 1, 1e-6);
+  const Finished mismatch = plan("coverage", {"--area", area, "--swath-m", "100",
+                                              "--from", "0,0,0", "--aircraft", "3"});
+  EXPECT_EQ(mismatch.status, 2);
+  const auto pipe = write("pipe.geojson", kPipe).string();
+  EXPECT_NE(plan("coverage", {"--area", pipe, "--swath-m", "100"}).err.find("is no area"),
+            std::string::npos);
+}
+
+TEST_F(PlanTask, PatrolFollowsTheLine) {
+  const auto line = write("pipe.geojson", kPipe).string();
+  const auto found =
+      json_of_task("patrol", {"--line", line, "--from=-200,0,90", "--offset-m", "20",
+                              "--rounds", "2", "--out", "p.svg"});
+  EXPECT_EQ(found["outcome"], "planned");
+  EXPECT_LE(double(found["largest_deviation_m"]), 20 + 1e-6);
+  EXPECT_EQ(plan("patrol", {"--line", line}).status, 2) << "no start";
+  EXPECT_EQ(plan("patrol", {"--line", "none.geojson", "--from", "0,0,0"}).status, 2);
+}
+
+TEST_F(PlanTask, OrbitKeepsItsDistance) {
+  const auto found = json_of_task(
+      "orbit", {"--target", "800,600", "--target-velocity", "2,1", "--from", "0,0,90",
+                "--radius-m", "150", "--wind-from", "3,250", "--out", "o.html"});
+  EXPECT_EQ(found["outcome"], "planned");
+  EXPECT_LE(double(found["largest_error_m"]), 1 + 1e-9);
+  const Finished small =
+      plan("orbit", {"--target", "800,600", "--from", "0,0,90", "--radius-m", "20"});
+  EXPECT_EQ(small.status, 2);
+  EXPECT_NE(small.err.find("radius-too-small"), std::string::npos) << small.err;
+}
+
+TEST_F(PlanTask, RendezvousIsAtOneTime) {
+  const auto found = json_of_task(
+      "rendezvous", {"--from", "0,0,0", "--to", "900,900,90", "--from", "2000,0,0",
+                     "--to", "950,950,90", "--slowest", "13", "--fastest", "18"});
+  EXPECT_EQ(found["outcome"], "planned");
+  EXPECT_NEAR(found["arrivals_s"][0], double(found["arrivals_s"][1]), 1e-6);
+  EXPECT_EQ(plan("rendezvous", {"--from", "0,0,0"}).status, 2);
+}
+
+TEST_F(PlanTask, ListNamesThePlanners) {
+  const Finished list = run({"list", "planner"});
+  EXPECT_EQ(list.status, 0);
+  for (const char* kind : {"aastar", "tangent"})
+    EXPECT_NE(list.out.find(kind), std::string::npos) << kind;
+}
+
 }  // namespace
 }  // namespace skein::app

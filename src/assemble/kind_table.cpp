@@ -1,4 +1,5 @@
 #include "assemble/kinds_of.h"
+#include "assemble/planner_kinds.h"
 
 namespace skein::assemble {
 
@@ -16,6 +17,7 @@ scenario::KindTable kind_table() {
   radio_kinds().describe(table);
   estimator_kinds().describe(table);
   strategy_kinds().describe(table);
+  planner_kinds().describe(table);
   return table;
 }
 
