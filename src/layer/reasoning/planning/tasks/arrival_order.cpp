@@ -6,7 +6,7 @@
 namespace skein::planning {
 namespace {
 
-constexpr int kMostTries = 50;  // of first times that all can meet
+constexpr int kMostTries = 10;  // of first times that all can meet
 
 // Whether all can meet the times from `first` on; else the next first time to try.
 bool all_meet(const std::vector<TimedLeg>& legs, const std::vector<std::size_t>& order,

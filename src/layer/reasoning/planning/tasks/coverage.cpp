@@ -16,6 +16,8 @@
 namespace skein::planning {
 namespace {
 
+constexpr std::int64_t kStates = 3000;  // for each connection around zones
+
 double half_turn(double bearing) {
   const double b = std::fmod(geo::wrap_2pi(bearing), geo::kPi);
   return b < 0 ? b + geo::kPi : b;
@@ -58,6 +60,7 @@ void add_connection(const CoverageQuery& query, const SweepTask& task,
     ask.limits = query.limits;
     ask.wind = query.wind;
     ask.airspace = &airspace;
+    ask.budget.states = kStates;
     PlannedPath path = query.planner->plan(ask);
     if (!path.plan.empty()) way = std::move(path.plan);
   }

@@ -81,10 +81,11 @@ struct CoverageResult {
 /// bearings in between, with the best order that is found (line_order.h). Over ground the
 /// lines are flown exactly, heading into the wind; connections are the quickest flights.
 ///
-/// Guarantee: every point of the area that a line may reach lies beside a flown line, at
-/// most swath (1 - overlap) / 2 from it; `covered_share` is less than 1 only because of
-/// zones. Lines never come nearer to a zone than `zone_distance`; connections enter one
-/// only with outcome kZoneInTheWay.
+/// Guarantee: without zones every point of the area lies beside a flown line, at most
+/// swath (1 - overlap) / 2 from it. With zones every point does that is further than that
+/// and `zone_distance` from all of them; `covered_share` says what is left. Lines never
+/// come nearer to a zone than `zone_distance`; connections enter one only with outcome
+/// kZoneInTheWay.
 CoverageResult plan_coverage(const CoverageQuery& query);
 
 }  // namespace skein::planning

@@ -14,7 +14,6 @@ namespace skein::planning {
 namespace {
 
 constexpr std::size_t kMostCorners = 2000;  // of all rings together
-constexpr double kMostCoordinate = 1e6;     // [m]
 
 CoverageResult refused(CoverageOutcome outcome, std::string reason) {
   CoverageResult result;
@@ -31,7 +30,7 @@ std::string fault_of(const geo::Ring& ring, const std::string& what) {
     return fmt::format("{} has {} points; {} are allowed", what, ring.size(),
                        kMostCorners);
   for (std::size_t i = 0; i < ring.size(); ++i)
-    if (!ring[i].allFinite() || ring[i].cwiseAbs().maxCoeff() > kMostCoordinate)
+    if (!on_map(ring[i]))
       return fmt::format("point {} of {} is not a place within {:.0f} km", i, what,
                          kMostCoordinate / 1000);
   if (const auto crossing = geo::self_crossing(ring))
@@ -45,9 +44,8 @@ std::string fault_of(const geo::Ring& ring, const std::string& what) {
 
 std::string fault_of(const Zone& zone, const std::string& what) {
   if (const auto* disc = std::get_if<Disc>(&zone.area)) {
-    const bool fine = disc->centre.allFinite() && std::isfinite(disc->radius) &&
-                      disc->centre.cwiseAbs().maxCoeff() <= kMostCoordinate &&
-                      disc->radius > 0 && disc->radius <= kMostCoordinate;
+    const bool fine =
+        on_map(disc->centre) && disc->radius > 0 && disc->radius <= kMostCoordinate;
     return fine ? "" : what + " is a disc without a place or a radius above 0";
   }
   const geo::Ring& ring = std::get<geo::Ring>(zone.area);
@@ -57,32 +55,26 @@ std::string fault_of(const Zone& zone, const std::string& what) {
   return fault;
 }
 
-bool finite(const FlightState& state) {
-  return state.p_N.allFinite() && std::isfinite(state.heading);
-}
-
 std::optional<CoverageResult> check_aircraft(const CoverageQuery& query) {
   const auto refuse = [&](std::string reason) {
     return refused(CoverageOutcome::kBadAircraft, std::move(reason));
   };
   if (query.aircraft.empty()) return refuse("there is no aircraft");
   if (query.aircraft.size() > 64) return refuse("more than 64 aircraft");
-  if (!std::isfinite(query.altitude_msl) || !std::isfinite(query.start_time))
-    return refuse("altitude and start time must be numbers");
+  if (!(std::abs(query.altitude_msl) <= kMostCoordinate) ||
+      !usable_time(query.start_time))
+    return refuse("altitude and start time must be numbers, and not absurd");
   if (std::string fault = limits_fault(query.limits); !fault.empty())
     return refuse(std::move(fault));
   for (std::size_t k = 0; k < query.aircraft.size(); ++k)
     for (const auto& state : {query.aircraft[k].start, query.aircraft[k].end}) {
       if (!state) continue;
-      if (!finite(*state))
-        return refuse(fmt::format("start or end of aircraft {} is not a number", k));
+      if (std::string fault = state_fault(*state); !fault.empty())
+        return refuse(fmt::format("start or end of aircraft {}: {}", k, fault));
       const double climb = query.altitude_msl + state->p_N.z();
-      if (std::abs(climb) > 1e-9 &&
-          !(query.limits.climb_rate > 0 && query.limits.sink_rate > 0))
-        return refuse(fmt::format(
-            "aircraft {} starts or ends {:.1f} m from the survey's altitude, but "
-            "cannot climb and sink",
-            k, climb));
+      for (const double way : {climb, -climb})
+        if (std::string fault = climb_fault(way, query.limits); !fault.empty())
+          return refuse(fmt::format("aircraft {}: {}", k, fault));
     }
   return std::nullopt;
 }
@@ -109,7 +101,7 @@ std::optional<CoverageResult> check(const CoverageQuery& query) {
       return refused(CoverageOutcome::kBadZone, std::move(fault));
   const bool swath_fine =
       std::isfinite(query.swath) && query.swath > 0 && query.overlap >= 0 &&
-      query.overlap < 1 && std::isfinite(query.overshoot) && query.overshoot >= 0 &&
+      query.overlap < 1 && query.overshoot >= 0 && query.overshoot <= kMostCoordinate &&
       (!query.zone_distance ||
        (std::isfinite(*query.zone_distance) && *query.zone_distance >= 0));
   if (!swath_fine)
@@ -123,7 +115,7 @@ std::optional<CoverageResult> check(const CoverageQuery& query) {
   if (auto bad = check_aircraft(query)) return bad;
   if (!query.wind.allFinite())
     return refused(CoverageOutcome::kBadAircraft, "the wind is not a number");
-  if (query.wind.norm() >= query.limits.airspeed)
+  if (too_windy(query.wind.norm(), query.limits.airspeed))
     return refused(CoverageOutcome::kWindTooStrong,
                    too_strong(query.wind.norm(), query.limits.airspeed));
   return std::nullopt;

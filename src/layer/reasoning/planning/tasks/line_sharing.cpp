@@ -125,15 +125,17 @@ class Balancer {
         const auto past = giver.begin() + static_cast<std::ptrdiff_t>(k) + 1;
         Route rest(giver.begin(), first);
         rest.insert(rest.end(), past, giver.end());
+        if (time(from, rest) >= times_[index(from)] - kGain) continue;
         for (const bool turned : {false, true}) {
           Route part(first, past);
           if (turned) {
             std::reverse(part.begin(), part.end());
             for (int& visit : part) visit ^= 1;
           }
-          const std::size_t p = cheapest_place(to, taker, part);
+          const Place place = cheapest_place(to, taker, part);
+          if (times_[index(to)] + place.more >= times_[index(from)] - kGain) continue;
           Route more = taker;
-          more.insert(more.begin() + static_cast<std::ptrdiff_t>(p), part.begin(),
+          more.insert(more.begin() + static_cast<std::ptrdiff_t>(place.at), part.begin(),
                       part.end());
           if (take(from, rest, to, std::move(more))) return true;
         }
@@ -141,29 +143,64 @@ class Balancer {
     return false;
   }
 
-  std::size_t cheapest_place(int aircraft, const Route& route, const Route& part) {
-    std::size_t best = 0;
-    double least = 1e300;
+  struct Place {
+    std::size_t at = 0;
+    double more = 1e300;  // time for the whole route [s]
+  };
+
+  Place cheapest_place(int aircraft, const Route& route, const Route& part) {
+    Place best;
+    double inside = 0;
+    for (std::size_t k = 1; k < part.size(); ++k)
+      inside += costs_.cost(part[k - 1], part[k]);
     for (std::size_t p = 0; p <= route.size(); ++p) {
       const int before = p == 0 ? costs_.start_of(aircraft) : route[p - 1];
       const int after = p == route.size() ? costs_.end_of(aircraft) : route[p];
-      if (costs_.least_cost(before, part.front()) +
-              costs_.least_cost(part.back(), after) - costs_.cost(before, after) >=
-          least)
-        continue;
+      // An empty route takes no time, not that from its start to its end.
+      const double now = route.empty() ? 0 : costs_.cost(before, after);
+      const double least = costs_.least_cost(before, part.front()) +
+                           costs_.least_cost(part.back(), after) + inside - now;
+      if (least >= best.more) continue;
       const double more = costs_.cost(before, part.front()) +
-                          costs_.cost(part.back(), after) - costs_.cost(before, after);
-      if (more >= least) continue;
-      least = more;
-      best = p;
+                          costs_.cost(part.back(), after) + inside - now;
+      if (more < best.more) best = {p, more};
     }
     return best;
   }
 
+  // Time from the aircraft's start through the first k visits of a route, for all k.
+  std::vector<double> until(int aircraft, const Route& route) {
+    std::vector<double> sums(route.size() + 1, 0);
+    int here = costs_.start_of(aircraft);
+    for (std::size_t k = 0; k < route.size(); ++k) {
+      sums[k + 1] = sums[k] + costs_.cost(here, route[k]);
+      here = route[k];
+    }
+    return sums;
+  }
+
+  // Time of the first i visits of one route followed by those of another from j on.
+  double crossed(int aircraft, const Route& one, const std::vector<double>& of_one,
+                 std::size_t i, const Route& two, const std::vector<double>& of_two,
+                 std::size_t j) {
+    const bool goes_over = j < two.size();
+    if (i == 0 && !goes_over) return 0;
+    const int end = costs_.end_of(aircraft);
+    const int leaves = i == 0 ? costs_.start_of(aircraft) : one[i - 1];
+    if (!goes_over) return of_one[i] + costs_.cost(leaves, end);
+    return of_one[i] + costs_.cost(leaves, two[j]) + of_two.back() - of_two[j + 1] +
+           costs_.cost(two.back(), end);
+  }
+
   bool exchange_ends(int a, int b) {
     const Route ra = routes_[index(a)], rb = routes_[index(b)];
+    const std::vector<double> of_a = until(a, ra), of_b = until(b, rb);
+    const double most = times_[index(a)] - kGain;
     for (std::size_t i = 0; i <= ra.size(); ++i)
       for (std::size_t j = 0; j <= rb.size(); ++j) {
+        if (crossed(a, ra, of_a, i, rb, of_b, j) >= most ||
+            crossed(b, rb, of_b, j, ra, of_a, i) >= most)
+          continue;
         const auto ia = ra.begin() + static_cast<std::ptrdiff_t>(i);
         const auto jb = rb.begin() + static_cast<std::ptrdiff_t>(j);
         Route na(ra.begin(), ia), nb(rb.begin(), jb);
@@ -183,8 +220,9 @@ class Balancer {
 
 std::vector<Route> share_lines(LineCosts& costs, const OrderEffort& effort) {
   if (costs.lines() == 0) return Routes(index(costs.aircraft()));
-  Route whole = order_lines(costs, effort);
-  if (costs.aircraft() == 1) return {whole};
+  if (costs.aircraft() == 1) return {order_lines(costs, effort)};
+  const Route whole =
+      improved(costs, 0, quickest_pattern(costs, 0, effort.most_skip), effort.kicks / 4);
   Routes routes = best_cut(costs, whole).routes;
   for (int a = 0; a < costs.aircraft(); ++a)
     routes[index(a)] = improved(costs, a, std::move(routes[index(a)]), effort.kicks);

@@ -6,8 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "layer/reasoning/planning/tasks/limits_check.h"
+
 namespace skein::planning {
 namespace {
+
+constexpr double kMostSpeed = 1e4;  // [m/s]
 
 // The part of the track that counts at a time: from point k to k + 1.
 std::size_t part_at(const MovingTarget& target, double time) {
@@ -25,15 +29,15 @@ bool moves_evenly(const MovingTarget& target) {
 
 std::string fault_of(const MovingTarget& target) {
   if (moves_evenly(target)) {
-    const bool fine = std::isfinite(target.at.time) && target.at.position.allFinite() &&
-                      target.velocity.allFinite();
-    return fine ? "" : "the target's time, position or velocity is not a number";
+    const bool fine = usable_time(target.at.time) && on_map(target.at.position) &&
+                      target.velocity.norm() <= kMostSpeed;
+    return fine ? "" : "the target's time, place or velocity is not a usable number";
   }
   const auto& track = target.track;
   if (track.size() < 2) return "a track has two points or more";
   for (std::size_t k = 0; k < track.size(); ++k) {
-    if (!std::isfinite(track[k].time) || !track[k].position.allFinite())
-      return fmt::format("point {} of the track is not a number", k);
+    if (!usable_time(track[k].time) || !on_map(track[k].position))
+      return fmt::format("point {} of the track is not a place at a time", k);
     if (k > 0 && !(track[k].time - track[k - 1].time > 1e-3))
       return fmt::format("point {} of the track is not later than the one before", k);
   }

@@ -17,7 +17,7 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kMostDuration = 1e6;  // [s]
+constexpr double kMostElements = 1e5;  // of a plan
 
 OrbitResult refused(OrbitOutcome outcome, std::string reason) {
   OrbitResult result;
@@ -30,11 +30,12 @@ OrbitResult checked(const OrbitQuery& q) {
   const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
   if (std::string fault = fault_of(q.target); !fault.empty())
     return refused(OrbitOutcome::kBadTarget, std::move(fault));
-  if (!positive(q.radius) || !positive(q.tolerance) || !positive(q.duration) ||
-      q.duration > kMostDuration)
-    return refused(OrbitOutcome::kBadOrbit,
-                   "radius, tolerance and duration must be above 0, the duration at most "
-                   "1e6 s");
+  if (!positive(q.radius) || q.radius > kMostCoordinate || !positive(q.tolerance) ||
+      !positive(q.duration) || q.duration > kLongestFlight)
+    return refused(
+        OrbitOutcome::kBadOrbit,
+        "radius, tolerance and duration must be above 0, the radius at most 1e6 m, "
+        "the duration at most 1e6 s");
   if (std::string fault = limits_fault(q.limits); !fault.empty())
     return refused(OrbitOutcome::kBadAircraft, std::move(fault));
   if (std::string fault = speeds_fault(q.limits); !fault.empty())
@@ -44,14 +45,10 @@ OrbitResult checked(const OrbitQuery& q) {
       !q.wind.allFinite())
     return refused(OrbitOutcome::kBadAircraft,
                    "start, altitude, time and wind must be numbers");
-  const double climb = q.altitude_msl + q.start.p_N.z();
-  if (std::abs(climb) > 1e-9 &&
-      !((climb > 0 ? q.limits.climb_rate : q.limits.sink_rate) > 0))
-    return refused(OrbitOutcome::kBadAircraft,
-                   fmt::format("the start is {:.1f} m from the orbit's altitude, but the "
-                               "aircraft cannot climb or sink",
-                               climb));
-  if (q.wind.norm() >= q.limits.fastest)
+  if (std::string fault = climb_fault(q.altitude_msl + q.start.p_N.z(), q.limits);
+      !fault.empty())
+    return refused(OrbitOutcome::kBadAircraft, std::move(fault));
+  if (too_windy(q.wind.norm(), q.limits.fastest))
     return refused(OrbitOutcome::kWindTooStrong,
                    too_strong(q.wind.norm(), q.limits.fastest));
   OrbitResult fine;
@@ -65,6 +62,13 @@ OrbitResult too_fast(double felt, double fastest) {
       fmt::format("the target moves through the air at up to {:.1f} m/s; with a "
                   "fastest airspeed of {:.1f} m/s it must be below {:.1f} m/s",
                   felt, fastest, fastest / 1.05));
+}
+
+OrbitResult too_long(const OrbitQuery& q, double most) {
+  return refused(OrbitOutcome::kBadOrbit,
+                 fmt::format("{:.3g} s are too long for turns as short as these: at most "
+                             "{:.3g} s",
+                             q.duration, most));
 }
 
 // The quickest way to the circle, over all its places.
@@ -126,7 +130,9 @@ OrbitResult circle(const OrbitQuery& q, double felt) {
   FlightPlan around;
   // A sixteenth of a circle, then ever shorter.
   double step = q.radius / speed->airspeed * geo::kPi / 8;
-  for (int halvings = 0; halvings < 8; ++halvings, step /= 2) {
+  if (q.duration / step > kMostElements) return too_long(q, step * kMostElements);
+  for (int halvings = 0; halvings < 8 && q.duration / step <= kMostElements;
+       ++halvings, step /= 2) {
     around = along_circle(s, pose_of(there), result.entry_time, q.duration, step,
                           q.start.p_N.z());
     result.largest_error = largest_error(s, around);
@@ -151,6 +157,9 @@ OrbitResult weave(const OrbitQuery& q, double felt) {
   result.airspeed = std::max(q.limits.airspeed, least);
   const model::AirMotion air{result.airspeed, turn_radius_at(result.airspeed, q.limits),
                              q.wind};
+  // The least turn takes this long, with the target as fast as it may be.
+  const double turn = 2 * weave_angle(1 / 1.05) * air.turn_radius / air.airspeed;
+  if (q.duration / turn > kMostElements) return too_long(q, turn * kMostElements);
   result.plan = weave_along(q.target, pose_of(q.start), air, q.start_time, q.duration,
                             q.start.p_N.z(), result.entry_time);
   if (result.plan.empty()) {

@@ -8,8 +8,6 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kLongest = 3600;  // that is looked ahead for a meeting [s]
-
 FlightPlan connection(const model::Pose& from, const model::Pose& to,
                       const model::AirMotion& air, double start, double down) {
   return model::to_flight_plan(model::connect(from, to, air), from, air, start, down);
@@ -56,7 +54,7 @@ FlightPlan way_to(const MovingPose& pose, const MovingTarget& target,
     time = start + c.time;
     if (settled) return connection(from, pose(time), air, start, down);
   }
-  return meeting(pose, from, air, start, start + 1, start + kLongest, down);
+  return {};
 }
 
 }  // namespace skein::planning

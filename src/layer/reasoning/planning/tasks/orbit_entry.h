@@ -24,7 +24,8 @@ FlightPlan way_to(const MovingPose& pose, const MovingTarget& target,
                   double down);
 
 /// The first of the times from `earliest` to `latest`, one second apart, at which the
-/// pose can be met exactly by a flight that begins at `start`; empty when none can.
+/// pose can be met exactly by a flight that begins at `start`
+/// (model/connection/arrival.h); empty when none can.
 FlightPlan meeting(const MovingPose& pose, const model::Pose& from,
                    const model::AirMotion& air, double start, double earliest,
                    double latest, double down);

@@ -17,8 +17,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 10'000;
 constexpr int kMostPasses = 10'000;
-constexpr double kMostCoordinate = 1e6;  // [m]
-constexpr double kMostLegs = 1e6;        // flown by one aircraft
+constexpr double kMostLegs = 1e5;  // flown by one aircraft
 
 PatrolResult refused(PatrolOutcome outcome, std::string reason) {
   PatrolResult result;
@@ -33,7 +32,7 @@ std::string line_fault(const PatrolQuery& q) {
     return fmt::format("the line has {} points; {} to {} are allowed", q.line.size(),
                        least, kMostPoints);
   for (std::size_t k = 0; k < q.line.size(); ++k)
-    if (!q.line[k].allFinite() || q.line[k].cwiseAbs().maxCoeff() > kMostCoordinate)
+    if (!on_map(q.line[k]))
       return fmt::format("point {} of the line is not a place within {:.0f} km", k,
                          kMostCoordinate / 1000);
   for (std::size_t k = 0; k + (q.closed ? 0 : 1) < q.line.size(); ++k)
@@ -44,15 +43,15 @@ std::string line_fault(const PatrolQuery& q) {
 }
 
 std::string patrol_fault(const PatrolQuery& q) {
-  if (!std::isfinite(q.offset) || std::abs(q.offset) > kMostCoordinate)
-    return "the offset is not a number";
+  if (!(std::abs(q.offset) <= kMostCoordinate))
+    return "the offset is not a usable number";
   if (!(q.tolerance > 0) || !std::isfinite(q.tolerance))
     return "the tolerance must be above 0";
   if (q.rounds < 1 || q.rounds > kMostPasses / 2)
     return fmt::format("{} rounds; 1 to {} are allowed", q.rounds, kMostPasses / 2);
-  if (q.until && !std::isfinite(*q.until)) return "the end of the patrol is not a number";
-  if (!std::isfinite(q.start_time) || !std::isfinite(q.altitude_msl))
-    return "start time and altitude must be numbers";
+  if (q.until && !usable_time(*q.until)) return "the end of the patrol is not a number";
+  if (!usable_time(q.start_time) || !(std::abs(q.altitude_msl) <= kMostCoordinate))
+    return "start time and altitude must be numbers, and not absurd";
   return {};
 }
 
@@ -63,13 +62,11 @@ std::string aircraft_fault(const PatrolQuery& q) {
   if (!q.wind.allFinite()) return "the wind is not a number";
   for (std::size_t k = 0; k < q.starts.size(); ++k) {
     const FlightState& s = q.starts[k];
-    if (!s.p_N.allFinite() || !std::isfinite(s.heading))
-      return fmt::format("start {} is not a number", k);
-    const double climb = s.p_N.z() + q.altitude_msl;
-    if (std::abs(climb) > 1e-9 &&
-        !((climb > 0 ? q.limits.climb_rate : q.limits.sink_rate) > 0))
-      return fmt::format(
-          "start {} is {:.1f} m below the patrol, but cannot climb or sink", k, climb);
+    if (std::string fault = state_fault(s); !fault.empty())
+      return fmt::format("start {}: {}", k, fault);
+    if (std::string fault = climb_fault(s.p_N.z() + q.altitude_msl, q.limits);
+        !fault.empty())
+      return fmt::format("start {}: {}", k, fault);
   }
   return {};
 }
@@ -81,7 +78,7 @@ std::optional<PatrolResult> checked(const PatrolQuery& q) {
     return refused(PatrolOutcome::kBadPatrol, std::move(fault));
   if (auto fault = aircraft_fault(q); !fault.empty())
     return refused(PatrolOutcome::kBadAircraft, std::move(fault));
-  if (q.wind.norm() >= q.limits.airspeed)
+  if (too_windy(q.wind.norm(), q.limits.airspeed))
     return refused(PatrolOutcome::kWindTooStrong,
                    too_strong(q.wind.norm(), q.limits.airspeed));
   return std::nullopt;

@@ -20,19 +20,16 @@ RendezvousResult refused(RendezvousOutcome outcome, std::string reason) {
   return result;
 }
 
-bool finite(const FlightState& s) {
-  return s.p_N.allFinite() && std::isfinite(s.heading);
-}
-
 std::string fault_of(const RendezvousAircraft& a) {
   if (std::string fault = limits_fault(a.limits); !fault.empty()) return fault;
   if (std::string fault = speeds_fault(a.limits); !fault.empty()) return fault;
-  if (!finite(a.start) || !finite(a.goal) || !std::isfinite(a.start_time))
-    return "start, goal and start time must be numbers";
-  const double climb = a.start.p_N.z() - a.goal.p_N.z();
-  const double rate = climb > 0 ? a.limits.climb_rate : a.limits.sink_rate;
-  if (std::abs(climb) > 1e-9 && !(rate > 0))
-    return fmt::format("the goal is {:.1f} m higher, but it cannot climb or sink", climb);
+  for (const FlightState& state : {a.start, a.goal})
+    if (std::string fault = state_fault(state); !fault.empty())
+      return "start or goal: " + fault;
+  if (!usable_time(a.start_time)) return "the start time is not a usable number";
+  if (std::string fault = climb_fault(a.start.p_N.z() - a.goal.p_N.z(), a.limits);
+      !fault.empty())
+    return fault;
   return {};
 }
 
@@ -47,8 +44,8 @@ std::string_view name_of(RendezvousOutcome outcome) {
 RendezvousResult plan_rendezvous(const RendezvousQuery& query) {
   using Outcome = RendezvousOutcome;
   if (query.aircraft.empty()) return refused(Outcome::kBadQuery, "there is no aircraft");
-  if (!(query.spacing >= 0) || !std::isfinite(query.spacing) ||
-      (query.time && !std::isfinite(*query.time)) || !query.wind.allFinite())
+  if (!(query.spacing >= 0) || query.spacing > kLongestFlight ||
+      (query.time && !usable_time(*query.time)) || !query.wind.allFinite())
     return refused(Outcome::kBadQuery,
                    "time, spacing and wind must be numbers, the spacing at least 0");
   std::vector<TimedLeg> legs;
@@ -58,6 +55,11 @@ RendezvousResult plan_rendezvous(const RendezvousQuery& query) {
       return refused(Outcome::kBadAircraft, fmt::format("aircraft {}: {}", k, fault));
     legs.push_back(
         {a.start, a.goal, a.start_time, a.limits, query.wind, query.any_airspeed});
+    if (query.time && *query.time - a.start_time > kLongestFlight)
+      return refused(
+          Outcome::kBadQuery,
+          fmt::format("the time is more than {:.0f} s after the start of aircraft {}",
+                      kLongestFlight, k));
     if (!std::isfinite(earliest_arrival(legs.back())))
       return refused(Outcome::kWindTooStrong,
                      fmt::format("aircraft {}: {}", k,

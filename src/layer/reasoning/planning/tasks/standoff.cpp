@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kReserve = 1.05;  // of airspeed above the wind
 
+constexpr double kInstant = 1e-7;  // rounding of the run's clock [s]
+
 struct SpeedRange {
   double least, most;
 };
@@ -95,8 +97,8 @@ FlightPlan along_circle(const Standoff& s, const model::Pose& from, double start
   e.airspeed = s.speed.airspeed;
   e.wind = s.wind;
   const double end = start + duration;
-  while (end - e.start > 1e-9) {
-    const double until = std::min(next_change(s.target, e.start), end);
+  while (end - e.start > kInstant) {
+    const double until = std::min(next_change(s.target, e.start + kInstant), end);
     const double steps = std::ceil((until - e.start) / step - 1e-9);
     e.duration = (until - e.start) / std::max(1.0, steps);
     e.turn_rate = turn_rate_of(s, e);

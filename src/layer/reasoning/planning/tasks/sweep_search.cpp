@@ -120,11 +120,11 @@ DetourTime detour_of(const SweepTask& task) {
   };
 }
 
-Sweep swept(const SweepTask& task, double bearing, CellRule rule,
-            const OrderEffort& effort) {
+Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int pieces,
+                      const OrderEffort& effort) {
   Sweep sweep;
   sweep.bearing = bearing;
-  sweep.lines = lines_at(task, bearing, rule);
+  sweep.lines = lines_at(task, bearing, rule, pieces);
   sweep.too_many = sweep.lines.size() > kMostLines;
   if (sweep.lines.empty() || sweep.too_many) return sweep;
   LineCosts costs(sweep.lines, task.air, task.ends, detour_of(task));
@@ -136,6 +136,22 @@ Sweep swept(const SweepTask& task, double bearing, CellRule rule,
     sweep.total += time;
   }
   return sweep;
+}
+
+// The best of whole lines and, when there are few for each aircraft, pieces of them.
+Sweep swept(const SweepTask& task, double bearing, CellRule rule,
+            const OrderEffort& effort) {
+  constexpr std::size_t kFew = 6;  // lines for each aircraft
+  Sweep best = swept_in_pieces(task, bearing, rule, 1, effort);
+  const std::size_t aircraft = task.ends.size();
+  if (aircraft == 1 || best.lines.size() > kFew * aircraft) return best;
+  std::vector<int> pieces = {2};
+  if (aircraft > 2) pieces.push_back(static_cast<int>(aircraft));
+  for (const int k : pieces) {
+    Sweep next = swept_in_pieces(task, bearing, rule, k, effort);
+    if (better(next, best)) best = std::move(next);
+  }
+  return best;
 }
 
 std::size_t count_for(double work, const std::vector<Candidate>& candidates, double least,
@@ -187,8 +203,10 @@ OrderEffort effort_for(const SweepTask& task, std::size_t lines) {
 Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
   sort(candidates);
   const std::size_t simply = count_for(12000, candidates, 24, 3000);
-  const std::size_t better_ordered = count_for(2400, candidates, 12, 300);
-  const std::size_t count = count_for(250, candidates, 4, 30);
+  // Zones and several aircraft take longer for each.
+  const bool hard = !task.zones.empty() || task.ends.size() > 1;
+  const std::size_t better_ordered = count_for(hard ? 500 : 2400, candidates, 12, 300);
+  const std::size_t count = count_for(hard ? 80 : 250, candidates, 4, hard ? 10 : 30);
   candidates = in_order(task, std::move(candidates), simply, false);
   candidates = in_order(task, std::move(candidates), better_ordered, true);
   std::vector<Candidate> tried;
@@ -220,15 +238,20 @@ bool better(const Sweep& a, const Sweep& b) {
   return a.longest <= b.longest + 1e-9 && a.total < b.total - 1e-9;
 }
 
-std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule rule) {
+std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule rule,
+                                int pieces) {
   std::vector<SweepLine> lines =
       sweep_lines(task.area, bearing, task.spacing, rule, task.joined);
   const Vec2 more = task.overshoot * geo::unit(bearing);
-  for (SweepLine& line : lines) {
-    line.a -= more;
-    line.b += more;
-  }
-  return clear_of(lines, task.zones, task.zone_distance);
+  std::vector<SweepLine> cut;
+  cut.reserve(lines.size() * static_cast<std::size_t>(pieces));
+  for (const SweepLine& line : lines)
+    for (int k = 0; k < pieces; ++k) {
+      const Vec2 part = (line.b - line.a) / pieces;
+      cut.push_back(
+          {line.a + k * part - more, line.a + (k + 1) * part + more, line.cell});
+    }
+  return clear_of(cut, task.zones, task.zone_distance);
 }
 
 Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort) {

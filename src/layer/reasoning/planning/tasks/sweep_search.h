@@ -31,10 +31,12 @@ struct Sweep {
 /// Whether a is done earlier than b, or as early with less flying.
 bool better(const Sweep& a, const Sweep& b);
 
-/// Lines at a bearing, with overshoot and clear of zones.
-std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule rule);
+/// Lines at a bearing, clear of zones, each cut into equal pieces, with overshoot.
+std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule rule,
+                                int pieces = 1);
 
-/// The best sweep at a bearing, of all rules of division.
+/// The best sweep at a bearing, of all rules of division. A few lines for several
+/// aircraft are also cut into pieces, so that they can be shared evenly.
 Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort);
 
 /// The best sweep found over all bearings. `longest` is infinite when there are no lines.

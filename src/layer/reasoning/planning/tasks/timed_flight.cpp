@@ -142,7 +142,9 @@ bool by_detour(const TimedLeg& leg, double duration, TimedFlight& flight) {
   std::reverse(speeds.begin(), speeds.end());
   const std::vector<double> faster = speeds_towards(leg, leg.limits.fastest);
   speeds.insert(speeds.end(), faster.begin(), faster.end());
-  for (const double v : speeds) {
+  // A few of them: what one cannot fly another mostly can.
+  for (std::size_t k = 0; k < speeds.size(); k += kSpeeds / 4) {
+    const double v = speeds[k];
     model::Arrival arrival =
         model::connect_at(pose_of(leg.from), pose_of(leg.to), air_at(leg, v), duration);
     if (arrival.status == model::ArrivalStatus::kFound)
@@ -177,8 +179,8 @@ TimedFlight arrive_at(const TimedLeg& leg, double time) {
   flight.status = TimedStatus::kGap;
   const double circle = 4 * geo::kPi * leg.limits.turn_radius / leg.limits.airspeed;
   TimedFlight later;
-  for (int k = 1; k <= 200; ++k) {
-    flight.next = time + circle * k / 200;
+  for (int k = 1; k <= 64; ++k) {
+    flight.next = time + circle * k / 64;
     if (found(leg, flight.next - leg.start, later)) break;
   }
   return flight;

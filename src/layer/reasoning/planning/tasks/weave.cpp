@@ -13,6 +13,8 @@ namespace {
 // Below this many radians the turns are so weak that the aircraft goes straight.
 constexpr double kStraight = 1e-4;
 
+constexpr double kLongest = 1200;  // that is looked ahead for a meeting [s]
+
 struct Swing {
   double middle, half;  // headings go from middle - half to middle + half and back [rad]
 };
@@ -62,8 +64,11 @@ FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
   int side = 1;
   FlightPlan plan = quicker(
       [&](int s) {
-        return way_to([&](double t) { return begin_at(target, air, t, s); }, target, from,
-                      air, start, down);
+        const auto begin = [&](double t) { return begin_at(target, air, t, s); };
+        FlightPlan way = way_to(begin, target, from, air, start, down);
+        if (way.empty())
+          way = meeting(begin, from, air, start, start + 1, start + kLongest, down);
+        return way;
       },
       side);
   model::Pose here = from;
@@ -91,7 +96,7 @@ FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
       const FlightPlan way = quicker(
           [&](int k) {
             return meeting([&](double t) { return begin_at(target, air, t, k); }, here,
-                           air, now, change, change + 3600, down);
+                           air, now, change, change + kLongest, down);
           },
           side);
       if (way.empty()) return plan;

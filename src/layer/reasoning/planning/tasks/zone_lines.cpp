@@ -58,6 +58,24 @@ void inside(const Vec2& a, const Vec2& t, const geo::Ring& ring, std::vector<Spa
     out.push_back({cuts[i], cuts[i + 1]});
 }
 
+struct Bounds {
+  Vec2 least, most;
+};
+
+Bounds bounds_of(const std::vector<Vec2>& points) {
+  Bounds b{points.front(), points.front()};
+  for (const Vec2& p : points) {
+    b.least = b.least.cwiseMin(p);
+    b.most = b.most.cwiseMax(p);
+  }
+  return b;
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+  return (a.least.array() <= b.most.array()).all() &&
+         (b.least.array() <= a.most.array()).all();
+}
+
 // The ground track as a polyline.
 std::vector<Vec2> track(const FlightPlan& plan) {
   std::vector<Vec2> points;
@@ -110,12 +128,14 @@ std::vector<SweepLine> clear_of(const std::vector<SweepLine>& lines,
 bool enters(const FlightPlan& plan, const std::vector<geo::Ring>& zones) {
   if (zones.empty() || plan.empty()) return false;
   const std::vector<Vec2> points = track(plan);
+  const Bounds whole = bounds_of(points);
   std::vector<Span> spans;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const double length = (points[i + 1] - points[i]).norm();
-    if (length <= 0) continue;
-    const Vec2 t = (points[i + 1] - points[i]) / length;
-    for (const geo::Ring& ring : zones) {
+  for (const geo::Ring& ring : zones) {
+    if (!overlap(whole, bounds_of(ring))) continue;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double length = (points[i + 1] - points[i]).norm();
+      if (length <= 0) continue;
+      const Vec2 t = (points[i + 1] - points[i]) / length;
       spans.clear();
       inside(points[i], t, ring, spans);
       for (const Span& s : spans)

@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "layer/reasoning/planning/tasks/sweep_search.h"
+#include "layer/reasoning/planning/tasks/test/coverage_checks.h"
 #include "layer/reasoning/planning/tasks/test/plan_checks.h"
 
 namespace skein::planning {
@@ -22,50 +23,6 @@ CoverageQuery box(double north, double east) {
   q.limits = kLimits;
   q.aircraft[0].start = FlightState{{-200, -100, -100}, 0};
   return q;
-}
-
-// A star-shaped ring of random corners.
-geo::Ring random_ring(RandomStream& random, int corners, double ragged) {
-  geo::Ring ring;
-  const Vec2 centre(random.uniform(-300, 300), random.uniform(-300, 300));
-  for (int i = 0; i < corners; ++i)
-    ring.push_back(centre +
-                   random.uniform(600 * (1 - ragged), 600) *
-                       geo::unit(2 * geo::kPi * (i + 0.5 * random.uniform()) / corners));
-  return ring;
-}
-
-bool beside_a_line(const std::vector<FlightPlan>& plans, const Vec2& p, double half) {
-  for (const FlightPlan& plan : plans)
-    for (const FlightElement& e : plan) {
-      if (e.turn_rate != 0) continue;
-      const Vec2 a = geo::horizontal(e.p_N);
-      const Vec2 way = geo::horizontal(model::end_of(e).p_N) - a;
-      const double length = way.norm();
-      if (length <= 0) continue;
-      const double along = way.dot(p - a) / length;
-      if (along < -1e-3 || along > length + 1e-3) continue;
-      if (std::abs(geo::cross(way, p - a)) <= half * length) return true;
-    }
-  return false;
-}
-
-bool inside_area(const CoverageQuery& q, const Vec2& p) {
-  if (!geo::contains(q.area, p)) return false;
-  for (const geo::Ring& hole : q.holes)
-    if (geo::contains(hole, p)) return false;
-  return std::none_of(q.zones.begin(), q.zones.end(),
-                      [&](const Zone& z) { return covers(z, p); });
-}
-
-// Points of a grid over the area that no straight of a plan sees.
-int missed(const CoverageQuery& q, const CoverageResult& r, double step) {
-  int count = 0;
-  for (double x = -1000; x <= 1600; x += step)
-    for (double y = -1000; y <= 1600; y += step)
-      if (inside_area(q, {x, y}) && !beside_a_line(r.plans, {x, y}, q.swath / 2 + 1e-3))
-        ++count;
-  return count;
 }
 
 TEST(Coverage, FliesOneLineOverAStrip) {
@@ -99,7 +56,7 @@ TEST(Coverage, KeepsTheGroundTrackInWind) {
 
 TEST(Coverage, SeesEveryPointAndIsFlyable) {
   RandomStream random(7, 0, Purpose::kTest);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 9; ++i) {
     CoverageQuery q;
     q.area = random_ring(random, 4 + i % 6, 0.1 + 0.06 * i);
     if (i % 2 == 1) q.holes = {{{-50, -60}, {80, -40}, {70, 90}, {-60, 40}}};
@@ -117,6 +74,88 @@ TEST(Coverage, SeesEveryPointAndIsFlyable) {
     EXPECT_NEAR(r.covered_share, 1, 1e-6) << "case " << i;
     EXPECT_NEAR(r.longest, model::duration(r.plans[0]), 1e-9);
   }
+}
+
+TEST(Coverage, SharesTheAreaEvenly) {
+  RandomStream random(8, 0, Purpose::kTest);
+  for (int i = 0; i < 4; ++i) {
+    CoverageQuery q;
+    q.area = random_ring(random, 4 + i % 4, 0.4);
+    q.swath = 70;
+    q.limits = kLimits;
+    q.wind = random.uniform(0, 9) * geo::unit(random.uniform(0, 6.3));
+    q.aircraft.assign(static_cast<std::size_t>(2 + i % 3), {FlightState{}, {}});
+    for (CoverageAircraft& a : q.aircraft)
+      a.start->p_N = {random.uniform(-800, 800), random.uniform(-800, 800), -100};
+    const CoverageResult many = plan_coverage(q);
+    ASSERT_EQ(many.outcome, CoverageOutcome::kPlanned) << many.reason;
+    EXPECT_EQ(missed(q, many, 13), 0) << i;
+    const auto count = static_cast<double>(q.aircraft.size());
+    for (const FlightPlan& plan : many.plans) expect_flyable(plan, q.limits, q.wind);
+    // Nobody is idle for long: a quarter of the time at most, on average.
+    EXPECT_LT(many.longest, 1.25 * many.total / count) << i;
+    q.aircraft.resize(1);
+    EXPECT_LT(many.longest, plan_coverage(q).longest) << i;
+  }
+}
+
+TEST(Coverage, CutsOneLineForTwo) {
+  CoverageQuery q = box(3000, 50);
+  q.aircraft = {{FlightState{{0, -50, -100}, 0}, {}},
+                {FlightState{{1500, -50, -100}, 0}, {}}};
+  const CoverageResult r = plan_coverage(q);
+  ASSERT_EQ(r.outcome, CoverageOutcome::kPlanned);
+  EXPECT_EQ(r.lines, 2);
+  EXPECT_LT(r.longest, 1500 / 15.0 + 25);
+}
+
+TEST(Coverage, NamesWhatCannotBe) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto outcome = [](const auto& change) {
+    CoverageQuery q = box(800, 500);
+    change(q);
+    const CoverageResult r = plan_coverage(q);
+    EXPECT_FALSE(r.reason.empty());
+    EXPECT_TRUE(r.plans.empty());
+    return r.outcome;
+  };
+  using O = CoverageOutcome;
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.area.resize(2); }), O::kBadArea);
+  EXPECT_EQ(outcome([&](CoverageQuery& q) { q.area[1].x() = nan; }), O::kBadArea);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.area[2] = {0, 0}; }), O::kBadArea);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.area.assign(4, {5, 5}); }), O::kBadArea);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.swath = 0; }), O::kBadSwath);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.overlap = 1; }), O::kBadSwath);
+  EXPECT_EQ(outcome([&](CoverageQuery& q) { q.bearing = nan; }), O::kBadSwath);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.swath = 0.1; }), O::kTooManyLines);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.wind = {15, 0}; }), O::kWindTooStrong);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.aircraft.clear(); }), O::kBadAircraft);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.limits.airspeed = -1; }), O::kBadAircraft);
+  EXPECT_EQ(outcome([&](CoverageQuery& q) { q.aircraft[0].start->heading = nan; }),
+            O::kBadAircraft);
+  EXPECT_EQ(outcome([](CoverageQuery& q) { q.holes = {q.area}; }), O::kNothingToCover);
+  EXPECT_EQ(outcome([](CoverageQuery& q) {
+              q.zones = {{Disc{{0, 0}, 0}}};
+            }),
+            O::kBadZone);
+  EXPECT_EQ(outcome([](CoverageQuery& q) {
+              q.zones = {{geo::Ring{{0, 0}, {0, 100}, {100, 0}}}};
+            }),
+            O::kBadZone);
+  EXPECT_EQ(outcome([](CoverageQuery& q) {
+              q.zones = {{Disc{{400, 250}, 600}}};
+            }),
+            O::kNothingToCover);
+}
+
+TEST(Coverage, OffersACrossingAreaWithoutItsCrossing) {
+  CoverageQuery q = box(800, 500);
+  std::swap(q.area[1], q.area[2]);
+  const CoverageResult r = plan_coverage(q);
+  EXPECT_EQ(r.outcome, CoverageOutcome::kBadArea);
+  ASSERT_TRUE(r.alternative.has_value());
+  EXPECT_EQ(r.alternative->size(), 2u);
+  EXPECT_NEAR(geo::area(*r.alternative), 200'000, 1);
 }
 
 SweepTask random_task(RandomStream& random, int i) {

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include "layer/reasoning/planning/search/aa_star.h"
+#include "layer/reasoning/planning/tasks/test/coverage_checks.h"
+#include "layer/reasoning/planning/tasks/test/plan_checks.h"
+
+namespace skein::planning {
+namespace {
+
+CoverageQuery with_zones(int i) {
+  RandomStream random(static_cast<std::uint64_t>(i), 0, Purpose::kTest);
+  CoverageQuery q;
+  q.area = random_ring(random, 5, 0.2);
+  const Vec2 middle = (q.area[0] + q.area[2]) / 2;
+  q.zones = {{Disc{middle, random.uniform(40, 120)}},
+             {geo::Ring{{-500, -500}, {-350, -450}, {-400, -300}}}};
+  q.swath = 80;
+  q.limits = {15, 30, 3, 11, 20, 3};
+  q.wind = random.uniform(0, 6) * geo::unit(random.uniform(0, 6.3));
+  q.aircraft[0].start = FlightState{{-900, 0, -100}, 0};
+  return q;
+}
+
+// Time in zones, by another way than the planner's.
+double inside_zones(const CoverageQuery& q, const FlightPlan& plan) {
+  double deepest = 0;
+  for (double t = 0; t < model::end_time_of(plan); t += 0.1)
+    for (const Zone& z : q.zones)
+      if (const Vec2 p = geo::horizontal(model::moment_at(plan, t).p_N); covers(z, p))
+        deepest = std::max(deepest, -distance_from(outline(z), p));
+  return deepest;
+}
+
+TEST(CoverageZones, StaysOutWithAPlannerAndSeesTheRest) {
+  const AaStar planner;
+  int planned = 0;
+  for (int i = 0; i < 6; ++i) {
+    CoverageQuery q = with_zones(i);
+    q.planner = &planner;
+    q.zone_distance = 70;
+    const CoverageResult r = plan_coverage(q);
+    ASSERT_TRUE(r.outcome == CoverageOutcome::kPlanned ||
+                r.outcome == CoverageOutcome::kZoneInTheWay)
+        << r.reason;
+    expect_flyable(r.plans[0], q.limits, q.wind);
+    EXPECT_EQ(missed(q, r, 17, 70 + q.swath / 2), 0) << i;
+    EXPECT_LT(r.covered_share, 1);
+    EXPECT_GT(r.covered_share, 0.7);
+    if (r.outcome != CoverageOutcome::kPlanned) continue;
+    ++planned;
+    EXPECT_LT(inside_zones(q, r.plans[0]), 0.2) << i;
+  }
+  EXPECT_GE(planned, 5);
+}
+
+TEST(CoverageZones, SaysSoWhenAConnectionEntersOne) {
+  CoverageQuery q;
+  // Two strips, and a wall between them that is too long to be flown around by chance.
+  q.area = {{0, 0}, {600, 0}, {600, 600}, {0, 600}};
+  q.zones = {{geo::Ring{{-3000, 250}, {3000, 250}, {3000, 350}, {-3000, 350}}}};
+  q.limits = {15, 30, 3, 11, 20, 3};
+  const CoverageResult r = plan_coverage(q);
+  EXPECT_EQ(r.outcome, CoverageOutcome::kZoneInTheWay);
+  EXPECT_NEAR(r.in_zones, 100 / 15.0, 2);
+  EXPECT_FALSE(r.reason.empty());
+}
+
+TEST(CoverageZones, ThoseOfOtherAltitudesAndTimesDoNotCount) {
+  CoverageQuery q = with_zones(1);
+  q.zones[0].ceiling_msl = 50;
+  q.zones[1].until = -1;
+  const CoverageResult r = plan_coverage(q);
+  EXPECT_EQ(r.outcome, CoverageOutcome::kPlanned);
+  EXPECT_NEAR(r.covered_share, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace skein::planning
