@@ -1,6 +1,7 @@
 #include "layer/reasoning/planning/search/fleet_plan.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "layer/reasoning/planning/search/aa_star.h"
@@ -13,6 +14,8 @@ namespace {
 
 // Starts are tried this far apart [s], and this far where a search is made for each.
 constexpr double kStep = 3, kSearchStep = 30;
+// How often the order is changed for those who find no flight.
+constexpr int kRounds = 5;
 
 class Fleet {
  public:
@@ -21,7 +24,7 @@ class Fleet {
     flights_.reserve(query.members.size());
   }
 
-  FleetPlan run();
+  FleetPlan run(const std::vector<std::size_t>& order);
 
  private:
   PathQuery query_of(const FleetMember& member, double start) const;
@@ -97,31 +100,50 @@ PlannedPath Fleet::plan(const FleetMember& member) {
   return best;
 }
 
-FleetPlan Fleet::run() {
+FleetPlan Fleet::run(const std::vector<std::size_t>& order) {
   FleetPlan out;
+  out.paths.resize(query_.members.size());
   const double time = std::max(query_.zone.ahead, query_.zone.behind);
-  for (const FleetMember& member : query_.members) {
-    PlannedPath path = plan(member);
-    if (!path.plan.empty()) {
-      ++out.planned;
-      flights_.push_back(
-          {member.who, path.plan, {time, time, query_.zone.across}, query_.height});
-      map_.add(flights_.back());
-    }
-    out.paths.push_back(std::move(path));
+  for (const std::size_t i : order) {
+    const FleetMember& member = query_.members[i];
+    PlannedPath& path = out.paths[i];
+    path = plan(member);
+    if (path.plan.empty()) continue;
+    ++out.planned;
+    flights_.push_back(
+        {member.who, path.plan, {time, time, query_.zone.across}, query_.height});
+    map_.add(flights_.back());
   }
   return out;
+}
+
+// Those without a flight first.
+std::vector<std::size_t> promoted(const std::vector<std::size_t>& order,
+                                  const FleetPlan& plan) {
+  std::vector<std::size_t> next = order;
+  std::stable_partition(next.begin(), next.end(),
+                        [&](std::size_t i) { return plan.paths[i].plan.empty(); });
+  return next;
 }
 
 }  // namespace
 
 FleetPlan plan_fleet(const FleetQuery& query) {
+  FleetPlan best;
   if (auto refused = refuse_airspace(query.common)) {
-    FleetPlan out;
-    out.paths.assign(query.members.size(), *refused);
-    return out;
+    best.paths.assign(query.members.size(), *refused);
+    return best;
   }
-  return Fleet(query).run();
+  std::vector<std::size_t> order(query.members.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (int i = 0; i < kRounds; ++i) {
+    FleetPlan plan = Fleet(query).run(order);
+    order = promoted(order, plan);
+    const bool all = plan.planned == query.members.size();
+    if (i == 0 || plan.planned > best.planned) best = std::move(plan);
+    if (all) break;
+  }
+  return best;
 }
 
 }  // namespace skein::planning

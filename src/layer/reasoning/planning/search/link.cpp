@@ -44,9 +44,9 @@ Link link(const FlightState& from, const FlightState& to, const PathQuery& query
     out.duration = out.wait + out.connection.time;
   };
   connect_after_wait();
+  const double turn = full_turn(query);
   // Without wind the wait is known at once; in wind turns carry the aircraft away from
   // the goal or towards it, and what is left changes.
-  const double turn = full_turn(query);
   double least = kLeastWait * turn;
   while (out.duration < needed * (1 - 1e-12)) {
     out.wait = std::max(turn, out.wait + std::max(needed - out.duration, least));
@@ -96,11 +96,15 @@ FlightPlan to_flight_plan(const Link& link, const FlightState& from, double star
   return plan;
 }
 
+bool is_exact(const Link& link) {
+  return !link.connection.irregular && link.wait == 0;
+}
+
 double least_time(const Link& link, const FlightState& from, const FlightState& to,
                   const PathQuery& query) {
   const double height = from.p_N.z() - to.p_N.z();
   const double climb = height == 0 ? 0 : climb_time(height, query.limits);
-  const bool exact = !link.connection.irregular && link.wait == 0;
+  const bool exact = is_exact(link);
   if (exact) return std::max(link.connection.time, climb);
   const double fastest = query.limits.airspeed + query.wind.norm();
   return std::max(geo::horizontal(to.p_N - from.p_N).norm() / fastest, climb);

@@ -32,6 +32,9 @@ FlightElement loiter(const FlightState& from, double start, double time,
 /// The duration of one full turn [s].
 double full_turn(const PathQuery& query);
 
+/// Whether no flight between the two states is quicker than the link.
+bool is_exact(const Link& link);
+
 /// A time that no flight from one state to the other can be quicker than [s], whatever is
 /// in the way: the connection's; where that is irregular, distance / (V + |w|). At least
 /// what climbing takes.

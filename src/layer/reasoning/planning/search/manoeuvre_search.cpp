@@ -186,8 +186,7 @@ void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, doubl
   if (next.time + to_goal.duration < best_ &&
       map_.is_free(to_flight_plan(to_goal, next.at, next.time, query_))) {
     finish(index, to_goal);
-    const bool exact = !to_goal.connection.irregular && to_goal.wait == 0;
-    if (exact) return;
+    if (is_exact(to_goal)) return;
   }
   open_.push({next.time + round_.greed * least, index});
 }

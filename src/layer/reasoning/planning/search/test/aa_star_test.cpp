@@ -314,6 +314,32 @@ TEST(AaStar, KnowsThatAGoalIsWalledIn) {
   EXPECT_FALSE(path.reason.empty());
 }
 
+TEST(AaStar, FindsItsWayAmongThousandsOfZones) {
+  constexpr int kRow = 50;
+  Airspace airspace;
+  for (int i = 0; i < kRow; ++i)
+    for (int k = 0; k < kRow; ++k) {
+      const Vec2 p(200.0 * i + (k % 2) * 100, 200.0 * k);
+      if (k % 3 == 0) {
+        airspace.zones.push_back({Disc{p, 70}});
+      } else {
+        airspace.zones.push_back({geo::Ring{p + Vec2(-60, -60), p + Vec2(60, -60),
+                                            p + Vec2(60, 60), p + Vec2(-60, 60)}});
+      }
+    }
+  PathQuery q = query_over(9700);
+  q.airspace = &airspace;
+  q.start.p_N = Vec3(100, -200, -100);
+  q.goal.p_N = Vec3(9700, 9900, -100);
+  q.wind = Vec2(3, 5);
+  q.budget.first = true;
+  const PlannedPath path = AaStar().plan(q);
+  ASSERT_FALSE(path.plan.empty()) << path.reason;
+  EXPECT_LE(test::depth(airspace, path.plan, 0.2), 0.1);
+  // The bound may be that without zones, and this is the first path only.
+  EXPECT_LE(path.duration, 1.4 * path.bound);
+}
+
 TEST(AaStar, SaysWhenTheBudgetEndsBeforeAPath) {
   Airspace airspace;
   for (int i = -20; i <= 20; ++i)
