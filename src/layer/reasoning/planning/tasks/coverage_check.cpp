@@ -84,11 +84,8 @@ std::optional<CoverageResult> check_aircraft(const CoverageQuery& query) {
 std::optional<CoverageResult> check(const CoverageQuery& query) {
   if (std::string fault = fault_of(query.area, "the area"); !fault.empty()) {
     CoverageResult result = refused(CoverageOutcome::kBadArea, std::move(fault));
-    const bool crosses =
-        query.area.size() >= 3 && query.area.size() <= kMostCorners &&
-        std::all_of(query.area.begin(), query.area.end(), [](const Vec2& p) {
-          return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMostCoordinate;
-        });
+    const bool crosses = query.area.size() >= 3 && query.area.size() <= kMostCorners &&
+                         std::all_of(query.area.begin(), query.area.end(), on_map);
     if (crosses) result.alternative = geo::clean({query.area}, geo::FillRule::kEvenOdd);
     if (result.alternative && result.alternative->empty()) result.alternative.reset();
     return result;

@@ -17,7 +17,7 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kMostElements = 1e5;  // of a plan
+constexpr double kMostElements = 2e4;  // of a plan
 
 OrbitResult refused(OrbitOutcome outcome, std::string reason) {
   OrbitResult result;
@@ -40,11 +40,12 @@ OrbitResult checked(const OrbitQuery& q) {
     return refused(OrbitOutcome::kBadAircraft, std::move(fault));
   if (std::string fault = speeds_fault(q.limits); !fault.empty())
     return refused(OrbitOutcome::kBadAircraft, std::move(fault));
-  if (!q.start.p_N.allFinite() || !std::isfinite(q.start.heading) ||
-      !std::isfinite(q.start_time) || !std::isfinite(q.altitude_msl) ||
+  if (std::string fault = state_fault(q.start); !fault.empty())
+    return refused(OrbitOutcome::kBadAircraft, "start: " + fault);
+  if (!usable_time(q.start_time) || !(std::abs(q.altitude_msl) <= kMostCoordinate) ||
       !q.wind.allFinite())
     return refused(OrbitOutcome::kBadAircraft,
-                   "start, altitude, time and wind must be numbers");
+                   "altitude, time and wind must be numbers, and not absurd");
   if (std::string fault = climb_fault(q.altitude_msl + q.start.p_N.z(), q.limits);
       !fault.empty())
     return refused(OrbitOutcome::kBadAircraft, std::move(fault));
@@ -127,25 +128,31 @@ OrbitResult circle(const OrbitQuery& q, double felt) {
   }
   result.entry_time = model::end_time_of(entry);
   const FlightState there = end_state(entry);
-  FlightPlan around;
-  // A sixteenth of a circle, then ever shorter.
+  const double down = q.start.p_N.z();
+  const auto around = [&](double duration, double step) {
+    return along_circle(s, pose_of(there), result.entry_time, duration, step, down);
+  };
+  // A sixteenth of a circle, then ever shorter, until that is enough for the first
+  // circles.
   double step = q.radius / speed->airspeed * geo::kPi / 8;
   if (q.duration / step > kMostElements) return too_long(q, step * kMostElements);
-  for (int halvings = 0; halvings < 8 && q.duration / step <= kMostElements;
-       ++halvings, step /= 2) {
-    around = along_circle(s, pose_of(there), result.entry_time, q.duration, step,
-                          q.start.p_N.z());
-    result.largest_error = largest_error(s, around);
-    if (result.largest_error <= q.tolerance) break;
+  const double circles = 4 * geo::kPi * q.radius / (speed->airspeed - felt);
+  const double tried =
+      q.target.track.empty() ? std::min(q.duration, circles) : q.duration;
+  for (int k = 0; k < 8 && q.duration / (step / 2) <= kMostElements; ++k) {
+    if (largest_error(s, around(tried, step)) <= q.tolerance) break;
+    step /= 2;
   }
+  const FlightPlan circling = around(q.duration, step);
+  result.largest_error = largest_error(s, circling);
   result.plan = std::move(entry);
-  result.plan.insert(result.plan.end(), around.begin(), around.end());
+  result.plan.insert(result.plan.end(), circling.begin(), circling.end());
   result.outcome = OrbitOutcome::kPlanned;
   if (result.largest_error > q.tolerance) {
     result.outcome = OrbitOutcome::kOutsideTolerance;
     result.reason = fmt::format(
-        "the distance to the target is up to {:.1f} m off where its velocity changes",
-        result.largest_error);
+        "the distance to the target is up to {:.2f} m off{}", result.largest_error,
+        q.target.track.empty() ? "" : ", where its velocity changes");
   }
   return result;
 }
