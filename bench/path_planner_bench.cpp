@@ -110,7 +110,6 @@ void repair_scene(benchmark::State& state) {
   scene.query.wind = kWinds[state.range(1)];
   scene.query.budget.states = 20'000;
   const PlannedPath old = AaStar().plan(scene.query);
-  scene.query.budget.states = 1500;
   const double part = static_cast<double>(state.range(2)) / 100;
   const double now = 0.05 * old.duration;
   const Vec3 at = model::moment_at(old.plan, part * old.duration).p_N;

@@ -54,6 +54,8 @@ class AirspaceMap {
   bool is_free(const FlightPlan& plan) const;
   /// The first conflict of a plan, if any, in words.
   std::optional<Conflict> first_conflict(const FlightPlan& plan) const;
+  /// The same to 0.2 s, without depth and words: much quicker.
+  std::optional<Conflict> first_meeting(const FlightPlan& plan) const;
   /// What is at a place at a time, if anything is.
   std::optional<Conflict> conflict_at(const Vec3& p_N, double time) const;
 
@@ -87,6 +89,7 @@ class AirspaceMap {
   double ground_contact(const FlightElement& e) const;
   double edge_contact(const FlightElement& e, const Box& box, double leaf) const;
   double depth_at(const Contact& c, const Vec3& p_N, double time) const;
+  std::optional<Conflict> look(const FlightPlan& plan, double told, bool words) const;
   Conflict in_words(const Contact& c, const FlightElement& e) const;
 
   PathQuery query_;

@@ -12,8 +12,8 @@ namespace skein::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// How exactly the time of a conflict is told [s].
-constexpr double kTold = 0.01;
+// How exactly the time of a conflict is told, with words and without [s].
+constexpr double kTold = 0.01, kMet = 0.2;
 // Depth is looked for during this time after a conflict begins [s].
 constexpr double kDepthTime = 2;
 
@@ -107,17 +107,34 @@ Conflict AirspaceMap::in_words(const Contact& c, const FlightElement& e) const {
   return out;
 }
 
-std::optional<Conflict> AirspaceMap::first_conflict(const FlightPlan& plan) const {
+std::optional<Conflict> AirspaceMap::look(const FlightPlan& plan, double told,
+                                          bool words) const {
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (is_free(plan[i])) continue;
-    Contact c = contact(plan[i], kTold);
+    Contact c = contact(plan[i], told);
     // At the limit the finer look may pass what the coarser one does not.
     if (c.after < 0) c = contact(plan[i], kInfinity);
-    Conflict conflict = in_words(c, plan[i]);
+    Conflict conflict;
+    if (words) {
+      conflict = in_words(c, plan[i]);
+    } else {
+      conflict.blocker = c.blocker;
+      conflict.index = c.index;
+      conflict.time = plan[i].start + c.after;
+      conflict.p_N = model::position(plan[i], c.after);
+    }
     conflict.element = i;
     return conflict;
   }
   return std::nullopt;
+}
+
+std::optional<Conflict> AirspaceMap::first_conflict(const FlightPlan& plan) const {
+  return look(plan, kTold, true);
+}
+
+std::optional<Conflict> AirspaceMap::first_meeting(const FlightPlan& plan) const {
+  return look(plan, kMet, false);
 }
 
 std::optional<Conflict> AirspaceMap::conflict_at(const Vec3& p_N, double time) const {

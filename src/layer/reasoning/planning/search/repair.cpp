@@ -129,8 +129,17 @@ void Repairer::rejoin(const Joint& joint) {
 }
 
 void Repairer::plan_anew() {
-  PlannedPath path = AaStar().plan(query_, map_);
+  PathQuery anew = query_;
+  anew.budget.states = std::min(query_.budget.states, options_.anew);
+  PlannedPath path = AaStar().plan(anew, map_);
   path.states += out_.path.states;
+  const bool nothing = path.plan.empty() && out_.path.plan.empty();
+  if (nothing && path.outcome == PlanningOutcome::kNothingFound &&
+      anew.budget.states < query_.budget.states) {
+    const std::int64_t before = path.states;
+    path = AaStar().plan(query_, map_);
+    path.states += before;
+  }
   if (path.duration < out_.path.duration || out_.path.plan.empty()) {
     out_.how = path.plan.empty() ? Repair::kFailed : Repair::kAnew;
     out_.path = std::move(path);

@@ -29,6 +29,7 @@ struct RepairOptions {
   /// compared with one planned anew.
   double worse = 0.03;
   std::int64_t states = 400;  ///< for each try to rejoin
+  std::int64_t anew = 800;    ///< states for planning anew, within the query's budget
 };
 
 /// A path for an aircraft that follows a plan when something new is in the way, or when
@@ -36,8 +37,8 @@ struct RepairOptions {
 ///
 /// The old plan is left where the aircraft is, or later but before the conflict, and
 /// joined again behind it, at a few places each; between them a path is planned with few
-/// states. Planned anew, with the query's budget, when that fails or takes much longer
-/// than the least time.
+/// states. Planned anew when that fails or takes much longer than the least time, with
+/// the query's whole budget if it finds nothing with few states.
 ///
 /// @param old    the plan so far, on the run's clock.
 /// @param query  start and start time are the aircraft's now; its goal is the plan's.

@@ -32,7 +32,7 @@ struct Fare {
 
 Fare fare(Chain chain, const AirspaceMap& map) {
   Fare out;
-  out.conflict = map.first_conflict(to_flight_plan(chain, map.query()));
+  out.conflict = map.first_meeting(to_flight_plan(chain, map.query()));
   out.free = !out.conflict;
   out.free_until = out.free ? chain.times.back() : out.conflict->time;
   out.chain = std::move(chain);
