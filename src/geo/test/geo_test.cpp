@@ -168,5 +168,25 @@ TEST(Clip, KeepsHolesNegative) {
   EXPECT_TRUE(contains(ring, Vec2(75, 0)));
 }
 
+TEST(Clip, GrownRegionsKeepTheDistanceAndLittleMore) {
+  const Region shape = {{{0, 0}, {100, 0}, {100, 100}, {50, 20}, {0, 100}}};
+  const BoundaryIndex border(shape);
+  for (const double distance : {5.0, 30.0, 80.0}) {
+    const Region wider = grown(shape, distance, 0.5);
+    const BoundaryIndex wide(wider);
+    for (const Ring& ring : wider)
+      for (const Vec2& p : resample_by_spacing(ring, 2)) {
+        ASSERT_GE(border.signed_distance(p), distance - 1e-3);
+        ASSERT_LE(border.signed_distance(p), distance + 1 + 1e-3);
+      }
+    for (double angle = 0; angle < 6; angle += 0.1)
+      ASSERT_TRUE(wide.contains(Vec2(100, 100) + (distance - 1e-3) * unit(angle)));
+  }
+  // What overlaps becomes one, the other way round as well.
+  const Region two = {{{0, 0}, {10, 0}, {10, 10}}, {{30, 0}, {20, 10}, {30, 10}}};
+  EXPECT_EQ(grown(two, 3, 0.5).size(), 2u);
+  EXPECT_EQ(grown(two, 30, 0.5).size(), 1u);
+}
+
 }  // namespace
 }  // namespace skein::geo

@@ -298,5 +298,57 @@ TEST(RunRecorder, EndsARunOfNoLength) {
     EXPECT_TRUE(std::isfinite(value)) << name;
 }
 
+TEST(RunRecorder, KeepsZonesAndWhenTheyCameAndWent) {
+  const TemporaryFolder folder("zones");
+  auto recorder = RunRecorder::create(folder.path() / "run", kInfo).value();
+  Zone disc{.area = Disc{{10, 20}, 30}, .name = "disc"};
+  disc.ceiling_msl = 120;
+  disc.until = 600;
+  const Zone ring{.area = geo::Ring{{0, 0}, {9, 0}, {9, 9}}, .name = "ring"};
+  recorder->zone(Time(), {0, true, disc});
+  recorder->zone(Time::from_seconds(5), {1, true, ring});
+  recorder->zone(Time::from_seconds(9), {2, false, {.name = "disc"}});
+  ASSERT_TRUE(recorder->close());
+  recorder.reset();
+  const auto run = folder.path() / "run";
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM zones"), 3);
+  const std::string of_disc = "FROM zones WHERE name = 'disc' AND in_force = 1";
+  EXPECT_EQ(ask(run, "SELECT radius_m " + of_disc), 30);
+  EXPECT_EQ(ask(run, "SELECT centre_east_m " + of_disc), 20);
+  EXPECT_EQ(ask(run, "SELECT ceiling_msl_m " + of_disc), 120);
+  EXPECT_EQ(ask(run, "SELECT floor_msl_m IS NULL " + of_disc), 1);
+  EXPECT_EQ(ask(run, "SELECT until_s " + of_disc), 600);
+  EXPECT_EQ(ask_text(run, "SELECT ring_json FROM zones WHERE name = 'ring'"),
+            "[[0.0,0.0],[9.0,0.0],[9.0,9.0]]");
+  EXPECT_EQ(ask(run, "SELECT time_s FROM zones WHERE in_force = 0"), 9);
+  EXPECT_EQ(ask(run, "SELECT number FROM zones WHERE in_force = 0"), 2);
+  EXPECT_EQ(ask(run, "SELECT radius_m IS NULL FROM zones WHERE in_force = 0"), 1);
+}
+
+TEST(RunRecorder, CountsEveryFieldOfZonesForTheHash) {
+  const auto hash = [](auto&& change) {
+    SummaryRecorder recorder(kInfo);
+    ZoneChange zone{1, true, {.area = Disc{{1, 2}, 3}, .name = "a"}};
+    AircraftReport report;
+    change(zone, report);
+    recorder.zone(Time::from_seconds(1), zone);
+    const Message message{EntityId{1}, EntityId{2}, 5, Time(), 32, report};
+    recorder.message(message, Time(), false);
+    return recorder.summary().content_hash;
+  };
+  const std::string same = hash([](auto&...) {});
+  EXPECT_EQ(same, hash([](auto&...) {}));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.number = 2; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.on = false; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.name = "b"; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.area = Disc{{1, 2}, 4}; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.area = geo::Ring{{1, 2}}; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.floor_msl = 1; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.ceiling_msl = 1; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.from = 1; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.until = 1; }));
+  EXPECT_NE(same, hash([](auto&, auto& report) { report.zone_changes = 1; }));
+}
+
 }  // namespace
 }  // namespace skein::record

@@ -449,5 +449,58 @@ TEST(Run, KeepsPaceWithTheClock) {
                                            // depends on the machine
 }
 
+// Draws a zone at its tenth question.
+class Drawing : public Silent {
+ public:
+  std::vector<ZoneChange> zone_wishes() override {
+    std::vector<ZoneChange> wishes;
+    if (++questions_ == 10)
+      wishes.push_back({0, true, {.area = Disc{{0, 0}, 50}, .name = "drawn"}});
+    return wishes;
+  }
+
+ private:
+  int questions_ = 0;
+};
+
+// A ground station that puts into force what it hears of, and writes when.
+class Office : public Agent {
+ public:
+  void step(const AgentInput& in, AgentOutput& out) override {
+    for (const Message& message : in.inbox)
+      if (const auto* wish = std::get_if<ZoneChange>(&message.content)) {
+        out.events.push_back({in.now, message.from, "wish", wish->zone.name});
+        out.zone_changes.push_back(*wish);
+      }
+  }
+};
+
+class ZoneNotes : public Notes {
+ public:
+  void zone(Time t, const ZoneChange& change) override {
+    zones += fmt::format("{:.1f} {} {};", t.seconds(), change.on, change.zone.name);
+  }
+  std::string zones;
+};
+
+TEST(Run, TellsGroundStationsWhatTheOperatorDraws) {
+  World world = make_world(2);
+  Entity station;
+  station.name = "station";
+  station.kind = "station";
+  station.agent = std::make_unique<Office>();
+  station.agent_period = Time::from_seconds(0.5);
+  station.active = {{Time(), Time::from_seconds(100)}};
+  world.entities.push_back(std::move(station));
+  world.zones.push_back({.area = Disc{{0, 0}, 50}, .name = "known"});
+  ZoneNotes notes;
+  Drawing console;
+  ASSERT_TRUE(run(world, seconds(3), notes, console).ok());
+  // Asked at 0.9 s, thought of at the station's next step; aircraft hear nothing of it.
+  EXPECT_NE(notes.text.find("E1000000000 2 wish drawn;"), std::string::npos)
+      << notes.text;
+  EXPECT_EQ(notes.zones, "0.0 true known;1.0 true drawn;");
+}
+
 }  // namespace
 }  // namespace skein::simulation

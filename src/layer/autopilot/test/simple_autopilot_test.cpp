@@ -406,5 +406,24 @@ TEST(SimpleAutopilot, RefusesAPlanItCannotFlyAndGoesOn) {
   EXPECT_EQ(flight.autopilot->status().refusals, 1);
 }
 
+TEST(SimpleAutopilot, ReturnsToWhereItWasTold) {
+  NavEstimate start;
+  start.p_N = {0, 0, -300};
+  start.v_N = {20, 0, 0};
+  SimpleAutopilot autopilot({}, FlightLimits{}, start);
+  const auto remaining = [&](double time) {
+    static_cast<void>(autopilot.control(Time::from_seconds(time), 0.1));
+    return autopilot.status().remaining;
+  };
+  autopilot.command({Return{}, 300, {}});
+  EXPECT_LT(remaining(0.1), 1);
+  autopilot.set_return({{{0, 500}, {3000, 0}}, 0});
+  EXPECT_NEAR(remaining(0.2), 3000, 100);
+  autopilot.command({Return{}, 320, {}});
+  EXPECT_NEAR(remaining(0.3), 3000, 100);
+  autopilot.set_return({});
+  EXPECT_LT(remaining(0.4), 10);
+}
+
 }  // namespace
 }  // namespace skein::autopilot

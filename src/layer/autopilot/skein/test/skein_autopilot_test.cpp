@@ -411,5 +411,66 @@ TEST(SkeinAutopilot, NothingJumpsWhenGainsChange) {
     EXPECT_NEAR(changing.told[k], before[k], 0.05) << k;
 }
 
+TEST(SkeinAutopilot, ReturnsByTheWayThatItWasTold) {
+  PointFlight flight;
+  flight.autopilot().command(course(0, 300));
+  flight.fly(60);
+  flight.autopilot().set_return({{{900, 900}, {0, 900}}, 100});
+  flight.fly(1);
+  EXPECT_NEAR(geo::wrap_pi(flight.heading), 0, 0.02);  // for returns only
+  flight.link = false;
+  double nearest_corner = 1e9, nearest_home = 1e9;
+  for (int k = 0; k < 200; ++k) {
+    flight.fly(1);
+    const Vec2 p = geo::horizontal(flight.p);
+    nearest_corner = std::min(nearest_corner, (p - Vec2(900, 900)).norm());
+    nearest_home = std::min(nearest_home, p.norm());
+  }
+  EXPECT_LT(nearest_corner, 130);
+  EXPECT_GT(nearest_home, 700);
+  EXPECT_LT((geo::horizontal(flight.p) - Vec2(0, 900)).norm(), 120);
+  // Another place while it is there, then home again.
+  flight.autopilot().set_return({{{500, 0}}, 100});
+  flight.fly(100);
+  EXPECT_LT((geo::horizontal(flight.p) - Vec2(500, 0)).norm(), 120);
+  flight.autopilot().set_return({});
+  flight.fly(60);
+  EXPECT_LT(geo::horizontal(flight.p).norm(), 120);
+}
+
+TEST(SkeinAutopilot, LandsWhereReturnsLeadAndKeepsThatWhenItBeginsAnew) {
+  PointFlight flight;
+  flight.autopilot().command({Return{}, 300, {}});
+  flight.autopilot().set_return({{{600, 600}}, 250});
+  flight.autopilot().begin(flight.autopilot().estimate(), false);
+  flight.sense();
+  flight.fly(90);
+  EXPECT_LT((geo::horizontal(flight.p) - Vec2(600, 600)).norm(), 120);
+  run_dry(flight);
+  EXPECT_EQ(flight.autopilot().status().reaction, FailsafeReaction::kLand);
+  flight.fly(60);
+  EXPECT_LT((geo::horizontal(flight.p) - Vec2(600, 600)).norm(), 400);
+  EXPECT_LT(-flight.p.z(), 285);
+}
+
+TEST(SkeinAutopilot, CountsTheWholeWayOfAReturn) {
+  const auto reserve = [](const ReturnWay& way) {
+    PointFlight flight;
+    flight.autopilot().set_return(way);
+    for (int k = 0; k < 100; ++k) {
+      PowerSample power;
+      power.time = flight.now;
+      power.charge = 0.9 - 0.0005 * k;
+      flight.autopilot().sense(power);
+      flight.fly(1);
+    }
+    return flight.autopilot().status().reserve;
+  };
+  // 0.05 % a second: 2 km of detour at 20 m/s are 5 %.
+  const double straight = reserve({{{0, 0}}, 300}),
+               around = reserve({{{1000, 0}, {0, 0}}, 300});
+  EXPECT_NEAR(straight - around, 0.05, 0.008);
+}
+
 }  // namespace
 }  // namespace skein::autopilot

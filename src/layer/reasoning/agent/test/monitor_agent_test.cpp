@@ -263,5 +263,84 @@ TEST(MonitorAgent, AStationWithoutVehicleStaysSilent) {
   EXPECT_FALSE(out.command.has_value());
 }
 
+Message zone_on(std::uint32_t number, const Vec2& centre, double radius) {
+  Message message;
+  message.content = ZoneChange{number, true, {.area = Disc{centre, radius}, .name = "a"}};
+  return message;
+}
+
+bool says(const AgentOutput& out, const std::string& kind) {
+  return std::any_of(out.events.begin(), out.events.end(),
+                     [&](const Event& event) { return event.kind == kind; });
+}
+
+TEST(MonitorAgent, AZoneTakesEffectInTheStepInWhichItIsHeardOf) {
+  Mission mission;
+  mission.send(1, FlyCourse{0});
+  mission.fly(20);
+  const Vec2 here = mission.aircraft.position();
+  mission.inbox.push_back(zone_on(1, here + Vec2(200, 0), 100));
+  const AgentOutput out = mission.second();
+  EXPECT_TRUE(says(out, "zone-on"));
+  ASSERT_TRUE(out.command);
+  const auto* hold = std::get_if<HoldCourse>(&out.command->guidance);
+  EXPECT_TRUE(!hold || std::abs(geo::wrap_pi(hold->course)) > 0.5);
+  double nearest = 1e9;
+  bool told = false;
+  for (int k = 0; k < 60; ++k) {
+    const auto reports = contents<AircraftReport>(mission.second());
+    if (!reports.empty()) told = told || reports[0].zone_changes == 1;
+    nearest =
+        std::min(nearest, (mission.aircraft.position() - here - Vec2(200, 0)).norm());
+  }
+  EXPECT_GT(nearest, 100);
+  EXPECT_TRUE(told);
+}
+
+TEST(MonitorAgent, GoesToTheNearestPlaceInsteadOfOneInAZone) {
+  for (const bool circles : {false, true}) {
+    Mission mission;
+    if (circles)
+      mission.send(1, Loiter{{1000, 0}});
+    else
+      mission.send(1, FlyTo{{1000, 0}});
+    mission.fly(5);
+    mission.inbox.push_back(zone_on(1, {1050, 0}, 300));
+    EXPECT_TRUE(says(mission.second(), "task-moved"));
+    double nearest = 1e9;
+    mission.fly(200, [&] {
+      nearest = std::min(nearest, (mission.aircraft.position() - Vec2(1050, 0)).norm());
+    });
+    EXPECT_GT(nearest, 300);
+    EXPECT_LT((mission.aircraft.position() - Vec2(1050, 0)).norm(), 560);
+    EXPECT_EQ(mission.agent.task_done(), !circles);
+    // Taken back, the place is the task's own again.
+    Message off;
+    off.content = ZoneChange{2, false, {.name = "a"}};
+    mission.inbox.push_back(off);
+    EXPECT_TRUE(says(mission.second(), "task-moved"));
+    nearest = 1e9;
+    mission.fly(100, [&] {
+      nearest = std::min(nearest, (mission.aircraft.position() - Vec2(1000, 0)).norm());
+    });
+    EXPECT_LT(nearest, 120);
+  }
+}
+
+TEST(MonitorAgent, ZonesAboveAndBelowDoNotConcernIt) {
+  Mission above, below, free;
+  Message high = zone_on(1, {500, 0}, 200), low = high;
+  std::get<ZoneChange>(high.content).zone.floor_msl = 241;
+  std::get<ZoneChange>(low.content).zone.ceiling_msl = 199;
+  above.inbox.push_back(high);
+  below.inbox.push_back(low);
+  for (Mission* mission : {&above, &below, &free}) {
+    mission->send(1, FlyCourse{0});
+    mission->fly(60);
+  }
+  EXPECT_EQ(above.aircraft.p, free.aircraft.p);
+  EXPECT_EQ(below.aircraft.p, free.aircraft.p);
+}
+
 }  // namespace
 }  // namespace skein::reasoning

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 namespace skein::monitoring {
 namespace {
@@ -254,6 +255,36 @@ TEST(Coordinator, ALinkThatIsSlowDoesNotSendTheBeliefBackAndForth) {
   EXPECT_EQ(*station.furthest, at(51)) << "not beyond the newest reading";
   for (int t = 60; t < 80; ++t) station.step(t, {report(1, t, 0)});
   EXPECT_EQ(*station.furthest, at(79)) << "nothing comes any more: carried on";
+}
+
+// A zone around the boundary's only point, told as the station's desk tells it.
+Message zone_around(const Vec2& place, double floor, double from = 0) {
+  ZoneChange change{1, true, {.area = Disc{place, 400}, .name = "a"}};
+  change.zone.floor_msl = floor;
+  change.zone.from = from;
+  Message message;
+  message.content = change;
+  return message;
+}
+
+TEST(Coordinator, SendsNobodyAcrossTheBoundaryIntoAZone) {
+  // The way to a sure crossing leads to 315 m north; the aircraft fly at 100 m.
+  for (const auto& [floor, from, forced] : {std::tuple{-10.0, 0.0, false},
+                                            {149.0, 0.0, false},
+                                            {151.0, 0.0, true},
+                                            {-10.0, 122.0, false},
+                                            {-10.0, 124.0, true}}) {
+    CoordinatorOptions options;
+    options.team = {EntityId{1}};
+    options.forced_crossing = 60;
+    options.lost_after = 1e9;
+    Station station(options);
+    station.step(0, {report(1, 0, 0)});
+    station.step(1, {read(1, 1, false), zone_around({300, 0}, floor, from)});
+    station.step(2, {read(1, 2, true), report(1, 2, 1)});
+    const AgentOutput out = station.step(63, {report(1, 63, 2)});
+    EXPECT_EQ(has_event(out, "forced-crossing"), forced) << floor << " " << from;
+  }
 }
 
 }  // namespace
