@@ -75,6 +75,45 @@ TEST(ZoneFlight, DrawnOverTheWayItIsFlownAround) {
   EXPECT_EQ(log.find("zone", "is inside a no-flight zone"), nullptr) << log.story();
 }
 
+// From the ground, with sensors that err, in gusts; the zone comes onto the way and,
+// later, over the place where it shall land.
+TEST(ZoneFlight, WholeAircraftFlyAroundAndLandElsewhere) {
+  for (const char* plant : {"multirotor", "{kind: fixed-wing, aircraft: bixler}",
+                            "{kind: fixed-wing, aircraft: aerosonde-stall}"}) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly(fmt::format(R"(
+seed: 3
+duration_s: 500
+environment:
+  terrain: flat
+  fire: none
+  wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
+  turbulence: {{kind: dryden, intensity: light}}
+  zones:
+    - {{name: way, centre_m: [500, 10], radius_m: 80, active: false, switches: [{{at_s: 14}}]}}
+    - {{name: home, centre_m: [-10, 0], radius_m: 60, active: false, switches: [{{at_s: 60}}]}}
+station: {{agent: listener}}
+aircraft:
+  - name: a
+    plant: {}
+    autopilot: skein
+    sensors: [{{kind: flight, receiver: differential}}]
+    agent: {{kind: route, points_m: [[900, 0], [900, 400], [300, 400]], laps: 1, lands: true}}
+    altitude_agl_m: 60
+    start: {{placement: list, positions_m: [[0, 0]], heading_deg: 0, on_ground: true}}
+)",
+                                          plant));
+    for (const char* kind : {"took-off", "return-moved", "route-done", "landed"})
+      EXPECT_NE(log.find(kind), nullptr) << kind << "\n" << log.story();
+    for (const char* kind : {"accident", "refused", "no-path"})
+      EXPECT_EQ(log.find(kind), nullptr) << kind << "\n" << log.story();
+    EXPECT_LT(deepest(log, {500, 10}, 80, 14), 0) << log.story();
+    // Away by then, and never back.
+    EXPECT_LT(deepest(log, {-10, 0}, 60, 60), 0) << log.story();
+    EXPECT_TRUE(log.rows.at(1).back().truth.on_ground);
+  }
+}
+
 TEST(ZoneFlight, OnOrOffItStaysOutOnlyWhileItIsInForce) {
   // Taken back before the aircraft comes back: it flies straight through.
   const FlightLog log = fly(

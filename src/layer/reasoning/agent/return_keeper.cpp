@@ -70,6 +70,13 @@ bool ReturnKeeper::still_good(const Vec2& here, const Vec2& goal) const {
   return narrow_->allows(here, told_.points.front());
 }
 
+// Whether a corner of the way need not be flown to any more.
+bool ReturnKeeper::is_behind(const Vec2& here, const Vec2& corner,
+                             const Vec2& next) const {
+  return ways_->allows(here, next) ||
+         ((here - corner).norm() < clearance_ && narrow_->allows(here, next));
+}
+
 void ReturnKeeper::step(const AgentInput& in, const Vec2& home,
                         std::span<const Zone> zones, bool changed, AgentOutput& out) {
   if ((zones.empty() && counting_.place.empty()) || (!changed && in.now < next_)) return;
@@ -86,8 +93,7 @@ void ReturnKeeper::step(const AgentInput& in, const Vec2& home,
   const Vec2 here = geo::horizontal(in.nav->p_N), goal = moved_.value_or(home);
   ReturnWay way = told_;
   if (!anew && still_good(here, goal)) {
-    // A corner that lies behind is left out.
-    while (way.points.size() > 1 && ways_->allows(here, way.points[1]))
+    while (way.points.size() > 1 && is_behind(here, way.points[0], way.points[1]))
       way.points.erase(way.points.begin());
   } else {
     way.points = ways_->way(here, goal);

@@ -53,6 +53,7 @@ class ReturnKeeper {
   void draw(std::span<const Zone> zones, double clearance);
   void move_home(const AgentInput& in, const Vec2& home, AgentOutput& out);
   bool still_good(const Vec2& here, const Vec2& goal) const;
+  bool is_behind(const Vec2& here, const Vec2& corner, const Vec2& next) const;
 
   ZoneGuardOptions options_;
   ZoneGuard guard_;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::int64_t kMostPoints = 500;  // of one command, but for whole laps
 constexpr double kPlanAgain = 10;          // after the last try, at the earliest [s]
+constexpr double kAimFor = 2;              // a way around is flown, then asked anew [s]
 constexpr double kPlanRadius = 1.1;        // of the turn radius: room to correct
 constexpr double kReached = 2;             // a point is, this near to it [turn radii]
 constexpr double kLeastReached = 20;       // and this near at least [m]
@@ -127,6 +128,7 @@ void RouteFlight::leave_out(const AgentInput& in, const ZoneWatch& zones,
 }
 
 void RouteFlight::choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
+  aim_again_ = in.now;
   const Vec2 here = geo::horizontal(in.nav->p_N);
   if (next_ < total_) leave_out(in, zones, out);
   if (next_ >= total_) {
@@ -174,7 +176,7 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
   const Vec2 here = geo::horizontal(nav.p_N), goal = point(next_);
   const Vec2 on = next_ + 1 < total_ ? Vec2(point(next_ + 1) - goal) : Vec2(goal - here);
   Airspace airspace;
-  airspace.zones = zones.obstacles();
+  airspace.zones = zones.obstacles(here, goal);
   PathQuery query;
   query.limits = world_.limits;
   query.limits.turn_radius *= kPlanRadius;
@@ -207,8 +209,11 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
 
 void RouteFlight::fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
   const Vec2 here = geo::horizontal(in.nav->p_N);
-  const Vec2 aim = zones.ways(*in.nav).way(here, point(next_)).front();
-  const double course = geo::bearing(aim - here);
+  if (in.now >= aim_again_) {
+    aim_ = zones.ways(*in.nav).way(here, point(next_)).front();
+    aim_again_ = in.now + Time::from_seconds(kAimFor);
+  }
+  const double course = geo::bearing(aim_ - here);
   give(zones.keep_out(HoldCourse{course}, course, *in.nav, options_.altitude_msl), out);
 }
 

@@ -79,7 +79,8 @@ class RouteFlight {
   std::int64_t until_ = 0;  // of the command in force: the first that it does not hold
   Stage stage_ = Stage::kNew;
   Vec2 from_ = Vec2::Zero();  // where the leg to the next point begins
-  Time plan_again_;
+  Time plan_again_, aim_again_;
+  Vec2 aim_ = Vec2::Zero();    // of a guarded flight
   std::optional<Vec2> stays_;  // none: where the route's command leads
 };
 

@@ -8,13 +8,14 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kOutside = 1;    // corners of ways are this much further out [m]
-constexpr double kTolerance = 1;  // of arcs around corners of zones [m]
+constexpr double kOutside = 1;  // corners of ways are this much further out [m]
+// Of discs and of arcs around corners [m]: finer would cost more than it saves.
+constexpr double kTolerance = 3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 geo::Region outlines(std::span<const Zone> zones) {
   geo::Region rings;
-  for (const Zone& zone : zones) rings.push_back(outline(zone));
+  for (const Zone& zone : zones) rings.push_back(outline(zone, kTolerance));
   return rings;
 }
 
@@ -48,6 +49,10 @@ WaysAround::WaysAround(std::span<const Zone> zones, double clearance)
     : area_(geo::grown(outlines(zones), clearance, kTolerance)),
       border_(area_),
       outer_(without_holes(area_)) {
+  for (const geo::Ring& ring : area_) {
+    Eigen::AlignedBox2d& box = boxes_.emplace_back();
+    for (const Vec2& p : ring) box.extend(p);
+  }
   for (const geo::Ring& ring :
        geo::grown(outlines(zones), clearance + kOutside + 2 * kTolerance, kTolerance))
     add_bends(ring, corners_);
@@ -55,9 +60,13 @@ WaysAround::WaysAround(std::span<const Zone> zones, double clearance)
 
 bool WaysAround::allows(const Vec2& from, const Vec2& to) const {
   if (!allows((from + to) / 2)) return false;
-  for (const geo::Ring& ring : area_)
+  const Eigen::AlignedBox2d way = Eigen::AlignedBox2d(from).extend(to);
+  for (std::size_t k = 0; k < area_.size(); ++k) {
+    if (!way.intersects(boxes_[k])) continue;
+    const geo::Ring& ring = area_[k];
     for (std::size_t i = 0; i < ring.size(); ++i)
       if (cross(from, to, ring[i], ring[(i + 1) % ring.size()])) return false;
+  }
   return true;
 }
 

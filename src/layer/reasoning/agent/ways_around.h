@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <span>
 #include <vector>
 
@@ -8,8 +9,8 @@
 
 namespace skein::reasoning {
 
-/// The places that are at least `clearance` away from some zones, and the short ways
-/// between them.
+/// The places that are at least `clearance` away, a few metres more at arcs, from some
+/// zones, and the short ways between them.
 class WaysAround {
  public:
   /// @param clearance  from the border of every zone [m], above 0.
@@ -32,10 +33,11 @@ class WaysAround {
   std::vector<Vec2> way(const Vec2& from, const Vec2& to) const;
 
  private:
-  geo::Region area_;           // not allowed
-  geo::BoundaryIndex border_;  // of it
-  geo::BoundaryIndex outer_;   // of it and of what it surrounds
-  std::vector<Vec2> corners_;  // just outside of it, where ways bend
+  geo::Region area_;                        // not allowed
+  std::vector<Eigen::AlignedBox2d> boxes_;  // around each of its rings
+  geo::BoundaryIndex border_;               // of it
+  geo::BoundaryIndex outer_;                // of it and of what it surrounds
+  std::vector<Vec2> corners_;               // just outside of it, where ways bend
 };
 
 }  // namespace skein::reasoning

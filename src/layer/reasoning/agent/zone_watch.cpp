@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kClearanceSlack = 0.1;  // of the clearance: change that is not looked at
 constexpr double kGrownTolerance = 1;    // of the arcs around grown corners [m]
+constexpr double kLeastRoom = 3;         // from a grown zone to the ends of a way [m]
 
 }  // namespace
 
@@ -58,15 +59,18 @@ bool ZoneWatch::blocks(const Vec2& a, const Vec2& b) const {
   });
 }
 
-std::vector<Zone> ZoneWatch::obstacles() const {
+std::vector<Zone> ZoneWatch::obstacles(const Vec2& from, const Vec2& to) const {
   std::vector<Zone> grown = guard_.counting();
   for (Zone& zone : grown) {
+    const geo::Ring around = outline(zone);
+    const double room =
+        std::min(distance_between(from, from, around), distance_between(to, to, around));
+    const double margin = std::min(options_.margin, room - kLeastRoom);
     if (auto* disc = std::get_if<Disc>(&zone.area)) {
-      disc->radius += options_.margin;
-    } else if (options_.margin > 0) {
+      disc->radius += std::max(margin, 0.0);
+    } else if (margin > 0) {
       // What the zone surrounds closely is filled: a planner's ring has no holes.
-      const geo::Region region =
-          geo::grown({outline(zone)}, options_.margin, kGrownTolerance);
+      const geo::Region region = geo::grown({around}, margin, kGrownTolerance);
       zone.area = *std::max_element(region.begin(), region.end(),
                                     [](const geo::Ring& a, const geo::Ring& b) {
                                       return geo::signed_area(a) < geo::signed_area(b);

@@ -55,8 +55,10 @@ class ZoneWatch {
   /// was laid beside a known zone is flown as it was laid.
   bool blocks(const Vec2& a, const Vec2& b) const;
 
-  /// The zones that count, as last regarded, grown by the margin: for a planner.
-  std::vector<Zone> obstacles() const;
+  /// The zones that count, as last regarded, grown by the margin: for a planner of a way
+  /// between two places. Neither is within a grown zone unless it is in the zone itself:
+  /// beside them the margin is smaller.
+  std::vector<Zone> obstacles(const Vec2& from, const Vec2& to) const;
 
   /// Short ways around the zones that count, for an aircraft that can circle at each
   /// corner, as last regarded.

