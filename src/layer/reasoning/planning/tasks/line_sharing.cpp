@@ -218,6 +218,16 @@ class Balancer {
 
 }  // namespace
 
+double rough_longest(LineCosts& costs, const OrderEffort& effort, bool improve) {
+  Route whole = quickest_pattern(costs, 0, effort.most_skip);
+  const bool one = costs.aircraft() == 1;
+  if (improve && one && costs.lines() <= 8)
+    whole = quickest_order(costs, 0, whole);
+  else if (improve)
+    whole = improved(costs, 0, std::move(whole), 0);
+  return one ? route_time(costs, 0, whole) : best_cut(costs, whole).longest;
+}
+
 std::vector<Route> share_lines(LineCosts& costs, const OrderEffort& effort) {
   if (costs.lines() == 0) return Routes(index(costs.aircraft()));
   if (costs.aircraft() == 1) return {order_lines(costs, effort)};

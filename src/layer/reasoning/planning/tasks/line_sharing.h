@@ -15,4 +15,8 @@ namespace skein::planning {
 /// @returns  one route for each aircraft; some may be empty.
 std::vector<Route> share_lines(LineCosts& costs, const OrderEffort& effort);
 
+/// The longest route when a simple order of all lines, or a better one, is only cut [s]:
+/// an estimate of what share_lines finds.
+double rough_longest(LineCosts& costs, const OrderEffort& effort, bool improve);
+
 }  // namespace skein::planning

@@ -77,6 +77,16 @@ struct Candidate {
   std::size_t lines;
 };
 
+// Into how many pieces lines are cut: none, or a few when there are few lines for each
+// aircraft.
+std::vector<int> pieces_for(const SweepTask& task, std::size_t lines) {
+  constexpr std::size_t kFew = 6;  // lines for each aircraft
+  const std::size_t aircraft = task.ends.size();
+  if (aircraft == 1 || lines > kFew * aircraft) return {1};
+  if (aircraft == 2) return {1, 2};
+  return {1, 2, static_cast<int>(aircraft)};
+}
+
 // The quickest way from a line to one beside it, both ending at the same level [s].
 double usual_turn(const SweepTask& task, double bearing) {
   double least = 1e300;
@@ -141,15 +151,10 @@ Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int 
 // The best of whole lines and, when there are few for each aircraft, pieces of them.
 Sweep swept(const SweepTask& task, double bearing, CellRule rule,
             const OrderEffort& effort) {
-  constexpr std::size_t kFew = 6;  // lines for each aircraft
-  Sweep best = swept_in_pieces(task, bearing, rule, 1, effort);
-  const std::size_t aircraft = task.ends.size();
-  if (aircraft == 1 || best.lines.size() > kFew * aircraft) return best;
-  std::vector<int> pieces = {2};
-  if (aircraft > 2) pieces.push_back(static_cast<int>(aircraft));
-  for (const int k : pieces) {
+  Sweep best;
+  for (const int k : pieces_for(task, lines_at(task, bearing, rule).size())) {
     Sweep next = swept_in_pieces(task, bearing, rule, k, effort);
-    if (better(next, best)) best = std::move(next);
+    if (better(next, best) || best.lines.empty()) best = std::move(next);
   }
   return best;
 }
@@ -173,14 +178,12 @@ std::vector<Candidate> in_order(const SweepTask& task, std::vector<Candidate> ca
   sort(candidates);
   if (candidates.size() > count) candidates.resize(count);
   for (Candidate& c : candidates) {
+    // Zones cost too much for the many.
     LineCosts costs(lines_at(task, c.bearing, c.rule), task.air, task.ends,
-                    detour_of(task));
-    Route route = quickest_pattern(costs, 0, skip_of(task));
-    if (improve && costs.lines() <= 8)
-      route = quickest_order(costs, 0, route);
-    else if (improve)
-      route = improved(costs, 0, std::move(route), 0);
-    c.time = route_time(costs, 0, route);
+                    improve ? detour_of(task) : DetourTime{});
+    OrderEffort effort;
+    effort.most_skip = skip_of(task);
+    c.time = rough_longest(costs, effort, improve);
   }
   sort(candidates);
   return candidates;
@@ -203,10 +206,14 @@ OrderEffort effort_for(const SweepTask& task, std::size_t lines) {
 Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
   sort(candidates);
   const std::size_t simply = count_for(12000, candidates, 24, 3000);
-  // Zones and several aircraft take longer for each.
-  const bool hard = !task.zones.empty() || task.ends.size() > 1;
-  const std::size_t better_ordered = count_for(hard ? 500 : 2400, candidates, 12, 300);
-  const std::size_t count = count_for(hard ? 80 : 250, candidates, 4, hard ? 10 : 30);
+  // How several aircraft share lines is not seen in simple orders: more are tried out.
+  const bool several = task.ends.size() > 1;
+  const bool zones = !task.zones.empty();
+  const std::size_t better_ordered =
+      count_for(zones ? 500 : 2400, candidates, 12, several ? 800 : 300);
+  const std::size_t count = zones     ? count_for(80, candidates, 4, 10)
+                            : several ? count_for(2500, candidates, 8, 300)
+                                      : count_for(250, candidates, 4, 30);
   candidates = in_order(task, std::move(candidates), simply, false);
   candidates = in_order(task, std::move(candidates), better_ordered, true);
   std::vector<Candidate> tried;
@@ -222,7 +229,7 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
     from = c;
   }
   // Bearings beside the best one, ever closer.
-  for (double step = kStep; step > kStep / 10; step /= 2)
+  for (double step = several ? 4 * kStep : kStep; step > kStep / 10; step /= 2)
     for (const double side : {-1.0, 1.0}) {
       Sweep next = swept(task, best.bearing + side * step, from.rule,
                          effort_for(task, from.lines));
@@ -274,9 +281,9 @@ Sweep best_sweep(const SweepTask& task) {
     for (const CellRule rule : kRules) {
       const auto lines = lines_at(task, bearing, rule);
       too_many = too_many || lines.size() > kMostLines;
-      if (!lines.empty() && lines.size() <= kMostLines)
-        candidates.push_back(
-            {bearing, rule, rough_time(task, lines, bearing, turn), lines.size()});
+      if (lines.empty() || lines.size() > kMostLines) continue;
+      candidates.push_back(
+          {bearing, rule, rough_time(task, lines, bearing, turn), lines.size()});
       if (one_rule) break;
     }
   }
