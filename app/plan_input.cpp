@@ -163,7 +163,7 @@ Result<ReadState> read_state(const std::string& name, const std::string& local,
   const std::vector<double>& n = read.value();
   const auto place = plane_point(in_metres ? option : geo_option, in_metres, n, setting);
   if (!place) return place.error();
-  const Vec2 p = place.value();
+  const Vec2& p = place.value();
   ReadState end;
   end.has_altitude = n.size() > 3 || setting.altitude.has_value();
   const double altitude = n.size() > 3 ? n[3] : setting.altitude.value_or(0);
