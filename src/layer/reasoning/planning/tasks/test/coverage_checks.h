@@ -40,7 +40,8 @@ inline bool beside_a_line(const std::vector<FlightPlan>& plans, const Vec2& p,
 inline double distance_from(const geo::Ring& ring, const Vec2& p) {
   double near = 1e300;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i], way = ring[(i + 1) % ring.size()] - a;
+    const Vec2& a = ring[i];
+    const Vec2 way = ring[(i + 1) % ring.size()] - a;
     const double s = std::clamp(way.dot(p - a) / way.squaredNorm(), 0.0, 1.0);
     near = std::min(near, (p - a - s * way).norm());
   }
