@@ -17,6 +17,7 @@ constexpr double kFirstStep = 1.0 / 16;
 constexpr double kGrowth = 1.15;
 constexpr int kMostSteps = 400;  // 1e23 circles
 constexpr int kHalvings = 40;
+constexpr double kLongest = 1e8;  // climb, in turn radii of flight
 
 Pose pose_of(const FlightState& state) {
   return {geo::horizontal(state.p_N), state.heading};
@@ -75,6 +76,10 @@ SpaceConnection connect(const FlightState& from, const FlightState& to,
     result.time = level.time;
     const double rate = level.time > 0 ? climb / level.time : 0;
     result.plan = climbing(to_flight_plan(level, start, air), from.p_N.z(), rate);
+    return result;
+  }
+  if (!(needed * air.airspeed <= kLongest * air.turn_radius)) {
+    result.status = ConnectionStatus::kBadInput;
     return result;
   }
   const double circle = 2 * geo::kPi * air.turn_radius / air.airspeed;

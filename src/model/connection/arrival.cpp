@@ -15,8 +15,9 @@ namespace {
 constexpr double kTurn = 2 * geo::kPi;
 // Looked at from 0 to a full turn, or to that much straight on.
 constexpr int kSteps = 48;
-constexpr int kHalvings = 60;
+constexpr int kMostSteps = 60;    // of false position
 constexpr double kExact = 1e-10;  // of the length, in turn radii
+constexpr double kLongest = 1e9;  // flight, in turn radii
 
 // Everything happens in the air mass, where the goal of that time stands still.
 struct Way {
@@ -62,26 +63,42 @@ Extra left_first(const Way& way, double p) {
   return {p * kTurn * way.radius, -1 / way.radius, 0};
 }
 
+// Where a family's length crosses the wanted one between two parameters: false position,
+// with the weight of an end that stays halved (Illinois). Nothing where the shortest
+// length jumps.
+std::optional<Extra> crossing(const Way& way, Family family, double length, double a,
+                              double at_a, double b, double at_b) {
+  const double exact = kExact * way.radius;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double p = i % 8 == 7 ? (a + b) / 2 : a - at_a * (b - a) / (at_b - at_a);
+    const double at_p = total(way, family(way, p)) - length;
+    if (std::abs(at_p) <= exact) return family(way, p);
+    if ((at_p < 0) == (at_b < 0)) {
+      b = p;
+      at_b = at_p;
+      at_a /= 2;
+    } else {
+      a = b;
+      at_a = at_b;
+      b = p;
+      at_b = at_p;
+    }
+  }
+  return std::nullopt;
+}
+
 // The first member of a family with exactly that length.
 std::optional<Extra> member(const Way& way, Family family, double length) {
-  const double exact = kExact * way.radius;
-  double low = 0;
-  if (std::abs(total(way, {}) - length) <= exact) return Extra{};
+  double low = 0, at_low = total(way, {}) - length;
+  if (std::abs(at_low) <= kExact * way.radius) return Extra{};
   for (int i = 1; i <= kSteps; ++i) {
     const double high = static_cast<double>(i) / kSteps;
-    const double at_low = total(way, family(way, low)) - length;
     const double at_high = total(way, family(way, high)) - length;
-    if ((at_low < 0) != (at_high < 0)) {
-      double a = low, b = high;
-      for (int k = 0; k < kHalvings; ++k) {
-        const double middle = (a + b) / 2;
-        ((total(way, family(way, middle)) - length < 0) == (at_low < 0) ? a : b) = middle;
-      }
-      // Where the shortest length jumps there is none.
-      for (const double p : {a, b})
-        if (std::abs(total(way, family(way, p)) - length) <= exact) return family(way, p);
-    }
+    if ((at_low < 0) != (at_high < 0))
+      if (auto extra = crossing(way, family, length, low, at_low, high, at_high))
+        return extra;
     low = high;
+    at_low = at_high;
   }
   return std::nullopt;
 }
@@ -133,7 +150,8 @@ FlightPlan build(const Way& way, const Extra& extra, int loops, const AirMotion&
 Arrival connect_at(const Pose& from, const Pose& to, const AirMotion& air, double time) {
   Arrival arrival;
   const Connection direct = connect(from, to, air);
-  if (direct.status != ConnectionStatus::kFound || !std::isfinite(time)) return arrival;
+  if (direct.status != ConnectionStatus::kFound) return arrival;
+  if (!(std::abs(time) * air.airspeed <= kLongest * air.turn_radius)) return arrival;
   arrival.earliest = direct.time;
   const Way way{from, {to.position - time * air.wind, to.course}, air.turn_radius};
   const double length = time * air.airspeed, least = total(way, {});

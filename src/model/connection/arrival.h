@@ -10,9 +10,11 @@ namespace skein::model {
 /// How a timed connection ended.
 enum class ArrivalStatus : std::uint8_t {
   kFound,
-  kTooEarly,      ///< nothing of bounded curvature is there by then
-  kGap,           ///< between two lengths that can be flown; later times can be met
-  kNotConnected,  ///< see ConnectionStatus: wind too strong or bad input
+  kTooEarly,  ///< nothing of bounded curvature is there by then
+  kGap,       ///< between two lengths that can be flown; later times can be met
+  /// See ConnectionStatus: wind too strong or bad input; or a time of more than 1e9 turn
+  /// radii of flight.
+  kNotConnected,
 };
 
 /// A flight that meets a pose at a time.
@@ -28,7 +30,8 @@ struct Arrival {
 /// it is wanted. Whole circles are flown at the start. What remains is made by one
 /// parameter: going on straight before the connection, coming in straight for longer, or
 /// turning left or right first. Each such length grows continuously with its parameter
-/// between the jumps of the shortest length, so that it is found by halving.
+/// between the jumps of the shortest length, so that it is found by
+/// false position.
 ///
 /// @param from, to  positions over ground and headings of the air-relative velocity.
 /// @param time      of the flight [s].

@@ -66,9 +66,11 @@ std::string_view name_of(ConnectionStatus status) {
 Connection connect(const Pose& from, const Pose& to, const AirMotion& air) {
   Connection best;
   best.time = kNever;
-  const bool usable = finite(from) && finite(to) && std::isfinite(air.airspeed) &&
-                      std::isfinite(air.turn_radius) && air.wind.allFinite() &&
-                      air.airspeed > 0 && air.turn_radius > 0;
+  const bool usable =
+      finite(from) && finite(to) && std::isfinite(air.airspeed) &&
+      std::isfinite(air.turn_radius) && air.wind.allFinite() && air.airspeed > 0 &&
+      air.turn_radius > 0 &&
+      (to.position - from.position).norm() <= words::kFarthest * air.turn_radius;
   if (!usable) return best;
   if (words::is_calm(air.wind, air.airspeed)) return calm(from, to, air);
   const words::Problem right = reduced(from, to, air);

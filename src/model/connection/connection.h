@@ -24,7 +24,9 @@ struct AirMotion {
 enum class ConnectionStatus : std::uint8_t {
   kFound,
   kWindTooStrong,  ///< at or above the airspeed: places upwind cannot be reached
-  kBadInput,       ///< something is not finite, or airspeed or radius are not above 0
+  /// Something is not finite, airspeed or radius are not above 0, or the goal is more
+  /// than 1e9 turn radii away.
+  kBadInput,
 };
 
 /// The word for a status, as files and messages have it.

@@ -13,10 +13,11 @@ PointConnection connect_to_point(const Pose& from, const Vec2& point,
                                  const AirMotion& air) {
   PointConnection best;
   best.time = words::kNever;
-  const bool usable = from.position.allFinite() && std::isfinite(from.course) &&
-                      point.allFinite() && air.wind.allFinite() &&
-                      std::isfinite(air.airspeed) && std::isfinite(air.turn_radius) &&
-                      air.airspeed > 0 && air.turn_radius > 0;
+  const bool usable =
+      from.position.allFinite() && std::isfinite(from.course) && point.allFinite() &&
+      air.wind.allFinite() && std::isfinite(air.airspeed) &&
+      std::isfinite(air.turn_radius) && air.airspeed > 0 && air.turn_radius > 0 &&
+      (point - from.position).norm() <= words::kFarthest * air.turn_radius;
   if (!usable) return best;
   if (words::is_calm(air.wind, air.airspeed)) {
     const PointPath path = shortest_to_point(from, point, air.turn_radius);

@@ -45,6 +45,10 @@ struct Meeting {
   std::array<double, 3> parts{};
 };
 
+/// Goals further away than this [turn radii] count as no place: rounding would move them
+/// by more than 1e-6.
+inline constexpr double kFarthest = 1e9;
+
 /// `angle` less whole turns, in [0, 2 pi), and 0 where it is within kSnap of 2 pi.
 inline double turned(double angle) {
   double a = angle - kTurn * std::floor(angle / kTurn);

@@ -65,7 +65,9 @@ class ThreeTurns {
     // While the centres come and go within 4 radii, each c serves the meetings of
     // [c - 2 pi, c + 2 pi], those before c with a middle turn under pi.
     Meeting best;
-    for (double c = p_.phi - kTurn; c - kTurn <= high_; c += kTurn) {
+    const double turns = std::max(-1.0, std::ceil((low_ - kTurn - p_.phi) / kTurn));
+    for (double c = p_.phi + turns * kTurn; c - kTurn <= std::min(high_, best.time);
+         c += kTurn) {
       const Meeting m = first_about(c, std::min(high_, best.time));
       if (m.time < best.time) best = m;
     }

@@ -68,6 +68,7 @@ TEST(Arrival, SaysWhenItIsTooEarly) {
   EXPECT_EQ(connect_at(from, to, {15, 60, {15, 0}}, 100).status,
             ArrivalStatus::kNotConnected);
   EXPECT_EQ(connect_at(from, to, air, kNever).status, ArrivalStatus::kNotConnected);
+  EXPECT_EQ(connect_at(from, to, air, 1e300).status, ArrivalStatus::kNotConnected);
 }
 
 TEST(Airplane, ClimbsOnTheWayOnADetourOrInCircles) {
@@ -125,6 +126,8 @@ TEST(Airplane, RefusesWhatIsNoRate) {
   EXPECT_EQ(connect(a, b, AirMotion{}, {0, 3}).status, ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(a, b, AirMotion{}, {3, -1}).status, ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(a, {{500, 0, std::nan("")}, 0}, AirMotion{}, {}).status,
+            ConnectionStatus::kBadInput);
+  EXPECT_EQ(connect(a, {{500, 0, -1e300}, 0}, AirMotion{}, {}).status,
             ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(a, b, {15, 60, {20, 0}}, {}).status,
             ConnectionStatus::kWindTooStrong);

@@ -51,6 +51,10 @@ TEST(Connection, RefusesWhatHasNoAnswer) {
   EXPECT_EQ(connect(from, to, {15, 60, {nan, 0}}).status, ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(from, to, {0, 60, {0, 0}}).status, ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(from, to, {15, -1, {0, 0}}).status, ConnectionStatus::kBadInput);
+  EXPECT_EQ(connect(from, {{1e300, 0}, 0}, {15, 60, {3, 0}}).status,
+            ConnectionStatus::kBadInput);
+  EXPECT_EQ(connect(from, {{5e10, 0}, 0}, {15, 60, {3, 0}}).status,
+            ConnectionStatus::kFound);
   EXPECT_TRUE(std::isinf(connect(from, to, {15, -1, {0, 0}}).time));
   EXPECT_TRUE(to_flight_plan(connect(from, to, {15, -1, {0, 0}}), from, {}).empty());
 }
