@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/check.h"
 #include "model/connection/arrival.h"
 #include "model/path/flight_plan.h"
 
@@ -15,7 +14,7 @@ namespace {
 // flies it takes long until it can be met again.
 constexpr double kFirstStep = 1.0 / 16;
 constexpr double kGrowth = 1.15;
-constexpr int kMostSteps = 400;  // 1e23 circles
+constexpr int kMostSteps = 150;  // 1e9 circles
 constexpr int kHalvings = 40;
 constexpr double kLongest = 1e8;  // climb, in turn radii of flight
 
@@ -34,14 +33,14 @@ FlightPlan climbing(FlightPlan plan, double from_down, double rate) {
   return plan;
 }
 
-// The first arrival at `time` or later.
+// The first arrival at `time` or later; not found when it takes longer than any flight.
 Arrival next_arrival(const Pose& from, const Pose& to, const AirMotion& air, double time,
                      double step) {
   double missed = time;
   Arrival arrival = connect_at(from, to, air, time);
   if (arrival.status == ArrivalStatus::kFound) return arrival;
   for (int i = 0; arrival.status != ArrivalStatus::kFound; ++i) {
-    SKEIN_CHECK(i < kMostSteps, time, from.course, to.course);
+    if (i == kMostSteps) return arrival;
     missed = time;
     time += step;
     step *= kGrowth;
@@ -84,6 +83,10 @@ SpaceConnection connect(const FlightState& from, const FlightState& to,
   }
   const double circle = 2 * geo::kPi * air.turn_radius / air.airspeed;
   const Arrival arrival = next_arrival(start, goal, air, needed, circle * kFirstStep);
+  if (arrival.status != ArrivalStatus::kFound) {
+    result.status = ConnectionStatus::kBadInput;
+    return result;
+  }
   result.time = duration(arrival.plan);
   result.altitude =
       result.time - level.time < circle ? AltitudeCase::kMedium : AltitudeCase::kHigh;

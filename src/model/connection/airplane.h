@@ -36,8 +36,8 @@ struct SpaceConnection {
 /// over.
 ///
 /// @param from, to  headings are of the air-relative velocity.
-/// Fails:    kBadInput also for rates that are not above 0 and for climbs that take more
-///           than 1e8 turn radii of flight.
+/// Fails:    kBadInput also for rates that are not above 0 and for flights of
+///           more than 1e8 turn radii.
 /// Valid:    the wind is horizontal and the same at all altitudes; the climb does not
 /// slow
 ///           the horizontal motion (at 10 degrees it would by 1.5 %).

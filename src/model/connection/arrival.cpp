@@ -15,8 +15,9 @@ namespace {
 constexpr double kTurn = 2 * geo::kPi;
 // Looked at from 0 to a full turn, or to that much straight on.
 constexpr int kSteps = 48;
-constexpr int kMostSteps = 60;    // of false position
-constexpr double kExact = 1e-10;  // of the length, in turn radii
+constexpr int kMostSteps = 60;  // of false position
+// Lengths are met to this, in turn radii, and to this share of them.
+constexpr double kExact = 1e-10, kRounding = 1e-14;
 constexpr double kLongest = 1e9;  // flight, in turn radii
 
 // Everything happens in the air mass, where the goal of that time stands still.
@@ -24,6 +25,10 @@ struct Way {
   Pose from, to;
   double radius;
 };
+
+double exact_of(const Way& way, double length) {
+  return kExact * way.radius + kRounding * length;
+}
 
 // What is flown besides the shortest connection: first a turn or straight, before the end
 // a straight.
@@ -68,7 +73,7 @@ Extra left_first(const Way& way, double p) {
 // length jumps.
 std::optional<Extra> crossing(const Way& way, Family family, double length, double a,
                               double at_a, double b, double at_b) {
-  const double exact = kExact * way.radius;
+  const double exact = exact_of(way, length);
   for (int i = 0; i < kMostSteps; ++i) {
     const double p = i % 8 == 7 ? (a + b) / 2 : a - at_a * (b - a) / (at_b - at_a);
     const double at_p = total(way, family(way, p)) - length;
@@ -90,7 +95,7 @@ std::optional<Extra> crossing(const Way& way, Family family, double length, doub
 // The first member of a family with exactly that length.
 std::optional<Extra> member(const Way& way, Family family, double length) {
   double low = 0, at_low = total(way, {}) - length;
-  if (std::abs(at_low) <= kExact * way.radius) return Extra{};
+  if (std::abs(at_low) <= exact_of(way, length)) return Extra{};
   for (int i = 1; i <= kSteps; ++i) {
     const double high = static_cast<double>(i) / kSteps;
     const double at_high = total(way, family(way, high)) - length;
@@ -155,7 +160,7 @@ Arrival connect_at(const Pose& from, const Pose& to, const AirMotion& air, doubl
   arrival.earliest = direct.time;
   const Way way{from, {to.position - time * air.wind, to.course}, air.turn_radius};
   const double length = time * air.airspeed, least = total(way, {});
-  const double exact = kExact * air.turn_radius;
+  const double exact = exact_of(way, length);
   if (length < least - exact) {
     // Before the earliest meeting, or where the shortest length has jumped up since.
     arrival.status = time < direct.time ? ArrivalStatus::kTooEarly : ArrivalStatus::kGap;

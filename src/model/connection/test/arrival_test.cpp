@@ -121,6 +121,18 @@ TEST(Airplane, ReachesEverythingWhileTheWindIsWeaker) {
   }
 }
 
+TEST(Airplane, ReachesFarPlacesWithTightTurns) {
+  // A million turn radii away: rounding of the length is more than 1e-10 radii.
+  const AirMotion air{20, 0.05, {3, -4}};
+  for (const double climb : {0.0, 8000.0, 8100.0}) {
+    const FlightState from{{0, 0, -100}, 2.45},
+        to{{-40'000, 30'000, -100 - climb}, 0.387};
+    const SpaceConnection c = connect(from, to, air, {3, 3});
+    ASSERT_EQ(c.status, ConnectionStatus::kFound) << climb;
+    EXPECT_LT((end_of(c.plan.back()).p_N - to.p_N).norm(), 1e-6);
+  }
+}
+
 TEST(Airplane, RefusesWhatIsNoRate) {
   const FlightState a{{0, 0, -100}, 0}, b{{500, 0, -120}, 0};
   EXPECT_EQ(connect(a, b, AirMotion{}, {0, 3}).status, ConnectionStatus::kBadInput);
