@@ -60,14 +60,15 @@ std::string shown_length(double metres) {
 }
 
 std::string shown_time(double seconds) {
-  if (std::abs(seconds) < 100) return fmt::format("{:.1f} s", seconds);
-  const double whole = std::round(std::abs(seconds));
+  if (std::abs(seconds) < 100) return fmt::format("{:.2f} s", seconds);
   const char* const sign = seconds < 0 ? "-" : "";
-  if (whole < 3600)
-    return fmt::format("{}{:.0f} min {:.0f} s", sign, std::floor(whole / 60),
-                       std::fmod(whole, 60));
-  return fmt::format("{}{:.0f} h {:.0f} min", sign, std::floor(whole / 3600),
-                     std::floor(std::fmod(whole, 3600) / 60));
+  const double tenths = std::round(std::abs(seconds) * 10) / 10;
+  if (tenths < 3600)
+    return fmt::format("{}{:.0f} min {:.1f} s", sign, std::floor(tenths / 60),
+                       std::fmod(tenths, 60));
+  const double whole = std::round(tenths);
+  return fmt::format("{}{:.0f} h {:.0f} min {:.0f} s", sign, std::floor(whole / 3600),
+                     std::floor(std::fmod(whole, 3600) / 60), std::fmod(whole, 60));
 }
 
 std::string shown_clock(double seconds) {

@@ -12,7 +12,7 @@ std::string escaped(std::string_view text);
 /// A length for people: "85 m", "1.25 km".
 std::string shown_length(double metres);
 
-/// A time for people: "83.2 s", "12 min 5 s", "2 h 3 min".
+/// A time for people: "83.21 s", "12 min 5.0 s", "2 h 3 min 10 s".
 std::string shown_time(double seconds);
 
 /// A moment on the run's clock for maps: "45 s", "1:05", "1:00:00".

@@ -324,9 +324,10 @@ TEST(Text, EscapesWhatIsNoText) {
 }
 
 TEST(Text, ShowsTimesAndLengths) {
-  EXPECT_EQ(shown_time(83.21), "83.2 s");
-  EXPECT_EQ(shown_time(725), "12 min 5 s");
-  EXPECT_EQ(shown_time(7390), "2 h 3 min");
+  EXPECT_EQ(shown_time(83.214), "83.21 s");
+  EXPECT_EQ(shown_time(725.04), "12 min 5.0 s");
+  EXPECT_EQ(shown_time(779.97), "13 min 0.0 s");
+  EXPECT_EQ(shown_time(7390), "2 h 3 min 10 s");
   EXPECT_EQ(shown_clock(45), "45 s");
   EXPECT_EQ(shown_clock(65), "1:05");
   EXPECT_EQ(shown_clock(3600), "1:00:00");

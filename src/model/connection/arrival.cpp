@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "model/connection/plan_builder.h"
 #include "model/path/dubins.h"
-#include "model/path/flight_plan.h"
 #include "model/path/path_geometry.h"
 
 namespace skein::model {
@@ -108,45 +108,16 @@ std::optional<Extra> member(const Way& way, Family family, double length) {
   return std::nullopt;
 }
 
-class PlanBuilder {
- public:
-  PlanBuilder(const Pose& from, const AirMotion& air) : air_(air) {
-    next_.p_N = {from.position.x(), from.position.y(), 0};
-    next_.heading = from.course;
-    next_.airspeed = air.airspeed;
-    next_.wind = air.wind;
-  }
-  // Flies `length` of air [m].
-  void fly(double length, double curvature) {
-    if (length <= 0) return;
-    next_.duration = length / air_.airspeed;
-    next_.turn_rate = curvature * air_.airspeed;
-    plan_.push_back(next_);
-    const FlightMoment end = end_of(next_);
-    next_.start += next_.duration;
-    next_.p_N = end.p_N;
-    next_.heading = end.heading;
-  }
-  FlightPlan take() { return std::move(plan_); }
-
- private:
-  const AirMotion& air_;
-  FlightElement next_;
-  FlightPlan plan_;
-};
-
 FlightPlan build(const Way& way, const Extra& extra, int loops, const AirMotion& air) {
   const DubinsPath path = between(way, extra);
   const std::array<int, 3> sides = sides_of(path.word);
   PlanBuilder plan(way.from, air);
   // The circles turn as what follows them does.
-  const double side =
-      extra.first > 0 && extra.curvature != 0 ? extra.curvature * way.radius : sides[0];
-  plan.fly(loops * kTurn * way.radius, side / way.radius);
-  plan.fly(extra.first, extra.curvature);
-  for (std::size_t i = 0; i < 3; ++i)
-    plan.fly(path.parts[i] * way.radius, sides[i] / way.radius);
-  plan.fly(extra.last, 0);
+  const double first_side = extra.curvature * way.radius;
+  plan.fly(loops * kTurn, first_side != 0 ? first_side : sides[0]);
+  plan.fly(extra.first / way.radius, first_side);
+  for (std::size_t i = 0; i < 3; ++i) plan.fly(path.parts[i], sides[i]);
+  plan.fly(extra.last / way.radius, 0);
   return plan.take();
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "model/connection/plan_builder.h"
 #include "model/connection/words.h"
-#include "model/path/flight_plan.h"
 #include "model/path/wind_triangle.h"
 
 namespace skein::model {
@@ -113,26 +113,11 @@ void connect(std::span<const ConnectionQuery> queries, std::span<Connection> out
 
 FlightPlan to_flight_plan(const Connection& connection, const Pose& from,
                           const AirMotion& air, double start, double down) {
-  FlightPlan plan;
-  if (connection.status != ConnectionStatus::kFound) return plan;
+  if (connection.status != ConnectionStatus::kFound) return {};
   const std::array<int, 3> side = sides_of(connection.word);
-  FlightElement e;
-  e.start = start;
-  e.p_N = {from.position.x(), from.position.y(), down};
-  e.heading = from.course;
-  e.airspeed = air.airspeed;
-  e.wind = air.wind;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (connection.parts[i] <= 0) continue;
-    e.duration = connection.parts[i] * air.turn_radius / air.airspeed;
-    e.turn_rate = side[i] * air.airspeed / air.turn_radius;
-    plan.push_back(e);
-    const FlightMoment end = end_of(e);
-    e.start += e.duration;
-    e.p_N = end.p_N;
-    e.heading = end.heading;
-  }
-  return plan;
+  PlanBuilder plan(from, air, start, down);
+  for (std::size_t i = 0; i < 3; ++i) plan.fly(connection.parts[i], side[i]);
+  return plan.take();
 }
 
 }  // namespace skein::model

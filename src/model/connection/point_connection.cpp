@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "model/connection/plan_builder.h"
 #include "model/connection/words_point.h"
-#include "model/path/flight_plan.h"
 #include "model/path/point_path.h"
 
 namespace skein::model {
@@ -67,29 +67,14 @@ PointConnection connect_to_point(const Pose& from, const Vec2& point,
   return best;
 }
 
-FlightPlan to_flight_plan(const PointConnection& c, const Pose& from,
+FlightPlan to_flight_plan(const PointConnection& connection, const Pose& from,
                           const AirMotion& air, double start, double down) {
-  FlightPlan plan;
-  if (c.status != ConnectionStatus::kFound) return plan;
-  const double rate = air.airspeed / air.turn_radius, side = c.right ? 1 : -1;
-  FlightElement e;
-  e.start = start;
-  e.p_N = {from.position.x(), from.position.y(), down};
-  e.heading = from.course;
-  e.airspeed = air.airspeed;
-  e.wind = air.wind;
-  for (const auto& [part, turn] :
-       {std::pair{c.parts[0], side}, std::pair{c.parts[1], c.straight ? 0 : -side}}) {
-    if (part <= 0) continue;
-    e.duration = part / rate;
-    e.turn_rate = turn * rate;
-    plan.push_back(e);
-    const FlightMoment end = end_of(e);
-    e.start += e.duration;
-    e.p_N = end.p_N;
-    e.heading = end.heading;
-  }
-  return plan;
+  if (connection.status != ConnectionStatus::kFound) return {};
+  const double side = connection.right ? 1 : -1;
+  PlanBuilder plan(from, air, start, down);
+  plan.fly(connection.parts[0], side);
+  plan.fly(connection.parts[1], connection.straight ? 0 : -side);
+  return plan.take();
 }
 
 }  // namespace skein::model
