@@ -12,7 +12,6 @@ namespace skein::campaign {
 namespace {
 
 constexpr double kRunIn = 30;  // of following that does not count [s]
-constexpr int kQuantileStep = 5;
 constexpr const char* kDubins = "dubins";
 constexpr const char* kTrochoids = "trochoids";
 
@@ -41,6 +40,14 @@ std::vector<Variant> manners() {
 
 std::string quantile_name(int percent) {
   return fmt::format("cross_track_q{:02}_m", percent);
+}
+
+// Of the distribution: 5, 10, ... 95, 99.
+std::vector<int> percents() {
+  std::vector<int> all;
+  for (int percent = 5; percent < 100; percent += 5) all.push_back(percent);
+  all.push_back(99);
+  return all;
 }
 
 // The cell of a wind and a manner with these curves; null when it is not in the plan.
@@ -127,13 +134,12 @@ record::StudyPlot distribution(const StudyPlan& plan,
     if (cell.estimator != manner) continue;
     record::StudySeries series;
     series.name = cell.strategy + ", wind from " + cell.case_name;
-    series.dashed = cell.strategy == kDubins;
-    for (int percent = 0; percent < 100; percent += kQuantileStep) {
-      const MeanInterval value = percent == 0
-                                     ? MeanInterval{}
-                                     : figure_of(cell, outcomes, quantile_name(percent));
-      if (percent > 0 && value.count == 0) continue;
-      series.x.push_back(percent == 0 ? 0 : value.mean);
+    series.x.push_back(0);
+    series.y.push_back(0);
+    for (const int percent : percents()) {
+      const MeanInterval value = figure_of(cell, outcomes, quantile_name(percent));
+      if (value.count == 0) continue;
+      series.x.push_back(value.mean);
       series.y.push_back(percent / 100.0);
     }
     plot.series.push_back(std::move(series));
@@ -196,9 +202,7 @@ void add_following_figures(const std::vector<LapSample>& samples,
     const double at = std::ceil(count * percent / 100) - 1;
     figures[quantile_name(percent)] = off[static_cast<std::size_t>(std::max(at, 0.0))];
   };
-  for (int percent = kQuantileStep; percent < 100; percent += kQuantileStep)
-    quantile(percent);
-  quantile(99);
+  for (const int percent : percents()) quantile(percent);
 }
 
 record::StudyReport following_report(const FollowingStudy& study, const StudyPlan& plan,

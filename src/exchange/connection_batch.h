@@ -21,7 +21,7 @@ namespace skein::exchange {
 /// that read as the same double. Status is model::name_of(ConnectionStatus), or
 /// "unreadable" for a row with too few or too many cells or a cell that is no number;
 /// unless it is "found", the other three cells are empty. Numbers beyond 1e70, airspeeds
-/// and radii below 1e-70 are "bad-input".
+/// and radii below 1e-70 and goals beyond 1e9 turn radii are "bad-input".
 ///
 /// Holds one row, however long the table is.
 class ConnectionBatch {

@@ -29,9 +29,8 @@ struct TourPlan {
 
 /// From a state through points, in order, each at its course.
 ///
-/// @param from     where it begins, at `start`; heading of the air-relative velocity.
-/// With
-///                 Dubins curves the heading is taken as the course.
+/// @param from     where it begins, at `start`; heading of the air-relative velocity,
+///                 which Dubins curves take as the course.
 /// @param courses  of the points over ground [rad].
 /// @param air      airspeed, turn radius, and the wind as it is known. Dubins curves do
 ///                 not use the wind: their elements have none.
