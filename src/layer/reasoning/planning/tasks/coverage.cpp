@@ -140,8 +140,8 @@ CoverageResult described(const CoverageQuery& query, const SweepTask& task,
 
 std::string_view name_of(CoverageOutcome outcome) {
   constexpr std::string_view kNames[] = {
-      "planned",   "zone-in-the-way", "nothing-to-cover", "bad-area",      "bad-zone",
-      "bad-swath", "bad-aircraft",    "wind-too-strong",  "too-many-lines"};
+      "planned",   "zone-in-the-way", "nothing-to-cover", "bad-area",       "bad-zone",
+      "bad-swath", "bad-aircraft",    "wind-too-strong",  "too-many-lines", "blocked"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 

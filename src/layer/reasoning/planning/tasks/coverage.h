@@ -50,7 +50,8 @@ enum class CoverageOutcome : std::uint8_t {
   kBadSwath,        ///< swath, overlap, overshoot or distance not allowed
   kBadAircraft,  ///< limits, altitude, or a start or end, are not numbers or not positive
   kWindTooStrong,  ///< at or above the airspeed
-  kTooManyLines,   ///< swath too small for the area: more than 1000 lines
+  kTooManyLines,   ///< swath too small: more than 500 lines over the area's width
+  kBlocked,        ///< a start or an end lies in a zone
 };
 
 /// The word for an outcome, as files and messages have it.
@@ -70,6 +71,8 @@ struct CoverageResult {
   double area = 0;                ///< to be covered [m^2]
   double covered_share = 0;       ///< of it, beside the lines
   double in_zones = 0;            ///< time within zones [s]
+  /// For a start or end in a zone, the nearest place found that is in none [m].
+  std::optional<Vec2> free_place = std::nullopt;
   /// For an area that crosses itself, the same area without crossings.
   std::optional<geo::Region> alternative = std::nullopt;
 };

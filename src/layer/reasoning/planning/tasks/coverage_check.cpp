@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "geo/boundary_index.h"
 #include "geo/clip.h"
 #include "geo/self_crossing.h"
 #include "layer/reasoning/planning/tasks/limits_check.h"
@@ -79,6 +81,56 @@ std::optional<CoverageResult> check_aircraft(const CoverageQuery& query) {
   return std::nullopt;
 }
 
+// Outside of all zones, a little behind the nearest border of the one that holds p.
+std::optional<Vec2> free_place(const Zone& around, const Vec2& p,
+                               const std::vector<Zone>& zones) {
+  constexpr double kBehind = 1;  // [m]
+  const geo::NearestPoint border =
+      geo::BoundaryIndex(geo::Region{outline(around)}).nearest(p);
+  const Vec2 way = border.point - p;
+  const double distance = way.norm();
+  if (distance == 0) return std::nullopt;
+  const Vec2 free = p + way * ((distance + kBehind) / distance);
+  const bool clear = std::none_of(zones.begin(), zones.end(),
+                                  [&](const Zone& zone) { return covers(zone, free); });
+  return clear ? std::optional(free) : std::nullopt;
+}
+
+// A start in a zone that holds then, an end in one that holds for good.
+std::optional<CoverageResult> check_blocked(const CoverageQuery& query) {
+  const auto blocked = [&](std::size_t aircraft, const FlightState& state,
+                           bool start) -> std::optional<CoverageResult> {
+    const Vec2 p = geo::horizontal(state.p_N);
+    const double altitude = -state.p_N.z();
+    for (std::size_t k = 0; k < query.zones.size(); ++k) {
+      const Zone& zone = query.zones[k];
+      const bool lasts = start ? zone.from <= query.start_time
+                               : zone.until == std::numeric_limits<double>::infinity();
+      if (!covers(zone, p) || altitude < zone.floor_msl || altitude > zone.ceiling_msl ||
+          zone.until < query.start_time || !lasts)
+        continue;
+      CoverageResult result = refused(CoverageOutcome::kBlocked, "");
+      result.free_place = free_place(zone, p, query.zones);
+      result.reason =
+          fmt::format("the {} of aircraft {} lies in zone {}{}", start ? "start" : "end",
+                      aircraft, k, zone.name.empty() ? "" : " \"" + zone.name + "\"");
+      if (result.free_place)
+        result.reason += fmt::format("; north {:.1f} m, east {:.1f} m is free",
+                                     result.free_place->x(), result.free_place->y());
+      return result;
+    }
+    return std::nullopt;
+  };
+  for (std::size_t a = 0; a < query.aircraft.size(); ++a) {
+    const CoverageAircraft& one = query.aircraft[a];
+    if (one.start)
+      if (auto bad = blocked(a, *one.start, true)) return bad;
+    if (one.end)
+      if (auto bad = blocked(a, *one.end, false)) return bad;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<CoverageResult> check(const CoverageQuery& query) {
@@ -115,7 +167,7 @@ std::optional<CoverageResult> check(const CoverageQuery& query) {
   if (too_windy(query.wind.norm(), query.limits.airspeed))
     return refused(CoverageOutcome::kWindTooStrong,
                    too_strong(query.wind.norm(), query.limits.airspeed));
-  return std::nullopt;
+  return check_blocked(query);
 }
 
 std::optional<CoverageResult> check_lines(const CoverageQuery& query,

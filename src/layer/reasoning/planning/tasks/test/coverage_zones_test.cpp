@@ -65,6 +65,29 @@ TEST(CoverageZones, SaysSoWhenAConnectionEntersOne) {
   EXPECT_FALSE(r.reason.empty());
 }
 
+TEST(CoverageZones, RefusesAStartOrEndInsideOfOne) {
+  CoverageQuery q = with_zones(1);
+  const Disc disc = std::get<Disc>(q.zones[0].area);
+  const Vec2 inside = disc.centre + Vec2(disc.radius / 2, 0);
+  const FlightState blocked{{inside.x(), inside.y(), -100}, 0};
+  q.aircraft[0].start = blocked;
+  const CoverageResult r = plan_coverage(q);
+  EXPECT_EQ(r.outcome, CoverageOutcome::kBlocked);
+  EXPECT_NE(r.reason.find("start of aircraft 0"), std::string::npos) << r.reason;
+  ASSERT_TRUE(r.free_place);
+  for (const Zone& zone : q.zones) EXPECT_FALSE(covers(zone, *r.free_place));
+  EXPECT_LT((*r.free_place - inside).norm(), disc.radius / 2 + 2);
+  q.aircraft[0] = {std::nullopt, blocked};
+  EXPECT_EQ(plan_coverage(q).outcome, CoverageOutcome::kBlocked);
+  // Above the zone nothing is in the way, and one that comes later does not hold yet.
+  q.zones[0].ceiling_msl = 50;
+  EXPECT_NE(plan_coverage(q).outcome, CoverageOutcome::kBlocked);
+  q.zones[0].ceiling_msl = 1e9;
+  q.zones[0].from = 1000;
+  q.aircraft[0] = {blocked, std::nullopt};
+  EXPECT_NE(plan_coverage(q).outcome, CoverageOutcome::kBlocked);
+}
+
 TEST(CoverageZones, ThoseOfOtherAltitudesAndTimesDoNotCount) {
   CoverageQuery q = with_zones(1);
   q.zones[0].ceiling_msl = 50;
