@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 double wrapped_deg(double angle) {
-  return geo::degrees(geo::wrap_2pi(angle));
+  return geo::degrees(geo::wrap_2pi(angle)) + 0.0;  // a zero has no minus sign
 }
 
 class Writer {

@@ -24,7 +24,8 @@ std::string map_part(const Document& document) {
       "aria-label=\"map of the plan\">\n<rect class=\"paper\" width=\"100%\" "
       "height=\"100%\"/>\n<g id=\"grid\">{5}</g>\n<g id=\"layer\">{6}</g>\n"
       "<rect class=\"rim\" x=\".5\" y=\".5\" width=\"{7:.2f}\" height=\"{8:.2f}\"/>\n"
-      "</svg>\n<div class=\"under\"><svg width=\"300\" height=\"14\">{9}</svg><svg "
+      "</svg>\n<div class=\"under\"><svg class=\"bar\" viewBox=\"0 -8 {0:.0f} "
+      "20\">{9}</svg><svg "
       "width=\"170\" height=\"44\">{10}</svg><button data-zoom=\"1.5\" aria-label=\"zoom "
       "in\">+</button><button data-zoom=\"0.667\" aria-label=\"zoom "
       "out\">−</button><button data-zoom=\"0\">whole</button><span "
@@ -35,25 +36,22 @@ std::string map_part(const Document& document) {
       view.height - 1, scale_bar(view), wind_arrow(document), height, signs);
 }
 
-double course_deg(const model::FlightMoment& m) {
-  return geo::degrees(geo::wrap_2pi(geo::bearing(m.v_N.head<2>())));
+std::string course_of(const model::FlightMoment& m) {
+  return shown_bearing(geo::bearing(m.v_N.head<2>()));
 }
 
 std::string row_of(const FlightElement& e, std::size_t plan, std::size_t k) {
   const model::FlightMoment begin = model::moment(e, 0), end = model::end_of(e);
-  const auto heading = [](const model::FlightMoment& m) {
-    return geo::degrees(geo::wrap_2pi(m.heading));
-  };
   const std::string radius =
       e.turn_rate == 0 ? "" : fmt::format("{:.1f}", e.airspeed / std::abs(e.turn_rate));
   return fmt::format(
       "<tr data-element=\"e{}-{}\"><td>{}</td><td class=\"text\">{}</td><td>{:.2f}</td>"
-      "<td>{:.2f}</td><td>{:.1f}</td><td>{}</td><td>{:.1f} → {:.1f}</td><td>{:.1f} → "
-      "{:.1f}</td><td>{:.1f} → {:.1f}</td><td>{:.1f} → {:.1f}</td></tr>\n",
+      "<td>{:.2f}</td><td>{:.1f}</td><td>{}</td><td>{} → {}</td><td>{} → {}</td>"
+      "<td>{:.1f} → {:.1f}</td><td>{} → {}</td></tr>\n",
       plan, k, k + 1, kind_of(e), e.start, e.duration, model::ground_length(e), radius,
-      heading(begin), heading(end), course_deg(begin), course_deg(end),
-      begin.v_N.head<2>().norm(), end.v_N.head<2>().norm(), 0.0 - begin.p_N.z(),
-      0.0 - end.p_N.z());
+      shown_bearing(begin.heading), shown_bearing(end.heading), course_of(begin),
+      course_of(end), begin.v_N.head<2>().norm(), end.v_N.head<2>().norm(),
+      shown_tenths(-begin.p_N.z()), shown_tenths(-end.p_N.z()));
 }
 
 std::string table_of(const NamedPlan& plan, std::size_t index) {

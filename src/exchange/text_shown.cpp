@@ -5,8 +5,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geo/vec.h"
+
 namespace skein::exchange {
 namespace {
+
+constexpr double kDay = 86400, kInDays = 100 * 3600.0, kLongest = 1e5 * kDay;  // [s]
 
 // Bytes of the UTF-8 character that `text` begins with; 0 when it is none. Surrogates,
 // overlong forms and what lies beyond Unicode are none.
@@ -54,6 +58,16 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+std::string shown_tenths(double value) {
+  // + 0.0: a zero without a minus sign.
+  return fmt::format("{:.1f}", std::round(value * 10) / 10 + 0.0);
+}
+
+std::string shown_bearing(double angle) {
+  const double tenths = std::round(geo::degrees(geo::wrap_2pi(angle)) * 10);
+  return shown_tenths(tenths >= 3600 ? 0 : tenths / 10);
+}
+
 std::string shown_length(double metres) {
   if (std::abs(metres) < 1000) return fmt::format("{:.0f} m", metres);
   return fmt::format("{:.5g} km", metres / 1000);
@@ -66,12 +80,15 @@ std::string shown_time(double seconds) {
   if (tenths < 3600)
     return fmt::format("{}{:.0f} min {:.1f} s", sign, std::floor(tenths / 60),
                        std::fmod(tenths, 60));
+  if (tenths >= kLongest) return fmt::format("{}over {:.0f} days", sign, kLongest / kDay);
+  if (tenths >= kInDays) return fmt::format("{}{:.1f} days", sign, tenths / kDay);
   const double whole = std::round(tenths);
   return fmt::format("{}{:.0f} h {:.0f} min {:.0f} s", sign, std::floor(whole / 3600),
                      std::floor(std::fmod(whole, 3600) / 60), std::fmod(whole, 60));
 }
 
 std::string shown_clock(double seconds) {
+  if (std::abs(seconds) >= kInDays) return shown_time(seconds);
   if (std::abs(seconds) < 59.5) return fmt::format("{:.0f} s", seconds);
   const double whole = std::round(std::abs(seconds));
   const char* const sign = seconds < 0 ? "-" : "";

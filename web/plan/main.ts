@@ -34,7 +34,7 @@ function start(map: SVGSVGElement): void {
     grid.classList.toggle("moved", view.scale !== 1 || view.x !== 0 || view.y !== 0);
     for (const { group, at } of fixed)
       group.setAttribute("transform", `${at} scale(${1 / view.scale})`);
-    drawScale(map, view.scale);
+    drawScale(map, width, view.scale);
   };
   const zoom = (factor: number, x: number, y: number) => {
     const scale = Math.min(kMostScale, Math.max(0.5, view.scale * factor));
@@ -71,6 +71,7 @@ function start(map: SVGSVGElement): void {
     }),
   );
   showPlace(map, view, point);
+  new ResizeObserver(draw).observe(map);
   map.classList.add("live");
 }
 
@@ -112,10 +113,14 @@ function roundBelow(value: number): number {
   return power * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
 }
 
-function drawScale(map: SVGSVGElement, scale: number): void {
-  const bar = document.querySelector<SVGGElement>(".scale");
-  if (!bar) return;
-  const perPixel = Number(map.dataset.metresPerPx) / scale;
+// The bar has the map's width, and units of one pixel of the screen, so that its words
+// can be read where the map is small.
+function drawScale(map: SVGSVGElement, width: number, scale: number): void {
+  const bar = document.querySelector<SVGSVGElement>("svg.bar");
+  const shown = map.getBoundingClientRect().width;
+  if (!bar || shown <= 0) return;
+  bar.setAttribute("viewBox", `0 -8 ${shown} 20`);
+  const perPixel = (Number(map.dataset.metresPerPx) * width) / shown / scale;
   const metres = roundBelow(180 * perPixel);
   const length = metres / perPixel;
   const [whole, half] = bar.querySelectorAll("rect");

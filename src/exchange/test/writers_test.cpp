@@ -308,6 +308,17 @@ TEST(Pictures, AreWholeXmlWithoutOutsideThings) {
   EXPECT_NE(html.find("data-element=\"e0-0\""), std::string::npos);
 }
 
+TEST(Pictures, OfPagesHaveABarThatShrinksWithTheMap) {
+  const std::string html = to_html(example());
+  const auto width_in = [&](const std::string& before) {
+    const std::size_t at = html.find(before);
+    return at == std::string::npos ? 0 : std::atof(html.c_str() + at + before.size());
+  };
+  const double map = width_in("class=\"map\" viewBox=\"0 0 ");
+  EXPECT_GT(map, 0);
+  EXPECT_EQ(width_in("class=\"bar\" viewBox=\"0 -8 "), map);
+}
+
 TEST(Pictures, OfNothingAreThere) {
   Document nothing;
   EXPECT_NE(to_svg(nothing).find("</svg>"), std::string::npos);
@@ -328,6 +339,14 @@ TEST(Text, ShowsTimesAndLengths) {
   EXPECT_EQ(shown_time(725.04), "12 min 5.0 s");
   EXPECT_EQ(shown_time(779.97), "13 min 0.0 s");
   EXPECT_EQ(shown_time(7390), "2 h 3 min 10 s");
+  EXPECT_EQ(shown_time(360000), "4.2 days");
+  EXPECT_EQ(shown_time(-1e15), "-over 100000 days");
+  EXPECT_EQ(shown_clock(1e15), "over 100000 days");
+  EXPECT_EQ(shown_tenths(-0.04), "0.0");
+  EXPECT_EQ(shown_tenths(-0.06), "-0.1");
+  EXPECT_EQ(shown_bearing(-0.0), "0.0");
+  EXPECT_EQ(shown_bearing(-1e-4), "0.0") << "not 360.0";
+  EXPECT_EQ(shown_bearing(-2e-3), "359.9");
   EXPECT_EQ(shown_clock(45), "45 s");
   EXPECT_EQ(shown_clock(65), "1:05");
   EXPECT_EQ(shown_clock(3600), "1:00:00");
