@@ -42,6 +42,13 @@ std::string looks_like(const std::string& name) {
   return {};
 }
 
+// GDAL's words, whose full stop depends on the fault.
+std::string words_of(const geo::GdalGuard& guard) {
+  std::string text = guard.failure();
+  while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
 // Reads one dataset into features.
 class Reader {
  public:
@@ -60,13 +67,12 @@ class Reader {
                    "Give --origin.");
     const geo::GdalDataset dataset = geo::open_dataset(file_, geo::DataKind::kVector);
     if (!dataset)
-      return fault("cannot be read as a map: " + guard.failure() + ".",
+      return fault("cannot be read as a map: " + words_of(guard) + ".",
                    "GeoJSON, KML and other vector formats of GDAL are allowed.");
     for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l)
       if (auto good = read_layer(GDALDatasetGetLayer(dataset.get(), l), guard); !good)
         return good.error();
-    if (guard.failed()) return fault("is truncated or corrupt: " + guard.failure() + ".");
-    if (features_.empty()) return fault("has no features.");
+    if (guard.failed()) return fault("is truncated or corrupt: " + words_of(guard) + ".");
     if (against_ > 0)
       warnings_.push_back(
           fmt::format("{}: {} outer ring{} clockwise, GeoJSON's rule is "
@@ -85,7 +91,7 @@ class Reader {
     const geo::GdalTransform to_degrees = transform_of(layer);
     if (frame_ != nullptr && !to_degrees)
       return fault("has a coordinate reference system that cannot be used: " +
-                   guard.failure() + ".");
+                   words_of(guard) + ".");
     note_properties(OGR_L_GetLayerDefn(layer));
     OGR_L_ResetReading(layer);
     for (;; ++number_) {

@@ -38,8 +38,7 @@ const std::vector<std::string>& known_properties();
 /// @param warnings  gets a line for each kind of oddity: rings that run against the
 ///                  format's rule, properties that look like known ones without a unit.
 /// Fails: kNotFound for a file that is not there; kBadInput for one that is no map, has
-/// no
-///        features, an empty geometry, coordinates that are not finite or out of range or
+///        an empty geometry, coordinates that are not finite or out of range or
 ///        more than 1000 km away, rings without an area or of over 20000 points, a
 ///        property that is no number. The message has file, feature (from 0) and what is
 ///        allowed.

@@ -25,7 +25,10 @@ Result<std::vector<MissionItem>> to_mission(const Document& document,
         "Give --origin.");
   if (!document.has_altitude)
     return refused("missions have altitudes; none was given.", "Give --altitude-m.");
-  if (document.plans.size() != 1 || document.plans[0].plan.empty())
+  if (document.plans.size() == 1 && document.plans[0].plan.empty())
+    return refused("the flight is empty; a mission needs waypoints.",
+                   "Write another format.");
+  if (document.plans.size() != 1)
     return refused(fmt::format("a mission file holds one flight; there are {}.",
                                document.plans.size()),
                    "Plan for one aircraft, or write another format.");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "geo/clip.h"
@@ -134,6 +135,18 @@ Result<std::vector<Zone>> zones_of(const std::vector<MapFeature>& features) {
     zones.push_back(std::move(limits).value());
   }
   return zones;
+}
+
+int movers_among_zones(const std::vector<MapFeature>& features) {
+  constexpr const char* kOfMovers[] = {"height_m", "time_s", "climb_mps",
+                                       "velocity_east_mps", "velocity_north_mps"};
+  return static_cast<int>(
+      std::count_if(features.begin(), features.end(), [&](const MapFeature& feature) {
+        return !is_other(feature, "zone") &&
+               std::any_of(
+                   std::begin(kOfMovers), std::end(kOfMovers),
+                   [&](const char* key) { return feature.numbers.contains(key); });
+      }));
 }
 
 Result<MapFeature> area_of(const std::vector<MapFeature>& features) {

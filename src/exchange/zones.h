@@ -17,6 +17,10 @@ namespace skein::exchange {
 ///        radius, a floor above the ceiling, an end before the beginning.
 Result<std::vector<Zone>> zones_of(const std::vector<MapFeature>& features);
 
+/// How many features zones_of() takes for zones that stand still although they have a
+/// property of moving obstacles: height_m, time_s, climb_mps or a velocity.
+int movers_among_zones(const std::vector<MapFeature>& features);
+
 /// The one area of a map that is to be covered, with its holes.
 /// Fails: kBadInput unless there is just one, without crossings.
 Result<MapFeature> area_of(const std::vector<MapFeature>& features);

@@ -189,7 +189,6 @@ TEST(Map, SaysWhatIsWrongWhere) {
   const std::vector<std::pair<std::string, const char*>> faults = {
       {"", "cannot be read as a map"},
       {"{\"type\":", "cannot be read as a map"},
-      {collection(""), "has no features"},
       {collection(good + R"({"type":"Feature","properties":{},"geometry":null})"),
        "feature 1: has an empty geometry"},
       {collection(good + feature("Polygon", "[]")), "feature 1: has an empty geometry"},
@@ -264,6 +263,26 @@ TEST(Map, ObstaclesNeedTheirSizesAndAltitude) {
   EXPECT_NE(fault(feature("LineString", "[[0,0],[5,5]]")).find("is no point"),
             std::string::npos);
   EXPECT_EQ(fault(feature("Point", "[0,0,120]", R"("radius_m":5,"height_m":5)")), "");
+}
+
+TEST(Map, MayBeEmpty) {
+  const auto none = read(collection(""));
+  ASSERT_TRUE(none.features.ok());
+  EXPECT_TRUE(none.features.value().empty());
+  EXPECT_TRUE(zones_of(none.features.value()).value().empty());
+  EXPECT_FALSE(area_of(none.features.value()).ok());
+}
+
+TEST(Map, ObstaclesAmongZonesAreCounted) {
+  const auto got = read(collection(
+      feature("Point", "[0,0]", R"("radius_m":5,"velocity_east_mps":2)") + "," +
+      feature("Point", "[0,0]", R"("radius_m":5)") + "," +
+      feature("Point", "[0,0]", R"("what":"obstacle","radius_m":5,"height_m":5)")));
+  EXPECT_EQ(movers_among_zones(got.features.value()), 1);
+}
+
+TEST(Map, FaultsEndWithOneFullStop) {
+  EXPECT_EQ(fault_of_map("hello").find(".."), std::string::npos) << fault_of_map("hello");
 }
 
 TEST(Map, AMissingFileIsNotThere) {
