@@ -109,7 +109,8 @@ Result<Connected> connected(const PlanConnectArguments& arguments, const ReadEnd
 }  // namespace
 
 int plan_connect_command(const PlanConnectArguments& arguments) {
-  if (auto good = check_files(arguments.output); !good) return say_error(good.error());
+  if (auto good = check_files(arguments.output, {}); !good)
+    return say_error(good.error());
   const auto place = place_of(arguments.ends.from_geo);
   if (!place) return say_error(place.error());
   const auto setting = read_setting(arguments.setting, place.value());

@@ -73,6 +73,26 @@ Json about_coverage(const planning::CoverageResult& found) {
   return about;
 }
 
+// Zones keep lines away; what lies beside them is then not seen.
+void note_missed(const PlanCoverageArguments& arguments,
+                 const planning::CoverageResult& found) {
+  constexpr double kAll = 0.9995;
+  if (arguments.maps.zones.empty() || found.covered_share >= kAll) return;
+  const double missed = 1 - found.covered_share;
+  const std::string amount =
+      fmt::format("{:.2f} % of the area ({:.4g} m²) is not covered", 100 * missed,
+                  missed * found.area);
+  if (arguments.zone_distance == 0.0)
+    complain("note: {}: it lies too near to zones for lines outside of them.\n", amount);
+  else
+    complain(
+        "note: {}: lines keep {} from zones. A smaller --zone-distance-m, down to 0, "
+        "lets them fly nearer.\n",
+        amount,
+        arguments.zone_distance ? fmt::format("{:g} m", *arguments.zone_distance)
+                                : "room to turn");
+}
+
 int put_coverage(const PlanCoverageArguments& arguments, const TaskInput& task,
                  const exchange::MapFeature& area, const Airspace& airspace,
                  const planning::CoverageResult& found) {
@@ -96,6 +116,7 @@ int put_coverage(const PlanCoverageArguments& arguments, const TaskInput& task,
     document.facts.emplace_back("Within zones", exchange::shown_time(found.in_zones));
   }
   add_facts(document, task.setting);
+  note_missed(arguments, found);
   const int status = put_plan(document, about, arguments.output);
   // A plan that enters a zone is drawn, so that one sees where; it is no success.
   return status == kDone && found.outcome != CoverageOutcome::kPlanned
@@ -106,8 +127,10 @@ int put_coverage(const PlanCoverageArguments& arguments, const TaskInput& task,
 }  // namespace
 
 int plan_coverage_command(const PlanCoverageArguments& arguments) {
-  const auto task =
-      read_task(arguments.setting, arguments.limits, arguments.starts, arguments.output);
+  std::vector<std::filesystem::path> inputs = {arguments.area};
+  inputs.insert(inputs.end(), arguments.maps.zones.begin(), arguments.maps.zones.end());
+  const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
+                              arguments.output, inputs);
   if (!task) return say_error(task.error());
   const auto features =
       read_features(arguments.area, arguments.maps, task.value().setting);

@@ -81,8 +81,8 @@ void add_target(exchange::Document& document, const planning::MovingTarget& targ
 }  // namespace
 
 int plan_orbit_command(const PlanOrbitArguments& arguments) {
-  const auto task =
-      read_task(arguments.setting, arguments.limits, arguments.starts, arguments.output);
+  const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
+                              arguments.output, {});
   if (!task) return say_error(task.error());
   if (task.value().starts.size() != 1)
     return say_error(

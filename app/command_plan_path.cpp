@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/output.h"
 #include "app/plan_document.h"
 #include "app/plan_input.h"
 #include "app/plan_output.h"
@@ -39,25 +40,36 @@ Made make_terrain(const std::string& file, const ReadSetting& setting, double ex
   environment::RasterTerrainOptions options;
   options.file = file;
   options.area = extent;
-  return assemble::terrain_kinds().make({"raster", options},
-                                        assemble::EnvironmentContext{*setting.frame, {}});
+  auto made = assemble::terrain_kinds().make(
+      {"raster", options}, assemble::EnvironmentContext{*setting.frame, {}});
+  if (made || made.error().hint.empty()) return made;
+  // The raster's own hints name options of scenarios.
+  Error error = made.error();
+  error.hint = fmt::format(
+      "Needed is the square about the origin, {:.0f} m to each side, that --from and "
+      "--to "
+      "lie in with 2000 m to spare: give a larger raster, nearer ends or another "
+      "--origin.",
+      extent);
+  return error;
 }
 
 // What lies below the floor and above the ceiling, as zones over all of the map.
 void add_band(const PlanPathArguments& arguments, double extent, Airspace& airspace) {
   const double far = 10 * extent;
+  constexpr double kRim = 1e-3;  // at the limit is within, although zones hold their rim
   const geo::Ring everywhere = {{far, far}, {-far, far}, {-far, -far}, {far, -far}};
   Zone zone;
   zone.area = everywhere;
   if (arguments.floor) {
     zone.name = "below --floor-m";
-    zone.ceiling_msl = *arguments.floor;
+    zone.ceiling_msl = *arguments.floor - kRim;
     airspace.zones.push_back(zone);
   }
   zone = Zone{everywhere};
   if (arguments.ceiling) {
     zone.name = "above --ceiling-m";
-    zone.floor_msl = *arguments.ceiling;
+    zone.floor_msl = *arguments.ceiling + kRim;
     airspace.zones.push_back(zone);
   }
 }
@@ -81,7 +93,7 @@ PlanningBudget budget_of(const PlanPathArguments& arguments,
 Json about_path(const PlannedPath& path, double seconds) {
   Json about = {{"outcome", name_of(path.outcome)}};
   if (!path.reason.empty()) about["reason"] = path.reason;
-  if (!path.plan.empty()) {
+  if (!path.plan.empty() || path.outcome == PlanningOutcome::kFound) {
     about["time_s"] = path.duration;
     about["bound_s"] = path.bound;
   }
@@ -107,12 +119,35 @@ int status_of(PlanningOutcome outcome) {
   }
 }
 
-std::string reason_of(const PlannedPath& path) {
-  if (!path.alternative) return path.reason;
+// That a blocked end is above the ceiling or below the floor, and by how much; empty when
+// it is not. (To the planner these are zones that have sides, too.)
+std::string out_of_band(const PlanPathArguments& arguments, const ReadEnds& ends,
+                        PlanningOutcome outcome) {
+  const bool start = outcome == PlanningOutcome::kStartBlocked;
+  if (!start && outcome != PlanningOutcome::kGoalBlocked) return {};
+  const double altitude = 0.0 - (start ? ends.from : ends.to).p_N.z();
+  const auto said = [&](const char* where, double limit) {
+    return fmt::format("the {} at {} m is {}, {:g} m, by {} m", start ? "start" : "goal",
+                       exchange::shown_tenths(altitude), where, limit,
+                       exchange::shown_tenths(std::abs(altitude - limit)));
+  };
+  if (arguments.ceiling && altitude > *arguments.ceiling)
+    return said("above --ceiling-m", *arguments.ceiling);
+  if (arguments.floor && altitude < *arguments.floor)
+    return said("below --floor-m", *arguments.floor);
+  return {};
+}
+
+std::string reason_of(const PlanPathArguments& arguments, const ReadEnds& ends,
+                      const PlannedPath& path) {
+  std::string reason = out_of_band(arguments, ends, path.outcome);
+  // The planner may have named the alternative, in its own order of north and east.
+  if (reason.empty()) reason = path.reason.substr(0, path.reason.find("; the nearest"));
+  if (!path.alternative) return reason;
   const Vec3& p = path.alternative->p_N;
-  return fmt::format(
-      "{} The nearest free place: {:.1f} m east, {:.1f} m north, at {:.1f} m.",
-      path.reason, p.y(), p.x(), 0.0 - p.z());
+  return fmt::format("{}. The nearest free place: {} m east, {} m north, at {} m.",
+                     reason, exchange::shown_tenths(p.y()), exchange::shown_tenths(p.x()),
+                     exchange::shown_tenths(-p.z()));
 }
 
 Result<PathQuery> query_of(const PlanPathArguments& arguments, const ReadSetting& setting,
@@ -157,16 +192,21 @@ int plan_path(const PlanPathArguments& arguments, const std::atomic<bool>& stop,
   if (!planner) return say_error(planner.error());
   query.value().budget = budget_of(arguments, stop);
   const auto begin = std::chrono::steady_clock::now();
-  const PlannedPath path = planner.value()->plan(query.value());
+  PlannedPath path = planner.value()->plan(query.value());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  path.reason = reason_of(arguments, ends, path);
   const Json about = about_path(path, took.count());
-  if (stop && path.plan.empty()) return kInterrupted;
-  if (path.plan.empty())
-    return say_no_plan(std::string(name_of(path.outcome)), reason_of(path), about,
+  // A path without elements is one where the start is the goal.
+  const bool found = !path.plan.empty() || path.outcome == PlanningOutcome::kFound;
+  if (stop && !found) return kInterrupted;
+  if (!found)
+    return say_no_plan(std::string(name_of(path.outcome)), path.reason, about,
                        arguments.output, status_of(path.outcome));
+  if (path.plan.empty()) complain("note: {}; the plan is empty.\n", path.reason);
   exchange::Document document =
       document_of("Path around what is in the way", setting, ends.has_altitude, shown);
   add_flights(document, {path.plan});
+  if (path.plan.empty()) document.plans.push_back({"flight", "", {}});
   document.marks.push_back(
       {exchange::Mark::Kind::kGoal, "goal", ends.to.p_N, ends.to.heading});
   document.facts = {{"Outcome", std::string(name_of(path.outcome))},
@@ -179,7 +219,11 @@ int plan_path(const PlanPathArguments& arguments, const std::atomic<bool>& stop,
 }  // namespace
 
 int plan_path_command(const PlanPathArguments& arguments, const std::atomic<bool>& stop) {
-  if (auto good = check_files(arguments.output); !good) return say_error(good.error());
+  std::vector<std::filesystem::path> inputs = {arguments.terrain};
+  for (const auto* files : {&arguments.maps.zones, &arguments.maps.obstacles})
+    inputs.insert(inputs.end(), files->begin(), files->end());
+  if (auto good = check_files(arguments.output, inputs); !good)
+    return say_error(good.error());
   const auto place = place_of(arguments.ends.from_geo);
   if (!place) return say_error(place.error());
   const auto setting = read_setting(arguments.setting, place.value());

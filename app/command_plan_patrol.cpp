@@ -49,14 +49,15 @@ Json about_patrol(const planning::PatrolResult& found) {
   about["flown_over_corners"] = found.flown_over;
   about["begins_s"] = found.begins;
   about["passes"] = found.passes;
+  about["first_end_s"] = found.first_end;
   return about;
 }
 
 }  // namespace
 
 int plan_patrol_command(const PlanPatrolArguments& arguments) {
-  const auto task =
-      read_task(arguments.setting, arguments.limits, arguments.starts, arguments.output);
+  const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
+                              arguments.output, {arguments.line});
   if (!task) return say_error(task.error());
   if (task.value().starts.empty())
     return say_error({ErrorCode::kBadInput, "--from", "is needed.",
@@ -69,7 +70,8 @@ int plan_patrol_command(const PlanPatrolArguments& arguments) {
   const planning::PatrolQuery query = query_of(arguments, task.value(), line.value());
   const planning::PatrolResult found = planning::plan_patrol(query);
   const Json about = about_patrol(found);
-  if (found.plans.empty())
+  // Planned without a single pass: somebody asked for too little time.
+  if (found.plans.empty() || found.outcome == planning::PatrolOutcome::kNoTime)
     return say_no_plan(std::string(planning::name_of(found.outcome)), found.reason, about,
                        arguments.output, kBadUsage);
   exchange::Document document = document_of("Patrol of a line", task.value().setting,

@@ -30,8 +30,8 @@ Json about_rendezvous(const planning::RendezvousResult& found) {
 }  // namespace
 
 int plan_rendezvous_command(const PlanRendezvousArguments& arguments) {
-  const auto task =
-      read_task(arguments.setting, arguments.limits, arguments.starts, arguments.output);
+  const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
+                              arguments.output, {});
   if (!task) return say_error(task.error());
   const std::vector<FlightState>& starts = task.value().starts;
   const auto goals =

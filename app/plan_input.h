@@ -61,7 +61,8 @@ Result<Vec2> read_point(const std::string& name, const std::string& local,
 /// Fails: kBadInput unless slowest <= airspeed <= fastest.
 Result<FlightLimits> limits_of(const PlanLimits& given, const ReadSetting& setting);
 
-/// Zones and moving obstacles of map files; says the files' oddities on standard error.
+/// Zones and moving obstacles of map files; says the files' oddities on standard error. A
+/// file may have none.
 /// Fails: as exchange::read_map(), zones_of(), movers_of(); for limits of altitude when
 /// no
 ///        altitude was given.
@@ -69,6 +70,7 @@ Result<Airspace> read_airspace(const PlanMaps& given, const ReadSetting& setting
                                bool has_altitude);
 
 /// The features of one map file; says its oddities on standard error.
+/// Fails: as exchange::read_map(); kBadInput when there are none.
 Result<std::vector<exchange::MapFeature>> read_features(const std::string& file,
                                                         const PlanMaps& given,
                                                         const ReadSetting& setting);

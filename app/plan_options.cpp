@@ -161,7 +161,8 @@ struct PlanOptions::Parts {
         ->check(number_in(0.001, 1000.0));
     command
         .add_option("--arrive-s", connect.arrive,
-                    "A flight of so many seconds instead of the quickest.")
+                    "A flight that takes just so many seconds instead of the quickest: a "
+                    "duration, whatever --start-s is.")
         ->check(number_in(0.0, 1e6));
     add_output(command, connect.output);
     const auto others = command.get_options();
@@ -252,7 +253,7 @@ struct PlanOptions::Parts {
     command
         .add_option("--aircraft", coverage.aircraft,
                     "How many; default: as many as there are starts, or 1.")
-        ->check(CLI::Range(1, 100));
+        ->check(CLI::Range(1, 64));
     command.add_flag("--return", coverage.back, "Each ends where it starts.");
     add_output(command, coverage.output);
     command.footer(kCoverageExamples);
@@ -286,7 +287,7 @@ struct PlanOptions::Parts {
                     "Largest distance of line and flight at a corner; default 20.")
         ->check(number_in(0.001, 1e5));
     auto* rounds = command.add_option("--rounds", patrol.rounds, "Default 1.")
-                       ->check(CLI::Range(1, 10000));
+                       ->check(CLI::Range(1, 5000));
     command.add_option("--until-s", patrol.until, "As many passes as end by then.")
         ->check(number_in(-1e9, 1e9))
         ->excludes(rounds);

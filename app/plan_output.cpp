@@ -21,8 +21,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRows = 60;  // of a table for people
 
+// Without a zero's minus sign.
 double bearing_deg(double angle) {
-  return geo::degrees(geo::wrap_2pi(angle));
+  return geo::degrees(geo::wrap_2pi(angle)) + 0.0;
+}
+
+// Also where neither is there yet, or one is a link to the other.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code none;
+  if (std::filesystem::equivalent(a, b, none)) return true;
+  const auto whole = [&none](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, none), none);
+  };
+  const std::filesystem::path whole_a = whole(a);
+  return !whole_a.empty() && whole_a == whole(b);
 }
 
 Json place(const Vec3& p) {
@@ -67,11 +79,12 @@ void print_plan(const exchange::NamedPlan& plan) {
   for (std::size_t k = 0; k < plan.plan.size() && k < kMostRows; ++k) {
     const FlightElement& e = plan.plan[k];
     print(
-        "{:>4}  {:<11} {:>9.2f} {:>9.2f} {:>9.1f}  {:>5.1f} > {:>5.1f} {:>11.1f} "
-        "{:>10.1f} {:>11.1f}\n",
+        "{:>4}  {:<11} {:>9.2f} {:>9.2f} {:>9.1f}  {:>5} > {:>5} {:>11} {:>10} {:>11}\n",
         k + 1, exchange::kind_of(e), e.start, e.duration, model::ground_length(e),
-        bearing_deg(e.heading), bearing_deg(model::end_of(e).heading), e.p_N.y(),
-        e.p_N.x(), 0.0 - e.p_N.z());
+        exchange::shown_bearing(e.heading),
+        exchange::shown_bearing(model::end_of(e).heading),
+        exchange::shown_tenths(e.p_N.y()), exchange::shown_tenths(e.p_N.x()),
+        exchange::shown_tenths(-e.p_N.z()));
   }
   if (plan.plan.size() > kMostRows)
     print("      ... {} more; --json and files have all.\n",
@@ -86,9 +99,21 @@ void print_document(const exchange::Document& document) {
 
 }  // namespace
 
-Result<void> check_files(const PlanOutput& output) {
-  for (const std::filesystem::path& file : output.files)
+Result<void> check_files(const PlanOutput& output,
+                         const std::vector<std::filesystem::path>& inputs) {
+  const auto wrong = [](const std::filesystem::path& file, const char* what) {
+    return Error{ErrorCode::kBadInput, file.string(), what, "Give --out another name."};
+  };
+  for (std::size_t i = 0; i < output.files.size(); ++i) {
+    const std::filesystem::path& file = output.files[i];
     if (const auto format = exchange::format_of(file); !format) return format.error();
+    for (const std::filesystem::path& input : inputs)
+      if (is_same_file(file, input))
+        return wrong(file, "is an input as well as an output.");
+    for (std::size_t k = 0; k < i; ++k)
+      if (is_same_file(file, output.files[k]))
+        return wrong(file, "is given twice as an output.");
+  }
   return {};
 }
 

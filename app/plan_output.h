@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "app/plan_arguments.h"
 #include "base/result.h"
@@ -8,8 +10,11 @@
 
 namespace skein::app {
 
-/// Whether all files have endings that say a format. Asked before long work begins.
-Result<void> check_files(const PlanOutput& output);
+/// Whether all files that will be written have endings that say a format, and each is
+/// another one, none of them an input. Asked before long work begins.
+/// Fails: kBadInput; one file by two names (a link, `./`) is one file.
+Result<void> check_files(const PlanOutput& output,
+                         const std::vector<std::filesystem::path>& inputs);
 
 /// Writes the files and prints the plan: a table for people, or JSON, whose first members
 /// are those of `about`.

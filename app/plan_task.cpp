@@ -5,8 +5,9 @@
 namespace skein::app {
 
 Result<TaskInput> read_task(const PlanSetting& given, const PlanLimits& given_limits,
-                            const PlanStarts& given_starts, const PlanOutput& output) {
-  if (auto good = check_files(output); !good) return good.error();
+                            const PlanStarts& given_starts, const PlanOutput& output,
+                            const std::vector<std::filesystem::path>& inputs) {
+  if (auto good = check_files(output, inputs); !good) return good.error();
   const auto place =
       place_of(given_starts.from_geo.empty() ? "" : given_starts.from_geo.front());
   if (!place) return place.error();

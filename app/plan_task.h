@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,12 @@ struct TaskInput {
   bool has_altitude = false;
 };
 
-/// Reads setting, limits and starts; checks the names of the files to be written. The
+/// Reads setting, limits and starts; checks the names of the files to be written, which
+/// must not be `inputs`. The
 /// task's altitude is that of --altitude-m, else that of the first start.
 /// Fails: as what it calls; kBadInput when only some starts have an altitude.
 Result<TaskInput> read_task(const PlanSetting& setting, const PlanLimits& limits,
-                            const PlanStarts& starts, const PlanOutput& output);
+                            const PlanStarts& starts, const PlanOutput& output,
+                            const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace skein::app

@@ -37,7 +37,7 @@ TEST_F(PlanConnect, SaysTimeAndElements) {
   EXPECT_NEAR(plan["plans"][0]["elements"][0]["end"]["east_m"], 600, 1e-9);
   const Finished shown = connect({"--from", "0,0,90", "--to", "600,0,90"});
   EXPECT_NE(shown.out.find("straight"), std::string::npos) << shown.out;
-  EXPECT_NE(shown.out.find("40.0 s"), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("40.00 s"), std::string::npos) << shown.out;
 }
 
 TEST_F(PlanConnect, WordsAreAsOnTheMap) {
@@ -343,6 +343,129 @@ TEST_F(PlanTask, RendezvousIsAtOneTime) {
   EXPECT_EQ(found["outcome"], "planned");
   EXPECT_NEAR(found["arrivals_s"][0], double(found["arrivals_s"][1]), 1e-6);
   EXPECT_EQ(plan("rendezvous", {"--from", "0,0,0"}).status, 2);
+}
+
+TEST_F(PlanTask, OutputsAreNoInputsAndAreNotGivenTwice) {
+  write("zones.geojson", kDiscs);
+  write("field.geojson", kField);
+  write("pipe.geojson", kPipe);
+  fs::create_symlink("zones.geojson", folder_ / "link.geojson");
+  const std::vector<std::string> ends = {"--from",   "0,0,0",        "--to",
+                                         "2000,0,0", "--altitude-m", "80"};
+  const auto path = [&](std::vector<std::string> more) {
+    more.insert(more.end(), ends.begin(), ends.end());
+    return plan("path", more);
+  };
+  const Finished all[] = {
+      path({"--zones", "zones.geojson", "--out", "./zones.geojson"}),
+      path({"--zones", "zones.geojson", "--out", "link.geojson"}),
+      path({"--obstacles", "zones.geojson", "--out", "zones.geojson"}),
+      plan("coverage",
+           {"--area", "field.geojson", "--swath-m", "100", "--out", "field.geojson"}),
+      plan("coverage", {"--area", "field.geojson", "--zones", "zones.geojson",
+                        "--swath-m", "100", "--out", "zones.geojson"}),
+      plan("patrol",
+           {"--line", "pipe.geojson", "--from", "0,0,0", "--out", "pipe.geojson"})};
+  for (const Finished& each : all) {
+    EXPECT_EQ(each.status, 2);
+    EXPECT_NE(each.err.find("is an input as well"), std::string::npos) << each.err;
+  }
+  EXPECT_EQ(read_file(folder_ / "zones.geojson"), kDiscs);
+  EXPECT_EQ(read_file(folder_ / "field.geojson"), kField);
+  EXPECT_EQ(read_file(folder_ / "pipe.geojson"), kPipe);
+  const Finished twice = path({"--out", "new.csv", "--out", "./new.csv"});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.err.find("given twice"), std::string::npos) << twice.err;
+}
+
+TEST_F(PlanTask, CoverageSaysWhatZonesTake) {
+  const auto area = write("field.geojson", kField).string();
+  const auto block = write("block.geojson",
+                           R"({"type":"Polygon","coordinates":[[[400,250],[500,250],
+                               [500,350],[400,350],[400,250]]]})")
+                         .string();
+  const Finished some = plan("coverage", {"--area", area, "--zones", block, "--swath-m",
+                                          "80", "--altitude-m", "50"});
+  EXPECT_EQ(some.status, 0) << some.err;
+  EXPECT_NE(some.err.find("is not covered"), std::string::npos) << some.err;
+  EXPECT_NE(some.err.find("--zone-distance-m"), std::string::npos) << some.err;
+  const Finished whole = plan("coverage", {"--area", area, "--swath-m", "80"});
+  EXPECT_EQ(whole.err, "");
+}
+
+TEST_F(PlanTask, APathToTheStartIsEmpty) {
+  const Finished finished =
+      plan("path", {"--from", "0,0,0", "--to", "0,0,0", "--out", "p.csv", "--json"});
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  const auto path = nlohmann::json::parse(finished.out, nullptr, false);
+  EXPECT_EQ(path["outcome"], "found");
+  EXPECT_EQ(path["time_s"], 0);
+  EXPECT_TRUE(path["plans"][0]["elements"].empty());
+  EXPECT_NE(read_file(folder_ / "p.csv").find("time_s"), std::string::npos);
+}
+
+TEST_F(PlanTask, LimitsOfAltitudeAreSaidAsSuch) {
+  const Finished high = plan("path", {"--from", "0,0,0,100", "--to", "900,900,0,5000",
+                                      "--ceiling-m", "1000", "--out", "p.csv"});
+  EXPECT_EQ(high.status, 2);
+  EXPECT_NE(high.err.find("the goal at 5000.0 m is above --ceiling-m, 1000 m, by 4000.0"),
+            std::string::npos)
+      << high.err;
+  EXPECT_EQ(high.err.find("nearest"), high.err.rfind("nearest")) << "said once";
+  const auto at_both =
+      json_of_task("path", {"--from", "0,0,0,100", "--to", "900,900,0,100", "--floor-m",
+                            "100", "--ceiling-m", "100"});
+  EXPECT_EQ(at_both["outcome"], "found");
+  const auto zones = write("zones.geojson", kDiscs).string();
+  const Finished sea = plan("path", {"--from", "1000,0,0", "--to", "2000,0,0", "--zones",
+                                     zones, "--altitude-m", "0"});
+  EXPECT_EQ(sea.status, 2);
+  EXPECT_EQ(sea.err.find("-0.0"), std::string::npos) << sea.err;
+}
+
+TEST_F(PlanTask, PatrolsWithoutTimeForAPassAreNone) {
+  const auto line = write("pipe.geojson", kPipe).string();
+  const Finished none = plan("patrol", {"--line", line, "--from", "0,0,0", "--until-s",
+                                        "1", "--out", "p.csv", "--json"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("no plan (no-time)"), std::string::npos) << none.err;
+  EXPECT_FALSE(fs::exists(folder_ / "p.csv"));
+  const auto about = nlohmann::json::parse(none.out, nullptr, false);
+  ASSERT_GT(double(about["first_end_s"]), 1);
+  // The least time that it says is enough.
+  const auto enough =
+      json_of_task("patrol", {"--line", line, "--from", "0,0,0", "--until-s",
+                              fmt::format("{}", double(about["first_end_s"]) + 0.01)});
+  EXPECT_EQ(enough["passes"][0], 1);
+}
+
+TEST_F(PlanTask, ZonesMayBeNoneAndMoversAmongThemAreNoted) {
+  const auto none =
+      write("none.geojson", R"({"type":"FeatureCollection","features":[]})");
+  const auto mover = write("mover.geojson",
+                           R"({"type":"Feature","properties":{"radius_m":20,
+    "height_m":50,"velocity_east_mps":3},
+    "geometry":{"type":"Point","coordinates":[500,300,100]}})");
+  const auto path = [&](const std::string& zones) {
+    return plan("path", {"--from", "0,0,0", "--to", "900,900,0", "--zones", zones});
+  };
+  const Finished empty = path(none.string()), still = path(mover.string());
+  EXPECT_EQ(empty.status, 0);
+  EXPECT_NE(empty.err.find("has no zones"), std::string::npos) << empty.err;
+  EXPECT_EQ(still.status, 0);
+  EXPECT_NE(still.err.find("--obstacles"), std::string::npos) << still.err;
+  EXPECT_EQ(plan("coverage", {"--area", none.string(), "--swath-m", "80"}).status, 2);
+}
+
+TEST_F(PlanTask, TerrainThatEndsTooEarlyIsSaidWithOptionsOfPlans) {
+  const fs::path raster = fs::path(SKEIN_SHARED_DATA) / "terrain/askervein/askervein.tif";
+  if (!fs::exists(raster)) GTEST_SKIP() << "no shared data";
+  const Finished off =
+      plan("path", {"--origin", "57.18,-7.37", "--from", "0,0,0,500", "--to",
+                    "3500,0,0,500", "--terrain", raster.string()});
+  EXPECT_EQ(off.status, 2);
+  EXPECT_NE(off.err.find("5500 m to each side"), std::string::npos) << off.err;
+  EXPECT_EQ(off.err.find("outside: edge"), std::string::npos) << off.err;
 }
 
 TEST_F(PlanTask, ListNamesThePlanners) {
