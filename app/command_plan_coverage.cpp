@@ -7,6 +7,7 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/plan_document.h"
+#include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
 #include "assemble/planner_kinds.h"

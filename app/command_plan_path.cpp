@@ -12,6 +12,7 @@
 #include "app/output.h"
 #include "app/plan_document.h"
 #include "app/plan_input.h"
+#include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "assemble/kinds_of.h"
 #include "assemble/planner_kinds.h"

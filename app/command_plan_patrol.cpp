@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/plan_document.h"
+#include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
 #include "exchange/text_shown.h"

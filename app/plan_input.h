@@ -6,8 +6,6 @@
 
 #include "app/plan_arguments.h"
 #include "base/result.h"
-#include "data/airspace.h"
-#include "exchange/map_features.h"
 #include "geo/local_frame.h"
 #include "model/connection/connection.h"
 #include "role/path_planner.h"
@@ -60,20 +58,6 @@ Result<Vec2> read_point(const std::string& name, const std::string& local,
 /// The limits that planners take.
 /// Fails: kBadInput unless slowest <= airspeed <= fastest.
 Result<FlightLimits> limits_of(const PlanLimits& given, const ReadSetting& setting);
-
-/// Zones and moving obstacles of map files; says the files' oddities on standard error. A
-/// file may have none.
-/// Fails: as exchange::read_map(), zones_of(), movers_of(); for limits of altitude when
-/// no
-///        altitude was given.
-Result<Airspace> read_airspace(const PlanMaps& given, const ReadSetting& setting,
-                               bool has_altitude);
-
-/// The features of one map file; says its oddities on standard error.
-/// Fails: as exchange::read_map(); kBadInput when there are none.
-Result<std::vector<exchange::MapFeature>> read_features(const std::string& file,
-                                                        const PlanMaps& given,
-                                                        const ReadSetting& setting);
 
 /// The two ends of a flight in the local frame, headings of the air-relative velocity.
 struct ReadEnds {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/plan_arguments.h"
+#include "app/plan_input.h"
+#include "base/result.h"
+#include "data/airspace.h"
+#include "exchange/map_features.h"
+
+namespace skein::app {
+
+/// Zones and moving obstacles of map files; says the files' oddities on standard error. A
+/// file may have none.
+/// Fails: as exchange::read_map(), zones_of(), movers_of(); for limits of altitude when
+///        no altitude was given.
+Result<Airspace> read_airspace(const PlanMaps& given, const ReadSetting& setting,
+                               bool has_altitude);
+
+/// The features of one map file; says its oddities on standard error.
+/// Fails: as exchange::read_map(); kBadInput when there are none.
+Result<std::vector<exchange::MapFeature>> read_features(const std::string& file,
+                                                        const PlanMaps& given,
+                                                        const ReadSetting& setting);
+
+}  // namespace skein::app
