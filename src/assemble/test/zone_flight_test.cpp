@@ -114,6 +114,59 @@ aircraft:
   }
 }
 
+// Both autopilots take the same waypoints, told again, for a repetition.
+TEST(ZoneFlight, EveryLapIsFlownWithoutThePointThatIsLeftOut) {
+  for (const char* how : {"",
+                          "plant: {kind: fixed-wing, aircraft: bixler}\n    "
+                          "autopilot: skein\n    sensors: [flight]"}) {
+    SCOPED_TRACE(how);
+    const FlightLog log = fly(fmt::format(R"(
+seed: 5
+duration_s: 900
+environment:
+  terrain: flat
+  fire: none
+  wind: {{kind: uniform, speed_mps: 5, from_deg: 250}}
+  zones: [{{name: corner, centre_m: [1500, 0], radius_m: 200, active: false, switches: [{{at_s: 20}}]}}]
+station: {{agent: listener}}
+aircraft:
+  - name: a
+    {}
+    agent: {{kind: route, points_m: [[1500, 0], [1500, 900], [0, 900]], laps: 3}}
+    altitude_agl_m: 120
+    start: {{placement: list, positions_m: [[0, 0]], heading_deg: 0}}
+)",
+                                          how));
+    int visits = 0;
+    bool there = false;
+    for (const FlightRow& row : log.rows.at(1)) {
+      const double off = (geo::horizontal(row.truth.p_N) - Vec2(1500, 900)).norm();
+      const bool was = there;
+      there = off < (was ? 400 : 200);
+      visits += there && !was;
+    }
+    EXPECT_EQ(visits, 3) << log.story();
+    ASSERT_NE(log.find("route-done"), nullptr) << log.story();
+    EXPECT_EQ(log.find("route-done")->text, "the last point has been passed");
+    EXPECT_LT(deepest(log, {1500, 0}, 200, 20), 0) << log.story();
+  }
+}
+
+TEST(ZoneFlight, ALastPointInAZoneIsToldToBeLeftOutOnce) {
+  const FlightLog log =
+      fly(scenario_of("{name: goal, centre_m: [1500, 0], radius_m: 200, active: false, "
+                      "switches: [{at_s: 20}]}",
+                      "", "{kind: route, points_m: [[1500, 0]]}"));
+  EXPECT_EQ(log.find("no-path"), nullptr) << log.story();
+  EXPECT_EQ(std::count_if(log.events.begin(), log.events.end(),
+                          [](const Event& e) { return e.kind == "point-left-out"; }),
+            1)
+      << log.story();
+  ASSERT_NE(log.find("route-done"), nullptr) << log.story();
+  EXPECT_NE(log.find("route-done")->text.find("left out"), std::string::npos)
+      << log.story();
+}
+
 TEST(ZoneFlight, OnOrOffItStaysOutOnlyWhileItIsInForce) {
   // Taken back before the aircraft comes back: it flies straight through.
   const FlightLog log = fly(

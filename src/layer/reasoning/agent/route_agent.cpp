@@ -75,7 +75,7 @@ void RouteAgent::fly(const AgentInput& in, AgentOutput& out) {
   flight_.step(in, zones_, execution_.off_plan(), out);
   if (done_ || !flight_.done()) return;
   done_ = true;
-  out.events.push_back({in.now, self_, "route-done", "the last point has been passed"});
+  out.events.push_back({in.now, self_, "route-done", flight_.ending()});
   if (options_.lands) land(in, out);
 }
 

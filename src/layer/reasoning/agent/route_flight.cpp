@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "layer/reasoning/agent/round_trip.h"
 #include "model/path/flight_plan.h"
@@ -24,6 +25,12 @@ double reach(const FlightLimits& limits) {
   return std::max(kReached * limits.turn_radius, kLeastReached);
 }
 
+bool same(const std::vector<FlyWaypoints::Waypoint>& a,
+          const std::vector<FlyWaypoints::Waypoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.point == y.point; });
+}
+
 }  // namespace
 
 RouteFlight::RouteFlight(const RouteFlightOptions& options, const RouteWorld& world,
@@ -39,8 +46,9 @@ const Vec2& RouteFlight::point(std::int64_t index) const {
   return route_.points[static_cast<std::size_t>(index % count)].point;
 }
 
-void RouteFlight::give(decltype(AutopilotCommand::guidance) guidance,
-                       AgentOutput& out) const {
+void RouteFlight::give(decltype(AutopilotCommand::guidance) guidance, AgentOutput& out) {
+  given_.clear();
+  by_sight_ = false;
   AutopilotCommand command;
   command.guidance = std::move(guidance);
   command.altitude_msl = options_.altitude_msl;
@@ -78,6 +86,9 @@ void RouteFlight::keep_count(const AgentInput& in, ZoneWatch& zones) {
   } else if (stage_ == Stage::kGuarded) {
     const Vec2 end = zones.ways(*in.nav).nearest_allowed(point(next_));
     if ((here - end).norm() > reach(world_.limits)) return;
+    const double miss = (here - point(next_)).norm();
+    const bool missed = zones.distance(point(next_)) < 0 || miss > reach(world_.limits);
+    if (next_ + 1 == total_ && missed) missed_by_ = miss;
     go_on(next_ + 1);
     stage_ = Stage::kNew;
   }
@@ -90,6 +101,7 @@ void RouteFlight::step(const AgentInput& in, ZoneWatch& zones, bool off_plan,
   if (stage_ == Stage::kDone) return stay(in, zones, out);
   const bool first = stage_ == Stage::kNew;
   if (first) from_ = geo::horizontal(in.nav->p_N);
+  if (changed) told_ = -1;
   keep_count(in, zones);
   if (changed || must_choose(in, zones, off_plan)) choose(in, zones, out);
   if (stage_ == Stage::kGuarded) fly_guarded(in, zones, out);
@@ -114,23 +126,30 @@ bool RouteFlight::must_choose(const AgentInput& in, const ZoneWatch& zones,
   return false;
 }
 
-// Points in zones are left out, but for the last one: near there it stays.
+// Points in zones are left out, but for the last one: near there it stays. Where all
+// points between are left out, the same point is not flown to twice in place.
 void RouteFlight::leave_out(const AgentInput& in, const ZoneWatch& zones,
                             AgentOutput& out) {
-  while (next_ + 1 < total_ && zones.distance(point(next_)) < 0) {
-    const Vec2& p = point(next_);
-    out.events.push_back({in.now, self_, "point-left-out",
-                          fmt::format("{:.0f} m north, {:.0f} m east lies in a no-flight "
-                                      "zone",
-                                      p.x(), p.y())});
-    ++next_;
+  for (; next_ < total_; ++next_) {
+    const bool forbidden = zones.distance(point(next_)) < 0;
+    const bool there = next_ > 0 && point(next_) == from_;
+    if (forbidden ? next_ + 1 == total_ : !there) return;
+    if (forbidden) tell_left_out(in.now, out);
   }
+}
+
+void RouteFlight::tell_left_out(Time now, AgentOutput& out) const {
+  const Vec2& p = point(next_);
+  out.events.push_back({now, self_, "point-left-out",
+                        fmt::format("{:.0f} m north, {:.0f} m east lies in a no-flight "
+                                    "zone",
+                                    p.x(), p.y())});
 }
 
 void RouteFlight::choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
   aim_again_ = in.now;
   const Vec2 here = geo::horizontal(in.nav->p_N);
-  if (next_ < total_) leave_out(in, zones, out);
+  leave_out(in, zones, out);
   if (next_ >= total_) {
     stage_ = Stage::kDone;
     return stay(in, zones, out);
@@ -147,13 +166,18 @@ void RouteFlight::choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& ou
   while (free < total_ && free <= next_ + lap && !zones.blocks(*from, point(free)))
     from = &point(free++);
   if (free > next_ + lap) free = total_;
-  if (free > next_) return fly_route(free, out);
+  if (free > next_) return fly_route(here, free, out);
   plan_again_ = in.now + Time::from_seconds(kPlanAgain);
-  if (fly_planned(in, zones, out)) return;
+  if (zones.distance(point(next_)) < 0) {
+    // The last point: no way leads there.
+    if (std::exchange(told_, next_) != next_) tell_left_out(in.now, out);
+  } else if (fly_planned(in, zones, out)) {
+    return;
+  }
   stage_ = Stage::kGuarded;
 }
 
-void RouteFlight::fly_route(std::int64_t free, AgentOutput& out) {
+void RouteFlight::fly_route(const Vec2& here, std::int64_t free, AgentOutput& out) {
   const auto lap = static_cast<std::int64_t>(route_.points.size());
   FlyWaypoints way;
   if (next_ % lap == 0 && free == total_) {
@@ -165,8 +189,24 @@ void RouteFlight::fly_route(std::int64_t free, AgentOutput& out) {
     for (std::int64_t k = next_; k < until_; ++k)
       way.points.push_back({point(k), options_.altitude_msl});
   }
+  // Autopilots take the same waypoints for a repetition, and go on with what they fly or
+  // have flown. Another time round begins with a further point on the way to its first.
+  if (begins_ != next_ && same(given_, way.points))
+    way.points.insert(way.points.begin(),
+                      {(here + point(next_)) / 2, options_.altitude_msl});
+  begins_ = next_;
   stage_ = Stage::kRoute;
+  auto points = way.points;
   give(std::move(way), out);
+  given_ = std::move(points);
+}
+
+std::string RouteFlight::ending() const {
+  if (missed_by_ == 0) return "the last point has been passed";
+  return fmt::format(
+      "the last point was left out, {:.0f} m from it: no-flight zones leave "
+      "no room there",
+      missed_by_);
 }
 
 bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
@@ -194,11 +234,13 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
   query.budget.states = options_.planning_states;
   PlannedPath path = world_.planner->plan(query);
   if (path.plan.empty()) {
-    out.events.push_back(
-        {in.now, self_, "no-path",
-         fmt::format("{}: {}; goes round by sight", name_of(path.outcome), path.reason)});
+    if (std::exchange(told_, next_) != next_)
+      out.events.push_back({in.now, self_, "no-path",
+                            fmt::format("{}: {}; goes round by sight",
+                                        name_of(path.outcome), path.reason)});
     return false;
   }
+  told_ = -1;
   out.events.push_back({in.now, self_, "planned",
                         fmt::format("a way of {:.0f} s around no-flight zones",
                                     model::duration(path.plan))});
@@ -215,10 +257,11 @@ void RouteFlight::fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutpu
   }
   const double course = geo::bearing(aim_ - here);
   give(zones.keep_out(HoldCourse{course}, course, *in.nav, options_.altitude_msl), out);
+  by_sight_ = true;
 }
 
 void RouteFlight::stay(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
-  if (zones.zones().empty() && !stays_) return;
+  if (zones.zones().empty() && !stays_ && !by_sight_) return;
   const Vec2 here = geo::horizontal(in.nav->p_N);
   const Vec2 place = zones.allowed(point(total_ - 1), *in.nav, options_.altitude_msl);
   const bool was_deflecting = zones.deflecting();
@@ -229,7 +272,7 @@ void RouteFlight::stay(const AgentInput& in, ZoneWatch& zones, AgentOutput& out)
       geo::bearing(off) + geo::kPi / 2 + std::atan2(off.norm() - radius, radius);
   auto guidance =
       zones.keep_out(HoldPosition{place}, course, *in.nav, options_.altitude_msl);
-  if (!zones.deflecting() && !was_deflecting &&
+  if (!zones.deflecting() && !was_deflecting && !by_sight_ &&
       place == stays_.value_or(point(total_ - 1)))
     return;
   stays_ = place;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "layer/reasoning/agent/zone_watch.h"
@@ -37,9 +38,9 @@ struct RouteWorld {
 /// - a leg that a zone blocks is planned anew from where the aircraft is, and flown as a
 ///   plan; planned again when the flight of it is off plan;
 /// - without planner, or when it finds no way, the aircraft flies the short way around
-/// the
-///   zones by the guard, and asks again ten seconds later;
-/// - a point within a zone is left out, with the event "point-left-out";
+///   the zones by the guard, and asks again ten seconds later;
+/// - a point within a zone is left out, with the event "point-left-out"; instead of the
+///   last one it flies to the nearest place where it can circle;
 /// - an aircraft within a zone leaves it first;
 /// - the place to stay at in the end, if a zone comes to lie there, becomes the nearest
 ///   one where it can circle.
@@ -52,8 +53,11 @@ class RouteFlight {
   /// @param off_plan  the flight of the last plan has left its safety zone.
   void step(const AgentInput& in, ZoneWatch& zones, bool off_plan, AgentOutput& out);
 
-  /// The last point has been passed.
+  /// The last point has been passed, or left out.
   bool done() const { return stage_ == Stage::kDone; }
+
+  /// How the route has ended, in words for people: to be asked when done().
+  std::string ending() const;
 
  private:
   enum class Stage { kNew, kRoute, kPlanned, kGuarded, kDone };
@@ -64,11 +68,12 @@ class RouteFlight {
   bool must_choose(const AgentInput& in, const ZoneWatch& zones, bool off_plan) const;
   void choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
   void leave_out(const AgentInput& in, const ZoneWatch& zones, AgentOutput& out);
-  void fly_route(std::int64_t free, AgentOutput& out);
+  void tell_left_out(Time now, AgentOutput& out) const;
+  void fly_route(const Vec2& here, std::int64_t free, AgentOutput& out);
   bool fly_planned(const AgentInput& in, const ZoneWatch& zones, AgentOutput& out);
   void fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
   void stay(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
-  void give(decltype(AutopilotCommand::guidance) guidance, AgentOutput& out) const;
+  void give(decltype(AutopilotCommand::guidance) guidance, AgentOutput& out);
 
   RouteFlightOptions options_;
   RouteWorld world_;
@@ -77,10 +82,16 @@ class RouteFlight {
   std::int64_t total_;      // points of all laps
   std::int64_t next_ = 0;   // that is flown to
   std::int64_t until_ = 0;  // of the command in force: the first that it does not hold
+  // Of the command in force, if it is waypoints: these, and the index of the first.
+  std::vector<FlyWaypoints::Waypoint> given_;
+  std::int64_t begins_ = 0;
   Stage stage_ = Stage::kNew;
   Vec2 from_ = Vec2::Zero();  // where the leg to the next point begins
   Time plan_again_, aim_again_;
   Vec2 aim_ = Vec2::Zero();    // of a guarded flight
+  bool by_sight_ = false;      // the command in force is of one: it does not end
+  std::int64_t told_ = -1;     // the point whose trouble has been told since a change
+  double missed_by_ = 0;       // the last point, where it was left out [m]
   std::optional<Vec2> stays_;  // none: where the route's command leads
 };
 

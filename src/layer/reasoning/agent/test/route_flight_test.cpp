@@ -54,7 +54,17 @@ class CornerPlanner final : public PathPlanner {
   Vec2 corner_;
 };
 
-// An aircraft with an autopilot that flies waypoints and plans as well.
+bool same_way(const AutopilotCommand& a, const AutopilotCommand& b) {
+  const auto* now = std::get_if<FlyWaypoints>(&a.guidance);
+  const auto* next = std::get_if<FlyWaypoints>(&b.guidance);
+  return now && next && now->laps == next->laps &&
+         std::equal(now->points.begin(), now->points.end(), next->points.begin(),
+                    next->points.end(),
+                    [](const auto& x, const auto& y) { return x.point == y.point; });
+}
+
+// An aircraft with an autopilot that flies waypoints and plans as well. As autopilots do,
+// it goes on with, or has done, waypoints that it is told again.
 class Flight {
  public:
   explicit Flight(const RouteFlightOptions& options,
@@ -75,6 +85,9 @@ class Flight {
       for (int k = 0; k < 10; ++k) {
         steer();
         aircraft.step(0.05);
+        const bool there = (aircraft.position() - visited).norm() < 60;
+        visits += there && !there_;
+        there_ = there;
         for (const Zone& zone : watched)
           inside = std::max(
               inside,
@@ -83,9 +96,10 @@ class Flight {
       }
     }
   }
-  bool told(const std::string& kind) const {
-    return std::any_of(events.begin(), events.end(),
-                       [&](const Event& event) { return event.kind == kind; });
+  bool told(const std::string& kind) const { return count(kind) > 0; }
+  std::ptrdiff_t count(const std::string& kind) const {
+    return std::count_if(events.begin(), events.end(),
+                         [&](const Event& event) { return event.kind == kind; });
   }
   template <class Guidance>
   bool flies() const {
@@ -101,6 +115,8 @@ class Flight {
   std::vector<Zone> watched;
   double inside = -1e9;
   bool off_plan = false;
+  Vec2 visited = Vec2(2000, 1000);
+  int visits = 0;
 
  private:
   void think() {
@@ -117,7 +133,9 @@ class Flight {
     events.insert(events.end(), out.events.begin(), out.events.end());
     if (!out.command) return;
     ++commands;
+    const bool goes_on = same_way(command, *out.command);
     command = *out.command;
+    if (goes_on) return;
     leg_ = 0;
     done_ = false;
   }
@@ -152,7 +170,7 @@ class Flight {
   std::uint32_t changes_ = 0;
   double time_ = 0;
   std::size_t leg_ = 0;
-  bool done_ = false;
+  bool done_ = false, there_ = false;
 };
 
 RouteFlightOptions there_and_back() {
@@ -222,6 +240,112 @@ TEST(RouteFlight, LeavesOutAPointInAZone) {
   EXPECT_TRUE(flight.told("point-left-out"));
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
+}
+
+TEST(RouteFlight, FliesEveryLapWithoutThePointThatIsLeftOut) {
+  for (int laps : {2, 3, 4}) {
+    SCOPED_TRACE(laps);
+    RouteFlightOptions options = there_and_back();
+    options.laps = laps;
+    Flight flight(options);
+    flight.fly(20);
+    const Zone zone = disc("a", {2000, 0}, 150);
+    flight.watched = {zone};
+    flight.hear(true, zone);
+    flight.fly(400 * laps);
+    EXPECT_EQ(flight.count("point-left-out"), laps);
+    EXPECT_EQ(flight.visits, laps);
+    EXPECT_LT(flight.inside, 0);
+    EXPECT_TRUE(flight.route.done());
+    EXPECT_EQ(flight.route.ending(), "the last point has been passed");
+  }
+}
+
+TEST(RouteFlight, IsDoneWhenAllOtherPointsAreLeftOut) {
+  RouteFlightOptions options;
+  options.points = {{1000, 0}, {1500, 0}, {2000, 1000}, {1500, 0}};
+  options.laps = 3;
+  options.altitude_msl = 220;
+  Flight flight(options);
+  flight.hear(true, disc("a", {1000, 0}, 150));
+  flight.hear(true, disc("b", {1500, 0}, 150));
+  flight.fly(600);
+  EXPECT_EQ(flight.visits, 1);
+  EXPECT_TRUE(flight.route.done());
+  EXPECT_EQ(flight.count("point-left-out"), 3 * 3);
+}
+
+TEST(RouteFlight, DoesNotFlyTwiceInPlaceToTheOnlyPointThatRemains) {
+  RouteFlightOptions options;
+  options.points = {{2000, 0}, {2000, 1000}};
+  options.laps = 5;
+  options.altitude_msl = 220;
+  Flight flight(options);
+  flight.hear(true, disc("a", {2000, 0}, 150));
+  flight.fly(300);
+  EXPECT_TRUE(flight.route.done());
+  EXPECT_EQ(flight.commands, 1);
+  EXPECT_EQ(flight.count("point-left-out"), 5);
+  EXPECT_EQ(flight.route.ending(), "the last point has been passed");
+}
+
+TEST(RouteFlight, StaysAtALastPointBesideAZoneThatItReachesBySight) {
+  RouteFlightOptions options;
+  options.points = {{2000, 0}};
+  options.altitude_msl = 220;
+  Flight flight(options);
+  const Zone zone = disc("a", {2000, 225}, 200);  // nearer than the margin
+  flight.watched = {zone};
+  flight.hear(true, zone);
+  flight.fly(400);
+  EXPECT_TRUE(flight.route.done());
+  EXPECT_LT(flight.inside, 0);
+  EXPECT_LT((flight.aircraft.position() - Vec2(2000, 0)).norm(), 400);
+}
+
+TEST(RouteFlight, TellsOnceThatTheLastPointIsLeftOut) {
+  const auto planner = std::make_shared<CornerPlanner>(Vec2(0, 0));
+  planner->fails = true;
+  RouteFlightOptions options;
+  options.points = {{2000, 0}};
+  options.altitude_msl = 220;
+  Flight flight(options, planner);
+  flight.fly(20);
+  const Zone zone = disc("a", {2000, 0}, 200);
+  flight.hear(true, zone);
+  flight.fly(200);
+  EXPECT_TRUE(flight.route.done());
+  EXPECT_EQ(flight.count("point-left-out"), 1);
+  EXPECT_EQ(flight.count("no-path"), 0);
+  EXPECT_NE(flight.route.ending().find("left out"), std::string::npos);
+}
+
+TEST(RouteFlight, FliesToTheLastPointWhenItsZoneGoes) {
+  RouteFlightOptions options;
+  options.points = {{2000, 1000}};
+  options.altitude_msl = 220;
+  Flight flight(options);
+  const Zone zone = disc("a", {2000, 1000}, 200);
+  flight.hear(true, zone);
+  flight.fly(60);
+  flight.hear(false, zone);
+  flight.fly(200);
+  EXPECT_EQ(flight.count("point-left-out"), 1);
+  EXPECT_GE(flight.visits, 1);
+  EXPECT_EQ(flight.route.ending(), "the last point has been passed");
+}
+
+TEST(RouteFlight, TellsOncePerChangeThatThereIsNoPath) {
+  const auto planner = std::make_shared<CornerPlanner>(Vec2(0, 0));
+  planner->fails = true;
+  Flight flight(there_and_back(), planner);
+  flight.hear(true, disc("a", {1200, 20}, 250));
+  flight.fly(35);
+  EXPECT_GE(planner->calls, 3);
+  EXPECT_EQ(flight.count("no-path"), 1);
+  flight.hear(true, disc("b", {1600, 20}, 250));
+  flight.fly(5);
+  EXPECT_EQ(flight.count("no-path"), 2);
 }
 
 TEST(RouteFlight, StaysElsewhereWhenTheLastPointLiesInAZone) {
