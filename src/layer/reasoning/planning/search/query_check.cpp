@@ -148,7 +148,7 @@ std::string problem_of_limits(const PathQuery& q) {
 
 std::string place(const Vec3& p) {
   return fmt::format("{:.1f} m north, {:.1f} m east, {:.1f} m altitude", p.x(), p.y(),
-                     -p.z());
+                     0.0 - p.z());
 }
 
 PlannedPath blocked(PlanningOutcome outcome, const AirspaceMap& map,
