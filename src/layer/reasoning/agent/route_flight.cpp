@@ -102,6 +102,9 @@ void RouteFlight::step(const AgentInput& in, ZoneWatch& zones, bool off_plan,
   const bool first = stage_ == Stage::kNew;
   if (first) from_ = geo::horizontal(in.nav->p_N);
   if (changed) told_ = -1;
+  // A refused plan is not flown: the old guidance goes on, through the zone perhaps.
+  if (stage_ == Stage::kPlanned && in.autopilot.refusals > refusals_)
+    stage_ = Stage::kGuarded;
   keep_count(in, zones);
   if (changed || must_choose(in, zones, off_plan)) choose(in, zones, out);
   if (stage_ == Stage::kGuarded) fly_guarded(in, zones, out);
@@ -245,6 +248,7 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
                         fmt::format("a way of {:.0f} s around no-flight zones",
                                     model::duration(path.plan))});
   stage_ = Stage::kPlanned;
+  refusals_ = in.autopilot.refusals;
   give(FollowPlan{model::sample(path.plan)}, out);
   return true;
 }

@@ -37,8 +37,9 @@ struct RouteWorld {
 /// - a leg that is free is flown as it is;
 /// - a leg that a zone blocks is planned anew from where the aircraft is, and flown as a
 ///   plan; planned again when the flight of it is off plan;
-/// - without planner, or when it finds no way, the aircraft flies the short way around
-///   the zones by the guard, and asks again ten seconds later;
+/// - without planner, when it finds no way, or when the autopilot refuses the plan, the
+///   aircraft flies the short way around the zones by the guard, and asks again ten
+///   seconds later;
 /// - a point within a zone is left out, with the event "point-left-out"; instead of the
 ///   last one it flies to the nearest place where it can circle;
 /// - an aircraft within a zone leaves it first;
@@ -87,6 +88,7 @@ class RouteFlight {
   std::int64_t begins_ = 0;
   Stage stage_ = Stage::kNew;
   Vec2 from_ = Vec2::Zero();  // where the leg to the next point begins
+  int refusals_ = 0;          // of the autopilot, before the plan was given
   Time plan_again_, aim_again_;
   Vec2 aim_ = Vec2::Zero();    // of a guarded flight
   bool by_sight_ = false;      // the command in force is of one: it does not end

@@ -10,8 +10,9 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr int kReportBytes = 48;  // on the air: id, time and content as fixed-point
-constexpr double kAhead = 10;     // the next lap is planned when this little is left [s]
+constexpr int kReportBytes = 48;   // on the air: id, time and content as fixed-point
+constexpr double kPlanAgain = 10;  // after a plan that was refused [s]
+constexpr double kAhead = 10;      // the next lap is planned when this little is left [s]
 
 // What of a plan is not over yet.
 FlightPlan rest_of(const FlightPlan& plan, double now) {
@@ -55,6 +56,13 @@ void TourAgent::fly(const AgentInput& in, AgentOutput& out) {
   }
   if (in.now < *begin_) return;
   const double now = in.now.seconds();
+  if (!plan_.empty() && in.autopilot.refusals > refusals_) {
+    // The autopilot has told why; it goes on with what it flew before.
+    refusals_ = in.autopilot.refusals;
+    forget_plan(now);
+    begin_ = in.now + Time::from_seconds(kPlanAgain);
+    return;
+  }
   if (plan_.empty()) {
     // From where it is, however it got there.
     const Vec3 here(in.nav->p_N.x(), in.nav->p_N.y(), -altitude_msl_);
@@ -103,6 +111,7 @@ void TourAgent::plan_on(const AgentInput& in, const FlightState& from, double st
   if (stuck) return;
   plan_.insert(plan_.end(), next.plan.begin(), next.plan.end());
   passes_.insert(passes_.end(), next.passes.begin(), next.passes.end());
+  refusals_ = in.autopilot.refusals;
   AutopilotCommand command;
   command.guidance = FollowPlan{model::sample(plan_)};
   command.altitude_msl = altitude_msl_;

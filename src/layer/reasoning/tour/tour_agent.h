@@ -29,7 +29,7 @@ struct TourAgentOptions {
 /// no orders, and reports to the station where it is. On the ground it takes off first.
 ///
 /// When the wind is as strong as its airspeed there is no plan: it goes on circling,
-/// tells so, and tries again.
+/// tells so, and tries again; so it does when its autopilot refuses a plan.
 class TourAgent final : public Agent {
  public:
   /// @param map  what it believes the ground to be; used now only.
@@ -56,6 +56,7 @@ class TourAgent final : public Agent {
   std::optional<Time> begin_;   // of planning
   FlightPlan plan_;             // what is being flown
   std::vector<double> passes_;  // of all points so far, as planned [s]
+  int refusals_ = 0;            // of the autopilot, before the plan was given
   bool done_ = false, stuck_ = false;
   Time next_report_;
 };

@@ -114,7 +114,8 @@ class Flight {
   std::vector<Event> events;
   std::vector<Zone> watched;
   double inside = -1e9;
-  bool off_plan = false;
+  bool off_plan = false, refuses_plans = false;
+  int refusals = 3;  // of other commands before
   Vec2 visited = Vec2(2000, 1000);
   int visits = 0;
 
@@ -125,6 +126,7 @@ class Flight {
     const NavEstimate nav = aircraft.nav(in.now);
     in.nav = &nav;
     in.autopilot.done = done_;
+    in.autopilot.refusals = refusals;
     in.inbox = inbox_;
     AgentOutput out;
     zones.listen(in, out);
@@ -133,6 +135,10 @@ class Flight {
     events.insert(events.end(), out.events.begin(), out.events.end());
     if (!out.command) return;
     ++commands;
+    if (refuses_plans && std::holds_alternative<FollowPlan>(out.command->guidance)) {
+      ++refusals;
+      return;
+    }
     const bool goes_on = same_way(command, *out.command);
     command = *out.command;
     if (goes_on) return;
@@ -443,6 +449,19 @@ TEST(RouteFlight, GoesRoundBySightWhenNoWayIsFound) {
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
   EXPECT_LT(planner->calls, 10);
+}
+
+TEST(RouteFlight, GoesRoundBySightWhenItsPlansAreRefused) {
+  Flight flight(there_and_back(), std::make_shared<CornerPlanner>(Vec2(1200, -400)));
+  flight.refuses_plans = true;
+  flight.fly(20);
+  const Zone zone = disc("a", {1200, 20}, 250);
+  flight.watched = {zone};
+  flight.hear(true, zone);
+  flight.fly(400);
+  EXPECT_GT(flight.refusals, 3);
+  EXPECT_LT(flight.inside, 0);
+  EXPECT_TRUE(flight.route.done());
 }
 
 TEST(RouteFlight, AKnownZoneBesideTheRouteLeavesItAsItWasLaid) {

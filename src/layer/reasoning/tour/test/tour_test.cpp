@@ -155,6 +155,24 @@ TEST(TourAgent, PlansAnewWhatIsLeftWhenItIsOffThePlan) {
   EXPECT_NEAR(plan.back().time.seconds(), end, 5);
 }
 
+TEST(TourAgent, PlansAgainWhenItsPlanIsRefused) {
+  TourAgentOptions options = two_laps();
+  options.settling = 0;
+  options.laps = 1;
+  Flight flight(options);
+  ASSERT_TRUE(flight.step(0).command);
+  // The autopilot goes on with what it flew before, which it may have done.
+  flight.curve = {};
+  flight.in.autopilot.refusals = 1;
+  for (double time = 0.5; time < 10.5; time += 0.5)
+    EXPECT_FALSE(flight.step(time).command) << time;
+  const AgentOutput again = flight.step(10.5);
+  ASSERT_TRUE(again.command);
+  const auto& plan = std::get<FollowPlan>(again.command->guidance).plan;
+  EXPECT_EQ(plan.front().time.seconds(), 10.5);
+  EXPECT_FALSE(flight.has_told("route-done"));
+}
+
 TEST(TourAgent, TellsOnceThatTheWindIsTooStrongAndTriesAgain) {
   TourAgentOptions options = two_laps();
   options.settling = 0;
