@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "layer/reasoning/agent/altitude.h"
@@ -10,7 +9,6 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr int kReportBytes = 50;    // on the air: id, time and content as fixed-point
 constexpr double kNearlyDown = 10;  // above the ground: a landing is finished [m]
 
 RouteFlightOptions flight_options(const RouteAgentOptions& options, double altitude) {
@@ -30,7 +28,6 @@ RouteAgent::RouteAgent(const RouteAgentOptions& options, EntityId self, EntityId
                        std::shared_ptr<const PathPlanner> planner)
     : options_(options),
       self_(self),
-      station_(station),
       limits_(limits),
       map_(map),
       altitude_msl_(highest_along(map, options.points) + options.altitude_agl),
@@ -38,7 +35,8 @@ RouteAgent::RouteAgent(const RouteAgentOptions& options, EntityId self, EntityId
       zones_(options.guard, limits, zones, self),
       returns_(options.guard, limits, self, map),
       flight_(flight_options(options, altitude_msl_), {limits, &map_, std::move(planner)},
-              self) {}
+              self),
+      report_(station, options.report_period) {}
 
 void RouteAgent::step(const AgentInput& in, AgentOutput& out) {
   const bool news = zones_.listen(in, out);
@@ -55,19 +53,7 @@ void RouteAgent::step(const AgentInput& in, AgentOutput& out) {
   zones_.look(in, out);
   if (auto event = execution_.check(in.now, self_, in.autopilot))
     out.events.push_back(*std::move(event));
-  report(in, out);
-}
-
-void RouteAgent::report(const AgentInput& in, AgentOutput& out) {
-  if (in.now < next_report_) return;
-  next_report_ =
-      std::max(next_report_ + Time::from_seconds(options_.report_period), in.now);
-  Message report;
-  report.to = station_;
-  report.size_bytes = kReportBytes;
-  report.content = AircraftReport{
-      *in.nav, limits_, 0, done_, obeys_orders(in.autopilot), zones_.changes_known()};
-  out.outbox.push_back(std::move(report));
+  report_.step(in, limits_, done_, zones_.changes_known(), out);
 }
 
 void RouteAgent::fly(const AgentInput& in, AgentOutput& out) {

@@ -7,6 +7,7 @@
 
 #include "layer/reasoning/agent/execution_monitor.h"
 #include "layer/reasoning/agent/launch.h"
+#include "layer/reasoning/agent/position_report.h"
 #include "layer/reasoning/agent/return_keeper.h"
 #include "layer/reasoning/agent/route_flight.h"
 #include "layer/reasoning/agent/zone_watch.h"
@@ -44,10 +45,9 @@ class RouteAgent final : public Agent {
  private:
   void fly(const AgentInput& in, AgentOutput& out);
   void land(const AgentInput& in, AgentOutput& out);
-  void report(const AgentInput& in, AgentOutput& out);
 
   RouteAgentOptions options_;
-  EntityId self_, station_;
+  EntityId self_;
   FlightLimits limits_;
   const Terrain& map_;
   double altitude_msl_;
@@ -60,7 +60,7 @@ class RouteAgent final : public Agent {
   Vec2 home_ = Vec2::Zero();       // where it lands
   std::optional<Vec2> lands_now_;  // where it has been told to
   bool done_ = false, land_again_ = false;
-  Time next_report_;
+  PositionReport report_;
 };
 
 /// A ground station's agent that takes in what it is told and does nothing.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 #include "layer/reasoning/agent/altitude.h"
 #include "model/path/flight_plan.h"
@@ -10,7 +9,6 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr int kReportBytes = 48;   // on the air: id, time and content as fixed-point
 constexpr double kPlanAgain = 10;  // after a plan that was refused [s]
 constexpr double kAhead = 10;      // the next lap is planned when this little is left [s]
 
@@ -28,11 +26,11 @@ TourAgent::TourAgent(const TourAgentOptions& options, EntityId self, EntityId st
                      const FlightLimits& limits, const Terrain& map)
     : options_(options),
       self_(self),
-      station_(station),
       limits_(limits),
       altitude_msl_(highest_along(map, options.points) + options.altitude_agl),
       courses_(corner_courses(options.points)),
-      execution_(options.safety_zone) {}
+      execution_(options.safety_zone),
+      report_(station, options.report_period) {}
 
 void TourAgent::step(const AgentInput& in, AgentOutput& out) {
   if (!in.nav) return;
@@ -42,7 +40,7 @@ void TourAgent::step(const AgentInput& in, AgentOutput& out) {
     if (execution_.off_plan() && options_.replans && !done_)
       forget_plan(in.now.seconds());
   }
-  report(in, out);
+  report_.step(in, limits_, done_, 0, out);
 }
 
 void TourAgent::fly(const AgentInput& in, AgentOutput& out) {
@@ -117,17 +115,6 @@ void TourAgent::plan_on(const AgentInput& in, const FlightState& from, double st
   command.altitude_msl = altitude_msl_;
   if (!options_.keeps_times) command.airspeed = limits_.airspeed;
   out.command = std::move(command);
-}
-
-void TourAgent::report(const AgentInput& in, AgentOutput& out) {
-  if (in.now < next_report_) return;
-  next_report_ =
-      std::max(next_report_ + Time::from_seconds(options_.report_period), in.now);
-  Message report;
-  report.to = station_;
-  report.size_bytes = kReportBytes;
-  report.content = AircraftReport{*in.nav, limits_, 0, done_, obeys_orders(in.autopilot)};
-  out.outbox.push_back(std::move(report));
 }
 
 }  // namespace skein::reasoning

@@ -5,6 +5,7 @@
 
 #include "layer/reasoning/agent/execution_monitor.h"
 #include "layer/reasoning/agent/launch.h"
+#include "layer/reasoning/agent/position_report.h"
 #include "layer/reasoning/tour/tour_plan.h"
 #include "role/agent.h"
 #include "role/terrain.h"
@@ -44,10 +45,9 @@ class TourAgent final : public Agent {
                AgentOutput& out);
   void forget_plan(double now);
   std::size_t visits() const;
-  void report(const AgentInput& in, AgentOutput& out);
 
   TourAgentOptions options_;
-  EntityId self_, station_;
+  EntityId self_;
   FlightLimits limits_;
   double altitude_msl_;
   std::vector<double> courses_;
@@ -58,7 +58,7 @@ class TourAgent final : public Agent {
   std::vector<double> passes_;  // of all points so far, as planned [s]
   int refusals_ = 0;            // of the autopilot, before the plan was given
   bool done_ = false, stuck_ = false;
-  Time next_report_;
+  PositionReport report_;
 };
 
 }  // namespace skein::reasoning
