@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "layer/reasoning/agent/altitude.h"
 #include "model/path/flight_plan.h"
 
