@@ -74,24 +74,16 @@ Json about_coverage(const planning::CoverageResult& found) {
   return about;
 }
 
-// Zones keep lines away; what lies beside them is then not seen.
+// Zones keep lines away; what lies beside them may then not be seen.
 void note_missed(const PlanCoverageArguments& arguments,
                  const planning::CoverageResult& found) {
   constexpr double kAll = 0.9995;
   if (arguments.maps.zones.empty() || found.covered_share >= kAll) return;
   const double missed = 1 - found.covered_share;
-  const std::string amount =
-      fmt::format("{:.2f} % of the area ({:.4g} m²) is not covered", 100 * missed,
-                  missed * found.area);
-  if (arguments.zone_distance == 0.0)
-    complain("note: {}: it lies too near to zones for lines outside of them.\n", amount);
-  else
-    complain(
-        "note: {}: lines keep {} from zones. A smaller --zone-distance-m, down to 0, "
-        "lets them fly nearer.\n",
-        amount,
-        arguments.zone_distance ? fmt::format("{:g} m", *arguments.zone_distance)
-                                : "room to turn");
+  complain(
+      "note: {:.2f} % of the area ({:.4g} m²) is not covered: lines keep {:g} m from "
+      "zones (--zone-distance-m), and room to turn before them.\n",
+      100 * missed, missed * found.area, arguments.zone_distance);
 }
 
 int put_coverage(const PlanCoverageArguments& arguments, const TaskInput& task,

@@ -86,8 +86,8 @@ struct PlanCoverageArguments {
   PlanLimits limits;
   PlanMaps maps;
   std::string area;  ///< map file
-  double swath = 0, overlap = 0, overshoot = 0;
-  std::optional<double> zone_distance, bearing_deg;
+  double swath = 0, overlap = 0, overshoot = 0, zone_distance = 0;
+  std::optional<double> bearing_deg;
   int aircraft = 1;
   bool back = false;  ///< each ends where it starts
   PlanOutput output;

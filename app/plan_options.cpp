@@ -246,7 +246,7 @@ struct PlanOptions::Parts {
         ->check(number_in(0.0, 1e5));
     command
         .add_option("--zone-distance-m", coverage.zone_distance,
-                    "Lines keep so far from zones; default: room to turn.")
+                    "Lines keep so far from zones; default 0.")
         ->check(number_in(0.0, 1e5));
     command.add_option("--bearing-deg", coverage.bearing_deg, "Default: the quickest.")
         ->check(number_in(-360.0, 360.0));

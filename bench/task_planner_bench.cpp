@@ -7,8 +7,11 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "geo/clip.h"
+#include "layer/reasoning/planning/search/aa_star.h"
 #include "layer/reasoning/planning/tasks/coverage.h"
 #include "layer/reasoning/planning/tasks/sweep_search.h"
+#include "model/path/wind_triangle.h"
 
 namespace skein::planning {
 namespace {
@@ -53,6 +56,25 @@ double best_of_all(const SweepTask& task) {
   return best;
 }
 
+// One to three discs in and about the area of case i.
+std::vector<Zone> zones_of(std::uint64_t i) {
+  RandomStream random(i, 1, Purpose::kTest);
+  std::vector<Zone> zones;
+  for (std::uint64_t k = 0; k <= i % 3; ++k)
+    zones.push_back({Disc{random.uniform(0, 500) * geo::unit(random.uniform(0, 6.3)),
+                          random.uniform(30, 120)}});
+  return zones;
+}
+
+// The same with some of the area not to be flown over.
+SweepTask with_zones(std::uint64_t i, SweepTask task) {
+  for (const Zone& zone : zones_of(i)) task.zones.push_back(outline(zone));
+  task.area = geo::subtract(task.area, task.zones);
+  task.room = {0.01, model::ground_turn_radius(task.air.turn_radius, task.air.airspeed,
+                                               task.air.wind.norm())};
+  return task;
+}
+
 // How much longer than the best of 720 bearings, with the same orders: worst and mean.
 void sweep_gap(benchmark::State& state) {
   const auto aircraft = static_cast<int>(state.range(0));
@@ -60,7 +82,8 @@ void sweep_gap(benchmark::State& state) {
   const auto cases = static_cast<std::uint64_t>(state.range(1));
   for (auto _ : state) {
     for (std::uint64_t i = 0; i < cases; ++i) {
-      const SweepTask task = task_of(i, aircraft);
+      SweepTask task = task_of(i, aircraft);
+      if (state.range(2) > 0) task = with_zones(i, task);
       const double gap = best_sweep(task).longest / best_of_all(task) - 1;
       worst = std::max(worst, gap);
       mean += gap / static_cast<double>(cases);
@@ -71,8 +94,43 @@ void sweep_gap(benchmark::State& state) {
   state.counters["mean_%"] = 100 * mean;
   state.counters["above_3%"] = over;
 }
-BENCHMARK(sweep_gap)->Args({1, 200})->Args({3, 14})->Iterations(1)->Unit(
-    benchmark::kSecond);
+BENCHMARK(sweep_gap)
+    ->ArgNames({"aircraft", "cases", "zones"})
+    ->Args({1, 200, 0})
+    ->Args({3, 14, 0})
+    ->Args({1, 10, 1})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
+// How much is seen of areas with zones, and how long connections lie in these.
+void around_zones(benchmark::State& state) {
+  const AaStar planner;
+  double least = 1, mean = 0, whole = 0, entered = 0;
+  const auto cases = static_cast<std::uint64_t>(state.range(0));
+  for (auto _ : state)
+    for (std::uint64_t i = 0; i < cases; ++i) {
+      const SweepTask task = task_of(i, 1);
+      CoverageQuery q;
+      q.area = task.area[0];
+      q.zones = zones_of(i);
+      q.swath = task.spacing;
+      q.limits = kLimits;
+      q.limits.turn_radius = task.air.turn_radius;
+      q.wind = task.air.wind;
+      q.aircraft[0].start = FlightState{{-1500, 0, -100}, 0};
+      q.planner = &planner;
+      const CoverageResult r = plan_coverage(q);
+      least = std::min(least, r.covered_share);
+      mean += r.covered_share / static_cast<double>(cases);
+      whole += r.covered_share > 0.9995 ? 1 : 0;
+      entered += r.in_zones > 0 ? 1 : 0;
+    }
+  state.counters["least_%"] = 100 * least;
+  state.counters["mean_%"] = 100 * mean;
+  state.counters["above_99.95_%"] = whole;
+  state.counters["in_zones"] = entered;
+}
+BENCHMARK(around_zones)->Arg(200)->Iterations(1)->Unit(benchmark::kSecond);
 
 // How much longer than the best order, of up to 11 lines.
 void order_gap(benchmark::State& state) {

@@ -384,8 +384,13 @@ TEST_F(PlanTask, CoverageSaysWhatZonesTake) {
                            R"({"type":"Polygon","coordinates":[[[400,250],[500,250],
                                [500,350],[400,350],[400,250]]]})")
                          .string();
-  const Finished some = plan("coverage", {"--area", area, "--zones", block, "--swath-m",
-                                          "80", "--altitude-m", "50"});
+  const Finished all =
+      plan("coverage", {"--area", area, "--zones", block, "--swath-m", "80"});
+  EXPECT_EQ(all.status, 0) << all.err;
+  EXPECT_EQ(all.err, "");
+  const Finished some =
+      plan("coverage", {"--area", area, "--zones", block, "--swath-m", "80",
+                        "--altitude-m", "50", "--zone-distance-m", "60"});
   EXPECT_EQ(some.status, 0) << some.err;
   EXPECT_NE(some.err.find("is not covered"), std::string::npos) << some.err;
   EXPECT_NE(some.err.find("--zone-distance-m"), std::string::npos) << some.err;

@@ -7,6 +7,7 @@
 
 #include "geo/clip.h"
 #include "layer/reasoning/planning/tasks/coverage_check.h"
+#include "layer/reasoning/planning/tasks/gap_lines.h"
 #include "layer/reasoning/planning/tasks/join.h"
 #include "layer/reasoning/planning/tasks/sweep_search.h"
 #include "layer/reasoning/planning/tasks/zone_lines.h"
@@ -16,7 +17,9 @@
 namespace skein::planning {
 namespace {
 
-constexpr std::int64_t kStates = 3000;  // for each connection around zones
+// For each connection around zones, and for one that is hard to find.
+constexpr std::int64_t kStates[] = {3000, 100'000};
+constexpr double kBeside = 0.01;  // of lines to zones, against rounding [m]
 
 double half_turn(double bearing) {
   const double b = std::fmod(geo::wrap_2pi(bearing), geo::kPi);
@@ -35,7 +38,7 @@ SweepTask task_of(const CoverageQuery& query, geo::Region area,
   // Shorter gaps are not worth leaving the line.
   task.joined = turn;
   task.zones = std::move(zones);
-  task.zone_distance = query.zone_distance.value_or(turn);
+  task.room = {query.zone_distance + kBeside, turn};
   for (const CoverageAircraft& a : query.aircraft) {
     RouteEnds ends;
     if (a.start) ends.start = pose_of(*a.start);
@@ -60,9 +63,13 @@ void add_connection(const CoverageQuery& query, const SweepTask& task,
     ask.limits = query.limits;
     ask.wind = query.wind;
     ask.airspace = &airspace;
-    ask.budget.states = kStates;
-    PlannedPath path = query.planner->plan(ask);
-    if (!path.plan.empty()) way = std::move(path.plan);
+    for (const std::int64_t states : kStates) {
+      ask.budget.states = states;
+      PlannedPath path = query.planner->plan(ask);
+      if (path.plan.empty()) continue;
+      way = std::move(path.plan);
+      break;
+    }
   }
   plan.insert(plan.end(), way.begin(), way.end());
 }
@@ -93,18 +100,10 @@ FlightPlan plan_of(const CoverageQuery& query, const SweepTask& task,
 
 // Share of the area that lies beside lines that are flown.
 double share_beside(const geo::Region& area, const std::vector<SweepLine>& lines,
-                    double swath, double overshoot) {
-  geo::Region seen;
-  for (const SweepLine& line : lines) {
-    const Vec2 along = (line.b - line.a).normalized();
-    // 1 mm more than half, against the rounding of lines that only just touch.
-    const Vec2 right = (swath / 2 + 1e-3) * geo::turned_right(along);
-    const Vec2 more = overshoot > 0 ? Vec2::Zero().eval() : Vec2(1e-3 * along);
-    seen.push_back({line.a - more - right, line.b + more - right, line.b + more + right,
-                    line.a - more + right});
-  }
-  const double whole = geo::area(area);
-  return std::min(1.0, geo::shared_area(area, seen, geo::FillRule::kNonZero) / whole);
+                    double swath) {
+  const geo::Region seen = beside(lines, swath / 2);
+  return std::min(
+      1.0, geo::shared_area(area, seen, geo::FillRule::kNonZero) / geo::area(area));
 }
 
 CoverageResult described(const CoverageQuery& query, const SweepTask& task,
@@ -118,14 +117,13 @@ CoverageResult described(const CoverageQuery& query, const SweepTask& task,
     result.times.push_back(model::duration(plan));
     result.longest = std::max(result.longest, result.times.back());
     result.total += result.times.back();
-    result.in_zones += time_within(plan, task.zones);
+    result.in_zones += time_within(plan, zones_that_count(query));
     for (const int visit : sweep.routes[a]) result.on_lines += costs.along(visit);
   }
   result.bearing = half_turn(sweep.bearing);
   result.lines = static_cast<int>(sweep.lines.size());
   result.area = geo::area(task.area);
-  result.covered_share =
-      share_beside(task.area, sweep.lines, query.swath, query.overshoot);
+  result.covered_share = share_beside(task.area, sweep.lines, query.swath);
   result.outcome = CoverageOutcome::kPlanned;
   if (result.in_zones > 0) {
     result.outcome = CoverageOutcome::kZoneInTheWay;
@@ -148,7 +146,8 @@ std::string_view name_of(CoverageOutcome outcome) {
 CoverageResult plan_coverage(const CoverageQuery& query) {
   CoverageResult result;
   if (auto bad = check(query)) return std::move(*bad);
-  std::vector<geo::Ring> zones = zones_that_count(query);
+  std::vector<geo::Ring> zones;
+  for (const Zone& zone : zones_that_count(query)) zones.push_back(outline(zone));
   geo::Region area = area_to_cover(query, zones);
   if (geo::area(area) < kLeastArea) {
     result.outcome = CoverageOutcome::kNothingToCover;

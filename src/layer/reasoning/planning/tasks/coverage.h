@@ -23,13 +23,11 @@ struct CoverageAircraft {
 struct CoverageQuery {
   geo::Ring area;                ///< either direction; does not cross itself
   std::vector<geo::Ring> holes;  ///< not to be surveyed, but may be flown over
-  std::vector<Zone> zones;  ///< not to be flown over; those that hold at the altitude
-  double swath = 100;       ///< width that the sensor sees, half on either side [m]
-  double overlap = 0;       ///< share of it that neighbouring lines have in common
-  double overshoot = 0;     ///< lines begin this much earlier and end later [m]
-  /// Lines keep this far from zones, so that there is room to turn [m]. None: the ground
-  /// turn radius.
-  std::optional<double> zone_distance = std::nullopt;
+  std::vector<Zone> zones;    ///< not to be flown over; those that hold at the altitude
+  double swath = 100;         ///< width that the sensor sees, half on either side [m]
+  double overlap = 0;         ///< share of it that neighbouring lines have in common
+  double overshoot = 0;       ///< lines begin this much earlier and end later [m]
+  double zone_distance = 0;   ///< lines keep this far from zones [m]
   double altitude_msl = 100;  ///< of the lines [m]
   double start_time = 0;      ///< [s]
   FlightLimits limits;        ///< of each aircraft

@@ -151,8 +151,7 @@ std::optional<CoverageResult> check(const CoverageQuery& query) {
   const bool swath_fine =
       std::isfinite(query.swath) && query.swath > 0 && query.overlap >= 0 &&
       query.overlap < 1 && query.overshoot >= 0 && query.overshoot <= kMostCoordinate &&
-      (!query.zone_distance ||
-       (std::isfinite(*query.zone_distance) && *query.zone_distance >= 0));
+      query.zone_distance >= 0 && query.zone_distance <= kMostCoordinate;
   if (!swath_fine)
     return refused(
         CoverageOutcome::kBadSwath,
@@ -186,13 +185,13 @@ std::optional<CoverageResult> check_lines(const CoverageQuery& query,
                   2 * widest / kMostLines / (1 - query.overlap)));
 }
 
-std::vector<geo::Ring> zones_that_count(const CoverageQuery& query) {
-  std::vector<geo::Ring> rings;
+std::vector<Zone> zones_that_count(const CoverageQuery& query) {
+  std::vector<Zone> zones;
   for (const Zone& zone : query.zones)
     if (query.altitude_msl >= zone.floor_msl && query.altitude_msl <= zone.ceiling_msl &&
         zone.until >= query.start_time)
-      rings.push_back(outline(zone));
-  return rings;
+      zones.push_back(zone);
+  return zones;
 }
 
 geo::Region area_to_cover(const CoverageQuery& query,

@@ -18,8 +18,8 @@ std::optional<CoverageResult> check(const CoverageQuery& query);
 std::optional<CoverageResult> check_lines(const CoverageQuery& query,
                                           const geo::Region& area);
 
-/// Outlines of the zones that hold at the altitude at some time from the start on.
-std::vector<geo::Ring> zones_that_count(const CoverageQuery& query);
+/// The zones that hold at the altitude at some time from the start on.
+std::vector<Zone> zones_that_count(const CoverageQuery& query);
 
 /// The area without holes and zones, clean.
 geo::Region area_to_cover(const CoverageQuery& query,

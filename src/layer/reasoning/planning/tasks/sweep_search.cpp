@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "layer/reasoning/planning/tasks/zone_lines.h"
+#include "layer/reasoning/planning/tasks/gap_lines.h"
 #include "model/path/wind_triangle.h"
 
 namespace skein::planning {
@@ -130,11 +130,18 @@ DetourTime detour_of(const SweepTask& task) {
   };
 }
 
+GapTask gaps_of(const SweepTask& task, double bearing) {
+  const double turn = geo::kPi * task.room.turn_radius;
+  return {task.area, task.zones, task.spacing, bearing, turn, task.room};
+}
+
 Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int pieces,
                       const OrderEffort& effort) {
   Sweep sweep;
   sweep.bearing = bearing;
   sweep.lines = lines_at(task, bearing, rule, pieces);
+  const auto more = gap_lines(gaps_of(task, bearing), sweep.lines);
+  sweep.lines.insert(sweep.lines.end(), more.begin(), more.end());
   sweep.too_many = sweep.lines.size() > kMostLines;
   if (sweep.lines.empty() || sweep.too_many) return sweep;
   LineCosts costs(sweep.lines, task.air, task.ends, detour_of(task));
@@ -258,7 +265,7 @@ std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule 
       cut.push_back(
           {line.a + k * part - more, line.a + (k + 1) * part + more, line.cell});
     }
-  return clear_of(cut, task.zones, task.zone_distance);
+  return clear_of(cut, task.zones, task.room);
 }
 
 Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "layer/reasoning/planning/tasks/line_sharing.h"
+#include "layer/reasoning/planning/tasks/zone_lines.h"
 
 namespace skein::planning {
 
@@ -13,7 +14,7 @@ struct SweepTask {
   double overshoot = 0;          ///< lines are this much longer at both ends [m]
   double joined = 0;             ///< see sweep_lines
   std::vector<geo::Ring> zones;  ///< to keep out of; positive
-  double zone_distance = 0;      ///< lines keep this far from them [m]
+  ZoneRoom room;                 ///< of lines to them
   model::AirMotion air;
   std::vector<RouteEnds> ends;  ///< of each aircraft
 };

@@ -3,22 +3,33 @@
 #include <vector>
 
 #include "data/flight_plan.h"
+#include "data/zone.h"
 #include "layer/reasoning/planning/tasks/sweep_lines.h"
 #include "model/connection/connection.h"
 
 namespace skein::planning {
 
-/// The parts of lines that lie outside of zones and at least `distance` [m] from them.
+/// What aircraft on lines need beside zones.
+struct ZoneRoom {
+  double distance = 0;  ///< between lines and zones [m]
+  /// Beyond the ends of lines a half turn of this radius to the left or to the right,
+  /// over ground, lies outside of zones [m].
+  double turn_radius = 0;
+};
+
+/// The parts of lines that lie outside of zones and have room to them.
 /// @param zones  positive rings.
 /// Cost: lines times corners.
 std::vector<SweepLine> clear_of(const std::vector<SweepLine>& lines,
-                                const std::vector<geo::Ring>& zones, double distance);
+                                const std::vector<geo::Ring>& zones,
+                                const ZoneRoom& room);
 
 /// Whether the ground track of a plan enters one of the zones, turns taken as chords of
 /// 0.1 rad.
 bool enters(const FlightPlan& plan, const std::vector<geo::Ring>& zones);
 
-/// Time that a plan spends within zones [s], to 0.05 s for each time it enters one.
-double time_within(const FlightPlan& plan, const std::vector<geo::Ring>& zones);
+/// Time that a plan spends within zones, more than 0.1 m from their borders [s], to 0.05
+/// s for each time it enters one; altitudes and times of zones are not looked at.
+double time_within(const FlightPlan& plan, const std::vector<Zone>& zones);
 
 }  // namespace skein::planning

@@ -27,30 +27,48 @@ double inside_zones(const CoverageQuery& q, const FlightPlan& plan) {
   for (double t = 0; t < model::end_time_of(plan); t += 0.1)
     for (const Zone& z : q.zones)
       if (const Vec2 p = geo::horizontal(model::moment_at(plan, t).p_N); covers(z, p))
-        deepest = std::max(deepest, -distance_from(outline(z), p));
+        deepest = std::max(deepest, -distance_from(outline(z, 0.01), p));
   return deepest;
 }
 
 TEST(CoverageZones, StaysOutWithAPlannerAndSeesTheRest) {
   const AaStar planner;
-  int planned = 0;
   for (int i = 0; i < 6; ++i) {
     CoverageQuery q = with_zones(i);
     q.planner = &planner;
-    q.zone_distance = 70;
     const CoverageResult r = plan_coverage(q);
-    ASSERT_TRUE(r.outcome == CoverageOutcome::kPlanned ||
-                r.outcome == CoverageOutcome::kZoneInTheWay)
-        << r.reason;
+    ASSERT_EQ(r.outcome, CoverageOutcome::kPlanned) << i << ": " << r.reason;
     expect_flyable(r.plans[0], q.limits, q.wind);
-    EXPECT_EQ(missed(q, r, 17, 70 + q.swath / 2), 0) << i;
-    EXPECT_LT(r.covered_share, 1);
-    EXPECT_GT(r.covered_share, 0.7);
-    if (r.outcome != CoverageOutcome::kPlanned) continue;
-    ++planned;
-    EXPECT_LT(inside_zones(q, r.plans[0]), 0.2) << i;
+    EXPECT_EQ(missed(q, r, 17), 0) << i;
+    EXPECT_NEAR(r.covered_share, 1, 1e-4) << i;
+    EXPECT_LT(inside_zones(q, r.plans[0]), 0.1) << i;
+    EXPECT_EQ(r.in_zones, 0) << i;
   }
-  EXPECT_GE(planned, 5);
+}
+
+TEST(CoverageZones, KeepsADistanceThatIsAskedForAndSeesWhatIsFurther) {
+  const AaStar planner;
+  for (int i = 0; i < 3; ++i) {
+    CoverageQuery q = with_zones(i);
+    q.planner = &planner;
+    q.zone_distance = 60;
+    const CoverageResult r = plan_coverage(q);
+    ASSERT_EQ(r.outcome, CoverageOutcome::kPlanned) << i << ": " << r.reason;
+    EXPECT_EQ(missed(q, r, 17, 60 + q.swath / 2), 0) << i;
+    EXPECT_LT(r.covered_share, 0.999);
+  }
+}
+
+TEST(CoverageZones, SeveralAircraftSeeTheRestToo) {
+  const AaStar planner;
+  CoverageQuery q = with_zones(2);
+  q.planner = &planner;
+  q.aircraft.push_back({FlightState{{0, -900, -100}, 0}});
+  const CoverageResult r = plan_coverage(q);
+  ASSERT_EQ(r.outcome, CoverageOutcome::kPlanned) << r.reason;
+  ASSERT_EQ(r.plans.size(), 2);
+  EXPECT_EQ(missed(q, r, 17), 0);
+  for (const FlightPlan& plan : r.plans) EXPECT_LT(inside_zones(q, plan), 0.1);
 }
 
 TEST(CoverageZones, SaysSoWhenAConnectionEntersOne) {

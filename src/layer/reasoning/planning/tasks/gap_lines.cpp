@@ -1,0 +1,161 @@
+#include "layer/reasoning/planning/tasks/gap_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geo/boundary_index.h"
+#include "geo/clip.h"
+
+namespace skein::planning {
+namespace {
+
+constexpr double kLeastGap = 1e-2;  // that counts as one [m^2]
+constexpr int kMostRounds = 40;
+
+// Parts of a region that are at most `distance` apart, or a little more.
+std::vector<geo::Region> groups_of(const geo::Region& region, double distance) {
+  geo::Region hulls;
+  for (const geo::Ring& ring : geo::grown(region, distance / 2, distance / 20))
+    if (geo::signed_area(ring) > 0) hulls.push_back(ring);
+  // The smallest one that surrounds a ring is its own.
+  std::sort(hulls.begin(), hulls.end(), [](const geo::Ring& a, const geo::Ring& b) {
+    return geo::signed_area(a) < geo::signed_area(b);
+  });
+  std::vector<geo::Region> groups(hulls.size());
+  for (const geo::Ring& ring : region)
+    for (std::size_t i = 0; i < hulls.size(); ++i)
+      if (geo::contains(hulls[i], ring.front())) {
+        groups[i].push_back(ring);
+        break;
+      }
+  std::erase_if(groups, [](const geo::Region& g) { return geo::area(g) < kLeastGap; });
+  return groups;
+}
+
+double bearing_of_edge(const geo::Ring& ring, std::size_t i) {
+  const double b =
+      geo::wrap_2pi(geo::bearing(ring[i + 1 == ring.size() ? 0 : i + 1] - ring[i]));
+  return b >= geo::kPi ? b - geo::kPi : b;
+}
+
+// Along the border of zones nearest to the group, along their long edges nearby, and
+// across the lines that there are.
+std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& borders,
+                                 const geo::Region& group) {
+  constexpr std::size_t kBins = 24, kEdges = 3;
+  Vec2 least = group[0][0], most = least, middle = Vec2::Zero();
+  double points = 0;
+  for (const geo::Ring& ring : group)
+    for (const Vec2& p : ring) {
+      least = least.cwiseMin(p);
+      most = most.cwiseMax(p);
+      middle += p;
+      ++points;
+    }
+  std::vector<double> bearings = {task.bearing + geo::kPi / 2};
+  const geo::NearestPoint near = borders.nearest(middle / points);
+  bearings.push_back(bearing_of_edge(task.zones[static_cast<std::size_t>(near.ring)],
+                                     static_cast<std::size_t>(near.edge)));
+  struct Bin {
+    double length = 0, longest = 0, bearing = 0;
+  };
+  std::array<Bin, kBins> bins;
+  const Vec2 more = Vec2::Constant(task.spacing);
+  for (const geo::Ring& ring : task.zones)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& p = ring[i];
+      const Vec2& q = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if ((p.cwiseMin(q).array() > (most + more).array()).any() ||
+          (p.cwiseMax(q).array() < (least - more).array()).any())
+        continue;
+      const double b = bearing_of_edge(ring, i), length = (q - p).norm();
+      Bin& bin =
+          bins[std::min(kBins - 1, static_cast<std::size_t>(b / geo::kPi * kBins))];
+      bin.length += length;
+      if (length <= bin.longest) continue;
+      bin.longest = length;
+      bin.bearing = b;
+    }
+  std::stable_sort(bins.begin(), bins.end(),
+                   [](const Bin& a, const Bin& b) { return a.length > b.length; });
+  for (std::size_t i = 0; i < kEdges && bins[i].length > 0; ++i)
+    bearings.push_back(bins[i].bearing);
+  return bearings;
+}
+
+struct Choice {
+  std::vector<SweepLine> lines;
+  double worth = 0;  // newly seen for each metre flown [m]
+};
+
+// Those lines at a bearing that see enough of a group for what they cost.
+Choice choice_at(const GapTask& task, const geo::Region& group, double bearing) {
+  constexpr double kShare = 0.6;  // of what the best line is worth
+  const auto lines = clear_of(
+      sweep_lines(group, bearing, task.spacing, CellRule::kSplit, task.turn_length / 2),
+      task.zones, task.room);
+  std::vector<double> seen, flown;
+  double best = 0;
+  for (const SweepLine& line : lines) {
+    seen.push_back(geo::shared_area(group, beside({line}, task.spacing / 2),
+                                    geo::FillRule::kNonZero));
+    flown.push_back((line.b - line.a).norm() + task.turn_length);
+    best = std::max(best, seen.back() / flown.back());
+  }
+  Choice choice;
+  double all_seen = 0, all_flown = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (seen[i] < kLeastGap / 4 || seen[i] / flown[i] < kShare * best) continue;
+    choice.lines.push_back(lines[i]);
+    all_seen += seen[i];
+    all_flown += flown[i];
+  }
+  if (all_flown > 0) choice.worth = all_seen / all_flown;
+  return choice;
+}
+
+}  // namespace
+
+geo::Region beside(const std::vector<SweepLine>& lines, double half) {
+  constexpr double kMore = 1e-3;  // [m]
+  geo::Region seen;
+  for (const SweepLine& line : lines) {
+    const Vec2 along = (line.b - line.a).normalized();
+    const Vec2 right = (half + kMore) * geo::turned_right(along);
+    const Vec2 a = line.a - kMore * along, b = line.b + kMore * along;
+    seen.push_back({a - right, b - right, b + right, a + right});
+  }
+  return seen;
+}
+
+std::vector<SweepLine> gap_lines(const GapTask& task,
+                                 const std::vector<SweepLine>& lines) {
+  std::vector<SweepLine> more;
+  if (task.zones.empty()) return more;
+  const geo::BoundaryIndex borders(task.zones);
+  int cell = 0;
+  for (const SweepLine& line : lines) cell = std::max(cell, line.cell + 1);
+  const double half = task.spacing / 2;
+  geo::Region left = geo::subtract(task.area, beside(lines, half));
+  for (int round = 0; round < kMostRounds && geo::area(left) > kLeastGap; ++round) {
+    std::vector<SweepLine> found;
+    for (const geo::Region& group : groups_of(left, task.spacing)) {
+      Choice best;
+      for (const double bearing : bearings_for(task, borders, group)) {
+        Choice next = choice_at(task, group, bearing);
+        if (next.worth > best.worth + 1e-9) best = std::move(next);
+      }
+      found.insert(found.end(), best.lines.begin(), best.lines.end());
+    }
+    if (found.empty()) break;
+    left = geo::subtract(left, beside(found, half));
+    for (SweepLine& line : found) {
+      line.cell = cell++;
+      more.push_back(line);
+    }
+  }
+  return more;
+}
+
+}  // namespace skein::planning

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "geo/polygon.h"
+#include "layer/reasoning/planning/tasks/zone_lines.h"
+
+namespace skein::planning {
+
+/// Where lines end before zones, so that there is room to turn, some of the area is left
+/// unseen. What is needed to see it from other lines.
+struct GapTask {
+  const geo::Region& area;              ///< clean, without the zones
+  const std::vector<geo::Ring>& zones;  ///< positive
+  double spacing = 100;                 ///< lines see half of it on either side [m]
+  double bearing = 0;                   ///< of the lines that there are [rad]
+  double turn_length = 100;             ///< flown from one line to another, roughly [m]
+  ZoneRoom room;                        ///< of lines to zones
+};
+
+/// What lies beside lines, at most `half` away: a rectangle for each, all positive. They
+/// are 1 mm larger on each side, against the rounding of lines that only just touch.
+geo::Region beside(const std::vector<SweepLine>& lines, double half);
+
+/// Lines through what the given ones leave unseen, clear of the zones; mostly along the
+/// borders of zones. Each is a cell of its own, numbered on from the given ones.
+///
+/// Parts that are near to each other are swept at some bearings: along the zone's border
+/// nearby and across the given lines. Of each sweep the lines count that see much for
+/// their length and a turn, and those at the bearing that sees most are kept, until
+/// nothing is left that can be seen.
+std::vector<SweepLine> gap_lines(const GapTask& task,
+                                 const std::vector<SweepLine>& lines);
+
+}  // namespace skein::planning
