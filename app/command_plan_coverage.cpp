@@ -1,5 +1,6 @@
 // skein plan coverage: parallel sweeps over an area.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -119,7 +120,8 @@ int put_coverage(const PlanCoverageArguments& arguments, const TaskInput& task,
 
 }  // namespace
 
-int plan_coverage_command(const PlanCoverageArguments& arguments) {
+int plan_coverage_command(const PlanCoverageArguments& arguments,
+                          const std::atomic<bool>& stop) {
   std::vector<std::filesystem::path> inputs = {arguments.area};
   inputs.insert(inputs.end(), arguments.maps.zones.begin(), arguments.maps.zones.end());
   const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
@@ -141,8 +143,20 @@ int plan_coverage_command(const PlanCoverageArguments& arguments) {
   query.aircraft = std::move(aircraft).value();
   query.zones = airspace.value().zones;
   query.planner = planner.value().get();
-  return put_coverage(arguments, task.value(), area.value(), airspace.value(),
-                      planning::plan_coverage(query));
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  query.watch.stop = [&stop] { return stop.load(); };
+  query.watch.progress = [terminal, told = -1](double share) mutable {
+    const int percent = static_cast<int>(100 * share);
+    if (terminal && percent != told) complain("\r{} % planned", percent);
+    told = percent;
+  };
+  const planning::CoverageResult found = planning::plan_coverage(query);
+  if (terminal) complain("\r              \r");
+  const int status =
+      put_coverage(arguments, task.value(), area.value(), airspace.value(), found);
+  if (!found.stopped) return status;
+  complain("note: stopped; this is the best plan so far.\n");
+  return kInterrupted;
 }
 
 }  // namespace skein::app

@@ -133,7 +133,8 @@ int plan_connect_command(const PlanConnectArguments& arguments);
 int plan_batch_command(const PlanConnectArguments& arguments,
                        const std::atomic<bool>& stop);
 int plan_path_command(const PlanPathArguments& arguments, const std::atomic<bool>& stop);
-int plan_coverage_command(const PlanCoverageArguments& arguments);
+int plan_coverage_command(const PlanCoverageArguments& arguments,
+                          const std::atomic<bool>& stop);
 int plan_patrol_command(const PlanPatrolArguments& arguments);
 int plan_orbit_command(const PlanOrbitArguments& arguments);
 int plan_rendezvous_command(const PlanRendezvousArguments& arguments);

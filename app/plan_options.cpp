@@ -375,7 +375,7 @@ bool PlanOptions::chosen() const {
 int PlanOptions::run(const std::atomic<bool>& stop) const {
   const Parts& p = *parts_;
   if (*p.path_command) return plan_path_command(p.path, stop);
-  if (*p.coverage_command) return plan_coverage_command(p.coverage);
+  if (*p.coverage_command) return plan_coverage_command(p.coverage, stop);
   if (*p.patrol_command) return plan_patrol_command(p.patrol);
   if (*p.orbit_command) return plan_orbit_command(p.orbit);
   if (*p.rendezvous_command) return plan_rendezvous_command(p.rendezvous);

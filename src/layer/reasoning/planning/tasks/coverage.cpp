@@ -37,7 +37,8 @@ SweepTask task_of(const CoverageQuery& query, geo::Region area,
                                                 query.limits.airspeed, query.wind.norm());
   // Shorter gaps are not worth leaving the line.
   task.joined = turn;
-  task.zones = std::move(zones);
+  task.zones = ZoneRings(std::move(zones));
+  task.watch = query.watch;
   task.room = {query.zone_distance + kBeside, turn};
   for (const CoverageAircraft& a : query.aircraft) {
     RouteEnds ends;
@@ -53,7 +54,7 @@ void add_connection(const CoverageQuery& query, const SweepTask& task,
                     const FlightState& from, const FlightState& to, FlightPlan& plan) {
   const double start = plan.empty() ? query.start_time : model::end_time_of(plan);
   FlightPlan way = join(from, to, query.limits, query.wind, start);
-  if (query.planner != nullptr && enters(way, task.zones)) {
+  if (query.planner != nullptr && task.zones.entered_by(way)) {
     Airspace airspace;
     airspace.zones = query.zones;
     PathQuery ask;
@@ -124,6 +125,7 @@ CoverageResult described(const CoverageQuery& query, const SweepTask& task,
   result.lines = static_cast<int>(sweep.lines.size());
   result.area = geo::area(task.area);
   result.covered_share = share_beside(task.area, sweep.lines, query.swath);
+  result.stopped = query.watch.stopped();
   result.outcome = CoverageOutcome::kPlanned;
   if (result.in_zones > 0) {
     result.outcome = CoverageOutcome::kZoneInTheWay;

@@ -9,6 +9,7 @@
 #include "data/flight_plan.h"
 #include "data/vehicle.h"
 #include "data/zone.h"
+#include "layer/reasoning/planning/tasks/watch.h"
 #include "role/path_planner.h"
 
 namespace skein::planning {
@@ -37,6 +38,7 @@ struct CoverageQuery {
   std::optional<double> bearing = std::nullopt;
   /// For connections that would enter a zone; none: such connections are not mended.
   const PathPlanner* planner = nullptr;
+  Watch watch = {};
 };
 
 enum class CoverageOutcome : std::uint8_t {
@@ -61,6 +63,7 @@ struct CoverageResult {
   std::string reason = {};        ///< for people; empty when planned
   std::vector<FlightPlan> plans;  ///< of each aircraft; empty for one that has no line
   std::vector<double> times;      ///< of each plan [s]
+  bool stopped = false;           ///< by the watch: there may be better ones
   double longest = 0;             ///< of these: when the survey is done [s]
   double total = 0;               ///< their sum [s]
   double bearing = 0;             ///< of the lines [rad, [0, pi)]
@@ -83,10 +86,10 @@ struct CoverageResult {
 /// lines are flown exactly, heading into the wind; connections are the quickest flights.
 ///
 /// Guarantee: without zones every point of the area lies beside a flown line, at most
-/// swath (1 - overlap) / 2 from it. With zones every point does that is further than that
-/// and `zone_distance` from all of them; `covered_share` says what is left. Lines never
-/// come nearer to a zone than `zone_distance`; connections enter one only with outcome
-/// kZoneInTheWay.
+/// swath (1 - overlap) / 2 from it. With zones this holds but for what `zone_distance`
+/// takes and corners where there is no room to turn (gap_lines.h); `covered_share` says
+/// how much is seen. Lines never come nearer to a zone than `zone_distance`; connections
+/// enter one only with outcome kZoneInTheWay.
 CoverageResult plan_coverage(const CoverageQuery& query);
 
 }  // namespace skein::planning

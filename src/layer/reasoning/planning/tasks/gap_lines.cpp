@@ -55,14 +55,15 @@ std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& 
     }
   std::vector<double> bearings = {task.bearing + geo::kPi / 2};
   const geo::NearestPoint near = borders.nearest(middle / points);
-  bearings.push_back(bearing_of_edge(task.zones[static_cast<std::size_t>(near.ring)],
-                                     static_cast<std::size_t>(near.edge)));
+  bearings.push_back(
+      bearing_of_edge(task.zones.rings()[static_cast<std::size_t>(near.ring)],
+                      static_cast<std::size_t>(near.edge)));
   struct Bin {
     double length = 0, longest = 0, bearing = 0;
   };
   std::array<Bin, kBins> bins;
   const Vec2 more = Vec2::Constant(task.spacing);
-  for (const geo::Ring& ring : task.zones)
+  for (const geo::Ring& ring : task.zones.rings())
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& p = ring[i];
       const Vec2& q = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -90,13 +91,14 @@ struct Choice {
 };
 
 // Those lines at a bearing that see enough of a group for what they cost.
-Choice choice_at(const GapTask& task, const geo::Region& group, double bearing) {
+Choice choice_at(const GapTask& task, const geo::Region& group, double bearing,
+                 double least_worth) {
   constexpr double kShare = 0.6;  // of what the best line is worth
   const auto lines = clear_of(
       sweep_lines(group, bearing, task.spacing, CellRule::kSplit, task.turn_length / 2),
       task.zones, task.room);
   std::vector<double> seen, flown;
-  double best = 0;
+  double best = least_worth / kShare;
   for (const SweepLine& line : lines) {
     seen.push_back(geo::shared_area(group, beside({line}, task.spacing / 2),
                                     geo::FillRule::kNonZero));
@@ -113,6 +115,24 @@ Choice choice_at(const GapTask& task, const geo::Region& group, double bearing) 
   }
   if (all_flown > 0) choice.worth = all_seen / all_flown;
   return choice;
+}
+
+std::vector<SweepLine> best_lines(const GapTask& task, const geo::BoundaryIndex& borders,
+                                  const geo::Region& group, double least_worth) {
+  Choice best;
+  for (const double bearing : bearings_for(task, borders, group)) {
+    Choice next = choice_at(task, group, bearing, least_worth);
+    if (next.worth > best.worth + 1e-9) best = std::move(next);
+  }
+  return best.lines;
+}
+
+// The area without what is too near to zones for any line to see it.
+geo::Region visible(const GapTask& task) {
+  constexpr double kTolerance = 1;  // [m]
+  const double hidden = task.room.distance - task.spacing / 2 - kTolerance;
+  if (hidden <= 0) return task.area;
+  return geo::subtract(task.area, geo::grown(task.zones.rings(), hidden, kTolerance / 2));
 }
 
 }  // namespace
@@ -133,23 +153,25 @@ std::vector<SweepLine> gap_lines(const GapTask& task,
                                  const std::vector<SweepLine>& lines) {
   std::vector<SweepLine> more;
   if (task.zones.empty()) return more;
-  const geo::BoundaryIndex borders(task.zones);
+  const geo::BoundaryIndex borders(task.zones.rings());
   int cell = 0;
   for (const SweepLine& line : lines) cell = std::max(cell, line.cell + 1);
   const double half = task.spacing / 2;
-  geo::Region left = geo::subtract(task.area, beside(lines, half));
-  for (int round = 0; round < kMostRounds && geo::area(left) > kLeastGap; ++round) {
+  // Where a distance to zones hides what is near them, no more lines come ever nearer to
+  // the limit.
+  constexpr double kLeastWorth = 0.05;  // of a line that sees only what is new
+  const double least_worth = task.room.distance > half ? kLeastWorth * task.spacing : 0;
+  geo::Region left = geo::subtract(visible(task), beside(lines, half));
+  for (int round = 0; round < kMostRounds && !left.empty(); ++round) {
     std::vector<SweepLine> found;
+    geo::Region rest;
     for (const geo::Region& group : groups_of(left, task.spacing)) {
-      Choice best;
-      for (const double bearing : bearings_for(task, borders, group)) {
-        Choice next = choice_at(task, group, bearing);
-        if (next.worth > best.worth + 1e-9) best = std::move(next);
-      }
-      found.insert(found.end(), best.lines.begin(), best.lines.end());
+      const auto best = best_lines(task, borders, group, least_worth);
+      if (best.empty()) continue;  // and never will there be any
+      found.insert(found.end(), best.begin(), best.end());
+      rest.insert(rest.end(), group.begin(), group.end());
     }
-    if (found.empty()) break;
-    left = geo::subtract(left, beside(found, half));
+    left = geo::subtract(rest, beside(found, half));
     for (SweepLine& line : found) {
       line.cell = cell++;
       more.push_back(line);

@@ -10,12 +10,12 @@ namespace skein::planning {
 /// Where lines end before zones, so that there is room to turn, some of the area is left
 /// unseen. What is needed to see it from other lines.
 struct GapTask {
-  const geo::Region& area;              ///< clean, without the zones
-  const std::vector<geo::Ring>& zones;  ///< positive
-  double spacing = 100;                 ///< lines see half of it on either side [m]
-  double bearing = 0;                   ///< of the lines that there are [rad]
-  double turn_length = 100;             ///< flown from one line to another, roughly [m]
-  ZoneRoom room;                        ///< of lines to zones
+  const geo::Region& area;  ///< clean, without the zones
+  const ZoneRings& zones;
+  double spacing = 100;      ///< lines see half of it on either side [m]
+  double bearing = 0;        ///< of the lines that there are [rad]
+  double turn_length = 100;  ///< flown from one line to another, roughly [m]
+  ZoneRoom room;             ///< of lines to zones
 };
 
 /// What lies beside lines, at most `half` away: a rectangle for each, all positive. They

@@ -9,11 +9,12 @@
 namespace skein::planning {
 
 LineCosts::LineCosts(std::vector<SweepLine> lines, const model::AirMotion& air,
-                     std::vector<RouteEnds> ends, DetourTime detour)
+                     std::vector<RouteEnds> ends, DetourTime detour, Stop stop)
     : lines_(std::move(lines)),
       air_(air),
       ends_(std::move(ends)),
       detour_(std::move(detour)),
+      stop_(std::move(stop)),
       fastest_(air.airspeed + air.wind.norm()) {
   const auto visits = static_cast<std::size_t>(2 * lines_.size());
   for (const SweepLine& line : lines_)

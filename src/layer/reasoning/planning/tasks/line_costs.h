@@ -20,6 +20,9 @@ struct RouteEnds {
 using DetourTime = std::function<double(const model::Pose& from, const model::Pose& to,
                                         const model::Connection& connection)>;
 
+/// Asked now and then by what orders lines; true ends that with the order so far.
+using Stop = std::function<bool()>;
+
 /// Exact times between lines in wind, each computed when first asked.
 ///
 /// A *visit* is a line in one direction: 2 i from a to b of line i, 2 i + 1 from b to a,
@@ -29,7 +32,7 @@ class LineCosts {
  public:
   /// Needs |wind| < airspeed. Memory: 8 bytes for each pair of visits.
   LineCosts(std::vector<SweepLine> lines, const model::AirMotion& air,
-            std::vector<RouteEnds> ends, DetourTime detour = {});
+            std::vector<RouteEnds> ends, DetourTime detour = {}, Stop stop = {});
 
   int lines() const { return static_cast<int>(lines_.size()); }
   int aircraft() const { return static_cast<int>(ends_.size()); }
@@ -44,6 +47,9 @@ class LineCosts {
   const RouteEnds& ends(int aircraft) const {
     return ends_[static_cast<std::size_t>(aircraft)];
   }
+
+  /// Whether no more time shall be spent on a better order.
+  bool stopped() const { return stop_ && stop_(); }
 
   /// Time along a visit's line [s]; 0 for a start or an end.
   double along(int node) const { return along_[static_cast<std::size_t>(node)]; }
@@ -65,6 +71,7 @@ class LineCosts {
   model::AirMotion air_;
   std::vector<RouteEnds> ends_;
   DetourTime detour_;
+  Stop stop_;
   double fastest_;
   std::vector<double> along_;
   std::vector<model::Pose> entries_, exits_;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/check.h"
 #include "base/random.h"
 
 namespace skein::planning {
@@ -115,7 +114,7 @@ class Improver {
   }
 
   void run() {
-    while (reverse_some() || move_some()) {
+    while (!costs_.stopped() && (reverse_some() || move_some())) {
     }
   }
 
@@ -261,7 +260,7 @@ Route improved(LineCosts& costs, int aircraft, Route route, int kicks) {
   first.run();
   double least = first.time();
   route = first.route();
-  for (int k = 0; k < kicks; ++k) {
+  for (int k = 0; k < kicks && !costs.stopped(); ++k) {
     Improver next(costs, aircraft, disturbed(route, random));
     next.run();
     if (next.time() >= least - kGain) continue;
@@ -269,53 +268,6 @@ Route improved(LineCosts& costs, int aircraft, Route route, int kicks) {
     route = next.route();
   }
   return route;
-}
-
-Route quickest_order(LineCosts& costs, int aircraft, const Route& route) {
-  const std::size_t n = route.size();
-  SKEIN_CHECK(n <= 12, n);
-  if (n == 0) return route;
-  const std::size_t sets = std::size_t{1} << n;
-  const auto visit = [&](std::size_t k) {
-    return (route[k / 2] & ~1) + static_cast<int>(k % 2);
-  };
-  // least[set][k]: quickest through all lines of the set that ends with visit k.
-  std::vector<double> least(sets * 2 * n, 1e300);
-  std::vector<std::size_t> came(sets * 2 * n, 0);
-  for (std::size_t k = 0; k < 2 * n; ++k)
-    least[(std::size_t{1} << k / 2) * 2 * n + k] =
-        costs.cost(costs.start_of(aircraft), visit(k));
-  for (std::size_t set = 1; set < sets; ++set)
-    for (std::size_t k = 0; k < 2 * n; ++k) {
-      const double so_far = least[set * 2 * n + k];
-      if (so_far >= 1e300) continue;
-      for (std::size_t j = 0; j < 2 * n; ++j) {
-        if ((set >> j / 2 & 1u) != 0) continue;
-        const std::size_t next = (set | std::size_t{1} << j / 2) * 2 * n + j;
-        const double time = so_far + costs.cost(visit(k), visit(j));
-        if (time >= least[next]) continue;
-        least[next] = time;
-        came[next] = k;
-      }
-    }
-  std::size_t best = 0;
-  double time = 1e300;
-  for (std::size_t k = 0; k < 2 * n; ++k) {
-    const double whole =
-        least[(sets - 1) * 2 * n + k] + costs.cost(visit(k), costs.end_of(aircraft));
-    if (whole >= time) continue;
-    time = whole;
-    best = k;
-  }
-  Route out(n);
-  std::size_t set = sets - 1;
-  for (std::size_t k = n; k-- > 0;) {
-    out[k] = visit(best);
-    const std::size_t before = came[set * 2 * n + best];
-    set &= ~(std::size_t{1} << best / 2);
-    best = before;
-  }
-  return out;
 }
 
 Route order_lines(LineCosts& costs, const OrderEffort& effort) {

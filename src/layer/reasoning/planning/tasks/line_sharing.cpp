@@ -82,7 +82,7 @@ class Balancer {
   }
 
   Routes run() {
-    for (int round = 0; round < kMostRounds; ++round)
+    for (int round = 0; round < kMostRounds && !costs_.stopped(); ++round)
       if (!step()) break;
     return std::move(routes_);
   }

@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "layer/reasoning/planning/tasks/gap_lines.h"
+#include "layer/reasoning/planning/tasks/sweep_bearings.h"
 #include "model/path/wind_triangle.h"
 
 namespace skein::planning {
 namespace {
 
-// Between bearings that are tried.
-constexpr double kStep = geo::kPi / 720;
 constexpr std::array kRules = {CellRule::kCommonLines, CellRule::kSplit,
                                CellRule::kSplitAtJumps};
 
@@ -25,43 +24,6 @@ bool convex(const geo::Region& area) {
     if (geo::cross(q - p, s - q) < -1e-6 * (q - p).norm()) return false;
   }
   return true;
-}
-
-double half_turn(double bearing) {
-  const double b = geo::wrap_2pi(bearing);
-  return b >= geo::kPi ? b - geo::kPi : b;
-}
-
-// Bearings at which the number of lines across the whole area changes, on the side where
-// it is smaller.
-void add_fewer_lines(const SweepTask& task, std::vector<double>& bearings) {
-  const auto count = [&](double b) {
-    return std::ceil(width_across(task.area, b) / task.spacing - 1e-9);
-  };
-  for (int k = 0; k < 720; ++k) {
-    double few = k * kStep, many = few + kStep;
-    if (count(few) == count(many)) continue;
-    if (count(few) > count(many)) std::swap(few, many);
-    const double least = count(few);
-    for (int i = 0; i < 30; ++i) {
-      const double middle = (few + many) / 2;
-      (count(middle) <= least ? few : many) = middle;
-    }
-    bearings.push_back(half_turn(few));
-  }
-}
-
-std::vector<double> candidate_bearings(const SweepTask& task) {
-  std::vector<double> bearings;
-  for (int k = 0; k < 720; ++k) bearings.push_back(k * kStep);
-  for (const geo::Ring& ring : task.area)
-    for (std::size_t i = 0; i < ring.size() && ring.size() <= 64; ++i)
-      bearings.push_back(half_turn(geo::bearing(ring[(i + 1) % ring.size()] - ring[i])));
-  if (task.air.wind.norm() > 0)
-    for (const double turned : {0.0, geo::kPi / 2})
-      bearings.push_back(half_turn(geo::bearing(task.air.wind) + turned));
-  add_fewer_lines(task, bearings);
-  return bearings;
 }
 
 // How wide turns are in lines, and one more.
@@ -117,34 +79,39 @@ double rough_time(const SweepTask& task, const std::vector<SweepLine>& lines,
   return length * slowness / 2 + static_cast<double>(lines.size()) * turn;
 }
 
+// Lines at a bearing and those that see what these leave before zones.
+std::vector<SweepLine> all_lines(const SweepTask& task, double bearing, CellRule rule,
+                                 int pieces) {
+  std::vector<SweepLine> lines = lines_at(task, bearing, rule, pieces);
+  const double turn = geo::kPi * task.room.turn_radius;
+  const auto more =
+      gap_lines({task.area, task.zones, task.spacing, bearing, turn, task.room}, lines);
+  lines.insert(lines.end(), more.begin(), more.end());
+  return lines;
+}
+
 DetourTime detour_of(const SweepTask& task) {
   if (task.zones.empty()) return {};
   double around = 0;
-  for (const geo::Ring& ring : task.zones) around = std::max(around, geo::length(ring));
+  for (const geo::Ring& ring : task.zones.rings())
+    around = std::max(around, geo::length(ring));
   const double slow = task.air.airspeed - task.air.wind.norm();
   // Half around the largest zone and a turn: rather long, as it shall be avoided.
   const double lost = (around / 2 + 2 * geo::kPi * task.air.turn_radius) / slow;
   return [&task, lost](const model::Pose& from, const model::Pose&,
                        const model::Connection& c) {
-    return enters(model::to_flight_plan(c, from, task.air), task.zones) ? lost : 0.0;
+    return task.zones.entered_by(model::to_flight_plan(c, from, task.air)) ? lost : 0.0;
   };
-}
-
-GapTask gaps_of(const SweepTask& task, double bearing) {
-  const double turn = geo::kPi * task.room.turn_radius;
-  return {task.area, task.zones, task.spacing, bearing, turn, task.room};
 }
 
 Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int pieces,
                       const OrderEffort& effort) {
   Sweep sweep;
   sweep.bearing = bearing;
-  sweep.lines = lines_at(task, bearing, rule, pieces);
-  const auto more = gap_lines(gaps_of(task, bearing), sweep.lines);
-  sweep.lines.insert(sweep.lines.end(), more.begin(), more.end());
+  sweep.lines = all_lines(task, bearing, rule, pieces);
   sweep.too_many = sweep.lines.size() > kMostLines;
   if (sweep.lines.empty() || sweep.too_many) return sweep;
-  LineCosts costs(sweep.lines, task.air, task.ends, detour_of(task));
+  LineCosts costs(sweep.lines, task.air, task.ends, detour_of(task), task.watch.stop);
   sweep.routes = share_lines(costs, effort);
   sweep.longest = sweep.total = 0;
   for (int a = 0; a < costs.aircraft(); ++a) {
@@ -178,20 +145,40 @@ void sort(std::vector<Candidate>& candidates) {
       [](const Candidate& a, const Candidate& b) { return a.time < b.time; });
 }
 
+// A part of the work, as shares of the whole.
+struct Part {
+  double from, to;
+
+  void tell(const Watch& watch, std::size_t done, std::size_t all) const {
+    watch.tell(from + (to - from) * static_cast<double>(done) / static_cast<double>(all));
+  }
+};
+
+// About the shares of time they take.
+constexpr Part kAllBearings{0, 0.05}, kSimply{0.05, 0.15}, kBetter{0.15, 0.45},
+    kFully{0.45, 0.85}, kBeside{0.85, 1};
+
 // The first `count` of the list with their times in a simple order, or in a better one,
 // the quickest first.
 std::vector<Candidate> in_order(const SweepTask& task, std::vector<Candidate> candidates,
-                                std::size_t count, bool improve) {
+                                std::size_t count, bool improve, const Part& part) {
   sort(candidates);
   if (candidates.size() > count) candidates.resize(count);
+  std::size_t done = 0;
   for (Candidate& c : candidates) {
+    // At least one has been looked at when there is no more time.
+    if (done > 0 && task.watch.stopped()) break;
+    part.tell(task.watch, done++, candidates.size());
     // Zones cost too much for the many.
-    LineCosts costs(lines_at(task, c.bearing, c.rule), task.air, task.ends,
-                    improve ? detour_of(task) : DetourTime{});
+    auto lines = improve ? all_lines(task, c.bearing, c.rule, 1)
+                         : lines_at(task, c.bearing, c.rule);
+    LineCosts costs(std::move(lines), task.air, task.ends,
+                    improve ? detour_of(task) : DetourTime{}, task.watch.stop);
     OrderEffort effort;
     effort.most_skip = skip_of(task);
     c.time = rough_longest(costs, effort, improve);
   }
+  candidates.resize(done);
   sort(candidates);
   return candidates;
 }
@@ -199,7 +186,8 @@ std::vector<Candidate> in_order(const SweepTask& task, std::vector<Candidate> ca
 // Whether a list has one of the same rule within a step.
 bool has_like(const std::vector<Candidate>& list, const Candidate& c) {
   return std::any_of(list.begin(), list.end(), [&](const Candidate& other) {
-    return other.rule == c.rule && std::abs(other.bearing - c.bearing) < 1.5 * kStep;
+    return other.rule == c.rule &&
+           std::abs(other.bearing - c.bearing) < 1.5 * kBearingStep;
   });
 }
 
@@ -217,18 +205,19 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
   const bool several = task.ends.size() > 1;
   const bool zones = !task.zones.empty();
   const std::size_t better_ordered =
-      count_for(zones ? 500 : 2400, candidates, 12, several ? 800 : 300);
-  const std::size_t count = zones     ? count_for(80, candidates, 4, 10)
+      count_for(zones ? 3000 : 2400, candidates, 12, several ? 800 : 300);
+  const std::size_t count = zones     ? count_for(300, candidates, 4, 30)
                             : several ? count_for(2500, candidates, 8, 300)
                                       : count_for(250, candidates, 4, 30);
-  candidates = in_order(task, std::move(candidates), simply, false);
-  candidates = in_order(task, std::move(candidates), better_ordered, true);
+  candidates = in_order(task, std::move(candidates), simply, false, kSimply);
+  candidates = in_order(task, std::move(candidates), better_ordered, true, kBetter);
   std::vector<Candidate> tried;
   Sweep best;
   Candidate from = candidates.front();
   for (const Candidate& c : candidates) {
-    if (tried.size() >= count) break;
+    if (tried.size() >= count || (!tried.empty() && task.watch.stopped())) break;
     if (has_like(tried, c)) continue;
+    kFully.tell(task.watch, tried.size(), count);
     tried.push_back(c);
     Sweep next = swept(task, c.bearing, c.rule, effort_for(task, c.lines));
     if (!better(next, best)) continue;
@@ -236,8 +225,11 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
     from = c;
   }
   // Bearings beside the best one, ever closer.
-  for (double step = several ? 4 * kStep : kStep; step > kStep / 10; step /= 2)
+  const double widest = several ? 4 * kBearingStep : kBearingStep;
+  for (double step = widest; step > kBearingStep / 10; step /= 2)
     for (const double side : {-1.0, 1.0}) {
+      if (task.watch.stopped()) return best;
+      task.watch.tell(kBeside.to - (kBeside.to - kBeside.from) * step / widest);
       Sweep next = swept(task, best.bearing + side * step, from.rule,
                          effort_for(task, from.lines));
       if (better(next, best)) best = std::move(next);
@@ -283,7 +275,12 @@ Sweep best_sweep(const SweepTask& task) {
   std::vector<Candidate> candidates;
   const bool one_rule = convex(task.area);
   bool too_many = false;
-  for (const double bearing : candidate_bearings(task)) {
+  const std::vector<double> bearings =
+      bearings_to_try(task.area, task.spacing, task.air.wind);
+  std::size_t done = 0;
+  for (const double bearing : bearings) {
+    if (!candidates.empty() && task.watch.stopped()) break;
+    kAllBearings.tell(task.watch, done++, bearings.size());
     const double turn = usual_turn(task, bearing);
     for (const CellRule rule : kRules) {
       const auto lines = lines_at(task, bearing, rule);

@@ -3,20 +3,22 @@
 #include <vector>
 
 #include "layer/reasoning/planning/tasks/line_sharing.h"
+#include "layer/reasoning/planning/tasks/watch.h"
 #include "layer/reasoning/planning/tasks/zone_lines.h"
 
 namespace skein::planning {
 
 /// An area to be swept by equal aircraft in one wind.
 struct SweepTask {
-  geo::Region area;              ///< clean
-  double spacing = 100;          ///< largest distance of lines [m]
-  double overshoot = 0;          ///< lines are this much longer at both ends [m]
-  double joined = 0;             ///< see sweep_lines
-  std::vector<geo::Ring> zones;  ///< to keep out of; positive
-  ZoneRoom room;                 ///< of lines to them
+  geo::Region area;      ///< clean
+  double spacing = 100;  ///< largest distance of lines [m]
+  double overshoot = 0;  ///< lines are this much longer at both ends [m]
+  double joined = 0;     ///< see sweep_lines
+  ZoneRings zones;       ///< to keep out of
+  ZoneRoom room;         ///< of lines to them
   model::AirMotion air;
   std::vector<RouteEnds> ends;  ///< of each aircraft
+  Watch watch = {};
 };
 
 /// One way to sweep it.
@@ -41,6 +43,7 @@ std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule 
 Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort);
 
 /// The best sweep found over all bearings. `longest` is infinite when there are no lines.
+/// Stopped by the task's watch it ends with the best so far, which is always one.
 Sweep best_sweep(const SweepTask& task);
 
 }  // namespace skein::planning

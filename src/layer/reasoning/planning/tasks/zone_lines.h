@@ -5,7 +5,7 @@
 #include "data/flight_plan.h"
 #include "data/zone.h"
 #include "layer/reasoning/planning/tasks/sweep_lines.h"
-#include "model/connection/connection.h"
+#include "layer/reasoning/planning/tasks/zone_rings.h"
 
 namespace skein::planning {
 
@@ -18,15 +18,9 @@ struct ZoneRoom {
 };
 
 /// The parts of lines that lie outside of zones and have room to them.
-/// @param zones  positive rings.
 /// Cost: lines times corners.
 std::vector<SweepLine> clear_of(const std::vector<SweepLine>& lines,
-                                const std::vector<geo::Ring>& zones,
-                                const ZoneRoom& room);
-
-/// Whether the ground track of a plan enters one of the zones, turns taken as chords of
-/// 0.1 rad.
-bool enters(const FlightPlan& plan, const std::vector<geo::Ring>& zones);
+                                const ZoneRings& zones, const ZoneRoom& room);
 
 /// Time that a plan spends within zones, more than 0.1 m from their borders [s], to 0.05
 /// s for each time it enters one; altitudes and times of zones are not looked at.

@@ -36,6 +36,29 @@ TEST(Coverage, FliesOneLineOverAStrip) {
   EXPECT_NEAR(r.covered_share, 1, 1e-9);
 }
 
+TEST(Coverage, StoppedItEndsWithTheBestSoFar) {
+  CoverageQuery q = box(3000, 2000);
+  const CoverageResult best = plan_coverage(q);
+  EXPECT_FALSE(best.stopped);
+  // Never asked before something is there, so even an early stop gives a plan.
+  for (const int patience : {0, 1, 5, 400}) {
+    int asked = 0;
+    double told = 0;
+    q.watch.stop = [&] { return ++asked > patience; };
+    q.watch.progress = [&](double share) {
+      EXPECT_GE(share, told);
+      EXPECT_LE(share, 1);
+      told = share;
+    };
+    const CoverageResult r = plan_coverage(q);
+    EXPECT_TRUE(r.stopped);
+    ASSERT_EQ(r.outcome, CoverageOutcome::kPlanned) << r.reason;
+    EXPECT_EQ(missed(q, r, 31), 0);
+    EXPECT_GE(r.longest, best.longest - 1e-6);
+    EXPECT_LT(asked, patience + 200);
+  }
+}
+
 TEST(Coverage, KeepsTheGroundTrackInWind) {
   CoverageQuery q = box(900, 500);
   q.wind = {3, -6};

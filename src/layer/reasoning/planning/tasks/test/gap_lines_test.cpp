@@ -16,22 +16,21 @@ geo::Ring square(double half) {
 TEST(ZoneRoom, LinesEndWhereATurnStillAvoidsAWall) {
   // A wall along x = 0. A turn from a line that meets it at an angle touches it when it
   // begins radius tan(angle / 2) before.
-  const std::vector<geo::Ring> wall = {
-      {{0, -9000}, {500, -9000}, {500, 9000}, {0, 9000}}};
+  const ZoneRings wall({{{0, -9000}, {500, -9000}, {500, 9000}, {0, 9000}}});
   for (const double angle : {0.3, 0.9, geo::kPi / 2}) {
     const Vec2 along(std::sin(angle), std::cos(angle));
     const auto lines = clear_of({{-800 * along, 200 * along}}, wall, {0, 50});
     ASSERT_EQ(lines.size(), 1) << angle;
-    // Arcs are taken for up to 0.5 % larger.
+    // Arcs are taken for up to 2 % larger.
     const double least = 50 * std::tan(angle / 2);
     EXPECT_GE(lines[0].b.norm(), least - 1e-9) << angle;
-    EXPECT_LE(lines[0].b.norm(), least + 0.25 / std::sin(angle) + 0.1) << angle;
+    EXPECT_LE(lines[0].b.norm(), least + 1 / std::sin(angle) + 0.1) << angle;
     EXPECT_NEAR((lines[0].a + 800 * along).norm(), 0, 1e-9) << angle;
   }
 }
 
 TEST(ZoneRoom, LinesBesideAWallKeepTheirEnds) {
-  const std::vector<geo::Ring> wall = {{{0, -900}, {500, -900}, {500, 900}, {0, 900}}};
+  const ZoneRings wall({{{0, -900}, {500, -900}, {500, 900}, {0, 900}}});
   const auto lines = clear_of({{{-1, -700}, {-1, 700}}}, wall, {0.5, 50});
   ASSERT_EQ(lines.size(), 1);
   EXPECT_NEAR((lines[0].b - lines[0].a).norm(), 1400, 1e-9);
@@ -40,17 +39,17 @@ TEST(ZoneRoom, LinesBesideAWallKeepTheirEnds) {
 
 TEST(ZoneRoom, NothingIsLeftWhereThereIsNoRoom) {
   // Two walls closer than a turn: a line into the lane between them has no way out.
-  const std::vector<geo::Ring> lane = {
+  const ZoneRings lane(std::vector<geo::Ring>{
       {{0, -500}, {500, -500}, {500, -10}, {0, -10}},
       {{0, 10}, {500, 10}, {500, 500}, {0, 500}},
       {{480, -10}, {520, -10}, {520, 10}, {480, 10}},
-  };
+  });
   EXPECT_TRUE(clear_of({{{100, 0}, {470, 0}}}, lane, {1, 50}).empty());
 }
 
 TEST(GapLines, SeeWhatLinesLeaveBeforeAZone) {
-  const std::vector<geo::Ring> zones = {square(150)};
-  const geo::Region area = geo::subtract({square(600)}, zones);
+  const ZoneRings zones({square(150)});
+  const geo::Region area = geo::subtract({square(600)}, zones.rings());
   const ZoneRoom room{0.01, 60};
   const auto lines = clear_of(sweep_lines(area, 0, 80, CellRule::kSplit, 0), zones, room);
   const double seen = geo::shared_area(area, beside(lines, 40), geo::FillRule::kNonZero);
@@ -67,13 +66,14 @@ TEST(GapLines, SeeWhatLinesLeaveBeforeAZone) {
 }
 
 TEST(GapLines, NoneWhereNothingIsLeft) {
-  const std::vector<geo::Ring> zones = {square(150)};
+  const ZoneRings zones({square(150)});
   const geo::Region area = {{{200, -600}, {600, -600}, {600, 600}, {200, 600}}};
   const ZoneRoom room{0.01, 60};
   const auto lines =
       clear_of(sweep_lines(area, geo::kPi / 2, 80, CellRule::kSplit, 0), zones, room);
   EXPECT_TRUE(gap_lines({area, zones, 80, geo::kPi / 2, 190, room}, lines).empty());
-  EXPECT_TRUE(gap_lines({area, {}, 80, geo::kPi / 2, 190, room}, {}).empty());
+  const ZoneRings none;
+  EXPECT_TRUE(gap_lines({area, none, 80, geo::kPi / 2, 190, room}, {}).empty());
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+namespace skein::planning {
+
+/// Somebody who waits for a long search.
+struct Watch {
+  /// Asked now and then; true ends the search with the best found so far.
+  std::function<bool()> stop = {};
+  /// Told now and then which share of the work is done, 0 to 1, roughly.
+  std::function<void(double share)> progress = {};
+
+  bool stopped() const { return stop && stop(); }
+  void tell(double share) const {
+    if (progress) progress(share);
+  }
+};
+
+}  // namespace skein::planning
