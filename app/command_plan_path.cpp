@@ -231,6 +231,11 @@ int plan_path_command(const PlanPathArguments& arguments, const std::atomic<bool
   if (!setting) return say_error(setting.error());
   const auto ends = read_ends(arguments.ends, setting.value());
   if (!ends) return say_error(ends.error());
+  const bool place_known = setting.value().frame.has_value();
+  if (auto good =
+          check_formats(arguments.output, {place_known, ends.value().has_altitude});
+      !good)
+    return say_error(good.error());
   return plan_path(arguments, stop, setting.value(), ends.value());
 }
 

@@ -117,6 +117,19 @@ Result<void> check_files(const PlanOutput& output,
   return {};
 }
 
+Result<void> check_formats(const PlanOutput& output, const exchange::Known& known) {
+  for (const std::filesystem::path& file : output.files) {
+    const auto format = exchange::format_of(file);
+    if (!format) return format.error();
+    if (auto good = exchange::check_known(format.value(), known); !good) {
+      Error error = good.error();
+      error.place = file.string();
+      return error;
+    }
+  }
+  return {};
+}
+
 int put_plan(const exchange::Document& document, const Json& about,
              const PlanOutput& output) {
   const exchange::WritingOptions options{output.tolerance, output.step};

@@ -7,6 +7,7 @@
 #include "app/plan_arguments.h"
 #include "base/result.h"
 #include "exchange/document.h"
+#include "exchange/formats.h"
 
 namespace skein::app {
 
@@ -15,6 +16,10 @@ namespace skein::app {
 /// Fails: kBadInput; one file by two names (a link, `./`) is one file.
 Result<void> check_files(const PlanOutput& output,
                          const std::vector<std::filesystem::path>& inputs);
+
+/// Whether the formats of all files can say what is known. Asked before long work begins.
+/// Fails: kBadInput.
+Result<void> check_formats(const PlanOutput& output, const exchange::Known& known);
 
 /// Writes the files and prints the plan: a table for people, or JSON, whose first members
 /// are those of `about`.

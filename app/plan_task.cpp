@@ -34,6 +34,9 @@ Result<TaskInput> read_task(const PlanSetting& given, const PlanLimits& given_li
     task.altitude = 0.0 - task.starts.front().p_N.z();
     task.has_altitude = true;
   }
+  const bool place_known = task.setting.frame.has_value();
+  if (auto good = check_formats(output, {place_known, task.has_altitude}); !good)
+    return good.error();
   return task;
 }
 

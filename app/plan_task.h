@@ -19,8 +19,8 @@ struct TaskInput {
 };
 
 /// Reads setting, limits and starts; checks the names of the files to be written, which
-/// must not be `inputs`. The
-/// task's altitude is that of --altitude-m, else that of the first start.
+/// must not be `inputs`, and whether their formats can say what is known. The task's
+/// altitude is that of --altitude-m, else that of the first start.
 /// Fails: as what it calls; kBadInput when only some starts have an altitude.
 Result<TaskInput> read_task(const PlanSetting& setting, const PlanLimits& limits,
                             const PlanStarts& starts, const PlanOutput& output,

@@ -378,6 +378,21 @@ TEST_F(PlanTask, OutputsAreNoInputsAndAreNotGivenTwice) {
   EXPECT_NE(twice.err.find("given twice"), std::string::npos) << twice.err;
 }
 
+TEST_F(PlanTask, FormatsAreCheckedBeforeAnythingIsPlanned) {
+  const auto area = write("field.geojson", kField).string();
+  // So many lines are refused as well, but only when the area has been read.
+  const Finished place =
+      plan("coverage", {"--area", area, "--swath-m", "0.1", "--out", "plan.geojson"});
+  EXPECT_EQ(place.status, 2);
+  EXPECT_NE(place.err.find("plan.geojson"), std::string::npos) << place.err;
+  EXPECT_NE(place.err.find("--origin"), std::string::npos) << place.err;
+  const Finished altitude =
+      plan("coverage", {"--area", area, "--swath-m", "0.1", "--origin", "50,14",
+                        "--map-metres", "--out", "plan.waypoints"});
+  EXPECT_EQ(altitude.status, 2);
+  EXPECT_NE(altitude.err.find("--altitude-m"), std::string::npos) << altitude.err;
+}
+
 TEST_F(PlanTask, CoverageSaysWhatZonesTake) {
   const auto area = write("field.geojson", kField).string();
   const auto block = write("block.geojson",

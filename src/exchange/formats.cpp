@@ -38,6 +38,28 @@ Result<Format> format_of(const std::filesystem::path& file) {
                fmt::format("Allowed: {}.", known)};
 }
 
+Known known_of(const Document& document) {
+  return {document.frame.has_value(), document.has_altitude};
+}
+
+Result<void> check_known(Format format, const Known& known) {
+  const bool mission = format == Format::kQgcPlan || format == Format::kWaypoints;
+  const bool on_earth = mission || format == Format::kGeojson || format == Format::kKml;
+  const std::string_view what = mission                      ? "missions have"
+                                : format == Format::kGeojson ? "GeoJSON has"
+                                                             : "KML has";
+  if (on_earth && !known.place)
+    return Error{ErrorCode::kBadInput, "",
+                 fmt::format("{} latitudes and longitudes; the place on Earth is not "
+                             "known.",
+                             what),
+                 "Give --origin."};
+  if (mission && !known.altitude)
+    return Error{ErrorCode::kBadInput, "", "missions have altitudes; none was given.",
+                 "Give --altitude-m."};
+  return {};
+}
+
 Result<std::string> to_text(const Document& document, Format format,
                             const WritingOptions& options) {
   switch (format) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "exchange/formats.h"
 #include "exchange/samples.h"
 
 namespace skein::exchange {
@@ -18,13 +19,8 @@ Error refused(const std::string& why, const std::string& hint) {
 
 Result<std::vector<MissionItem>> to_mission(const Document& document,
                                             const WritingOptions& options) {
-  if (!document.frame)
-    return refused(
-        "missions have latitudes and longitudes; the place on Earth is not "
-        "known.",
-        "Give --origin.");
-  if (!document.has_altitude)
-    return refused("missions have altitudes; none was given.", "Give --altitude-m.");
+  if (auto good = check_known(Format::kWaypoints, known_of(document)); !good)
+    return good.error();
   if (document.plans.size() == 1 && document.plans[0].plan.empty())
     return refused("the flight is empty; a mission needs waypoints.",
                    "Write another format.");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "exchange/formats.h"
 #include "exchange/samples.h"
 #include "exchange/writers.h"
 #include "geo/vec.h"
@@ -150,10 +151,8 @@ class Writer {
 }  // namespace
 
 Result<std::string> to_geojson(const Document& document, const WritingOptions& options) {
-  if (!document.frame)
-    return Error{ErrorCode::kBadInput, "",
-                 "GeoJSON has latitudes and longitudes; the place on Earth is not known.",
-                 "Give --origin."};
+  if (auto good = check_known(Format::kGeojson, known_of(document)); !good)
+    return good.error();
   return Writer(document, options).write();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "exchange/formats.h"
 #include "exchange/plan_picture.h"
 #include "exchange/samples.h"
 #include "exchange/text_shown.h"
@@ -123,10 +124,8 @@ class Writer {
 }  // namespace
 
 Result<std::string> to_kml(const Document& document, const WritingOptions& options) {
-  if (!document.frame)
-    return Error{ErrorCode::kBadInput, "",
-                 "KML has latitudes and longitudes; the place on Earth is not known.",
-                 "Give --origin."};
+  if (auto good = check_known(Format::kKml, known_of(document)); !good)
+    return good.error();
   return Writer(document, options).write();
 }
 
