@@ -158,6 +158,28 @@ struct Part {
 constexpr Part kAllBearings{0, 0.05}, kSimply{0.05, 0.15}, kBetter{0.15, 0.45},
     kFully{0.45, 0.85}, kBeside{0.85, 1};
 
+// In a simple order, without lines for what zones hide, and through zones: they cost too
+// much for the many.
+double simple_time(const SweepTask& task, const Candidate& c) {
+  LineCosts costs(lines_at(task, c.bearing, c.rule), task.air, task.ends, {},
+                  task.watch.stop);
+  OrderEffort effort;
+  effort.most_skip = skip_of(task);
+  return rough_longest(costs, effort, false);
+}
+
+// In a better order. For several aircraft lines are shared as in the end, but in haste:
+// where these start is not seen in one order of all lines.
+double better_time(const SweepTask& task, const Candidate& c) {
+  OrderEffort effort;
+  effort.most_skip = skip_of(task);
+  effort.kicks = 0;
+  if (task.ends.size() > 1) return swept(task, c.bearing, c.rule, effort).longest;
+  LineCosts costs(all_lines(task, c.bearing, c.rule, 1), task.air, task.ends,
+                  detour_of(task), task.watch.stop);
+  return rough_longest(costs, effort, true);
+}
+
 // The first `count` of the list with their times in a simple order, or in a better one,
 // the quickest first.
 std::vector<Candidate> in_order(const SweepTask& task, std::vector<Candidate> candidates,
@@ -169,14 +191,7 @@ std::vector<Candidate> in_order(const SweepTask& task, std::vector<Candidate> ca
     // At least one has been looked at when there is no more time.
     if (done > 0 && task.watch.stopped()) break;
     part.tell(task.watch, done++, candidates.size());
-    // Zones cost too much for the many.
-    auto lines = improve ? all_lines(task, c.bearing, c.rule, 1)
-                         : lines_at(task, c.bearing, c.rule);
-    LineCosts costs(std::move(lines), task.air, task.ends,
-                    improve ? detour_of(task) : DetourTime{}, task.watch.stop);
-    OrderEffort effort;
-    effort.most_skip = skip_of(task);
-    c.time = rough_longest(costs, effort, improve);
+    c.time = improve ? better_time(task, c) : simple_time(task, c);
   }
   candidates.resize(done);
   sort(candidates);
@@ -204,10 +219,12 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
   // How several aircraft share lines is not seen in simple orders: more are tried out.
   const bool several = task.ends.size() > 1;
   const bool zones = !task.zones.empty();
-  const std::size_t better_ordered =
-      count_for(zones ? 3000 : 2400, candidates, 12, several ? 800 : 300);
+  const std::size_t better_ordered = count_for(zones     ? 3000
+                                               : several ? 12000
+                                                         : 2400,
+                                               candidates, 12, several ? 3000 : 300);
   const std::size_t count = zones     ? count_for(300, candidates, 4, 30)
-                            : several ? count_for(2500, candidates, 8, 300)
+                            : several ? count_for(500, candidates, 8, 60)
                                       : count_for(250, candidates, 4, 30);
   candidates = in_order(task, std::move(candidates), simply, false, kSimply);
   candidates = in_order(task, std::move(candidates), better_ordered, true, kBetter);
