@@ -52,7 +52,7 @@ SweepTask task_of(std::uint64_t i, int aircraft) {
 double best_of_all(const SweepTask& task) {
   double best = 1e300;
   for (int k = 0; k < 720; ++k)
-    best = std::min(best, sweep_at(task, k * geo::kPi / 720, {}).longest);
+    best = std::min(best, sweep_at(task, k * geo::kPi / 720, {}).cost);
   return best;
 }
 
@@ -86,7 +86,7 @@ void sweep_gap(benchmark::State& state) {
     for (std::uint64_t i = 0; i < cases; ++i) {
       SweepTask task = task_of(i, aircraft);
       if (state.range(2) > 0) task = with_zones(i, task);
-      const double gap = best_sweep(task).longest / best_of_all(task) - 1;
+      const double gap = best_sweep(task).cost / best_of_all(task) - 1;
       worst = std::max(worst, gap);
       mean += gap / static_cast<double>(cases);
       over += gap > 0.03 ? 1 : 0;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kLeastGap = 1e-2;  // that counts as one [m^2]
 constexpr int kMostRounds = 40;
+constexpr double kApart = 0.1;  // of parts that are not one [m]
 
 // Parts of a region that are at most `distance` apart, or a little more.
 std::vector<geo::Region> groups_of(const geo::Region& region, double distance) {
@@ -149,10 +150,9 @@ geo::Region beside(const std::vector<SweepLine>& lines, double half) {
   return seen;
 }
 
-std::vector<SweepLine> gap_lines(const GapTask& task,
-                                 const std::vector<SweepLine>& lines) {
-  std::vector<SweepLine> more;
-  if (task.zones.empty()) return more;
+GapLines gap_lines(const GapTask& task, const std::vector<SweepLine>& lines) {
+  GapLines gaps;
+  if (task.zones.empty()) return gaps;
   const geo::BoundaryIndex borders(task.zones.rings());
   int cell = 0;
   for (const SweepLine& line : lines) cell = std::max(cell, line.cell + 1);
@@ -165,19 +165,27 @@ std::vector<SweepLine> gap_lines(const GapTask& task,
   for (int round = 0; round < kMostRounds && !left.empty(); ++round) {
     std::vector<SweepLine> found;
     geo::Region rest;
-    for (const geo::Region& group : groups_of(left, task.spacing)) {
+    const auto take = [&](const geo::Region& group) {
       const auto best = best_lines(task, borders, group, least_worth);
-      if (best.empty()) continue;  // and never will there be any
+      if (best.empty()) return false;
       found.insert(found.end(), best.begin(), best.end());
       rest.insert(rest.end(), group.begin(), group.end());
+      return true;
+    };
+    for (const geo::Region& group : groups_of(left, task.spacing)) {
+      if (take(group)) continue;
+      // Not together, then one by one.
+      for (const geo::Region& part : groups_of(group, kApart))
+        if (!take(part)) gaps.unseen += geo::area(part);  // and will never be seen
     }
     left = geo::subtract(rest, beside(found, half));
     for (SweepLine& line : found) {
       line.cell = cell++;
-      more.push_back(line);
+      gaps.lines.push_back(line);
     }
   }
-  return more;
+  gaps.unseen += geo::area(left);
+  return gaps;
 }
 
 }  // namespace skein::planning

@@ -22,14 +22,20 @@ struct GapTask {
 /// are 1 mm larger on each side, against the rounding of lines that only just touch.
 geo::Region beside(const std::vector<SweepLine>& lines, double half);
 
-/// Lines through what the given ones leave unseen, clear of the zones; mostly along the
-/// borders of zones. Each is a cell of its own, numbered on from the given ones.
+/// Lines that see gaps.
+struct GapLines {
+  /// Clear of the zones, mostly along their borders; each is a cell of its own, numbered
+  /// on from the given lines.
+  std::vector<SweepLine> lines;
+  double unseen = 0;  ///< area that they do not see either, but some line might [m^2]
+};
+
+/// Lines through what the given ones leave unseen.
 ///
 /// Parts that are near to each other are swept at some bearings: along the zone's border
 /// nearby and across the given lines. Of each sweep the lines count that see much for
 /// their length and a turn, and those at the bearing that sees most are kept, until
 /// nothing is left that can be seen.
-std::vector<SweepLine> gap_lines(const GapTask& task,
-                                 const std::vector<SweepLine>& lines);
+GapLines gap_lines(const GapTask& task, const std::vector<SweepLine>& lines);
 
 }  // namespace skein::planning

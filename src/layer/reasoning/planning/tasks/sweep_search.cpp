@@ -80,14 +80,19 @@ double rough_time(const SweepTask& task, const std::vector<SweepLine>& lines,
 }
 
 // Lines at a bearing and those that see what these leave before zones.
-std::vector<SweepLine> all_lines(const SweepTask& task, double bearing, CellRule rule,
-                                 int pieces) {
-  std::vector<SweepLine> lines = lines_at(task, bearing, rule, pieces);
+GapLines all_lines(const SweepTask& task, double bearing, CellRule rule, int pieces) {
+  const std::vector<SweepLine> lines = lines_at(task, bearing, rule, pieces);
   const double turn = geo::kPi * task.room.turn_radius;
-  const auto more =
+  GapLines all =
       gap_lines({task.area, task.zones, task.spacing, bearing, turn, task.room}, lines);
-  lines.insert(lines.end(), more.begin(), more.end());
-  return lines;
+  all.lines.insert(all.lines.begin(), lines.begin(), lines.end());
+  return all;
+}
+
+// What is unseen costs as much time as seeing it very often would.
+double cost_of(const SweepTask& task, double unseen) {
+  constexpr double kOften = 50;
+  return kOften * unseen / (task.spacing * task.air.airspeed);
 }
 
 DetourTime detour_of(const SweepTask& task) {
@@ -108,7 +113,9 @@ Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int 
                       const OrderEffort& effort) {
   Sweep sweep;
   sweep.bearing = bearing;
-  sweep.lines = all_lines(task, bearing, rule, pieces);
+  GapLines all = all_lines(task, bearing, rule, pieces);
+  sweep.lines = std::move(all.lines);
+  sweep.unseen = all.unseen;
   sweep.too_many = sweep.lines.size() > kMostLines;
   if (sweep.lines.empty() || sweep.too_many) return sweep;
   LineCosts costs(sweep.lines, task.air, task.ends, detour_of(task), task.watch.stop);
@@ -119,6 +126,7 @@ Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int 
     sweep.longest = std::max(sweep.longest, time);
     sweep.total += time;
   }
+  sweep.cost = sweep.longest + cost_of(task, sweep.unseen);
   return sweep;
 }
 
@@ -174,10 +182,11 @@ double better_time(const SweepTask& task, const Candidate& c) {
   OrderEffort effort;
   effort.most_skip = skip_of(task);
   effort.kicks = 0;
-  if (task.ends.size() > 1) return swept(task, c.bearing, c.rule, effort).longest;
-  LineCosts costs(all_lines(task, c.bearing, c.rule, 1), task.air, task.ends,
-                  detour_of(task), task.watch.stop);
-  return rough_longest(costs, effort, true);
+  if (task.ends.size() > 1) return swept(task, c.bearing, c.rule, effort).cost;
+  GapLines all = all_lines(task, c.bearing, c.rule, 1);
+  LineCosts costs(std::move(all.lines), task.air, task.ends, detour_of(task),
+                  task.watch.stop);
+  return rough_longest(costs, effort, true) + cost_of(task, all.unseen);
 }
 
 // The first `count` of the list with their times in a simple order, or in a better one,
@@ -257,8 +266,8 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
 }  // namespace
 
 bool better(const Sweep& a, const Sweep& b) {
-  if (a.longest < b.longest - 1e-9) return true;
-  return a.longest <= b.longest + 1e-9 && a.total < b.total - 1e-9;
+  if (a.cost < b.cost - 1e-9) return true;
+  return a.cost <= b.cost + 1e-9 && a.total < b.total - 1e-9;
 }
 
 std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule rule,

@@ -28,10 +28,12 @@ struct Sweep {
   std::vector<Route> routes;
   double longest = 1e300;  ///< of the routes [s]
   double total = 1e300;    ///< of all routes [s]
+  double unseen = 0;       ///< before zones, though some line might see it [m^2]
+  double cost = 1e300;     ///< longest, and more for what is unseen [s]
   bool too_many = false;   ///< no way: more than kMostLines lines
 };
 
-/// Whether a is done earlier than b, or as early with less flying.
+/// Whether a costs less than b, or as much with less flying.
 bool better(const Sweep& a, const Sweep& b);
 
 /// Lines at a bearing, clear of zones, each cut into equal pieces, with overshoot.

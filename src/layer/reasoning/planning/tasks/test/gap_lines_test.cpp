@@ -54,7 +54,8 @@ TEST(GapLines, SeeWhatLinesLeaveBeforeAZone) {
   const auto lines = clear_of(sweep_lines(area, 0, 80, CellRule::kSplit, 0), zones, room);
   const double seen = geo::shared_area(area, beside(lines, 40), geo::FillRule::kNonZero);
   EXPECT_LT(seen, geo::area(area) - 2 * 50 * 280);
-  const auto more = gap_lines({area, zones, 80, 0, 190, room}, lines);
+  const auto [more, unseen] = gap_lines({area, zones, 80, 0, 190, room}, lines);
+  EXPECT_LT(unseen, 0.1);
   // Two borders face the lines; what is left there is as deep as a turn.
   EXPECT_EQ(more.size(), 2);
   auto all = lines;
@@ -71,9 +72,9 @@ TEST(GapLines, NoneWhereNothingIsLeft) {
   const ZoneRoom room{0.01, 60};
   const auto lines =
       clear_of(sweep_lines(area, geo::kPi / 2, 80, CellRule::kSplit, 0), zones, room);
-  EXPECT_TRUE(gap_lines({area, zones, 80, geo::kPi / 2, 190, room}, lines).empty());
+  EXPECT_TRUE(gap_lines({area, zones, 80, geo::kPi / 2, 190, room}, lines).lines.empty());
   const ZoneRings none;
-  EXPECT_TRUE(gap_lines({area, none, 80, geo::kPi / 2, 190, room}, {}).empty());
+  EXPECT_TRUE(gap_lines({area, none, 80, geo::kPi / 2, 190, room}, {}).lines.empty());
 }
 
 }  // namespace
