@@ -122,10 +122,8 @@ int put_coverage(const PlanCoverageArguments& arguments, const TaskInput& task,
 
 int plan_coverage_command(const PlanCoverageArguments& arguments,
                           const std::atomic<bool>& stop) {
-  std::vector<std::filesystem::path> inputs = {arguments.area};
-  inputs.insert(inputs.end(), arguments.maps.zones.begin(), arguments.maps.zones.end());
   const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
-                              arguments.output, inputs);
+                              arguments.output, files_of(arguments.maps, arguments.area));
   if (!task) return say_error(task.error());
   const auto features =
       read_features(arguments.area, arguments.maps, task.value().setting);

@@ -6,7 +6,9 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "app/plan_conflicts.h"
 #include "app/plan_document.h"
+#include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
 #include "exchange/text_shown.h"
@@ -82,7 +84,7 @@ void add_target(exchange::Document& document, const planning::MovingTarget& targ
 
 int plan_orbit_command(const PlanOrbitArguments& arguments) {
   const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
-                              arguments.output, {});
+                              arguments.output, files_of(arguments.maps));
   if (!task) return say_error(task.error());
   if (task.value().starts.size() != 1)
     return say_error(
@@ -90,15 +92,18 @@ int plan_orbit_command(const PlanOrbitArguments& arguments) {
          fmt::format("{} starts given; one is needed.", task.value().starts.size()), ""});
   const auto target = target_of(arguments, task.value().setting);
   if (!target) return say_error(target.error());
+  const auto airspace =
+      read_airspace(arguments.maps, task.value().setting, task.value().has_altitude);
+  if (!airspace) return say_error(airspace.error());
   planning::OrbitQuery query = query_of(arguments, task.value());
   query.target = target.value();
   const planning::OrbitResult found = planning::plan_orbit(query);
-  const Json about = about_orbit(found);
+  Json about = about_orbit(found);
   const std::string outcome(planning::name_of(found.outcome));
   if (found.plan.empty())
     return say_no_plan(outcome, found.reason, about, arguments.output, kBadUsage);
   exchange::Document document = document_of("Orbit around a target", task.value().setting,
-                                            task.value().has_altitude, {});
+                                            task.value().has_altitude, airspace.value());
   add_flights(document, {found.plan});
   add_target(document, target.value(), query.start_time, model::end_time_of(found.plan),
              -query.altitude_msl);
@@ -107,10 +112,13 @@ int plan_orbit_command(const PlanOrbitArguments& arguments) {
       {"Distance", fmt::format("{:.1f} to {:.1f} m", found.nearest, found.farthest)},
       {"Flown at", fmt::format("{:g} m/s", found.airspeed)}};
   add_facts(document, task.value().setting);
+  const bool conflict =
+      tell_conflicts({found.plan}, airspace.value(), task.value(), about);
   const int status = put_plan(document, about, arguments.output);
-  if (found.outcome == OrbitOutcome::kPlanned) return status;
+  if (found.outcome == OrbitOutcome::kPlanned && !conflict) return status;
   // Drawn, so that one sees where; it is no success.
-  complain("note: {}: {}\n", outcome, found.reason);
+  if (found.outcome != OrbitOutcome::kPlanned)
+    complain("note: {}: {}\n", outcome, found.reason);
   return status == kDone ? static_cast<int>(kFailed) : status;
 }
 

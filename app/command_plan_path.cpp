@@ -220,9 +220,7 @@ int plan_path(const PlanPathArguments& arguments, const std::atomic<bool>& stop,
 }  // namespace
 
 int plan_path_command(const PlanPathArguments& arguments, const std::atomic<bool>& stop) {
-  std::vector<std::filesystem::path> inputs = {arguments.terrain};
-  for (const auto* files : {&arguments.maps.zones, &arguments.maps.obstacles})
-    inputs.insert(inputs.end(), files->begin(), files->end());
+  const auto inputs = files_of(arguments.maps, arguments.terrain);
   if (auto good = check_files(arguments.output, inputs); !good)
     return say_error(good.error());
   const auto place = place_of(arguments.ends.from_geo);

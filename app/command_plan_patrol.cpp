@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/plan_conflicts.h"
 #include "app/plan_document.h"
 #include "app/plan_maps.h"
 #include "app/plan_output.h"
@@ -58,7 +59,7 @@ Json about_patrol(const planning::PatrolResult& found) {
 
 int plan_patrol_command(const PlanPatrolArguments& arguments) {
   const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
-                              arguments.output, {arguments.line});
+                              arguments.output, files_of(arguments.maps, arguments.line));
   if (!task) return say_error(task.error());
   if (task.value().starts.empty())
     return say_error({ErrorCode::kBadInput, "--from", "is needed.",
@@ -68,15 +69,18 @@ int plan_patrol_command(const PlanPatrolArguments& arguments) {
   if (!features) return say_error(features.error());
   const auto line = exchange::line_of(features.value());
   if (!line) return say_error(line.error());
+  const auto airspace =
+      read_airspace(arguments.maps, task.value().setting, task.value().has_altitude);
+  if (!airspace) return say_error(airspace.error());
   const planning::PatrolQuery query = query_of(arguments, task.value(), line.value());
   const planning::PatrolResult found = planning::plan_patrol(query);
-  const Json about = about_patrol(found);
+  Json about = about_patrol(found);
   // Planned without a single pass: somebody asked for too little time.
   if (found.plans.empty() || found.outcome == planning::PatrolOutcome::kNoTime)
     return say_no_plan(std::string(planning::name_of(found.outcome)), found.reason, about,
                        arguments.output, kBadUsage);
   exchange::Document document = document_of("Patrol of a line", task.value().setting,
-                                            task.value().has_altitude, {});
+                                            task.value().has_altitude, airspace.value());
   const std::string name = line.value().name.empty() ? "line" : line.value().name;
   document.shapes.push_back({name, false, false, line.value().points});
   add_flights(document, found.plans);
@@ -86,7 +90,10 @@ int plan_patrol_command(const PlanPatrolArguments& arguments) {
   if (found.plans.size() > 1)
     document.facts.emplace_back("Interval", exchange::shown_time(found.interval));
   add_facts(document, task.value().setting);
-  return put_plan(document, about, arguments.output);
+  const bool conflict =
+      tell_conflicts(found.plans, airspace.value(), task.value(), about);
+  const int status = put_plan(document, about, arguments.output);
+  return status == kDone && conflict ? static_cast<int>(kFailed) : status;
 }
 
 }  // namespace skein::app

@@ -6,7 +6,9 @@
 
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/plan_conflicts.h"
 #include "app/plan_document.h"
+#include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
 #include "exchange/text_shown.h"
@@ -31,7 +33,7 @@ Json about_rendezvous(const planning::RendezvousResult& found) {
 
 int plan_rendezvous_command(const PlanRendezvousArguments& arguments) {
   const auto task = read_task(arguments.setting, arguments.limits, arguments.starts,
-                              arguments.output, {});
+                              arguments.output, files_of(arguments.maps));
   if (!task) return say_error(task.error());
   const std::vector<FlightState>& starts = task.value().starts;
   const auto goals =
@@ -44,6 +46,9 @@ int plan_rendezvous_command(const PlanRendezvousArguments& arguments) {
                      "is needed.",
                      goals.value().size(), starts.size()),
          ""});
+  const auto airspace =
+      read_airspace(arguments.maps, task.value().setting, task.value().has_altitude);
+  if (!airspace) return say_error(airspace.error());
   planning::RendezvousQuery query;
   for (std::size_t i = 0; i < starts.size(); ++i)
     query.aircraft.push_back({starts[i], goals.value()[i].state,
@@ -52,12 +57,12 @@ int plan_rendezvous_command(const PlanRendezvousArguments& arguments) {
   query.spacing = arguments.spacing;
   query.wind = task.value().setting.air.wind;
   const planning::RendezvousResult found = planning::plan_rendezvous(query);
-  const Json about = about_rendezvous(found);
+  Json about = about_rendezvous(found);
   if (found.plans.empty())
     return say_no_plan(std::string(planning::name_of(found.outcome)), found.reason, about,
                        arguments.output, kBadUsage);
-  exchange::Document document =
-      document_of("Rendezvous", task.value().setting, task.value().has_altitude, {});
+  exchange::Document document = document_of("Rendezvous", task.value().setting,
+                                            task.value().has_altitude, airspace.value());
   add_flights(document, found.plans);
   for (const ReadState& goal : goals.value())
     document.marks.push_back(
@@ -66,7 +71,10 @@ int plan_rendezvous_command(const PlanRendezvousArguments& arguments) {
       {"First arrival", exchange::shown_clock(*std::min_element(found.arrivals.begin(),
                                                                 found.arrivals.end()))}};
   add_facts(document, task.value().setting);
-  return put_plan(document, about, arguments.output);
+  const bool conflict =
+      tell_conflicts(found.plans, airspace.value(), task.value(), about);
+  const int status = put_plan(document, about, arguments.output);
+  return status == kDone && conflict ? static_cast<int>(kFailed) : status;
 }
 
 }  // namespace skein::app

@@ -124,6 +124,7 @@ struct PlanRendezvousArguments {
   PlanStarts starts;
   std::vector<std::string> to, to_geo;
   PlanLimits limits;
+  PlanMaps maps;
   std::optional<double> time;
   double spacing = 0;
   PlanOutput output;

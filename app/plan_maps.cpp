@@ -44,6 +44,14 @@ Result<std::vector<exchange::MapFeature>> read_features(const std::string& file,
   return features;
 }
 
+std::vector<std::filesystem::path> files_of(const PlanMaps& given,
+                                            const std::string& more) {
+  std::vector<std::filesystem::path> files(given.zones.begin(), given.zones.end());
+  files.insert(files.end(), given.obstacles.begin(), given.obstacles.end());
+  if (!more.empty()) files.emplace_back(more);
+  return files;
+}
+
 Result<Airspace> read_airspace(const PlanMaps& given, const ReadSetting& setting,
                                bool has_altitude) {
   Airspace airspace;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,10 @@
 #include "exchange/map_features.h"
 
 namespace skein::app {
+
+/// The files of zones and moving obstacles, and one more if its name is not empty.
+std::vector<std::filesystem::path> files_of(const PlanMaps& given,
+                                            const std::string& more = "");
 
 /// Zones and moving obstacles of map files; says the files' oddities on standard error. A
 /// file may have none.

@@ -142,6 +142,18 @@ void add_zones(CLI::App& command, PlanMaps& maps) {
                "GeoJSON or KML: no-flight zones. Several are allowed.");
 }
 
+void add_obstacles(CLI::App& command, PlanMaps& maps) {
+  add_repeated(command, "--obstacles", maps.obstacles,
+               "GeoJSON or KML: moving obstacles. Several are allowed.");
+}
+
+// For tasks that do not look at what is in the way.
+void add_checked(CLI::App& command, PlanMaps& maps) {
+  add_zones(command, maps);
+  add_obstacles(command, maps);
+  add_metres(command, maps);
+}
+
 }  // namespace
 
 struct PlanOptions::Parts {
@@ -189,8 +201,7 @@ struct PlanOptions::Parts {
     add_setting(command, path.setting);
     add_limits(command, path.limits);
     add_zones(command, path.maps);
-    add_repeated(command, "--obstacles", path.maps.obstacles,
-                 "GeoJSON or KML: moving obstacles. Several are allowed.");
+    add_obstacles(command, path.maps);
     add_metres(command, path.maps);
     command.add_option("--terrain", path.terrain,
                        "Elevation raster; the ground is kept clear of.");
@@ -274,7 +285,7 @@ struct PlanOptions::Parts {
     add_setting(command, patrol.setting);
     add_limits(command, patrol.limits);
     add_speeds(command, patrol.limits);
-    add_metres(command, patrol.maps);
+    add_checked(command, patrol.maps);
     command.add_flag("--closed", patrol.closed, "Around, instead of there and back.");
     command
         .add_option("--offset-m", patrol.offset,
@@ -310,6 +321,7 @@ struct PlanOptions::Parts {
     add_setting(command, orbit.setting);
     add_limits(command, orbit.limits);
     add_speeds(command, orbit.limits);
+    add_checked(command, orbit.maps);
     command.add_option("--kind", orbit.kind, "circle (default) or weave: S-turns.")
         ->check(CLI::IsMember({"circle", "weave"}));
     command
@@ -342,6 +354,7 @@ struct PlanOptions::Parts {
     add_setting(command, rendezvous.setting);
     add_limits(command, rendezvous.limits);
     add_speeds(command, rendezvous.limits);
+    add_checked(command, rendezvous.maps);
     command
         .add_option("--time-s", rendezvous.time,
                     "Of the first arrival; default: soonest.")

@@ -393,6 +393,38 @@ TEST_F(PlanTask, FormatsAreCheckedBeforeAnythingIsPlanned) {
   EXPECT_NE(altitude.err.find("--altitude-m"), std::string::npos) << altitude.err;
 }
 
+TEST_F(PlanTask, OthersSayWhatTheyComeInto) {
+  const auto line = write("pipe.geojson", kPipe).string();
+  const auto zone = write("zone.geojson",
+                          R"({"type":"Polygon","coordinates":[[[-1000,-1000],[5000,-1000],
+                              [5000,5000],[-1000,5000],[-1000,-1000]]]})")
+                        .string();
+  const auto far = write("far.geojson",
+                         R"({"type":"Polygon","coordinates":[[[-90000,-90000],
+                             [-80000,-90000],[-80000,-80000],[-90000,-90000]]]})")
+                       .string();
+  const std::vector<std::pair<const char*, std::vector<std::string>>> all = {
+      {"patrol", {"--line", line}},
+      {"orbit", {"--target", "300,300"}},
+      {"rendezvous", {"--to", "900,300,90"}}};
+  for (const auto& [task, more] : all) {
+    std::vector<std::string> options = {"--from", "0,0,0", "--json", "--zones", far};
+    options.insert(options.end(), more.begin(), more.end());
+    const Finished free = plan(task, options);
+    EXPECT_EQ(free.status, 0) << free.err;
+    EXPECT_EQ(free.err, "") << task;
+    options[4] = zone;
+    const Finished blocked = plan(task, options);
+    EXPECT_EQ(blocked.status, 1) << task;
+    EXPECT_NE(blocked.err.find("the flight is in zone 0"), std::string::npos)
+        << blocked.err;
+    const auto said = nlohmann::json::parse(blocked.out, nullptr, false);
+    ASSERT_TRUE(said.contains("conflicts")) << blocked.out;
+    EXPECT_EQ(said["conflicts"][0]["aircraft"], 1);
+    EXPECT_FALSE(said["plans"].empty());
+  }
+}
+
 TEST_F(PlanTask, CoverageSaysWhatZonesTake) {
   const auto area = write("field.geojson", kField).string();
   const auto block = write("block.geojson",
