@@ -99,7 +99,7 @@ void sweep_gap(benchmark::State& state) {
 BENCHMARK(sweep_gap)
     ->ArgNames({"aircraft", "cases", "zones"})
     ->Args({1, 200, 0})
-    ->Args({3, 14, 0})
+    ->Args({3, 34, 0})
     ->Args({1, 40, 1})
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
