@@ -117,6 +117,10 @@ int plan_connect_command(const PlanConnectArguments& arguments) {
   if (!setting) return say_error(setting.error());
   const auto ends = read_ends(arguments.ends, setting.value());
   if (!ends) return say_error(ends.error());
+  const exchange::Known known{setting.value().frame.has_value(),
+                              ends.value().has_altitude};
+  if (auto good = check_formats(arguments.output, known); !good)
+    return say_error(good.error());
   auto found = connected(arguments, ends.value(), setting.value().air);
   if (!found) return say_error(found.error());
   exchange::Document document;

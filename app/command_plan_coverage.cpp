@@ -137,6 +137,10 @@ int plan_coverage_command(const PlanCoverageArguments& arguments,
   if (!planner) return say_error(planner.error());
   auto aircraft = aircraft_of(arguments, task.value());
   if (!aircraft) return say_error(aircraft.error());
+  const exchange::Known known{task.value().setting.frame.has_value(),
+                              task.value().has_altitude, aircraft.value().size()};
+  if (auto good = check_formats(arguments.output, known); !good)
+    return say_error(good.error());
   planning::CoverageQuery query = query_of(arguments, task.value(), area.value());
   query.aircraft = std::move(aircraft).value();
   query.zones = airspace.value().zones;

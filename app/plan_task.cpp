@@ -1,5 +1,7 @@
 #include "app/plan_task.h"
 
+#include <algorithm>
+
 #include "app/plan_output.h"
 
 namespace skein::app {
@@ -34,9 +36,9 @@ Result<TaskInput> read_task(const PlanSetting& given, const PlanLimits& given_li
     task.altitude = 0.0 - task.starts.front().p_N.z();
     task.has_altitude = true;
   }
-  const bool place_known = task.setting.frame.has_value();
-  if (auto good = check_formats(output, {place_known, task.has_altitude}); !good)
-    return good.error();
+  const exchange::Known known{task.setting.frame.has_value(), task.has_altitude,
+                              std::max<std::size_t>(1, task.starts.size())};
+  if (auto good = check_formats(output, known); !good) return good.error();
   return task;
 }
 

@@ -200,6 +200,17 @@ TEST_F(PlanTask, FormatsAreCheckedBeforeAnythingIsPlanned) {
                         "--map-metres", "--out", "plan.waypoints"});
   EXPECT_EQ(altitude.status, 2);
   EXPECT_NE(altitude.err.find("--altitude-m"), std::string::npos) << altitude.err;
+  const Finished several = plan(
+      "coverage", {"--area", area, "--swath-m", "0.1", "--origin", "50,14", "--aircraft",
+                   "3", "--map-metres", "--altitude-m", "100", "--out", "plan.plan"});
+  EXPECT_EQ(several.status, 2);
+  EXPECT_NE(several.err.find("there are 3"), std::string::npos) << several.err;
+  // Nothing is written when one of the formats cannot be.
+  const Finished connect =
+      run({"plan", "connect", "--from", "0,0,0", "--to", "500,0,0", "--airspeed", "15",
+           "--turn-radius", "60", "--out", "a.csv", "--out", "a.geojson"});
+  EXPECT_EQ(connect.status, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "a.csv"));
 }
 
 TEST_F(PlanTask, OthersSayWhatTheyComeInto) {

@@ -39,7 +39,7 @@ Result<Format> format_of(const std::filesystem::path& file) {
 }
 
 Known known_of(const Document& document) {
-  return {document.frame.has_value(), document.has_altitude};
+  return {document.frame.has_value(), document.has_altitude, document.plans.size()};
 }
 
 Result<void> check_known(Format format, const Known& known) {
@@ -57,6 +57,11 @@ Result<void> check_known(Format format, const Known& known) {
   if (mission && !known.altitude)
     return Error{ErrorCode::kBadInput, "", "missions have altitudes; none was given.",
                  "Give --altitude-m."};
+  if (mission && known.flights != 1)
+    return Error{
+        ErrorCode::kBadInput, "",
+        fmt::format("a mission file holds one flight; there are {}.", known.flights),
+        "Plan for one aircraft, or write another format."};
   return {};
 }
 

@@ -20,6 +20,7 @@ Result<Format> format_of(const std::filesystem::path& file);
 struct Known {
   bool place = false;     ///< on Earth
   bool altitude = false;  ///< above mean sea level
+  std::size_t flights = 1;
 };
 
 Known known_of(const Document& document);

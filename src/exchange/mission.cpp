@@ -11,10 +11,6 @@ namespace {
 constexpr int kGlobal = 0, kNoPlace = 2;           // MAV_FRAME
 constexpr int kWaypoint = 16, kChangeSpeed = 178;  // MAV_CMD
 
-Error refused(const std::string& why, const std::string& hint) {
-  return {ErrorCode::kBadInput, "", why, hint};
-}
-
 }  // namespace
 
 Result<std::vector<MissionItem>> to_mission(const Document& document,
@@ -22,12 +18,9 @@ Result<std::vector<MissionItem>> to_mission(const Document& document,
   if (auto good = check_known(Format::kWaypoints, known_of(document)); !good)
     return good.error();
   if (document.plans.size() == 1 && document.plans[0].plan.empty())
-    return refused("the flight is empty; a mission needs waypoints.",
-                   "Write another format.");
-  if (document.plans.size() != 1)
-    return refused(fmt::format("a mission file holds one flight; there are {}.",
-                               document.plans.size()),
-                   "Plan for one aircraft, or write another format.");
+    return Error{ErrorCode::kBadInput, "",
+                 "the flight is empty; a mission needs waypoints.",
+                 "Write another format."};
   const FlightPlan& plan = document.plans[0].plan;
   std::vector<MissionItem> items;
   double airspeed = 0;

@@ -50,11 +50,11 @@ SweepTask task_of(const CoverageQuery& query, geo::Region area,
 }
 
 // Adds a connection to the plan, around zones where that is needed and possible.
-void add_connection(const CoverageQuery& query, const SweepTask& task,
-                    const FlightState& from, const FlightState& to, FlightPlan& plan) {
+void add_connection(const CoverageQuery& query, const FlightState& from,
+                    const FlightState& to, FlightPlan& plan) {
   const double start = plan.empty() ? query.start_time : model::end_time_of(plan);
   FlightPlan way = join(from, to, query.limits, query.wind, start);
-  if (query.planner != nullptr && task.zones.entered_by(way)) {
+  if (query.planner != nullptr && time_within(way, query.zones) > 0) {
     Airspace airspace;
     airspace.zones = query.zones;
     PathQuery ask;
@@ -88,14 +88,14 @@ FlightPlan plan_of(const CoverageQuery& query, const SweepTask& task,
   std::optional<FlightState> here = aircraft.start;
   for (const int visit : route) {
     const FlightState entry = state_of(costs.entry(visit), down);
-    if (here) add_connection(query, task, *here, entry, plan);
+    if (here) add_connection(query, *here, entry, plan);
     const double start = plan.empty() ? query.start_time : model::end_time_of(plan);
     const FlightState exit = state_of(costs.exit(visit), down);
     plan.push_back(straight(geo::horizontal(entry.p_N), geo::horizontal(exit.p_N), down,
                             task.air, start));
     here = exit;
   }
-  if (aircraft.end) add_connection(query, task, *here, *aircraft.end, plan);
+  if (aircraft.end) add_connection(query, *here, *aircraft.end, plan);
   return plan;
 }
 
@@ -118,7 +118,7 @@ CoverageResult described(const CoverageQuery& query, const SweepTask& task,
     result.times.push_back(model::duration(plan));
     result.longest = std::max(result.longest, result.times.back());
     result.total += result.times.back();
-    result.in_zones += time_within(plan, zones_that_count(query));
+    result.in_zones += time_within(plan, query.zones);
     for (const int visit : sweep.routes[a]) result.on_lines += costs.along(visit);
   }
   result.bearing = half_turn(sweep.bearing);

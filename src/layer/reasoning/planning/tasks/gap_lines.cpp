@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLeastGap = 1e-2;  // that counts as one [m^2]
 constexpr int kMostRounds = 40;
-constexpr double kApart = 0.1;  // of parts that are not one [m]
+constexpr double kLeastShift = 1;  // that is worth a try [m]
+constexpr double kApart = 0.1;     // of parts that are not one [m]
 
 // Parts of a region that are at most `distance` apart, or a little more.
 std::vector<geo::Region> groups_of(const geo::Region& region, double distance) {
@@ -54,11 +55,19 @@ std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& 
       middle += p;
       ++points;
     }
-  std::vector<double> bearings = {task.bearing + geo::kPi / 2};
-  const geo::NearestPoint near = borders.nearest(middle / points);
-  bearings.push_back(
-      bearing_of_edge(task.zones.rings()[static_cast<std::size_t>(near.ring)],
-                      static_cast<std::size_t>(near.edge)));
+  middle /= points;
+  const geo::NearestPoint near = borders.nearest(middle);
+  const geo::Ring& nearest = task.zones.rings()[static_cast<std::size_t>(near.ring)];
+  std::vector<double> bearings = {
+      task.bearing + geo::kPi / 2,
+      bearing_of_edge(nearest, static_cast<std::size_t>(near.edge))};
+  // Across the way into the nearest corner.
+  const Vec2 corner = *std::min_element(
+      nearest.begin(), nearest.end(), [&](const Vec2& p, const Vec2& q) {
+        return (p - middle).squaredNorm() < (q - middle).squaredNorm();
+      });
+  if ((corner - middle).norm() > 1e-3)
+    bearings.push_back(geo::bearing(corner - middle) + geo::kPi / 2);
   struct Bin {
     double length = 0, longest = 0, bearing = 0;
   };
@@ -92,12 +101,18 @@ struct Choice {
 };
 
 // Those lines at a bearing that see enough of a group for what they cost.
+// @param shift  of the lines to the right [m]
 Choice choice_at(const GapTask& task, const geo::Region& group, double bearing,
-                 double least_worth) {
+                 double shift, double least_worth) {
   constexpr double kShare = 0.6;  // of what the best line is worth
-  const auto lines = clear_of(
-      sweep_lines(group, bearing, task.spacing, CellRule::kSplit, task.turn_length / 2),
-      task.zones, task.room);
+  std::vector<SweepLine> lines =
+      sweep_lines(group, bearing, task.spacing, CellRule::kSplit, task.turn_length / 2);
+  for (SweepLine& line : lines) {
+    const Vec2 along = geo::unit(bearing), aside = shift * geo::turned_right(along);
+    line.a += aside - task.overshoot * along;
+    line.b += aside + task.overshoot * along;
+  }
+  lines = clear_of(lines, task.zones, task.room);
   std::vector<double> seen, flown;
   double best = least_worth / kShare;
   for (const SweepLine& line : lines) {
@@ -122,8 +137,15 @@ std::vector<SweepLine> best_lines(const GapTask& task, const geo::BoundaryIndex&
                                   const geo::Region& group, double least_worth) {
   Choice best;
   for (const double bearing : bearings_for(task, borders, group)) {
-    Choice next = choice_at(task, group, bearing, least_worth);
-    if (next.worth > best.worth + 1e-9) best = std::move(next);
+    if (task.stop && task.stop()) break;
+    // What is narrower than a line sees may lie beside it: further from a corner there is
+    // more room.
+    const double slack = (task.spacing - width_across(group, bearing)) / 2;
+    for (const double shift : {0.0, slack, -slack}) {
+      if (shift != 0 && slack < kLeastShift) break;
+      Choice next = choice_at(task, group, bearing, shift, least_worth);
+      if (next.worth > best.worth + 1e-9) best = std::move(next);
+    }
   }
   return best.lines;
 }

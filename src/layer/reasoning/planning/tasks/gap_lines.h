@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geo/polygon.h"
+#include "layer/reasoning/planning/tasks/watch.h"
 #include "layer/reasoning/planning/tasks/zone_lines.h"
 
 namespace skein::planning {
@@ -15,7 +16,9 @@ struct GapTask {
   double spacing = 100;      ///< lines see half of it on either side [m]
   double bearing = 0;        ///< of the lines that there are [rad]
   double turn_length = 100;  ///< flown from one line to another, roughly [m]
+  double overshoot = 0;      ///< lines are this much longer at both ends [m]
   ZoneRoom room;             ///< of lines to zones
+  Stop stop = {};            ///< true: no more lines
 };
 
 /// What lies beside lines, at most `half` away: a rectangle for each, all positive. They

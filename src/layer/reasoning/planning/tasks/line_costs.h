@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "layer/reasoning/planning/tasks/sweep_lines.h"
+#include "layer/reasoning/planning/tasks/watch.h"
 #include "model/connection/connection.h"
 
 namespace skein::planning {
@@ -19,9 +20,6 @@ struct RouteEnds {
 /// way.
 using DetourTime = std::function<double(const model::Pose& from, const model::Pose& to,
                                         const model::Connection& connection)>;
-
-/// Asked now and then by what orders lines; true ends that with the order so far.
-using Stop = std::function<bool()>;
 
 /// Exact times between lines in wind, each computed when first asked.
 ///

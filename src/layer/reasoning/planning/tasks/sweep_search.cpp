@@ -83,8 +83,9 @@ double rough_time(const SweepTask& task, const std::vector<SweepLine>& lines,
 GapLines all_lines(const SweepTask& task, double bearing, CellRule rule, int pieces) {
   const std::vector<SweepLine> lines = lines_at(task, bearing, rule, pieces);
   const double turn = geo::kPi * task.room.turn_radius;
-  GapLines all =
-      gap_lines({task.area, task.zones, task.spacing, bearing, turn, task.room}, lines);
+  GapLines all = gap_lines({task.area, task.zones, task.spacing, bearing, turn,
+                            task.overshoot, task.room, task.watch.stop},
+                           lines);
   all.lines.insert(all.lines.begin(), lines.begin(), lines.end());
   return all;
 }
@@ -184,6 +185,7 @@ double better_time(const SweepTask& task, const Candidate& c) {
   effort.kicks = 0;
   if (task.ends.size() > 1) return swept(task, c.bearing, c.rule, effort).cost;
   GapLines all = all_lines(task, c.bearing, c.rule, 1);
+  if (all.lines.size() > kMostLines) return 1e300;
   LineCosts costs(std::move(all.lines), task.air, task.ends, detour_of(task),
                   task.watch.stop);
   return rough_longest(costs, effort, true) + cost_of(task, all.unseen);
@@ -246,10 +248,13 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
     kFully.tell(task.watch, tried.size(), count);
     tried.push_back(c);
     Sweep next = swept(task, c.bearing, c.rule, effort_for(task, c.lines));
+    best.too_many = best.too_many || next.too_many;
     if (!better(next, best)) continue;
     best = std::move(next);
     from = c;
   }
+  if (best.lines.empty()) return best;
+  best.too_many = false;
   // Bearings beside the best one, ever closer.
   const double widest = several ? 4 * kBearingStep : kBearingStep;
   for (double step = widest; step > kBearingStep / 10; step /= 2)

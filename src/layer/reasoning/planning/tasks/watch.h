@@ -4,10 +4,12 @@
 
 namespace skein::planning {
 
+/// Asked now and then; true ends a search with the best found so far.
+using Stop = std::function<bool()>;
+
 /// Somebody who waits for a long search.
 struct Watch {
-  /// Asked now and then; true ends the search with the best found so far.
-  std::function<bool()> stop = {};
+  Stop stop = {};
   /// Told now and then which share of the work is done, 0 to 1, roughly.
   std::function<void(double share)> progress = {};
 

@@ -69,6 +69,16 @@ class TurnRoom {
   HalfTurn turn_;
 };
 
+// From a place to a disc around a zone; 0 or less within that.
+double distance_to(const Zone& zone, const Vec2& p) {
+  if (const auto* disc = std::get_if<Disc>(&zone.area))
+    return (p - disc->centre).norm() - disc->radius;
+  const geo::Ring& ring = std::get<geo::Ring>(zone.area);
+  double reach = 0;
+  for (const Vec2& corner : ring) reach = std::max(reach, (corner - ring[0]).norm());
+  return (p - ring[0]).norm() - reach;
+}
+
 bool deep_inside(const Zone& zone, const Vec2& p) {
   constexpr double kDeep = 0.1;  // as exact as planned paths are [m]
   if (const auto* disc = std::get_if<Disc>(&zone.area))
@@ -111,17 +121,22 @@ std::vector<SweepLine> clear_of(const std::vector<SweepLine>& lines,
 
 double time_within(const FlightPlan& plan, const std::vector<Zone>& zones) {
   constexpr double kStep = 0.05;
-  std::vector<geo::Ring> outlines;
-  for (const Zone& zone : zones) outlines.push_back(outline(zone));
-  const ZoneRings rings(std::move(outlines));
   double time = 0;
   for (const FlightElement& e : plan) {
-    if (!rings.entered_by(FlightPlan{e})) continue;
+    const Vec2 begin = geo::horizontal(e.p_N);
+    const double reach = (e.airspeed + e.wind.norm()) * e.duration;
+    std::vector<const Zone*> near;
+    for (const Zone& zone : zones)
+      if (distance_to(zone, begin) <= reach) near.push_back(&zone);
+    if (near.empty()) continue;
     const int steps = std::max(1, static_cast<int>(std::ceil(e.duration / kStep)));
     for (int k = 0; k < steps; ++k) {
-      const Vec2 p = geo::horizontal(model::position(e, e.duration * (k + 0.5) / steps));
-      if (std::any_of(zones.begin(), zones.end(),
-                      [&](const Zone& zone) { return deep_inside(zone, p); }))
+      const double t = e.duration * (k + 0.5) / steps;
+      const Vec3 p_N = model::position(e, t);
+      if (std::any_of(near.begin(), near.end(), [&](const Zone* zone) {
+            return holds_at(*zone, -p_N.z(), e.start + t) &&
+                   deep_inside(*zone, geo::horizontal(p_N));
+          }))
         time += e.duration / steps;
     }
   }

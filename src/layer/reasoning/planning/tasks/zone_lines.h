@@ -22,8 +22,8 @@ struct ZoneRoom {
 std::vector<SweepLine> clear_of(const std::vector<SweepLine>& lines,
                                 const ZoneRings& zones, const ZoneRoom& room);
 
-/// Time that a plan spends within zones, more than 0.1 m from their borders [s], to 0.05
-/// s for each time it enters one; altitudes and times of zones are not looked at.
+/// Time that a plan spends within zones at their altitudes and times, more than 0.1 m
+/// from their borders [s], to 0.05 s for each time it enters one.
 double time_within(const FlightPlan& plan, const std::vector<Zone>& zones);
 
 }  // namespace skein::planning

@@ -40,7 +40,8 @@ void near_edge(const Vec2& a, const Vec2& t, const Vec2& p, const Vec2& q,
 }
 
 // Where it is inside the ring.
-void inside(const Vec2& a, const Vec2& t, const geo::Ring& ring, std::vector<Span>& out) {
+void spans_inside(const Vec2& a, const Vec2& t, const geo::Ring& ring,
+                  std::vector<Span>& out) {
   std::vector<double> cuts;
   const Vec2* p = &ring.back();
   double cp = geo::cross(t, *p - a);
@@ -55,6 +56,15 @@ void inside(const Vec2& a, const Vec2& t, const geo::Ring& ring, std::vector<Spa
     out.push_back({cuts[i], cuts[i + 1]});
 }
 
+// Whether a segment and an edge cross.
+bool cross(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
+  const Vec2 t = b - a;
+  const double cp = geo::cross(t, p - a), cq = geo::cross(t, q - a);
+  if ((cp > 0) == (cq > 0)) return false;
+  const double at = t.dot(p + cp / (cp - cq) * (q - p) - a);
+  return at > 0 && at < t.squaredNorm();
+}
+
 bool apart(const Vec2& least, const Vec2& most, const Vec2& low, const Vec2& high) {
   return (least.array() > high.array()).any() || (most.array() < low.array()).any();
 }
@@ -63,19 +73,32 @@ bool apart(const Vec2& least, const Vec2& most, const Vec2& low, const Vec2& hig
 
 ZoneRings::ZoneRings(std::vector<geo::Ring> rings) : rings_(std::move(rings)) {
   for (const geo::Ring& ring : rings_) {
-    Box box{ring.front(), ring.front()};
-    for (const Vec2& p : ring) {
-      box.least = box.least.cwiseMin(p);
-      box.most = box.most.cwiseMax(p);
-    }
-    boxes_.push_back(box);
+    boxes_.push_back(box_of(ring, 0, ring.size()));
+    runs_.emplace_back();
+    for (std::size_t i = 0; i < ring.size(); i += kRun)
+      runs_.back().push_back(box_of(ring, i, std::min(kRun, ring.size() - i)));
   }
+}
+
+ZoneRings::Box ZoneRings::box_of(const geo::Ring& ring, std::size_t from,
+                                 std::size_t count) {
+  Box box{ring[from], ring[from]};
+  for (std::size_t i = from; i <= from + count; ++i) {
+    const Vec2& p = ring[i < ring.size() ? i : i - ring.size()];
+    box.least = box.least.cwiseMin(p);
+    box.most = box.most.cwiseMax(p);
+  }
+  return box;
 }
 
 void ZoneRings::near(const Vec2& a, const Vec2& t, double distance,
                      std::vector<Span>& out) const {
-  for (const geo::Ring& ring : rings_) {
-    inside(a, t, ring, out);
+  for (std::size_t k = 0; k < rings_.size(); ++k) {
+    const Vec2 middle = (boxes_[k].least + boxes_[k].most) / 2;
+    const double reach = (boxes_[k].most - middle).norm() + distance;
+    if (std::abs(geo::cross(t, middle - a)) > reach) continue;
+    const geo::Ring& ring = rings_[k];
+    spans_inside(a, t, ring, out);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       near_point(a, t, ring[i], distance, out);
       near_edge(a, t, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], distance, out);
@@ -83,44 +106,56 @@ void ZoneRings::near(const Vec2& a, const Vec2& t, double distance,
   }
 }
 
-bool ZoneRings::entered_by(const Vec2& a, const Vec2& b) const {
+bool ZoneRings::inside(const Vec2& p) const {
+  for (std::size_t i = 0; i < rings_.size(); ++i)
+    if (!apart(p, p, boxes_[i].least, boxes_[i].most) && geo::contains(rings_[i], p))
+      return true;
+  return false;
+}
+
+bool ZoneRings::crossed_by(const Vec2& a, const Vec2& b) const {
   const Vec2 least = a.cwiseMin(b), most = a.cwiseMax(b);
-  std::vector<Span> spans;
-  for (std::size_t i = 0; i < rings_.size(); ++i) {
-    if (apart(least, most, boxes_[i].least, boxes_[i].most)) continue;
-    const double length = (b - a).norm();
-    if (length <= 0) continue;
-    spans.clear();
-    inside(a, (b - a) / length, rings_[i], spans);
-    for (const Span& s : spans)
-      if (s.low < length && s.high > 0) return true;
+  for (std::size_t k = 0; k < rings_.size(); ++k) {
+    if (apart(least, most, boxes_[k].least, boxes_[k].most)) continue;
+    const geo::Ring& ring = rings_[k];
+    for (std::size_t r = 0; r < runs_[k].size(); ++r) {
+      if (apart(least, most, runs_[k][r].least, runs_[k][r].most)) continue;
+      for (std::size_t i = r * kRun; i < std::min((r + 1) * kRun, ring.size()); ++i)
+        if (cross(a, b, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
+    }
   }
   return false;
 }
 
 bool ZoneRings::entered_by(std::span<const Vec2> points) const {
+  if (points.empty()) return false;
+  if (inside(points.front())) return true;
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    if (entered_by(points[i], points[i + 1])) return true;
+    if (crossed_by(points[i], points[i + 1])) return true;
   return false;
 }
 
 bool ZoneRings::entered_by(const FlightPlan& plan) const {
-  constexpr double kChord = 0.1;  // [rad]
+  constexpr double kSag = 0.05;  // of chords [m]
   for (const FlightElement& e : plan) {
     const Vec2 begin = geo::horizontal(e.p_N);
     // All of it lies within this box.
-    const Vec2 reach =
-        Vec2::Constant((e.airspeed + e.wind.norm()) * e.duration * (1 + 1e-9));
+    const double fastest = e.airspeed + e.wind.norm();
+    const Vec2 reach = Vec2::Constant(fastest * e.duration * (1 + 1e-9));
     const bool far = std::all_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {
       return apart(begin - reach, begin + reach, box.least, box.most);
     });
     if (far) continue;
-    const int steps = std::max(
-        1, static_cast<int>(std::ceil(std::abs(e.turn_rate) * e.duration / kChord)));
+    // A track bends by no more than V |rate|: a chord of the time t by that / 8 t^2.
+    const double bend = e.airspeed * std::abs(e.turn_rate);
+    const double chord = bend > 0 ? std::sqrt(8 * kSag / bend) : e.duration;
+    const int steps =
+        chord > 0 ? std::max(1, static_cast<int>(std::ceil(e.duration / chord))) : 1;
+    if (inside(begin)) return true;
     Vec2 from = begin;
     for (int k = 1; k <= steps; ++k) {
       const Vec2 to = geo::horizontal(model::position(e, e.duration * k / steps));
-      if (entered_by(from, to)) return true;
+      if (crossed_by(from, to)) return true;
       from = to;
     }
   }

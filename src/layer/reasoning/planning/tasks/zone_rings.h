@@ -13,8 +13,8 @@ struct Span {
   double low = 0, high = 0;
 };
 
-/// What surveys keep out of: rings with boxes around them, so that most questions are
-/// answered without a look at their corners.
+/// What surveys keep out of: rings with boxes around them and around runs of their edges,
+/// so that most questions are answered without a look at their corners.
 class ZoneRings {
  public:
   ZoneRings() = default;
@@ -30,7 +30,8 @@ class ZoneRings {
 
   /// Whether a polyline enters a ring.
   bool entered_by(std::span<const Vec2> points) const;
-  /// Whether the ground track of a plan does, turns taken as chords of 0.1 rad.
+  /// Whether the ground track of a plan does, turns taken as chords that leave it by no
+  /// more than 5 cm.
   bool entered_by(const FlightPlan& plan) const;
 
  private:
@@ -38,10 +39,15 @@ class ZoneRings {
     Vec2 least, most;
   };
 
-  bool entered_by(const Vec2& a, const Vec2& b) const;
+  static constexpr std::size_t kRun = 16;  // edges
+
+  static Box box_of(const geo::Ring& ring, std::size_t from, std::size_t count);
+  bool inside(const Vec2& p) const;
+  bool crossed_by(const Vec2& a, const Vec2& b) const;
 
   std::vector<geo::Ring> rings_;
   std::vector<Box> boxes_;
+  std::vector<std::vector<Box>> runs_;  // of each ring
 };
 
 }  // namespace skein::planning

@@ -106,6 +106,43 @@ TEST(CoverageZones, RefusesAStartOrEndInsideOfOne) {
   EXPECT_NE(plan_coverage(q).outcome, CoverageOutcome::kBlocked);
 }
 
+// A zone beside a strip to survey, on the way to it.
+CoverageQuery with_zone_on_the_way(const Zone& zone) {
+  CoverageQuery q;
+  q.area = {{0, 0}, {0, 1000}, {800, 1000}, {800, 0}};
+  q.zones = {zone};
+  q.swath = 80;
+  q.limits = {15, 30, 3, 11, 20, 3};
+  q.aircraft[0].start = FlightState{{-600, 0, 0}, 0};
+  return q;
+}
+
+TEST(CoverageZones, ConnectionsKeepOutAtTheirOwnAltitudesAndTimes) {
+  const AaStar planner;
+  const geo::Ring ring = {{-400, -300}, {-200, -300}, {-200, 300}, {-400, 300}};
+  const double always = std::numeric_limits<double>::infinity();
+  const std::vector<Zone> zones = {{ring, 10, 60},   // climbed through
+                                   {ring, 90, 200},  // flown under
+                                   {ring, -always, always, -always, 20},  // over early
+                                   {ring, -always, always, 100'000}};     // begins late
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    CoverageQuery q = with_zone_on_the_way(zones[k]);
+    q.planner = &planner;
+    const CoverageResult r = plan_coverage(q);
+    ASSERT_EQ(r.outcome, CoverageOutcome::kPlanned) << k << ": " << r.reason;
+    EXPECT_EQ(r.in_zones, 0) << k;
+    for (double t = 0; t < r.longest; t += 0.5) {
+      const Vec3 p_N = model::moment_at(r.plans[0], t).p_N;
+      EXPECT_FALSE(holds_at(zones[k], -p_N.z(), t) &&
+                   distance_from(ring, geo::horizontal(p_N)) < -0.1)
+          << k << ", " << t;
+    }
+  }
+  // Without a planner the first one is flown through, and that is told.
+  CoverageQuery q = with_zone_on_the_way(zones[0]);
+  EXPECT_EQ(plan_coverage(q).outcome, CoverageOutcome::kZoneInTheWay);
+}
+
 TEST(CoverageZones, ThoseOfOtherAltitudesAndTimesDoNotCount) {
   CoverageQuery q = with_zones(1);
   q.zones[0].ceiling_msl = 50;

@@ -54,7 +54,7 @@ TEST(GapLines, SeeWhatLinesLeaveBeforeAZone) {
   const auto lines = clear_of(sweep_lines(area, 0, 80, CellRule::kSplit, 0), zones, room);
   const double seen = geo::shared_area(area, beside(lines, 40), geo::FillRule::kNonZero);
   EXPECT_LT(seen, geo::area(area) - 2 * 50 * 280);
-  const auto [more, unseen] = gap_lines({area, zones, 80, 0, 190, room}, lines);
+  const auto [more, unseen] = gap_lines({area, zones, 80, 0, 190, 0, room, {}}, lines);
   EXPECT_LT(unseen, 0.1);
   // Two borders face the lines; what is left there is as deep as a turn.
   EXPECT_EQ(more.size(), 2);
@@ -66,15 +66,52 @@ TEST(GapLines, SeeWhatLinesLeaveBeforeAZone) {
   for (const SweepLine& line : more) EXPECT_GT(line.cell, lines.back().cell);
 }
 
+TEST(GapLines, SeeIntoACornerFromAcross) {
+  // The angle of an L: lines along its sides end a turn before the other side, one across
+  // ends nearer.
+  const ZoneRings zones(
+      {{{-300, -300}, {300, -300}, {300, -200}, {-200, -200}, {-200, 300}, {-300, 300}}});
+  const geo::Region area = geo::subtract({square(600)}, zones.rings());
+  const ZoneRoom room{0.01, 30};
+  const auto lines = clear_of(sweep_lines(area, 0, 80, CellRule::kSplit, 0), zones, room);
+  const auto [more, unseen] = gap_lines({area, zones, 80, 0, 95, 0, room, {}}, lines);
+  EXPECT_LT(unseen, 0.1);
+  auto all = lines;
+  all.insert(all.end(), more.begin(), more.end());
+  EXPECT_NEAR(geo::shared_area(area, beside(all, 40), geo::FillRule::kNonZero),
+              geo::area(area), 1);
+}
+
+TEST(GapLines, OvershootAndStopAsAskedFor) {
+  const ZoneRings zones({square(150)});
+  const geo::Region area = geo::subtract({square(600)}, zones.rings());
+  const ZoneRoom room{0.01, 60};
+  const auto lines = clear_of(sweep_lines(area, 0, 80, CellRule::kSplit, 0), zones, room);
+  const auto longest = [&](double overshoot) {
+    double most = 0;
+    for (const SweepLine& line :
+         gap_lines({area, zones, 80, 0, 190, overshoot, room, {}}, lines).lines)
+      most = std::max(most, (line.b - line.a).norm());
+    return most;
+  };
+  EXPECT_NEAR(longest(50), longest(0) + 100, 1e-6);
+  const GapLines stopped =
+      gap_lines({area, zones, 80, 0, 190, 0, room, [] { return true; }}, lines);
+  EXPECT_TRUE(stopped.lines.empty());
+  EXPECT_GT(stopped.unseen, 2 * 50 * 280);
+}
+
 TEST(GapLines, NoneWhereNothingIsLeft) {
   const ZoneRings zones({square(150)});
   const geo::Region area = {{{200, -600}, {600, -600}, {600, 600}, {200, 600}}};
   const ZoneRoom room{0.01, 60};
   const auto lines =
       clear_of(sweep_lines(area, geo::kPi / 2, 80, CellRule::kSplit, 0), zones, room);
-  EXPECT_TRUE(gap_lines({area, zones, 80, geo::kPi / 2, 190, room}, lines).lines.empty());
+  EXPECT_TRUE(
+      gap_lines({area, zones, 80, geo::kPi / 2, 190, 0, room, {}}, lines).lines.empty());
   const ZoneRings none;
-  EXPECT_TRUE(gap_lines({area, none, 80, geo::kPi / 2, 190, room}, {}).lines.empty());
+  EXPECT_TRUE(
+      gap_lines({area, none, 80, geo::kPi / 2, 190, 0, room, {}}, {}).lines.empty());
 }
 
 }  // namespace
