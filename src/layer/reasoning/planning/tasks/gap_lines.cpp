@@ -11,7 +11,7 @@ namespace skein::planning {
 namespace {
 
 constexpr double kLeastGap = 1e-2;  // that counts as one [m^2]
-constexpr int kMostRounds = 40;
+constexpr int kMostRounds = 12;
 constexpr double kLeastShift = 1;  // that is worth a try [m]
 constexpr double kApart = 0.1;     // of parts that are not one [m]
 
@@ -58,14 +58,15 @@ std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& 
   middle /= points;
   const geo::NearestPoint near = borders.nearest(middle);
   const geo::Ring& nearest = task.zones.rings()[static_cast<std::size_t>(near.ring)];
-  std::vector<double> bearings = {
-      task.bearing + geo::kPi / 2,
-      bearing_of_edge(nearest, static_cast<std::size_t>(near.edge))};
-  // Across the way into the nearest corner.
-  const Vec2 corner = *std::min_element(
-      nearest.begin(), nearest.end(), [&](const Vec2& p, const Vec2& q) {
-        return (p - middle).squaredNorm() < (q - middle).squaredNorm();
-      });
+  const double along = bearing_of_edge(nearest, static_cast<std::size_t>(near.edge));
+  std::vector<double> bearings = {task.bearing + geo::kPi / 2, along,
+                                  along + geo::kPi / 4, along - geo::kPi / 4};
+  // Across the way into the nearest corner of what is to be seen; zones that overlap have
+  // corners between them that are none of theirs.
+  Vec2 corner = task.area[0][0];
+  for (const geo::Ring& ring : task.area)
+    for (const Vec2& p : ring)
+      if ((p - middle).squaredNorm() < (corner - middle).squaredNorm()) corner = p;
   if ((corner - middle).norm() > 1e-3)
     bearings.push_back(geo::bearing(corner - middle) + geo::kPi / 2);
   struct Bin {
@@ -179,10 +180,10 @@ GapLines gap_lines(const GapTask& task, const std::vector<SweepLine>& lines) {
   int cell = 0;
   for (const SweepLine& line : lines) cell = std::max(cell, line.cell + 1);
   const double half = task.spacing / 2;
-  // Where a distance to zones hides what is near them, no more lines come ever nearer to
-  // the limit.
-  constexpr double kLeastWorth = 0.05;  // of a line that sees only what is new
-  const double least_worth = task.room.distance > half ? kLeastWorth * task.spacing : 0;
+  // Of a line that sees only what is new. Where a distance to zones hides what is near
+  // them, no more lines come ever nearer to the limit.
+  const double share = task.room.distance > half ? 0.05 : 0.001;
+  const double least_worth = share * task.spacing;
   geo::Region left = geo::subtract(visible(task), beside(lines, half));
   for (int round = 0; round < kMostRounds && !left.empty(); ++round) {
     std::vector<SweepLine> found;
