@@ -9,6 +9,7 @@
 #include "layer/reasoning/planning/tasks/coverage_check.h"
 #include "layer/reasoning/planning/tasks/gap_lines.h"
 #include "layer/reasoning/planning/tasks/join.h"
+#include "layer/reasoning/planning/tasks/sweep_bearings.h"
 #include "layer/reasoning/planning/tasks/sweep_search.h"
 #include "layer/reasoning/planning/tasks/zone_lines.h"
 #include "model/path/flight_plan.h"
@@ -20,11 +21,6 @@ namespace {
 // For each connection around zones, and for one that is hard to find.
 constexpr std::int64_t kStates[] = {3000, 100'000};
 constexpr double kBeside = 0.01;  // of lines to zones, against rounding [m]
-
-double half_turn(double bearing) {
-  const double b = std::fmod(geo::wrap_2pi(bearing), geo::kPi);
-  return b < 0 ? b + geo::kPi : b;
-}
 
 SweepTask task_of(const CoverageQuery& query, geo::Region area,
                   std::vector<geo::Ring> zones) {

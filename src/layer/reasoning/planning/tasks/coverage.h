@@ -87,9 +87,9 @@ struct CoverageResult {
 ///
 /// Guarantee: without zones every point of the area lies beside a flown line, at most
 /// swath (1 - overlap) / 2 from it. With zones this holds but for what `zone_distance`
-/// takes and corners where there is no room to turn (gap_lines.h); `covered_share` says
-/// how much is seen. Lines never come nearer to a zone than `zone_distance`; connections
-/// enter one only with outcome kZoneInTheWay.
+/// takes, corners where there is no room to turn and gaps that are not worth a line
+/// (gap_lines.h); `covered_share` says how much is seen. Lines never come nearer to a
+/// zone than `zone_distance`; connections enter one only with outcome kZoneInTheWay.
 CoverageResult plan_coverage(const CoverageQuery& query);
 
 }  // namespace skein::planning

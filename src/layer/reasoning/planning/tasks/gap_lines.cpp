@@ -6,6 +6,7 @@
 
 #include "geo/boundary_index.h"
 #include "geo/clip.h"
+#include "layer/reasoning/planning/tasks/sweep_bearings.h"
 
 namespace skein::planning {
 namespace {
@@ -36,13 +37,11 @@ std::vector<geo::Region> groups_of(const geo::Region& region, double distance) {
 }
 
 double bearing_of_edge(const geo::Ring& ring, std::size_t i) {
-  const double b =
-      geo::wrap_2pi(geo::bearing(ring[i + 1 == ring.size() ? 0 : i + 1] - ring[i]));
-  return b >= geo::kPi ? b - geo::kPi : b;
+  return half_turn(geo::bearing(ring[i + 1 == ring.size() ? 0 : i + 1] - ring[i]));
 }
 
-// Along the border of zones nearest to the group, along their long edges nearby, and
-// across the lines that there are.
+// Along the border of zones nearest to the group and slanted to it, along their long
+// edges nearby, across the way into a corner, and across the lines that there are.
 std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& borders,
                                  const geo::Region& group) {
   constexpr std::size_t kBins = 24, kEdges = 3;

@@ -7,11 +7,6 @@
 namespace skein::planning {
 namespace {
 
-double half_turn(double bearing) {
-  const double b = geo::wrap_2pi(bearing);
-  return b >= geo::kPi ? b - geo::kPi : b;
-}
-
 // Bearings at which the number of lines across the whole area changes, on the side where
 // it is smaller.
 void add_fewer_lines(const geo::Region& area, double spacing,
@@ -33,6 +28,11 @@ void add_fewer_lines(const geo::Region& area, double spacing,
 }
 
 }  // namespace
+
+double half_turn(double bearing) {
+  const double b = geo::wrap_2pi(bearing);
+  return b >= geo::kPi ? b - geo::kPi : b;
+}
 
 std::vector<double> bearings_to_try(const geo::Region& area, double spacing,
                                     const Vec2& wind) {
