@@ -12,9 +12,9 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
-#include "assemble/aircraft/aircraft_file.h"
-#include "assemble/aircraft/flight_table.h"
-#include "layer/asset/fixed_wing/open_loop.h"
+#include "skein/assemble/aircraft/aircraft_file.h"
+#include "skein/assemble/aircraft/flight_table.h"
+#include "skein/layer/asset/fixed_wing/open_loop.h"
 
 namespace skein::app {
 namespace {
@@ -24,7 +24,7 @@ using assemble::FlightStart;
 using assemble::FlightTableReader;
 
 constexpr std::size_t kRowsAtATime = 1024;
-constexpr double kMostSteps = 1e7;  // from one row to the next
+constexpr double kMaxSteps = 1e7;  // from one row to the next
 
 asset::Motion motion_at(const FlightStart& start) {
   asset::Motion motion;
@@ -158,17 +158,17 @@ class TableFlight {
   // Adds rows behind the last one flown; false at the end of the table.
   Result<bool> read_part() {
     double steps = 0;
-    while (inputs_.size() < kRowsAtATime && steps < kMostSteps / 10) {
+    while (inputs_.size() < kRowsAtATime && steps < kMaxSteps / 10) {
       const auto row = table_.next();
       if (!row) return row.error();
       if (!row.value()) return false;
       const double more = (row.value()->t - inputs_.back().t) / options_.longest_step;
-      if (more > kMostSteps)
+      if (more > kMaxSteps)
         return Error{ErrorCode::kBadInput,
                      fmt::format("{}:{}:t", table_.name(), table_.line()),
                      fmt::format("found {}; {:.3g} integration steps behind {}, that of "
                                  "the row before; at most {:.0e}.",
-                                 row.value()->t, more, inputs_.back().t, kMostSteps),
+                                 row.value()->t, more, inputs_.back().t, kMaxSteps),
                      "Give rows between, or a longer --step."};
       steps += more;
       inputs_.push_back(to_open_loop(*row.value()));

@@ -1,8 +1,8 @@
 // The study `wind-following`: plans for the wind against plans without it.
 #include "app/common.h"
 #include "app/study_parts.h"
-#include "assemble/kinds_of.h"
-#include "campaign/following_study.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/campaign/following_study.h"
 
 namespace skein::app {
 namespace {

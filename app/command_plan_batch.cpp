@@ -14,7 +14,7 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/plan_arguments.h"
-#include "exchange/connection_batch.h"
+#include "skein/exchange/connection_batch.h"
 
 namespace skein::app {
 namespace {

@@ -8,10 +8,10 @@
 #include "app/common.h"
 #include "app/plan_input.h"
 #include "app/plan_output.h"
-#include "exchange/text_shown.h"
-#include "model/connection/airplane.h"
-#include "model/connection/arrival.h"
-#include "model/path/flight_plan.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/model/connection/airplane.h"
+#include "skein/model/connection/arrival.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::app {
 namespace {

@@ -11,10 +11,10 @@
 #include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
-#include "assemble/planner_kinds.h"
-#include "exchange/text_shown.h"
-#include "exchange/zones.h"
-#include "layer/reasoning/planning/tasks/coverage.h"
+#include "skein/assemble/planner_kinds.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/exchange/zones.h"
+#include "skein/layer/reasoning/planning/tasks/coverage.h"
 
 namespace skein::app {
 namespace {

@@ -11,9 +11,9 @@
 #include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
-#include "exchange/text_shown.h"
-#include "layer/reasoning/planning/tasks/orbit.h"
-#include "model/path/flight_plan.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/layer/reasoning/planning/tasks/orbit.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::app {
 namespace {

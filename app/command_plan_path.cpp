@@ -14,10 +14,10 @@
 #include "app/plan_input.h"
 #include "app/plan_maps.h"
 #include "app/plan_output.h"
-#include "assemble/kinds_of.h"
-#include "assemble/planner_kinds.h"
-#include "exchange/text_shown.h"
-#include "layer/environment/terrain/raster_terrain.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/planner_kinds.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/layer/environment/terrain/raster_terrain.h"
 
 namespace skein::app {
 namespace {

@@ -10,9 +10,9 @@
 #include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
-#include "exchange/text_shown.h"
-#include "exchange/zones.h"
-#include "layer/reasoning/planning/tasks/patrol.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/exchange/zones.h"
+#include "skein/layer/reasoning/planning/tasks/patrol.h"
 
 namespace skein::app {
 namespace {

@@ -11,8 +11,8 @@
 #include "app/plan_maps.h"
 #include "app/plan_output.h"
 #include "app/plan_task.h"
-#include "exchange/text_shown.h"
-#include "layer/reasoning/planning/tasks/rendezvous.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/layer/reasoning/planning/tasks/rendezvous.h"
 
 namespace skein::app {
 namespace {

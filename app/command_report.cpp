@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
-#include "record/report.h"
+#include "skein/record/report.h"
 
 namespace skein::app {
 

@@ -7,13 +7,13 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/version.h"
-#include "assemble/build.h"
-#include "assemble/kinds_of.h"
-#include "base/log.h"
-#include "layer/hmi/terminal_console.h"
-#include "record/report.h"
-#include "record/run_recorder.h"
-#include "scenario/scenario_file.h"
+#include "skein/assemble/build.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/base/log.h"
+#include "skein/layer/hmi/terminal_console.h"
+#include "skein/record/report.h"
+#include "skein/record/run_recorder.h"
+#include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
 namespace {

@@ -2,14 +2,14 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
-#include "assemble/aircraft/aircraft_file.h"
-#include "assemble/build.h"
-#include "assemble/kinds_of.h"
-#include "base/check.h"
-#include "base/log.h"
-#include "scenario/markdown.h"
-#include "scenario/scenario_file.h"
-#include "scenario/schema.h"
+#include "skein/assemble/aircraft/aircraft_file.h"
+#include "skein/assemble/build.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/base/check.h"
+#include "skein/base/log.h"
+#include "skein/scenario/markdown.h"
+#include "skein/scenario/scenario_file.h"
+#include "skein/scenario/schema.h"
 
 namespace skein::app {
 

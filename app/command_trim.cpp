@@ -9,9 +9,9 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
-#include "assemble/aircraft/flight_table.h"
-#include "geo/vec.h"
-#include "layer/asset/fixed_wing/linear_model.h"
+#include "skein/assemble/aircraft/flight_table.h"
+#include "skein/geo/vec.h"
+#include "skein/layer/asset/fixed_wing/linear_model.h"
 
 namespace skein::app {
 namespace {

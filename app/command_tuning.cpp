@@ -9,12 +9,12 @@
 #include "app/output.h"
 #include "app/study_parts.h"
 #include "app/version.h"
-#include "assemble/kinds_of.h"
-#include "assemble/run.h"
-#include "assemble/tuning_gains.h"
-#include "base/log.h"
-#include "campaign/tuning_report.h"
-#include "scenario/scenario_file.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/run.h"
+#include "skein/assemble/tuning_gains.h"
+#include "skein/base/log.h"
+#include "skein/campaign/tuning_report.h"
+#include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
 namespace {
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using autopilot::LapGains;
 
 constexpr double kSoft = 0.6, kStiff = 1.6;  // quickness of the shipped sets
-constexpr int kLeastFreshSeeds = 10;         // to judge what a search has found
+constexpr int kMinFreshSeeds = 10;           // to judge what a search has found
 
 // Flies one item; its laps become figures of the summary.
 Result<record::RunSummary> fly(const campaign::BatchItem& item,
@@ -154,7 +154,7 @@ class Tuning {
     study_.sets = {{"default", assemble::lap_gains_text(base_)},
                    {"found", assemble::lap_gains_text(best)}};
     study_.first_seed += study_.seeds;
-    study_.seeds = std::max(study_.seeds, kLeastFreshSeeds);
+    study_.seeds = std::max(study_.seeds, kMinFreshSeeds);
     auto plan = campaign::plan_comparison(study_, kinds_);
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();

@@ -5,9 +5,9 @@
 
 #include "app/commands.h"
 #include "app/output.h"
-#include "assemble/aircraft/aircraft_file.h"
-#include "assemble/kinds_of.h"
-#include "scenario/scenario_file.h"
+#include "skein/assemble/aircraft/aircraft_file.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
-#include "layer/asset/fixed_wing/parameters.h"
-#include "scenario/scenario.h"
+#include "skein/base/result.h"
+#include "skein/layer/asset/fixed_wing/parameters.h"
+#include "skein/scenario/scenario.h"
 
 namespace skein::app {
 

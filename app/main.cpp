@@ -12,8 +12,8 @@
 #include "app/output.h"
 #include "app/plan_options.h"
 #include "app/version.h"
-#include "base/check.h"
-#include "base/log.h"
+#include "skein/base/check.h"
+#include "skein/base/log.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include "app/particle_update.h"
 
-#include "layer/reasoning/monitoring/pointwise/particle_rule.h"
+#include "skein/layer/reasoning/monitoring/pointwise/particle_rule.h"
 
 namespace skein::app {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/probability/truncated_normal.h"
+#include "skein/model/probability/truncated_normal.h"
 
 namespace skein::app {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output.h"
-#include "layer/reasoning/planning/search/airspace_map.h"
+#include "skein/layer/reasoning/planning/search/airspace_map.h"
 
 namespace skein::app {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/plan_task.h"
-#include "data/airspace.h"
-#include "data/flight_plan.h"
+#include "skein/data/airspace.h"
+#include "skein/data/flight_plan.h"
 
 namespace skein::app {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output.h"
-#include "exchange/text_shown.h"
-#include "model/path/flight_plan.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::app {
 

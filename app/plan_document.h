@@ -6,8 +6,8 @@
 
 #include "app/plan_arguments.h"
 #include "app/plan_input.h"
-#include "data/airspace.h"
-#include "exchange/document.h"
+#include "skein/data/airspace.h"
+#include "skein/exchange/document.h"
 
 namespace skein::app {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "exchange/csv_cells.h"
-#include "model/path/wind_triangle.h"
+#include "skein/exchange/csv_cells.h"
+#include "skein/model/path/wind_triangle.h"
 
 namespace skein::app {
 namespace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/plan_arguments.h"
-#include "base/result.h"
-#include "geo/local_frame.h"
-#include "model/connection/connection.h"
-#include "role/path_planner.h"
+#include "skein/base/result.h"
+#include "skein/geo/local_frame.h"
+#include "skein/model/connection/connection.h"
+#include "skein/role/path_planner.h"
 
 namespace skein::app {
 

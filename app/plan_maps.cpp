@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/output.h"
-#include "exchange/zones.h"
+#include "skein/exchange/zones.h"
 
 namespace skein::app {
 namespace {

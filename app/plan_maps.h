@@ -6,9 +6,9 @@
 
 #include "app/plan_arguments.h"
 #include "app/plan_input.h"
-#include "base/result.h"
-#include "data/airspace.h"
-#include "exchange/map_features.h"
+#include "skein/base/result.h"
+#include "skein/data/airspace.h"
+#include "skein/exchange/map_features.h"
 
 namespace skein::app {
 

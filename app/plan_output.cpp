@@ -8,18 +8,18 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
-#include "exchange/formats.h"
-#include "exchange/samples.h"
-#include "exchange/text_shown.h"
-#include "geo/vec.h"
-#include "model/path/flight_plan.h"
+#include "skein/exchange/formats.h"
+#include "skein/exchange/samples.h"
+#include "skein/exchange/text_shown.h"
+#include "skein/geo/vec.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostRows = 60;  // of a table for people
+constexpr std::size_t kMaxRows = 60;  // of a table for people
 
 // Without a zero's minus sign.
 double bearing_deg(double angle) {
@@ -76,7 +76,7 @@ void print_plan(const exchange::NamedPlan& plan) {
   print(
       "   #  element       start s    time s  length m  heading deg        east m    "
       "north m  altitude m\n");
-  for (std::size_t k = 0; k < plan.plan.size() && k < kMostRows; ++k) {
+  for (std::size_t k = 0; k < plan.plan.size() && k < kMaxRows; ++k) {
     const FlightElement& e = plan.plan[k];
     print(
         "{:>4}  {:<11} {:>9.2f} {:>9.2f} {:>9.1f}  {:>5} > {:>5} {:>11} {:>10} {:>11}\n",
@@ -86,9 +86,8 @@ void print_plan(const exchange::NamedPlan& plan) {
         exchange::shown_tenths(e.p_N.y()), exchange::shown_tenths(e.p_N.x()),
         exchange::shown_tenths(-e.p_N.z()));
   }
-  if (plan.plan.size() > kMostRows)
-    print("      ... {} more; --json and files have all.\n",
-          plan.plan.size() - kMostRows);
+  if (plan.plan.size() > kMaxRows)
+    print("      ... {} more; --json and files have all.\n", plan.plan.size() - kMaxRows);
 }
 
 void print_document(const exchange::Document& document) {

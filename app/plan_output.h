@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/plan_arguments.h"
-#include "base/result.h"
-#include "exchange/document.h"
-#include "exchange/formats.h"
+#include "skein/base/result.h"
+#include "skein/exchange/document.h"
+#include "skein/exchange/formats.h"
 
 namespace skein::app {
 

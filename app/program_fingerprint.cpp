@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/version.h"
-#include "base/hash.h"
+#include "skein/base/hash.h"
 
 namespace skein::app {
 

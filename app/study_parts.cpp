@@ -9,10 +9,10 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/version.h"
-#include "assemble/run.h"
-#include "base/log.h"
-#include "campaign/monitoring_report.h"
-#include "campaign/study_summary.h"
+#include "skein/assemble/run.h"
+#include "skein/base/log.h"
+#include "skein/campaign/monitoring_report.h"
+#include "skein/campaign/study_summary.h"
 
 namespace skein::app {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "base/result.h"
-#include "campaign/batch.h"
-#include "campaign/monitoring_study.h"
-#include "record/study_report.h"
-#include "role/recorder.h"
+#include "skein/base/result.h"
+#include "skein/campaign/batch.h"
+#include "skein/campaign/monitoring_study.h"
+#include "skein/record/study_report.h"
+#include "skein/role/recorder.h"
 
 namespace skein::app {
 

@@ -9,8 +9,8 @@
 #include <chrono>
 #include <vector>
 
-#include "base/random.h"
-#include "model/connection/connection.h"
+#include "skein/base/random.h"
+#include "skein/model/connection/connection.h"
 
 namespace skein::model {
 namespace {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "model/connection/test/dense_search.h"
+#include "skein/model/connection/test/dense_search.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "layer/autopilot/control/fixed_wing_control.h"
-#include "layer/autopilot/control/multirotor_control.h"
+#include "skein/layer/autopilot/control/fixed_wing_control.h"
+#include "skein/layer/autopilot/control/multirotor_control.h"
 
 namespace skein::autopilot {
 namespace {

@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
-#include "layer/reasoning/monitoring/ensemble/ensemble_estimator.h"
-#include "model/levelset/advance.h"
-#include "model/levelset/reinitialise.h"
+#include "skein/layer/reasoning/monitoring/ensemble/ensemble_estimator.h"
+#include "skein/model/levelset/advance.h"
+#include "skein/model/levelset/reinitialise.h"
 
 namespace skein {
 namespace {

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "layer/autopilot/estimator/test/synthetic_flight.h"
+#include "skein/layer/autopilot/estimator/test/synthetic_flight.h"
 
 namespace skein::autopilot {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "layer/asset/fixed_wing/fixed_wing_plant.h"
-#include "layer/asset/fixed_wing/test/aircraft.h"
-#include "layer/asset/fixed_wing/trim.h"
-#include "model/atmosphere/atmosphere.h"
+#include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
+#include "skein/layer/asset/fixed_wing/test/aircraft.h"
+#include "skein/layer/asset/fixed_wing/trim.h"
+#include "skein/model/atmosphere/atmosphere.h"
 
 namespace skein::asset {
 namespace {

@@ -6,12 +6,12 @@
 #include <array>
 #include <vector>
 
-#include "base/random.h"
-#include "layer/asset/kinematic_plant.h"
-#include "layer/autopilot/simple_autopilot.h"
-#include "layer/reasoning/agent/zone_guard.h"
-#include "model/connection/point_connection.h"
-#include "model/path/dubins.h"
+#include "skein/base/random.h"
+#include "skein/layer/asset/kinematic_plant.h"
+#include "skein/layer/autopilot/simple_autopilot.h"
+#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/model/connection/point_connection.h"
+#include "skein/model/path/dubins.h"
 
 namespace skein {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "base/random.h"
-#include "layer/environment/fire/front_fire.h"
-#include "layer/environment/fire/thesis_fire.h"
+#include "skein/base/random.h"
+#include "skein/layer/environment/fire/front_fire.h"
+#include "skein/layer/environment/fire/thesis_fire.h"
 
 namespace skein::environment {
 namespace {

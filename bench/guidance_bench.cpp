@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-#include "data/air.h"
-#include "layer/autopilot/guidance/fixed_wing_guidance.h"
-#include "layer/autopilot/guidance/multirotor_guidance.h"
-#include "layer/autopilot/guidance/unflyable.h"
-#include "layer/autopilot/simple_autopilot.h"
-#include "model/path/path_geometry.h"
+#include "skein/data/air.h"
+#include "skein/layer/autopilot/guidance/fixed_wing_guidance.h"
+#include "skein/layer/autopilot/guidance/multirotor_guidance.h"
+#include "skein/layer/autopilot/guidance/unflyable.h"
+#include "skein/layer/autopilot/simple_autopilot.h"
+#include "skein/model/path/path_geometry.h"
 
 namespace skein {
 namespace {

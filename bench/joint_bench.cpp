@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "geo/vec.h"
-#include "layer/reasoning/monitoring/joint/joint_estimator.h"
+#include "skein/geo/vec.h"
+#include "skein/layer/reasoning/monitoring/joint/joint_estimator.h"
 
 namespace {
 

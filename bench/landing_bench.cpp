@@ -11,10 +11,10 @@
 #include <map>
 #include <vector>
 
-#include "assemble/build.h"
-#include "assemble/kinds_of.h"
-#include "scenario/scenario_file.h"
-#include "simulation/run.h"
+#include "skein/assemble/build.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/scenario/scenario_file.h"
+#include "skein/simulation/run.h"
 
 namespace skein {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "layer/autopilot/modes/geofence.h"
-#include "layer/autopilot/modes/home_energy.h"
-#include "layer/autopilot/modes/mode_logic.h"
-#include "layer/autopilot/modes/motor_watch.h"
+#include "skein/layer/autopilot/modes/geofence.h"
+#include "skein/layer/autopilot/modes/home_energy.h"
+#include "skein/layer/autopilot/modes/mode_logic.h"
+#include "skein/layer/autopilot/modes/motor_watch.h"
 
 namespace skein::autopilot {
 namespace {

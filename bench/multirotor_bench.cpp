@@ -4,17 +4,17 @@
 #include <variant>
 #include <vector>
 
-#include "layer/asset/body/battery.h"
-#include "layer/asset/multirotor/multirotor_plant.h"
-#include "layer/asset/performance/performance_plant.h"
-#include "layer/autopilot/control/multirotor_control.h"
+#include "skein/layer/asset/body/battery.h"
+#include "skein/layer/asset/multirotor/multirotor_plant.h"
+#include "skein/layer/asset/performance/performance_plant.h"
+#include "skein/layer/autopilot/control/multirotor_control.h"
 
 namespace skein::asset {
 namespace {
 
 VehicleState hovering(const MultirotorPlant& plant, Actuators& throttles) {
   const VehicleState state = plant.start({{0, 0, -100}, 0.3, {4, 3, 0}, false});
-  for (std::size_t k = 0; k < Actuators::kMost; ++k)
+  for (std::size_t k = 0; k < Actuators::kMaxChannels; ++k)
     throttles[k] = state.actuators[k] / MultirotorParameters{}.fastest_rotor;
   return state;
 }

@@ -13,11 +13,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/random.h"
-#include "layer/reasoning/planning/search/aa_star.h"
-#include "layer/reasoning/planning/search/fleet_plan.h"
-#include "layer/reasoning/planning/search/repair.h"
-#include "model/path/flight_plan.h"
+#include "skein/base/random.h"
+#include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/layer/reasoning/planning/search/fleet_plan.h"
+#include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "base/random.h"
-#include "layer/reasoning/monitoring/pointwise/pointwise_kinds.h"
-#include "model/probability/half_space_update.h"
+#include "skein/base/random.h"
+#include "skein/layer/reasoning/monitoring/pointwise/pointwise_kinds.h"
+#include "skein/model/probability/half_space_update.h"
 
 namespace skein {
 namespace {

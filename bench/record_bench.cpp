@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <string>
 
-#include "base/random.h"
-#include "record/metrics.h"
-#include "record/reading_ages.h"
-#include "record/run_recorder.h"
-#include "record/summary_recorder.h"
+#include "skein/base/random.h"
+#include "skein/record/metrics.h"
+#include "skein/record/reading_ages.h"
+#include "skein/record/run_recorder.h"
+#include "skein/record/summary_recorder.h"
 
 namespace skein::record {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "layer/environment/recorded/recorded_fire.h"
+#include "skein/layer/environment/recorded/recorded_fire.h"
 
 namespace {
 

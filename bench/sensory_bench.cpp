@@ -6,20 +6,20 @@
 #include <memory>
 #include <vector>
 
-#include "base/random.h"
-#include "data/air.h"
-#include "layer/environment/turbulence/dryden_turbulence.h"
-#include "layer/sensory/airspeed_sensor.h"
-#include "layer/sensory/anemometer.h"
-#include "layer/sensory/barometer.h"
-#include "layer/sensory/camera.h"
-#include "layer/sensory/gnss_receiver.h"
-#include "layer/sensory/height_sensor.h"
-#include "layer/sensory/ideal_navigation.h"
-#include "layer/sensory/imu_sensor.h"
-#include "layer/sensory/magnetometer.h"
-#include "layer/sensory/power_sensor.h"
-#include "layer/sensory/rangefinder.h"
+#include "skein/base/random.h"
+#include "skein/data/air.h"
+#include "skein/layer/environment/turbulence/dryden_turbulence.h"
+#include "skein/layer/sensory/airspeed_sensor.h"
+#include "skein/layer/sensory/anemometer.h"
+#include "skein/layer/sensory/barometer.h"
+#include "skein/layer/sensory/camera.h"
+#include "skein/layer/sensory/gnss_receiver.h"
+#include "skein/layer/sensory/height_sensor.h"
+#include "skein/layer/sensory/ideal_navigation.h"
+#include "skein/layer/sensory/imu_sensor.h"
+#include "skein/layer/sensory/magnetometer.h"
+#include "skein/layer/sensory/power_sensor.h"
+#include "skein/layer/sensory/rangefinder.h"
 
 namespace skein {
 namespace {

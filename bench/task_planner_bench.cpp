@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
-#include "geo/clip.h"
-#include "layer/reasoning/planning/search/aa_star.h"
-#include "layer/reasoning/planning/tasks/coverage.h"
-#include "layer/reasoning/planning/tasks/sweep_search.h"
-#include "model/path/wind_triangle.h"
+#include "skein/base/random.h"
+#include "skein/geo/clip.h"
+#include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/layer/reasoning/planning/tasks/coverage.h"
+#include "skein/layer/reasoning/planning/tasks/sweep_search.h"
+#include "skein/model/path/wind_triangle.h"
 
 namespace skein::planning {
 namespace {

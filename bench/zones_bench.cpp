@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "base/random.h"
-#include "layer/reasoning/agent/ways_around.h"
-#include "layer/reasoning/agent/zone_guard.h"
-#include "layer/reasoning/planning/search/aa_star.h"
+#include "skein/base/random.h"
+#include "skein/layer/reasoning/agent/ways_around.h"
+#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/layer/reasoning/planning/search/aa_star.h"
 
 namespace skein {
 namespace {

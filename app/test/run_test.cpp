@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "app/test/program.h"
-#include "base/random.h"
+#include "skein/base/random.h"
 
 namespace skein::app {
 namespace {

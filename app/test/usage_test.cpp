@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/test/program.h"
-#include "base/random.h"
+#include "skein/base/random.h"
 
 namespace skein::app {
 namespace {

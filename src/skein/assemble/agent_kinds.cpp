@@ -1,0 +1,205 @@
+// What reasons on board: one row each.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/assemble/kinds_of.h"
+#include "skein/layer/reasoning/agent/altitude.h"
+#include "skein/layer/reasoning/agent/monitor_agent.h"
+#include "skein/layer/reasoning/agent/round_trip.h"
+#include "skein/layer/reasoning/agent/route_agent.h"
+#include "skein/layer/reasoning/agent/zone_shield.h"
+#include "skein/layer/reasoning/team/wingman.h"
+#include "skein/layer/reasoning/tour/tour_agent.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::Fields;
+using scenario::Range;
+
+constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
+
+Fields<SafetyZone> safety_zone_fields() {
+  using T = SafetyZone;
+  return Fields<T>()
+      .duration_s("ahead_s", &T::ahead, "Ahead of the plan.", {.above = 0})
+      .duration_s("behind_s", &T::behind, "Behind the plan.", {.above = 0})
+      .number("across_m", &T::across, "Off the path, to either side.",
+              {.above = 0, .at_most = 1e6});
+}
+
+Fields<reasoning::MonitorAgentOptions> scout_fields() {
+  using T = reasoning::MonitorAgentOptions;
+  return Fields<T>()
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .angle_deg("edge_angle_deg", [](T & t) -> auto& { return t.edge.angle; },
+                 "Following the edge: between course and edge, to cross it again.",
+                 {.above = 0, .at_most = 90})
+      .number(
+          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "Kept from the border of no-flight zones.", kNotNegative)
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight of a path or plan may be off.");
+}
+
+Fields<reasoning::WingmanOptions> wingman_fields() {
+  using T = reasoning::WingmanOptions;
+  return Fields<T>()
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .duration_s("horizon_s", &T::horizon,
+                  "Following: the way to the place is planned for this long.",
+                  {.above = 0, .at_most = 120})
+      .number(
+          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "Following: kept from the border of no-flight zones.", kNotNegative)
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight of a path or plan may be off.");
+}
+
+struct RouteChoice : reasoning::RouteAgentOptions {
+  bool around_zones = false;  // those known from the start may lie on the route
+};
+
+Fields<RouteChoice> route_fields() {
+  using T = RouteChoice;
+  return Fields<T>()
+      .point("points_m", &T::points, "Flown to one after the other, by straight legs.")
+      .items({.at_least = 1, .at_most = 10000})
+      .integer("laps", &T::laps, "Times round; it then stays at the last point.",
+               {.at_least = 1, .at_most = 1000000})
+      .boolean("lands", &T::lands,
+               "After the last lap it lands where it took off; when it began in the air, "
+               "at the first point.")
+      .boolean("around_zones", &T::around_zones,
+               "It flies around no-flight zones that lie on the route from the start; "
+               "else such a route is refused. Zones that come later it always flies "
+               "around.")
+      .number(
+          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "Kept from the border of zones that it flies around.", kNotNegative)
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight may be off the route.");
+}
+
+// Points that follow one another, the first after the last, at one place.
+std::string repeated_point(const std::vector<Vec2>& points) {
+  constexpr double kOnePlace = 1e-3;  // [m]
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t next = (i + 1) % points.size();
+    if ((points[next] - points[i]).norm() < kOnePlace)
+      return fmt::format("points {} and {} are at one place.", i + 1, next + 1);
+  }
+  return {};
+}
+
+Fields<reasoning::TourAgentOptions> tour_fields() {
+  using T = reasoning::TourAgentOptions;
+  using reasoning::TourCurves;
+  return Fields<T>()
+      .point("points_m", &T::points,
+             "Flown through one after the other, across the bisector of each corner.")
+      .items({.at_least = 2, .at_most = 10000})
+      .rule("points_m", [](const T& t) { return repeated_point(t.points); })
+      .integer("laps", &T::laps, "Times round; it then circles the last point.",
+               {.at_least = 1, .at_most = 1000000})
+      .word("curves", &T::curves, "What the way is planned with.",
+            {{"trochoids", TourCurves::kTrochoids,
+              "turns and straights in the wind as it is believed to be"},
+             {"dubins", TourCurves::kDubins,
+              "turns and straights over ground, as if there were no wind"}})
+      .number("radius_factor", &T::radius_factor,
+              "Radius of planned turns over the least of the aircraft.",
+              {.at_least = 1, .at_most = 100})
+      .duration_s("settling_s", &T::settling,
+                  "Circling before it plans, to learn of the wind.", {.at_least = 0})
+      .boolean("keeps_times", &T::keeps_times,
+               "The plan is flown in time; else at cruise airspeed.")
+      .boolean("replans", &T::replans,
+               "When it leaves the safety zone it plans anew from where it is.")
+      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
+                  {.above = 0})
+      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
+              "How far the flight may be off the plan.");
+}
+
+// Zones that forbid these altitudes at any time.
+std::vector<Zone> lasting(const std::vector<Zone>& zones, double low, double high) {
+  std::vector<Zone> some;
+  for (const Zone& zone : zones)
+    if (zone.from <= 0 && std::isinf(zone.until) && concerns(zone, low, high, 0, 0))
+      some.push_back(zone);
+  return some;
+}
+
+Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
+                                          const AircraftContext& c) {
+  const double start = -c.initial.p_N.z();
+  const double altitude =
+      reasoning::highest_along(*c.map, options.points) + c.altitude_agl;
+  std::vector<Zone> zones;
+  if (!options.around_zones)
+    zones = lasting(c.zones, std::min(start, altitude), std::max(start, altitude));
+  // From the start to the first point, then round.
+  std::vector<Vec2> way = {geo::horizontal(c.initial.p_N), options.points.front()};
+  auto crossed = reasoning::into_zone(way, false, zones);
+  if (!crossed) crossed = reasoning::into_zone(options.points, options.laps > 1, zones);
+  if (crossed)
+    return Error{
+        ErrorCode::kBadInput, "aircraft.agent.points_m",
+        fmt::format("the route leads into a no-flight zone at {:.0f} m north, {:.0f} m "
+                    "east.",
+                    crossed->x(), crossed->y()),
+        "Lead it round the zone (the way from the start to the first point counts too), "
+        "or set around_zones."};
+  reasoning::RouteAgentOptions all = options;
+  all.altitude_agl = c.altitude_agl;
+  return std::unique_ptr<Agent>(std::make_unique<reasoning::RouteAgent>(
+      all, c.self, c.station, c.limits, *c.map, c.zones, c.planner));
+}
+
+}  // namespace
+
+Kinds<Agent, AircraftContext> agent_kinds() {
+  Kinds<Agent, AircraftContext> kinds("agent");
+  kinds.add("scout", "Reads the fire sensor, tells the station, flies its orders.",
+            scout_fields(),
+            [](const reasoning::MonitorAgentOptions& o, const AircraftContext& c) {
+              reasoning::MonitorAgentOptions all = o;
+              all.altitude_agl = c.altitude_agl;
+              return std::make_unique<reasoning::MonitorAgent>(all, c.self, c.station,
+                                                               c.limits, *c.map, c.zones);
+            });
+  kinds.add("wingman", "Leads a formation along a route, or keeps its place in it.",
+            wingman_fields(),
+            [](const reasoning::WingmanOptions& o, const AircraftContext& c) {
+              reasoning::WingmanOptions all = o;
+              all.altitude_agl = c.altitude_agl;
+              return std::make_unique<reasoning::Wingman>(
+                  all, c.self, c.station, c.limits, *c.map, c.zones, c.planner);
+            });
+  kinds.add(
+      "route", "Flies a route of its own; takes no orders.", route_fields(),
+      [](const RouteChoice& o, const AircraftContext& c) { return make_route(o, c); });
+  kinds.add("tour",
+            "Flies through points on turns and straights planned for the wind; takes no "
+            "orders.",
+            tour_fields(),
+            [](const reasoning::TourAgentOptions& o, const AircraftContext& c) {
+              reasoning::TourAgentOptions all = o;
+              all.altitude_agl = c.altitude_agl;
+              return std::make_unique<reasoning::ZoneShield>(
+                  reasoning::ZoneGuardOptions{}, c.self, c.limits, *c.map, c.zones,
+                  std::make_unique<reasoning::TourAgent>(all, c.self, c.station, c.limits,
+                                                         *c.map));
+            });
+  return kinds;
+}
+
+}  // namespace skein::assemble

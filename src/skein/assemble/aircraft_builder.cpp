@@ -1,0 +1,190 @@
+#include "skein/assemble/aircraft_builder.h"
+
+#include <fmt/format.h>
+
+#include "skein/assemble/aircraft_fit.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/placement.h"
+#include "skein/assemble/presence.h"
+#include "skein/assemble/sampling.h"
+#include "skein/assemble/sensor_kinds.h"
+#include "skein/assemble/vehicle_faults.h"
+#include "skein/geo/polygon.h"
+#include "skein/layer/environment/turbulence/discrete_gusts.h"
+#include "skein/layer/environment/turbulence/gusts.h"
+#include "skein/layer/sensory/sensor_suite.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::AircraftGroup;
+
+// A suite's sensors one by one, so that each can fail by itself.
+std::vector<sensory::SensorSuite::Part> unpacked(const std::string& kind,
+                                                 std::unique_ptr<Sensor> sensor) {
+  if (auto* suite = dynamic_cast<sensory::SensorSuite*>(sensor.get()))
+    return suite->take();
+  std::vector<sensory::SensorSuite::Part> one;
+  one.push_back({kind, std::move(sensor)});
+  return one;
+}
+
+// An error of the aircraft called `name`, if it does not say where.
+Error at(const std::string& name, Error error) {
+  if (error.place.empty()) error.place = name;
+  return error;
+}
+
+}  // namespace
+
+Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
+                                                 EntityId self) {
+  const std::string name = fmt::format("{}-{}", group.name, ++named_[group.name]);
+  AircraftContext context;
+  context.seed = scenario_.seed;
+  context.self = self;
+  context.station = station_;
+  context.agent_period = group.agent_period;
+  context.altitude_agl = group.altitude_agl;
+  context.map = map_;
+  context.zones = zones_;
+  context.planner = planner_;
+
+  auto nominal = nominal_plant(group, context);
+  if (!nominal) return nominal.error();
+  context.limits = nominal.value()->limits();
+  context.airframe = nominal.value()->airframe();
+
+  auto vehicle = std::make_unique<simulation::Vehicle>();
+  vehicle->plant = nominal.value();
+  if (group.parameter_spread > 0) {
+    context.parameter_spread = group.parameter_spread;
+    auto own = plant_kinds().make(group.plant, context);
+    if (!own) return own.error();
+    vehicle->plant = std::move(own).value();
+  }
+  auto step = flight_step(scenario_, group);
+  if (!step) return at(name, step.error());
+  vehicle->step = step.value();
+  if (auto placed = put(name, group, index, *vehicle); !placed) return placed.error();
+  context.initial = as_estimate(vehicle->state, Time());
+  context.on_ground = vehicle->state.on_ground;
+
+  context.hears_station = heartbeat(scenario_) > Time();
+  for (const scenario::Choice& sensor : group.sensors)
+    context.has_position |= position_age(sensor, vehicle->step.seconds()).has_value();
+  context.gains = gains_of(group.plant);
+  context.shared = &shared_[&group];
+  auto autopilot = autopilot_kinds().make(group.autopilot, context);
+  if (!autopilot) return at(name, autopilot.error());
+  vehicle->autopilot = std::move(autopilot).value();
+  auto parts = mount_sensors(group, context, *vehicle);
+  if (!parts) return parts.error();
+  auto turbulence = gusty_air(context);
+  if (!turbulence) return turbulence.error();
+  vehicle->turbulence = std::move(turbulence).value();
+  auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
+                               context.seed, context.self);
+  if (!faults) return faults.error();
+  vehicle->faults = std::move(faults).value();
+  auto agent = agent_kinds().make(group.agent, context);
+  if (!agent) return agent.error();
+
+  simulation::Entity entity;
+  entity.name = name;
+  entity.kind = "aircraft";
+  entity.agent = std::move(agent).value();
+  entity.vehicle = std::move(vehicle);
+  entity.agent_period = group.agent_period;
+  entity.active = presence(group, index, scenario_.duration);
+  return entity;
+}
+
+Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
+    const AircraftGroup& group, const AircraftContext& context) {
+  if (const auto known = plants_.find(&group); known != plants_.end())
+    return known->second;
+  auto made = plant_kinds().make(group.plant, context);
+  if (!made) return made.error();
+  return plants_.emplace(&group, std::move(made).value()).first->second;
+}
+
+Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
+    const AircraftContext& context) const {
+  auto turbulence = turbulence_kinds().make(scenario_.environment.turbulence, context);
+  if (!turbulence || scenario_.environment.gusts.empty()) return turbulence;
+  environment::DiscreteGustsOptions single;
+  for (const scenario::GustEvent& gust : scenario_.environment.gusts)
+    single.gusts.push_back(
+        {gust.at.seconds(),
+         {gust.velocity.x(), gust.velocity.y(), -gust.up},
+         gust.in_body ? environment::GustFrame::kBody : environment::GustFrame::kLocal,
+         gust.length,
+         gust.hold});
+  std::vector<std::unique_ptr<Turbulence>> parts;
+  if (turbulence.value()) parts.push_back(std::move(turbulence).value());
+  parts.push_back(std::make_unique<environment::DiscreteGusts>(single));
+  return std::unique_ptr<Turbulence>(
+      std::make_unique<environment::Gusts>(std::move(parts)));
+}
+
+// In level flight at cruise, in the wind of that place, or on the ground.
+Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& group,
+                                  int index, simulation::Vehicle& vehicle) const {
+  const Place place = place_at_start(group.start, index, group.count);
+  const double ground = map_->elevation_msl(place.position);
+  const double altitude =
+      group.start.on_ground
+          ? ground
+          : group.start.altitude_msl.value_or(ground + group.altitude_agl);
+  if (altitude <= ground && !group.start.on_ground)
+    return Error{ErrorCode::kBadInput, name,
+                 fmt::format("starts inside terrain: at {:.1f} m above mean sea level, "
+                             "where the ground is at {:.1f} m.",
+                             altitude, ground),
+                 "Raise start.altitude_msl_m or leave it out."};
+  if (group.start.on_ground &&
+      std::holds_alternative<SelfStabilised>(vehicle.plant->airframe()))
+    return Error{
+        ErrorCode::kBadInput, name,
+        fmt::format("the plant {} cannot stand on the ground.", group.plant.kind),
+        "Leave start.on_ground out, or choose another plant."};
+  VehicleStart start;
+  start.p_N = {place.position.x(), place.position.y(), -altitude};
+  start.heading = place.heading;
+  start.wind_N = wind_.wind(start.p_N, Time());
+  start.on_ground = group.start.on_ground;
+  vehicle.state = vehicle.plant->start(start);
+  vehicle.air.wind_N = start.wind_N;
+  for (const Zone& zone : zones_)
+    if (covers(zone, place.position) && holds_at(zone, altitude, group.join.seconds()))
+      return Error{
+          ErrorCode::kBadInput, name,
+          fmt::format("starts inside the no-flight zone {}, at {:.0f} m north, "
+                      "{:.0f} m east, {:.0f} m above mean sea level.",
+                      zone.name, place.position.x(), place.position.y(), altitude),
+          "Move its start or the zone."};
+  return {};
+}
+
+Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
+                                             AircraftContext& context,
+                                             simulation::Vehicle& vehicle) const {
+  Parts parts;
+  parts.airframe = context.airframe;
+  std::map<std::string, std::uint32_t> of_kind;
+  for (const scenario::Choice& choice : group.sensors) {
+    context.instance = of_kind[choice.kind]++;
+    auto sensor = sensor_kinds().make(choice, context);
+    if (!sensor) return sensor.error();
+    auto mounted = unpacked(choice.kind, std::move(sensor).value());
+    for (sensory::SensorSuite::Part& part : mounted) {
+      const bool payload = part.sensor->payload();
+      (payload ? parts.payload : parts.sensors).push_back(part.kind);
+      (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));
+    }
+  }
+  return parts;
+}
+
+}  // namespace skein::assemble

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/assemble/contexts.h"
+#include "skein/assemble/vehicle_faults.h"
+#include "skein/base/result.h"
+#include "skein/data/zone.h"
+#include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/role/path_planner.h"
+#include "skein/role/plant.h"
+#include "skein/role/wind_field.h"
+#include "skein/scenario/scenario.h"
+#include "skein/simulation/world.h"
+
+namespace skein::assemble {
+
+/// Makes the aircraft of a scenario, one after the other. Those of one group share their
+/// plant, unless each differs a little.
+class AircraftBuilder {
+ public:
+  /// All references outlive the builder.
+  AircraftBuilder(const scenario::Scenario& scenario, std::shared_ptr<const Terrain> map,
+                  const std::vector<Zone>& zones, const WindField& wind, EntityId station)
+      : scenario_(scenario),
+        map_(std::move(map)),
+        zones_(zones),
+        wind_(wind),
+        station_(station),
+        planner_(std::make_shared<planning::AaStar>()) {}
+
+  /// Aircraft `index` of `group`, which becomes entity `self`.
+  /// Fails: what a part cannot be made from; a start inside terrain or a no-flight zone;
+  ///        parts that do not fit together, or that cannot fail because they are not
+  ///        there.
+  Result<simulation::Entity> make(const scenario::AircraftGroup& group, int index,
+                                  EntityId self);
+
+ private:
+  // What an autopilot and planners know: the plant as its group has it.
+  Result<std::shared_ptr<const Plant>> nominal_plant(const scenario::AircraftGroup& group,
+                                                     const AircraftContext& context);
+  Result<void> put(const std::string& name, const scenario::AircraftGroup& group,
+                   int index, simulation::Vehicle& vehicle) const;
+  Result<Parts> mount_sensors(const scenario::AircraftGroup& group,
+                              AircraftContext& context,
+                              simulation::Vehicle& vehicle) const;
+  Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
+
+  const scenario::Scenario& scenario_;
+  std::shared_ptr<const Terrain> map_;
+  const std::vector<Zone>& zones_;
+  const WindField& wind_;
+  EntityId station_;
+  std::shared_ptr<const PathPlanner> planner_;
+  std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
+  std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
+  std::map<std::string, int> named_;  // how many aircraft have a group's name
+};
+
+}  // namespace skein::assemble

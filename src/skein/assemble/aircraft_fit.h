@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/scenario/scenario.h"
+#include "skein/simulation/world.h"
+
+namespace skein::assemble {
+
+/// Between the station's signs of life, as the scenario says or as its autopilots need;
+/// 0 = none.
+Time heartbeat(const scenario::Scenario& scenario);
+
+/// What of a ready aircraft does not go together, all of it: an altitude where the air
+/// does not carry it, sensors that its autopilot
+/// cannot fly by, gains for another airframe, failsafes that would act at once for ever,
+/// a fence that it starts outside of.
+///
+/// @param group     it is one of.
+/// @param aircraft  as it starts.
+std::vector<Error> misfits(const scenario::Scenario& scenario,
+                           const scenario::AircraftGroup& group,
+                           const simulation::Entity& aircraft);
+
+/// What will hardly fly well, in one line each.
+std::vector<std::string> doubts(const scenario::Scenario& scenario,
+                                const scenario::AircraftGroup& group,
+                                const simulation::Entity& aircraft);
+
+}  // namespace skein::assemble

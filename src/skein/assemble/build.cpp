@@ -1,0 +1,241 @@
+#include "skein/assemble/build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/assemble/aircraft_builder.h"
+#include "skein/assemble/aircraft_fit.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/sampling.h"
+#include "skein/geo/polygon.h"
+#include "skein/layer/environment/terrain/synthetic_terrain.h"
+#include "skein/layer/environment/wind/uniform_wind.h"
+#include "skein/layer/reasoning/agent/heartbeat.h"
+#include "skein/layer/reasoning/agent/zone_desk.h"
+#include "skein/scenario/zones.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::AircraftGroup;
+using scenario::Scenario;
+
+constexpr EntityId kStation{0};
+
+// Wraps a shared terrain as the world's own: agents carry it as their map.
+class SharedTerrain : public Terrain {
+ public:
+  explicit SharedTerrain(std::shared_ptr<const Terrain> terrain)
+      : terrain_(std::move(terrain)) {}
+  double elevation_msl(const Vec2& p) const override {
+    return terrain_->elevation_msl(p);
+  }
+  Vec2 gradient(const Vec2& p) const override { return terrain_->gradient(p); }
+
+ private:
+  std::shared_ptr<const Terrain> terrain_;
+};
+
+simulation::RunOptions run_options(const Scenario& scenario) {
+  simulation::RunOptions options;
+  options.step = scenario.step;
+  options.duration = scenario.duration;
+  options.environment_period = truth_period(scenario);
+  const double steps_per_row = 1 / (scenario.record.rate_hz * options.step.seconds());
+  options.record_period = options.step * std::llround(steps_per_row);
+  options.perimeter_period = scenario.record.metrics_period;
+  return options;
+}
+
+// All faults as one.
+Error together(const std::vector<Error>& faults) {
+  if (faults.size() == 1) return faults.front();
+  Error all{faults.front().code, "", fmt::format("{} problems:", faults.size()), ""};
+  for (const Error& fault : faults) all.message += "\n  " + fault.text();
+  return all;
+}
+
+// Builds the parts of a world one after the other. What fails is replaced by something
+// plain until the end, so that all faults are found at once.
+class Builder {
+ public:
+  Builder(const Scenario& scenario, geo::LocalFrame frame)
+      : scenario_(scenario), frame_(std::move(frame)) {
+    const scenario::Environment& environment = scenario.environment;
+    for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
+      zones_.push_back(scenario::ring_zone(environment.zone_rings[i], i));
+    for (const scenario::NoFlightZone& zone : environment.zones)
+      if (zone.active) zones_.push_back(scenario::to_zone(zone));
+  }
+
+  Result<Build> build() {
+    build_.options = run_options(scenario_);
+    build_.warnings = sampling_warnings(scenario_);
+    for (std::string& doubt : scenario::zone_doubts(scenario_.environment))
+      build_.warnings.push_back(std::move(doubt));
+    build_.world.zones = zones_;
+    environment();
+    note(station());
+    aircraft();
+    objects();
+    note(radio());
+    if (!faults_.empty()) return together(faults_);
+    return std::move(build_);
+  }
+
+ private:
+  template <class T>
+  bool note(const Result<T>& made) {
+    if (!made) faults_.push_back(made.error());
+    return made.ok();
+  }
+
+  void environment() {
+    EnvironmentContext context{frame_,  scenario_.start_utc, scenario_.seed, nullptr,
+                               nullptr, &build_.warnings};
+    auto terrain = terrain_kinds().make(scenario_.environment.terrain, context);
+    // Far below everything where the real one is missing: nothing collides with it.
+    if (note(terrain))
+      map_ = std::move(terrain).value();
+    else
+      map_ = std::make_shared<environment::FlatTerrain>(
+          environment::FlatTerrainOptions{-1e5});
+    build_.world.terrain = std::make_unique<SharedTerrain>(map_);
+    context.terrain = map_.get();
+    auto wind = wind_kinds().make(scenario_.environment.wind, context);
+    if (note(wind))
+      build_.world.wind = std::move(wind).value();
+    else
+      build_.world.wind =
+          std::make_unique<environment::UniformWind>(environment::UniformWindOptions{});
+    context.wind = build_.world.wind.get();
+    auto fire = fire_kinds().make(scenario_.environment.fire, context);
+    if (note(fire)) build_.world.fire = std::move(fire).value();
+  }
+
+  Result<void> station() {
+    StationContext context{scenario_, team(), zones_};
+    auto agent = station_agent_kinds().make(scenario_.station.agent, context);
+    if (!agent) return agent.error();
+    simulation::Entity entity;
+    entity.name = "station";
+    entity.kind = "station";
+    entity.agent = std::move(agent).value();
+    entity.agent =
+        std::make_unique<reasoning::ZoneDesk>(desk_options(), std::move(entity.agent));
+    if (const Time period = heartbeat(scenario_); period > Time())
+      entity.agent = std::make_unique<reasoning::Heartbeat>(std::move(entity.agent),
+                                                            context.team, period);
+    entity.agent_period = scenario_.station.agent_period;
+    entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
+    build_.world.entities.push_back(std::move(entity));
+    return {};
+  }
+
+  // Who says which zones are in force, and when the scenario wants changes.
+  reasoning::ZoneDeskOptions desk_options() const {
+    reasoning::ZoneDeskOptions options;
+    options.team = team();
+    options.known = options.drawn = zones_;
+    for (const scenario::NoFlightZone& described : scenario_.environment.zones) {
+      const Zone zone = scenario::to_zone(described);
+      if (!described.active) options.drawn.push_back(zone);
+      for (const scenario::ZoneSwitch& change : described.switches)
+        options.planned.push_back({change.at, {0, change.on, zone}});
+    }
+    std::stable_sort(options.planned.begin(), options.planned.end(),
+                     [](const auto& a, const auto& b) { return a.at < b.at; });
+    return options;
+  }
+
+  std::vector<EntityId> team() const {
+    std::vector<EntityId> all;
+    std::uint32_t next = kStation.value + 1;
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count; ++i) all.push_back(EntityId{next++});
+    return all;
+  }
+
+  void aircraft() {
+    AircraftBuilder builder(scenario_, map_, zones_, *build_.world.wind, kStation);
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count; ++i) {
+        auto made = builder.make(
+            group, i, EntityId{static_cast<std::uint32_t>(build_.world.entities.size())});
+        if (!note(made)) break;  // the others of its group are alike
+        if (!note_fit(group, i, made.value())) break;
+        build_.world.entities.push_back(std::move(made).value());
+      }
+  }
+
+  bool note_fit(const AircraftGroup& group, int index,
+                const simulation::Entity& aircraft) {
+    const std::vector<Error> found = misfits(scenario_, group, aircraft);
+    faults_.insert(faults_.end(), found.begin(), found.end());
+    if (index == 0)
+      for (const std::string& doubt : doubts(scenario_, group, aircraft))
+        build_.warnings.push_back(doubt);
+    return found.empty();
+  }
+
+  void objects() {
+    std::uint32_t id = 0;
+    for (const scenario::PlacedObject& object : scenario_.environment.objects)
+      build_.world.objects.push_back(
+          {id++, object.name, object.position, object.velocity});
+  }
+
+  Result<void> radio() {
+    // The radio outlives no entity: both are the world's.
+    RadioContext context;
+    context.seed = scenario_.seed;
+    std::vector<const simulation::Vehicle*> vehicles;
+    for (const simulation::Entity& entity : build_.world.entities)
+      vehicles.push_back(entity.vehicle.get());
+    const Vec2 at = scenario_.station.position;
+    const Vec3 antenna(at.x(), at.y(),
+                       -(map_->elevation_msl(at) + scenario_.station.antenna_agl));
+    context.position = [vehicles, antenna](EntityId id) -> std::optional<Vec3> {
+      if (id == kStation) return antenna;
+      if (id.value >= vehicles.size() || !vehicles[id.value]) return std::nullopt;
+      return vehicles[id.value]->state.p_N;
+    };
+    auto made = radio_kinds().make(scenario_.radio, context);
+    if (!made) return made.error();
+    build_.world.radio = std::move(made).value();
+    return {};
+  }
+
+  const Scenario& scenario_;
+  geo::LocalFrame frame_;
+  std::vector<Zone> zones_;
+  std::shared_ptr<const Terrain> map_;
+  Build build_;
+  std::vector<Error> faults_;
+};
+
+}  // namespace
+
+Result<Build> build(const Scenario& scenario) {
+  auto frame = geo::LocalFrame::at(scenario.origin);
+  if (!frame) return frame.error();
+  return Builder(scenario, std::move(frame).value()).build();
+}
+
+TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre,
+                            double half_size) {
+  constexpr int kRows = 161;
+  TerrainPatch patch;
+  patch.rows = kRows;
+  patch.spacing = 2 * half_size / (kRows - 1);
+  patch.low = centre - Vec2::Constant(half_size);
+  for (int r = 0; r < kRows; ++r)
+    for (int c = 0; c < kRows; ++c)
+      patch.heights.push_back(static_cast<float>(
+          terrain.elevation_msl(patch.low + patch.spacing * Vec2(r, c))));
+  return patch;
+}
+
+}  // namespace skein::assemble

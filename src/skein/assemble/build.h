@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/geo/local_frame.h"
+#include "skein/scenario/scenario.h"
+#include "skein/simulation/run.h"
+#include "skein/simulation/world.h"
+
+namespace skein::assemble {
+
+/// A scenario made real: a world that can be run once.
+struct Build {
+  simulation::World world;
+  simulation::RunOptions options;  ///< speed and threads are the caller's
+  /// What was repaired in outside data, and what cannot be done as asked for.
+  std::vector<std::string> warnings;
+};
+
+/// Makes the world of a scenario that has passed the reader's checks. Entity 0 is the
+/// ground station, then the aircraft in the order of their groups.
+/// Fails: what terrain, wind or fire cannot be made from; an aircraft that starts inside
+///        terrain or a no-flight zone.
+Result<Build> build(const scenario::Scenario& scenario);
+
+/// Heights of the ground for a map: `count` x `count` points about `centre`.
+struct TerrainPatch {
+  int rows = 0;
+  Vec2 low = Vec2::Zero();
+  double spacing = 0;
+  std::vector<float> heights;
+};
+TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre, double half_size);
+
+}  // namespace skein::assemble

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "skein/assemble/contexts.h"
+#include "skein/assemble/kinds.h"
+#include "skein/role/agent.h"
+#include "skein/role/autopilot.h"
+#include "skein/role/monitoring_strategy.h"
+#include "skein/role/perimeter_estimator.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/plant.h"
+#include "skein/role/radio.h"
+#include "skein/role/sensor.h"
+#include "skein/role/turbulence.h"
+
+namespace skein::assemble {
+
+/// Strategies need nothing besides their options.
+struct StrategyContext {};
+
+// The table of kinds: every implementation that a scenario can name, one row each.
+Kinds<Terrain, EnvironmentContext> terrain_kinds();
+Kinds<WindField, EnvironmentContext> wind_kinds();
+Kinds<Phenomenon, EnvironmentContext> fire_kinds();
+Kinds<Plant, AircraftContext> plant_kinds();
+Kinds<Autopilot, AircraftContext> autopilot_kinds();
+Kinds<Sensor, AircraftContext> sensor_kinds();
+Kinds<Agent, AircraftContext> agent_kinds();
+Kinds<Turbulence, AircraftContext> turbulence_kinds();
+Kinds<Agent, StationContext> station_agent_kinds();
+Kinds<Radio, RadioContext> radio_kinds();
+Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds();
+Kinds<MonitoringStrategy, StrategyContext> strategy_kinds();
+
+/// All of them, as scenarios are read with.
+scenario::KindTable kind_table();
+
+}  // namespace skein::assemble

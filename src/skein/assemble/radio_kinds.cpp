@@ -1,0 +1,37 @@
+// Radios: one row each.
+
+#include "skein/assemble/kinds_of.h"
+#include "skein/layer/communication/ideal_radio.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::Fields;
+using scenario::Range;
+
+constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
+constexpr Range kProbability{.at_least = 0, .at_most = 1};
+
+Fields<communication::IdealRadioOptions> ideal_fields() {
+  using T = communication::IdealRadioOptions;
+  return Fields<T>()
+      .duration_s("delay_s", &T::delay, "From sending to arrival.")
+      .duration_s("jitter_s", &T::jitter, "Further delay, uniform between 0 and this.")
+      .number("loss", &T::loss, "Probability that a message is lost.", kProbability)
+      .number("range_m", &T::range, "Messages that go further are lost; 0: no limit.",
+              kNotNegative);
+}
+
+}  // namespace
+
+Kinds<Radio, RadioContext> radio_kinds() {
+  Kinds<Radio, RadioContext> kinds("radio");
+  kinds.add("ideal", "No medium: messages arrive after a delay, or are lost by chance.",
+            ideal_fields(),
+            [](const communication::IdealRadioOptions& o, const RadioContext& c) {
+              return std::make_unique<communication::IdealRadio>(o, c.seed, c.position);
+            });
+  return kinds;
+}
+
+}  // namespace skein::assemble

@@ -1,0 +1,13 @@
+#include "skein/assemble/sensor_kinds.h"
+
+namespace skein::assemble {
+
+Kinds<Sensor, AircraftContext> sensor_kinds() {
+  Kinds<Sensor, AircraftContext> kinds("sensor");
+  add_simple_sensors(kinds);
+  add_flight_sensors(kinds);
+  add_payload_sensors(kinds);
+  return kinds;
+}
+
+}  // namespace skein::assemble

@@ -1,0 +1,64 @@
+// Scenario tests: every file of scenarios/expect/ names a scenario, changes to it, and
+// what its summary must say, with the reason of each bound.
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/run.h"
+#include "skein/scenario/scenario_file.h"
+
+namespace skein::assemble {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> expectation_files() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(SKEIN_SOURCE_DIR "/scenarios/expect"))
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class Expectation : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Expectation, Holds) {
+  const YAML::Node file = YAML::LoadFile(GetParam().string());
+  if (file["needs"] &&
+      !fs::exists(fs::path(SKEIN_SHARED_DATA) / file["needs"].as<std::string>()))
+    GTEST_SKIP() << "the data " << file["needs"] << " is not here";
+  std::vector<scenario::Override> overrides;
+  for (const auto& text : file["set"]) overrides.push_back({text.as<std::string>()});
+  const fs::path path =
+      fs::path(SKEIN_SOURCE_DIR) / "scenarios" / file["scenario"].as<std::string>();
+  const auto read = scenario::read_scenario(path, kind_table(), overrides);
+  ASSERT_TRUE(read.ok()) << read.report();
+  const auto summary = run_quietly(*read.scenario, {});
+  ASSERT_TRUE(summary.ok()) << summary.error().text();
+  ASSERT_TRUE(file["expect"].size() > 0);
+  for (const auto& bound : file["expect"]) {
+    const auto name = bound["figure"].as<std::string>();
+    const auto because = bound["because"].as<std::string>();
+    const auto value = summary.value().number(name);
+    ASSERT_TRUE(value) << name << " is not in the summary";
+    if (bound["at_most"]) {
+      EXPECT_LE(*value, bound["at_most"].as<double>()) << name << ": " << because;
+    }
+    if (bound["at_least"]) {
+      EXPECT_GE(*value, bound["at_least"].as<double>()) << name << ": " << because;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, Expectation, testing::ValuesIn(expectation_files()),
+                         [](const auto& file) {
+                           std::string name = file.param.stem().string();
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace skein::assemble

@@ -1,0 +1,16 @@
+#include "skein/base/result.h"
+
+namespace skein {
+
+std::string Error::text() const {
+  std::string text = place.empty() ? message : place + ": " + message;
+  if (hint.empty()) return text;
+  const bool ended = !text.empty() && (text.back() == '.' || text.back() == '?' ||
+                                       text.back() == '!' || text.back() == '\n');
+  if (ended) return text + " " + hint;
+  // A message that is no sentence yet: the hint begins one.
+  const bool lower = hint[0] >= 'a' && hint[0] <= 'z';
+  return text + (lower ? "; " : ". ") + hint;
+}
+
+}  // namespace skein

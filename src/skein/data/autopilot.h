@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "skein/data/path.h"
+#include "skein/data/pilot.h"
+#include "skein/data/plan.h"
+#include "skein/geo/vec.h"
+
+namespace skein {
+
+/// Follow a path over ground, then circle its end.
+struct FollowPath {
+  Path path;
+};
+
+/// Turn to a course over ground and hold it.
+struct HoldCourse {
+  double course = 0;  ///< [rad]
+};
+
+/// Circle a point.
+struct Circle {
+  Vec2 centre = Vec2::Zero();
+  double radius = 100;    ///< [m]
+  bool clockwise = true;  ///< on the map
+};
+
+/// Stay at a point: hover, or circle it as tightly as the vehicle can.
+struct HoldPosition {
+  Vec2 point = Vec2::Zero();
+};
+
+/// Be where the plan says when it says, then stay at its end. Altitudes are the plan's. A
+/// fixed wing that is commanded an airspeed too flies the plan's line at that airspeed
+/// and does not keep its times.
+struct FollowPlan {
+  Plan plan;
+};
+
+/// Fly through points one after the other, by straight legs, then stay at the last.
+struct FlyWaypoints {
+  struct Waypoint {
+    Vec2 point = Vec2::Zero();
+    double altitude_msl = 0;  ///< [m]
+  };
+  std::vector<Waypoint> points;
+  int laps = 1;  ///< times round; after the last point comes the first again
+};
+
+/// From the ground to the commanded altitude.
+struct TakeOff {
+  double course = 0;  ///< fixed wing: of the run [rad]
+};
+
+/// Come down at a point; a fixed wing approaches on a course.
+struct Land {
+  Vec2 point = Vec2::Zero();
+  double ground_msl = 0;                        ///< [m]
+  std::optional<double> course = std::nullopt;  ///< [rad]; none: against the wind
+};
+
+/// Go to a place and stay above.
+struct Return {
+  std::optional<Vec2> point = std::nullopt;  ///< [m]; none: where the flight began
+};
+
+/// What the vehicle shall do now.
+struct AutopilotCommand {
+  std::variant<FollowPath, HoldCourse, Circle, HoldPosition, FollowPlan, FlyWaypoints,
+               TakeOff, Land, Return>
+      guidance = HoldCourse{};
+  double altitude_msl = 0;  ///< [m]; for guidance that has none of its own
+  std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise
+};
+
+/// Where returns lead from now on, those of failsafes too, and by what way: around what
+/// is forbidden.
+struct ReturnWay {
+  /// One after the other, each straight from the last; at the last one it stays or lands
+  /// [m]. Empty: straight to where the flight began.
+  std::vector<Vec2> points;
+  double ground_msl = 0;  ///< at the last one [m]
+
+  bool operator==(const ReturnWay&) const = default;
+};
+
+/// What has gone wrong, most severe last.
+enum class FailsafeTrigger : std::uint8_t {
+  kNone,
+  kLink,      ///< nothing heard from the ground
+  kBattery,   ///< what is left is needed to get home
+  kGeofence,  ///< outside the area or above the ceiling
+  kGnss,      ///< no fix
+  kMotor,     ///< a motor stands
+};
+
+/// What is done about it.
+enum class FailsafeReaction : std::uint8_t {
+  kNone,     ///< told, nothing more
+  kHold,     ///< stay here
+  kReturn,   ///< fly home, stay above
+  kLand,     ///< fly home and land
+  kDescend,  ///< come down here: glide or sink in circles
+};
+
+/// How far the autopilot is with what it was told, and how it flies.
+struct AutopilotStatus {
+  double remaining = 0;    ///< along the path [m]; 0 when there is none
+  double cross_track = 0;  ///< distance to the path [m], right positive
+  bool done = false;       ///< the path's end has been passed
+  bool follows = false;    ///< there is a path, plan or leg: cross_track means something
+  double time_error = 0;   ///< behind the plan [s], negative = ahead; 0 without plan
+  Vec2 along = Vec2::Zero();  ///< unit tangent of a path, plan or leg where it is nearest
+  int lap = 0;                ///< laps of FlyWaypoints that have been completed
+  double altitude_msl = 0;    ///< demanded now [m]; of Skein's fixed-wing guidance only
+  double airspeed = 0;        ///< demanded now [m/s]; of the same
+  bool on_ground = false;     ///< it stands, as far as the autopilot can tell
+  FlightMode mode = FlightMode::kGuided;
+  FailsafeTrigger trigger = FailsafeTrigger::kNone;
+  FailsafeReaction reaction = FailsafeReaction::kNone;
+  int refusals = 0;  ///< commands that could not be flown so far
+  std::string_view refused =
+      {};              ///< why the last of them could not; good until the next one
+  double charge = 1;   ///< left, from 0 to 1
+  double reserve = 1;  ///< of it, when what it takes to get home is taken off
+  std::optional<double> endurance =
+      std::nullopt;  ///< flight time left at the present power [s]
+};
+
+/// Whether the autopilot does what its agent says: no pilot, no failsafe flies or forbids
+/// to take off.
+constexpr bool obeys_orders(const AutopilotStatus& status) {
+  if (status.on_ground && status.trigger != FailsafeTrigger::kNone) return false;
+  const bool pilot =
+      status.mode == FlightMode::kManual || status.mode == FlightMode::kStabilized;
+  return !pilot && status.reaction == FailsafeReaction::kNone;
+}
+
+/// The words of these, as records and messages have them.
+constexpr std::string_view name_of(FlightMode mode) {
+  constexpr std::string_view kNames[] = {"manual", "stabilized", "auto", "guided"};
+  return kNames[static_cast<std::size_t>(mode)];
+}
+constexpr std::string_view name_of(FailsafeTrigger trigger) {
+  constexpr std::string_view kNames[] = {"none",     "link", "battery",
+                                         "geofence", "gnss", "motor"};
+  return kNames[static_cast<std::size_t>(trigger)];
+}
+constexpr std::string_view name_of(FailsafeReaction reaction) {
+  constexpr std::string_view kNames[] = {"none", "hold", "return", "land", "descend"};
+  return kNames[static_cast<std::size_t>(reaction)];
+}
+
+}  // namespace skein

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "skein/geo/vec.h"
+
+namespace skein {
+
+/// One piece of a flight through air that moves evenly: constant airspeed, turn rate,
+/// climb rate and wind. Seen from the air mass it is a straight line, a circle or a
+/// helix, seen from the ground a turn is a trochoid. Its motion in closed form is in
+/// model/path/flight_plan.h.
+struct FlightElement {
+  double start = 0;          ///< time at which it begins, on the run's clock [s]
+  double duration = 0;       ///< [s]
+  Vec3 p_N = Vec3::Zero();   ///< position at the start [m]
+  double heading = 0;        ///< at the start, of the air-relative velocity [rad]
+  double airspeed = 0;       ///< horizontal part [m/s]
+  double turn_rate = 0;      ///< positive turns right, 0 is straight [rad/s]
+  double climb_rate = 0;     ///< upwards [m/s]
+  Vec2 wind = Vec2::Zero();  ///< velocity of the air over ground [m/s]
+};
+
+/// A flight in space and time: elements that join in time, position and heading. An empty
+/// plan is no flight.
+using FlightPlan = std::vector<FlightElement>;
+
+/// A place in space with a heading of the air-relative velocity.
+struct FlightState {
+  Vec3 p_N = Vec3::Zero();  ///< [m]
+  double heading = 0;       ///< [rad]
+};
+
+}  // namespace skein

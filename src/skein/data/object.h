@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "skein/base/time.h"
+#include "skein/geo/vec.h"
+
+namespace skein {
+
+/// A thing on the ground that cameras may find: a person, a car. Moves evenly.
+struct GroundObject {
+  std::uint32_t id = 0;
+  std::string name;
+  Vec2 position = Vec2::Zero();  ///< at time 0 [m]
+  Vec2 velocity = Vec2::Zero();  ///< [m/s]
+
+  Vec2 at(Time now) const { return position + now.seconds() * velocity; }
+};
+
+}  // namespace skein

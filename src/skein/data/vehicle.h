@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "skein/base/time.h"
+#include "skein/data/control.h"
+#include "skein/geo/rotation.h"
+#include "skein/geo/vec.h"
+
+namespace skein {
+
+/// What a vehicle has to fly with, and uses.
+struct Energy {
+  double charge = 1;   ///< of the battery or tank, left, from 0 to 1
+  double voltage = 0;  ///< at the battery, under load [V]; 0 = not modelled
+  double power = 0;    ///< drawn now [W]; 0 = not modelled
+};
+
+/// Which parts of a vehicle do not work.
+struct Faults {
+  std::uint8_t dead =
+      0;  ///< bit k: actuator k gives nothing (motor stands, surface flutters)
+  std::uint8_t stuck = 0;  ///< bit k: actuator k stays where it is
+  bool battery = false;    ///< the battery gives nothing any more
+
+  bool is_dead(std::size_t k) const { return (dead >> k & 1u) != 0; }
+  bool is_stuck(std::size_t k) const { return (stuck >> k & 1u) != 0; }
+};
+
+/// The true motion of a vehicle and of what moves it. N is the local frame with its
+/// origin at mean sea level, so the altitude above mean sea level is -p_N.z().
+struct VehicleState {
+  Vec3 p_N = Vec3::Zero();       ///< position [m]
+  Vec3 v_N = Vec3::Zero();       ///< velocity over ground [m/s]
+  Quat q_NB = Quat::Identity();  ///< attitude; without side-slip its yaw is the heading
+  Vec3 w_NB_B = Vec3::Zero();    ///< rate of turn [rad/s]
+  double airspeed = 0;           ///< [m/s]
+  std::array<double, Actuators::kMaxChannels>
+      actuators{};  ///< what they do now; see the plant
+  Energy energy;
+  Faults faults;
+  bool on_ground = false;
+};
+
+/// What a vehicle can do, as planners need it.
+struct FlightLimits {
+  double airspeed = 20;     ///< cruise [m/s]
+  double turn_radius = 60;  ///< smallest, in the air mass at cruise airspeed [m]
+  double climb_rate = 3;    ///< largest [m/s]
+  double slowest = 15;      ///< least airspeed in level flight [m/s]; 0 = it can hover
+  double fastest = 25;      ///< [m/s]
+  double sink_rate = 3;     ///< largest [m/s]
+  /// Thinnest air that it can fly level in [kg/m^3]; 0 = it flies in any.
+  double least_density = 0;
+};
+
+/// What an autopilot's estimator believes about its own vehicle.
+struct NavEstimate {
+  Time time;
+  Vec3 p_N = Vec3::Zero();
+  Vec3 v_N = Vec3::Zero();
+  double heading = 0;          ///< of the air-relative velocity [rad]
+  Vec2 wind_N = Vec2::Zero();  ///< estimated horizontal wind [m/s]
+  double position_sd = 0;      ///< per horizontal axis [m]
+  double roll = 0;             ///< [rad]
+  double pitch = 0;            ///< [rad]
+};
+
+/// The true motion as an estimate without errors: what an operator tells an autopilot at
+/// the start. The wind is not known.
+inline NavEstimate as_estimate(const VehicleState& state, Time time) {
+  const geo::Euler attitude = geo::to_euler(state.q_NB);
+  NavEstimate nav;
+  nav.time = time;
+  nav.p_N = state.p_N;
+  nav.v_N = state.v_N;
+  nav.heading = attitude.yaw;
+  nav.roll = attitude.roll;
+  nav.pitch = attitude.pitch;
+  return nav;
+}
+
+}  // namespace skein

@@ -1,0 +1,182 @@
+#include "skein/exchange/map_features.h"
+
+#include <fmt/format.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "skein/exchange/csv_cells.h"
+#include "skein/exchange/map_geometry.h"
+#include "skein/geo/gdal/gdal_guard.h"
+#include "skein/geo/gdal/gdal_handles.h"
+
+namespace skein::exchange {
+namespace {
+
+struct DestroyFeature {
+  void operator()(void* feature) const {
+    OGR_F_Destroy(static_cast<OGRFeatureH>(feature));
+  }
+};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+// "ceiling" or "ceiling_ft" for "ceiling_m": a slip, or another unit.
+std::string looks_like(const std::string& name) {
+  const std::string base = name.substr(0, name.rfind('_'));
+  for (const char* known : {"floor_m", "ceiling_m", "radius_m"}) {
+    const std::string text = known;
+    const std::string known_base = text.substr(0, text.rfind('_'));
+    if (name != known && (name == known_base || base == known_base)) return known;
+  }
+  return {};
+}
+
+// GDAL's words, whose full stop depends on the fault.
+std::string words_of(const geo::GdalGuard& guard) {
+  std::string text = guard.failure();
+  while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+// Reads one dataset into features.
+class Reader {
+ public:
+  Reader(const std::string& file, const geo::LocalFrame* frame,
+         std::vector<std::string>& warnings)
+      : file_(file), frame_(frame), warnings_(warnings) {
+    const std::string ending = lower(std::filesystem::path(file).extension().string());
+    rule_of_rings_ = ending == ".geojson" || ending == ".json";
+    degrees_only_ = ending == ".kml" || ending == ".kmz";
+  }
+
+  Result<std::vector<MapFeature>> read() {
+    const geo::GdalGuard guard;
+    if (degrees_only_ && frame_ == nullptr)
+      return fault("KML has latitudes and longitudes; the place on Earth is not known.",
+                   "Give --origin.");
+    const geo::GdalDataset dataset = geo::open_dataset(file_, geo::DataKind::kVector);
+    if (!dataset)
+      return fault("cannot be read as a map: " + words_of(guard) + ".",
+                   "GeoJSON, KML and other vector formats of GDAL are allowed.");
+    for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l)
+      if (auto good = read_layer(GDALDatasetGetLayer(dataset.get(), l), guard); !good)
+        return good.error();
+    if (guard.failed()) return fault("is truncated or corrupt: " + words_of(guard) + ".");
+    if (against_ > 0)
+      warnings_.push_back(
+          fmt::format("{}: {} outer ring{} clockwise, GeoJSON's rule is "
+                      "counter-clockwise; taken as what is inside of {}.",
+                      file_, against_, against_ == 1 ? " runs" : "s run",
+                      against_ == 1 ? "it" : "them"));
+    return std::move(features_);
+  }
+
+ private:
+  Error fault(const std::string& message, const std::string& hint = "") const {
+    return {ErrorCode::kBadInput, file_, message, hint};
+  }
+
+  Result<void> read_layer(OGRLayerH layer, const geo::GdalGuard& guard) {
+    const geo::GdalTransform to_degrees = transform_of(layer);
+    if (frame_ != nullptr && !to_degrees)
+      return fault("has a coordinate reference system that cannot be used: " +
+                   words_of(guard) + ".");
+    note_properties(OGR_L_GetLayerDefn(layer));
+    OGR_L_ResetReading(layer);
+    for (;; ++number_) {
+      const std::unique_ptr<void, DestroyFeature> feature(OGR_L_GetNextFeature(layer));
+      if (!feature) return {};
+      MapFeature common;
+      common.place = fmt::format("{}: feature {}", file_, number_);
+      if (auto good = read_properties(feature.get(), common); !good) return good;
+      GeometryReader geometry(common, frame_, to_degrees.get(), points_);
+      if (auto good = geometry.read(OGR_F_GetGeometryRef(feature.get())); !good)
+        return good;
+      if (rule_of_rings_) against_ += geometry.clockwise();
+      for (MapFeature& each : geometry.features()) features_.push_back(std::move(each));
+    }
+  }
+
+  // Null for metres.
+  geo::GdalTransform transform_of(OGRLayerH layer) const {
+    if (frame_ == nullptr) return nullptr;
+    if (OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer))
+      return geo::transform_to_degrees(own);
+    const std::unique_ptr<void, decltype(&OSRDestroySpatialReference)> degrees(
+        OSRNewSpatialReference(nullptr), &OSRDestroySpatialReference);
+    OSRSetWellKnownGeogCS(degrees.get(), "WGS84");
+    return geo::transform_to_degrees(degrees.get());
+  }
+
+  void note_properties(OGRFeatureDefnH definition) {
+    for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i) {
+      const std::string name = OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i));
+      if (const std::string known = looks_like(name); !known.empty())
+        warnings_.push_back(fmt::format("{}: property {} is not known; is {} meant?",
+                                        file_, name, known));
+    }
+  }
+
+  Result<void> read_properties(OGRFeatureH feature, MapFeature& out) const {
+    for (int i = 0; i < OGR_F_GetFieldCount(feature); ++i) {
+      if (OGR_F_IsFieldSetAndNotNull(feature, i) == 0) continue;
+      const std::string name = OGR_Fld_GetNameRef(OGR_F_GetFieldDefnRef(feature, i));
+      if (lower(name) == "name") out.name = OGR_F_GetFieldAsString(feature, i);
+      if (name == "what") out.what = OGR_F_GetFieldAsString(feature, i);
+      const auto& known = known_properties();
+      if (std::find(known.begin(), known.end(), name) == known.end()) continue;
+      const std::string text = OGR_F_GetFieldAsString(feature, i);
+      const OGRFieldType type = OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, i));
+      const bool is_number =
+          type == OFTReal || type == OFTInteger || type == OFTInteger64;
+      const auto value = is_number ? std::optional(OGR_F_GetFieldAsDouble(feature, i))
+                                   : number_in(trimmed(text));
+      if (!value || !std::isfinite(*value))
+        return Error{ErrorCode::kBadInput, out.place,
+                     fmt::format("{} is \"{}\"; a finite number is allowed.", name, text),
+                     ""};
+      out.numbers[name] = *value;
+    }
+    return {};
+  }
+
+  const std::string& file_;
+  const geo::LocalFrame* frame_;
+  std::vector<std::string>& warnings_;
+  bool rule_of_rings_ = false, degrees_only_ = false;
+  std::vector<MapFeature> features_;
+  int number_ = 0, against_ = 0;
+  std::size_t points_ = 0;  // of all features
+};
+
+}  // namespace
+
+const std::vector<std::string>& known_properties() {
+  static const std::vector<std::string> names{
+      "floor_m",           "ceiling_m", "from_s",     "until_s",   "radius_m",
+      "height_m",          "time_s",    "altitude_m", "climb_mps", "velocity_east_mps",
+      "velocity_north_mps"};
+  return names;
+}
+
+Result<std::vector<MapFeature>> read_map(const std::string& file,
+                                         const geo::LocalFrame* frame,
+                                         std::vector<std::string>& warnings) {
+  std::error_code none;
+  if (!file.starts_with("/vsi") && !std::filesystem::exists(file, none))
+    return Error{ErrorCode::kNotFound, file, "is not there.", ""};
+  return Reader(file, frame, warnings).read();
+}
+
+}  // namespace skein::exchange

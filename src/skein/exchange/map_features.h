@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/geo/local_frame.h"
+#include "skein/geo/polygon.h"
+
+namespace skein::exchange {
+
+/// One shape of a map file in the local plane, with the properties that plans know.
+struct MapFeature {
+  enum class Kind { kPoint, kLine, kArea };
+  Kind kind = Kind::kPoint;
+  std::string place;  ///< for messages: "zones.geojson: feature 3"
+  std::string name;   ///< property `name`; may be empty
+  std::string what;   ///< property `what` of files that Skein wrote; may be empty
+  /// The point, the line, or the area's outer ring, positive and without a repeated end.
+  std::vector<Vec2> points;
+  std::vector<geo::Ring> holes;           ///< of an area, positive
+  std::optional<double> altitude;         ///< third coordinate of the first point [m]
+  std::map<std::string, double> numbers;  ///< known_properties() that it has, finite
+};
+
+/// The numbers that are read of a feature: floor_m, ceiling_m, from_s, until_s, radius_m
+/// and those of moving obstacles.
+const std::vector<std::string>& known_properties();
+
+/// Reads all features of all layers of a map file: GeoJSON, KML, or any vector format
+/// that GDAL reads. What has several parts becomes several features with one place. Rings
+/// may run either way; points that repeat the one before are left out.
+///
+/// @param frame     the plane; null: coordinates are metres to east and north already
+///                  (not in KML).
+/// @param warnings  gets a line for each kind of oddity: rings that run against the
+///                  format's rule, properties that look like known ones without a unit.
+/// Fails: kNotFound for a file that is not there; kBadInput for one that is no map, has
+///        an empty geometry, coordinates that are not finite or out of range or
+///        more than 1000 km away, rings without an area or of over 20000 points, a
+///        property that is no number. The message has file, feature (from 0) and what is
+///        allowed.
+Result<std::vector<MapFeature>> read_map(const std::string& file,
+                                         const geo::LocalFrame* frame,
+                                         std::vector<std::string>& warnings);
+
+}  // namespace skein::exchange

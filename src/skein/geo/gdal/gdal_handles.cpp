@@ -1,0 +1,55 @@
+#include "skein/geo/gdal/gdal_handles.h"
+
+#include <gdal.h>
+#include <ogr_srs_api.h>
+
+namespace skein::geo {
+namespace {
+
+struct DestroyReference {
+  void operator()(void* reference) const {
+    OSRDestroySpatialReference(static_cast<OGRSpatialReferenceH>(reference));
+  }
+};
+using Reference = std::unique_ptr<void, DestroyReference>;
+
+// Coordinates in the order x, y whatever the system's authority says.
+Reference easting_first(OGRSpatialReferenceH system) {
+  OSRSetAxisMappingStrategy(system, OAMS_TRADITIONAL_GIS_ORDER);
+  return Reference(system);
+}
+
+Reference degrees() {
+  OGRSpatialReferenceH system = OSRNewSpatialReference(nullptr);
+  OSRSetWellKnownGeogCS(system, "WGS84");
+  return easting_first(system);
+}
+
+}  // namespace
+
+void CloseDataset::operator()(void* dataset) const {
+  GDALClose(dataset);
+}
+void DestroyTransform::operator()(void* transform) const {
+  OCTDestroyCoordinateTransformation(
+      static_cast<OGRCoordinateTransformationH>(transform));
+}
+
+GdalDataset open_dataset(const std::string& name, DataKind kind) {
+  const unsigned flags = kind == DataKind::kRaster ? GDAL_OF_RASTER : GDAL_OF_VECTOR;
+  return GdalDataset(GDALOpenEx(name.c_str(),
+                                flags | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
+                                nullptr, nullptr));
+}
+
+GdalTransform transform_to_degrees(void* system) {
+  return GdalTransform(OCTNewCoordinateTransformation(
+      easting_first(OSRClone(system)).get(), degrees().get()));
+}
+
+GdalTransform transform_from_degrees(void* system) {
+  return GdalTransform(OCTNewCoordinateTransformation(
+      degrees().get(), easting_first(OSRClone(system)).get()));
+}
+
+}  // namespace skein::geo

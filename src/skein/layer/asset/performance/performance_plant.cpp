@@ -1,0 +1,273 @@
+#include "skein/layer/asset/performance/performance_plant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/base/check.h"
+#include "skein/base/math.h"
+#include "skein/layer/asset/body/bounded.h"
+
+namespace skein::asset {
+namespace {
+
+constexpr double kLongestStep = 0.1;     // of the integration [s]
+constexpr double kFullClimb = 1;         // climb rate from which all power is used [m/s]
+constexpr double kSteepest = 1.4;        // bank that the equations still cover [rad]
+constexpr double kSpanEfficiency = 0.8;  // Oswald's e of light aeroplanes
+constexpr int kAirspeeds = 20;           // looked at for a ceiling
+
+EnergySource source_of(const PerformanceParameters& p) {
+  if (p.electric) return Battery(p.battery);
+  return FuelTank(p.tank);
+}
+
+// What is left of two demands of one sign when they may take `most` together.
+double cut(double most, double first, double second) {
+  const double both = first + second;
+  if (both <= most) return 1;
+  return most > 0 ? most / both : 0;
+}
+
+}  // namespace
+
+// What moves.
+struct PerformancePlant::Point {
+  Vec2 way;  // through the air [m]
+  double height, heading, airspeed;
+};
+
+struct PerformancePlant::Rate {
+  Vec2 way;
+  double climb, turn, acceleration;
+  double thrust;  // that this takes [N]
+};
+
+// What stays as it is during a step.
+struct PerformancePlant::Phase {
+  double airspeed, climb;  // commanded, within limits [m/s]
+  double mass, density;
+  double most_power, least_power;  // at the shaft [W]
+};
+
+PerformancePlant::PerformancePlant(const PerformanceParameters& parameters)
+    : parameters_(parameters), model_(parameters), source_(source_of(parameters)) {
+  SKEIN_CHECK(number_faults(parameters).empty());
+}
+
+FlightLimits PerformancePlant::limits() const {
+  const PerformanceParameters& p = parameters_;
+  const double mass = model_.mass(1), weight = mass * kGravity;
+  const double drag = model_.drag(p.cruise, weight, kSeaLevel);
+  const double climb = (model_.thrust(p.power, p.cruise) - drag) * p.cruise / weight;
+  const double sink =
+      (drag - model_.thrust(p.idle_power * p.power, p.cruise)) * p.cruise / weight;
+  const double bank = steepest_bank(p.cruise, mass, kSeaLevel);
+  return {p.cruise,
+          p.cruise * p.cruise / (kGravity * math::tan(bank)),
+          std::clamp(climb, 0.0, p.climb_rate),
+          p.slowest,
+          p.fastest,
+          std::min(p.sink_rate, sink),
+          least_density()};
+}
+
+// K = 1 / (pi e b^2 / S): the induced drag tells the span.
+Airframe PerformancePlant::airframe() const {
+  const PerformanceParameters& p = parameters_;
+  if (p.induced_drag <= 0) return SelfStabilised{};
+  return SelfStabilised{
+      std::sqrt(p.wing_area / (geo::kPi * kSpanEfficiency * p.induced_drag))};
+}
+
+// The thinnest air, with full tank, in which the cruise power holds some airspeed that
+// the wing can be flown at.
+double PerformancePlant::least_density() const {
+  const PerformanceParameters& p = parameters_;
+  const double mass = model_.mass(1);
+  const auto flies = [&](double density) {
+    const double least =
+        std::max(p.slowest, p.stall_reserve * model_.stall_speed(mass, density));
+    for (int i = 0; i <= kAirspeeds; ++i) {
+      const double v = least + (p.fastest - least) * i / kAirspeeds;
+      if (v > p.fastest) return false;
+      const double power = p.cruise_power * model_.most_power(density);
+      if (model_.thrust(power, v) >= model_.drag(v, mass * kGravity, density))
+        return true;
+    }
+    return false;
+  };
+  double low = 0, high = kSeaLevel;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = (low + high) / 2;
+    (flies(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+// The bank that the airspeed carries with its reserve; a little even when it is too slow.
+double PerformancePlant::steepest_bank(double airspeed, double mass,
+                                       double density) const {
+  const double least = parameters_.stall_reserve * model_.stall_speed(mass, density);
+  const double margin = least / airspeed;
+  return std::min(parameters_.bank_limit, math::acos(std::min(0.999, margin * margin)));
+}
+
+VehicleState PerformancePlant::start(const VehicleStart& start) const {
+  const PerformanceParameters& p = parameters_;
+  VehicleState state;
+  state.p_N = start.p_N;
+  state.airspeed = p.cruise;
+  state.q_NB = geo::from_euler({0, 0, start.heading});
+  state.v_N = start.wind_N;
+  state.v_N.head<2>() += p.cruise * geo::unit(start.heading);
+  const double drag = model_.drag(p.cruise, model_.mass(1) * kGravity, kSeaLevel);
+  const double power = model_.power(drag, p.cruise);
+  state.actuators[channel::kThrottle] = power / p.power;
+  draw(source_, state.energy, {}, p.electric ? power / p.motor_efficiency : power, 0);
+  return state;
+}
+
+PerformancePlant::Phase PerformancePlant::phase_of(const VehicleState& state, double roll,
+                                                   const FlightCommand& command,
+                                                   const Air& air) const {
+  const PerformanceParameters& p = parameters_;
+  Phase phase;
+  phase.mass = model_.mass(state.energy.charge);
+  phase.density = air.density;
+  // In a bank the wings carry 1 / cos(roll) of the weight.
+  const double least = p.stall_reserve * model_.stall_speed(phase.mass, air.density) /
+                       std::sqrt(math::cos(roll));
+  phase.airspeed = bounded_or(p.cruise, command.airspeed,
+                              std::min(std::max(p.slowest, least), p.fastest), p.fastest);
+  phase.climb = bounded_or(0, command.climb_rate, -p.sink_rate, p.climb_rate);
+  const double climbing = std::clamp(phase.climb / kFullClimb, 0.0, 1.0);
+  const double rating = p.cruise_power + (1 - p.cruise_power) * climbing;
+  phase.most_power = rating * model_.most_power(air.density);
+  phase.least_power = std::min(p.idle_power * p.power, phase.most_power);
+  if (state.faults.is_dead(channel::kThrottle))
+    phase.most_power = phase.least_power = 0;
+  else if (state.faults.is_stuck(channel::kThrottle))
+    phase.most_power = phase.least_power = state.actuators[channel::kThrottle] * p.power;
+  return phase;
+}
+
+PerformancePlant::Rate PerformancePlant::rate(const Point& point, double roll,
+                                              const Phase& phase) const {
+  const PerformanceParameters& p = parameters_;
+  const double v = point.airspeed, weight = phase.mass * kGravity;
+  const double drag = model_.drag(v, weight / math::cos(roll), phase.density);
+  // Everything as climb rates [m/s]: what there is, and what is wanted.
+  const double most = (model_.thrust(phase.most_power, v) - drag) * v / weight;
+  const double least = (model_.thrust(phase.least_power, v) - drag) * v / weight;
+  const double wanted_acceleration =
+      std::clamp((phase.airspeed - v) / p.airspeed_lag, -p.acceleration, p.acceleration);
+  const double speed_up = v * wanted_acceleration / kGravity;
+  const double up = std::max(phase.climb, 0.0), down = std::min(phase.climb, 0.0);
+  const double faster = std::max(speed_up, 0.0), slower = std::min(speed_up, 0.0);
+
+  double climb = phase.climb, change = speed_up;
+  if (climb + change > most) {
+    const double part = cut(most - down - slower, up, faster);
+    climb = down + part * up;
+    change = slower + part * faster;
+    if (climb + change > most) climb = most - change;
+  } else if (climb + change < least) {
+    const double part = cut(up + faster - least, -down, -slower);
+    climb = up + part * down;
+    change = faster + part * slower;
+    if (climb + change < least) climb = least - change;
+  }
+  climb = std::clamp(climb, -v, v);
+
+  Rate rate;
+  rate.way = std::sqrt(v * v - climb * climb) * geo::unit(point.heading);
+  rate.climb = climb;
+  rate.turn = kGravity * math::tan(roll) / v;
+  rate.acceleration = change * kGravity / v;
+  rate.thrust = drag + weight * (climb + change) / v;
+  return rate;
+}
+
+PerformancePlant::Point PerformancePlant::short_step(const Point& point,
+                                                     const Phase& phase, double roll,
+                                                     double roll_rate, double dt) const {
+  const auto moved = [](Point from, const Rate& k, double time) {
+    from.way += time * k.way;
+    from.height += time * k.climb;
+    from.heading += time * k.turn;
+    from.airspeed += time * k.acceleration;
+    return from;
+  };
+  const double middle = roll + roll_rate * dt / 2;
+  const Rate k1 = rate(point, roll, phase);
+  const Rate k2 = rate(moved(point, k1, dt / 2), middle, phase);
+  const Rate k3 = rate(moved(point, k2, dt / 2), middle, phase);
+  const Rate k4 = rate(moved(point, k3, dt), roll + roll_rate * dt, phase);
+  Rate mean;
+  mean.way = (k1.way + 2 * (k2.way + k3.way) + k4.way) / 6;
+  mean.climb = (k1.climb + 2 * (k2.climb + k3.climb) + k4.climb) / 6;
+  mean.turn = (k1.turn + 2 * (k2.turn + k3.turn) + k4.turn) / 6;
+  mean.acceleration =
+      (k1.acceleration + 2 * (k2.acceleration + k3.acceleration) + k4.acceleration) / 6;
+  return moved(point, mean, dt);
+}
+
+void PerformancePlant::step(VehicleState& state, const Control& control, const Air& air,
+                            double dt) const {
+  const PerformanceParameters& p = parameters_;
+  const FlightCommand& command = std::get<FlightCommand>(control);
+  const geo::Euler attitude = geo::to_euler(state.q_NB);
+  Point point{Vec2::Zero(), 0, attitude.yaw, state.airspeed};
+  double roll = std::clamp(attitude.roll, -kSteepest, kSteepest);
+
+  const double steepest =
+      steepest_bank(state.airspeed, model_.mass(state.energy.charge), air.density);
+  double roll_wanted = bounded_or(0, command.roll, -steepest, steepest);
+  if (state.faults.is_dead(channel::kAileron) || state.faults.is_stuck(channel::kAileron))
+    roll_wanted = roll;
+
+  Phase phase = phase_of(state, roll_wanted, command, air);
+  const double shaft =
+      std::clamp(model_.power(rate(point, roll, phase).thrust, point.airspeed),
+                 phase.least_power, phase.most_power);
+  const double taken = p.electric ? shaft / p.motor_efficiency : shaft;
+  const double share = draw(source_, state.energy, state.faults, taken, dt);
+  if (share < 1) {
+    phase.most_power = std::min(phase.most_power, share * shaft);
+    phase.least_power = std::min(phase.least_power, phase.most_power);
+  }
+  state.actuators[channel::kThrottle] = share * shaft / p.power;
+
+  // Until the roll arrives it changes evenly, then it stays: cut there, so that each part
+  // is smooth.
+  double left = dt;
+  while (left > 0) {
+    double part = std::min(left, kLongestStep);
+    const double missing = roll_wanted - roll;
+    double roll_rate = 0;
+    if (missing != 0) {
+      const double arrival = std::abs(missing) / p.roll_rate;
+      if (arrival < 1e-12) {
+        roll = roll_wanted;
+        continue;
+      }
+      part = std::min(part, arrival);
+      roll_rate = std::copysign(p.roll_rate, missing);
+    }
+    point = short_step(point, phase, roll, roll_rate, part);
+    roll += roll_rate * part;
+    left = left - part > 1e-12 ? left - part : 0;
+  }
+
+  const Rate last = rate(point, roll, phase);
+  const double heading = geo::wrap_pi(point.heading);
+  const Quat before = state.q_NB;
+  state.p_N += dt * air.wind_N;
+  state.p_N += Vec3(point.way.x(), point.way.y(), -point.height);
+  state.v_N = air.wind_N + Vec3(last.way.x(), last.way.y(), -last.climb);
+  state.airspeed = point.airspeed;
+  state.q_NB = geo::from_euler({roll, math::asin(last.climb / point.airspeed), heading});
+  if (dt > 0) state.w_NB_B = geo::log_so3(before.conjugate() * state.q_NB) / dt;
+}
+
+}  // namespace skein::asset

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "skein/data/autopilot.h"
+#include "skein/data/control.h"
+#include "skein/data/pilot.h"
+#include "skein/layer/autopilot/nav_state.h"
+
+namespace skein::autopilot {
+
+// WingFlier, RotorFlier and PointFlier fly one kind of airframe each: guidance and
+// control together. They have the same functions, so that SkeinAutopilot need not know
+// which it has:
+//
+//   command(command, now)   takes a command, or returns why it cannot be flown
+//   fly(now, dt)            the command in force
+//   descend(now, dt)        down, near the place where begin_descent() was called
+//   pilot(sticks, now, dt)  what the sticks say
+//   stand(now, dt)          motors off
+//   take_over(now)          another has flown: go on from the motion now
+
+/// The own motion, as fliers need it.
+struct FlierView {
+  const NavState& nav;
+  std::optional<double> height_agl;  ///< measured [m]
+  double ground_msl = 0;             ///< believed, where nothing is measured [m]
+  bool position = true;              ///< it is known
+  bool motor = true;                 ///< it pulls
+
+  double height() const { return height_agl.value_or(-nav.p_N.z() - ground_msl); }
+};
+
+}  // namespace skein::autopilot

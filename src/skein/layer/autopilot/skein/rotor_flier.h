@@ -1,0 +1,38 @@
+#pragma once
+
+#include "skein/layer/autopilot/control/multirotor_control.h"
+#include "skein/layer/autopilot/guidance/multirotor_guidance.h"
+#include "skein/layer/autopilot/skein/flier.h"
+#include "skein/layer/autopilot/skein/skein_setup.h"
+
+namespace skein::autopilot {
+
+/// Flies a multirotor; see flier.h.
+class RotorFlier {
+ public:
+  RotorFlier(const SkeinSetup& setup, const Vec3& home_N);
+
+  std::optional<std::string> command(const AutopilotCommand& command,
+                                     const FlierView& now);
+  Control fly(const FlierView& now, double dt);
+  void begin_descent(const FlierView& now);
+  /// Straight down above the ground below; without a position, with level attitude.
+  Control descend(const FlierView& now, double dt);
+  Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
+  Control stand(const FlierView& now, double dt);
+  void take_over(const FlierView& now);
+  const AutopilotStatus& status() const { return guidance_.status(); }
+
+  /// Bit k: rotor k gives nothing.
+  void set_standing(std::uint8_t rotors) { control_.set_standing(rotors); }
+
+ private:
+  MultirotorGuidance guidance_;
+  MultirotorControl control_;
+  double sink_rate_;             // largest [m/s]
+  double descent_altitude_ = 0;  // demanded now [m]
+  double heading_ = 0;           // of a blind descent [rad]
+  double still_for_ = 0;         // it seems to stand, likewise [s]
+};
+
+}  // namespace skein::autopilot

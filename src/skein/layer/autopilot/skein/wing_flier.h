@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include "skein/layer/autopilot/control/fixed_wing_control.h"
+#include "skein/layer/autopilot/guidance/fixed_wing_guidance.h"
+#include "skein/layer/autopilot/skein/flier.h"
+#include "skein/layer/autopilot/skein/skein_setup.h"
+
+namespace skein::autopilot {
+
+/// Flies a fixed wing that takes actuators; see flier.h.
+class WingFlier {
+ public:
+  WingFlier(const SkeinSetup& setup, const Vec3& home_N);
+
+  std::optional<std::string> command(const AutopilotCommand& command,
+                                     const FlierView& now);
+  Control fly(const FlierView& now, double dt);
+  void begin_descent(const FlierView& now);
+  /// In circles, with the motor at a steady sink rate, without it gliding; wings level
+  /// for the last metres.
+  Control descend(const FlierView& now, double dt);
+  Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
+  Control stand(const FlierView& now, double dt);
+  void take_over(const FlierView& now);
+  const AutopilotStatus& status() const { return guidance_.status(); }
+
+  /// Other gains from the next step on. Nothing jumps: demands go on from where they are
+  /// at their bounded rates, integrators keep what they hold.
+  void change(const LateralOptions& lateral, std::shared_ptr<const FixedWingSetup> wing);
+
+ private:
+  FixedWingGuidance guidance_;
+  FixedWingControl control_;
+  double sink_rate_;             // of a descent with motor [m/s]
+  double cruise_;                // [m/s]
+  double descent_altitude_ = 0;  // demanded now [m]
+};
+
+}  // namespace skein::autopilot

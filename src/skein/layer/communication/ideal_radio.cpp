@@ -1,0 +1,49 @@
+#include "skein/layer/communication/ideal_radio.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "skein/base/check.h"
+
+namespace skein::communication {
+
+IdealRadio::IdealRadio(const IdealRadioOptions& options, std::uint64_t seed,
+                       PositionLookup position)
+    : options_(options), seed_(seed), position_(std::move(position)) {
+  SKEIN_CHECK(options.range <= 0 || position_);
+}
+
+bool IdealRadio::later(const InFlight& a, const InFlight& b) {
+  return a.arrival != b.arrival ? a.arrival > b.arrival : a.order > b.order;
+}
+
+bool IdealRadio::out_of_range(const Message& message) const {
+  if (options_.range <= 0) return false;
+  const auto from = position_(message.from);
+  const auto to = position_(message.to);
+  return from && to && (*from - *to).norm() > options_.range;
+}
+
+void IdealRadio::send(const Message& message) {
+  // One block of the stream per message holds both numbers.
+  RandomStream random(seed_, message.from.value, Purpose::kRadio);
+  random.seek(message.number);
+  const bool lost = random.uniform() < options_.loss || out_of_range(message);
+  const double delay = options_.delay + options_.jitter * random.uniform();
+  // A lost message is reported when it is sent: nobody waits for it.
+  const Time arrival = lost ? message.sent : message.sent + Time::from_seconds(delay);
+  in_flight_.push_back({arrival, sent_++, lost, message});
+  std::push_heap(in_flight_.begin(), in_flight_.end(), later);
+}
+
+void IdealRadio::deliver(Time now, std::vector<Message>& arrived,
+                         std::vector<Message>& lost) {
+  while (!in_flight_.empty() && in_flight_.front().arrival <= now) {
+    std::pop_heap(in_flight_.begin(), in_flight_.end(), later);
+    InFlight& next = in_flight_.back();
+    (next.lost ? lost : arrived).push_back(std::move(next.message));
+    in_flight_.pop_back();
+  }
+}
+
+}  // namespace skein::communication

@@ -1,0 +1,119 @@
+#include "skein/layer/environment/raster/band_info.h"
+
+#include <cpl_string.h>
+#include <gdal.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <string_view>
+
+#include "skein/layer/environment/raster/utc_time.h"
+
+namespace skein::environment {
+namespace {
+
+std::string text_or_empty(const char* text) {
+  return text == nullptr ? "" : text;
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// The number a text starts with.
+std::optional<double> leading_number(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, fault] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc()) return std::nullopt;
+  return value;
+}
+
+// CF: "hours since 2017-05-21T00:00:00Z" and a number.
+std::optional<double> cf_time(const std::string& unit, double value) {
+  const std::string low = lower(unit);
+  const std::size_t since = low.find(" since ");
+  if (since == std::string::npos) return std::nullopt;
+  std::string start = unit.substr(since + 7);
+  if (start.size() >= 4 && lower(start).ends_with(" utc")) start.resize(start.size() - 4);
+  const auto origin = parse_utc(start);
+  if (!origin) return std::nullopt;
+  const std::string step = low.substr(0, since);
+  double seconds = 0;
+  if (step.starts_with("s"))
+    seconds = 1;
+  else if (step.starts_with("min"))
+    seconds = 60;
+  else if (step.starts_with("h"))
+    seconds = 3600;
+  else if (step.starts_with("d"))
+    seconds = 86400;
+  else
+    return std::nullopt;
+  return *origin + seconds * value;
+}
+
+// NetCDF: the band's dimensions beside x and y are NETCDF_DIM_<name>=<value>; what they
+// mean is in the dataset's <name>#units, <name>#standard_name...
+void read_dimensions(GDALDatasetH dataset, char** metadata, BandInfo& info) {
+  constexpr std::string_view kPrefix = "NETCDF_DIM_";
+  for (int i = 0; metadata != nullptr && metadata[i] != nullptr; ++i) {
+    const std::string_view line = metadata[i];
+    const std::size_t equals = line.find('=');
+    if (!line.starts_with(kPrefix) || equals == std::string_view::npos) continue;
+    const std::string name(line.substr(kPrefix.size(), equals - kPrefix.size()));
+    const auto value = leading_number(line.substr(equals + 1));
+    if (!value) continue;
+    const auto about = [&](const char* key) {
+      return text_or_empty(
+          GDALGetMetadataItem(dataset, (name + "#" + key).c_str(), nullptr));
+    };
+    const std::string unit = about("units");
+    if (const auto time = cf_time(unit, *value)) {
+      info.utc_s = time;
+    } else if (unit == "m" || about("standard_name") == "height" ||
+               about("positive") == "up") {
+      info.height_m = *value;
+    }
+  }
+}
+
+// GRIB: "10-HTGL" is 10 m above ground.
+std::optional<double> grib_height(const std::string& short_name) {
+  const std::size_t dash = short_name.find('-');
+  if (dash == std::string::npos) return std::nullopt;
+  const std::string level = short_name.substr(dash + 1);
+  if (level != "HTGL" && level != "GPML") return std::nullopt;
+  return leading_number(short_name);
+}
+
+}  // namespace
+
+BandInfo describe_band(void* dataset, int number) {
+  GDALRasterBandH band = GDALGetRasterBand(dataset, number);
+  char** metadata = GDALGetMetadata(band, nullptr);
+  const auto item = [&](const char* key) {
+    return text_or_empty(CSLFetchNameValue(metadata, key));
+  };
+  BandInfo info;
+  info.number = number;
+  info.unit = text_or_empty(GDALGetRasterUnitType(band));
+  info.standard_name = item("standard_name");
+  const std::string element = item("GRIB_ELEMENT");
+  if (!element.empty()) {
+    info.name = element;
+    info.utc_s = leading_number(item("GRIB_VALID_TIME"));
+    info.height_m = grib_height(item("GRIB_SHORT_NAME"));
+    return info;
+  }
+  info.name = item("NETCDF_VARNAME");
+  if (info.name.empty()) info.name = text_or_empty(GDALGetDescription(band));
+  read_dimensions(dataset, metadata, info);
+  return info;
+}
+
+}  // namespace skein::environment

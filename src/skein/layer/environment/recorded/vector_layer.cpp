@@ -1,0 +1,307 @@
+#include "skein/layer/environment/recorded/vector_layer.h"
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "skein/geo/gdal/gdal_guard.h"
+#include "skein/geo/gdal/gdal_handles.h"
+#include "skein/layer/environment/raster/csv_table.h"
+#include "skein/layer/environment/raster/utc_time.h"
+
+namespace skein::environment {
+namespace {
+
+constexpr std::size_t kMaxPoints = 5'000'000;
+constexpr int kDeepest = 16;  // geometry collections within each other
+
+struct DestroyFeature {
+  void operator()(void* feature) const {
+    OGR_F_Destroy(static_cast<OGRFeatureH>(feature));
+  }
+};
+struct DestroyGeometry {
+  void operator()(void* geometry) const {
+    OGR_G_DestroyGeometry(static_cast<OGRGeometryH>(geometry));
+  }
+};
+// Takes geometry apart into rings and lines, in degrees.
+class Collector {
+ public:
+  Collector(const std::string& place, void* to_degrees, std::size_t& points,
+            std::vector<std::string>& warnings)
+      : place_(place), to_degrees_(to_degrees), points_(points), warnings_(warnings) {}
+
+  Result<void> add(OGRGeometryH geometry, RawPerimeter& out, int depth = 0) {
+    if (geometry == nullptr || OGR_G_IsEmpty(geometry) != 0) {
+      warnings_.push_back(place_ + ": empty geometry left out");
+      return {};
+    }
+    if (depth > kDeepest) return fault("has geometry collections nested too deeply");
+    switch (wkbFlatten(OGR_G_GetGeometryType(geometry))) {
+      case wkbPolygon:
+      case wkbTriangle:
+        return add_polygon(geometry, out);
+      case wkbLineString:
+      case wkbLinearRing: {
+        auto line = points(geometry);
+        if (!line) return line.error();
+        out.lines.push_back(std::move(line).value());
+        return {};
+      }
+      case wkbMultiPolygon:
+      case wkbMultiLineString:
+      case wkbGeometryCollection:
+      case wkbPolyhedralSurface:
+      case wkbTIN:
+        for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
+          if (auto good = add(OGR_G_GetGeometryRef(geometry, i), out, depth + 1); !good)
+            return good;
+        return {};
+      case wkbPoint:
+      case wkbMultiPoint:
+        warnings_.push_back(place_ + ": points have no outline, left out");
+        return {};
+      default:
+        return add_curves(geometry, out, depth);
+    }
+  }
+
+ private:
+  Error fault(const std::string& message) const {
+    return {ErrorCode::kBadInput, place_, message, ""};
+  }
+
+  Result<void> add_polygon(OGRGeometryH geometry, RawPerimeter& out) {
+    RawPolygon polygon;
+    for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i) {
+      auto ring = points(OGR_G_GetGeometryRef(geometry, i));
+      if (!ring) return ring.error();
+      if (i == 0)
+        polygon.outer = std::move(ring).value();
+      else
+        polygon.holes.push_back(std::move(ring).value());
+    }
+    out.polygons.push_back(std::move(polygon));
+    return {};
+  }
+
+  // Arcs become chords of 4 degrees, the library's default.
+  Result<void> add_curves(OGRGeometryH geometry, RawPerimeter& out, int depth) {
+    const std::unique_ptr<void, DestroyGeometry> straight(
+        OGR_G_GetLinearGeometry(geometry, 0, nullptr));
+    if (!straight || OGR_G_HasCurveGeometry(straight.get(), TRUE) != 0 ||
+        OGR_G_GetGeometryType(straight.get()) == OGR_G_GetGeometryType(geometry))
+      return fault(fmt::format("has geometry of the kind {}; areas and lines are allowed",
+                               OGR_G_GetGeometryName(geometry)));
+    return add(straight.get(), out, depth + 1);
+  }
+
+  Result<std::vector<Vec2>> points(OGRGeometryH line) {
+    const int count = line == nullptr ? 0 : OGR_G_GetPointCount(line);
+    points_ += static_cast<std::size_t>(count);
+    if (points_ > kMaxPoints)
+      return fault(fmt::format("has over {} points, the most allowed", kMaxPoints));
+    std::vector<double> x, y;
+    for (int i = 0; i < count; ++i) {
+      x.push_back(OGR_G_GetX(line, i));
+      y.push_back(OGR_G_GetY(line, i));
+      if (!std::isfinite(x.back()) || !std::isfinite(y.back()))
+        return fault(fmt::format("point {} of a line is {}, {}: not finite", i, x.back(),
+                                 y.back()));
+    }
+    std::vector<int> good(x.size(), 1);
+    if (count > 0)
+      OCTTransformEx(static_cast<OGRCoordinateTransformationH>(to_degrees_), count,
+                     x.data(), y.data(), nullptr, good.data());
+    std::vector<Vec2> result;
+    result.reserve(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (good[i] == 0 || !(std::abs(y[i]) <= 90) || !(std::abs(x[i]) <= 360))
+        return fault(
+            fmt::format("point {} of a line ({}, {}) has no latitude and longitude", i,
+                        OGR_G_GetX(line, static_cast<int>(i)),
+                        OGR_G_GetY(line, static_cast<int>(i))));
+      result.emplace_back(y[i], x[i]);
+    }
+    return result;
+  }
+
+  std::string place_;
+  void* to_degrees_;
+  std::size_t& points_;
+  std::vector<std::string>& warnings_;
+};
+
+// [s since 1970 UTC] of a date-time field. The library's zone flag: 100 is UTC, one step
+// is a quarter of an hour; 0 and 1 are unknown and local, taken as UTC.
+std::optional<double> date_field(OGRFeatureH feature, int field) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
+  float second = 0;
+  if (OGR_F_GetFieldAsDateTimeEx(feature, field, &year, &month, &day, &hour, &minute,
+                                 &second, &zone) == 0)
+    return std::nullopt;
+  const auto start = parse_utc(
+      fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}Z", year, month, day, hour, minute));
+  if (!start) return std::nullopt;
+  return *start + static_cast<double>(second) - (zone > 1 ? 900.0 * (zone - 100) : 0.0);
+}
+
+void read_time(OGRFeatureH feature, int field, VectorFeature& out) {
+  if (field < 0 || OGR_F_IsFieldSetAndNotNull(feature, field) == 0) return;
+  switch (OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, field))) {
+    case OFTInteger:
+    case OFTInteger64:
+    case OFTReal: {
+      const double value = OGR_F_GetFieldAsDouble(feature, field);
+      if (std::isfinite(value) && std::abs(value) < 1e12) out.number = value;
+      return;
+    }
+    case OFTDate:
+    case OFTDateTime:
+      out.utc = date_field(feature, field);
+      return;
+    default: {
+      const std::string text = OGR_F_GetFieldAsString(feature, field);
+      out.number = parse_number(text);
+      if (out.number && std::abs(*out.number) >= 1e12) out.number.reset();
+      if (!out.number) out.utc = parse_utc(text);
+    }
+  }
+}
+
+int time_index(OGRFeatureDefnH definition, const std::string& wanted) {
+  if (!wanted.empty()) return OGR_FD_GetFieldIndex(definition, wanted.c_str());
+  for (const std::string& name : time_names())
+    if (const int i = OGR_FD_GetFieldIndex(definition, name.c_str()); i >= 0) return i;
+  return -1;
+}
+
+std::string field_names(OGRFeatureDefnH definition) {
+  std::string names;
+  for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i)
+    names += std::string(names.empty() ? "" : ", ") +
+             OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i));
+  return names.empty() ? "none" : names;
+}
+
+// The text of a shapefile's .prj; empty for anything else.
+std::string projection_text(const std::string& name) {
+  std::filesystem::path path(name);
+  if (path.extension() != ".shp") return {};
+  std::ifstream file(path.replace_extension(".prj"), std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// Sets an option of GDAL for this thread and this object's life.
+class ThreadOption {
+ public:
+  ThreadOption(const char* key, const char* value) : key_(key) {
+    if (const char* before = CPLGetThreadLocalConfigOption(key, nullptr))
+      before_ = before;
+    CPLSetThreadLocalConfigOption(key, value);
+  }
+  ~ThreadOption() {
+    CPLSetThreadLocalConfigOption(key_, before_ ? before_->c_str() : nullptr);
+  }
+  ThreadOption(const ThreadOption&) = delete;
+  ThreadOption& operator=(const ThreadOption&) = delete;
+
+ private:
+  const char* key_;
+  std::optional<std::string> before_;
+};
+
+}  // namespace
+
+struct VectorReader::Systems {
+  std::string text;               // of the last .prj
+  geo::GdalTransform to_degrees;  // that it stands for
+};
+
+VectorReader::VectorReader() : systems_(std::make_unique<Systems>()) {}
+VectorReader::~VectorReader() = default;
+
+Result<std::vector<VectorFeature>> VectorReader::read(
+    const std::string& name, const std::string& time_field, bool need_time,
+    std::vector<std::string>& warnings) {
+  const geo::GdalGuard guard;
+  const std::string text = projection_text(name);
+  const bool known = !text.empty() && text == systems_->text && systems_->to_degrees;
+  std::optional<ThreadOption> without_search;
+  if (known) without_search.emplace("USE_OSR_FIND_MATCHES", "NO");
+  const auto fault = [&](const std::string& message, const std::string& hint = "") {
+    return Error{ErrorCode::kBadInput, name, message, hint};
+  };
+  const geo::GdalDataset dataset = geo::open_dataset(name, geo::DataKind::kVector);
+  if (!dataset)
+    return fault("cannot be read as vector data: " + guard.failure(),
+                 "any vector format that GDAL reads is allowed");
+  std::vector<VectorFeature> features;
+  std::size_t points = 0;
+  for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l) {
+    OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), l);
+    OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer);
+    const int time = time_index(definition, time_field);
+    geo::GdalTransform own_transform;
+    void* to_degrees = known ? systems_->to_degrees.get() : nullptr;
+    OGR_L_ResetReading(layer);
+    for (int n = 0;; ++n) {
+      const std::unique_ptr<void, DestroyFeature> feature(OGR_L_GetNextFeature(layer));
+      if (!feature) break;
+      const std::string place = fmt::format("{}: feature {}", name, n);
+      if (to_degrees == nullptr) {
+        OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer);
+        if (own == nullptr)
+          return fault("has no coordinate reference system",
+                       "a .prj file or an entry in the file is needed");
+        own_transform = geo::transform_to_degrees(own);
+        to_degrees = own_transform.get();
+        if (to_degrees == nullptr)
+          return fault("has a coordinate reference system that cannot be used: " +
+                       guard.failure());
+      }
+      VectorFeature& out = features.emplace_back();
+      out.outline.place = place;
+      read_time(feature.get(), time, out);
+      if (need_time && !out.number && !out.utc)
+        return Error{
+            ErrorCode::kBadInput, place,
+            time < 0
+                ? "has no attribute with a time"
+                : fmt::format("attribute {} is no time: \"{}\"",
+                              OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, time)),
+                              OGR_F_GetFieldAsString(feature.get(), time)),
+            "name it in time_field; its attributes: " + field_names(definition)};
+      Collector collector(place, to_degrees, points, warnings);
+      if (auto good = collector.add(OGR_F_GetGeometryRef(feature.get()), out.outline);
+          !good)
+        return good.error();
+    }
+    if (own_transform && !text.empty()) {
+      systems_->text = text;
+      systems_->to_degrees = std::move(own_transform);
+    }
+  }
+  if (guard.failed()) return fault("is truncated or corrupt: " + guard.failure());
+  if (features.empty()) return fault("has no features");
+  return features;
+}
+
+const std::vector<std::string>& time_names() {
+  static const std::vector<std::string> names{"seconds",    "time_s", "time_utc",
+                                              "time_local", "time",   "datetime",
+                                              "timestamp",  "date"};
+  return names;
+}
+
+}  // namespace skein::environment

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "skein/base/result.h"
+#include "skein/geo/local_frame.h"
+#include "skein/layer/environment/raster/grid_field.h"
+#include "skein/role/terrain.h"
+
+namespace skein::environment {
+
+/// What holds where a file has no data.
+enum class Outside {
+  kError,  ///< loading fails
+  kEdge,   ///< the nearest value goes on
+};
+
+struct RasterTerrainOptions {
+  std::string file;       ///< any raster that GDAL reads, elevations in metres
+  int band = 1;           ///< from 1; used when no name is given
+  std::string band_name;  ///< description of the band; empty: by number
+  Outside outside = Outside::kError;  ///< where the file has no data within the area
+  double area = 5000;  ///< half the side of the square about the origin [m]
+  double spacing = 0;  ///< of the nodes kept in memory [m]; 0: a pixel's size
+};
+
+/// Ground from an elevation raster: reprojected into the local frame when loaded,
+/// bilinear between nodes. Beyond the area that was loaded the values of its edge go on.
+class RasterTerrain final : public Terrain {
+ public:
+  explicit RasterTerrain(GridField field) : field_(std::move(field)) {}
+  double elevation_msl(const Vec2& p) const override { return field_.at(p); }
+  Vec2 gradient(const Vec2& p) const override { return field_.gradient(p); }
+  const GridField& field() const { return field_; }
+
+ private:
+  GridField field_;
+};
+
+/// Loads a raster terrain about the frame's origin.
+/// Fails: kNotFound, kBadInput as read_grid(); kBadInput also for options out of range
+/// and
+///        for values that are no elevation in metres (below -500 or above 9000: most
+///        often a "no data" value that the file does not declare).
+Result<std::unique_ptr<Terrain>> make_raster_terrain(const RasterTerrainOptions& options,
+                                                     const geo::LocalFrame& frame);
+
+}  // namespace skein::environment

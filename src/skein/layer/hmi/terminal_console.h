@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "skein/layer/hmi/line_input.h"
+#include "skein/role/operator_console.h"
+
+namespace skein::hmi {
+
+/// One line that shows how far a run is: bar, simulated time, speed factor, remaining
+/// wall time, headline. No longer than `width` columns: the headline is cut first.
+std::string progress_line(const RunProgress& progress, int width);
+
+/// Shows a run's progress in one line of a terminal, redrawn in place. When the output is
+/// no terminal it stays silent. Reads commands of the operator (zone_command.h) line by
+/// line, when it is given an input; what is wrong with one is told at once.
+///
+/// Thread safety: used by one thread; only `stop` may be set from others or from a signal
+/// handler (the atomic must then be lock-free, as it is on every supported machine).
+class TerminalConsole final : public OperatorConsole {
+ public:
+  /// @param stop  outlives the console; true asks the run to end.
+  /// @param out   where to draw; standard error, so that results can be piped.
+  /// @param input  descriptor to read commands from; negative: none.
+  explicit TerminalConsole(const std::atomic<bool>& stop, std::FILE* out = stderr,
+                           int input = -1);
+  /// As above, told whether `out` is a terminal and how wide: for tests and odd
+  /// terminals.
+  TerminalConsole(const std::atomic<bool>& stop, std::FILE* out, bool is_terminal,
+                  int width, int input = -1);
+  /// Ends the line.
+  ~TerminalConsole() override;
+  TerminalConsole(const TerminalConsole&) = delete;
+  TerminalConsole& operator=(const TerminalConsole&) = delete;
+
+  /// Draws nothing that is drawn already.
+  void show(const RunProgress& progress) override;
+  bool stop_requested() const override { return stop_.load(std::memory_order_relaxed); }
+  std::vector<ZoneChange> zone_wishes() override;
+
+ private:
+  const std::atomic<bool>& stop_;
+  std::FILE* out_;
+  bool is_terminal_;
+  int fixed_width_;  // 0 = ask the terminal
+  std::string drawn_;
+  LineInput input_;
+};
+
+}  // namespace skein::hmi

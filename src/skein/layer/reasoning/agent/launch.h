@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "skein/role/agent.h"
+
+namespace skein::reasoning {
+
+/// Gets an aircraft off the ground before its agent's own flight begins.
+class Launch {
+ public:
+  /// Call at every step, before any other command.
+  ///
+  /// An aircraft that stands on the ground at the first step is told to take off along
+  /// its heading after five seconds of rest, again while it still stands (a failsafe may
+  /// have forbidden it), and is under way until it has reached the altitude.
+  ///
+  /// @param altitude  to climb to [m above mean sea level].
+  /// @returns         whether it is still being done; then nothing else may be commanded.
+  bool under_way(const AgentInput& in, double altitude, AgentOutput& out);
+
+ private:
+  enum class State { kNew, kTakesOff, kFlies };
+  State state_ = State::kNew;
+  Time order_at_;
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "skein/base/id.h"
+#include "skein/role/agent.h"
+
+namespace skein::reasoning {
+
+/// Tells the ground station of an aircraft without orders where it is, evenly in time.
+class PositionReport {
+ public:
+  /// @param period  between two reports [s].
+  PositionReport(EntityId station, double period) : station_(station), period_(period) {}
+
+  /// To be called at each step; needs in.nav.
+  /// @param done          what it flies is over.
+  /// @param zone_changes  it knows all changes of zones up to this number.
+  void step(const AgentInput& in, const FlightLimits& limits, bool done,
+            std::uint32_t zone_changes, AgentOutput& out);
+
+ private:
+  EntityId station_;
+  double period_;
+  Time next_;
+};
+
+}  // namespace skein::reasoning

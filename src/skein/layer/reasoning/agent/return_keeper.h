@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "skein/base/id.h"
+#include "skein/data/zone.h"
+#include "skein/layer/reasoning/agent/ways_around.h"
+#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/role/agent.h"
+#include "skein/role/terrain.h"
+
+namespace skein::reasoning {
+
+/// Keeps returns out of no-flight zones: the autopilot's failsafes fly home without
+/// asking the agent, so it is told beforehand where to, and by what way.
+///
+/// Home stays where it is while a circle around it, with the margin, touches no zone;
+/// else the nearest place with such a circle takes its place, named in an event
+/// "return-moved". For the place zones count that forbid any altitude from the ground to
+/// that of the flight, for the way those at the altitude of the flight, 60 m above home
+/// at least; both until ten minutes from now. Ways bend so far from zones that the
+/// aircraft can circle there.
+class ReturnKeeper {
+ public:
+  /// @param map  the ground as it is believed to be; outlives this.
+  ReturnKeeper(const ZoneGuardOptions& options, const FlightLimits& limits, EntityId self,
+               const Terrain& map)
+      : options_(options), guard_(options, limits, {}), self_(self), map_(map) {}
+
+  /// To be called at each step; works once a second, and at once when zones come and go.
+  /// Needs in.nav.
+  ///
+  /// @param home     where returns lead without zones.
+  /// @param zones    in force.
+  /// @param changed  they are others than at the last step.
+  void step(const AgentInput& in, const Vec2& home, std::span<const Zone> zones,
+            bool changed, AgentOutput& out);
+
+  /// Where to land instead of at `place`, as home is moved: the same place, if it may be.
+  Vec2 allowed(const Vec2& place) const {
+    return places_ ? places_->nearest_allowed(place) : place;
+  }
+
+ private:
+  struct Counting {
+    std::vector<bool> place, way;  // of the zones
+    bool operator==(const Counting&) const = default;
+  };
+  Counting count(const AgentInput& in, const Vec2& home,
+                 std::span<const Zone> zones) const;
+  void draw(std::span<const Zone> zones, double clearance);
+  void move_home(const AgentInput& in, const Vec2& home, AgentOutput& out);
+  bool still_good(const Vec2& here, const Vec2& goal) const;
+  bool is_behind(const Vec2& here, const Vec2& corner, const Vec2& next) const;
+
+  ZoneGuardOptions options_;
+  ZoneGuard guard_;
+  EntityId self_;
+  const Terrain& map_;
+  Time next_;
+  Counting counting_;
+  double clearance_ = 0;
+  std::optional<WaysAround> places_, ways_, narrow_;  // narrow: with the margin only
+  std::optional<Vec2> moved_;
+  ReturnWay told_;
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/layer/reasoning/agent/zone_watch.h"
+#include "skein/role/agent.h"
+#include "skein/role/path_planner.h"
+
+namespace skein::reasoning {
+
+struct RouteFlightOptions {
+  std::vector<Vec2> points;                       ///< at least one [m]
+  int laps = 1;                                   ///< times round
+  double altitude_msl = 0;                        ///< [m]
+  std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise
+  /// Kept above the ground where a planner leads it [m].
+  double ground_clearance = 0;
+  std::int64_t planning_states = 3000;  ///< a planner may look at, for one leg
+};
+
+/// What is known to those that fly a route.
+struct RouteWorld {
+  FlightLimits limits;
+  const Terrain* map = nullptr;  ///< the ground as believed; outlives the flight
+  std::shared_ptr<const PathPlanner> planner;  ///< null: none
+};
+
+/// Flies points round and round, then stays at the last of them; around no-flight zones.
+///
+/// While no zone that counts lies on it, the route is one command to the autopilot. What
+/// remains of it is looked at when zones begin or cease to count:
+///
+/// - a leg that is free is flown as it is;
+/// - a leg that a zone blocks is planned anew from where the aircraft is, and flown as a
+///   plan; planned again when the flight of it is off plan;
+/// - without planner, when it finds no way, or when the autopilot refuses the plan, the
+///   aircraft flies the short way around the zones by the guard, and asks again ten
+///   seconds later;
+/// - a point within a zone is left out, with the event "point-left-out"; instead of the
+///   last one it flies to the nearest place where it can circle;
+/// - an aircraft within a zone leaves it first;
+/// - the place to stay at in the end, if a zone comes to lie there, becomes the nearest
+///   one where it can circle.
+class RouteFlight {
+ public:
+  RouteFlight(const RouteFlightOptions& options, const RouteWorld& world, EntityId self);
+
+  /// To be called at each step in which the route may be flown, after `zones` have
+  /// listened. Needs in.nav. May command.
+  /// @param off_plan  the flight of the last plan has left its safety zone.
+  void step(const AgentInput& in, ZoneWatch& zones, bool off_plan, AgentOutput& out);
+
+  /// The last point has been passed, or left out.
+  bool done() const { return stage_ == Stage::kDone; }
+
+  /// How the route has ended, in words for people: to be asked when done().
+  std::string ending() const;
+
+ private:
+  enum class Stage { kNew, kRoute, kPlanned, kGuarded, kDone };
+
+  const Vec2& point(std::int64_t index) const;
+  void keep_count(const AgentInput& in, ZoneWatch& zones);
+  bool passed(const Vec2& position) const;
+  bool must_choose(const AgentInput& in, const ZoneWatch& zones, bool off_plan) const;
+  void choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
+  void leave_out(const AgentInput& in, const ZoneWatch& zones, AgentOutput& out);
+  void tell_left_out(Time now, AgentOutput& out) const;
+  void fly_route(const Vec2& here, std::int64_t free, AgentOutput& out);
+  bool fly_planned(const AgentInput& in, const ZoneWatch& zones, AgentOutput& out);
+  void fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
+  void stay(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
+  void give(decltype(AutopilotCommand::guidance) guidance, AgentOutput& out);
+
+  RouteFlightOptions options_;
+  RouteWorld world_;
+  EntityId self_;
+  FlyWaypoints route_;
+  std::int64_t total_;      // points of all laps
+  std::int64_t next_ = 0;   // that is flown to
+  std::int64_t until_ = 0;  // of the command in force: the first that it does not hold
+  // Of the command in force, if it is waypoints: these, and the index of the first.
+  std::vector<FlyWaypoints::Waypoint> given_;
+  std::int64_t begins_ = 0;
+  Stage stage_ = Stage::kNew;
+  Vec2 from_ = Vec2::Zero();  // where the leg to the next point begins
+  int refusals_ = 0;          // of the autopilot, before the plan was given
+  Time plan_again_, aim_again_;
+  Vec2 aim_ = Vec2::Zero();    // of a guarded flight
+  bool by_sight_ = false;      // the command in force is of one: it does not end
+  std::int64_t told_ = -1;     // the point whose trouble has been told since a change
+  double missed_by_ = 0;       // the last point, where it was left out [m]
+  std::optional<Vec2> stays_;  // none: where the route's command leads
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,42 @@
+#include "skein/layer/reasoning/agent/heartbeat.h"
+
+#include <gtest/gtest.h>
+
+namespace skein::reasoning {
+namespace {
+
+class Quiet final : public Agent {
+ public:
+  void step(const AgentInput&, AgentOutput&) override {}
+  const BoundaryEstimate* perimeter() const override { return &belief_; }
+
+ private:
+  BoundaryEstimate belief_;
+};
+
+TEST(Heartbeat, TellsEachAircraftOncePerPeriodHoweverLongTheSteps) {
+  Heartbeat station(std::make_unique<Quiet>(), {EntityId{1}, EntityId{2}},
+                    Time::from_seconds(1));
+  EXPECT_NE(station.perimeter(), nullptr);
+  AgentOutput out;
+  for (int k = 0; k <= 40; ++k) {
+    AgentInput in;
+    in.now = Time::from_seconds(0.25 * k);
+    station.step(in, out);
+  }
+  ASSERT_EQ(out.outbox.size(), 2u * 11);
+  EXPECT_EQ(out.outbox[0].to, EntityId{1});
+  EXPECT_EQ(out.outbox[1].to, EntityId{2});
+  EXPECT_TRUE(std::holds_alternative<SignOfLife>(out.outbox[0].content));
+
+  out.outbox.clear();
+  for (int k = 0; k < 5; ++k) {
+    AgentInput in;
+    in.now = Time::from_seconds(20 + 3 * k);  // longer than the period
+    station.step(in, out);
+  }
+  EXPECT_EQ(out.outbox.size(), 2u * 5);
+}
+
+}  // namespace
+}  // namespace skein::reasoning

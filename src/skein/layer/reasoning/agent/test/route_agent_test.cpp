@@ -1,0 +1,98 @@
+#include "skein/layer/reasoning/agent/route_agent.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace skein::reasoning {
+namespace {
+
+// A hill on the way from the last point back to the first.
+class Hill final : public Terrain {
+ public:
+  double elevation_msl(const Vec2& p) const override {
+    return p.x() > 150 && p.x() < 250 && p.y() > 350 ? 80 : 10;
+  }
+  Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+};
+
+struct Told {
+  explicit Told(const RouteAgentOptions& options)
+      : agent(options, EntityId{1}, EntityId{7}, {}, hill, {}) {}
+  AgentOutput at(double time, bool done = false) {
+    nav.time = Time::from_seconds(time);
+    AgentInput in;
+    in.now = nav.time;
+    in.nav = &nav;
+    in.autopilot.done = done;
+    in.autopilot.on_ground = on_ground;
+    AgentOutput out;
+    agent.step(in, out);
+    return out;
+  }
+  Hill hill;
+  RouteAgent agent;
+  NavEstimate nav;
+  bool on_ground = false;
+};
+
+RouteAgentOptions triangle() {
+  RouteAgentOptions options;
+  options.points = {{400, 400}, {400, 0}, {0, 400}};
+  options.laps = 5;
+  options.altitude_agl = 100;
+  return options;
+}
+
+TEST(RouteAgent, OrdersItsRouteOnceAboveTheHighestGroundOfIt) {
+  Told told(triangle());
+  const AgentOutput first = told.at(0);
+  ASSERT_TRUE(first.command);
+  const auto& way = std::get<FlyWaypoints>(first.command->guidance);
+  EXPECT_EQ(way.laps, 5);
+  ASSERT_EQ(way.points.size(), 3u);
+  EXPECT_EQ(way.points[1].point, Vec2(400, 0));
+  for (const auto& point : way.points) EXPECT_DOUBLE_EQ(point.altitude_msl, 180);
+  EXPECT_FALSE(told.at(0.5).command);
+}
+
+TEST(RouteAgent, ReportsToTheStationAndTellsOnceThatTheRouteIsDone) {
+  Told told(triangle());
+  int reports = 0, events = 0;
+  bool done = false;
+  for (int k = 0; k <= 20; ++k) {
+    const AgentOutput out = told.at(0.25 * k, k >= 10);
+    for (const Message& message : out.outbox) {
+      EXPECT_EQ(message.to, EntityId{7});
+      done = std::get<AircraftReport>(message.content).task_done;
+      ++reports;
+    }
+    for (const Event& event : out.events) events += event.kind == "route-done";
+  }
+  EXPECT_EQ(reports, 6);  // at 0 to 5 s
+  EXPECT_TRUE(done);
+  EXPECT_EQ(events, 1);
+}
+
+TEST(RouteAgent, TakesOffAndLandsWhereItStood) {
+  RouteAgentOptions options = triangle();
+  options.lands = true;
+  Told told(options);
+  told.on_ground = true;
+  told.nav.p_N = {30, 20, -10};
+  EXPECT_FALSE(told.at(0).command);
+  const auto up = told.at(5);
+  EXPECT_TRUE(std::holds_alternative<TakeOff>(up.command->guidance));
+  EXPECT_DOUBLE_EQ(up.command->altitude_msl, 180);
+  told.on_ground = false;
+  EXPECT_FALSE(told.at(10).command);
+  EXPECT_TRUE(std::holds_alternative<FlyWaypoints>(told.at(60, true).command->guidance));
+  EXPECT_FALSE(told.at(61).command);
+  const auto down = told.at(300, true);
+  EXPECT_EQ(std::get<Land>(down.command->guidance).point, Vec2(30, 20));
+  EXPECT_EQ(std::get<Land>(down.command->guidance).ground_msl, 10);
+  EXPECT_FALSE(told.at(301, true).command);
+}
+
+}  // namespace
+}  // namespace skein::reasoning

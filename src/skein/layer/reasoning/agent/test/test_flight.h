@@ -1,0 +1,100 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "skein/data/autopilot.h"
+#include "skein/data/vehicle.h"
+#include "skein/model/path/path_geometry.h"
+#include "skein/model/path/wind_triangle.h"
+#include "skein/role/agent.h"
+#include "skein/role/terrain.h"
+
+namespace skein::reasoning::test {
+
+class FlatGround final : public Terrain {
+ public:
+  double elevation_msl(const Vec2&) const override { return 100; }
+  Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+};
+
+/// Aircraft and autopilot of these tests (layers do not know each other): 20 m/s, 60 m
+/// turn radius, roll at 1 rad/s, perfect knowledge of itself and of a steady wind.
+class TestAircraft {
+ public:
+  Vec3 p = {0, 0, -220};
+  double heading = 0;
+  Vec2 wind = Vec2::Zero();
+  AutopilotCommand command;
+  AutopilotStatus status;
+
+  Vec2 position() const { return geo::horizontal(p); }
+  Vec2 velocity() const { return kAirspeed * geo::unit(heading) + wind; }
+
+  NavEstimate nav(Time now) const {
+    NavEstimate n;
+    n.time = now;
+    n.p_N = p;
+    n.v_N = {velocity().x(), velocity().y(), 0};
+    n.heading = geo::wrap_pi(heading);
+    n.wind_N = wind;
+    return n;
+  }
+
+  void obey(const AutopilotCommand& next) {
+    const auto* now = std::get_if<FollowPath>(&command.guidance);
+    const auto* then = std::get_if<FollowPath>(&next.guidance);
+    const bool same = now && then && now->path.front().start == then->path.front().start;
+    if (!same) along_ = 0, status = {};
+    command = next;
+  }
+
+  void step(double dt) {
+    const double fastest = kAirspeed / kRadius;
+    const double course = wanted_course();
+    const double aim =
+        model::heading_for_course(course, kAirspeed, wind).value_or(course);
+    const double limit = std::atan(fastest * kAirspeed / 9.80665);
+    const double roll =
+        std::clamp(std::atan(1.2 * geo::wrap_pi(aim - heading) * kAirspeed / 9.80665),
+                   -limit, limit);
+    roll_ += std::clamp(roll - roll_, -dt, dt);
+    const double turn = 9.80665 * std::tan(roll_) / kAirspeed * dt;
+    heading += turn / 2;
+    p.head<2>() += dt * velocity();
+    heading += turn / 2;
+    p.z() += std::clamp(-command.altitude_msl - p.z(), -3 * dt, 3 * dt);
+  }
+
+ private:
+  static constexpr double kAirspeed = 20, kRadius = 60;
+
+  double wanted_course() {
+    if (const auto* hold = std::get_if<HoldCourse>(&command.guidance))
+      return hold->course;
+    if (const auto* circle = std::get_if<Circle>(&command.guidance)) {
+      const Vec2 out = position() - circle->centre;
+      const double side = circle->clockwise ? 1 : -1;
+      const double ahead =
+          velocity().norm() / circle->radius;  // course change in a second
+      return geo::bearing(out) +
+             side * (geo::kPi / 2 + 0.8 * ahead +
+                     std::atan2(out.norm() - circle->radius, 3 * velocity().norm()));
+    }
+    const Path& path = std::get<FollowPath>(command.guidance).path;
+    const auto at = model::project(path, position(), along_ - 50, along_ + 100);
+    along_ = at.along;
+    status.remaining = at.remaining;
+    status.cross_track = at.cross_track;
+    status.done = status.done || at.remaining <= 0;
+    const Vec2 ahead = model::pose_at(path, along_ + 40).position - position();
+    return geo::bearing(ahead);
+  }
+
+  double roll_ = 0;
+  double along_ = 0;
+};
+
+}  // namespace skein::reasoning::test

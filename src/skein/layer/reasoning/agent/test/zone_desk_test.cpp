@@ -1,0 +1,193 @@
+#include "skein/layer/reasoning/agent/zone_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "skein/base/random.h"
+
+namespace skein::reasoning {
+namespace {
+
+Zone square(const std::string& name) {
+  Zone zone{.area = geo::Ring{{0, 0}, {100, 0}, {100, 100}, {0, 100}}};
+  zone.name = name;
+  return zone;
+}
+
+ZoneChange wish(bool on, const Zone& zone) {
+  return {0, on, zone};
+}
+
+ZoneChange by_name(bool on, const std::string& name) {
+  Zone zone;
+  zone.name = name;
+  return {0, on, zone};
+}
+
+// Notes what it hears.
+class Ear final : public Agent {
+ public:
+  explicit Ear(std::vector<Message>& heard) : heard_(heard) {}
+  void step(const AgentInput& in, AgentOutput&) override {
+    heard_.insert(heard_.end(), in.inbox.begin(), in.inbox.end());
+  }
+
+ private:
+  std::vector<Message>& heard_;
+};
+
+struct Desk {
+  explicit Desk(ZoneDeskOptions options = {})
+      : agent(with_team(std::move(options)), std::make_unique<Ear>(heard)) {}
+
+  static ZoneDeskOptions with_team(ZoneDeskOptions options) {
+    options.team = {EntityId{1}, EntityId{2}};
+    return options;
+  }
+  AgentOutput at(double time, const std::vector<ZoneChange>& wishes = {}) {
+    for (const ZoneChange& change : wishes) inbox.emplace_back().content = change;
+    AgentInput in;
+    in.now = Time::from_seconds(time);
+    in.inbox = inbox;
+    AgentOutput out;
+    agent.step(in, out);
+    inbox.clear();
+    return out;
+  }
+  void report(std::uint32_t who, std::uint32_t knows) {
+    AircraftReport report;
+    report.zone_changes = knows;
+    inbox.emplace_back().from = EntityId{who};
+    inbox.back().content = report;
+  }
+  std::vector<Message> heard, inbox;
+  ZoneDesk agent;
+};
+
+// "number>to" of all zone messages.
+std::string sent(const AgentOutput& out) {
+  std::string all;
+  for (const Message& message : out.outbox)
+    all += std::to_string(std::get<ZoneChange>(message.content).number) + ">" +
+           std::to_string(message.to.value) + " ";
+  return all;
+}
+
+std::string kinds(const AgentOutput& out) {
+  std::string all;
+  for (const Event& event : out.events) all += event.kind + " ";
+  return all;
+}
+
+TEST(ZoneDesk, NumbersWishesAndTellsAll) {
+  Desk desk;
+  const AgentOutput out = desk.at(1, {wish(true, square("a")), wish(true, square("b"))});
+  EXPECT_EQ(sent(out), "1>1 1>2 2>1 2>2 ");
+  EXPECT_EQ(kinds(out), "zone-on zone-on ");
+  ASSERT_EQ(out.zone_changes.size(), 2u);
+  EXPECT_EQ(out.zone_changes[1].number, 2u);
+  // The station's own agent hears the numbered ones in the same step, and no wish.
+  ASSERT_EQ(desk.heard.size(), 2u);
+  EXPECT_EQ(std::get<ZoneChange>(desk.heard[0].content).number, 1u);
+  EXPECT_GT(out.outbox[0].size_bytes, 4 * 8);
+  const AgentOutput off = desk.at(2, {by_name(false, "a")});
+  EXPECT_EQ(sent(off), "3>1 3>2 ");
+  EXPECT_FALSE(off.zone_changes.at(0).on);
+}
+
+TEST(ZoneDesk, SendsAgainWhatIsNotKnown) {
+  Desk desk;
+  desk.at(0, {wish(true, square("a"))});
+  desk.report(1, 0);
+  desk.report(2, 1);
+  EXPECT_EQ(sent(desk.at(1)), "");
+  desk.report(1, 0);
+  EXPECT_EQ(sent(desk.at(2)), "1>1 ");
+  desk.at(2.5, {wish(true, square("b"))});
+  desk.report(1, 0);
+  desk.report(2, 2);
+  EXPECT_EQ(sent(desk.at(4.5)), "1>1 2>1 ");
+  desk.report(1, 2);
+  const AgentOutput all = desk.at(5);
+  EXPECT_EQ(sent(all), "");
+  EXPECT_EQ(kinds(all), "zones-known ");
+  for (double t = 6; t < 60; ++t) EXPECT_EQ(sent(desk.at(t)), "");
+}
+
+TEST(ZoneDesk, TriesThoseThatAreNotHeardNowAndThen) {
+  Desk desk;
+  desk.at(0, {wish(true, square("a"))});
+  int tries = 0;
+  for (double t = 1; t <= 60; ++t) tries += sent(desk.at(t)) == "1>1 1>2 ";
+  EXPECT_EQ(tries, 6);
+}
+
+TEST(ZoneDesk, RefusesWhatCannotBeUsed) {
+  Desk desk;
+  Zone bad = square("bad");
+  bad.area = geo::Ring{{0, 0}, {10, 10}, {10, 0}, {0, 10}};
+  Zone nan = square("nan");
+  nan.floor_msl = std::numeric_limits<double>::quiet_NaN();
+  for (const ZoneChange& change :
+       {wish(true, square("")), wish(true, bad), wish(true, nan),
+        by_name(true, "never drawn"), by_name(false, "never drawn")}) {
+    const AgentOutput out = desk.at(1, {change});
+    EXPECT_EQ(kinds(out), "zone-refused ") << change.zone.name;
+    EXPECT_EQ(sent(out), "");
+  }
+}
+
+TEST(ZoneDesk, KnowsZonesByName) {
+  ZoneDeskOptions options;
+  options.known = {square("first")};
+  options.drawn = {square("first"), square("later")};
+  Desk desk(options);
+  EXPECT_EQ(kinds(desk.at(1, {by_name(false, "first")})), "zone-off ");
+  const AgentOutput on = desk.at(2, {by_name(true, "later")});
+  ASSERT_EQ(on.zone_changes.size(), 1u);
+  EXPECT_EQ(std::get<geo::Ring>(on.zone_changes[0].zone.area).size(), 4u);
+  // Turned: rings are told positive.
+  Zone turned = square("turned");
+  std::reverse(std::get<geo::Ring>(turned.area).begin(),
+               std::get<geo::Ring>(turned.area).end());
+  const AgentOutput out = desk.at(3, {wish(true, turned)});
+  EXPECT_GT(geo::signed_area(std::get<geo::Ring>(out.zone_changes[0].zone.area)), 0);
+}
+
+TEST(ZoneDesk, DoesWhatIsPlannedAtItsTime) {
+  ZoneDeskOptions options;
+  options.planned = {{Time::from_seconds(5), wish(true, square("a"))},
+                     {Time::from_seconds(9), wish(false, square("a"))}};
+  Desk desk(options);
+  EXPECT_EQ(kinds(desk.at(4.9)), "");
+  EXPECT_EQ(kinds(desk.at(5)), "zone-on ");
+  EXPECT_EQ(kinds(desk.at(5.1)), "");
+  EXPECT_EQ(kinds(desk.at(9.3)), "zone-off ");
+}
+
+// Whatever is lost, in the end both know the same zones as the desk.
+TEST(ZoneDesk, ALinkThatLosesMostLeavesNobodyBehind) {
+  Desk desk;
+  ZoneBook books[2];
+  RandomStream random(1, 1, Purpose::kTest);
+  for (int step = 0; step < 400; ++step) {
+    std::vector<ZoneChange> wishes;
+    if (step % 40 == 0 && step < 200)
+      wishes.push_back(
+          wish(true, square(std::string(1, static_cast<char>('a' + step / 40)))));
+    for (std::uint32_t who : {0u, 1u})
+      if (random.uniform() < 0.2) desk.report(who + 1, books[who].complete_to());
+    for (const Message& message : desk.at(step, wishes).outbox)
+      if (random.uniform() < 0.2)
+        books[message.to.value - 1].take(std::get<ZoneChange>(message.content));
+  }
+  for (const ZoneBook& book : books) {
+    EXPECT_EQ(book.complete_to(), 5u);
+    EXPECT_EQ(book.zones().size(), 5u);
+  }
+}
+
+}  // namespace
+}  // namespace skein::reasoning

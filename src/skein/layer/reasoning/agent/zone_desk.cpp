@@ -1,0 +1,141 @@
+#include "skein/layer/reasoning/agent/zone_desk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace skein::reasoning {
+namespace {
+
+constexpr int kChangeBytes = 33;        // on the air: header, numbers and limits
+constexpr int kCornerBytes = 8;         // two fixed-point numbers
+constexpr double kHeardWithin = 5;      // a report this old says that it can be heard [s]
+constexpr std::size_t kMaxAtOnce = 20;  // changes sent again to one aircraft in a step
+
+int size_on_air(const ZoneChange& change) {
+  const auto* ring = std::get_if<geo::Ring>(&change.zone.area);
+  const int corners = !change.on ? 0 : ring ? static_cast<int>(ring->size()) : 2;
+  return kChangeBytes + static_cast<int>(change.zone.name.size()) +
+         corners * kCornerBytes;
+}
+
+bool has_shape(const Zone& zone) {
+  const auto* ring = std::get_if<geo::Ring>(&zone.area);
+  return !ring || !ring->empty();
+}
+
+}  // namespace
+
+ZoneDesk::ZoneDesk(const ZoneDeskOptions& options, std::unique_ptr<Agent> station)
+    : options_(options), station_(std::move(station)), book_(options.known) {
+  for (const Zone& zone : options_.drawn) drawn_[zone.name] = zone;
+  for (const EntityId id : options_.team) team_.push_back({.id = id});
+}
+
+void ZoneDesk::step(const AgentInput& in, AgentOutput& out) {
+  const std::size_t before = changes_.size();
+  for (const Message& message : in.inbox) {
+    take_report(message, in.now);
+    const auto* wish = std::get_if<ZoneChange>(&message.content);
+    if (wish && wish->number == 0) issue(*wish, in.now, out);
+  }
+  while (next_planned_ < options_.planned.size() &&
+         options_.planned[next_planned_].at <= in.now)
+    issue(options_.planned[next_planned_++].change, in.now, out);
+
+  std::vector<Message> inbox(in.inbox.begin(), in.inbox.end());
+  std::erase_if(inbox, [](const Message& message) {
+    const auto* wish = std::get_if<ZoneChange>(&message.content);
+    return wish && wish->number == 0;
+  });
+  for (std::size_t k = before; k < changes_.size(); ++k) {
+    inbox.emplace_back().content = changes_[k];
+    inbox.back().sent = in.now;
+  }
+  AgentInput told = in;
+  told.inbox = inbox;
+  station_->step(told, out);
+  send_missing(in.now, out);
+  tell_when_known(in.now, out);
+}
+
+void ZoneDesk::take_report(const Message& message, Time now) {
+  const auto* report = std::get_if<AircraftReport>(&message.content);
+  if (!report) return;
+  const auto who = std::find_if(team_.begin(), team_.end(),
+                                [&](const Listener& l) { return l.id == message.from; });
+  if (who == team_.end()) return;
+  who->knows = std::max(who->knows, report->zone_changes);
+  who->heard = now;
+  who->was_heard = true;
+}
+
+void ZoneDesk::issue(ZoneChange change, Time now, AgentOutput& out) {
+  Zone& zone = change.zone;
+  const auto refuse = [&](const std::string& why) {
+    out.events.push_back(
+        {now, EntityId{}, "zone-refused", fmt::format("{}: {}", zone.name, why)});
+  };
+  if (zone.name.empty()) return refuse("a zone needs a name.");
+  const auto known = drawn_.find(zone.name);
+  const auto zones = book_.zones();
+  const bool in_force = std::any_of(zones.begin(), zones.end(),
+                                    [&](const Zone& z) { return z.name == zone.name; });
+  if (change.on && !has_shape(zone)) {
+    if (known == drawn_.end()) return refuse("no zone of this name has been drawn.");
+    zone = known->second;
+  }
+  if (!change.on && !in_force) return refuse("no zone of this name is in force.");
+  if (change.on) {
+    if (auto* ring = std::get_if<geo::Ring>(&zone.area)) *ring = made_positive(*ring);
+    if (const auto fault = fault_in(zone)) return refuse(*fault);
+    drawn_[zone.name] = zone;
+  } else {
+    zone = {.name = zone.name};
+  }
+  change.number = static_cast<std::uint32_t>(changes_.size()) + 1;
+  book_.take(change);
+  out.events.push_back({now, EntityId{}, change.on ? "zone-on" : "zone-off",
+                        fmt::format("change {}: {} is {}", change.number, zone.name,
+                                    change.on ? "in force" : "taken back")});
+  out.zone_changes.push_back(change);
+  changes_.push_back(std::move(change));
+  all_know_ = false;
+  for (Listener& listener : team_) {
+    out.outbox.push_back({EntityId{}, listener.id, 0, Time(),
+                          size_on_air(changes_.back()), changes_.back()});
+    listener.sent = now;
+  }
+}
+
+void ZoneDesk::send_missing(Time now, AgentOutput& out) {
+  for (Listener& listener : team_) {
+    if (listener.knows >= changes_.size()) continue;
+    // A report since the last sending says that it has not been heard.
+    const bool heard = listener.was_heard && listener.heard > listener.sent;
+    const double wait = heard ? options_.resend_after : options_.resend_slow;
+    if ((now - listener.sent).seconds() < wait) continue;
+    const std::size_t end = std::min(changes_.size(), listener.knows + kMaxAtOnce);
+    for (std::size_t k = listener.knows; k < end; ++k)
+      out.outbox.push_back(
+          {EntityId{}, listener.id, 0, Time(), size_on_air(changes_[k]), changes_[k]});
+    listener.sent = now;
+  }
+}
+
+void ZoneDesk::tell_when_known(Time now, AgentOutput& out) {
+  if (all_know_) return;
+  std::size_t heard = 0;
+  for (const Listener& listener : team_) {
+    if (!listener.was_heard || (now - listener.heard).seconds() > kHeardWithin) continue;
+    ++heard;
+    if (listener.knows < changes_.size()) return;
+  }
+  if (heard == 0) return;
+  all_know_ = true;
+  out.events.push_back({now, EntityId{}, "zones-known",
+                        fmt::format("change {}: known to all of the {} that are heard",
+                                    changes_.size(), heard)});
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/data/zone_book.h"
+#include "skein/role/agent.h"
+
+namespace skein::reasoning {
+
+/// A change of zones that is planned beforehand.
+struct PlannedZoneChange {
+  Time at;
+  ZoneChange change;  ///< without number
+};
+
+struct ZoneDeskOptions {
+  std::vector<EntityId> team;  ///< who has to know
+  std::vector<Zone> known;     ///< in force, and known to all, from the start
+  /// Zones that an operator can put into force by name; those known are among them.
+  std::vector<Zone> drawn;
+  std::vector<PlannedZoneChange> planned;  ///< in order of time
+  double resend_after = 2;  ///< to an aircraft that is heard but does not know [s]
+  double resend_slow = 10;  ///< to one that is not heard [s]
+};
+
+/// A ground station's agent that also says which no-flight zones are in force.
+///
+/// Wishes of an operator (messages ZoneChange without number) and planned changes become
+/// numbered changes, which go to each aircraft of the team at once. Each AircraftReport
+/// says up to which number its sender knows them all; what it does not know is sent
+/// again. So a message that is lost delays a change, and leaves nobody without it. The
+/// station's own agent hears of a change in the same step, as a message.
+///
+/// Events: "zone-on" and "zone-off", "zone-refused" with the reason, and "zones-known"
+/// when all that are heard know the last change.
+class ZoneDesk final : public Agent {
+ public:
+  /// @param station  what reasons on the ground.
+  ZoneDesk(const ZoneDeskOptions& options, std::unique_ptr<Agent> station);
+
+  void step(const AgentInput& in, AgentOutput& out) override;
+  const BoundaryEstimate* perimeter() const override { return station_->perimeter(); }
+
+ private:
+  struct Listener {
+    EntityId id = {};
+    std::uint32_t knows = 0;
+    Time heard = {}, sent = {};
+    bool was_heard = false;
+  };
+  void take_report(const Message& message, Time now);
+  void issue(ZoneChange change, Time now, AgentOutput& out);
+  void send_missing(Time now, AgentOutput& out);
+  void tell_when_known(Time now, AgentOutput& out);
+
+  ZoneDeskOptions options_;
+  std::unique_ptr<Agent> station_;
+  std::map<std::string, Zone> drawn_;
+  ZoneBook book_;
+  std::vector<ZoneChange> changes_;  // number k at k - 1
+  std::vector<Listener> team_;
+  std::size_t next_planned_ = 0;
+  bool all_know_ = true;
+};
+
+}  // namespace skein::reasoning

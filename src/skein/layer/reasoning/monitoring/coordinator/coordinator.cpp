@@ -1,0 +1,235 @@
+#include "skein/layer/reasoning/monitoring/coordinator/coordinator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace skein::monitoring {
+namespace {
+
+constexpr int kTaskBytes = 48;
+constexpr double kStaleAfter = 5;  // nothing heard for this long: predict the belief [s]
+constexpr double kLevel = 50;      // zones this far above and below an aircraft count [m]
+constexpr double kSoon = 60;       // zones that come into force within this count [s]
+constexpr double kNewsEvery = 60;  // of one kind of doubt [s]
+constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
+
+// Where an aircraft that has not crossed for long is sure to find the boundary: from
+// outside at the fire's origin, from inside beyond the nearest believed boundary.
+Vec2 sure_crossing(const AircraftStatus& aircraft, const BoundaryEstimate& boundary,
+                   const Vec2& origin) {
+  const Vec2 here = geo::horizontal(aircraft.nav.p_N);
+  if (!aircraft.inside.value_or(false)) return origin;
+  const BoundaryPoint* nearest = nullptr;
+  for (const auto& ring : boundary.rings)
+    for (const BoundaryPoint& point : ring)
+      if (!nearest || (point.position - here).squaredNorm() <
+                          (nearest->position - here).squaredNorm())
+        nearest = &point;
+  if (!nearest) return here + 1000 * geo::unit(aircraft.nav.heading);
+  return nearest->position + (3 * nearest->sigma + 200) * nearest->normal;
+}
+
+void send_order(const Member& member, AgentOutput& out) {
+  Message message;
+  message.to = member.status.id;
+  message.size_bytes = kTaskBytes;
+  message.content = member.status.task;
+  out.outbox.push_back(std::move(message));
+}
+
+}  // namespace
+
+Coordinator::Coordinator(const CoordinatorOptions& options,
+                         std::unique_ptr<PerimeterEstimator> estimator,
+                         std::unique_ptr<MonitoringStrategy> strategy)
+    : options_(options),
+      belief_(std::move(estimator), options.late_window),
+      strategy_(std::move(strategy)),
+      roster_(options.team, options.lost_after),
+      zones_(options.zones),
+      boundary_(belief_.boundary_at(Time())) {}
+
+void Coordinator::step(const AgentInput& in, AgentOutput& out) {
+  listen(in, out);
+  if ((in.now - last_heard_).seconds() > kStaleAfter) belief_.predict(in.now);
+  boundary_ = belief_.boundary_at(in.now);
+  deploy(in.now, out);
+  force_crossings(in.now, out);
+  allocate(in.now, out);
+  resend_lost_orders(in.now, out);
+}
+
+void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
+  std::vector<FireReading> readings;
+  for (const Message& message : in.inbox) {
+    if (const auto* report = std::get_if<AircraftReport>(&message.content))
+      roster_.take(*report, message.from, in.now);
+    else if (const auto* reading = std::get_if<FireReading>(&message.content))
+      readings.push_back(*reading);
+    else if (const auto* change = std::get_if<ZoneChange>(&message.content))
+      zones_.take(*change);
+  }
+  if (!readings.empty()) last_heard_ = in.now;
+  for (const FireReading& reading : readings)
+    if (Member* member = roster_.find(reading.aircraft))
+      member->status.inside = reading.inside;
+  for (const Crossing& crossing : belief_.take(std::move(readings)))
+    note_crossing(crossing, out);
+  report_doubts(in.now, out);
+  for (const EntityId id : roster_.update(in.now))
+    out.events.push_back({in.now, id, "silent", "no report for a while"});
+}
+
+bool Coordinator::Tally::is_news(int now_counted, Time now) {
+  if (now_counted == told || (told > 0 && (now - told_at).seconds() < kNewsEvery))
+    return false;
+  told = now_counted;
+  told_at = now;
+  return true;
+}
+
+void Coordinator::report_doubts(Time now, AgentOutput& out) {
+  if (const int count = belief_.health().outliers; outliers_.is_news(count, now))
+    out.events.push_back(
+        {now, EntityId{}, "outlier",
+         fmt::format("{} observations so far were all but impossible", count)});
+  if (const int count = belief_.dropped(); dropped_.is_news(count, now))
+    out.events.push_back({now, EntityId{}, "too-late",
+                          fmt::format("{} readings so far came more than {:.0f} s late",
+                                      count, options_.late_window)});
+}
+
+void Coordinator::judge(const Crossing& crossing, AgentOutput& out) {
+  const auto verdict = confidence_.take(crossing, boundary_);
+  if (!verdict) return;
+  const bool lost = *verdict == ConfidenceMonitor::Verdict::kOverConfident;
+  out.events.push_back(
+      {crossing.time, EntityId{}, lost ? "over-confident" : "trusted",
+       fmt::format("{:.0f} % of the last crossings lay outside the believed 95 % band",
+                   100 * confidence_.share_outside())});
+}
+
+void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
+  Member* member = roster_.find(crossing.aircraft);
+  if (!member) return;
+  member->status.has_crossed = true;
+  member->status.last_crossing = std::max(member->status.last_crossing, crossing.time);
+  member->deploying = member->forced = false;
+  out.crossings.push_back(crossing);
+  judge(crossing, out);
+  out.events.push_back({crossing.time, crossing.aircraft, "crossing",
+                        fmt::format("{} the fire at {:.0f} m north, {:.0f} m east",
+                                    crossing.entered ? "into" : "out of",
+                                    crossing.point.x(), crossing.point.y())});
+}
+
+void Coordinator::order(Member& member, decltype(Task::what) what, Time now,
+                        AgentOutput& out) {
+  member.status.task.number += 1;
+  member.status.task.what = std::move(what);
+  member.status.task_done = false;
+  member.task_sent = now;
+  send_order(member, out);
+}
+
+void Coordinator::deploy(Time now, AgentOutput& out) {
+  bool all = true;
+  int available = 0, met = 0;
+  for (std::size_t k = 0; k < roster_.members().size(); ++k) {
+    Member& member = roster_.members()[k];
+    if (!member.available) continue;
+    ++available;
+    if (member.status.has_crossed) ++met;
+    if (!member.deploying) continue;
+    all = false;
+    if (member.status.task.number == 0) {
+      const Vec2 here = geo::horizontal(member.status.nav.p_N);
+      const double course =
+          options_.entry_courses.empty()
+              ? geo::bearing(options_.origin - here)
+              : options_.entry_courses[k % options_.entry_courses.size()];
+      member.deployed = now;
+      order(member, FlyCourse{course}, now, out);
+    } else if ((now - member.deployed).seconds() > options_.deployment_limit) {
+      member.deploying = false;  // the transect found nothing: the strategy decides
+      out.events.push_back({now, member.status.id, "no-crossing",
+                            "the deployment transect met no boundary"});
+    }
+  }
+  if (available > 0 && all && !allocating_) {
+    allocating_ = true;
+    out.events.push_back({now, EntityId{}, "allocation",
+                          fmt::format("{} of {} aircraft have met the boundary: "
+                                      "allocation begins",
+                                      met, available)});
+  }
+}
+
+void Coordinator::force_crossings(Time now, AgentOutput& out) {
+  if (options_.forced_crossing <= 0) return;
+  const std::vector<Zone> zones = zones_in_the_way(now);
+  for (Member& member : roster_.members()) {
+    if (!member.available || member.deploying) continue;
+    if (member.forced) {
+      if (!member.status.task_done) continue;
+      member.forced = false;  // got there without crossing: the strategy may try again
+      member.deployed = now;
+    }
+    const Time since = std::max(member.status.last_crossing, member.deployed);
+    if ((now - since).seconds() < options_.forced_crossing) continue;
+    const Vec2 goal = sure_crossing(member.status, boundary_, options_.origin);
+    if (std::any_of(zones.begin(), zones.end(),
+                    [&](const Zone& zone) { return covers(zone, goal); }))
+      continue;
+    member.forced = true;
+    order(member, FlyTo{goal}, now, out);
+    out.events.push_back({now, member.status.id, "forced-crossing",
+                          "no crossing for long: sent across the boundary"});
+  }
+}
+
+std::vector<Zone> Coordinator::zones_in_the_way(Time now) const {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Member& member : roster_.members()) {
+    if (!member.available) continue;
+    low = std::min(low, -member.status.nav.p_N.z() - kLevel);
+    high = std::max(high, -member.status.nav.p_N.z() + kLevel);
+  }
+  std::vector<Zone> zones;
+  for (const Zone& zone : zones_.zones())
+    if (concerns(zone, low, high, now.seconds(), now.seconds() + kSoon))
+      zones.push_back(zone);
+  return zones;
+}
+
+void Coordinator::allocate(Time now, AgentOutput& out) {
+  std::vector<AircraftStatus> ready;
+  for (const Member& member : roster_.members())
+    if (member.available && !member.deploying && !member.forced) {
+      ready.push_back(member.status);
+      NavEstimate& nav = ready.back().nav;
+      nav.p_N += (now - nav.time).seconds() * nav.v_N;
+      nav.time = now;
+    }
+  if (ready.empty()) return;
+  const std::vector<Zone> zones = zones_in_the_way(now);
+  const MonitoringSituation situation{now, &boundary_, ready, options_.origin, zones};
+  for (Assignment& assignment : strategy_->assign(situation))
+    if (Member* member = roster_.find(assignment.aircraft))
+      order(*member, std::move(assignment.what), now, out);
+}
+
+void Coordinator::resend_lost_orders(Time now, AgentOutput& out) {
+  for (Member& member : roster_.members()) {
+    if (!member.available || member.status.task.number == 0 ||
+        member.reported_task == member.status.task.number ||
+        (now - member.task_sent).seconds() < kResendAfter)
+      continue;
+    member.task_sent = now;
+    send_order(member, out);
+  }
+}
+
+}  // namespace skein::monitoring

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/data/zone_book.h"
+#include "skein/layer/reasoning/monitoring/coordinator/belief.h"
+#include "skein/layer/reasoning/monitoring/coordinator/confidence_monitor.h"
+#include "skein/layer/reasoning/monitoring/coordinator/roster.h"
+#include "skein/role/agent.h"
+#include "skein/role/monitoring_strategy.h"
+
+namespace skein::monitoring {
+
+struct CoordinatorOptions {
+  std::vector<EntityId> team;  ///< the aircraft it commands
+  Vec2 origin = Vec2::Zero();  ///< believed origin of the fire [m]
+  /// Courses of the deployment transects, one per aircraft, repeated when there are fewer
+  /// [rad]; empty = each flies towards the origin.
+  std::vector<double> entry_courses;
+  double forced_crossing = 300;  ///< no crossing for this long: go and cross [s]; 0 = off
+  double deployment_limit = 600;  ///< a transect without crossing ends after this [s]
+  double lost_after = 5;          ///< an aircraft not heard for this long is lost [s]
+  double late_window = 60;        ///< readings this late still count [s]
+  std::vector<Zone> zones;        ///< no-flight zones in force from the start
+};
+
+/// The ground station's agent of a perimeter mission: keeps the belief from all readings,
+/// runs the deployment phase, lets the strategy decide, and orders the aircraft about.
+///
+/// Deployment: each aircraft flies its transect until its first crossing; then it is
+/// allocated. When all that are heard are allocated, the event "allocation" marks the
+/// start of that phase, even if some transects met nothing.
+///
+/// No order leads into a no-flight zone in force, or soon in force, at the altitude of
+/// any aircraft.
+///
+/// Doubts about the belief become events: "outlier" (readings set aside), "too-late"
+/// (readings older than `late_window`), "over-confident" and "trusted" (see
+/// ConfidenceMonitor).
+class Coordinator : public Agent {
+ public:
+  Coordinator(const CoordinatorOptions& options,
+              std::unique_ptr<PerimeterEstimator> estimator,
+              std::unique_ptr<MonitoringStrategy> strategy);
+
+  void step(const AgentInput& in, AgentOutput& out) override;
+  const BoundaryEstimate* perimeter() const override { return &boundary_; }
+
+ private:
+  // A number that grows and is told now and then.
+  struct Tally {
+    int told = 0;
+    Time told_at;
+    bool is_news(int now_counted, Time now);
+  };
+
+  void listen(const AgentInput& in, AgentOutput& out);
+  void report_doubts(Time now, AgentOutput& out);
+  void deploy(Time now, AgentOutput& out);
+  void force_crossings(Time now, AgentOutput& out);
+  void allocate(Time now, AgentOutput& out);
+  void resend_lost_orders(Time now, AgentOutput& out);
+  void order(Member& member, decltype(Task::what) what, Time now, AgentOutput& out);
+  void note_crossing(const Crossing& crossing, AgentOutput& out);
+  void judge(const Crossing& crossing, AgentOutput& out);
+  std::vector<Zone> zones_in_the_way(Time now) const;
+
+  CoordinatorOptions options_;
+  Belief belief_;
+  std::unique_ptr<MonitoringStrategy> strategy_;
+  Roster roster_;
+  ZoneBook zones_;
+  BoundaryEstimate boundary_;
+  ConfidenceMonitor confidence_;
+  Tally outliers_, dropped_;
+  Time last_heard_;  // when a reading last came, however old
+  bool allocating_ = false;
+};
+
+}  // namespace skein::monitoring

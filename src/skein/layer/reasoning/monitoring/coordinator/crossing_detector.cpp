@@ -1,0 +1,30 @@
+#include "skein/layer/reasoning/monitoring/coordinator/crossing_detector.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace skein::monitoring {
+
+std::optional<Crossing> CrossingDetector::take(const FireReading& reading) {
+  constexpr double kSlowest = 30;  // period of a sensor whose readings still pair [s]
+  const auto [place, fresh] = last_.try_emplace(reading.aircraft, Last{reading});
+  if (fresh) return std::nullopt;
+  Last& last = place->second;
+  const FireReading before = std::exchange(last.reading, reading);
+  const double gap = (reading.time - before.time).seconds();
+  if (gap > 0 && (last.least_interval == 0 || gap < last.least_interval))
+    last.least_interval = gap;
+  const double longest =
+      std::max(longest_gap_, 1.5 * std::min(last.least_interval, kSlowest));
+  if (before.inside == reading.inside || gap > longest) return std::nullopt;
+  Crossing crossing;
+  crossing.time = reading.time;
+  crossing.aircraft = reading.aircraft;
+  crossing.point = (before.point + reading.point) / 2;
+  crossing.track = reading.point - before.point;
+  crossing.point_sd = reading.point_sd;
+  crossing.entered = reading.inside;
+  return crossing;
+}
+
+}  // namespace skein::monitoring

@@ -1,0 +1,51 @@
+#include "skein/layer/reasoning/monitoring/coordinator/roster.h"
+
+namespace skein::monitoring {
+
+Roster::Roster(std::span<const EntityId> members, double lost_after)
+    : lost_after_(lost_after) {
+  for (const EntityId id : members) {
+    Member member;
+    member.status.id = id;
+    members_.push_back(member);
+  }
+}
+
+Member* Roster::find(EntityId id) {
+  for (Member& member : members_)
+    if (member.status.id == id) return &member;
+  return nullptr;
+}
+
+bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
+  Member* member = find(from);
+  if (!member) return false;
+  if (member->heard && report.nav.time < member->status.nav.time)
+    return true;  // overtaken
+  if (!member->available && report.obeys)
+    member->deployed = now;  // (re)joins: its clocks start anew
+  if (member->available && !report.obeys) member->forced = false;
+  member->heard = true;
+  member->available = report.obeys;
+  member->last_report = now;
+  member->status.nav = report.nav;
+  member->status.limits = report.limits;
+  member->reported_task = report.task_number;
+  member->status.task_done =
+      report.task_done && report.task_number == member->status.task.number;
+  return true;
+}
+
+std::vector<EntityId> Roster::update(Time now) {
+  std::vector<EntityId> silent;
+  for (Member& member : members_) {
+    if (!member.available || (now - member.last_report).seconds() <= lost_after_)
+      continue;
+    member.available = false;
+    member.forced = false;
+    silent.push_back(member.status.id);
+  }
+  return silent;
+}
+
+}  // namespace skein::monitoring

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "skein/data/message.h"
+#include "skein/data/monitoring.h"
+
+namespace skein::monitoring {
+
+/// What the coordinator remembers of one aircraft of its team.
+struct Member {
+  AircraftStatus status;
+  Time last_report;
+  Time task_sent;
+  bool heard = false;      ///< has ever reported
+  bool available = false;  ///< reported lately, and takes orders
+  bool deploying = true;   ///< on its first transect, has not crossed yet
+  bool forced = false;     ///< sent to the boundary because it has not crossed for long
+  Time deployed;           ///< when its transect began
+  std::uint32_t reported_task = 0;
+};
+
+/// The team as its reports show it: who is there, where, doing what.
+class Roster {
+ public:
+  /// @param lost_after  an aircraft not heard for this time is not counted on [s].
+  Roster(std::span<const EntityId> members, double lost_after);
+
+  /// Takes in a report; false when it is not from the team. Who flies by itself (a pilot,
+  /// a failsafe) is not counted on until it obeys again.
+  bool take(const AircraftReport& report, EntityId from, Time now);
+
+  /// Notes which aircraft are no longer heard; returns those that just went silent.
+  std::vector<EntityId> update(Time now);
+
+  Member* find(EntityId id);
+  std::vector<Member>& members() { return members_; }
+  const std::vector<Member>& members() const { return members_; }
+
+ private:
+  std::vector<Member> members_;
+  double lost_after_;
+};
+
+}  // namespace skein::monitoring

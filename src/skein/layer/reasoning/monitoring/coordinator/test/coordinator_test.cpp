@@ -1,0 +1,291 @@
+#include "skein/layer/reasoning/monitoring/coordinator/coordinator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace skein::monitoring {
+namespace {
+
+// Records what it is told, in order: an estimator whose belief is its own history.
+class Diary : public PerimeterEstimator {
+ public:
+  /// @param furthest  the latest time that it or a copy was ever carried on to.
+  explicit Diary(std::shared_ptr<Time> furthest = std::make_shared<Time>())
+      : furthest_(std::move(furthest)) {}
+  void predict(Time time) override {
+    EXPECT_GE(time, now_) << "time went back";
+    now_ = time;
+    *furthest_ = std::max(*furthest_, time);
+  }
+  void observe(const FireReading& reading) override {
+    note(reading.time, reading.inside);
+  }
+  void observe(const Crossing& crossing) override {
+    EXPECT_EQ(crossing.time, now_);
+    text_ += "x" + std::to_string(crossing.aircraft.value);
+  }
+  BoundaryEstimate boundary() const override {
+    BoundaryEstimate boundary;
+    boundary.time = now_;
+    BoundaryPoint point;
+    point.position = {100, 0};
+    point.normal = {1, 0};
+    point.rate = 2;
+    point.sigma = 5;
+    point.sigma_growth = 0.5;
+    boundary.rings.push_back({point});
+    return boundary;
+  }
+  EstimatorHealth health() const override { return {static_cast<int>(text_.size()), 0}; }
+  std::unique_ptr<PerimeterEstimator> clone() const override {
+    return std::make_unique<Diary>(*this);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void note(Time time, bool inside) {
+    EXPECT_EQ(time, now_);
+    text_ += inside ? "i" : "o";
+  }
+  std::shared_ptr<Time> furthest_;
+  Time now_ = Time::from_ns(-1);
+  std::string text_;
+};
+
+FireReading reading(double t, std::uint32_t aircraft, bool inside) {
+  FireReading r;
+  r.time = Time::from_seconds(t);
+  r.aircraft = EntityId{aircraft};
+  r.point = {10 * t, 0};
+  r.inside = inside;
+  return r;
+}
+
+TEST(CrossingDetector, FindsTheFlipBetweenTwoReadings) {
+  CrossingDetector detector;
+  EXPECT_FALSE(detector.take(reading(1, 0, false)));
+  EXPECT_FALSE(detector.take(reading(1.5, 1, true)));  // another aircraft
+  const auto crossing = detector.take(reading(2, 0, true));
+  ASSERT_TRUE(crossing);
+  EXPECT_TRUE(crossing->entered);
+  EXPECT_NEAR(crossing->point.x(), 15, 1e-12);
+  EXPECT_NEAR(crossing->track.x(), 10, 1e-12);
+  EXPECT_FALSE(detector.take(reading(9, 0, false))) << "too long ago to be a crossing";
+}
+
+TEST(CrossingDetector, PairsTheReadingsOfASlowSensor) {
+  CrossingDetector detector;
+  EXPECT_FALSE(detector.take(reading(5, 0, false)));
+  EXPECT_TRUE(detector.take(reading(10, 0, true)));
+  EXPECT_FALSE(detector.take(reading(25, 0, false))) << "two readings were lost";
+  EXPECT_TRUE(detector.take(reading(30, 0, true)));
+}
+
+TEST(Belief, LateReadingsGiveTheSameAsPunctualOnes) {
+  std::vector<FireReading> all;
+  for (unsigned t = 0; t < 50; ++t)
+    for (unsigned a : {0u, 1u}) all.push_back(reading(t, a, (t / 7 + a) % 2 == 0));
+  auto punctual_diary = std::make_unique<Diary>();
+  Diary* punctual_view = punctual_diary.get();
+  Belief punctual(std::move(punctual_diary), 60);
+  std::size_t crossings = 0;
+  for (const auto& r : all) crossings += punctual.take({r}).size();
+  const std::string expected = punctual_view->text();
+
+  // Aircraft 1 is heard 12 s late, in bunches.
+  Belief late(std::make_unique<Diary>(), 60);
+  std::size_t late_crossings = 0;
+  for (int t = 0; t < 62; ++t) {
+    std::vector<FireReading> batch;
+    for (const auto& r : all) {
+      const double delay =
+          r.aircraft.value == 1 ? 12 - std::fmod(r.time.seconds(), 3) : 0;
+      const double arrival = r.time.seconds() + delay;
+      if (arrival >= t && arrival < t + 1) batch.push_back(r);
+    }
+    late_crossings += late.take(batch).size();
+  }
+  EXPECT_EQ(late.health().observations, static_cast<int>(expected.size()));
+  EXPECT_EQ(late_crossings, crossings);
+  EXPECT_EQ(late.dropped(), 0);
+  EXPECT_EQ(late.time(), punctual.time());
+}
+
+TEST(Belief, DropsWhatIsOlderThanItsWindow) {
+  Belief belief(std::make_unique<Diary>(), 20);
+  for (int t = 0; t < 100; ++t) belief.take({reading(t, 0, false)});
+  belief.take({reading(10.5, 1, true)});
+  EXPECT_EQ(belief.dropped(), 1);
+}
+
+TEST(Belief, MovesTheBoundaryOnWithItsRate) {
+  Belief belief(std::make_unique<Diary>(), 60);
+  belief.take({reading(10, 0, false)});
+  const BoundaryEstimate boundary = belief.boundary_at(Time::from_seconds(13));
+  EXPECT_NEAR(boundary.rings[0][0].position.x(), 106, 1e-9);
+  EXPECT_NEAR(boundary.rings[0][0].sigma, 6.5, 1e-9);
+}
+
+// Orders every aircraft to one place, each time it is asked.
+class Herd : public MonitoringStrategy {
+ public:
+  std::vector<Assignment> assign(const MonitoringSituation& situation) override {
+    std::vector<Assignment> assignments;
+    for (const AircraftStatus& aircraft : situation.aircraft)
+      if (aircraft.task.number < 2) assignments.push_back({aircraft.id, FlyTo{{1, 2}}});
+    return assignments;
+  }
+};
+
+struct Station {
+  explicit Station(const CoordinatorOptions& options)
+      : coordinator(options, std::make_unique<Diary>(furthest),
+                    std::make_unique<Herd>()) {}
+
+  AgentOutput step(double t, std::vector<Message> inbox) {
+    AgentInput in;
+    in.now = Time::from_seconds(t);
+    in.inbox = inbox;
+    AgentOutput out;
+    coordinator.step(in, out);
+    return out;
+  }
+  std::shared_ptr<Time> furthest = std::make_shared<Time>();  // of the belief
+  Coordinator coordinator;
+};
+
+Message report(std::uint32_t from, double t, std::uint32_t task) {
+  Message message;
+  message.from = EntityId{from};
+  AircraftReport content;
+  content.nav.time = Time::from_seconds(t);
+  content.nav.p_N = {0, 900, -100};
+  content.task_number = task;
+  message.content = content;
+  return message;
+}
+
+Message read(std::uint32_t from, double t, bool inside) {
+  Message message;
+  message.from = EntityId{from};
+  message.content = reading(t, from, inside);
+  return message;
+}
+
+std::vector<Task> tasks_for(const AgentOutput& out, std::uint32_t to) {
+  std::vector<Task> tasks;
+  for (const Message& message : out.outbox)
+    if (message.to == EntityId{to})
+      if (const auto* task = std::get_if<Task>(&message.content)) tasks.push_back(*task);
+  return tasks;
+}
+
+bool has_event(const AgentOutput& out, const std::string& kind) {
+  return std::any_of(out.events.begin(), out.events.end(),
+                     [&](const Event& event) { return event.kind == kind; });
+}
+
+TEST(Coordinator, DeploysOnATransectThenAllocatesAtTheFirstCrossing) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}};
+  Station station(options);
+  auto tasks = tasks_for(station.step(0, {report(1, 0, 0)}), 1);
+  ASSERT_EQ(tasks.size(), 1u);
+  // It is 900 m east of the origin: its transect leads west.
+  EXPECT_NEAR(std::abs(std::get<FlyCourse>(tasks[0].what).course), geo::kPi / 2, 1e-9);
+  station.step(1, {report(1, 1, 1), read(1, 1, false)});
+  const AgentOutput out = station.step(2, {report(1, 2, 1), read(1, 2, true)});
+  EXPECT_TRUE(has_event(out, "crossing"));
+  EXPECT_TRUE(has_event(out, "allocation"));
+  tasks = tasks_for(out, 1);
+  ASSERT_EQ(tasks.size(), 1u);
+  EXPECT_EQ(tasks[0].number, 2u);
+  EXPECT_TRUE(std::holds_alternative<FlyTo>(tasks[0].what));
+}
+
+TEST(Coordinator, SendsAnUnconfirmedOrderAgain) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}};
+  Station station(options);
+  station.step(0, {report(1, 0, 0)});
+  EXPECT_TRUE(tasks_for(station.step(1, {report(1, 1, 0)}), 1).empty());
+  const auto again = tasks_for(station.step(4, {report(1, 4, 0)}), 1);
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(again[0].number, 1u);
+  EXPECT_TRUE(tasks_for(station.step(8, {report(1, 8, 1)}), 1).empty());
+}
+
+TEST(Coordinator, ForcesACrossingAfterALongTimeWithout) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}};
+  options.forced_crossing = 60;
+  options.lost_after = 1e9;
+  Station station(options);
+  station.step(0, {report(1, 0, 0)});
+  station.step(1, {read(1, 1, false)});
+  station.step(2, {read(1, 2, true), report(1, 2, 1)});
+  const AgentOutput out = station.step(63, {report(1, 63, 2)});
+  EXPECT_TRUE(has_event(out, "forced-crossing"));
+  const auto tasks = tasks_for(out, 1);
+  ASSERT_EQ(tasks.size(), 1u);
+  // It read "inside" last: the way to a sure crossing is outwards, beyond the boundary.
+  EXPECT_GT(std::get<FlyTo>(tasks[0].what).point.x(), 200);
+}
+
+TEST(Coordinator, NoticesASilentAircraftAndItsReturn) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}, EntityId{2}};
+  Station station(options);
+  station.step(0, {report(1, 0, 0), report(2, 0, 0)});
+  const AgentOutput out = station.step(6, {report(1, 6, 1)});
+  ASSERT_TRUE(has_event(out, "silent"));
+  EXPECT_EQ(out.events[0].entity, EntityId{2});
+  EXPECT_FALSE(has_event(station.step(7, {report(1, 7, 1), report(2, 7, 1)}), "silent"));
+}
+
+TEST(Coordinator, ALinkThatIsSlowDoesNotSendTheBeliefBackAndForth) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}};
+  Station station(options);
+  const auto at = [](double t) { return Time::from_seconds(t); };
+  for (int t = 8; t < 60; ++t) station.step(t, {report(1, t, 0), read(1, t - 8, false)});
+  EXPECT_EQ(*station.furthest, at(51)) << "not beyond the newest reading";
+  for (int t = 60; t < 80; ++t) station.step(t, {report(1, t, 0)});
+  EXPECT_EQ(*station.furthest, at(79)) << "nothing comes any more: carried on";
+}
+
+// A zone around the boundary's only point, told as the station's desk tells it.
+Message zone_around(const Vec2& place, double floor, double from = 0) {
+  ZoneChange change{1, true, {.area = Disc{place, 400}, .name = "a"}};
+  change.zone.floor_msl = floor;
+  change.zone.from = from;
+  Message message;
+  message.content = change;
+  return message;
+}
+
+TEST(Coordinator, SendsNobodyAcrossTheBoundaryIntoAZone) {
+  // The way to a sure crossing leads to 315 m north; the aircraft fly at 100 m.
+  for (const auto& [floor, from, forced] : {std::tuple{-10.0, 0.0, false},
+                                            {149.0, 0.0, false},
+                                            {151.0, 0.0, true},
+                                            {-10.0, 122.0, false},
+                                            {-10.0, 124.0, true}}) {
+    CoordinatorOptions options;
+    options.team = {EntityId{1}};
+    options.forced_crossing = 60;
+    options.lost_after = 1e9;
+    Station station(options);
+    station.step(0, {report(1, 0, 0)});
+    station.step(1, {read(1, 1, false), zone_around({300, 0}, floor, from)});
+    station.step(2, {read(1, 2, true), report(1, 2, 1)});
+    const AgentOutput out = station.step(63, {report(1, 63, 2)});
+    EXPECT_EQ(has_event(out, "forced-crossing"), forced) << floor << " " << from;
+  }
+}
+
+}  // namespace
+}  // namespace skein::monitoring

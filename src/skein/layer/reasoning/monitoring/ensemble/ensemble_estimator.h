@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "skein/layer/reasoning/monitoring/ensemble/front_ensemble.h"
+#include "skein/role/perimeter_estimator.h"
+
+namespace skein::monitoring {
+
+/// Estimates perimeters of any shape, with islands and holes, by an ensemble of level
+/// sets; learns rates and drift as it goes. See docs/estimator-ensemble.md.
+class EnsembleEstimator final : public PerimeterEstimator {
+ public:
+  EnsembleEstimator(const PerimeterPrior& prior, const EnsembleOptions& options);
+
+  void predict(Time time) override;
+  void observe(const FireReading& reading) override;
+  void observe(const Crossing& crossing) override;
+  BoundaryEstimate boundary() const override;
+  EstimatorHealth health() const override { return health_; }
+  std::unique_ptr<PerimeterEstimator> clone() const override;
+
+  const FrontEnsemble& ensemble() const { return ensemble_; }
+
+ private:
+  // Observations of one aircraft that contradict the belief, until they are believed.
+  struct Doubt {
+    int count = 0;
+    Time first;
+    bool inside = false;
+  };
+  struct Used {
+    Time time;
+    Vec2 point = Vec2::Zero();
+  };
+  struct AircraftMemory {
+    Doubt doubt;
+    std::map<bool, Used> used;  // by side
+  };
+
+  bool repeated(const FireReading& reading, const AircraftMemory& memory) const;
+  bool confirmed(const FireReading& reading, AircraftMemory& memory);
+  void believe(const Vec2& point, bool inside, const MemberValues& distance);
+  void pass_through(const Vec2& point, const MemberValues& distance, double variance);
+  void adapt(double innovation2, double share);
+
+  EnsembleOptions options_;
+  FrontEnsemble ensemble_;
+  Time time_;
+  EstimatorHealth health_;
+  std::map<EntityId, AircraftMemory> memory_;
+};
+
+}  // namespace skein::monitoring

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "skein/layer/reasoning/planning/search/airspace_map.h"
+#include "skein/layer/reasoning/planning/search/link.h"
+
+namespace skein::planning {
+
+/// Counts what a planner looks at against its budget.
+class Effort {
+ public:
+  explicit Effort(const PlanningBudget& budget) : budget_(&budget) {}
+
+  /// Counts states; false when the budget has ended.
+  bool spend(std::int64_t states = 1);
+  bool ended() const { return ended_; }
+  std::int64_t states() const { return states_; }
+  std::int64_t left() const { return budget_->states - states_; }
+
+ private:
+  const PlanningBudget* budget_;
+  std::int64_t states_ = 0, asked_ = 0;
+  bool ended_ = false;
+};
+
+/// A state on the way, and how long to circle from there before going on.
+struct Via {
+  FlightState at;
+  double wait = 0;  ///< 0, or a full turn or more [s]
+};
+
+/// Flight states that are joined by links, flown from a time on.
+struct Chain {
+  std::vector<Via> states;    ///< at least two
+  std::vector<double> times;  ///< at which each is reached [s]
+  double duration() const { return times.back() - times.front(); }
+};
+
+/// The chain of given states; nothing where a link does not exist.
+std::optional<Chain> make_chain(std::vector<Via> states, const PathQuery& query);
+
+/// All elements of a chain.
+FlightPlan to_flight_plan(const Chain& chain, const PathQuery& query);
+
+/// Makes a free chain quicker while it stays free: leaves out states and waits, and moves
+/// states along, across, up and down and in heading in steps that are halved until
+/// `finest`, as long as anything gets better.
+/// @param finest  least step [m]; headings change by it over the turn radius.
+void improve(Chain& chain, const AirspaceMap& map, Effort& effort, double finest = 0.5);
+
+/// Leads a chain around its conflicts: where it comes into something, a state is put
+/// beside, above or below, whichever gets further or is quicker.
+/// @param most  how many states are put in.
+/// @returns  a free chain, or nothing.
+std::optional<Chain> swerve(Chain chain, const AirspaceMap& map, Effort& effort,
+                            int most = 6);
+
+}  // namespace skein::planning

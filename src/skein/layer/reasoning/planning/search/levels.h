@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "skein/layer/reasoning/planning/search/airspace_map.h"
+
+namespace skein::planning {
+
+/// Altitudes [m] at which a flight between the query's start and goal might pass: just
+/// over and under the zones that end in altitude, and over the ground that lies on the
+/// straight way. The nearest to the start and the goal first, six at most.
+std::vector<double> levels_between(const AirspaceMap& map);
+
+}  // namespace skein::planning

@@ -1,0 +1,123 @@
+#include "skein/layer/reasoning/planning/search/link.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "skein/base/check.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::planning {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMaxTurns = 10'000;
+// A wait that is not enough grows by this part of a full turn at least, then by twice as
+// much.
+constexpr double kMinWait = 1.0 / 4096;
+
+double climb_time(double height, const FlightLimits& limits) {
+  return height > 0 ? height / limits.climb_rate : -height / limits.sink_rate;
+}
+
+}  // namespace
+
+model::AirMotion air_of(const PathQuery& query) {
+  return {query.limits.airspeed, query.limits.turn_radius, query.wind};
+}
+
+double full_turn(const PathQuery& query) {
+  return 2 * geo::kPi * query.limits.turn_radius / query.limits.airspeed;
+}
+
+Link link(const FlightState& from, const FlightState& to, const PathQuery& query,
+          double wait) {
+  const model::AirMotion air = air_of(query);
+  const double height = from.p_N.z() - to.p_N.z();
+  const double needed = height == 0 ? 0 : climb_time(height, query.limits);
+  const model::Pose begin{geo::horizontal(from.p_N), from.heading};
+  Link out;
+  out.wait = wait;
+  const auto connect_after_wait = [&] {
+    const Vec2 goal = geo::horizontal(to.p_N) - query.wind * out.wait;
+    out.connection = model::connect(begin, {goal, to.heading}, air);
+    out.duration = out.wait + out.connection.time;
+  };
+  connect_after_wait();
+  const double turn = full_turn(query);
+  // Without wind the wait is known at once; in wind turns carry the aircraft away from
+  // the goal or towards it, and what is left changes.
+  double least = kMinWait * turn;
+  while (out.duration < needed * (1 - 1e-12)) {
+    out.wait = std::max(turn, out.wait + std::max(needed - out.duration, least));
+    least *= 2;
+    connect_after_wait();
+    if (out.wait > kMaxTurns * turn) out.duration = kInfinity;
+  }
+  out.climb_rate = height == 0 ? 0 : height / out.duration;
+  return out;
+}
+
+FlightElement loiter(const FlightState& from, double start, double time,
+                     double climb_rate, const PathQuery& query) {
+  const int turns = static_cast<int>(std::floor(time / full_turn(query) + 1e-9));
+  SKEIN_CHECK(turns >= 1, time);
+  return {start,
+          time,
+          from.p_N,
+          from.heading,
+          query.limits.airspeed,
+          2 * geo::kPi * turns / time,
+          climb_rate,
+          query.wind};
+}
+
+FlightPlan to_flight_plan(const Link& link, const FlightState& from, double start,
+                          const PathQuery& query) {
+  FlightPlan plan;
+  FlightState begin = from;
+  if (link.wait > 0) {
+    plan.push_back(loiter(from, start, link.wait, link.climb_rate, query));
+    begin = state_after(plan);
+    begin.heading = from.heading;
+    start += plan.back().duration;
+  }
+  const model::Pose pose{geo::horizontal(begin.p_N), begin.heading};
+  FlightPlan rest =
+      model::to_flight_plan(link.connection, pose, air_of(query), start, begin.p_N.z());
+  double z = begin.p_N.z();
+  for (FlightElement& e : rest) {
+    e.p_N.z() = z;
+    e.climb_rate = link.climb_rate;
+    z -= e.climb_rate * e.duration;
+  }
+  if (plan.empty()) return rest;
+  plan.insert(plan.end(), rest.begin(), rest.end());
+  return plan;
+}
+
+bool is_exact(const Link& link) {
+  return !link.connection.irregular && link.wait == 0;
+}
+
+double least_time(const Link& link, const FlightState& from, const FlightState& to,
+                  const PathQuery& query) {
+  const double height = from.p_N.z() - to.p_N.z();
+  const double climb = height == 0 ? 0 : climb_time(height, query.limits);
+  const bool exact = is_exact(link);
+  if (exact) return std::max(link.connection.time, climb);
+  const double fastest = query.limits.airspeed + query.wind.norm();
+  return std::max(geo::horizontal(to.p_N - from.p_N).norm() / fastest, climb);
+}
+
+FlightState state_after(const FlightElement& element) {
+  const model::FlightMoment end = model::end_of(element);
+  return {end.p_N, end.heading};
+}
+
+FlightState state_after(const FlightPlan& plan) {
+  SKEIN_CHECK(!plan.empty());
+  return state_after(plan.back());
+}
+
+}  // namespace skein::planning

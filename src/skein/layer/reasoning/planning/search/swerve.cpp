@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "skein/layer/reasoning/planning/search/chain.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::planning {
+namespace {
+
+// How far beside a conflict states are tried: in steps that grow, from the turn radius
+// times the first.
+constexpr double kFirstOffset = 0.4, kOffsetGrowth = 1.7;
+constexpr int kOffsets = 7;
+// Above and below [m].
+constexpr double kFirstUp = 12, kUpGrowth = 1.8;
+constexpr int kUps = 4;
+
+// How a chain fares: until when it is free, and how long it takes.
+struct Fare {
+  Chain chain;
+  double free_until = 0;
+  bool free = false;
+  std::optional<Conflict> conflict = std::nullopt;
+
+  bool better_than(const Fare& other) const {
+    if (free != other.free) return free;
+    if (free) return chain.duration() < other.chain.duration();
+    return free_until > other.free_until;
+  }
+};
+
+Fare fare(Chain chain, const AirspaceMap& map) {
+  Fare out;
+  out.conflict = map.first_meeting(to_flight_plan(chain, map.query()));
+  out.free = !out.conflict;
+  out.free_until = out.free ? chain.times.back() : out.conflict->time;
+  out.chain = std::move(chain);
+  return out;
+}
+
+// The states that are tried in place of a conflict.
+std::vector<FlightState> beside(const Conflict& conflict, const FlightState& at,
+                                double turn_radius, bool vertical) {
+  std::vector<FlightState> states;
+  // The middle of what is in the way is some way on.
+  const auto add = [&](double along, double across, double up) {
+    FlightState s = at;
+    s.p_N = conflict.p_N;
+    const Vec2 u = geo::unit(at.heading);
+    s.p_N.head<2>() += along * u + across * geo::turned_right(u);
+    s.p_N.z() -= up;
+    states.push_back(s);
+  };
+  double offset = kFirstOffset * turn_radius;
+  for (int i = 0; i < kOffsets; ++i, offset *= kOffsetGrowth)
+    for (const double side : {1.0, -1.0}) add(0.7 * offset, side * offset, 0);
+  if (!vertical) return states;
+  double up = kFirstUp;
+  for (int i = 0; i < kUps; ++i, up *= kUpGrowth)
+    for (const double side : {1.0, -1.0}) add(0, 0, side * up);
+  return states;
+}
+
+}  // namespace
+
+std::optional<Chain> swerve(Chain chain, const AirspaceMap& map, Effort& effort,
+                            int most) {
+  const PathQuery& query = map.query();
+  Fare now = fare(std::move(chain), map);
+  for (int i = 0; i < most && !now.free && !effort.ended(); ++i) {
+    const double time = now.conflict->time;
+    const auto& times = now.chain.times;
+    const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
+    const FlightPlan plan = to_flight_plan(now.chain, query);
+    const FlightState at{now.conflict->p_N, model::moment_at(plan, time).heading};
+    std::optional<Fare> best;
+    for (const FlightState& s : beside(*now.conflict, at, query.limits.turn_radius,
+                                       query.limits.climb_rate > 0)) {
+      if (!effort.spend(2)) break;
+      std::vector<Via> states = now.chain.states;
+      states.insert(states.begin() + (after - times.begin()), Via{s});
+      std::optional<Chain> next = make_chain(std::move(states), query);
+      if (!next || (best && best->free && next->duration() >= best->chain.duration()))
+        continue;
+      Fare trial = fare(std::move(*next), map);
+      if (!best || trial.better_than(*best)) best = std::move(trial);
+    }
+    if (!best || (!best->free && best->free_until <= now.free_until)) return std::nullopt;
+    now = std::move(*best);
+  }
+  if (!now.free) return std::nullopt;
+  return std::move(now.chain);
+}
+
+}  // namespace skein::planning

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "skein/layer/reasoning/planning/search/airspace_map.h"
+#include "skein/layer/reasoning/planning/search/ground_speed.h"
+
+namespace skein::planning {
+
+/// Something to go around: a disc, or a convex corner as a tiny one.
+struct Round {
+  Vec2 centre = Vec2::Zero();  ///< [m]
+  double radius = 0;           ///< [m]
+  bool corner = false;
+};
+
+/// A way of arcs along rounds with straights between. An arc may have no length.
+struct Way {
+  struct Arc {
+    Round round;
+    int side = 1;       ///< +1 right, -1 left
+    double course = 0;  ///< at its begin [rad]
+    double turned = 0;  ///< 0 or above [rad]
+  };
+  std::vector<Arc> arcs;  ///< at least those at the start and the goal
+  double time = 0;        ///< at the speeds over ground along it [s]
+};
+
+/// What a way around discs and corners has to be.
+struct WayRequest {
+  Vec2 start = Vec2::Zero(), goal = Vec2::Zero();  ///< [m]
+  double start_course = 0, goal_course = 0;        ///< [rad]
+  /// Of the circles on which it leaves the start and comes to the goal [m]; 0: courses
+  /// there are free.
+  double turn_radius = 0;
+  double start_time = 0;                         ///< [s]
+  double start_altitude = 0, goal_altitude = 0;  ///< [m]
+  double most_time = 1e300;  ///< ways that take longer are not looked for [s]
+  int ways = 1;              ///< how many to look for
+  /// Weight of the time left: 1 finds the quickest first, more finds one sooner that
+  /// takes at most so many times longer.
+  double greed = 1;
+};
+
+/// How a search for ways ended.
+struct Ways {
+  std::vector<Way> ways;    ///< the quickest first
+  bool complete = false;    ///< all was looked at: there is no other way of this kind
+  std::int64_t states = 0;  ///< eight tangents, which are quickly looked at, are one
+};
+
+/// Ways of least time that consist of straights and arcs along rounds: A* over the common
+/// tangents, each looked at only when its turn comes.
+///
+/// For a point among discs (turn_radius 0) the way found is the shortest of all ways; for
+/// an aircraft without wind it is the shortest of those that turn at the start and the
+/// goal at turn_radius and along rounds between, which can be flown where no round is
+/// smaller than turn_radius.
+///
+/// The tangent from a circle (c, r, side s) to another (c', r', s') has the course
+///
+///   psi = bearing(c' - c) - asin((s' r' - s r) / |c' - c|)
+///
+/// with s = +1 for right turns.
+///
+/// @param map  what straights and arcs must keep out of, as flown without wind at the
+///             altitude that changes evenly over the way.
+/// Cost:     of N rounds at most N^2 tangents at each of at most 4 N^2 states; in
+/// practice
+///           a small part. Looks at no more than `budget.states`.
+Ways find_ways(const AirspaceMap& map, std::span<const Round> rounds,
+               const GroundSpeed& speed, const WayRequest& request,
+               const PlanningBudget& budget);
+
+}  // namespace skein::planning

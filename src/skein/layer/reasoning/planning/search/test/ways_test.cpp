@@ -1,0 +1,148 @@
+#include "skein/layer/reasoning/planning/search/ways.h"
+
+#include <gtest/gtest.h>
+
+#include "skein/base/random.h"
+#include "skein/layer/reasoning/planning/search/link.h"
+#include "skein/layer/reasoning/planning/search/lower_bound.h"
+#include "skein/layer/reasoning/planning/search/test/oracle.h"
+#include "skein/model/path/dubins.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::planning {
+namespace {
+
+const GroundSpeed kStill(20, Vec2(0, 0));
+
+WayRequest request(const Vec2& start, const Vec2& goal) {
+  WayRequest r;
+  r.start = start;
+  r.goal = goal;
+  return r;
+}
+
+Ways around(const std::vector<Zone>& zones, const WayRequest& r,
+            const GroundSpeed& speed = kStill) {
+  return ways_around(zones, {}, speed, r, {0, 0.02}, {});
+}
+
+// A taut string around a disc: two tangents and the arc between them.
+TEST(Ways, OfAPointAroundADiscAreAsInTheTextbook) {
+  const double d = 500, r = 200;
+  const Ways ways = around({{Disc{Vec2(d, 0), r}}}, request(Vec2(0, 0), Vec2(2 * d, 0)));
+  ASSERT_EQ(ways.ways.size(), 1u);
+  const double length = 2 * std::sqrt(d * d - r * r) + r * 2 * std::asin(r / d);
+  EXPECT_NEAR(ways.ways.front().time * 20, length, 1e-6);
+}
+
+TEST(Ways, OfAPointAroundASquarePassItsCorners) {
+  const geo::Ring square = {Vec2(400, -100), Vec2(600, -100), Vec2(600, 300),
+                            Vec2(400, 300)};
+  const Ways ways = around({{square}}, request(Vec2(0, 0), Vec2(1000, 0)));
+  ASSERT_EQ(ways.ways.size(), 1u);
+  const double length = 2 * std::hypot(400, 100) + 200;
+  // Two corners are passed 0.02 m away.
+  EXPECT_NEAR(ways.ways.front().time * 20, length, 0.05);
+}
+
+// Without zones a curved way is the best of the four Dubins words with a straight.
+TEST(Ways, OfAnAircraftAloneAreDubinsPaths) {
+  RandomStream draw(4, 0, Purpose::kTest);
+  for (int i = 0; i < 200; ++i) {
+    WayRequest r =
+        request(Vec2(0, 0), Vec2(draw.uniform(300, 900), draw.uniform(-5, 900)));
+    r.start_course = draw.uniform(-4, 4);
+    r.goal_course = draw.uniform(-4, 4);
+    r.turn_radius = 60;
+    const Ways ways = around({}, r);
+    ASSERT_EQ(ways.ways.size(), 1u);
+    const model::DubinsPath best =
+        model::dubins({r.start, r.start_course}, {r.goal, r.goal_course}, 60);
+    EXPECT_NEAR(ways.ways.front().time * 20, best.length(), 1e-6) << i;
+  }
+}
+
+TEST(Ways, AreNotLongerWithFewerZonesAndShorterOnesAreFoundFirst) {
+  RandomStream draw(5, 0, Purpose::kTest);
+  std::vector<Zone> zones;
+  double before = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Vec2 p(draw.uniform(200, 1800), draw.uniform(-600, 600));
+    zones.push_back({Disc{p, draw.uniform(20, 90)}});
+    WayRequest r = request(Vec2(0, 0), Vec2(2000, 0));
+    r.ways = 2;
+    const Ways ways = around(zones, r);
+    ASSERT_FALSE(ways.ways.empty());
+    EXPECT_GE(ways.ways.front().time, before - 1e-9);
+    before = ways.ways.front().time;
+    if (ways.ways.size() > 1) {
+      EXPECT_GE(ways.ways[1].time, before);
+    }
+  }
+  EXPECT_GT(before, 100);  // they are in the way
+}
+
+// A point's time in wind is never above that of any flight, whatever way that takes.
+TEST(Ways, BoundFlightsInWind) {
+  RandomStream draw(6, 0, Purpose::kTest);
+  for (int i = 0; i < 40; ++i) {
+    Airspace airspace;
+    airspace.zones.push_back({Disc{Vec2(1000, draw.uniform(-100, 100)), 200}});
+    PathQuery q;
+    q.airspace = &airspace;
+    q.start = {Vec3(0, 0, 0), draw.uniform(-3, 3)};
+    q.goal = {Vec3(2000, 0, 0), draw.uniform(-3, 3)};
+    q.wind = Vec2(draw.uniform(-9, 9), draw.uniform(-9, 9));
+    Effort effort(q.budget);
+    const double bound = lower_bound(q, effort).time;
+    for (int k = 0; k < 50; ++k) {
+      const FlightState via{Vec3(draw.uniform(700, 1300), draw.uniform(-500, 500), 0),
+                            draw.uniform(-3, 3)};
+      const auto chain = make_chain({{q.start}, {via}, {q.goal}}, q);
+      ASSERT_TRUE(chain);
+      if (test::depth(airspace, to_flight_plan(*chain, q), 0.05) > 0) continue;
+      EXPECT_LE(bound, chain->duration());
+    }
+  }
+}
+
+TEST(GroundSpeed, OfArcsIsTheSumOfShortStraights) {
+  const Vec2 wind(-6, 9);
+  const GroundSpeed speed(20, wind);
+  for (const double turned : {0.3, -2.0, 6.0}) {
+    constexpr int kPieces = 20000;
+    double sum = 0;
+    for (int i = 0; i < kPieces; ++i) {
+      const double course = 1 + turned * (i + 0.5) / kPieces;
+      sum += speed.straight(100 * std::abs(turned) / kPieces * geo::unit(course));
+    }
+    // Linear between 720 steps of a full turn.
+    EXPECT_NEAR(speed.arc(100, 1, turned), sum, 1e-4 * sum);
+  }
+}
+
+TEST(Links, ClimbInJustTheTimeNeeded) {
+  PathQuery q;
+  for (const Vec2& wind : {Vec2(0, 0), Vec2(7, -8)}) {
+    q.wind = wind;
+    for (const double height : {10.0, 100.0, 400.0, -400.0}) {
+      const FlightState from{Vec3(0, 0, -500), 1}, to{Vec3(600, 100, -500 - height), 2};
+      const Link l = link(from, to, q);
+      const FlightPlan plan = to_flight_plan(l, from, 7, q);
+      EXPECT_LT((model::end_of(plan.back()).p_N - to.p_N).norm(), 1e-6);
+      EXPECT_LT(test::gaps(plan), 1e-6);
+      EXPECT_NEAR(model::duration(plan), l.duration, 1e-9);
+      EXPECT_LE(std::abs(l.climb_rate), 3 * (1 + 1e-9));
+      EXPECT_GE(l.duration, std::abs(height) / 3 * (1 - 1e-9));
+      // Without wind it takes no longer than needed, or a full turn more where less than
+      // that is missing.
+      if (!wind.isZero()) continue;
+      const double alone = link(from, {Vec3(600, 100, -500), 2}, q).duration;
+      EXPECT_LE(l.duration,
+                std::max(alone + full_turn(q), std::abs(height) / 3 * (1 + 1e-9)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skein::planning

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "skein/layer/reasoning/planning/search/tangent_graph.h"
+
+namespace skein::planning {
+
+/// How far ways stay from zones, so that rounding is no conflict.
+struct WayMargins {
+  double disc = 0;    ///< [m]
+  double corner = 0;  ///< [m], above 0
+};
+
+/// Ways around zones, of which only those are looked at that are in the way: the graph is
+/// searched among few zones, the zones that its ways meet are added, until they meet no
+/// more. What is quickest among fewer zones and free among all is quickest among all.
+///
+/// @param zones   which may be in the way at the altitudes and times of the request.
+/// @param query   for the area and the ground; its airspace is not used.
+/// Cost: of k zones that matter at most k searches among k zones, besides one look at the
+///       map of all zones per piece of each way.
+Ways ways_around(const std::vector<Zone>& zones, const PathQuery& query,
+                 const GroundSpeed& speed, const WayRequest& request,
+                 const WayMargins& margins, const PlanningBudget& budget);
+
+/// A way as flown without wind: straights and turns at constant altitude rate.
+/// Valid: no wind; arcs no tighter than the aircraft can fly.
+FlightPlan fly_way(const Way& way, const PathQuery& query);
+
+}  // namespace skein::planning

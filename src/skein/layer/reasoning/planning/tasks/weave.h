@@ -1,0 +1,17 @@
+#pragma once
+
+#include "skein/data/flight_plan.h"
+#include "skein/layer/reasoning/planning/tasks/moving_target.h"
+#include "skein/model/connection/connection.h"
+
+namespace skein::planning {
+
+/// The way to a target and S-turns along its way, until `duration` after the first
+/// meeting; see OrbitKind::kWeave. Level at `down`.
+/// @param entry  set to the time of the first meeting [s].
+/// @returns      empty when the target cannot be met.
+FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
+                       const model::AirMotion& air, double start, double duration,
+                       double down, double& entry);
+
+}  // namespace skein::planning

@@ -1,0 +1,252 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "skein/layer/reasoning/team/formation_control.h"
+#include "skein/layer/reasoning/team/wingman.h"
+
+namespace skein::reasoning {
+namespace {
+
+class Plain final : public Terrain {
+ public:
+  double elevation_msl(const Vec2& p) const override { return p.x() > 900 ? 50 : 10; }
+  Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+};
+
+NavEstimate nav(double time, const Vec3& p, const Vec3& v) {
+  NavEstimate n;
+  n.time = Time::from_seconds(time);
+  n.p_N = p;
+  n.v_N = v;
+  return n;
+}
+
+FormationOptions three(bool direct) {
+  FormationOptions options;
+  options.team = {EntityId{1}, EntityId{2}, EntityId{3}};
+  options.route = {{0, 0}, {1000, 0}};
+  options.slots = {{-30, 30}, {-30, -30}};
+  options.leaders = {{Time(), 0}, {Time::from_seconds(100), 2}};
+  options.direct = direct;
+  return options;
+}
+
+Message report(EntityId from, std::uint32_t task, const NavEstimate& at) {
+  Message message;
+  message.from = from;
+  message.content = AircraftReport{at, {}, task, false};
+  return message;
+}
+
+TEST(FormationControl, AppointsLeaderAndFollowersAndSwapsThem) {
+  FormationControl control(three(false));
+  AgentOutput out;
+  AgentInput in;
+  control.step(in, out);
+  ASSERT_EQ(out.outbox.size(), 3u);
+  EXPECT_TRUE(
+      std::holds_alternative<FlyRoute>(std::get<Task>(out.outbox[0].content).what));
+  EXPECT_EQ(std::get<FollowLeader>(std::get<Task>(out.outbox[2].content).what).offset,
+            Vec2(-30, -30));
+
+  out = {};
+  in.now = Time::from_seconds(100);
+  control.step(in, out);
+  ASSERT_GE(out.outbox.size(), 3u);
+  const auto& first = std::get<FollowLeader>(std::get<Task>(out.outbox[0].content).what);
+  EXPECT_EQ(first.leader, EntityId{3});
+  EXPECT_EQ(first.offset, Vec2(-30, 30));
+  EXPECT_TRUE(
+      std::holds_alternative<FlyRoute>(std::get<Task>(out.outbox[2].content).what));
+  ASSERT_EQ(out.events.size(), 1u);
+  EXPECT_EQ(out.events[0].kind, "leader");
+}
+
+TEST(FormationControl, PassesTheLeadersPositionOnUnlessTheLeaderDoes) {
+  for (const bool direct : {false, true}) {
+    FormationControl control(three(direct));
+    AgentOutput out;
+    control.step({}, out);
+    EXPECT_EQ(std::get<FlyRoute>(std::get<Task>(out.outbox[0].content).what).tell.size(),
+              direct ? 2u : 0u);
+    out = {};
+    const std::vector<Message> inbox = {
+        report(EntityId{1}, 1, nav(1, {5, 6, -7}, {1, 0, 0})),
+        report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero())),
+        report(EntityId{3}, 1, nav(1, Vec3::Zero(), Vec3::Zero())),
+        report(EntityId{9}, 1, nav(1, Vec3::Zero(), Vec3::Zero()))};
+    AgentInput in;
+    in.now = Time::from_seconds(10);
+    in.inbox = inbox;
+    control.step(in, out);
+    ASSERT_EQ(out.outbox.size(), direct ? 0u : 2u);
+    if (!direct) {
+      EXPECT_EQ(std::get<TeamPosition>(out.outbox[1].content).nav.p_N, Vec3(5, 6, -7));
+    }
+  }
+}
+
+TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {
+  FormationControl control(three(true));
+  AgentOutput out;
+  control.step({}, out);
+  out = {};
+  const std::vector<Message> inbox = {
+      report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero()))};
+  AgentInput in;
+  in.now = Time::from_seconds(3);
+  in.inbox = inbox;
+  control.step(in, out);
+  ASSERT_EQ(out.outbox.size(), 2u);
+  EXPECT_EQ(out.outbox[0].to, EntityId{1});
+  EXPECT_EQ(out.outbox[1].to, EntityId{3});
+}
+
+class WingmanTest : public testing::Test {
+ protected:
+  AgentOutput step(double time, std::vector<Message> inbox) {
+    const NavEstimate own = nav(time, {0, 0, -altitude}, {20, 0, -climb});
+    AgentInput in;
+    in.now = Time::from_seconds(time);
+    in.nav = &own;
+    in.autopilot.on_ground = on_ground;
+    in.autopilot.reaction = reaction;
+    in.autopilot.trigger = trigger;
+    in.inbox = inbox;
+    AgentOutput out;
+    wingman->step(in, out);
+    return out;
+  }
+  Message task(std::uint32_t number, decltype(Task::what) what) {
+    Message message;
+    message.content = Task{number, std::move(what)};
+    return message;
+  }
+
+  Plain ground;
+  std::vector<Zone> zones;
+  bool on_ground = false;
+  double altitude = 150, climb = 0;
+  FailsafeReaction reaction = FailsafeReaction::kNone;
+  FailsafeTrigger trigger = FailsafeTrigger::kNone;
+  std::optional<Wingman> wingman{std::in_place, WingmanOptions{}, EntityId{2},
+                                 EntityId{0},   FlightLimits{},   ground,
+                                 zones};
+};
+
+TEST_F(WingmanTest, LeadsAboveTheHighestGroundOfItsRouteAndTellsWhomItShall) {
+  const AgentOutput out =
+      step(0, {task(1, FlyRoute{{{0, 0}, {1000, 0}}, 3, {EntityId{5}}})});
+  ASSERT_TRUE(out.command);
+  const auto& way = std::get<FlyWaypoints>(out.command->guidance);
+  EXPECT_EQ(way.laps, 3);
+  EXPECT_EQ(way.points.at(1).altitude_msl, 50 + 120);
+  ASSERT_EQ(out.outbox.size(), 2u);
+  EXPECT_EQ(std::get<TeamPosition>(out.outbox[1].content).aircraft, EntityId{2});
+  EXPECT_FALSE(step(0.5, {}).command) << "an order is given once";
+}
+
+TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
+  EXPECT_TRUE(std::holds_alternative<HoldPosition>(
+      step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})}).command->guidance));
+  const auto position = [](EntityId of, double time, const Vec3& v) {
+    Message message;
+    message.content = TeamPosition{of, nav(time, {100, 0, -200}, v)};
+    return message;
+  };
+  EXPECT_FALSE(step(1, {position(EntityId{7}, 1, {20, 0, 0})}).command);
+  const auto out = step(1.5, {position(EntityId{1}, 1, {20, 0, 0})});
+  const Plan& plan = std::get<FollowPlan>(out.command->guidance).plan;
+  // From where it is to behind its leader.
+  EXPECT_EQ(plan.front().p_N, Vec3(0, 0, -150));
+  EXPECT_EQ(plan.front().time, Time::from_seconds(1.5));
+  EXPECT_EQ(plan.back().time, Time::from_seconds(1.5 + 8));
+  EXPECT_GT(plan.back().v_N.norm(), 20) << "it has to catch up";
+  // Old news: the leader still goes north.
+  const auto old = step(1.7, {position(EntityId{1}, 1, {0, 20, 0})});
+  const Plan& same = std::get<FollowPlan>(old.command->guidance).plan;
+  EXPECT_GT(same.back().p_N.x(), 150);
+  // Now it turns.
+  const auto turning =
+      step(2, {position(EntityId{1}, 2, {20 * std::cos(0.5), 20 * std::sin(0.5), 0})});
+  const Plan& bent = std::get<FollowPlan>(turning.command->guidance).plan;
+  EXPECT_GT(bent.back().p_N.y(), same.back().p_N.y() + 20);
+  EXPECT_TRUE(step(6.9, {}).command);
+  EXPECT_FALSE(step(7.1, {}).command) << "nothing was heard for five seconds";
+}
+
+TEST_F(WingmanTest, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
+  step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})});
+  const auto heights = [&](double time) {
+    Message message;
+    message.content = TeamPosition{EntityId{1}, nav(time, {100, 0, -150}, {20, 0, 0})};
+    return std::get<FollowPlan>(step(time, {message}).command->guidance).plan;
+  };
+  heights(1);
+  altitude = 165, climb = 4;  // carried off
+  for (const PlanPoint& point : heights(1.5)) EXPECT_NEAR(point.p_N.z(), -150, 1e-9);
+  // Whom somebody else has flown begins anew.
+  reaction = FailsafeReaction::kHold;
+  EXPECT_NEAR(heights(2).front().p_N.z(), -165, 1e-9);
+  reaction = FailsafeReaction::kNone;
+  const Plan back = heights(2.5);
+  EXPECT_LT(back.front().p_N.z(), -160);
+  EXPECT_GT(back.back().p_N.z(), -160) << "down to the leader";
+  // A leader that was lost for long is followed anew from where one is.
+  altitude = 140, climb = 0;
+  EXPECT_NEAR(heights(60).front().p_N.z(), -140, 1e-9);
+}
+
+TEST_F(WingmanTest, ReportsThatItDoesNotObeyWhereAFailsafeHasLandedIt) {
+  const auto obeys = [&](double time) {
+    return std::get<AircraftReport>(step(time, {}).outbox.at(0).content).obeys;
+  };
+  trigger = FailsafeTrigger::kBattery;
+  EXPECT_TRUE(obeys(0)) << "it is told of, and flies on";
+  on_ground = true;
+  EXPECT_FALSE(obeys(2));
+  trigger = FailsafeTrigger::kNone;
+  EXPECT_TRUE(obeys(4)) << "it may take off";
+}
+
+TEST_F(WingmanTest, SwapsRolesAndKeepsTheNewestOrder) {
+  step(0, {task(5, FollowLeader{EntityId{1}, {-30, 20}})});
+  EXPECT_FALSE(step(1, {task(4, FlyRoute{{{0, 0}, {1, 1}}, 1, {}})}).command);
+  EXPECT_TRUE(std::holds_alternative<FlyWaypoints>(
+      step(2, {task(6, FlyRoute{{{0, 0}, {1, 1}}, 1, {}})}).command->guidance));
+}
+
+TEST_F(WingmanTest, RefusesWhatItCannotDo) {
+  const AgentOutput out = step(0, {task(1, FollowEdge{})});
+  EXPECT_FALSE(out.command);
+  ASSERT_EQ(out.events.size(), 1u);
+  EXPECT_EQ(out.events[0].kind, "task-refused");
+}
+
+TEST_F(WingmanTest, TakesOffBeforeItLeads) {
+  on_ground = true;
+  step(0, {task(1, FlyRoute{{{0, 0}, {500, 0}, {500, 0}}, 3, {}})});
+  const auto told = step(5, {});
+  EXPECT_TRUE(std::holds_alternative<TakeOff>(told.command->guidance));
+  EXPECT_EQ(told.command->altitude_msl, 10 + 120);
+  on_ground = false;
+  const auto up = step(30, {});
+  EXPECT_EQ(std::get<FlyWaypoints>(up.command->guidance).points.size(), 2u);
+}
+
+TEST_F(WingmanTest, FollowingTurnsAwayFromAZone) {
+  zones = {{geo::Ring{{60, -300}, {60, 300}, {400, 300}, {400, -300}}}};
+  wingman.emplace(WingmanOptions{}, EntityId{2}, EntityId{0}, FlightLimits{}, ground,
+                  zones);
+  step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})});
+  Message message;
+  message.content = TeamPosition{EntityId{1}, nav(1, {100, 0, -200}, {20, 0, 0})};
+  const auto out = step(1, {message});
+  EXPECT_FALSE(std::holds_alternative<FollowPlan>(out.command->guidance));
+  ASSERT_EQ(out.events.size(), 1u);
+  EXPECT_EQ(out.events[0].kind, "zone");
+}
+
+}  // namespace
+}  // namespace skein::reasoning

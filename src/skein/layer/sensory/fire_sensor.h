@@ -1,0 +1,34 @@
+#pragma once
+
+#include "skein/base/id.h"
+#include "skein/base/random.h"
+#include "skein/layer/sensory/sample_clock.h"
+#include "skein/role/sensor.h"
+
+namespace skein::sensory {
+
+struct FireSensorOptions {
+  double rate_hz = 1;     ///< readings per second
+  double look_ahead = 0;  ///< of the looked-at point, horizontally along the heading [m]
+  double max_height = 1000;  ///< above that point; higher up there are no readings [m]
+  double false_in = 0;       ///< probability of "inside" over ground that does not burn
+  double false_out = 0;      ///< probability of "outside" over ground that does
+};
+
+/// The cheap in/out sensor: does the ground at one point burn, or has it burnt?
+class FireSensor final : public Sensor {
+ public:
+  /// @param instance  number among the equal sensors of this entity, from 0: each has
+  ///                  errors of its own.
+  FireSensor(const FireSensorOptions& options, std::uint64_t seed, EntityId entity,
+             std::uint32_t instance = 0);
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override;
+  bool payload() const override { return true; }
+
+ private:
+  FireSensorOptions options_;
+  SampleClock clock_;
+  RandomStream random_;
+};
+
+}  // namespace skein::sensory

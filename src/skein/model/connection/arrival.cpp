@@ -1,0 +1,157 @@
+#include "skein/model/connection/arrival.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "skein/model/connection/plan_builder.h"
+#include "skein/model/path/dubins.h"
+#include "skein/model/path/path_geometry.h"
+
+namespace skein::model {
+namespace {
+
+constexpr double kTurn = 2 * geo::kPi;
+// Looked at from 0 to a full turn, or to that much straight on.
+constexpr int kSteps = 48;
+constexpr int kMaxSteps = 60;  // of false position
+// Lengths are met to this, in turn radii, and to this share of them.
+constexpr double kExact = 1e-10, kRounding = 1e-14;
+constexpr double kLongest = 1e9;  // flight, in turn radii
+
+// Everything happens in the air mass, where the goal of that time stands still.
+struct Way {
+  Pose from, to;
+  double radius;
+};
+
+double exact_of(const Way& way, double length) {
+  return kExact * way.radius + kRounding * length;
+}
+
+// What is flown besides the shortest connection: first a turn or straight, before the end
+// a straight.
+struct Extra {
+  double first = 0;      // length [m]
+  double curvature = 0;  // of the first [1/m], right positive
+  double last = 0;       // straight [m]
+};
+
+Pose after(const Pose& pose, double length, double curvature) {
+  return pose_at(PathElement{pose.position, pose.course, length, curvature}, length);
+}
+
+// The connection between what is flown before and after it.
+DubinsPath between(const Way& way, const Extra& extra) {
+  return dubins(after(way.from, extra.first, extra.curvature),
+                after(way.to, -extra.last, 0), way.radius);
+}
+
+double total(const Way& way, const Extra& extra) {
+  return extra.first + extra.last + between(way, extra).length();
+}
+
+// One family of lengthened paths: `parameter` from 0 to 1.
+using Family = Extra (*)(const Way& way, double parameter);
+
+Extra straight_first(const Way& way, double p) {
+  return {p * kTurn * way.radius, 0, 0};
+}
+Extra straight_last(const Way& way, double p) {
+  return {0, 0, p * kTurn * way.radius};
+}
+Extra right_first(const Way& way, double p) {
+  return {p * kTurn * way.radius, 1 / way.radius, 0};
+}
+Extra left_first(const Way& way, double p) {
+  return {p * kTurn * way.radius, -1 / way.radius, 0};
+}
+
+// Where a family's length crosses the wanted one between two parameters: false position,
+// with the weight of an end that stays halved (Illinois). Nothing where the shortest
+// length jumps.
+std::optional<Extra> crossing(const Way& way, Family family, double length, double a,
+                              double at_a, double b, double at_b) {
+  const double exact = exact_of(way, length);
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const double p = i % 8 == 7 ? (a + b) / 2 : a - at_a * (b - a) / (at_b - at_a);
+    const double at_p = total(way, family(way, p)) - length;
+    if (std::abs(at_p) <= exact) return family(way, p);
+    if ((at_p < 0) == (at_b < 0)) {
+      b = p;
+      at_b = at_p;
+      at_a /= 2;
+    } else {
+      a = b;
+      at_a = at_b;
+      b = p;
+      at_b = at_p;
+    }
+  }
+  return std::nullopt;
+}
+
+// The first member of a family with exactly that length.
+std::optional<Extra> member(const Way& way, Family family, double length) {
+  double low = 0, at_low = total(way, {}) - length;
+  if (std::abs(at_low) <= exact_of(way, length)) return Extra{};
+  for (int i = 1; i <= kSteps; ++i) {
+    const double high = static_cast<double>(i) / kSteps;
+    const double at_high = total(way, family(way, high)) - length;
+    if ((at_low < 0) != (at_high < 0))
+      if (auto extra = crossing(way, family, length, low, at_low, high, at_high))
+        return extra;
+    low = high;
+    at_low = at_high;
+  }
+  return std::nullopt;
+}
+
+FlightPlan build(const Way& way, const Extra& extra, int loops, const AirMotion& air) {
+  const DubinsPath path = between(way, extra);
+  const std::array<int, 3> sides = sides_of(path.word);
+  PlanBuilder plan(way.from, air);
+  // The circles turn as what follows them does.
+  const double first_side = extra.curvature * way.radius;
+  plan.fly(loops * kTurn, first_side != 0 ? first_side : sides[0]);
+  plan.fly(extra.first / way.radius, first_side);
+  for (std::size_t i = 0; i < 3; ++i) plan.fly(path.parts[i], sides[i]);
+  plan.fly(extra.last / way.radius, 0);
+  return plan.take();
+}
+
+}  // namespace
+
+Arrival connect_at(const Pose& from, const Pose& to, const AirMotion& air, double time) {
+  Arrival arrival;
+  const Connection direct = connect(from, to, air);
+  if (direct.status != ConnectionStatus::kFound) return arrival;
+  if (!(std::abs(time) * air.airspeed <= kLongest * air.turn_radius)) return arrival;
+  arrival.earliest = direct.time;
+  const Way way{from, {to.position - time * air.wind, to.course}, air.turn_radius};
+  const double length = time * air.airspeed, least = total(way, {});
+  const double exact = exact_of(way, length);
+  if (length < least - exact) {
+    // Before the earliest meeting, or where the shortest length has jumped up since.
+    arrival.status = time < direct.time ? ArrivalStatus::kTooEarly : ArrivalStatus::kGap;
+    return arrival;
+  }
+  const double circle = kTurn * air.turn_radius;
+  const int loops =
+      std::max(0, static_cast<int>(std::floor((length - least + exact) / circle)));
+  // A circle less leaves more room where a family has a gap.
+  for (int fewer = 0; fewer <= std::min(1, loops); ++fewer) {
+    const double rest = length - (loops - fewer) * circle;
+    for (const Family family : {straight_first, straight_last, right_first, left_first})
+      if (const auto extra = member(way, family, rest)) {
+        arrival.status = ArrivalStatus::kFound;
+        arrival.plan = build(way, *extra, loops - fewer, air);
+        return arrival;
+      }
+  }
+  arrival.status = ArrivalStatus::kGap;
+  return arrival;
+}
+
+}  // namespace skein::model

@@ -1,0 +1,52 @@
+#include "skein/record/flight_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skein::record {
+
+void FlightStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
+  last_[id] = {time, geo::horizontal(p_N)};
+  charge_least_ = std::min(charge_least_.value_or(charge), charge);
+}
+
+void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
+                                std::optional<double> cross_track) {
+  if (cross_track) cross_track_.add(*cross_track * *cross_track);
+  const auto truth = last_.find(id);
+  if (truth == last_.end() || truth->second.time != time) return;
+  position_error_.add((geo::horizontal(p_N) - truth->second.position).squaredNorm());
+}
+
+void FlightStatistics::reserve(EntityId id, double reserve) {
+  if (reserve >= 1) return;
+  const auto [least, first] = reserve_least_.try_emplace(id, reserve);
+  if (!first) least->second = std::min(least->second, reserve);
+}
+
+void FlightStatistics::event(const Event& event) {
+  if (event.kind == "accident") ++accidents_;
+  if (event.kind != "failsafe") return;
+  // "link: return", "motor: none", "over": it begins where nothing acted before.
+  bool& acting = acting_[event.entity];
+  const bool acts = event.text != "over" && !event.text.ends_with(": none");
+  if (acts && !acting) ++failsafes_;
+  acting = acts;
+}
+
+void FlightStatistics::add_figures(
+    std::map<std::string, double>& figures,
+    const std::function<std::string(EntityId)>& name_of) const {
+  figures["accidents"] = static_cast<double>(accidents_);
+  figures["failsafes"] = static_cast<double>(failsafes_);
+  const auto put = [&](const char* name, const Square& square) {
+    if (square.count > 0) figures[name] = std::sqrt(square.sum / square.count);
+  };
+  put("cross_track_rms_m", cross_track_);
+  put("position_error_rms_m", position_error_);
+  if (charge_least_) figures["charge_least"] = *charge_least_;
+  for (const auto& [id, reserve] : reserve_least_)
+    figures["reserve_least_" + name_of(id)] = reserve;
+}
+
+}  // namespace skein::record

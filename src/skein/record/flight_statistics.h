@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "skein/base/id.h"
+#include "skein/base/time.h"
+#include "skein/data/event.h"
+#include "skein/geo/vec.h"
+
+namespace skein::record {
+
+/// How well a run's aircraft flew: the part of its key figures that is about flight.
+class FlightStatistics {
+ public:
+  /// @param charge  left, from 0 to 1.
+  void truth(Time time, EntityId id, const Vec3& p_N, double charge);
+  /// @param cross_track  of the path that it follows; none when it follows nothing [m].
+  void estimate(Time time, EntityId id, const Vec3& p_N,
+                std::optional<double> cross_track);
+  /// @param reserve  charge less what it takes to get home, from 0 to 1; 1 while nothing
+  ///                 is known of it.
+  void reserve(EntityId id, double reserve);
+  void event(const Event& event);
+
+  /// Adds `accidents`, `failsafes` (how often one began to act), and where there is
+  /// something to say `cross_track_rms_m`, `position_error_rms_m` (horizontal, of the
+  /// estimates against the truth of the same time) and `charge_least`.
+  /// Per aircraft, by its name, `reserve_least_<name>` once something was known of it.
+  void add_figures(std::map<std::string, double>& figures,
+                   const std::function<std::string(EntityId)>& name_of) const;
+
+ private:
+  struct Square {
+    double sum = 0, count = 0;
+    void add(double square) {
+      sum += square;
+      count += 1;
+    }
+  };
+  struct Place {
+    Time time;
+    Vec2 position = Vec2::Zero();
+  };
+  std::map<EntityId, Place> last_;  // truth
+  Square cross_track_, position_error_;
+  std::optional<double> charge_least_;
+  std::map<EntityId, double> reserve_least_;
+  std::map<EntityId, bool> acting_;  // a failsafe
+  std::uint64_t accidents_ = 0, failsafes_ = 0;
+};
+
+}  // namespace skein::record

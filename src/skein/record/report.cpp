@@ -1,0 +1,162 @@
+#include "skein/record/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "skein/record/page.h"
+#include "skein/record/report_map.h"
+#include "skein/record/run_reader.h"
+
+namespace skein::record {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongestScenario = 200000;  // characters
+constexpr std::size_t kMaxMetrics = 2000;         // samples over time
+
+const char* ending_name(RunEnding ending) {
+  switch (ending) {
+    case RunEnding::kComplete:
+      return "complete";
+    case RunEnding::kInterrupted:
+      return "interrupted";
+    case RunEnding::kCutOff:
+      break;
+  }
+  return "cut off";
+}
+
+Json metrics_json(const StoredRun& run) {
+  const std::size_t keep_each = run.metrics.size() / kMaxMetrics + 1;
+  std::vector<float> times;
+  for (std::size_t i = 0; i < run.metrics.size(); i += keep_each)
+    times.push_back(static_cast<float>(run.metric_times[i]));
+  Json columns = Json::object();
+  for (const MetricField& field : metric_fields()) {
+    std::vector<float> values;
+    for (std::size_t i = 0; i < run.metrics.size(); i += keep_each)
+      values.push_back(
+          static_cast<float>((run.metrics[i].*field.value).value_or(std::nan(""))));
+    columns[std::string(field.name) + std::string(field.unit)] = packed(values);
+  }
+  return {{"time_s", packed(times)}, {"columns", std::move(columns)}};
+}
+
+Json flights_json(const StoredRun& run) {
+  Json flights = Json::array();
+  for (const FlightSeries& flight : run.flights)
+    flights.push_back({{"entity", flight.id.value},
+                       {"time_s", packed(flight.time)},
+                       {"columns",
+                        {{"altitude_msl_m", packed(flight.altitude_msl)},
+                         {"airspeed_m_s", packed(flight.airspeed)},
+                         {"cross_track_m", packed(flight.cross_track)},
+                         {"position_error_m", packed(flight.position_error)},
+                         {"charge", packed(flight.charge)},
+                         {"reserve", packed(flight.reserve)}}}});
+  return flights;
+}
+
+Json run_json(const StoredRun& run, const std::string& label, const fs::path& directory) {
+  Json entities = Json::array(), events = Json::array();
+  for (const EntityRow& entity : run.entities)
+    entities.push_back(
+        {{"id", entity.id.value}, {"name", entity.name}, {"kind", entity.kind}});
+  for (const Event& event : run.events)
+    events.push_back({{"time_s", event.time.seconds()},
+                      {"entity", event.entity.value},
+                      {"kind", event.kind},
+                      {"text", event.text}});
+  std::string scenario = run.info.scenario_text;
+  if (scenario.size() > kLongestScenario)
+    scenario =
+        scenario.substr(0, kLongestScenario) + "\n... (cut here; see scenario.yaml)";
+  return {{"label", label},
+          {"name", run.info.name},
+          {"version", run.info.version},
+          {"seed", std::to_string(run.info.seed)},
+          {"start_utc", run.info.start_utc},
+          {"directory", directory.string()},
+          {"content_hash", run.summary.content_hash},
+          {"state", ending_name(run.ending)},
+          {"duration_s", run.duration},
+          {"allocation_start_s", run.allocation_start},  // NaN is written as null
+          {"summary", run.summary.numbers},
+          {"entities", std::move(entities)},
+          {"metrics", metrics_json(run)},
+          {"flights", flights_json(run)},
+          {"messages",
+           {{"bin_s", run.message_bin},
+            {"sent", run.messages_sent},
+            {"lost", run.messages_lost}}},
+          {"events", std::move(events)},
+          {"events_left_out", run.events_left_out},
+          {"scenario", scenario},
+          {"map", map_json(run)}};
+}
+
+// The last part of each path, with as many parts before it as tell the runs apart.
+std::vector<std::string> labels(std::span<const fs::path> directories) {
+  for (int parts = 1;; ++parts) {
+    std::vector<std::string> names;
+    for (const fs::path& directory : directories) {
+      fs::path rest = fs::absolute(directory / "x").lexically_normal().parent_path();
+      fs::path name = rest.filename();
+      for (int k = 1; k < parts && rest.has_parent_path(); ++k) {
+        rest = rest.parent_path();
+        name = rest.filename() / name;
+      }
+      names.push_back(name.string());
+    }
+    const std::set<std::string> different(names.begin(), names.end());
+    if (different.size() == names.size() || parts == 6) return names;
+  }
+}
+
+}  // namespace
+
+Result<void> write_report(std::span<const fs::path> run_directories,
+                          const fs::path& html) {
+  if (run_directories.empty())
+    return Error{ErrorCode::kBadInput, "", "no run was given",
+                 "give directories of runs"};
+  const std::vector<std::string> names = labels(run_directories);
+  const int count = static_cast<int>(run_directories.size());
+  ReadBudget budget;
+  // Many runs share the room of one page.
+  budget.frames = std::max(30, budget.frames / count);
+  budget.track_samples = std::max(4000, budget.track_samples / count);
+  if (count > 1) budget.flights = 0;  // comparisons show their figures only
+  budget.crossings = std::max(500, budget.crossings / count);
+  budget.detections = std::max(500, budget.detections / count);
+
+  Json runs = Json::array();
+  std::vector<Error> errors;
+  std::string title;
+  for (std::size_t i = 0; i < run_directories.size(); ++i) {
+    const auto run = read_run(run_directories[i], budget);
+    if (!run) {
+      errors.push_back(run.error());
+      continue;
+    }
+    title = run.value().info.name.empty() ? names[i] : run.value().info.name;
+    runs.push_back(run_json(run.value(), names[i], run_directories[i]));
+  }
+  if (!errors.empty()) {
+    Error all = errors.front();
+    for (std::size_t i = 1; i < errors.size(); ++i)
+      all.message += "; " + errors[i].text();
+    return all;
+  }
+  if (count > 1) title = "Comparison of " + std::to_string(count) + " runs";
+  return write_page(
+      title, {{"page", "runs"}, {"title", title}, {"runs", std::move(runs)}}, html);
+}
+
+}  // namespace skein::record

@@ -1,0 +1,298 @@
+#include "skein/record/report_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "skein/base/math.h"
+#include "skein/record/page.h"
+#include "skein/record/run_database.h"
+
+namespace skein::record {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Shorts = std::vector<std::uint16_t>;
+
+constexpr double kLevels = 65535;
+constexpr std::size_t kMaxRingPoints = 150000;  // of all true perimeters together
+
+std::uint16_t level(double part) {
+  return static_cast<std::uint16_t>(std::clamp(std::round(part), 0.0, kLevels));
+}
+
+// The square that holds everything, and places in it as 16-bit numbers.
+class Extent {
+ public:
+  void add(double north, double east) {
+    if (!std::isfinite(north) || !std::isfinite(east)) return;
+    low_ = low_.cwiseMin(Vec2(north, east));
+    high_ = high_.cwiseMax(Vec2(north, east));
+  }
+  bool empty() const { return !(low_.x() <= high_.x()); }
+  const Vec2& low() const { return low_; }
+  double step() const { return std::max((high_ - low_).maxCoeff(), 1.0) / kLevels; }
+  std::uint16_t north(double value) const { return level((value - low_.x()) / step()); }
+  std::uint16_t east(double value) const { return level((value - low_.y()) / step()); }
+
+ private:
+  Vec2 low_ = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high_ = -low_;
+};
+
+// Marks the points of the open line first..last that stay. Reference: [Douglas73].
+void keep_corners(const geo::Ring& ring, std::size_t first, std::size_t last,
+                  double tolerance, std::vector<bool>& keep) {
+  std::vector<std::pair<std::size_t, std::size_t>> open = {{first, last}};
+  while (!open.empty()) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    const Vec2& a = ring[from];
+    const Vec2 chord = ring[to % ring.size()] - a;
+    double worst = tolerance;
+    std::size_t at = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const Vec2 p = ring[i] - a;
+      const double along =
+          std::clamp(p.dot(chord) / std::max(chord.squaredNorm(), 1e-12), 0.0, 1.0);
+      const double off = (p - along * chord).norm();
+      if (off > worst) {
+        worst = off;
+        at = i;
+      }
+    }
+    if (at == from) continue;
+    keep[at] = true;
+    open.push_back({from, at});
+    open.push_back({at, to});
+  }
+}
+
+geo::Ring simplified(const geo::Ring& ring, double tolerance) {
+  if (ring.size() < 4 || tolerance <= 0) return ring;
+  std::size_t far = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i)
+    if ((ring[i] - ring[0]).squaredNorm() > (ring[far] - ring[0]).squaredNorm()) far = i;
+  std::vector<bool> keep(ring.size(), false);
+  keep[0] = keep[far] = true;
+  keep_corners(ring, 0, far, tolerance, keep);
+  keep_corners(ring, far, ring.size(), tolerance, keep);
+  geo::Ring out;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (keep[i]) out.push_back(ring[i]);
+  return out;
+}
+
+struct TruthFrame {
+  double time = 0;
+  geo::Region region;
+};
+
+// The true perimeters, coarse enough to fit the page.
+std::vector<TruthFrame> simplified_truth(const StoredRun& run, double extent) {
+  std::vector<TruthFrame> full;
+  for (const StoredFrame& frame : run.truth) {
+    full.push_back({frame.time, {}});
+    for (const std::vector<float>& floats : frame.rings) {
+      geo::Ring ring;
+      for (std::size_t i = 0; i + kTruthFloats <= floats.size(); i += kTruthFloats)
+        if (std::isfinite(floats[i]) && std::isfinite(floats[i + 1]))
+          ring.emplace_back(floats[i], floats[i + 1]);
+      full.back().region.push_back(std::move(ring));
+    }
+  }
+  for (double tolerance = std::max(0.5, extent / 8000);; tolerance *= 2) {
+    std::vector<TruthFrame> out;
+    std::size_t points = 0;
+    for (const TruthFrame& frame : full) {
+      out.push_back({frame.time, {}});
+      for (const geo::Ring& ring : frame.region) {
+        out.back().region.push_back(simplified(ring, tolerance));
+        points += out.back().region.back().size();
+      }
+    }
+    if (points <= kMaxRingPoints || tolerance > extent) return out;
+  }
+}
+
+Extent extent_of(const StoredRun& run) {
+  Extent extent;
+  for (const StoredTrack& track : run.tracks)
+    for (std::size_t i = 0; i < track.north.size(); ++i)
+      extent.add(track.north[i], track.east[i]);
+  const auto add = [&extent](const std::vector<StoredFrame>& frames, std::size_t stride) {
+    for (const StoredFrame& frame : frames)
+      for (const auto& floats : frame.rings)
+        for (std::size_t i = 0; i + stride <= floats.size(); i += stride)
+          extent.add(floats[i], floats[i + 1]);
+  };
+  add(run.truth, kTruthFloats);
+  add(run.belief, kBeliefFloats);
+  for (const Crossing& crossing : run.crossings)
+    extent.add(crossing.point.x(), crossing.point.y());
+  for (const GroundObject& object : run.objects)
+    for (const Time time : {Time(), Time::from_seconds(run.duration)})
+      extent.add(object.at(time).x(), object.at(time).y());
+  for (const Detection& detection : run.detections)
+    extent.add(detection.point.x(), detection.point.y());
+  return extent;
+}
+
+Json tracks_json(const StoredRun& run, const Extent& extent) {
+  Json tracks = Json::array();
+  for (const StoredTrack& track : run.tracks) {
+    Shorts north, east;
+    std::vector<std::uint8_t> heading;
+    for (std::size_t i = 0; i < track.north.size(); ++i) {
+      north.push_back(extent.north(track.north[i]));
+      east.push_back(extent.east(track.east[i]));
+      const double turn = geo::wrap_2pi(track.heading[i]) / (2 * geo::kPi);
+      heading.push_back(static_cast<std::uint8_t>(std::lround(turn * 256) % 256));
+    }
+    tracks.push_back({{"entity", track.id.value},
+                      {"start_s", track.start},
+                      {"step_s", track.step},
+                      {"north", packed(north)},
+                      {"east", packed(east)},
+                      {"heading", packed(heading)}});
+  }
+  return tracks;
+}
+
+Json truth_json(const StoredRun& run, const Extent& extent) {
+  Json frames = Json::array();
+  for (const TruthFrame& frame : simplified_truth(run, extent.step() * kLevels)) {
+    Json rings = Json::array();
+    for (const geo::Ring& ring : frame.region) {
+      Shorts shorts;
+      for (const Vec2& p : ring) {
+        shorts.push_back(extent.north(p.x()));
+        shorts.push_back(extent.east(p.y()));
+      }
+      rings.push_back(packed(shorts));
+    }
+    frames.push_back({{"time_s", frame.time}, {"rings", std::move(rings)}});
+  }
+  return frames;
+}
+
+Json belief_json(const StoredRun& run, const Extent& extent, double sigma_step) {
+  Json frames = Json::array();
+  for (const StoredFrame& frame : run.belief) {
+    Json rings = Json::array();
+    for (const std::vector<float>& floats : frame.rings) {
+      Shorts shorts;
+      for (std::size_t i = 0; i + kBeliefFloats <= floats.size(); i += kBeliefFloats) {
+        const std::span<const float> p(&floats[i], kBeliefFloats);
+        if (!std::all_of(p.begin(), p.end(), [](float f) { return std::isfinite(f); }))
+          continue;
+        const double turn =
+            geo::wrap_2pi(math::atan2(double{p[3]}, double{p[2]})) / (2 * geo::kPi);
+        shorts.push_back(extent.north(p[0]));
+        shorts.push_back(extent.east(p[1]));
+        shorts.push_back(static_cast<std::uint16_t>(std::lround(turn * 65536) % 65536));
+        shorts.push_back(level(double{p[4]} / sigma_step));
+      }
+      rings.push_back(packed(shorts));
+    }
+    frames.push_back({{"time_s", frame.time}, {"rings", std::move(rings)}});
+  }
+  return frames;
+}
+
+double largest_sigma(const StoredRun& run) {
+  float largest = 0;
+  for (const StoredFrame& frame : run.belief)
+    for (const auto& floats : frame.rings)
+      for (std::size_t i = 4; i < floats.size(); i += kBeliefFloats)
+        if (std::isfinite(floats[i])) largest = std::max(largest, floats[i]);
+  return largest;
+}
+
+Json crossings_json(const StoredRun& run, const Extent& extent) {
+  std::vector<float> times;
+  Shorts north, east;
+  for (const Crossing& crossing : run.crossings) {
+    times.push_back(static_cast<float>(crossing.time.seconds()));
+    north.push_back(extent.north(crossing.point.x()));
+    east.push_back(extent.east(crossing.point.y()));
+  }
+  return {{"time_s", packed(times)}, {"north", packed(north)}, {"east", packed(east)}};
+}
+
+// The things on the ground, and where the aircraft believed what they found of them.
+Json objects_json(const StoredRun& run) {
+  Json objects = Json::array();
+  for (const GroundObject& object : run.objects)
+    objects.push_back({{"id", object.id},
+                       {"name", object.name},
+                       {"north_m", object.position.x()},
+                       {"east_m", object.position.y()},
+                       {"velocity_north_m_s", object.velocity.x()},
+                       {"velocity_east_m_s", object.velocity.y()}});
+  return objects;
+}
+
+Json detections_json(const StoredRun& run, const Extent& extent) {
+  std::vector<float> times;
+  Shorts north, east, object;
+  for (const Detection& detection : run.detections) {
+    times.push_back(static_cast<float>(detection.time.seconds()));
+    north.push_back(extent.north(detection.point.x()));
+    east.push_back(extent.east(detection.point.y()));
+    object.push_back(static_cast<std::uint16_t>(detection.object));
+  }
+  return {{"time_s", packed(times)},
+          {"north", packed(north)},
+          {"east", packed(east)},
+          {"object", packed(object)}};
+}
+
+Json terrain_json(const TerrainRow& terrain) {
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const float height : terrain.heights)
+    if (std::isfinite(height)) {
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  if (!(low <= high)) return nullptr;
+  const double step = std::max(double{high} - double{low}, 1.0) / kLevels;
+  Shorts heights;
+  for (const float height : terrain.heights)
+    heights.push_back(std::isfinite(height) ? level((double{height} - double{low}) / step)
+                                            : std::uint16_t{0});
+  return {{"rows", terrain.rows},
+          {"columns", terrain.columns},
+          {"low_north_m", terrain.low.x()},
+          {"low_east_m", terrain.low.y()},
+          {"spacing_m", terrain.spacing},
+          {"low_m", low},
+          {"step_m", step},
+          {"heights", packed(heights)}};
+}
+
+}  // namespace
+
+Json map_json(const StoredRun& run) {
+  const Extent extent = extent_of(run);
+  if (extent.empty()) return nullptr;
+  const double sigma_step = std::max(largest_sigma(run), 1e-3) / kLevels;
+  Json map = {{"low_north_m", extent.low().x()},
+              {"low_east_m", extent.low().y()},
+              {"step_m", extent.step()},
+              {"sigma_step_m", sigma_step},
+              {"tracks", tracks_json(run, extent)},
+              {"truth", truth_json(run, extent)},
+              {"belief", belief_json(run, extent, sigma_step)},
+              {"crossings", crossings_json(run, extent)},
+              {"objects", objects_json(run)},
+              {"detections", detections_json(run, extent)}};
+  if (run.terrain)
+    if (Json terrain = terrain_json(*run.terrain); !terrain.is_null())
+      map["terrain"] = std::move(terrain);
+  return map;
+}
+
+}  // namespace skein::record

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+
+#include "skein/record/metrics.h"
+#include "skein/record/rows.h"
+#include "skein/record/sqlite.h"
+#include "skein/record/summary.h"
+
+namespace skein::record {
+
+/// One ring of a stored perimeter: little-endian 32-bit floats, `kTruthFloats` or
+/// `kBeliefFloats` of them per point (see docs/records.md).
+inline constexpr std::size_t kTruthFloats = 2;   ///< north, east [m]
+inline constexpr std::size_t kBeliefFloats = 7;  ///< ... normal n, e, sigma, growth, rate
+
+/// One beam of a stored scan: forward, right, down of its direction, then the range [m].
+inline constexpr std::size_t kBeamFloats = 4;
+
+/// Of the tables, in `PRAGMA user_version`. 3: energy reserves and the payload's tables;
+/// 4: zones.
+inline constexpr int kSchemaVersion = 4;
+
+/// The tables of one run, for writing. Write errors leave what was committed untouched.
+class RunDatabase {
+ public:
+  /// Makes the file with all tables and `meta` filled in, committed.
+  /// @param max_size  largest size of the file [bytes]; 0 = as large as the disk.
+  /// Fails: kUnavailable when the place cannot be written.
+  static Result<RunDatabase> create(const std::filesystem::path& file,
+                                    const RunInfo& info, std::int64_t max_size);
+
+  Result<void> begin();
+  /// Ends the transaction, if one is open.
+  Result<void> commit();
+
+  Result<void> write(const EntityRow& row);
+  Result<void> write(const TruthRow& row);
+  Result<void> write(const EstimateRow& row);
+  Result<void> write(const FireReading& row);
+  Result<void> write(const Crossing& row);
+  Result<void> write(const MessageRow& row);
+  Result<void> write(const TaskRow& row);
+  Result<void> write(const Event& row);
+  Result<void> write(const GroundObject& row);
+  Result<void> write(const Detection& row);
+  Result<void> write(const Footprint& row);
+  Result<void> write(const RangeScan& row);
+  Result<void> write(const TerrainRow& row);
+  Result<void> write(const ZoneRow& row);
+  Result<void> write_truth(Time time, const geo::Region& truth);
+  Result<void> write_belief(Time time, EntityId believer, const BoundaryEstimate& belief);
+  Result<void> write_metrics(Time time, EntityId believer,
+                             const PerimeterMetrics& metrics);
+  /// Writes the summary and merges the log into the file. Outside of transactions.
+  Result<void> finish(const RunSummary& summary);
+
+ private:
+  explicit RunDatabase(Sqlite sqlite) : sqlite_(std::move(sqlite)) {}
+  Result<void> prepare();
+  template <class... Values>
+  Result<void> insert(Statement& statement, const Values&... values) {
+    if (statement.bind(values...).run() != 0) return sqlite_.error();
+    return {};
+  }
+
+  Sqlite sqlite_;
+  Statement meta_, entity_, truth_, estimate_, reading_, crossing_, message_, task_,
+      event_;
+  Statement object_, detection_, footprint_, ranges_, zone_;
+  Statement terrain_, perimeter_, metrics_, summary_;
+};
+
+}  // namespace skein::record

@@ -1,0 +1,382 @@
+#include "skein/record/run_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "skein/record/run_database.h"
+#include "skein/record/statistics.h"
+#include "skein/record/track_builder.h"
+
+namespace skein::record {
+namespace {
+
+// Before everything: no row of truth is of this time.
+constexpr Time kNever = Time::from_ns(-1);
+
+EntityId entity_id(const Statement& row, int column) {
+  return EntityId{static_cast<std::uint32_t>(row.integer(column))};
+}
+
+double known(const Statement& row, int column) {
+  return row.is_null(column) ? std::numeric_limits<double>::quiet_NaN()
+                             : row.real(column);
+}
+
+std::vector<float> float_blob(const Statement& row, int column) {
+  const std::span<const std::byte> bytes = row.blob(column);
+  std::vector<float> floats(bytes.size() / sizeof(float));
+  if (!floats.empty())
+    std::memcpy(floats.data(), bytes.data(), floats.size() * sizeof(float));
+  return floats;
+}
+
+// The first schema with energy reserves and tables of the payload.
+constexpr std::int64_t kPayloadSchema = 3;
+
+// Every k-th, so that about `most` are left at most.
+template <class T>
+std::vector<T> thinned(const std::vector<T>& all, int most) {
+  const std::size_t keep_each =
+      all.size() / static_cast<std::size_t>(std::max(1, most)) + 1;
+  std::vector<T> kept;
+  for (std::size_t i = 0; i < all.size(); i += keep_each) kept.push_back(all[i]);
+  return kept;
+}
+
+class Reader {
+ public:
+  Reader(Sqlite database, const ReadBudget& budget)
+      : database_(std::move(database)), budget_(budget) {}
+
+  Result<StoredRun> read() {
+    using Part = Result<void> (Reader::*)();
+    for (const Part part :
+         {&Reader::schema, &Reader::meta, &Reader::entities, &Reader::duration,
+          &Reader::events, &Reader::metrics, &Reader::tracks, &Reader::estimates,
+          &Reader::readings, &Reader::messages, &Reader::perimeters, &Reader::crossings,
+          &Reader::payload, &Reader::terrain, &Reader::summary})
+      if (auto done = (this->*part)(); !done) return done.error();
+    return std::move(run_);
+  }
+
+ private:
+  // Calls `take` for each row of `sql`.
+  template <class Take>
+  Result<void> rows(const std::string& sql, Take&& take) {
+    auto prepared = database_.prepare(sql);
+    if (!prepared) return prepared.error();
+    Statement row = std::move(prepared).value();
+    while (row.next()) take(row);
+    if (row.failed()) return database_.error();
+    return {};
+  }
+
+  Result<void> schema() {
+    return rows("PRAGMA user_version",
+                [this](const Statement& row) { schema_ = row.integer(0); });
+  }
+
+  Result<void> meta() {
+    return rows("SELECT name, value FROM meta", [this](const Statement& row) {
+      const std::string name = row.text(0), value = row.text(1);
+      if (name == "version") run_.info.version = value;
+      if (name == "name") run_.info.name = value;
+      if (name == "start_utc") run_.info.start_utc = value;
+      if (name == "scenario") run_.info.scenario_text = value;
+      if (name == "seed") run_.info.seed = std::strtoull(value.c_str(), nullptr, 10);
+    });
+  }
+
+  Result<void> entities() {
+    return rows("SELECT entity_id, name, kind FROM entities",
+                [this](const Statement& row) {
+                  run_.entities.push_back({entity_id(row, 0), row.text(1), row.text(2)});
+                  statistics_.entity(entity_id(row, 0), row.text(1), row.text(2));
+                });
+  }
+
+  Result<void> duration() {
+    return rows(
+        "SELECT max(coalesce((SELECT max(time_s) FROM truth), 0),"
+        " coalesce((SELECT max(time_s) FROM metrics), 0),"
+        " coalesce((SELECT max(time_s) FROM readings), 0),"
+        " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0)),"
+        " (SELECT count(DISTINCT entity_id) FROM truth)",
+        [this](const Statement& row) {
+          run_.duration = row.real(0);
+          movers_ = std::max(1.0, row.real(1));
+        });
+  }
+
+  Result<void> events() {
+    int total = 0;
+    auto done = rows("SELECT count(*) FROM events", [&](const Statement& row) {
+      total = static_cast<int>(row.integer(0));
+    });
+    if (!done) return done;
+    // The rarest kinds say the most: they stay when there are too many.
+    done = rows(
+        "SELECT time_s, entity_id, e.kind, text FROM events e JOIN"
+        " (SELECT kind, count(*) AS n FROM events GROUP BY kind) k ON k.kind = e.kind"
+        " ORDER BY n, time_s LIMIT " +
+            std::to_string(budget_.events),
+        [this](const Statement& row) {
+          run_.events.push_back({Time::from_seconds(row.real(0)), entity_id(row, 1),
+                                 row.text(2), row.text(3)});
+        });
+    if (!done) return done;
+    std::stable_sort(run_.events.begin(), run_.events.end(),
+                     [](const Event& a, const Event& b) { return a.time < b.time; });
+    run_.events_left_out = total - static_cast<int>(run_.events.size());
+    done = rows(
+        "SELECT kind, text, entity_id FROM events WHERE kind IN ('accident', 'failsafe')"
+        " ORDER BY rowid",
+        [this](const Statement& row) {
+          statistics_.event({Time(), entity_id(row, 2), row.text(0), row.text(1)});
+        });
+    if (!done) return done;
+    return rows(
+        "SELECT min(time_s) FROM events WHERE kind = 'allocation'",
+        [this](const Statement& row) {
+          if (row.is_null(0)) return;
+          run_.allocation_start = row.real(0);
+          statistics_.event({Time::from_seconds(row.real(0)), {}, "allocation", ""});
+        });
+  }
+
+  Result<void> metrics() {
+    std::string columns;
+    for (const MetricField& field : metric_fields())
+      columns += ", " + std::string(field.name) + std::string(field.unit);
+    return rows("SELECT time_s, believer_id" + columns +
+                    " FROM metrics WHERE believer_id ="
+                    " (SELECT believer_id FROM metrics ORDER BY rowid LIMIT 1)",
+                [this](const Statement& row) {
+                  PerimeterMetrics metrics;
+                  int column = 2;
+                  for (const MetricField& field : metric_fields()) {
+                    if (!row.is_null(column)) metrics.*field.value = row.real(column);
+                    ++column;
+                  }
+                  run_.metric_times.push_back(row.real(0));
+                  run_.metrics.push_back(metrics);
+                  statistics_.metrics(Time::from_seconds(row.real(0)), entity_id(row, 1),
+                                      metrics);
+                });
+  }
+
+  Result<void> tracks() {
+    const double step =
+        std::max(budget_.shortest_step, run_.duration * movers_ / budget_.track_samples);
+    flights_.emplace(
+        std::max(budget_.shortest_step, run_.duration / budget_.flight_samples),
+        budget_.flights);
+    std::map<EntityId, TrackBuilder> builders;
+    auto done = rows(
+        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg, charge,"
+        " airspeed_m_s FROM truth",
+        [&](const Statement& row) {
+          const EntityId id = entity_id(row, 0);
+          statistics_.truth(Time::from_seconds(row.real(1)), id,
+                            Vec3(row.real(2), row.real(3), -row.real(4)), row.real(6));
+          flights_->truth(id, {row.real(1), Vec2(row.real(2), row.real(3)), row.real(4),
+                               known(row, 7), known(row, 6)});
+          builders.try_emplace(id, id, step)
+              .first->second.add(row.real(1), row.real(2), row.real(3),
+                                 geo::radians(row.real(5)));
+        });
+    for (auto& [id, builder] : builders) run_.tracks.push_back(builder.take());
+    return done;
+  }
+
+  // The figures of a run that was cut off have no truth beside the estimates.
+  Result<void> estimates() {
+    const std::string reserve = schema_ < kPayloadSchema ? "NULL" : "reserve";
+    auto done = rows("SELECT entity_id, cross_track_m, time_s, north_m, east_m, " +
+                         reserve + " FROM estimates",
+                     [this](const Statement& row) {
+                       if (!row.is_null(1))
+                         statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(),
+                                              row.real(1));
+                       flights_->estimate(entity_id(row, 0),
+                                          {row.real(2), Vec2(row.real(3), row.real(4)),
+                                           known(row, 1), known(row, 5)});
+                     });
+    run_.flights = flights_->take();
+    if (!done || schema_ < kPayloadSchema) return done;
+    return rows("SELECT entity_id, min(reserve) FROM estimates GROUP BY entity_id",
+                [this](const Statement& row) {
+                  statistics_.reserve(entity_id(row, 0), row.real(1));
+                });
+  }
+
+  // Only for the counts of a run that was cut off.
+  Result<void> readings() {
+    return rows("SELECT 1 FROM readings",
+                [this](const Statement&) { statistics_.reading(); });
+  }
+
+  Result<void> messages() {
+    run_.message_bin = std::max(10.0, std::ceil(run_.duration / 120 / 10) * 10);
+    const double needed = std::max(1.0, std::ceil(run_.duration / run_.message_bin));
+    const auto bins = static_cast<std::size_t>(needed);
+    run_.messages_sent.assign(bins, 0);
+    run_.messages_lost.assign(bins, 0);
+    return rows("SELECT sent_s, lost FROM messages", [&](const Statement& row) {
+      const double bin = std::max(0.0, row.real(0) / run_.message_bin);
+      const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
+      ++run_.messages_sent[k];
+      const bool lost = row.integer(1) != 0;
+      if (lost) ++run_.messages_lost[k];
+      statistics_.message(lost);
+    });
+  }
+
+  Result<void> perimeters() {
+    if (auto done = frames("source = 'truth'", run_.truth); !done) return done;
+    return frames(
+        "source = 'belief' AND believer_id = (SELECT believer_id FROM perimeters"
+        " WHERE source = 'belief' ORDER BY rowid LIMIT 1)",
+        run_.belief);
+  }
+
+  Result<void> frames(const std::string& which, std::vector<StoredFrame>& out) {
+    std::vector<double> times;
+    auto done =
+        rows("SELECT DISTINCT time_s FROM perimeters WHERE " + which + " ORDER BY time_s",
+             [&](const Statement& row) { times.push_back(row.real(0)); });
+    if (!done || times.empty()) return done;
+    // Evenly over the run, first and last included.
+    std::set<double> wanted;
+    const std::size_t count =
+        std::min(times.size(), static_cast<std::size_t>(std::max(budget_.frames, 1)));
+    for (std::size_t k = 0; k < count; ++k)
+      wanted.insert(
+          times[count == 1 ? times.size() - 1 : k * (times.size() - 1) / (count - 1)]);
+    return rows(
+        "SELECT time_s, data FROM perimeters WHERE " + which + " ORDER BY time_s, ring",
+        [&](const Statement& row) {
+          const double time = row.real(0);
+          if (!wanted.contains(time)) return;
+          if (out.empty() || out.back().time != time) out.push_back({time, {}});
+          out.back().rings.push_back(float_blob(row, 1));
+        });
+  }
+
+  Result<void> crossings() {
+    std::vector<Crossing> all;
+    auto done = rows(
+        "SELECT time_s, entity_id, north_m, east_m, entered FROM crossings"
+        " ORDER BY time_s",
+        [&](const Statement& row) {
+          Crossing crossing;
+          crossing.time = Time::from_seconds(row.real(0));
+          crossing.aircraft = entity_id(row, 1);
+          crossing.point = Vec2(row.real(2), row.real(3));
+          crossing.entered = row.integer(4) != 0;
+          all.push_back(crossing);
+          statistics_.crossing(crossing);
+        });
+    run_.crossings = thinned(all, budget_.crossings);
+    return done;
+  }
+
+  // What cameras and ranging sensors saw; older runs have no tables of it.
+  Result<void> payload() {
+    if (schema_ < kPayloadSchema) return {};
+    auto done = rows(
+        "SELECT object_id, name, north_m, east_m, velocity_north_m_s, velocity_east_m_s"
+        " FROM objects",
+        [this](const Statement& row) {
+          run_.objects.push_back({static_cast<std::uint32_t>(row.integer(0)), row.text(1),
+                                  Vec2(row.real(2), row.real(3)),
+                                  Vec2(row.real(4), row.real(5))});
+          statistics_.payload().object(run_.objects.back());
+        });
+    if (!done) return done;
+    std::vector<Detection> all;
+    done = rows(
+        "SELECT time_s, entity_id, object_id, north_m, east_m FROM detections"
+        " ORDER BY time_s",
+        [&](const Statement& row) {
+          Detection detection;
+          detection.time = Time::from_seconds(row.real(0));
+          detection.aircraft = entity_id(row, 1);
+          detection.object = static_cast<std::uint32_t>(row.integer(2));
+          detection.point = Vec2(row.real(3), row.real(4));
+          all.push_back(detection);
+          statistics_.payload().detection(detection);
+        });
+    if (!done) return done;
+    run_.detections = thinned(all, budget_.detections);
+    done = rows("SELECT 1 FROM footprints",
+                [this](const Statement&) { statistics_.payload().footprint(); });
+    if (!done) return done;
+    return rows("SELECT 1 FROM ranges",
+                [this](const Statement&) { statistics_.payload().ranges(); });
+  }
+
+  Result<void> terrain() {
+    return rows(
+        "SELECT rows, columns, low_north_m, low_east_m, spacing_m, heights_msl_m"
+        " FROM terrain LIMIT 1",
+        [this](const Statement& row) {
+          auto terrain = std::make_unique<TerrainRow>(TerrainRow{
+              static_cast<int>(row.integer(0)), static_cast<int>(row.integer(1)),
+              Vec2(row.real(2), row.real(3)), row.real(4), float_blob(row, 5)});
+          const bool fits =
+              terrain->rows > 0 && terrain->columns > 0 &&
+              terrain->heights.size() == static_cast<std::size_t>(terrain->rows) *
+                                             static_cast<std::size_t>(terrain->columns);
+          if (fits) run_.terrain = std::move(terrain);
+        });
+  }
+
+  Result<void> summary() {
+    run_.summary.version = run_.info.version;
+    run_.summary.name = run_.info.name;
+    run_.summary.seed = run_.info.seed;
+    auto done = rows("SELECT name, value FROM summary", [this](const Statement& row) {
+      const std::string name = row.text(0);
+      if (name == "content_hash") {
+        run_.summary.content_hash = row.text(1);
+        if (run_.ending == RunEnding::kCutOff) run_.ending = RunEnding::kComplete;
+      } else if (name == "interrupted") {
+        run_.summary.interrupted = row.integer(1) != 0;
+        if (run_.summary.interrupted) run_.ending = RunEnding::kInterrupted;
+      } else {
+        run_.summary.numbers[name] = row.real(1);
+      }
+    });
+    if (!done) return done;
+    if (run_.ending == RunEnding::kCutOff) {
+      run_.summary.numbers = statistics_.figures();
+      run_.summary.numbers["simulated_s"] = run_.duration;
+    }
+    return {};
+  }
+
+  Sqlite database_;
+  ReadBudget budget_;
+  RunStatistics statistics_;
+  StoredRun run_;
+  std::optional<FlightSeriesBuilder> flights_;
+  double movers_ = 1;
+  std::int64_t schema_ = 0;
+};
+
+}  // namespace
+
+Result<StoredRun> read_run(const std::filesystem::path& directory,
+                           const ReadBudget& budget) {
+  auto database = Sqlite::open(directory / "run.sqlite", Sqlite::Mode::kRead);
+  if (!database) return database.error();
+  return Reader(std::move(database).value(), budget).read();
+}
+
+}  // namespace skein::record

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "skein/record/flight_series.h"
+#include "skein/record/metrics.h"
+#include "skein/record/rows.h"
+#include "skein/record/summary.h"
+
+namespace skein::record {
+
+/// One entity's way, at equal steps of time.
+struct StoredTrack {
+  EntityId id;
+  double start = 0, step = 0;                ///< [s]
+  std::vector<double> north, east, heading;  ///< [m], [m], [rad]
+};
+
+/// The rings of one time. `floats` per ring as in the database: see run_database.h.
+struct StoredFrame {
+  double time = 0;  ///< [s]
+  std::vector<std::vector<float>> rings;
+};
+
+/// How a run came to its end.
+enum class RunEnding { kComplete, kInterrupted, kCutOff };
+
+/// What a report shows of a stored run: long series thinned out.
+struct StoredRun {
+  RunInfo info;
+  RunSummary summary;  ///< computed from the rows when the run was cut off
+  RunEnding ending = RunEnding::kCutOff;
+  double duration = 0;  ///< [s]
+  double allocation_start =
+      std::numeric_limits<double>::quiet_NaN();  ///< [s]; NaN = never
+  std::vector<EntityRow> entities;
+  std::vector<double> metric_times;       ///< [s]
+  std::vector<PerimeterMetrics> metrics;  ///< of the believer that came first
+  std::vector<StoredTrack> tracks;
+  std::vector<FlightSeries> flights;
+  std::vector<StoredFrame> truth, belief;
+  std::vector<Crossing> crossings;
+  std::vector<GroundObject> objects;
+  std::vector<Detection> detections;              ///< without sensor and deviation
+  std::vector<Event> events;                      ///< in order of time
+  int events_left_out = 0;                        ///< more of the most frequent kinds
+  double message_bin = 60;                        ///< [s]
+  std::vector<int> messages_sent, messages_lost;  ///< per bin
+  std::unique_ptr<TerrainRow> terrain;            ///< null when the run has none
+};
+
+/// How much a reader keeps.
+struct ReadBudget {
+  int frames = 240;            ///< perimeters of the truth, and of the belief
+  int track_samples = 120000;  ///< over all entities
+  double shortest_step = 1;    ///< between track samples [s]
+  int flights = 8;             ///< aircraft whose flight over time is kept
+  int flight_samples = 500;    ///< of each
+  int crossings = 6000;
+  int detections = 6000;
+  int events = 400;
+};
+
+/// Reads the database of the run in `directory`, also of one that was cut off.
+/// Fails: kNotFound without a database; kBadInput when it is damaged or of another kind.
+Result<StoredRun> read_run(const std::filesystem::path& directory,
+                           const ReadBudget& budget);
+
+}  // namespace skein::record

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "skein/record/rows.h"
+#include "skein/record/run_database.h"
+#include "skein/record/statistics.h"
+
+namespace skein::record {
+
+/// Takes rows from one thread and writes them to a database on a thread of its own.
+///
+/// Rows gather for a tenth of a second or until there are many; then they are written as
+/// one transaction. Transactions that take long are split, so that each is committed
+/// within half a second of its rows being given.
+class RunWriter {
+ public:
+  /// @param store_messages  else they are only counted.
+  RunWriter(RunDatabase database, Time perimeter_period, bool store_messages);
+  ~RunWriter();
+
+  /// Queues a row. Waits when the queue is full; drops the row after a failure.
+  /// @param work  the time that it takes to write, in units of an ordinary row.
+  void push(Row row, std::size_t work = 1);
+
+  /// The first failure, if there was one. Fails: what the database said; a Bug that
+  /// happened on the writing thread is thrown here.
+  Result<void> status();
+
+  /// Writes everything that was given and ends the thread. Returns as status().
+  Result<void> finish();
+
+  /// After finish() only.
+  const RunStatistics& statistics() const { return statistics_; }
+  RunDatabase& database() { return database_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void work();
+  Result<void> write_batch(std::vector<Row>& batch);
+  Result<void> write_rest();
+  Result<void> commit_if_due();
+
+  Result<void> write(const EntityRow& row);
+  Result<void> write(const TruthRow& row);
+  Result<void> write(const EstimateRow& row);
+  Result<void> write(const FireReading& row);
+  Result<void> write(const Crossing& row);
+  Result<void> write(const MessageRow& row);
+  Result<void> write(const Event& row);
+  Result<void> write(const Detection& row);
+  Result<void> write(const Footprint& row);
+  Result<void> write(const RangeScan& row);
+  Result<void> write(std::unique_ptr<GroundObject>& row);
+  Result<void> write(std::unique_ptr<TaskRow>& row);
+  Result<void> write(std::unique_ptr<TerrainRow>& row);
+  Result<void> write(std::unique_ptr<PerimeterRow>& row);
+  Result<void> write(std::unique_ptr<ZoneRow>& row);
+  Result<void> store(const PerimeterRow& row);
+
+  // Of the writing thread.
+  RunDatabase database_;
+  RunStatistics statistics_;
+  Time perimeter_period_;
+  bool store_messages_;
+  Clock::time_point transaction_began_;
+  std::optional<Time> truth_stored_;
+  std::map<EntityId, Time> belief_stored_;
+  std::map<EntityId, std::unique_ptr<PerimeterRow>> not_stored_;  // newest per believer
+
+  // Shared, under the mutex.
+  std::mutex mutex_;
+  std::condition_variable rows_wanted_, room_made_;
+  std::vector<Row> pending_;
+  std::size_t pending_work_ = 0;
+  bool stop_ = false;
+  Result<void> failure_;
+  std::exception_ptr bug_;
+  std::atomic<bool> failed_ = false;  // also read without the mutex
+
+  std::thread thread_;
+};
+
+}  // namespace skein::record

@@ -1,0 +1,109 @@
+#include "skein/record/statistics.h"
+
+#include <algorithm>
+
+namespace skein::record {
+
+void RunStatistics::entity(EntityId id, const std::string& name,
+                           const std::string& kind) {
+  flights_[id].name = name;
+  if (kind == "aircraft") ++aircraft_;
+}
+
+void RunStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
+  flight_statistics_.truth(time, id, p_N, charge);
+  Flight& flight = flights_[id];
+  if (flight.last) flight.distance += (p_N - *flight.last).norm();
+  flight.last = p_N;
+}
+
+void RunStatistics::crossing(const Crossing& crossing) {
+  ++crossings_;
+  ages_.add(crossing);
+}
+
+void RunStatistics::message(bool lost) {
+  ++messages_sent_;
+  if (lost) ++messages_lost_;
+}
+
+void RunStatistics::event(const Event& event) {
+  flight_statistics_.event(event);
+  if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
+  if (event.kind == "over-confident" || event.kind == "trusted") judged_ = true;
+  if (event.kind == "over-confident" && !doubted_since_) doubted_since_ = event.time;
+  if (event.kind == "trusted" && doubted_since_) {
+    doubted_ += event.time - *doubted_since_;
+    doubted_since_.reset();
+  }
+}
+
+PerimeterMetrics RunStatistics::perimeter(Time time, const TrueBoundary& truth,
+                                          EntityId believer,
+                                          const BoundaryEstimate& belief) {
+  PerimeterMetrics now = perimeter_metrics(truth, belief);
+  if (const auto ages = ages_.ages(time, truth, belief)) {
+    now.latency_mean = ages->mean;
+    now.latency_max = ages->max;
+  }
+  metrics(time, believer, now);
+  return now;
+}
+
+void RunStatistics::metrics(Time time, EntityId believer, const PerimeterMetrics& now) {
+  if (!believer_) believer_ = believer;
+  if (*believer_ != believer) return;
+  last_metrics_ = time;
+  const bool allocated = allocation_start_ && time >= *allocation_start_;
+  for (std::size_t i = 0; i < gathered_.size(); ++i) {
+    const std::optional<double> value = now.*metric_fields()[i].value;
+    gathered_[i].final = value;
+    if (!value) continue;
+    gathered_[i].run.add(*value);
+    if (allocated) gathered_[i].allocation.add(*value);
+  }
+}
+
+std::map<std::string, double> RunStatistics::figures() const {
+  std::map<std::string, double> out;
+  const auto put = [&out](const MetricField& field, const char* part, double value) {
+    out[std::string(field.name) + part + std::string(field.unit)] = value;
+  };
+  for (std::size_t i = 0; i < gathered_.size(); ++i) {
+    const MetricField& field = metric_fields()[i];
+    const Gathered& g = gathered_[i];
+    if (g.allocation.count > 0)
+      put(field, "_mean", g.allocation.sum / g.allocation.count);
+    if (g.run.count > 0) put(field, "_run_mean", g.run.sum / g.run.count);
+    if (g.final) put(field, "_final", *g.final);
+  }
+  if (allocation_start_) out["allocation_start_s"] = allocation_start_->seconds();
+
+  Time doubted = doubted_;
+  if (doubted_since_ && *doubted_since_ < last_metrics_)
+    doubted += last_metrics_ - *doubted_since_;
+  if (judged_) out["over_confident_s"] = doubted.seconds();
+
+  double total = 0, flown = 0;
+  for (const auto& [id, flight] : flights_) {
+    if (!flight.last) continue;
+    out["distance_flown_" + flight.name + "_m"] = flight.distance;
+    total += flight.distance;
+    flown += 1;
+  }
+  out["distance_flown_total_m"] = total;
+  if (flown > 0) out["distance_flown_mean_m"] = total / flown;
+  flight_statistics_.add_figures(out, [this](EntityId id) {
+    const auto flight = flights_.find(id);
+    return flight == flights_.end() ? std::to_string(id.value) : flight->second.name;
+  });
+  payload_.add_figures(out);
+  out["aircraft"] = static_cast<double>(aircraft_);
+  out["observations"] = static_cast<double>(observations_);
+  out["crossings"] = static_cast<double>(crossings_);
+  out["messages_sent"] = static_cast<double>(messages_sent_);
+  out["messages_lost"] = static_cast<double>(messages_lost_);
+  return out;
+}
+
+}  // namespace skein::record

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/data/event.h"
+#include "skein/data/vehicle.h"
+#include "skein/record/flight_statistics.h"
+#include "skein/record/metrics.h"
+#include "skein/record/payload_statistics.h"
+#include "skein/record/reading_ages.h"
+#include "skein/record/summary.h"
+
+namespace skein::record {
+
+/// Gathers the key figures of a run from its records, in the order of the calls. Shared
+/// by all recorders, so that a figure means the same wherever it comes from.
+class RunStatistics {
+ public:
+  void entity(EntityId id, const std::string& name, const std::string& kind);
+  void truth(Time time, EntityId id, const Vec3& p_N, double charge);
+  /// See FlightStatistics.
+  void estimate(Time time, EntityId id, const Vec3& p_N,
+                std::optional<double> cross_track) {
+    flight_statistics_.estimate(time, id, p_N, cross_track);
+  }
+  void reserve(EntityId id, double reserve) { flight_statistics_.reserve(id, reserve); }
+  PayloadStatistics& payload() { return payload_; }
+  void reading() { ++observations_; }
+  void crossing(const Crossing& crossing);
+  void message(bool lost);
+  /// An event of the kind "allocation" starts the allocation phase; those between
+  /// "over-confident" and "trusted" bound the time in which the belief is doubted.
+  void event(const Event& event);
+  /// Compares, gathers and returns the metrics with their latencies. The summary is of
+  /// the believer that came first.
+  PerimeterMetrics perimeter(Time time, const TrueBoundary& truth, EntityId believer,
+                             const BoundaryEstimate& belief);
+  /// Gathers metrics that were computed before (a reader of stored ones).
+  void metrics(Time time, EntityId believer, const PerimeterMetrics& metrics);
+
+  /// The figures so far, without those of the clock: counts, distances flown, and
+  /// `<metric>_mean`, `_final`, `_run_mean` (before the unit).
+  std::map<std::string, double> figures() const;
+
+ private:
+  struct Mean {
+    double sum = 0;
+    double count = 0;
+    void add(double value) {
+      sum += value;
+      count += 1;
+    }
+  };
+  struct Gathered {
+    Mean allocation, run;
+    std::optional<double> final;
+  };
+  struct Flight {
+    std::string name;
+    std::optional<Vec3> last;
+    double distance = 0;
+  };
+
+  std::map<EntityId, Flight> flights_;
+  FlightStatistics flight_statistics_;
+  PayloadStatistics payload_;
+  ReadingAges ages_;
+  std::optional<EntityId> believer_;
+  std::optional<Time> allocation_start_;
+  bool judged_ = false;  // whether the belief agrees with its crossings is known
+  std::optional<Time> doubted_since_;
+  Time doubted_, last_metrics_;
+  std::vector<Gathered> gathered_ = std::vector<Gathered>(metric_fields().size());
+  std::uint64_t aircraft_ = 0, observations_ = 0, crossings_ = 0;
+  std::uint64_t messages_sent_ = 0, messages_lost_ = 0;
+};
+
+}  // namespace skein::record

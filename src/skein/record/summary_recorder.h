@@ -1,0 +1,56 @@
+#pragma once
+
+#include <chrono>
+
+#include "skein/record/content_hash.h"
+#include "skein/record/statistics.h"
+#include "skein/role/recorder.h"
+
+namespace skein::record {
+
+/// A recorder without a database: content hash and key figures only. For campaigns of
+/// thousands of runs; the figures equal those of a RunRecorder given the same calls.
+class SummaryRecorder final : public Recorder {
+ public:
+  explicit SummaryRecorder(RunInfo info);
+
+  void entity(EntityId id, const std::string& name, const std::string& kind) override;
+  void truth(Time time, EntityId id, const VehicleState& state) override;
+  void estimate(EntityId id, const NavEstimate& estimate,
+                const AutopilotStatus& status) override;
+  void reading(const FireReading& reading) override;
+  void message(const Message& message, Time arrived, bool lost) override;
+  void perimeter(Time time, const geo::Region& truth, EntityId believer,
+                 const BoundaryEstimate& belief) override;
+  void event(const Event& event) override;
+  void crossing(const Crossing& crossing) override;
+  void zone(Time time, const ZoneChange& change) override;
+  void object(const GroundObject& object) override;
+  void detection(const Detection& detection) override;
+  void footprint(const Footprint& footprint) override;
+  void ranges(const RangeScan& scan) override;
+  Result<void> step_done(Time time) override;
+
+  /// Sets one more number of the summary, such as `deadline_misses`.
+  void set_figure(const std::string& name, double value) { extra_[name] = value; }
+
+  /// The key figures of all so far.
+  RunSummary summary(bool interrupted = false) const;
+
+ private:
+  RunInfo info_;
+  ContentHash hash_;
+  RunStatistics statistics_;
+  std::map<std::string, double> extra_;
+  Time now_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+/// Puts a summary together. `wall` is the time that the run took on the clock on the
+/// wall.
+RunSummary make_summary(const RunInfo& info, const ContentHash& hash,
+                        const RunStatistics& statistics,
+                        const std::map<std::string, double>& extra, Time simulated,
+                        std::chrono::duration<double> wall, bool interrupted);
+
+}  // namespace skein::record

@@ -1,0 +1,354 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "sample_run.h"
+#include "skein/record/run_recorder.h"
+#include "skein/record/sqlite.h"
+#include "skein/record/summary_recorder.h"
+
+namespace skein::record {
+namespace {
+
+const RunInfo kInfo{"1.2.3", 18446744073709551615u, "sample", "seed: 1\n", ""};
+
+double ask(const std::filesystem::path& run, const std::string& sql) {
+  Sqlite database = Sqlite::open(run / "run.sqlite", Sqlite::Mode::kRead).value();
+  Statement statement = database.prepare(sql).value();
+  EXPECT_TRUE(statement.next()) << sql;
+  return statement.real(0);
+}
+
+std::string ask_text(const std::filesystem::path& run, const std::string& sql) {
+  Sqlite database = Sqlite::open(run / "run.sqlite", Sqlite::Mode::kRead).value();
+  Statement statement = database.prepare(sql).value();
+  EXPECT_TRUE(statement.next()) << sql;
+  return statement.text(0);
+}
+
+TEST(RunRecorder, KeepsEverythingItWasGiven) {
+  const TemporaryFolder folder("keeps");
+  const auto run = folder.path() / "a" / "b";
+  auto recorder = RunRecorder::create(run, kInfo).value();
+  const std::vector<float> heights = {1, 2, 3, 4, 5, 6};
+  recorder->store_terrain(2, 3, {-10, -20}, 5, heights);
+  record_sample(*recorder, 300);
+  const RunSummary summary = recorder->close().value();
+  recorder.reset();
+
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM entities"), 3);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM truth"), 2 * 3001);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM estimates"), 2 * 3001);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM readings"), 2 * 301);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM tasks"), 2 * 6);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM metrics"), 61);
+  // Every 10 s, both ends included.
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM perimeters WHERE source = 'truth'"), 31);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM perimeters WHERE source = 'belief'"), 31);
+  EXPECT_EQ(ask(run, "SELECT length(data) FROM perimeters WHERE source='belief'"),
+            80 * 7 * 4);
+  EXPECT_EQ(ask(run, "SELECT length(heights_msl_m) FROM terrain"), 6 * 4);
+  EXPECT_EQ(ask(run, "SELECT altitude_msl_m FROM truth"), 400);
+  EXPECT_EQ(ask_text(run, "SELECT value FROM meta WHERE name='seed'"),
+            "18446744073709551615");
+  EXPECT_EQ(ask_text(run, "SELECT kind FROM messages WHERE to_id = 1"), "task");
+  EXPECT_EQ(ask_text(run, "PRAGMA integrity_check"), "ok");
+  EXPECT_FALSE(std::filesystem::exists(run / "run.sqlite-wal"));
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM crossings"), summary.numbers.at("crossings"));
+  EXPECT_GT(summary.numbers.at("crossings"), 10);
+}
+
+TEST(RunRecorder, KeepsWhatThePayloadSaw) {
+  const TemporaryFolder folder("payload");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  record_sample(*recorder, 100);
+  const RunSummary summary = recorder->close().value();
+  recorder.reset();
+  const auto& run = folder.path();
+  EXPECT_EQ(ask_text(run, "SELECT name FROM objects WHERE object_id = 1"), "person");
+  EXPECT_EQ(ask(run, "SELECT north_m FROM detections WHERE time_s = 100"), 40 + 10 + 3);
+  EXPECT_EQ(ask(run, "SELECT position_sd_m FROM detections"), 2.5);
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM footprints"), 101);
+  EXPECT_EQ(ask(run, "SELECT front_right_east_m - back_left_east_m FROM footprints"), 18);
+  EXPECT_EQ(ask(run,
+                "SELECT count(*) FROM ranges WHERE beams = 3 AND hits = 2 AND"
+                " least_m = 40 AND mean_m = 45 AND length(data) = 3 * 4 * 4"),
+            101);
+  EXPECT_EQ(summary.number("objects"), 2);
+  EXPECT_EQ(summary.number("objects_found"), 1);
+  EXPECT_EQ(summary.number("detections"), 11);
+  EXPECT_EQ(summary.number("pictures"), 101);
+  EXPECT_EQ(summary.number("range_scans"), 101);
+  EXPECT_NEAR(*summary.number("detection_error_rms_m"), 5, 1e-9);
+  SummaryRecorder without(kInfo);
+  EXPECT_FALSE(without.summary().number("detections")) << "nothing to count";
+  EXPECT_FALSE(without.summary().number("range_scans"));
+}
+
+TEST(RunRecorder, KeepsChargeReserveAndEndurance) {
+  const TemporaryFolder folder("reserve");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  record_sample(*recorder, 100);
+  const RunSummary summary = recorder->close().value();
+  recorder.reset();
+  const auto& run = folder.path();
+  const std::string at = " FROM estimates WHERE entity_id = 1 AND time_s = 50";
+  EXPECT_DOUBLE_EQ(ask(run, "SELECT charge" + at), 0.95);
+  EXPECT_DOUBLE_EQ(ask(run, "SELECT reserve" + at), 0.85);
+  EXPECT_DOUBLE_EQ(ask(run, "SELECT endurance_s" + at), 950);
+  EXPECT_EQ(ask(run, "SELECT count(endurance_s) FROM estimates WHERE entity_id = 2"), 0)
+      << "not known: null";
+  EXPECT_DOUBLE_EQ(*summary.number("reserve_least_uav1"), 0.8);
+  EXPECT_FALSE(summary.number("reserve_least_uav2")) << "nothing is known of it";
+}
+
+TEST(RunRecorder, MessagesThatAreNotStoredCountAllTheSame) {
+  const TemporaryFolder folder("unstored");
+  const auto summary_of = [&](const char* name, bool messages) {
+    RunRecorderOptions options;
+    options.messages = messages;
+    auto recorder = RunRecorder::create(folder.path() / name, kInfo, options).value();
+    record_sample(*recorder, 120);
+    return recorder->close().value();
+  };
+  const RunSummary with = summary_of("with", true),
+                   without = summary_of("without", false);
+  EXPECT_EQ(without.content_hash, with.content_hash);
+  EXPECT_GT(with.numbers.at("messages_sent"), 200);
+  EXPECT_GT(with.numbers.at("messages_lost"), 0);
+  EXPECT_EQ(without.numbers.at("messages_sent"), with.numbers.at("messages_sent"));
+  EXPECT_EQ(without.numbers.at("messages_lost"), with.numbers.at("messages_lost"));
+  EXPECT_EQ(ask(folder.path() / "without", "SELECT count(*) FROM messages"), 0);
+  EXPECT_EQ(ask(folder.path() / "without", "SELECT count(*) FROM tasks"),
+            ask(folder.path() / "with", "SELECT count(*) FROM tasks"));
+}
+
+TEST(SummaryRecorder, TheHashIsOfWhatHappenedNotOfTheProgram) {
+  const auto hash = [](const std::string& version, const std::string& text) {
+    SummaryRecorder recorder({version, 1, "a name", text, ""});
+    record_sample(recorder, 20);
+    return recorder.summary().content_hash;
+  };
+  EXPECT_EQ(hash("0.1.0+g1", "seed: 1"), hash("0.1.0+g2.dirty", "seed: 1 # the same"));
+}
+
+TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasDoubted) {
+  const auto doubted = [](const std::vector<std::pair<double, std::string>>& events) {
+    SummaryRecorder recorder(kInfo);
+    for (const auto& [time, kind] : events)
+      recorder.event({Time::from_seconds(time), EntityId{0}, kind, ""});
+    record_sample(recorder, 300);  // the last metrics are of 300 s
+    return recorder.summary().number("over_confident_s");
+  };
+  EXPECT_FALSE(doubted({})) << "never judged";
+  EXPECT_EQ(doubted({{50, "trusted"}}), 0);
+  EXPECT_EQ(doubted({{50, "trusted"}, {100, "over-confident"}, {160, "trusted"}}), 60);
+  EXPECT_EQ(doubted({{100, "over-confident"}, {160, "trusted"}, {250, "over-confident"}}),
+            110);
+}
+
+TEST(RunRecorder, WritesASummaryThatScriptsCanRead) {
+  const TemporaryFolder folder("summary");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  record_sample(*recorder, 300);
+  recorder->set_figure("deadline_misses", 4);
+  const RunSummary summary = recorder->close(true).value();
+
+  std::ifstream file(folder.path() / "summary.json");
+  const auto json = nlohmann::json::parse(file);
+  for (const char* name : {"content_hash",    "seed",
+                           "version",         "simulated_s",
+                           "wall_s",          "real_time_factor",
+                           "deadline_misses", "aircraft",
+                           "observations",    "crossings",
+                           "messages_sent",   "messages_lost",
+                           "perf_mean_m",     "boundary_rms_mean_m",
+                           "sigma_mean_m",    "boundary_hausdorff_mean_m",
+                           "iou_mean",        "coverage_95_mean",
+                           "nees_mean",       "crps_mean_m",
+                           "perf_final_m",    "boundary_rms_final_m",
+                           "sigma_final_m",   "boundary_hausdorff_final_m",
+                           "iou_final",       "coverage_95_final",
+                           "nees_final",      "crps_final_m",
+                           "perf_run_mean_m", "distance_flown_uav1_m"})
+    EXPECT_TRUE(json.contains(name)) << name;
+  EXPECT_EQ(json["seed"], 18446744073709551615u);
+  EXPECT_EQ(json["interrupted"], true);
+  EXPECT_EQ(json["deadline_misses"], 4);
+  EXPECT_EQ(json["aircraft"], 2);
+  EXPECT_EQ(json["simulated_s"], 300);
+  EXPECT_EQ(json["content_hash"], summary.content_hash);
+  EXPECT_EQ(json["allocation_start_s"], 60);
+  // Before the allocation the belief is worst: the run's mean must be above the phase's.
+  EXPECT_GT(json["sigma_run_mean_m"], json["sigma_mean_m"]);
+  EXPECT_EQ(ask(folder.path(), "SELECT avg(perf_m) FROM metrics WHERE time_s >= 60"),
+            json["perf_mean_m"].get<double>());
+}
+
+TEST(RunRecorder, HashesTheContentAndNothingElse) {
+  const TemporaryFolder folder("hash");
+  SummaryRecorder light(kInfo);
+  record_sample(light, 200);
+  const RunSummary expected = light.summary();
+
+  RunRecorderOptions options;
+  options.perimeter_period = Time::from_seconds(60);
+  auto recorder = RunRecorder::create(folder.path(), kInfo, options).value();
+  record_sample(*recorder, 200);
+  const RunSummary stored = recorder->close().value();
+  EXPECT_EQ(stored.content_hash, expected.content_hash);
+  for (const auto& [name, value] : expected.numbers)
+    if (name != "wall_s" && name != "real_time_factor") {
+      EXPECT_EQ(stored.numbers.at(name), value) << name;
+    }
+
+  SummaryRecorder longer(kInfo);
+  record_sample(longer, 201);
+  EXPECT_NE(longer.summary().content_hash, expected.content_hash);
+}
+
+TEST(RunRecorder, CountsEveryFieldForTheHash) {
+  const auto hash = [](auto&& change) {
+    SummaryRecorder recorder(kInfo);
+    FireReading reading{Time::from_seconds(1), EntityId{1}, {1, 2}, 3, true};
+    Message message{EntityId{1}, EntityId{2}, 5, Time::from_seconds(1), 32, reading};
+    Event event{Time::from_seconds(1), EntityId{1}, "joined", "text"};
+    BoundaryEstimate belief = believed_circle({}, {0, 0}, 100, 5, 8);
+    bool lost = false;
+    change(reading, message, event, belief, lost);
+    recorder.reading(reading);
+    recorder.message(message, Time::from_seconds(2), lost);
+    recorder.event(event);
+    recorder.perimeter({}, {circle({0, 0}, 90, 8)}, EntityId{0}, belief);
+    return recorder.summary().content_hash;
+  };
+  const std::string same = hash([](auto&...) {});
+  EXPECT_EQ(same, hash([](auto&...) {}));
+  EXPECT_EQ(same, hash([](auto& r, auto&...) { r.point.x() += 0.0; }));
+  EXPECT_NE(same, hash([](auto& r, auto&...) { r.inside = false; }));
+  EXPECT_NE(same, hash([](auto& r, auto&...) { r.point_sd += 1e-12; }));
+  EXPECT_NE(same, hash([](auto&, auto& m, auto&...) { m.number = 6; }));
+  EXPECT_NE(same, hash([](auto&, Message& m, auto&...) { m.content.emplace<Task>(); }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto& e, auto&...) { e.text = "texu"; }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto& e, auto&...) { e.kind = "joine"; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, auto& b, auto&) { b.rings[0][3].rate = 1; }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto&, auto&, bool& lost) { lost = true; }));
+}
+
+TEST(RunRecorder, CountsEveryFieldOfPayloadAndEnergyForTheHash) {
+  const auto hash = [](auto&& change) {
+    SummaryRecorder recorder(kInfo);
+    GroundObject object{1, "car", {1, 2}, {3, 4}};
+    Detection detection{Time::from_seconds(1), EntityId{1}, 0, 1, {5, 6}, 7};
+    Footprint footprint{Time::from_seconds(1), EntityId{1}, 0, {}};
+    RangeScan scan{
+        Time::from_seconds(1), EntityId{1}, 1, {{Time::from_seconds(1), {0, 0, 1}, 9}}};
+    AutopilotStatus status;
+    change(object, detection, footprint, scan, status);
+    recorder.object(object);
+    recorder.detection(detection);
+    recorder.footprint(footprint);
+    recorder.ranges(scan);
+    recorder.estimate(EntityId{1}, {}, status);
+    return recorder.summary().content_hash;
+  };
+  const std::string same = hash([](auto&...) {});
+  EXPECT_EQ(same, hash([](auto&...) {}));
+  EXPECT_NE(same, hash([](auto& o, auto&...) { o.velocity.x() = 0; }));
+  EXPECT_NE(same, hash([](auto& o, auto&...) { o.name = "cat"; }));
+  EXPECT_NE(same, hash([](auto&, auto& d, auto&...) { d.point.y() += 1e-9; }));
+  EXPECT_NE(same, hash([](auto&, auto& d, auto&...) { d.sensor = 1; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, Footprint& f, auto&...) { f.corners[3].x() = 1; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, RangeScan& s, auto&) { s.beams[0].range = 8; }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, RangeScan& s, auto&) { s.beams.clear(); }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto&, auto&, AutopilotStatus& s) {
+              s.reserve = 0.9;
+            }));
+  EXPECT_NE(same,
+            hash([](auto&, auto&, auto&, auto&, AutopilotStatus& s) { s.charge = 0.9; }));
+  EXPECT_NE(same, hash([](auto&, auto&, auto&, auto&, AutopilotStatus& s) {
+              s.endurance = 0;
+            }));
+}
+
+TEST(RunRecorder, WaitsForASlowDiskInsteadOfGrowing) {
+  // Four times the queue: only passes when rows are written while others are given.
+  const TemporaryFolder folder("slow");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  for (int i = 0; i < 4 * 65536; ++i)
+    recorder->truth(Time::from_ns(i), EntityId{1}, VehicleState{});
+  ASSERT_TRUE(recorder->close());
+  EXPECT_EQ(ask(folder.path(), "SELECT count(*) FROM truth"), 4 * 65536);
+}
+
+TEST(RunRecorder, EndsARunOfNoLength) {
+  const TemporaryFolder folder("empty");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  const RunSummary summary = recorder->close().value();
+  EXPECT_EQ(summary.numbers.at("aircraft"), 0);
+  EXPECT_EQ(summary.numbers.at("simulated_s"), 0);
+  EXPECT_FALSE(summary.number("perf_mean_m"));
+  for (const auto& [name, value] : summary.numbers)
+    EXPECT_TRUE(std::isfinite(value)) << name;
+}
+
+TEST(RunRecorder, KeepsZonesAndWhenTheyCameAndWent) {
+  const TemporaryFolder folder("zones");
+  auto recorder = RunRecorder::create(folder.path() / "run", kInfo).value();
+  Zone disc{.area = Disc{{10, 20}, 30}, .name = "disc"};
+  disc.ceiling_msl = 120;
+  disc.until = 600;
+  const Zone ring{.area = geo::Ring{{0, 0}, {9, 0}, {9, 9}}, .name = "ring"};
+  recorder->zone(Time(), {0, true, disc});
+  recorder->zone(Time::from_seconds(5), {1, true, ring});
+  recorder->zone(Time::from_seconds(9), {2, false, {.name = "disc"}});
+  ASSERT_TRUE(recorder->close());
+  recorder.reset();
+  const auto run = folder.path() / "run";
+  EXPECT_EQ(ask(run, "SELECT count(*) FROM zones"), 3);
+  const std::string of_disc = "FROM zones WHERE name = 'disc' AND in_force = 1";
+  EXPECT_EQ(ask(run, "SELECT radius_m " + of_disc), 30);
+  EXPECT_EQ(ask(run, "SELECT centre_east_m " + of_disc), 20);
+  EXPECT_EQ(ask(run, "SELECT ceiling_msl_m " + of_disc), 120);
+  EXPECT_EQ(ask(run, "SELECT floor_msl_m IS NULL " + of_disc), 1);
+  EXPECT_EQ(ask(run, "SELECT until_s " + of_disc), 600);
+  EXPECT_EQ(ask_text(run, "SELECT ring_json FROM zones WHERE name = 'ring'"),
+            "[[0.0,0.0],[9.0,0.0],[9.0,9.0]]");
+  EXPECT_EQ(ask(run, "SELECT time_s FROM zones WHERE in_force = 0"), 9);
+  EXPECT_EQ(ask(run, "SELECT number FROM zones WHERE in_force = 0"), 2);
+  EXPECT_EQ(ask(run, "SELECT radius_m IS NULL FROM zones WHERE in_force = 0"), 1);
+}
+
+TEST(RunRecorder, CountsEveryFieldOfZonesForTheHash) {
+  const auto hash = [](auto&& change) {
+    SummaryRecorder recorder(kInfo);
+    ZoneChange zone{1, true, {.area = Disc{{1, 2}, 3}, .name = "a"}};
+    AircraftReport report;
+    change(zone, report);
+    recorder.zone(Time::from_seconds(1), zone);
+    const Message message{EntityId{1}, EntityId{2}, 5, Time(), 32, report};
+    recorder.message(message, Time(), false);
+    return recorder.summary().content_hash;
+  };
+  const std::string same = hash([](auto&...) {});
+  EXPECT_EQ(same, hash([](auto&...) {}));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.number = 2; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.on = false; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.name = "b"; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.area = Disc{{1, 2}, 4}; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.area = geo::Ring{{1, 2}}; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.floor_msl = 1; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.ceiling_msl = 1; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.from = 1; }));
+  EXPECT_NE(same, hash([](auto& z, auto&) { z.zone.until = 1; }));
+  EXPECT_NE(same, hash([](auto&, auto& report) { report.zone_changes = 1; }));
+}
+
+}  // namespace
+}  // namespace skein::record

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "skein/data/monitoring.h"
+
+namespace skein {
+
+/// Decides where the aircraft of a perimeter mission fly.
+class MonitoringStrategy {
+ public:
+  virtual ~MonitoringStrategy() = default;
+
+  /// New orders, at most one per aircraft, in the order of `situation.aircraft`; no two
+  /// aircraft get the same place. Called about once a second; what an aircraft was told
+  /// before stays in force until a new order.
+  virtual std::vector<Assignment> assign(const MonitoringSituation& situation) = 0;
+};
+
+}  // namespace skein

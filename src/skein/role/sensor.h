@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/air.h"
+#include "skein/data/object.h"
+#include "skein/data/sensing.h"
+#include "skein/data/vehicle.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/terrain.h"
+
+namespace skein {
+
+/// What a sensor may look at.
+struct SensorView {
+  Time now;
+  const VehicleState& vehicle;
+  const Air& air;  ///< that the vehicle is in
+  const Terrain& terrain;
+  const Phenomenon& fire;
+  std::span<const GroundObject> objects = {};
+};
+
+/// One sensor of one vehicle, with its errors, rate and random stream.
+class Sensor {
+ public:
+  virtual ~Sensor() = default;
+
+  /// Whether it looks at the world for the agent. Others serve the autopilot, which is
+  /// the only one to get their samples; they see the fire and other objects never.
+  virtual bool payload() const { return false; }
+
+  /// Appends what the sensor has to say at `view.now`; nothing between its samples.
+  virtual void sample(const SensorView& view, std::vector<SensorSample>& out) = 0;
+};
+
+}  // namespace skein

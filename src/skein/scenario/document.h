@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/scenario/kind_table.h"
+#include "skein/scenario/override.h"
+#include "skein/scenario/problem.h"
+#include "skein/scenario/type.h"
+
+namespace skein::scenario {
+
+/// A kind of YAML file: its keys, and how messages and documentation speak of it.
+struct Document {
+  ObjectPtr keys;           ///< of the struct that such a file is read into
+  std::string name;         ///< with its article: "a scenario"
+  std::string empty_hint;   ///< what mends an empty file
+  std::string consequence;  ///< of problems, ends their report: "nothing was run"
+  std::string title;        ///< of the JSON Schema
+  std::string preface;      ///< of the documentation of its keys, Markdown
+};
+
+/// Everything that is wrong with a file.
+struct Reading {
+  std::vector<Problem> problems;  ///< in the order of their places; 1000 at most
+  std::size_t problem_count = 0;  ///< all of them
+  std::string consequence;        ///< see Document
+
+  bool ok() const { return problem_count == 0; }
+  /// One line per problem and "2 problems; nothing was run."; empty when there is none.
+  std::string report() const;
+};
+
+/// Reads a file into a struct. Every key that is not given keeps the value that stands
+/// there; every option of every choice is filled in; every file path is absolute.
+///
+/// @param overrides  changes from the command line, applied in their order; paths in
+///                   them are relative to the working folder.
+/// @param target     a struct as `document.keys` describes, with its defaults. Where
+///                   there are problems it holds something harmless.
+/// Never throws for what a file holds. A 10 MB file takes a few seconds.
+Reading read_document(const std::filesystem::path& path, const Document& document,
+                      const KindTable& kinds, std::span<const Override> overrides,
+                      void* target);
+
+/// The same of a text, for callers that have one.
+///
+/// @param name    what messages call it.
+/// @param folder  where relative paths in it start.
+Reading read_document_text(std::string_view text, const std::string& name,
+                           const std::filesystem::path& folder, const Document& document,
+                           const KindTable& kinds, std::span<const Override> overrides,
+                           void* target);
+
+/// The struct as a YAML file with every key written out. Reading that gives an equal
+/// struct, bit by bit, when this one came from reading.
+std::string write_document(const Document& document, const void* value,
+                           const KindTable& kinds);
+
+}  // namespace skein::scenario

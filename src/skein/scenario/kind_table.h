@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/scenario/choice.h"
+#include "skein/scenario/fields.h"
+
+namespace skein::scenario {
+
+/// One implementation that a scenario can name.
+struct Kind {
+  std::string name;
+  std::string help;
+  ObjectPtr options;  ///< the keys of its options struct
+};
+
+/// Options of a kind that has none.
+struct NoOptions {};
+
+/// Stops with a Bug when a default of `object` is not what its own key allows.
+/// @param name  of the struct, for the message.
+void check_defaults(const std::string& name, const Object& object);
+
+/// The implementations that scenarios can choose from, by role ("estimator", "radio"...).
+/// Filled by whoever knows them; this module does not.
+class KindTable {
+ public:
+  /// Adds a kind. A Choice of it holds an Options struct.
+  /// Fails: Bug when the name is taken, or a default breaks its own range.
+  template <class Options>
+  KindTable& add(const std::string& role, std::string name, std::string help,
+                 const Fields<Options>& fields) {
+    add_kind(role, {std::move(name), std::move(help), fields.description()});
+    return *this;
+  }
+  /// Adds a kind without options.
+  KindTable& add(const std::string& role, std::string name, std::string help) {
+    return add(role, std::move(name), std::move(help), Fields<NoOptions>());
+  }
+
+  /// The kinds of a role, in the order of adding; none for an unknown role.
+  const std::vector<Kind>& of(std::string_view role) const;
+  /// Null when there is none.
+  const Kind* find(std::string_view role, std::string_view name) const;
+  std::vector<std::string> names(std::string_view role) const;
+  std::vector<std::string> roles() const;
+
+ private:
+  void add_kind(const std::string& role, Kind kind);
+
+  std::map<std::string, std::vector<Kind>, std::less<>> kinds_;
+};
+
+}  // namespace skein::scenario

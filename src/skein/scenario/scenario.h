@@ -1,0 +1,186 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/fire.h"
+#include "skein/geo/local_frame.h"
+#include "skein/geo/polygon.h"
+#include "skein/scenario/choice.h"
+#include "skein/scenario/fields.h"
+
+namespace skein::scenario {
+
+/// A thing on the ground, for cameras to find.
+struct PlacedObject {
+  std::string name = "object";
+  Vec2 position = Vec2::Zero();  ///< at the start [m]
+  Vec2 velocity = Vec2::Zero();  ///< [m/s]
+};
+
+/// A single gust that every aircraft meets: it rises and falls as 1 - cos.
+struct GustEvent {
+  Time at;
+  Vec2 velocity = Vec2::Zero();  ///< where it is strongest; see in_body [m/s]
+  double up = 0;                 ///< [m/s]
+  bool in_body = false;          ///< the velocity is forward and right of the aircraft
+  double length = 50;  ///< way through the air from nothing to full strength [m]
+  double hold = 0;     ///< way at full strength [m]
+};
+
+/// The ground station puts a zone into force, or takes it back.
+struct ZoneSwitch {
+  Time at;
+  bool on = true;
+};
+
+/// A no-flight zone: a ring, or a disc.
+struct NoFlightZone {
+  std::string name;
+  std::optional<geo::Ring> ring;                 ///< [m]
+  std::optional<Vec2> centre;                    ///< of a disc [m]
+  std::optional<double> radius;                  ///< of a disc [m]
+  std::optional<double> floor_msl, ceiling_msl;  ///< [m]; none: no limit
+  std::optional<Time> from, until;               ///< forbidden then; none: no limit
+  bool active = true;                            ///< known to all from the start
+  std::vector<ZoneSwitch> switches;
+};
+
+/// What surrounds the aircraft.
+struct Environment {
+  Choice terrain{"flat"};
+  Choice wind{"uniform"};
+  Choice turbulence{"none"};
+  std::vector<GustEvent> gusts;
+  Choice fire{"thesis"};
+  std::optional<Time> period;  ///< of moving the fire; none: as the fire sensors need
+  std::vector<geo::Ring> zone_rings;  ///< no-flight zones, at all altitudes and times [m]
+  std::vector<NoFlightZone> zones;
+  std::vector<PlacedObject> objects;
+};
+
+/// How the aircraft of a group stand at the start.
+enum class Placement {
+  kOpposite,  ///< evenly around the centre: two on opposite sides
+  kRing,      ///< as kOpposite, flying along the ring, clockwise on the map
+  kLine,      ///< side by side on a line through the centre, across the heading
+  kList,      ///< at given points
+};
+
+struct Start {
+  Placement placement = Placement::kOpposite;
+  Vec2 centre = Vec2::Zero();          ///< [m]
+  double distance = 900;               ///< opposite, ring: from the centre [m]
+  double first_bearing = 0;            ///< opposite, ring: where the first stands [rad]
+  double spacing = 100;                ///< line: between neighbours [m]
+  std::vector<Vec2> positions;         ///< list [m]
+  std::optional<double> altitude_msl;  ///< [m]; none: altitude_agl above the ground
+  bool on_ground = false;              ///< stands on the ground, whatever the altitudes
+  std::optional<double> heading;       ///< [rad]; none: to the centre, ring: along it
+};
+
+/// Something that happens to one aircraft of a group.
+struct Failure {
+  enum class Kind {
+    kLost,  ///< it crashes: silent for ever, or until it is replaced
+    kLand,  ///< it lands
+    // Of one part, the aircraft goes on:
+    kMotor,
+    kServoStuck,
+    kServoLoose,
+    kSensor,
+    kBattery,
+    kLink,
+  };
+  Time at;
+  Kind kind = Kind::kLost;
+  std::string part;           ///< which motor, servo or sensor; see the key
+  int aircraft = 0;           ///< index in the group
+  std::optional<Time> until;  ///< it takes part again from then on
+};
+
+/// Failures of one kind that happen to each aircraft of a group by chance.
+struct RandomFailure {
+  Failure::Kind kind = Failure::Kind::kLink;
+  std::string part;
+  Time mean_between = Time::from_seconds(3600);  ///< from the end of one to the next
+  std::optional<Time> length;                    ///< none: until the end of the run
+};
+
+/// Aircraft that are equal but for their place.
+struct AircraftGroup {
+  std::string name = "scout";
+  int count = 1;
+  Choice plant{"kinematic"};
+  double parameter_spread = 0;  ///< of each aircraft's own parameters, at most
+  Choice autopilot{"path"};
+  std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
+  Choice agent{"scout"};
+  double altitude_agl = 120;  ///< [m]
+  Time agent_period = Time::from_seconds(0.5);
+  Start start;
+  std::optional<Time> flight_step;  ///< of plant and autopilot; none: as the plant needs
+  Time join;                        ///< takes part from this time on
+  std::optional<Time> leave;        ///< lands at this time
+  std::optional<Time> comeback;     ///< takes part again from this time on
+  std::vector<Failure> failures;
+  std::vector<RandomFailure> random_failures;
+};
+
+/// The ground station, which keeps the belief and gives the orders.
+struct Station {
+  Vec2 position = Vec2::Zero();  ///< [m]
+  double antenna_agl = 5;        ///< height above the ground [m]
+  Choice agent{"coordinator"};
+  Time agent_period = Time::from_seconds(0.5);
+  std::optional<Time> heartbeat;  ///< between signs of life; none: as autopilots need
+};
+
+/// From the start until an aircraft first crosses the perimeter.
+struct Deployment {
+  std::vector<double> courses;  ///< of the transects [rad]; empty: to the fire's origin
+  Time limit = Time::from_seconds(600);
+};
+
+/// Keeping the perimeter of a fire known.
+struct Monitoring {
+  Choice estimator{"joint"};
+  Choice strategy{"sweep"};
+  PerimeterPrior prior;
+  Deployment deployment;
+  Time forced_crossing = Time::from_seconds(300);  ///< 0 = off
+  Time lost_after = Time::from_seconds(5);
+  Time late_window = Time::from_seconds(60);
+};
+
+struct Recording {
+  double rate_hz = 10;
+  Time metrics_period = Time::from_seconds(5);
+  Time perimeter_period = Time::from_seconds(10);
+  bool messages = true;
+};
+
+/// A run, as its file describes it. Members hold SI units and radians; keys, ranges and
+/// meanings stand in scenario_fields.cpp, defaults only here.
+struct Scenario {
+  std::string name = "unnamed";
+  std::uint64_t seed = 1;
+  Time duration = Time::from_seconds(3600);
+  Time step = Time::from_seconds(0.1);
+  geo::Geodetic origin{36.989, -122.0514, 0};
+  std::string start_utc = "2026-07-01T12:00:00Z";
+  Environment environment;
+  std::vector<AircraftGroup> aircraft = {AircraftGroup{}};
+  Choice radio{"ideal"};
+  Station station;
+  Monitoring monitoring;
+  Recording record;
+};
+
+/// The keys of a scenario file.
+Fields<Scenario> scenario_fields();
+
+}  // namespace skein::scenario

@@ -1,0 +1,422 @@
+// Every key of a scenario but those of the kinds, one line each: reading, checking,
+// writing, `skein schema` and the documentation all come from here. A new key is a member
+// in scenario.h and a line below.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/scenario/numbers.h"
+#include "skein/scenario/scenario.h"
+#include "skein/scenario/zones.h"
+
+namespace skein::scenario {
+namespace {
+
+constexpr Range kPositive{.above = 0};
+constexpr Range kNotNegative{.at_least = 0};
+constexpr Range kLength{.above = 0, .at_most = 1e6};
+constexpr Range kPeriod{.at_least = 0.001, .at_most = 3600};
+constexpr Range kBearing{.at_least = -360, .at_most = 360};
+constexpr Count kMaxGroups{.at_most = 1000};
+
+Fields<geo::Geodetic> origin_fields() {
+  using T = geo::Geodetic;
+  return Fields<T>()
+      .number("latitude_deg", &T::latitude_deg, "Latitude of the local frame's origin.",
+              {.at_least = -89, .at_most = 89})
+      .number("longitude_deg", &T::longitude_deg,
+              "Longitude of the local frame's origin, east positive.",
+              {.at_least = -180, .at_most = 180});
+}
+
+Fields<GustEvent> gust_fields() {
+  using T = GustEvent;
+  return Fields<T>()
+      .duration_s("at_s", &T::at, "When aircraft enter it.")
+      .required()
+      .point("velocity_mps", &T::velocity, "Of the air where the gust is strongest.",
+             {.at_least = -100, .at_most = 100})
+      .number("up_mps", &T::up, "Of the air where it is strongest.",
+              {.at_least = -100, .at_most = 100})
+      .boolean("in_body", &T::in_body,
+               "The velocity is forward and right of the aircraft, not north and east.")
+      .number("length_m", &T::length,
+              "Way through the air from nothing to full strength.", kLength)
+      .number("hold_m", &T::hold, "Way at full strength, before it falls as it rose.",
+              {.at_least = 0, .at_most = 1e6});
+}
+
+Fields<ZoneSwitch> switch_fields() {
+  using T = ZoneSwitch;
+  return Fields<T>()
+      .duration_s("at_s", &T::at, "When the ground station says so.")
+      .required()
+      .boolean("on", &T::on, "The zone comes into force; else it is taken back.");
+}
+
+Fields<NoFlightZone> zone_fields() {
+  using T = NoFlightZone;
+  constexpr Range kAltitude{.at_least = -1000, .at_most = 100000};
+  return Fields<T>()
+      .text("name", &T::name, "What it is called; each name once.")
+      .required()
+      .polygon("ring_m", &T::ring, "Its corners. Null: it is a disc.")
+      .point("centre_m", &T::centre, "Centre of a disc. Null: it has corners.")
+      .number("radius_m", &T::radius, "Radius of a disc. Null: it has corners.", kLength)
+      .number("floor_msl_m", &T::floor_msl,
+              "Lowest altitude that is forbidden, above mean sea level. Null: no limit.",
+              kAltitude)
+      .number("ceiling_msl_m", &T::ceiling_msl,
+              "Highest altitude that is forbidden, above mean sea level. Null: no limit.",
+              kAltitude)
+      .duration_s("from_s", &T::from, "Forbidden from then on. Null: no limit.")
+      .duration_s("until_s", &T::until, "Forbidden until then. Null: no limit.")
+      .boolean("active", &T::active,
+               "In force, and known to all, from the start. Else it comes with the first "
+               "switch, or when the operator names it.")
+      .object("switches", &T::switches, switch_fields(),
+              "When the ground station puts it into force and takes it back, by radio.")
+      .items({.at_most = 1000})
+      .rules(zone_faults);
+}
+
+Fields<PlacedObject> object_fields() {
+  using T = PlacedObject;
+  return Fields<T>()
+      .text("name", &T::name, "What it is.")
+      .point("position_m", &T::position, "Where it is at the start.")
+      .point("velocity_mps", &T::velocity, "How it moves.",
+             {.at_least = -100, .at_most = 100});
+}
+
+Fields<Environment> environment_fields() {
+  using T = Environment;
+  return Fields<T>()
+      .kind("terrain", &T::terrain, "terrain", "Height of the ground.")
+      .kind("wind", &T::wind, "wind", "Wind in space and time.")
+      .kind("turbulence", &T::turbulence, "turbulence",
+            "What each aircraft feels beyond the mean wind.")
+      .object("gusts", &T::gusts, gust_fields(), "Single gusts, which all aircraft meet.")
+      .items({.at_most = 10000})
+      .kind("fire", &T::fire, "fire", "The true fire.")
+      .duration_s("period_s", &T::period,
+                  "Time between two steps of the fire. Null: every second, and as often "
+                  "as a sensor looks at the fire and metrics are taken.",
+                  kPeriod)
+      .polygon("zones_m", &T::zone_rings,
+               "No-flight zones at all altitudes and times, each a list of its corners.")
+      .items({.at_most = 1000})
+      .object("zones", &T::zones, zone_fields(),
+              "No-flight zones with names, floors, ceilings, times and switches.")
+      .items({.at_most = 1000})
+      .rules(zone_list_faults)
+      .object("objects", &T::objects, object_fields(),
+              "Things on the ground, for cameras to find.")
+      .items({.at_most = 10000});
+}
+
+Fields<Start> start_fields() {
+  using T = Start;
+  return Fields<T>()
+      .word(
+          "placement", &T::placement, "How the aircraft stand.",
+          {{"opposite", Placement::kOpposite,
+            "evenly around the centre, facing it; two stand on opposite sides"},
+           {"ring", Placement::kRing, "evenly around the centre, flying along the ring"},
+           {"line", Placement::kLine, "side by side, across the heading"},
+           {"list", Placement::kList, "at `positions_m`"}})
+      .point("centre_m", &T::centre, "Centre of the group.")
+      .number("distance_m", &T::distance, "Opposite, ring: distance from the centre.",
+              {.at_least = 0, .at_most = 1e6})
+      .angle_deg("first_bearing_deg", &T::first_bearing,
+                 "Opposite, ring: bearing of the first aircraft, seen from the centre.",
+                 kBearing)
+      .number("spacing_m", &T::spacing, "Line: distance between neighbours.", kLength)
+      .point("positions_m", &T::positions, "List: one place for each aircraft.")
+      .number(
+          "altitude_msl_m", &T::altitude_msl,
+          "Altitude at the start, above mean sea level. Null: altitude_agl_m above the "
+          "ground there.",
+          {.at_least = -500, .at_most = 30000})
+      .boolean("on_ground", &T::on_ground,
+               "Stands on the ground at the start, for take-off; needs a plant that can.")
+      .angle_deg("heading_deg", &T::heading,
+                 "Heading at the start, clockwise from north. Null: to the centre (line: "
+                 "north; ring: along it, clockwise).",
+                 kBearing);
+}
+
+constexpr const char* kPartHelp =
+    "Which part. Motor: its channel, from 0 (empty: the only one of a fixed wing, the "
+    "first of a multirotor). Servo: aileron, elevator or rudder. Sensor: its kind "
+    "(empty: "
+    "all).";
+
+Fields<Failure> failure_fields() {
+  using T = Failure;
+  using Kind = Failure::Kind;
+  return Fields<T>()
+      .duration_s("at_s", &T::at, "When it happens.")
+      .required()
+      .word("kind", &T::kind, "What happens.",
+            {{"lost", Kind::kLost, "it falls silent where it is"},
+             {"land", Kind::kLand,
+              "it leaves the run, wherever it is: no landing is flown"},
+             {"motor", Kind::kMotor, "a motor gives nothing"},
+             {"servo-stuck", Kind::kServoStuck, "a servo stays where it is"},
+             {"servo-loose", Kind::kServoLoose, "a surface swings freely"},
+             {"sensor", Kind::kSensor, "a sensor says nothing"},
+             {"battery", Kind::kBattery, "the battery gives nothing"},
+             {"link", Kind::kLink, "no message goes in or out"}})
+      .text("part", &T::part, kPartHelp)
+      .integer("aircraft", &T::aircraft, "Which aircraft of the group, from 0.",
+               {.at_least = 0, .at_most = 9999})
+      .duration_s("until_s", &T::until, "When it takes part again. Null: never.")
+      .rule("until_s", [](const T& t) {
+        const bool back_too_early = t.until && *t.until <= t.at;
+        return back_too_early ? std::string("must be after at_s.") : std::string();
+      });
+}
+
+Fields<RandomFailure> random_failure_fields() {
+  using T = RandomFailure;
+  using Kind = Failure::Kind;
+  return Fields<T>()
+      .word("kind", &T::kind, "What happens.",
+            {{"motor", Kind::kMotor, "a motor gives nothing"},
+             {"servo-stuck", Kind::kServoStuck, "a servo stays where it is"},
+             {"servo-loose", Kind::kServoLoose, "a surface swings freely"},
+             {"sensor", Kind::kSensor, "a sensor says nothing"},
+             {"battery", Kind::kBattery, "the battery gives nothing"},
+             {"link", Kind::kLink, "no message goes in or out"}})
+      .required()
+      .text("part", &T::part, kPartHelp)
+      .duration_s("mean_between_s", &T::mean_between,
+                  "Mean time to the next one, for each aircraft; exponential.",
+                  {.above = 0})
+      .duration_s("length_s", &T::length, "How long it lasts. Null: for good.",
+                  {.above = 0});
+}
+
+std::string positions_fault(const AircraftGroup& group) {
+  const std::size_t points = group.start.positions.size();
+  if (group.start.placement != Placement::kList || std::cmp_equal(points, group.count)) {
+    return {};
+  }
+  return fmt::format("{} positions_m for {} aircraft; needs one each.", points,
+                     group.count);
+}
+
+std::string failures_fault(const AircraftGroup& group) {
+  for (const Failure& failure : group.failures) {
+    if (failure.aircraft >= group.count) {
+      return fmt::format("aircraft {} of a group of {}; they are counted from 0.",
+                         failure.aircraft, group.count);
+    }
+  }
+  return {};
+}
+
+Fields<AircraftGroup> aircraft_fields() {
+  using T = AircraftGroup;
+  return Fields<T>()
+      .text("name", &T::name, "Name of the group; its aircraft are name-1, name-2, ...")
+      .integer("count", &T::count, "How many aircraft.",
+               {.at_least = 0, .at_most = 10000})
+      .kind("plant", &T::plant, "plant", "How the aircraft moves.")
+      .number("parameter_spread", &T::parameter_spread,
+              "Mass, inertia and each coefficient of an aircraft differ from its plant's "
+              "by at "
+              "most this share, at random; its autopilot does not know.",
+              {.at_least = 0, .at_most = 0.3})
+      .kind("autopilot", &T::autopilot, "autopilot", "How it is flown.")
+      .kind("sensors", &T::sensors, "sensor", "What it senses with.")
+      .items({.at_most = 50})
+      .kind("agent", &T::agent, "agent", "What reasons on board.")
+      .number("altitude_agl_m", &T::altitude_agl, "Flight altitude above ground.",
+              {.above = 0, .at_most = 20000})
+      .duration_s("agent_period_s", &T::agent_period,
+                  "Time between two steps of the agent.", kPeriod)
+      .duration_s("flight_step_s", &T::flight_step,
+                  "Time step of plant, autopilot and its sensors; step_s is a multiple. "
+                  "Null: 0.01 s for plants that take actuators, else step_s.",
+                  {.at_least = 0.0005, .at_most = 10})
+      .object("start", &T::start, start_fields(), "Place at the start.")
+      .duration_s("join_s", &T::join, "When the group joins.")
+      .duration_s("leave_s", &T::leave,
+                  "When the group leaves the run, wherever it is: no landing is "
+                  "flown. Null: never.")
+      .duration_s("return_s", &T::comeback,
+                  "When the group takes part again after leave_s. Null: never.")
+      .object("failures", &T::failures, failure_fields(),
+              "What happens to single aircraft.")
+      .items({.at_most = 10000})
+      .object("random_failures", &T::random_failures, random_failure_fields(),
+              "What happens to each of them by chance.")
+      .items({.at_most = 100})
+      .rule("leave_s",
+            [](const T& t) {
+              const bool early = t.leave && *t.leave <= t.join;
+              return early ? std::string("must be after join_s.") : std::string();
+            })
+      .rule("return_s",
+            [](const T& t) {
+              if (!t.comeback) return std::string();
+              if (!t.leave) return std::string("needs leave_s, which is not given.");
+              return *t.comeback <= *t.leave ? std::string("must be after leave_s.")
+                                             : std::string();
+            })
+      .rule("start", positions_fault)
+      .rule("failures", failures_fault);
+}
+
+Fields<Station> station_fields() {
+  using T = Station;
+  return Fields<T>()
+      .point("position_m", &T::position, "Where the ground station stands.")
+      .number("antenna_agl_m", &T::antenna_agl, "Height of its antenna above ground.",
+              {.at_least = 0, .at_most = 1000})
+      .kind("agent", &T::agent, "station-agent", "What reasons on the ground.")
+      .duration_s("agent_period_s", &T::agent_period, "Time between two decisions.",
+                  kPeriod)
+      .duration_s("heartbeat_s", &T::heartbeat,
+                  "Time between two signs of life to each aircraft; 0: none. Null: 1 s "
+                  "where an autopilot watches the link, else none.",
+                  {.at_least = 0, .at_most = 3600});
+}
+
+Fields<PerimeterPrior> prior_fields() {
+  using T = PerimeterPrior;
+  return Fields<T>()
+      .point("origin_m", &T::origin, "Believed origin of the fire.")
+      .number("radius_m", &T::radius, "Believed distance of the perimeter at the start.",
+              kLength)
+      .number("radius_sd_m", &T::radius_sd, "Its standard deviation.", kLength)
+      .number("rate_mps", &T::rate, "Believed rate of spread.",
+              {.at_least = 0, .at_most = 100})
+      .number("rate_sd_mps", &T::rate_sd, "Its standard deviation.",
+              {.at_least = 0, .at_most = 100})
+      .point("wind_mps", &T::wind, "Believed drift of the perimeter, the way it moves.",
+             {.at_least = -100, .at_most = 100})
+      .number("wind_sd_mps", &T::wind_sd,
+              "Standard deviation of the drift that is not known, per axis.",
+              {.at_least = 0, .at_most = 100});
+}
+
+Fields<Deployment> deployment_fields() {
+  using T = Deployment;
+  return Fields<T>()
+      .angle_deg("courses_deg", &T::courses,
+                 "Courses of the transects, one for each aircraft, repeated when there "
+                 "are fewer. Empty: each flies to the believed origin.",
+                 kBearing)
+      .items({.at_most = 10000})
+      .duration_s("limit_s", &T::limit, "A transect without a crossing ends after this.",
+                  kPositive);
+}
+
+Fields<Monitoring> monitoring_fields() {
+  using T = Monitoring;
+  return Fields<T>()
+      .kind("estimator", &T::estimator, "estimator", "What keeps the belief.")
+      .kind("strategy", &T::strategy, "strategy", "What sends the aircraft.")
+      .object("prior", &T::prior, prior_fields(),
+              "What is known before the first reading.")
+      .object("deployment", &T::deployment, deployment_fields(),
+              "Until the first crossing.")
+      .duration_s("forced_crossing_s", &T::forced_crossing,
+                  "An aircraft without a crossing for this long is sent to cross. 0: "
+                  "never.",
+                  kNotNegative)
+      .duration_s("lost_after_s", &T::lost_after,
+                  "An aircraft not heard for this long counts as lost.", kPositive)
+      .duration_s("late_window_s", &T::late_window, "Readings this late still count.",
+                  kNotNegative);
+}
+
+Fields<Recording> record_fields() {
+  using T = Recording;
+  return Fields<T>()
+      .number("rate_hz", &T::rate_hz,
+              "Rows of truth and estimates per second and aircraft.",
+              {.above = 0, .at_most = 1000})
+      .duration_s("metrics_period_s", &T::metrics_period, "Time between two metrics.",
+                  kPeriod)
+      .duration_s("perimeter_period_s", &T::perimeter_period,
+                  "Time between two stored perimeters.", kPeriod)
+      .boolean("messages", &T::messages, "Whether messages are stored.");
+}
+
+// Periods that are no whole number of steps.
+std::vector<RuleFault> period_faults(const Scenario& scenario) {
+  std::vector<RuleFault> faults;
+  const Time step = scenario.step;
+  const auto steps_near = [&](double seconds) {
+    return std::max<std::int64_t>(1, std::llround(seconds / step.seconds()));
+  };
+  const auto check = [&](const std::string& key, Time period) {
+    if (period.ns() % step.ns() == 0) return;
+    faults.push_back(
+        {key,
+         fmt::format("{} s is no whole number of steps of {} s (step_s); the "
+                     "nearest is {}.",
+                     seconds_text(period), seconds_text(step),
+                     seconds_text(step * steps_near(period.seconds()))),
+         {"step_s"}});
+  };
+  if (scenario.environment.period)
+    check("environment.period_s", *scenario.environment.period);
+  for (std::size_t i = 0; i < scenario.aircraft.size(); ++i) {
+    check(fmt::format("aircraft[{}].agent_period_s", i),
+          scenario.aircraft[i].agent_period);
+    const auto& flight_step = scenario.aircraft[i].flight_step;
+    if (flight_step && step.ns() % flight_step->ns() != 0)
+      faults.push_back({fmt::format("aircraft[{}].flight_step_s", i),
+                        fmt::format("{} s does not divide step_s, {} s.",
+                                    seconds_text(*flight_step), seconds_text(step)),
+                        {"step_s"}});
+  }
+  check("station.agent_period_s", scenario.station.agent_period);
+  check("record.metrics_period_s", scenario.record.metrics_period);
+  // A rate is a rounded number: 3.33333 means every third step of 0.1 s.
+  const double rows = 1 / scenario.record.rate_hz;
+  const double nearest = static_cast<double>(steps_near(rows)) * step.seconds();
+  if (std::abs(rows - nearest) > 1e-5 * nearest)
+    faults.push_back(
+        {"record.rate_hz",
+         fmt::format(
+             "{:.6g} rows a second are not one every whole number of steps of {} s "
+             "(step_s); the nearest is {:.6g}.",
+             scenario.record.rate_hz, seconds_text(step), 1 / nearest),
+         {"step_s"}});
+  return faults;
+}
+
+}  // namespace
+
+Fields<Scenario> scenario_fields() {
+  using T = Scenario;
+  return Fields<T>()
+      .text("name", &T::name, "Name of the run, for reports.")
+      .integer("seed", &T::seed, "Seed of all randomness: same seed, same run.",
+               {.at_least = 0})
+      .duration_s("duration_s", &T::duration, "Length of the run.")
+      .duration_s("step_s", &T::step, "Time step of the simulation.",
+                  {.at_least = 0.001, .at_most = 10})
+      .object("origin", &T::origin, origin_fields(),
+              "Where on Earth the local frame (north, east) starts.")
+      .utc("start_utc", &T::start_utc, "When the run starts.")
+      .object("environment", &T::environment, environment_fields(),
+              "Ground, air and fire.")
+      .object("aircraft", &T::aircraft, aircraft_fields(), "Groups of equal aircraft.")
+      .items(kMaxGroups)
+      .kind("radio", &T::radio, "radio", "The channel between all of them.")
+      .object("station", &T::station, station_fields(), "The ground station.")
+      .object("monitoring", &T::monitoring, monitoring_fields(), "The mission.")
+      .object("record", &T::record, record_fields(), "What is stored.")
+      .rules(period_faults);
+}
+
+}  // namespace skein::scenario

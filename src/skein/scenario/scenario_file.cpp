@@ -1,0 +1,62 @@
+#include "skein/scenario/scenario_file.h"
+
+#include "skein/scenario/markdown.h"
+#include "skein/scenario/schema.h"
+
+namespace skein::scenario {
+namespace {
+
+Document scenario_document() {
+  Document document;
+  document.keys = scenario_fields().description();
+  document.name = "a scenario";
+  document.empty_hint = "Give it a key, as in \"name: first-flight\"; all have defaults.";
+  document.consequence = "nothing was run";
+  document.title = "Skein scenario";
+  document.preface =
+      "# Keys of a scenario file\n\n"
+      "Written by the program from the description that also reads and checks the files. "
+      "The unit of a number ends its key. Points are `[north, east]` from the origin. "
+      "An implementation is chosen by its name (`radio: ideal`) or, to set its keys, as "
+      "`radio: {kind: ideal, ...}`.\n\n## Scenario\n\n";
+  return document;
+}
+
+ReadOutcome outcome_of(Reading reading, Scenario& scenario) {
+  ReadOutcome outcome{std::move(reading), std::nullopt};
+  if (outcome.Reading::ok()) outcome.scenario = std::move(scenario);
+  return outcome;
+}
+
+}  // namespace
+
+ReadOutcome read_scenario(const std::filesystem::path& path, const KindTable& kinds,
+                          std::span<const Override> overrides) {
+  Scenario scenario;
+  Reading reading = read_document(path, scenario_document(), kinds, overrides, &scenario);
+  return outcome_of(std::move(reading), scenario);
+}
+
+ReadOutcome read_scenario_text(std::string_view text, const std::string& name,
+                               const std::filesystem::path& folder,
+                               const KindTable& kinds,
+                               std::span<const Override> overrides) {
+  Scenario scenario;
+  Reading reading = read_document_text(text, name, folder, scenario_document(), kinds,
+                                       overrides, &scenario);
+  return outcome_of(std::move(reading), scenario);
+}
+
+std::string write_scenario(const Scenario& scenario, const KindTable& kinds) {
+  return write_document(scenario_document(), &scenario, kinds);
+}
+
+std::string json_schema(const KindTable& kinds) {
+  return schema_text(scenario_document(), kinds);
+}
+
+std::string markdown_keys(const KindTable& kinds) {
+  return keys_as_markdown(scenario_document(), kinds);
+}
+
+}  // namespace skein::scenario

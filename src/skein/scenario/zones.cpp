@@ -1,0 +1,110 @@
+#include "skein/scenario/zones.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace skein::scenario {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double seconds_or(const std::optional<Time>& time, double otherwise) {
+  return time ? time->seconds() : otherwise;
+}
+
+// "its ring ...", as a sentence about the key.
+std::string sentence(const std::string& fault) {
+  return "cannot be used: " + fault;
+}
+
+}  // namespace
+
+Zone to_zone(const NoFlightZone& described) {
+  Zone zone;
+  if (described.ring)
+    zone.area = made_positive(*described.ring);
+  else if (described.centre && described.radius)
+    zone.area = Disc{*described.centre, *described.radius};
+  zone.floor_msl = described.floor_msl.value_or(-kInfinity);
+  zone.ceiling_msl = described.ceiling_msl.value_or(kInfinity);
+  zone.from = seconds_or(described.from, -kInfinity);
+  zone.until = seconds_or(described.until, kInfinity);
+  zone.name = described.name;
+  return zone;
+}
+
+Zone ring_zone(const geo::Ring& ring, std::size_t index) {
+  Zone zone{.area = made_positive(ring)};
+  zone.name = fmt::format("zones_m[{}]", index);
+  return zone;
+}
+
+std::vector<RuleFault> zone_faults(const NoFlightZone& zone) {
+  std::vector<RuleFault> found;
+  const auto add = [&](const char* key, std::string message) {
+    found.push_back({key, std::move(message), {""}});
+  };
+  if (zone.name.empty()) add("name", "must not be empty.");
+  const bool disc = zone.centre && zone.radius;
+  if (zone.ring ? zone.centre || zone.radius : !disc) {
+    add("ring_m", "needs ring_m, or centre_m and radius_m, and not both.");
+    return found;
+  }
+  if (zone.floor_msl && zone.ceiling_msl && *zone.floor_msl >= *zone.ceiling_msl)
+    add("ceiling_msl_m", "must be above floor_msl_m.");
+  if (zone.from && zone.until && *zone.from >= *zone.until)
+    add("until_s", "must be after from_s.");
+  Zone shape = to_zone(zone);
+  if (zone.ring) shape.area = *zone.ring;  // corners are counted as they are written
+  shape.floor_msl = shape.from = -kInfinity;
+  shape.ceiling_msl = shape.until = kInfinity;
+  if (const auto fault = fault_in(shape))
+    add(zone.ring ? "ring_m" : "radius_m", sentence(*fault));
+  for (std::size_t k = 0; k < zone.switches.size(); ++k) {
+    const bool before = k == 0 ? zone.active : zone.switches[k - 1].on;
+    if (k > 0 && zone.switches[k].at <= zone.switches[k - 1].at)
+      add("switches", "at_s must grow from one to the next.");
+    else if (zone.switches[k].on == before)
+      add("switches", fmt::format("number {} changes nothing: the zone is {} already.", k,
+                                  before ? "in force" : "off"));
+  }
+  return found;
+}
+
+std::vector<RuleFault> zone_list_faults(const Environment& environment) {
+  std::vector<RuleFault> found;
+  std::map<std::string, std::size_t> names;
+  for (std::size_t i = 0; i < environment.zone_rings.size(); ++i) {
+    names[ring_zone({}, i).name] = i;
+    if (const auto fault = fault_in(Zone{.area = environment.zone_rings[i]}))
+      found.push_back({fmt::format("zones_m[{}]", i), sentence(*fault), {}});
+  }
+  for (std::size_t i = 0; i < environment.zones.size(); ++i)
+    if (!names.emplace(environment.zones[i].name, i).second)
+      found.push_back({fmt::format("zones[{}].name", i),
+                       fmt::format("another zone is called \"{}\" already.",
+                                   environment.zones[i].name),
+                       {}});
+  return found;
+}
+
+std::vector<std::string> zone_doubts(const Environment& environment) {
+  std::vector<std::string> doubts;
+  const auto look = [&](const std::string& name, const geo::Ring& ring) {
+    if (geo::signed_area(ring) < 0)
+      doubts.push_back(
+          fmt::format("the no-flight zone {} runs counter-clockwise on the map; it means "
+                      "the same area, not what lies around it.",
+                      name));
+  };
+  for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
+    look(ring_zone({}, i).name, environment.zone_rings[i]);
+  for (const NoFlightZone& zone : environment.zones)
+    if (zone.ring) look(zone.name, *zone.ring);
+  return doubts;
+}
+
+}  // namespace skein::scenario

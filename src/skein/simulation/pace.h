@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "skein/base/time.h"
+#include "skein/role/operator_console.h"
+
+namespace skein::simulation {
+
+/// Keeps simulated time and wall time in step, and measures both. The only place where a
+/// run looks at the wall clock; nothing simulated depends on it.
+class Pace {
+ public:
+  /// @param speed  simulated seconds per wall second; 0 = never waits.
+  Pace(double speed, Time step);
+
+  /// Sleeps until `now` is due, or until the operator asks to stop: looked at every 50
+  /// ms. Counts a miss when `now` was due more than a step ago.
+  void wait_for(Time now, const OperatorConsole& console);
+
+  double wall_s() const;
+  std::int64_t misses() const { return misses_; }
+
+  /// True at most every 0.2 s of wall time: when to show progress.
+  bool show_due();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double speed_;
+  double step_wall_s_;
+  Clock::time_point start_;
+  Clock::time_point last_show_;
+  std::int64_t misses_ = 0;
+};
+
+}  // namespace skein::simulation

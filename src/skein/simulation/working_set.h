@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "skein/simulation/world.h"
+
+namespace skein::simulation {
+
+struct EntityState;
+
+/// The memory in which a flying entity keeps what its steps read and write, to be loaded
+/// while another one flies.
+///
+/// A fleet is larger than the processor's caches, and an aircraft is some ten blocks from
+/// the heap: without this a step of the run begins with waiting for each of them. Only
+/// speed depends on it.
+class WorkingSet {
+ public:
+  WorkingSet() = default;
+  /// Both must stay where they are.
+  WorkingSet(const Entity& entity, const EntityState& state);
+
+  /// Has the processor load one of `parts` equal parts of it, without waiting: it can
+  /// only wait for so many cache lines at a time.
+  /// @param part  from 0 to parts - 1.
+  void prefetch(std::int64_t part, std::int64_t parts) const;
+
+ private:
+  std::vector<std::span<const std::byte>> blocks_;
+  std::int64_t size_ = 0;  // of all together [bytes]
+};
+
+}  // namespace skein::simulation
