@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <cmath>
+
 #include "skein/base/math.h"
 
 namespace skein::environment {
