@@ -7,6 +7,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/base/check.h"
 #include "skein/base/log.h"
+#include "skein/record/record_text.h"
 #include "skein/scenario/markdown.h"
 #include "skein/scenario/scenario_file.h"
 #include "skein/scenario/schema.h"
@@ -65,6 +66,10 @@ int list_command(const std::string& role) {
 }
 
 int schema_command(const std::string& document) {
+  if (document == "records") {
+    print("{}", record::records_typescript());
+    return kDone;
+  }
   const bool aircraft = document == "aircraft";
   print("{}\n", aircraft ? scenario::schema_text(assemble::aircraft_document(), {})
                          : scenario::json_schema(assemble::kind_table()));
@@ -72,6 +77,10 @@ int schema_command(const std::string& document) {
 }
 
 int keys_command(const std::string& document) {
+  if (document == "records") {
+    print("{}", record::records_markdown());
+    return kDone;
+  }
   const bool aircraft = document == "aircraft";
   print("{}", aircraft ? scenario::keys_as_markdown(assemble::aircraft_document(), {})
                        : scenario::markdown_keys(assemble::kind_table()));

@@ -21,7 +21,8 @@ struct RunArguments {
   bool report = false;
   bool json = false;
   bool overwrite = false;
-  bool commands = false;  ///< read the operator's from standard input
+  bool commands = false;         ///< read the operator's from standard input
+  std::filesystem::path replay;  ///< a run that is done again; empty = none
 };
 
 struct StudyArguments {

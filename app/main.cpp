@@ -28,7 +28,8 @@ constexpr const char* kRunExamples = R"(
 Examples:
   skein run scenarios/wildfire.yaml --report
   skein run scenarios/wildfire.yaml --seed 7 --set aircraft[0].count=6 --out runs/six
-  skein run scenarios/wildfire.yaml --speed 10          ten times real time)";
+  skein run scenarios/wildfire.yaml --speed 10          ten times real time
+  skein run --replay runs/six                           the same again)";
 
 constexpr const char* kCheckExamples = R"(
 Examples:
@@ -46,6 +47,7 @@ constexpr const char* kSchemaExamples = R"(
 Examples:
   skein schema > scenario.schema.json
   skein schema aircraft > aircraft.schema.json
+  skein schema records      TypeScript types of records, messages and commands
   then, in the first line of a scenario, for editors with a YAML language server:
   # yaml-language-server: $schema=scenario.schema.json)";
 
@@ -110,7 +112,8 @@ int run_program(int argc, char** argv) {
 
   RunArguments run;
   auto* run_cmd = app.add_subcommand("run", "Run a scenario.");
-  run_cmd->add_option("scenario", run.scenario, "The scenario file (YAML).")->required();
+  auto* run_scenario =
+      run_cmd->add_option("scenario", run.scenario, "The scenario file (YAML).");
   run_cmd->add_option("--out", run.out, "Folder for the run; default: runs/NAME.");
   run_cmd->add_option("--seed", run.seed, "Seed instead of the scenario's.");
   run_cmd->add_option("--speed", run.speed, "fast, real, or a factor of real time.");
@@ -121,8 +124,15 @@ int run_program(int argc, char** argv) {
   run_cmd->add_option("--threads", run.threads, "Threads of the simulation.")
       ->check(CLI::Range(1, 256));
   run_cmd->add_flag("--commands", run.commands,
-                    "Take commands from standard input: zone on, zone off; see the "
-                    "user guide.");
+                    "Take commands from standard input, line by line; see "
+                    "docs/commands.md.");
+  run_cmd
+      ->add_option(
+          "--replay", run.replay,
+          "Folder of a run that is done again, with the commands that were given "
+          "in it; says whether the content hash is the same.")
+      ->excludes(run_scenario)
+      ->excludes("--commands");
   run_cmd->add_flag("--report", run.report, "Write report.html at the end.");
   run_cmd->add_flag("--json", run.json, "Print the summary as JSON on standard output.");
   run_cmd->add_flag("--overwrite", run.overwrite, "Replace a run that is in the folder.");
@@ -155,8 +165,11 @@ int run_program(int argc, char** argv) {
       app.add_subcommand("keys", "Print the documentation of all keys (Markdown).");
   std::string document = "scenario";
   for (auto* command : {schema_cmd, keys_cmd})
-    command->add_option("of", document, "Of which files: scenario or aircraft.")
-        ->check(CLI::IsMember({"scenario", "aircraft"}));
+    command
+        ->add_option(
+            "of", document,
+            "Of which files: scenario or aircraft; records: what runs leave behind.")
+        ->check(CLI::IsMember({"scenario", "aircraft", "records"}));
   keys_cmd->footer(kKeysExamples);
 
   FlyArguments fly;

@@ -36,7 +36,7 @@ export class Scene {
   private readonly cache = new Map<Frame, Ring[]>();
 
   constructor(run: RunData, private readonly map: MapData) {
-    const names = new Map(run.entities.map((entity) => [entity.id, entity.name]));
+    const names = new Map(run.entities.map((entity) => [entity.entity_id, entity.name]));
     this.duration = run.duration_s;
     this.terrain = map.terrain;
     this.tracks = map.tracks.map((track) => ({

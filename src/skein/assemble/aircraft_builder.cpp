@@ -37,9 +37,19 @@ Error at(const std::string& name, Error error) {
 
 }  // namespace
 
+std::vector<std::string> aircraft_names(const scenario::Scenario& scenario) {
+  std::map<std::string, int> named;  // how many aircraft have a group's name
+  std::vector<std::string> all;
+  for (const AircraftGroup& group : scenario.aircraft)
+    for (int i = 0; i < group.count; ++i)
+      all.push_back(fmt::format("{}-{}", group.name, ++named[group.name]));
+  return all;
+}
+
 Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
                                                  EntityId self) {
-  const std::string name = fmt::format("{}-{}", group.name, ++named_[group.name]);
+  // Entity 0 is the ground station.
+  const std::string& name = names_.at(self.value - 1);
   AircraftContext context;
   context.seed = scenario_.seed;
   context.self = self;
@@ -55,38 +65,40 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.limits = nominal.value()->limits();
   context.airframe = nominal.value()->airframe();
 
-  auto vehicle = std::make_unique<simulation::Vehicle>();
-  vehicle->plant = nominal.value();
+  simulation::VehicleParts vehicle;
+  vehicle.name = name;
+  vehicle.plant = nominal.value();
   if (group.parameter_spread > 0) {
     context.parameter_spread = group.parameter_spread;
     auto own = plant_kinds().make(group.plant, context);
     if (!own) return own.error();
-    vehicle->plant = std::move(own).value();
+    vehicle.plant = std::move(own).value();
   }
   auto step = flight_step(scenario_, group);
   if (!step) return at(name, step.error());
-  vehicle->step = step.value();
-  if (auto placed = put(name, group, index, *vehicle); !placed) return placed.error();
-  context.initial = as_estimate(vehicle->state, Time());
-  context.on_ground = vehicle->state.on_ground;
+  vehicle.step = step.value();
+  if (auto placed = put(name, group, index, vehicle); !placed) return placed.error();
+  context.initial = as_estimate(vehicle.state, Time());
+  context.on_ground = vehicle.state.on_ground;
 
   context.hears_station = heartbeat(scenario_) > Time();
   for (const scenario::Choice& sensor : group.sensors)
-    context.has_position |= position_age(sensor, vehicle->step.seconds()).has_value();
+    context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
   auto autopilot = autopilot_kinds().make(group.autopilot, context);
   if (!autopilot) return at(name, autopilot.error());
-  vehicle->autopilot = std::move(autopilot).value();
-  auto parts = mount_sensors(group, context, *vehicle);
+  vehicle.autopilot = std::move(autopilot).value();
+  auto parts = mount_sensors(group, context, vehicle);
   if (!parts) return parts.error();
   auto turbulence = gusty_air(context);
   if (!turbulence) return turbulence.error();
-  vehicle->turbulence = std::move(turbulence).value();
+  vehicle.turbulence = std::move(turbulence).value();
   auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
                                context.seed, context.self);
   if (!faults) return faults.error();
-  vehicle->faults = std::move(faults).value();
+  vehicle.faults = std::move(faults).value();
+  vehicle.breakable = breakable_parts(parts.value());
   auto agent = agent_kinds().make(group.agent, context);
   if (!agent) return agent.error();
 
@@ -94,7 +106,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   entity.name = name;
   entity.kind = "aircraft";
   entity.agent = std::move(agent).value();
-  entity.vehicle = std::move(vehicle);
+  entity.vehicle = std::make_unique<simulation::SimulatedVehicle>(std::move(vehicle));
   entity.agent_period = group.agent_period;
   entity.active = presence(group, index, scenario_.duration);
   return entity;
@@ -130,7 +142,7 @@ Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
 
 // In level flight at cruise, in the wind of that place, or on the ground.
 Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& group,
-                                  int index, simulation::Vehicle& vehicle) const {
+                                  int index, simulation::VehicleParts& vehicle) const {
   const Place place = place_at_start(group.start, index, group.count);
   const double ground = map_->elevation_msl(place.position);
   const double altitude =
@@ -169,7 +181,7 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
 
 Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
                                              AircraftContext& context,
-                                             simulation::Vehicle& vehicle) const {
+                                             simulation::VehicleParts& vehicle) const {
   Parts parts;
   parts.airframe = context.airframe;
   std::map<std::string, std::uint32_t> of_kind;

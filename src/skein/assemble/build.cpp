@@ -9,10 +9,12 @@
 #include "skein/assemble/aircraft_fit.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/sampling.h"
+#include "skein/data/command_text.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/layer/reasoning/agent/heartbeat.h"
+#include "skein/layer/reasoning/agent/operator_orders.h"
 #include "skein/layer/reasoning/agent/zone_desk.h"
 #include "skein/scenario/zones.h"
 
@@ -72,6 +74,7 @@ class Builder {
 
   Result<Build> build() {
     build_.options = run_options(scenario_);
+    build_.options.commands = commands();
     build_.warnings = sampling_warnings(scenario_);
     for (std::string& doubt : scenario::zone_doubts(scenario_.environment))
       build_.warnings.push_back(std::move(doubt));
@@ -105,11 +108,10 @@ class Builder {
     build_.world.terrain = std::make_unique<SharedTerrain>(map_);
     context.terrain = map_.get();
     auto wind = wind_kinds().make(scenario_.environment.wind, context);
-    if (note(wind))
-      build_.world.wind = std::move(wind).value();
-    else
-      build_.world.wind =
-          std::make_unique<environment::UniformWind>(environment::UniformWindOptions{});
+    build_.world.wind = std::make_unique<simulation::CommandedWind>(
+        note(wind) ? std::move(wind).value()
+                   : std::make_unique<environment::UniformWind>(
+                         environment::UniformWindOptions{}));
     context.wind = build_.world.wind.get();
     auto fire = fire_kinds().make(scenario_.environment.fire, context);
     if (note(fire)) build_.world.fire = std::move(fire).value();
@@ -125,16 +127,33 @@ class Builder {
     entity.agent = std::move(agent).value();
     entity.agent =
         std::make_unique<reasoning::ZoneDesk>(desk_options(), std::move(entity.agent));
+    entity.agent = std::make_unique<reasoning::OperatorOrders>(named_team(),
+                                                               std::move(entity.agent));
     if (const Time period = heartbeat(scenario_); period > Time())
-      entity.agent = std::make_unique<reasoning::Heartbeat>(std::move(entity.agent),
-                                                            context.team, period);
+      entity.agent = std::make_unique<reasoning::HeartbeatSender>(std::move(entity.agent),
+                                                                  context.team, period);
     entity.agent_period = scenario_.station.agent_period;
     entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
     build_.world.entities.push_back(std::move(entity));
     return {};
   }
 
-  // Who says which zones are in force, and when the scenario wants changes.
+  // What the scenario commands by itself.
+  std::vector<CommandRecord> commands() const {
+    std::vector<CommandRecord> all;
+    for (const scenario::NoFlightZone& zone : scenario_.environment.zones)
+      for (const scenario::ZoneSwitch& change : zone.switches)
+        all.push_back(
+            {change.at, "scenario", ZoneChange{0, change.on, scenario::to_zone(zone)}});
+    for (const scenario::PlannedCommand& planned : scenario_.commands)
+      if (auto command = parse_command(planned.text))
+        all.push_back({planned.at, "scenario", std::move(command).value()});
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.time < b.time; });
+    return all;
+  }
+
+  // Who says which zones are in force.
   reasoning::ZoneDeskOptions desk_options() const {
     reasoning::ZoneDeskOptions options;
     options.team = team();
@@ -142,12 +161,15 @@ class Builder {
     for (const scenario::NoFlightZone& described : scenario_.environment.zones) {
       const Zone zone = scenario::to_zone(described);
       if (!described.active) options.drawn.push_back(zone);
-      for (const scenario::ZoneSwitch& change : described.switches)
-        options.planned.push_back({change.at, {0, change.on, zone}});
     }
-    std::stable_sort(options.planned.begin(), options.planned.end(),
-                     [](const auto& a, const auto& b) { return a.at < b.at; });
     return options;
+  }
+
+  std::vector<reasoning::NamedAircraft> named_team() const {
+    const std::vector<std::string> names = aircraft_names(scenario_);
+    std::vector<reasoning::NamedAircraft> all;
+    for (std::size_t k = 0; k < names.size(); ++k) all.push_back({team()[k], names[k]});
+    return all;
   }
 
   std::vector<EntityId> team() const {
@@ -191,7 +213,7 @@ class Builder {
     // The radio outlives no entity: both are the world's.
     RadioContext context;
     context.seed = scenario_.seed;
-    std::vector<const simulation::Vehicle*> vehicles;
+    std::vector<const Vehicle*> vehicles;
     for (const simulation::Entity& entity : build_.world.entities)
       vehicles.push_back(entity.vehicle.get());
     const Vec2 at = scenario_.station.position;
@@ -200,7 +222,9 @@ class Builder {
     context.position = [vehicles, antenna](EntityId id) -> std::optional<Vec3> {
       if (id == kStation) return antenna;
       if (id.value >= vehicles.size() || !vehicles[id.value]) return std::nullopt;
-      return vehicles[id.value]->state.p_N;
+      // Radio waves leave from where it is, known or not.
+      const VehicleState* truth = vehicles[id.value]->truth();
+      return truth ? truth->p_N : vehicles[id.value]->estimate().p_N;
     };
     auto made = radio_kinds().make(scenario_.radio, context);
     if (!made) return made.error();

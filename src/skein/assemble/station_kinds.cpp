@@ -35,6 +35,7 @@ Result<std::unique_ptr<Agent>> make_coordinator(const StationContext& c) {
   options.lost_after = mission.lost_after.seconds();
   options.late_window = mission.late_window.seconds();
   options.zones = c.zones;
+  options.record_period = c.scenario.record.metrics_period;
   return std::unique_ptr<Agent>(std::make_unique<monitoring::Coordinator>(
       options, std::move(estimator).value(), std::move(strategy).value()));
 }

@@ -163,6 +163,12 @@ struct Recording {
   bool messages = true;
 };
 
+/// A command that the scenario gives by itself.
+struct PlannedCommand {
+  Time at;
+  std::string text;  ///< see data/command_text.h
+};
+
 /// A run, as its file describes it. Members hold SI units and radians; keys, ranges and
 /// meanings stand in scenario_fields.cpp, defaults only here.
 struct Scenario {
@@ -177,6 +183,7 @@ struct Scenario {
   Choice radio{"ideal"};
   Station station;
   Monitoring monitoring;
+  std::vector<PlannedCommand> commands;
   Recording record;
 };
 

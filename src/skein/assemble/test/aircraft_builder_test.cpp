@@ -9,6 +9,7 @@
 #include "skein/assemble/sampling.h"
 #include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
 #include "skein/scenario/scenario_file.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
 namespace {
@@ -33,8 +34,8 @@ std::string refusal(const std::string& text) {
   return made.ok() ? "" : made.error().text();
 }
 
-const simulation::Vehicle& vehicle(const Build& b, std::size_t k = 1) {
-  return *b.world.entities.at(k).vehicle;
+const simulation::VehicleParts& vehicle(const Build& b, std::size_t k = 1) {
+  return parts_of(b.world.entities.at(k));
 }
 
 constexpr const char* kWing =

@@ -9,6 +9,7 @@
 #include "skein/assemble/presence.h"
 #include "skein/assemble/run.h"
 #include "skein/scenario/scenario_file.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
 namespace {
@@ -55,10 +56,10 @@ TEST(Build, PutsTheStationFirstAndAircraftInOrder) {
   EXPECT_EQ(entities[2].name, "a-2");
   EXPECT_EQ(entities[3].name, "b-1");
   // Two stand on opposite sides, facing the centre, at their height above ground.
-  EXPECT_NEAR(entities[1].vehicle->state.p_N.x(), 900, 1e-9);
-  EXPECT_NEAR(entities[2].vehicle->state.p_N.x(), -900, 1e-9);
-  EXPECT_NEAR(entities[1].vehicle->state.p_N.z(), -120, 1e-9);
-  EXPECT_NEAR(std::abs(geo::yaw(entities[1].vehicle->state.q_NB)), geo::kPi, 1e-9);
+  EXPECT_NEAR(entities[1].vehicle->truth()->p_N.x(), 900, 1e-9);
+  EXPECT_NEAR(entities[2].vehicle->truth()->p_N.x(), -900, 1e-9);
+  EXPECT_NEAR(entities[1].vehicle->truth()->p_N.z(), -120, 1e-9);
+  EXPECT_NEAR(std::abs(geo::yaw(entities[1].vehicle->truth()->q_NB)), geo::kPi, 1e-9);
 }
 
 TEST(Build, RefusesAnAircraftInsideTerrainOrInAZone) {
@@ -247,7 +248,7 @@ TEST(Build, EachSensorOfAnAircraftErrsInItsOwnWay) {
     auto built = build(read("aircraft: [{sensors: [" + sensors + "]}]"));
     EXPECT_TRUE(built.ok());
     const simulation::World& world = built.value().world;
-    const simulation::Vehicle& vehicle = *world.entities[1].vehicle;
+    const simulation::VehicleParts& vehicle = parts_of(world.entities[1]);
     std::vector<std::vector<bool>> all(vehicle.payload.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<SensorSample> samples;
