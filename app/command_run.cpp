@@ -8,7 +8,6 @@
 #include "app/output.h"
 #include "app/version.h"
 #include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
 #include "skein/record/report.h"
@@ -99,10 +98,13 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   }
   std::vector<std::string> overrides = arguments.overrides;
   if (!arguments.seed.empty()) overrides.push_back("seed=" + arguments.seed);
-  const auto scenario = load_scenario(arguments.scenario, overrides);
+  auto kinds = load_kinds(arguments.plugins);
+  if (!kinds) return kBadUsage;
+  const auto scenario =
+      load_scenario(arguments.scenario, overrides, arguments.plugins, *kinds);
   if (!scenario) return kBadUsage;
 
-  auto built = assemble::build(*scenario);
+  auto built = assemble::build(*scenario, *kinds);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
   for (const std::string& warning : ready.warnings) log_warning("{}", warning);
@@ -111,7 +113,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
 
   const fs::path folder =
       arguments.out.empty() ? free_folder(scenario->name) : arguments.out;
-  const std::string text = scenario::write_scenario(*scenario, assemble::kind_table());
+  const std::string text = scenario::write_scenario(*scenario, kinds->table());
   record::RunRecorderOptions options;
   options.perimeter_period = scenario->record.perimeter_period;
   options.messages = scenario->record.messages;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "skein/assemble/aircraft_fit.h"
-#include "skein/assemble/kinds_of.h"
 #include "skein/assemble/placement.h"
 #include "skein/assemble/presence.h"
 #include "skein/assemble/sampling.h"
@@ -59,7 +58,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   vehicle->plant = nominal.value();
   if (group.parameter_spread > 0) {
     context.parameter_spread = group.parameter_spread;
-    auto own = plant_kinds().make(group.plant, context);
+    auto own = kinds_.plant.make(group.plant, context);
     if (!own) return own.error();
     vehicle->plant = std::move(own).value();
   }
@@ -75,7 +74,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     context.has_position |= position_age(sensor, vehicle->step.seconds()).has_value();
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
-  auto autopilot = autopilot_kinds().make(group.autopilot, context);
+  auto autopilot = kinds_.autopilot.make(group.autopilot, context);
   if (!autopilot) return at(name, autopilot.error());
   vehicle->autopilot = std::move(autopilot).value();
   auto parts = mount_sensors(group, context, *vehicle);
@@ -87,7 +86,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
                                context.seed, context.self);
   if (!faults) return faults.error();
   vehicle->faults = std::move(faults).value();
-  auto agent = agent_kinds().make(group.agent, context);
+  auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
   simulation::Entity entity;
@@ -104,14 +103,14 @@ Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
     const AircraftGroup& group, const AircraftContext& context) {
   if (const auto known = plants_.find(&group); known != plants_.end())
     return known->second;
-  auto made = plant_kinds().make(group.plant, context);
+  auto made = kinds_.plant.make(group.plant, context);
   if (!made) return made.error();
   return plants_.emplace(&group, std::move(made).value()).first->second;
 }
 
 Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
     const AircraftContext& context) const {
-  auto turbulence = turbulence_kinds().make(scenario_.environment.turbulence, context);
+  auto turbulence = kinds_.turbulence.make(scenario_.environment.turbulence, context);
   if (!turbulence || scenario_.environment.gusts.empty()) return turbulence;
   environment::DiscreteGustsOptions single;
   for (const scenario::GustEvent& gust : scenario_.environment.gusts)
@@ -175,7 +174,7 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
   std::map<std::string, std::uint32_t> of_kind;
   for (const scenario::Choice& choice : group.sensors) {
     context.instance = of_kind[choice.kind]++;
-    auto sensor = sensor_kinds().make(choice, context);
+    auto sensor = kinds_.sensor.make(choice, context);
     if (!sensor) return sensor.error();
     auto mounted = unpacked(choice.kind, std::move(sensor).value());
     for (sensory::SensorSuite::Part& part : mounted) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/assemble/contexts.h"
+#include "skein/assemble/kind_registry.h"
 #include "skein/assemble/vehicle_faults.h"
 #include "skein/base/result.h"
 #include "skein/data/zone.h"
@@ -23,9 +24,11 @@ namespace skein::assemble {
 class AircraftBuilder {
  public:
   /// All references outlive the builder.
-  AircraftBuilder(const scenario::Scenario& scenario, std::shared_ptr<const Terrain> map,
-                  const std::vector<Zone>& zones, const WindField& wind, EntityId station)
+  AircraftBuilder(const scenario::Scenario& scenario, const KindsByRole& kinds,
+                  std::shared_ptr<const Terrain> map, const std::vector<Zone>& zones,
+                  const WindField& wind, EntityId station)
       : scenario_(scenario),
+        kinds_(kinds),
         map_(std::move(map)),
         zones_(zones),
         wind_(wind),
@@ -51,6 +54,7 @@ class AircraftBuilder {
   Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
 
   const scenario::Scenario& scenario_;
+  const KindsByRole& kinds_;
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;
