@@ -92,6 +92,7 @@ void print_table(const record::RunSummary& summary) {
 
 // What shall be run.
 struct Order {
+  assemble::KindRegistry kinds;
   scenario::Scenario scenario;
   std::optional<record::RecordedRun> recorded;  // that is done again
 };
@@ -104,11 +105,13 @@ std::optional<Order> order_of(const RunArguments& arguments) {
     complain("which scenario? Give a scenario file, or --replay FOLDER.\n");
     return std::nullopt;
   }
+  auto kinds = load_kinds(arguments.plugins);
+  if (!kinds) return std::nullopt;
   auto scenario = load_scenario(
       again ? arguments.replay / "scenario.yaml" : fs::path(arguments.scenario),
-      overrides);
+      overrides, arguments.plugins, *kinds);
   if (!scenario) return std::nullopt;
-  Order order{*std::move(scenario), std::nullopt};
+  Order order{*std::move(kinds), *std::move(scenario), std::nullopt};
   if (!again) return order;
   auto recorded = record::read_recorded(arguments.replay);
   if (!recorded) {
@@ -207,7 +210,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   if (!order) return kBadUsage;
   const scenario::Scenario& scenario = order->scenario;
 
-  auto built = assemble::build(scenario);
+  auto built = assemble::build(scenario, order->kinds);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
   for (const std::string& warning : ready.warnings) log_warning("{}", warning);
@@ -218,7 +221,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   const fs::path folder =
       arguments.out.empty() ? free_folder(scenario.name) : arguments.out;
   auto opened =
-      open_records(scenario, scenario::write_scenario(scenario, assemble::kind_table()),
+      open_records(scenario, scenario::write_scenario(scenario, order->kinds.table()),
                    folder, arguments.overwrite);
   if (!opened) return say_error(opened.error());
   record::RunRecorder& recorder = *opened.value();

@@ -68,7 +68,7 @@ std::vector<double> run_fleet(const std::string& plant, const std::string& senso
   const auto read =
       scenario::read_scenario_text(text, "fleet", ".", assemble::kind_table());
   if (!read.ok()) throw std::runtime_error(read.report());
-  auto built = assemble::build(*read.scenario);
+  auto built = assemble::build(*read.scenario, assemble::KindRegistry());
   if (!built) throw std::runtime_error(built.error().text());
   built.value().options.threads = 1;
   Stopwatch stopwatch;

@@ -75,7 +75,7 @@ void landing(benchmark::State& state, const char* aircraft, double wind,
     const auto read = scenario::read_scenario_text(text, "landing", SKEIN_SOURCE_DIR,
                                                    assemble::kind_table());
     if (!read.ok()) throw std::runtime_error(read.report());
-    auto built = assemble::build(*read.scenario);
+    auto built = assemble::build(*read.scenario, assemble::KindRegistry());
     if (!built) throw std::runtime_error(built.error().text());
     Touches touches;
     Quiet console;

@@ -1,5 +1,6 @@
 /** What is where at a time: unpacked tracks and perimeters of one run. */
-import { floats, octets, shorts, type Frame, type GroundObject, type MapData, type RunData, type Terrain } from "./data";
+import { floats, octets, shorts, type Frame, type MapData, type RunData, type Terrain } from "./data";
+import type { GroundObject } from "./records";
 
 /** A believed ring: places, outward directions and deviations, point by point. */
 export interface Ring {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "skein/assemble/aircraft_fit.h"
-#include "skein/assemble/kinds_of.h"
 #include "skein/assemble/placement.h"
 #include "skein/assemble/presence.h"
 #include "skein/assemble/sampling.h"
@@ -37,19 +36,21 @@ Error at(const std::string& name, Error error) {
 
 }  // namespace
 
-std::vector<std::string> aircraft_names(const scenario::Scenario& scenario) {
+std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& scenario) {
   std::map<std::string, int> named;  // how many aircraft have a group's name
-  std::vector<std::string> all;
-  for (const AircraftGroup& group : scenario.aircraft)
+  std::vector<std::vector<std::string>> all;
+  for (const AircraftGroup& group : scenario.aircraft) {
+    all.emplace_back();
     for (int i = 0; i < group.count; ++i)
-      all.push_back(fmt::format("{}-{}", group.name, ++named[group.name]));
+      all.back().push_back(fmt::format("{}-{}", group.name, ++named[group.name]));
+  }
   return all;
 }
 
 Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
                                                  EntityId self) {
-  // Entity 0 is the ground station.
-  const std::string& name = names_.at(self.value - 1);
+  const auto group_index = static_cast<std::size_t>(&group - scenario_.aircraft.data());
+  const std::string& name = names_.at(group_index).at(static_cast<std::size_t>(index));
   AircraftContext context;
   context.seed = scenario_.seed;
   context.self = self;
@@ -70,7 +71,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   vehicle.plant = nominal.value();
   if (group.parameter_spread > 0) {
     context.parameter_spread = group.parameter_spread;
-    auto own = plant_kinds().make(group.plant, context);
+    auto own = kinds_.plant.make(group.plant, context);
     if (!own) return own.error();
     vehicle.plant = std::move(own).value();
   }
@@ -86,7 +87,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
-  auto autopilot = autopilot_kinds().make(group.autopilot, context);
+  auto autopilot = kinds_.autopilot.make(group.autopilot, context);
   if (!autopilot) return at(name, autopilot.error());
   vehicle.autopilot = std::move(autopilot).value();
   auto parts = mount_sensors(group, context, vehicle);
@@ -99,7 +100,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   if (!faults) return faults.error();
   vehicle.faults = std::move(faults).value();
   vehicle.breakable = breakable_parts(parts.value());
-  auto agent = agent_kinds().make(group.agent, context);
+  auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
   simulation::Entity entity;
@@ -116,14 +117,14 @@ Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
     const AircraftGroup& group, const AircraftContext& context) {
   if (const auto known = plants_.find(&group); known != plants_.end())
     return known->second;
-  auto made = plant_kinds().make(group.plant, context);
+  auto made = kinds_.plant.make(group.plant, context);
   if (!made) return made.error();
   return plants_.emplace(&group, std::move(made).value()).first->second;
 }
 
 Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
     const AircraftContext& context) const {
-  auto turbulence = turbulence_kinds().make(scenario_.environment.turbulence, context);
+  auto turbulence = kinds_.turbulence.make(scenario_.environment.turbulence, context);
   if (!turbulence || scenario_.environment.gusts.empty()) return turbulence;
   environment::DiscreteGustsOptions single;
   for (const scenario::GustEvent& gust : scenario_.environment.gusts)
@@ -187,7 +188,7 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
   std::map<std::string, std::uint32_t> of_kind;
   for (const scenario::Choice& choice : group.sensors) {
     context.instance = of_kind[choice.kind]++;
-    auto sensor = sensor_kinds().make(choice, context);
+    auto sensor = kinds_.sensor.make(choice, context);
     if (!sensor) return sensor.error();
     auto mounted = unpacked(choice.kind, std::move(sensor).value());
     for (sensory::SensorSuite::Part& part : mounted) {

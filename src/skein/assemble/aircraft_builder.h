@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/assemble/contexts.h"
+#include "skein/assemble/kind_registry.h"
 #include "skein/assemble/vehicle_faults.h"
 #include "skein/base/result.h"
 #include "skein/data/zone.h"
@@ -19,17 +20,19 @@
 
 namespace skein::assemble {
 
-/// What the aircraft of a scenario are called, in their order: GROUP-1, GROUP-2...
-std::vector<std::string> aircraft_names(const scenario::Scenario& scenario);
+/// What the aircraft of a scenario are called, group by group: GROUP-1, GROUP-2...
+std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& scenario);
 
 /// Makes the aircraft of a scenario, one after the other. Those of one group share their
 /// plant, unless each differs a little.
 class AircraftBuilder {
  public:
   /// All references outlive the builder.
-  AircraftBuilder(const scenario::Scenario& scenario, std::shared_ptr<const Terrain> map,
-                  const std::vector<Zone>& zones, const WindField& wind, EntityId station)
+  AircraftBuilder(const scenario::Scenario& scenario, const KindsByRole& kinds,
+                  std::shared_ptr<const Terrain> map, const std::vector<Zone>& zones,
+                  const WindField& wind, EntityId station)
       : scenario_(scenario),
+        kinds_(kinds),
         map_(std::move(map)),
         zones_(zones),
         wind_(wind),
@@ -56,6 +59,7 @@ class AircraftBuilder {
   Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
 
   const scenario::Scenario& scenario_;
+  const KindsByRole& kinds_;
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;
@@ -63,7 +67,7 @@ class AircraftBuilder {
   std::shared_ptr<const PathPlanner> planner_;
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
-  std::vector<std::string> names_;
+  std::vector<std::vector<std::string>> names_;                // of each group
 };
 
 }  // namespace skein::assemble

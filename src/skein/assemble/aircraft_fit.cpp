@@ -24,6 +24,13 @@ bool has(const AircraftGroup& group, std::initializer_list<const char*> kinds) {
       });
 }
 
+bool has_plugin_sensor(const AircraftGroup& group, const KindRegistry& kinds) {
+  return std::any_of(group.sensors.begin(), group.sensors.end(),
+                     [&kinds](const scenario::Choice& sensor) {
+                       return !kinds.plugin_of("sensor", sensor.kind).empty();
+                     });
+}
+
 // The autopilot skein moves on by inertial samples and is put right by positions; or it
 // takes the truth for both.
 void check_sensors(const AircraftGroup& group, std::vector<Error>& found) {
@@ -152,14 +159,15 @@ Time heartbeat(const Scenario& scenario) {
   return watched ? Time::from_seconds(1) : Time();
 }
 
-std::vector<Error> misfits(const Scenario& scenario, const AircraftGroup& group,
+std::vector<Error> misfits(const Scenario& scenario, const KindRegistry& kinds,
+                           const AircraftGroup& group,
                            const simulation::Entity& aircraft) {
   std::vector<Error> found;
   const simulation::VehicleParts& vehicle = parts_of(aircraft);
   check_air(group, vehicle, found);
   if (group.autopilot.kind == "skein") {
     const auto& choice = group.autopilot.as<SkeinChoice>();
-    check_sensors(group, found);
+    if (!has_plugin_sensor(group, kinds)) check_sensors(group, found);
     check_gains(choice, group, vehicle.plant->airframe(), found);
     check_delays(choice, scenario, group, vehicle, found);
     check_fence(choice, vehicle, found);

@@ -40,11 +40,12 @@ class SharedTerrain : public Terrain {
   std::shared_ptr<const Terrain> terrain_;
 };
 
-simulation::RunOptions run_options(const Scenario& scenario) {
+simulation::RunOptions run_options(const Scenario& scenario,
+                                   const scenario::KindTable& kinds) {
   simulation::RunOptions options;
   options.step = scenario.step;
   options.duration = scenario.duration;
-  options.environment_period = truth_period(scenario);
+  options.environment_period = truth_period(scenario, kinds);
   const double steps_per_row = 1 / (scenario.record.rate_hz * options.step.seconds());
   options.record_period = options.step * std::llround(steps_per_row);
   options.perimeter_period = scenario.record.metrics_period;
@@ -63,8 +64,8 @@ Error together(const std::vector<Error>& faults) {
 // plain until the end, so that all faults are found at once.
 class Builder {
  public:
-  Builder(const Scenario& scenario, geo::LocalFrame frame)
-      : scenario_(scenario), frame_(std::move(frame)) {
+  Builder(const Scenario& scenario, const KindRegistry& kinds, geo::LocalFrame frame)
+      : scenario_(scenario), kinds_(kinds), frame_(std::move(frame)) {
     const scenario::Environment& environment = scenario.environment;
     for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
       zones_.push_back(scenario::ring_zone(environment.zone_rings[i], i));
@@ -73,9 +74,9 @@ class Builder {
   }
 
   Result<Build> build() {
-    build_.options = run_options(scenario_);
+    build_.options = run_options(scenario_, kinds_.table());
     build_.options.commands = commands();
-    build_.warnings = sampling_warnings(scenario_);
+    build_.warnings = sampling_warnings(scenario_, kinds_.table());
     for (std::string& doubt : scenario::zone_doubts(scenario_.environment))
       build_.warnings.push_back(std::move(doubt));
     build_.world.zones = zones_;
@@ -98,7 +99,7 @@ class Builder {
   void environment() {
     EnvironmentContext context{frame_,  scenario_.start_utc, scenario_.seed, nullptr,
                                nullptr, &build_.warnings};
-    auto terrain = terrain_kinds().make(scenario_.environment.terrain, context);
+    auto terrain = kinds_.kinds().terrain.make(scenario_.environment.terrain, context);
     // Far below everything where the real one is missing: nothing collides with it.
     if (note(terrain))
       map_ = std::move(terrain).value();
@@ -107,19 +108,19 @@ class Builder {
           environment::FlatTerrainOptions{-1e5});
     build_.world.terrain = std::make_unique<SharedTerrain>(map_);
     context.terrain = map_.get();
-    auto wind = wind_kinds().make(scenario_.environment.wind, context);
+    auto wind = kinds_.kinds().wind.make(scenario_.environment.wind, context);
     build_.world.wind = std::make_unique<simulation::CommandedWind>(
         note(wind) ? std::move(wind).value()
                    : std::make_unique<environment::UniformWind>(
                          environment::UniformWindOptions{}));
     context.wind = build_.world.wind.get();
-    auto fire = fire_kinds().make(scenario_.environment.fire, context);
+    auto fire = kinds_.kinds().fire.make(scenario_.environment.fire, context);
     if (note(fire)) build_.world.fire = std::move(fire).value();
   }
 
   Result<void> station() {
-    StationContext context{scenario_, team(), zones_};
-    auto agent = station_agent_kinds().make(scenario_.station.agent, context);
+    StationContext context{scenario_, kinds_.kinds(), team(), zones_};
+    auto agent = kinds_.kinds().station_agent.make(scenario_.station.agent, context);
     if (!agent) return agent.error();
     simulation::Entity entity;
     entity.name = "station";
@@ -166,9 +167,10 @@ class Builder {
   }
 
   std::vector<reasoning::NamedAircraft> named_team() const {
-    const std::vector<std::string> names = aircraft_names(scenario_);
+    const std::vector<EntityId> ids = team();
     std::vector<reasoning::NamedAircraft> all;
-    for (std::size_t k = 0; k < names.size(); ++k) all.push_back({team()[k], names[k]});
+    for (const std::vector<std::string>& group : aircraft_names(scenario_))
+      for (const std::string& name : group) all.push_back({ids[all.size()], name});
     return all;
   }
 
@@ -181,7 +183,8 @@ class Builder {
   }
 
   void aircraft() {
-    AircraftBuilder builder(scenario_, map_, zones_, *build_.world.wind, kStation);
+    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
+                            kStation);
     for (const AircraftGroup& group : scenario_.aircraft)
       for (int i = 0; i < group.count; ++i) {
         auto made = builder.make(
@@ -194,7 +197,7 @@ class Builder {
 
   bool note_fit(const AircraftGroup& group, int index,
                 const simulation::Entity& aircraft) {
-    const std::vector<Error> found = misfits(scenario_, group, aircraft);
+    const std::vector<Error> found = misfits(scenario_, kinds_, group, aircraft);
     faults_.insert(faults_.end(), found.begin(), found.end());
     if (index == 0)
       for (const std::string& doubt : doubts(scenario_, group, aircraft))
@@ -226,13 +229,14 @@ class Builder {
       const VehicleState* truth = vehicles[id.value]->truth();
       return truth ? truth->p_N : vehicles[id.value]->estimate().p_N;
     };
-    auto made = radio_kinds().make(scenario_.radio, context);
+    auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();
     build_.world.radio = std::move(made).value();
     return {};
   }
 
   const Scenario& scenario_;
+  const KindRegistry& kinds_;
   geo::LocalFrame frame_;
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
@@ -242,10 +246,10 @@ class Builder {
 
 }  // namespace
 
-Result<Build> build(const Scenario& scenario) {
+Result<Build> build(const Scenario& scenario, const KindRegistry& kinds) {
   auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return frame.error();
-  return Builder(scenario, std::move(frame).value()).build();
+  return Builder(scenario, kinds, std::move(frame).value()).build();
 }
 
 TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre,

@@ -24,6 +24,8 @@
 
 namespace skein::assemble {
 
+struct KindsByRole;
+
 /// What every terrain, wind and fire is given besides its options.
 struct EnvironmentContext {
   const geo::LocalFrame& frame;
@@ -59,6 +61,7 @@ struct AircraftContext {
 /// What every ground station's agent is given besides its options.
 struct StationContext {
   const scenario::Scenario& scenario;
+  const KindsByRole& kinds;    ///< of its parts
   std::vector<EntityId> team;  ///< all aircraft
   const std::vector<Zone>& zones;
 };

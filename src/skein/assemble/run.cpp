@@ -24,8 +24,8 @@ class QuietConsole : public OperatorConsole {
 }  // namespace
 
 Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
-                                       const QuietRun& how) {
-  auto built = build(scenario);
+                                       const KindRegistry& kinds, const QuietRun& how) {
+  auto built = build(scenario, kinds);
   if (!built) return built.error();
   Build& ready = built.value();
   ready.options.speed = how.speed;

@@ -124,7 +124,7 @@ constexpr auto describe(const Task*) {
   using T = Task;
   return described<T>({"task"}, "One order for one aircraft.",
                       field("task_number", &T::number, "the newest counts"),
-                      field("", &T::what, Storage::kJson, "what to do"));
+                      field("what", &T::what, Storage::kJson, "what to do"));
 }
 
 }  // namespace skein

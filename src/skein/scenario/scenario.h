@@ -173,6 +173,7 @@ struct PlannedCommand {
 /// meanings stand in scenario_fields.cpp, defaults only here.
 struct Scenario {
   std::string name = "unnamed";
+  std::vector<std::string> plugins;  ///< shared libraries with kinds of their own
   std::uint64_t seed = 1;
   Time duration = Time::from_seconds(3600);
   Time step = Time::from_seconds(0.1);

@@ -418,6 +418,8 @@ Fields<Scenario> scenario_fields() {
   using T = Scenario;
   return Fields<T>()
       .text("name", &T::name, "Name of the run, for reports.")
+      .file("plugins", &T::plugins,
+            "Shared libraries that bring kinds of their own; see docs/extending.md.")
       .integer("seed", &T::seed, "Seed of all randomness: same seed, same run.",
                {.at_least = 0})
       .duration_s("duration_s", &T::duration, "Length of the run.")

@@ -117,7 +117,7 @@ inline FlightLog fly(const std::string& text, const Flown& how = {}) {
   const auto read =
       scenario::read_scenario_text(text, "flight", SKEIN_SOURCE_DIR, kind_table());
   if (!read.ok()) throw std::runtime_error(read.report());
-  auto built = build(*read.scenario);
+  auto built = build(*read.scenario, KindRegistry());
   if (!built) throw std::runtime_error(built.error().text());
   if (!how.script.empty())
     for (simulation::Entity& entity : built.value().world.entities)

@@ -573,7 +573,7 @@ TEST(Run, CommandsOfARecordedRunGiveTheSameRecordsAgain) {
   again.clock_by_command = false;
   fly(again, nobody, second);
   EXPECT_EQ(first.text, second.text);
-  ASSERT_EQ(second.commands.size(), 9u);
+  ASSERT_EQ(second.commands.size(), 10u);
   EXPECT_EQ(first.kinds,
             "joined joined failure joined left repaired command-refused "
             "command-refused ");

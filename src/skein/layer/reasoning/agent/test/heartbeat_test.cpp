@@ -8,16 +8,11 @@ namespace {
 class Quiet final : public Agent {
  public:
   void step(const AgentInput&, AgentOutput&) override {}
-  const BoundaryEstimate* perimeter() const override { return &belief_; }
-
- private:
-  BoundaryEstimate belief_;
 };
 
 TEST(HeartbeatSender, TellsEachAircraftOncePerPeriodHoweverLongTheSteps) {
   HeartbeatSender station(std::make_unique<Quiet>(), {EntityId{1}, EntityId{2}},
                           Time::from_seconds(1));
-  EXPECT_NE(station.perimeter(), nullptr);
   AgentOutput out;
   for (int k = 0; k <= 40; ++k) {
     AgentInput in;
