@@ -56,8 +56,11 @@ std::string quoted(const std::string& text) {
 Result<record::RunSummary> close(record::RunRecorder& recorder, bool interrupted) {
   try {
     return recorder.close(interrupted);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kUnavailable, "", "not enough memory.",
+                 "The records end early."};
   } catch (const std::exception& fault) {
-    return Error{ErrorCode::kUnavailable, "", fault.what(), "The records end early."};
+    return internal_error(fault.what());
   }
 }
 
@@ -164,7 +167,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
     std::string summary;
     if (auto read = read_text(folder / "summary.json", summary); !read)
       return say_error(read.error());
-    print("{}\n", summary);
+    put_out(summary + "\n");
   } else {
     print("{}{}\n", scenario->name, interrupted ? " (interrupted)" : "");
     print_table(closed.value());

@@ -335,14 +335,11 @@ Result<void> guarded_step(Stepper& stepper, Time now,
                           const std::vector<ZoneChange>& wishes) {
   try {
     return stepper.step(now, wishes);
-  } catch (const Bug& bug) {
-    return Error{ErrorCode::kUnavailable, "", bug.what(),
-                 "This is a fault in Skein, please report it."};
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kUnavailable, "", "not enough memory",
                  "Use a coarser grid or fewer members, or run fewer at a time."};
   } catch (const std::exception& fault) {
-    return Error{ErrorCode::kUnavailable, "", fault.what(), ""};
+    return internal_error(fault.what());
   }
 }
 
