@@ -253,7 +253,7 @@ TEST(Kinds, TooManyParticlesAreRefusedBeforeTheyTakeMemory) {
 
 TEST(Build, WarnsWhenThereIsNoAircraft) {
   const auto warnings = [](const std::string& text) {
-    const auto built = build(read(text));
+    const auto built = build(read(text), KindRegistry());
     EXPECT_TRUE(built.ok()) << text;
     return built.ok() ? built.value().warnings : std::vector<std::string>();
   };
