@@ -18,6 +18,7 @@ find_file(SKEIN_MUSL_LIBC libc.a REQUIRED NO_DEFAULT_PATH
 # object file; sets `symbols` to the names that it defines. Made again when musl or this
 # file is newer.
 function(skein_extract object)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
   list(TRANSFORM ARGN PREPEND "-u;" OUTPUT_VARIABLE undefined)
   execute_process(COMMAND ${CMAKE_LINKER} -r ${undefined} -o ${object} ${SKEIN_MUSL_LIBC}
                   COMMAND_ERROR_IS_FATAL ANY)
@@ -53,7 +54,6 @@ function(skein_elementary_functions variable)
   if(made)
     return()
   endif()
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
   skein_extract(${object}.joined ${SKEIN_ELEMENTARY_FUNCTIONS})
   string(REGEX REPLACE "([^\n]+)" "\\1 skein_\\1" renamed "${symbols}")
   file(WRITE ${object}.names "${renamed}")
