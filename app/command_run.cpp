@@ -11,6 +11,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
+#include "skein/record/replay.h"
 #include "skein/record/report.h"
 #include "skein/record/run_recorder.h"
 #include "skein/scenario/scenario_file.h"
@@ -89,67 +90,91 @@ void print_table(const record::RunSummary& summary) {
       print("  {:<44}{:>12.4g}\n", text, *value);
 }
 
-}  // namespace
+// What shall be run.
+struct Order {
+  assemble::KindRegistry kinds;
+  scenario::Scenario scenario;
+  std::optional<record::RecordedRun> recorded;  // that is done again
+};
 
-int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
-  const auto speed = parse_speed(arguments.speed);
-  if (!speed) {
-    complain("--speed {}: must be fast, real or a factor above 0.\n", arguments.speed);
-    return kBadUsage;
-  }
+std::optional<Order> order_of(const RunArguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
   if (!arguments.seed.empty()) overrides.push_back("seed=" + arguments.seed);
-  const auto scenario = load_scenario(arguments.scenario, overrides);
-  if (!scenario) return kBadUsage;
+  const bool again = !arguments.replay.empty();
+  if (!again && arguments.scenario.empty()) {
+    complain("which scenario? Give a scenario file, or --replay FOLDER.\n");
+    return std::nullopt;
+  }
+  auto kinds = load_kinds(arguments.plugins);
+  if (!kinds) return std::nullopt;
+  auto scenario = load_scenario(
+      again ? arguments.replay / "scenario.yaml" : fs::path(arguments.scenario),
+      overrides, arguments.plugins, *kinds);
+  if (!scenario) return std::nullopt;
+  Order order{*std::move(kinds), *std::move(scenario), std::nullopt};
+  if (!again) return order;
+  auto recorded = record::read_recorded(arguments.replay);
+  if (!recorded) {
+    say_error(recorded.error());
+    return std::nullopt;
+  }
+  order.recorded = std::move(recorded).value();
+  return order;
+}
 
-  auto built = assemble::build(*scenario);
-  if (!built) return say_error(built.error());
-  assemble::Build& ready = built.value();
-  for (const std::string& warning : ready.warnings) log_warning("{}", warning);
-  ready.options.speed = *speed;
-  ready.options.threads = arguments.threads;
+// The commands of a recorded run in place of the scenario's, which are among them.
+void replay(const record::RecordedRun& recorded, simulation::RunOptions& options) {
+  options.commands = recorded.commands;
+  options.clock_by_command = false;
+  if (recorded.interrupted) options.duration = *recorded.interrupted - options.step;
+}
 
-  const fs::path folder =
-      arguments.out.empty() ? free_folder(scenario->name) : arguments.out;
-  const std::string text = scenario::write_scenario(*scenario, assemble::kind_table());
+Result<std::unique_ptr<record::RunRecorder>> open_records(
+    const scenario::Scenario& scenario, const std::string& text, const fs::path& folder,
+    bool overwrite) {
   record::RunRecorderOptions options;
-  options.perimeter_period = scenario->record.perimeter_period;
-  options.messages = scenario->record.messages;
-  options.overwrite = arguments.overwrite;
+  options.perimeter_period = scenario.record.perimeter_period;
+  options.messages = scenario.record.messages;
+  options.overwrite = overwrite;
   auto created = record::RunRecorder::create(
-      folder, {kVersion, scenario->seed, scenario->name, text, scenario->start_utc},
+      folder, {kVersion, scenario.seed, scenario.name, text, scenario.start_utc},
       options);
-  if (!created) return say_error(created.error());
-  record::RunRecorder& recorder = *created.value();
+  if (!created) return created;
   if (auto written = write_text(folder / "scenario.yaml", text); !written)
-    return say_error(written.error());
-  const auto patch = assemble::sample_terrain(*ready.world.terrain,
-                                              scenario->monitoring.prior.origin, 4000);
-  recorder.store_terrain(patch.rows, patch.rows, patch.low, patch.spacing, patch.heights);
+    return written.error();
+  return created;
+}
 
-  std::optional<Error> failure;
-  bool interrupted = false;
-  {
-    hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
-    const auto outcome = simulation::run(ready.world, ready.options, recorder, console);
-    if (outcome) {
-      interrupted = outcome.value().end == simulation::RunOutcome::End::kStopped;
-      recorder.set_figure("deadline_misses",
-                          static_cast<double>(outcome.value().deadline_misses));
-    } else {
-      failure = outcome.error();
-    }
-  }
-  const auto closed = close(recorder, interrupted || failure.has_value());
-  if (!failure && !closed) failure = closed.error();
-  if (failure) {
-    say_error(*failure);
-    complain("Records until shortly before: {}\nReplay: skein run {} --seed {}\n",
-             folder.string(), quoted((folder / "scenario.yaml").string()),
-             scenario->seed);
-    return kFailed;
-  }
+// Runs to the end; whether it was interrupted.
+Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
+                      const RunArguments& arguments, const std::atomic<bool>& stop) {
+  hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
+  const auto outcome = simulation::run(ready.world, ready.options, recorder, console);
+  if (!outcome) return outcome.error();
+  recorder.set_figure("deadline_misses",
+                      static_cast<double>(outcome.value().deadline_misses));
+  return outcome.value().end == simulation::RunOutcome::End::kStopped;
+}
 
+// Says whether a run that was done again is the same; the exit status.
+int compare(const record::RecordedRun& recorded, const record::RunSummary& summary) {
+  if (!recorded.content_hash) {
+    complain("The recorded run was cut off and has no content hash to compare with.\n");
+    return kDone;
+  }
+  if (*recorded.content_hash == summary.content_hash) {
+    complain("The same content hash as the recorded run: {}\n", summary.content_hash);
+    return kDone;
+  }
+  complain(
+      "Not the same content hash: {} was recorded, {} now. Is it the same version?\n",
+      *recorded.content_hash, summary.content_hash);
+  return kFailed;
+}
+
+// Prints the end of a run and writes its report; the exit status.
+int finish(const RunArguments& arguments, const fs::path& folder,
+           const record::RunSummary& summary, bool interrupted) {
   std::string written =
       (folder / "run.sqlite").string() + "  summary.json  scenario.yaml";
   if (arguments.report) {
@@ -161,16 +186,63 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
     written += "  report.html";
   }
   if (arguments.json) {
-    std::string summary;
-    if (auto read = read_text(folder / "summary.json", summary); !read)
+    std::string text;
+    if (auto read = read_text(folder / "summary.json", text); !read)
       return say_error(read.error());
-    print("{}\n", summary);
+    print("{}\n", text);
   } else {
-    print("{}{}\n", scenario->name, interrupted ? " (interrupted)" : "");
-    print_table(closed.value());
+    print("{}{}\n", summary.name, interrupted ? " (interrupted)" : "");
+    print_table(summary);
     print("Written: {}\n", written);
   }
   return interrupted ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
+  const auto speed = parse_speed(arguments.speed);
+  if (!speed) {
+    complain("--speed {}: must be fast, real or a factor above 0.\n", arguments.speed);
+    return kBadUsage;
+  }
+  const auto order = order_of(arguments);
+  if (!order) return kBadUsage;
+  const scenario::Scenario& scenario = order->scenario;
+
+  auto built = assemble::build(scenario, order->kinds);
+  if (!built) return say_error(built.error());
+  assemble::Build& ready = built.value();
+  for (const std::string& warning : ready.warnings) log_warning("{}", warning);
+  ready.options.speed = *speed;
+  ready.options.threads = arguments.threads;
+  if (order->recorded) replay(*order->recorded, ready.options);
+
+  const fs::path folder =
+      arguments.out.empty() ? free_folder(scenario.name) : arguments.out;
+  auto opened =
+      open_records(scenario, scenario::write_scenario(scenario, order->kinds.table()),
+                   folder, arguments.overwrite);
+  if (!opened) return say_error(opened.error());
+  record::RunRecorder& recorder = *opened.value();
+  const auto patch = assemble::sample_terrain(*ready.world.terrain,
+                                              scenario.monitoring.prior.origin, 4000);
+  recorder.store_terrain(patch.rows, patch.rows, patch.low, patch.spacing, patch.heights);
+
+  const auto simulated = simulate(ready, recorder, arguments, stop);
+  const bool interrupted =
+      simulated ? simulated.value() || (order->recorded && order->recorded->interrupted)
+                : true;
+  const auto closed = close(recorder, interrupted);
+  if (!simulated || !closed) {
+    say_error(simulated ? closed.error() : simulated.error());
+    complain("Records until shortly before: {}\nReplay: skein run {} --seed {}\n",
+             folder.string(), quoted((folder / "scenario.yaml").string()), scenario.seed);
+    return kFailed;
+  }
+  const int status = finish(arguments, folder, closed.value(), simulated.value());
+  return status == kDone && order->recorded ? compare(*order->recorded, closed.value())
+                                            : status;
 }
 
 }  // namespace skein::app

@@ -12,7 +12,6 @@
 #include "app/particle_update.h"
 #include "app/study_parts.h"
 #include "app/version.h"
-#include "skein/assemble/kinds_of.h"
 #include "skein/assemble/recorded_scenario.h"
 #include "skein/assemble/run.h"
 #include "skein/base/log.h"
@@ -74,8 +73,8 @@ int estimators(const fs::path& folder) {
 
 // --- studies of many runs -----------------------------------------------------------
 
-int monitoring(const StudyArguments& arguments, const fs::path& folder,
-               const std::atomic<bool>& stop) {
+int monitoring(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+               const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::MonitoringStudy study;
   study.base = shipped_scenario("thesis-no-wind.yaml");
   study.cases = arguments.cases;
@@ -84,17 +83,17 @@ int monitoring(const StudyArguments& arguments, const fs::path& folder,
   study.overrides = arguments.overrides;
   study.first_seed = arguments.first_seed;
   study.seeds = arguments.seeds;
-  const auto plan = campaign::plan_monitoring_study(study, assemble::kind_table());
+  const auto plan = campaign::plan_monitoring_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, folder, stop);
+  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
   return finish("monitoring", plan.value(), outcomes.value(),
                 campaign::monitoring_report(study, plan.value(), outcomes.value()),
                 folder, stop);
 }
 
-int bridge(const StudyArguments& arguments, const fs::path& folder,
-           const std::atomic<bool>& stop) {
+int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+           const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::BridgeStudy study;
   study.base = shipped_scenario("bridge-fire.yaml");
   study.estimators = arguments.estimators;
@@ -108,34 +107,34 @@ int bridge(const StudyArguments& arguments, const fs::path& folder,
                          arguments.overrides.end());
   study.first_seed = arguments.first_seed;
   study.seeds = arguments.seeds;
-  const auto plan = campaign::plan_bridge_study(study, assemble::kind_table());
+  const auto plan = campaign::plan_bridge_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, folder, stop);
+  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
   return finish("bridge", plan.value(), outcomes.value(),
                 campaign::bridge_report(study, plan.value(), outcomes.value()), folder,
                 stop);
 }
 
-int fidelity(const StudyArguments& arguments, const fs::path& folder,
-             const std::atomic<bool>& stop) {
+int fidelity(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+             const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::FidelityStudy study;
   study.base = shipped_scenario("wildfire.yaml");
   study.levels = arguments.cases;
   study.overrides = arguments.overrides;
   study.first_seed = arguments.first_seed;
   study.seeds = arguments.seeds;
-  const auto plan = campaign::plan_fidelity_study(study, assemble::kind_table());
+  const auto plan = campaign::plan_fidelity_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, folder, stop);
+  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
   return finish("fidelity", plan.value(), outcomes.value(),
                 campaign::fidelity_report(study, plan.value(), outcomes.value()), folder,
                 stop);
 }
 
-int robustness(const StudyArguments& arguments, const fs::path& folder,
-               const std::atomic<bool>& stop) {
+int robustness(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+               const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::RobustnessStudy study;
   study.base = shipped_scenario("robustness.yaml");
   study.aircraft = arguments.cases;
@@ -143,12 +142,12 @@ int robustness(const StudyArguments& arguments, const fs::path& folder,
   study.first_seed = arguments.first_seed;
   if (std::count(arguments.given.begin(), arguments.given.end(), "--seeds") > 0)
     study.seeds = arguments.seeds;
-  const auto plan = campaign::plan_robustness_study(study, assemble::kind_table());
+  const auto plan = campaign::plan_robustness_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, folder, stop,
-                                 [&stop](const campaign::BatchItem& item) {
+  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop,
+                                 [&](const campaign::BatchItem& item) {
                                    campaign::FlightWatch watch = campaign::watch_of(item);
-                                   auto summary = run_item(item, stop, &watch);
+                                   auto summary = run_item(item, kinds, stop, &watch);
                                    if (summary)
                                      watch.add_figures(summary.value().numbers);
                                    return summary;
@@ -173,28 +172,28 @@ const std::vector<StudyKind>& study_kinds() {
       {"monitoring",
        "every estimator x strategy x wind case, several seeds",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
-        "--estimators", "--strategies", "--set"}},
+        "--estimators", "--strategies", "--set", "--plugin"}},
       {"bridge",
        "a real fire, not star-shaped",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--estimators",
-        "--strategies", "--set", "--data"}},
+        "--strategies", "--set", "--data", "--plugin"}},
       {"fidelity",
        "the default mission from kinematic points to aircraft in gusts",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
-        "--set"}},
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
+        "--plugin"}},
       {"wind-following",
        "plans made for the wind against plans made without it: how closely they are "
        "flown",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
-        "--set"}},
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
+        "--plugin"}},
       {"robustness",
        "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
-        "--set"}},
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
+        "--plugin"}},
       {"tuning",
        "laps of waypoints, each with other gains; can search for gains",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
-        "--set"}}};
+        "--set", "--plugin"}}};
   return kinds;
 }
 
@@ -229,6 +228,17 @@ std::string not_for(const StudyArguments& arguments) {
   return {};
 }
 
+// The plugins as the first changes of every run, so that its scenario says what it needs.
+StudyArguments with_plugins(const StudyArguments& arguments) {
+  StudyArguments all = arguments;
+  std::vector<std::string> changes;
+  for (std::size_t k = 0; k < arguments.plugins.size(); ++k)
+    changes.push_back(
+        fmt::format("plugins[{}]={}", k, fs::canonical(arguments.plugins[k]).string()));
+  all.overrides.insert(all.overrides.begin(), changes.begin(), changes.end());
+  return all;
+}
+
 }  // namespace
 
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop) {
@@ -248,12 +258,16 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
                               ? fs::path("runs") / ("study-" + arguments.name)
                               : arguments.out;
   if (arguments.name == "estimators") return estimators(folder);
-  if (arguments.name == "monitoring") return monitoring(arguments, folder, stop);
-  if (arguments.name == "fidelity") return fidelity(arguments, folder, stop);
-  if (arguments.name == "robustness") return robustness(arguments, folder, stop);
-  if (arguments.name == "wind-following") return following_study(arguments, folder, stop);
-  if (arguments.name == "tuning") return tuning_study(arguments, folder, stop);
-  return bridge(arguments, folder, stop);
+  const auto kinds = load_kinds(arguments.plugins);
+  if (!kinds) return kBadUsage;
+  const StudyArguments all = with_plugins(arguments);
+  if (arguments.name == "monitoring") return monitoring(all, *kinds, folder, stop);
+  if (arguments.name == "fidelity") return fidelity(all, *kinds, folder, stop);
+  if (arguments.name == "robustness") return robustness(all, *kinds, folder, stop);
+  if (arguments.name == "wind-following")
+    return following_study(all, *kinds, folder, stop);
+  if (arguments.name == "tuning") return tuning_study(all, *kinds, folder, stop);
+  return bridge(all, *kinds, folder, stop);
 }
 
 }  // namespace skein::app

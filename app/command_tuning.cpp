@@ -9,7 +9,6 @@
 #include "app/output.h"
 #include "app/study_parts.h"
 #include "app/version.h"
-#include "skein/assemble/kinds_of.h"
 #include "skein/assemble/run.h"
 #include "skein/assemble/tuning_gains.h"
 #include "skein/base/log.h"
@@ -27,13 +26,14 @@ constexpr int kMinFreshSeeds = 10;           // to judge what a search has found
 
 // Flies one item; its laps become figures of the summary.
 Result<record::RunSummary> fly(const campaign::BatchItem& item,
+                               const assemble::KindRegistry& kinds,
                                const std::atomic<bool>& stop,
                                campaign::LapRecorder& laps) {
   assemble::QuietRun how;
   how.version = kVersion;
   how.stop = &stop;
   how.listener = &laps;
-  auto summary = assemble::run_quietly(item.scenario, how);
+  auto summary = assemble::run_quietly(item.scenario, kinds, how);
   if (summary.ok()) laps.add_figures(summary.value().numbers);
   return summary;
 }
@@ -101,9 +101,9 @@ std::string gains_file(const LapGains& gains, const campaign::TuningFound& found
 // The study while it goes on.
 class Tuning {
  public:
-  Tuning(const StudyArguments& arguments, const fs::path& folder,
-         const std::atomic<bool>& stop)
-      : arguments_(arguments), folder_(folder), stop_(stop) {
+  Tuning(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+         const fs::path& folder, const std::atomic<bool>& stop)
+      : arguments_(arguments), kinds_(kinds), folder_(folder), stop_(stop) {
     study_.base = shipped_scenario("tuning.yaml");
     study_.overrides = arguments.overrides;
     study_.first_seed = arguments.first_seed;
@@ -114,7 +114,7 @@ class Tuning {
     options_.stop = &stop;
     run_ = [this](const campaign::BatchItem& item) {
       campaign::LapRecorder laps;
-      return fly(item, stop_, laps);
+      return fly(item, kinds_, stop_, laps);
     };
   }
 
@@ -122,7 +122,8 @@ class Tuning {
   Result<void> prepare() {
     std::vector<scenario::Override> overrides;
     for (const std::string& text : arguments_.overrides) overrides.push_back({text});
-    const auto read = scenario::read_scenario(study_.base, kinds_, overrides);
+    const auto read = scenario::read_scenario(study_.base, kinds_.table(), overrides,
+                                              scenario::plugins_are_loaded());
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     auto base = assemble::tuning_gains_of(*read.scenario);
     if (!base) return base.error();
@@ -130,7 +131,7 @@ class Tuning {
     auto sets = sets_of(arguments_, base_);
     if (!sets) return sets.error();
     study_.sets = std::move(sets).value();
-    auto plan = campaign::plan_laps(study_, kinds_);
+    auto plan = campaign::plan_laps(study_, kinds_.table());
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();
     return make_folder(folder_);
@@ -139,7 +140,7 @@ class Tuning {
   // Looks for gains, then plans flights that compare them with those at the start.
   Result<void> search() {
     search_ = make_search(study_, arguments_.search, base_, terminal_);
-    auto found = campaign::search_gains(search_, kinds_, run_, options_);
+    auto found = campaign::search_gains(search_, kinds_.table(), run_, options_);
     if (terminal_) complain("\n");
     if (!found) return found.error();
     found_ = std::move(found).value();
@@ -155,7 +156,7 @@ class Tuning {
                    {"found", assemble::lap_gains_text(best)}};
     study_.first_seed += study_.seeds;
     study_.seeds = std::max(study_.seeds, kMinFreshSeeds);
-    auto plan = campaign::plan_comparison(study_, kinds_);
+    auto plan = campaign::plan_comparison(study_, kinds_.table());
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();
     return {};
@@ -176,7 +177,7 @@ class Tuning {
     for (std::size_t k = 0; k < plan_.flights.size(); k += step) {
       const std::size_t item = plan_.flights[k].item;
       campaign::LapRecorder laps;
-      if (outcomes_[item].summary && fly(plan_.items[item], stop_, laps).ok())
+      if (outcomes_[item].summary && fly(plan_.items[item], kinds_, stop_, laps).ok())
         shown_.push_back({k, laps.samples()});
     }
     return {};
@@ -222,10 +223,10 @@ class Tuning {
 
  private:
   const StudyArguments& arguments_;
+  const assemble::KindRegistry& kinds_;
   fs::path folder_;
   const std::atomic<bool>& stop_;
   const bool terminal_ = isatty(STDERR_FILENO) != 0;
-  const scenario::KindTable kinds_ = assemble::kind_table();
   campaign::BatchOptions options_;
   campaign::RunScenario run_;
   campaign::TuningStudy study_;
@@ -241,9 +242,9 @@ class Tuning {
 
 }  // namespace
 
-int tuning_study(const StudyArguments& arguments, const fs::path& folder,
-                 const std::atomic<bool>& stop) {
-  Tuning tuning(arguments, folder, stop);
+int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                 const fs::path& folder, const std::atomic<bool>& stop) {
+  Tuning tuning(arguments, kinds, folder, stop);
   if (auto done = tuning.prepare(); !done) return say_error(done.error());
   if (arguments.search > 0)
     if (auto done = tuning.search(); !done) {

@@ -15,13 +15,15 @@ struct RunArguments {
   std::string scenario;
   std::filesystem::path out;           ///< empty = runs/NAME, runs/NAME-2...
   std::vector<std::string> overrides;  ///< a.b[2].c=VALUE
+  std::vector<std::string> plugins;    ///< besides those of the scenario
   std::string seed;                    ///< empty = the scenario's
   std::string speed = "fast";          ///< fast, real, or a factor
   int threads = 1;
   bool report = false;
   bool json = false;
   bool overwrite = false;
-  bool commands = false;  ///< read the operator's from standard input
+  bool commands = false;         ///< read the operator's from standard input
+  std::filesystem::path replay;  ///< a run that is done again; empty = none
 };
 
 struct StudyArguments {
@@ -32,6 +34,7 @@ struct StudyArguments {
   int threads = 2;
   std::vector<std::string> cases, estimators, strategies;  ///< empty = all
   std::vector<std::string> overrides;
+  std::vector<std::string> plugins;
   std::string cases_file, updates_file;  ///< estimators: CSV in, CSV on standard output
   std::string data;                      ///< bridge: folder of the recorded fire
   std::vector<std::string> gains;        ///< tuning: files of gains
@@ -62,10 +65,12 @@ struct TrimArguments {
 
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
 int check_command(const std::string& scenario, const std::vector<std::string>& overrides,
-                  bool filled_in);
-int list_command(const std::string& role);
-int schema_command(const std::string& document);
-int keys_command(const std::string& document);
+                  const std::vector<std::string>& plugins, bool filled_in);
+int list_command(const std::string& role, const std::vector<std::string>& plugins);
+/// Puts the kinds of plugins, or without one all kinds, to the test of their contracts.
+int verify_command(const std::string& role, const std::vector<std::string>& plugins);
+int schema_command(const std::string& document, const std::vector<std::string>& plugins);
+int keys_command(const std::string& document, const std::vector<std::string>& plugins);
 int fly_command(const FlyArguments& arguments, const std::atomic<bool>& stop);
 int trim_command(const TrimArguments& arguments);
 int report_command(const std::vector<std::filesystem::path>& runs,

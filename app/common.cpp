@@ -1,22 +1,49 @@
 #include "app/common.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "app/commands.h"
 #include "app/output.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/load_plugin.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
 
-std::optional<scenario::Scenario> load_scenario(
-    const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+std::optional<assemble::KindRegistry> load_kinds(
+    const std::vector<std::string>& plugins) {
+  std::optional<assemble::KindRegistry> kinds(std::in_place);
+  bool good = true;
+  for (const std::string& plugin : plugins)
+    if (const auto loaded = assemble::load_plugin(plugin, *kinds); !loaded) {
+      say_error(loaded.error());
+      good = false;
+    }
+  if (!good) kinds.reset();
+  return kinds;
+}
+
+std::optional<scenario::Scenario> load_scenario(const std::filesystem::path& file,
+                                                const std::vector<std::string>& overrides,
+                                                const std::vector<std::string>& plugins,
+                                                assemble::KindRegistry& kinds) {
   std::vector<scenario::Override> changes;
   for (const std::string& text : overrides) changes.push_back({text});
-  auto outcome = scenario::read_scenario(file, assemble::kind_table(), changes);
-  if (!outcome.ok()) complain("{}", outcome.report());
+  auto outcome = scenario::read_scenario(file, kinds.table(), changes,
+                                         [&kinds](const std::string& plugin) {
+                                           return assemble::load_plugin(plugin, kinds);
+                                         });
+  if (!outcome.ok()) {
+    complain("{}", outcome.report());
+    return std::nullopt;
+  }
+  for (const std::string& plugin : plugins) {
+    auto& named = outcome.scenario->plugins;
+    const std::string path = std::filesystem::canonical(plugin).string();
+    if (std::find(named.begin(), named.end(), path) == named.end()) named.push_back(path);
+  }
   return std::move(outcome.scenario);
 }
 

@@ -5,16 +5,24 @@
 #include <string>
 #include <vector>
 
+#include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/layer/asset/fixed_wing/parameters.h"
 #include "skein/scenario/scenario.h"
 
 namespace skein::app {
 
-/// Reads a scenario with overrides; says all problems on standard error when there are
-/// any.
-std::optional<scenario::Scenario> load_scenario(
-    const std::filesystem::path& file, const std::vector<std::string>& overrides);
+/// Skein's own kinds and those of plugins. What cannot be loaded is said on standard
+/// error; then there are none.
+std::optional<assemble::KindRegistry> load_kinds(const std::vector<std::string>& plugins);
+
+/// Reads a scenario with overrides, and the plugins that it names into `kinds`; says all
+/// problems on standard error when there are any. The scenario names all `plugins`, those
+/// of the command line too, so that it can be run again as it is written out.
+std::optional<scenario::Scenario> load_scenario(const std::filesystem::path& file,
+                                                const std::vector<std::string>& overrides,
+                                                const std::vector<std::string>& plugins,
+                                                assemble::KindRegistry& kinds);
 
 /// The parameters of a fixed wing, built in or in a file relative to the working folder.
 /// Fails: as assemble::load_aircraft; an aircraft of another kind.

@@ -28,7 +28,8 @@ constexpr const char* kRunExamples = R"(
 Examples:
   skein run scenarios/wildfire.yaml --report
   skein run scenarios/wildfire.yaml --seed 7 --set aircraft[0].count=6 --out runs/six
-  skein run scenarios/wildfire.yaml --speed 10          ten times real time)";
+  skein run scenarios/wildfire.yaml --speed 10          ten times real time
+  skein run --replay runs/six                           the same again)";
 
 constexpr const char* kCheckExamples = R"(
 Examples:
@@ -40,12 +41,14 @@ constexpr const char* kListExamples = R"(
 Examples:
   skein list                all kinds of all roles
   skein list estimator      those of one role
-  skein list aircraft       the aircraft that are part of the program)";
+  skein list aircraft       the aircraft that are part of the program
+  skein list --verify --plugin my_kinds.so      test the kinds of a plugin)";
 
 constexpr const char* kSchemaExamples = R"(
 Examples:
   skein schema > scenario.schema.json
   skein schema aircraft > aircraft.schema.json
+  skein schema records      TypeScript types of records, messages and commands
   then, in the first line of a scenario, for editors with a YAML language server:
   # yaml-language-server: $schema=scenario.schema.json)";
 
@@ -101,6 +104,16 @@ void add_log_option(CLI::App& command) {
       ->type_name("LEVEL");
 }
 
+// The option `--plugin` of a command.
+void add_plugin_option(CLI::App& command, std::vector<std::string>& plugins) {
+  command
+      .add_option("--plugin", plugins,
+                  "A shared library with kinds of your own; may be repeated.")
+      ->type_name("FILE")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 int run_program(int argc, char** argv) {
   using namespace skein::app;
   CLI::App app{"Skein: teams of unmanned aircraft in mixed reality."};
@@ -110,7 +123,8 @@ int run_program(int argc, char** argv) {
 
   RunArguments run;
   auto* run_cmd = app.add_subcommand("run", "Run a scenario.");
-  run_cmd->add_option("scenario", run.scenario, "The scenario file (YAML).")->required();
+  auto* run_scenario =
+      run_cmd->add_option("scenario", run.scenario, "The scenario file (YAML).");
   run_cmd->add_option("--out", run.out, "Folder for the run; default: runs/NAME.");
   run_cmd->add_option("--seed", run.seed, "Seed instead of the scenario's.");
   run_cmd->add_option("--speed", run.speed, "fast, real, or a factor of real time.");
@@ -118,11 +132,19 @@ int run_program(int argc, char** argv) {
       ->add_option("--set", run.overrides, "KEY=VALUE: overrides a key of the scenario.")
       ->take_all()
       ->allow_extra_args(false);
+  add_plugin_option(*run_cmd, run.plugins);
   run_cmd->add_option("--threads", run.threads, "Threads of the simulation.")
       ->check(CLI::Range(1, 256));
   run_cmd->add_flag("--commands", run.commands,
-                    "Take commands from standard input: zone on, zone off; see the "
-                    "user guide.");
+                    "Take commands from standard input, line by line; see "
+                    "docs/commands.md.");
+  run_cmd
+      ->add_option(
+          "--replay", run.replay,
+          "Folder of a run that is done again, with the commands that were given "
+          "in it; says whether the content hash is the same.")
+      ->excludes(run_scenario)
+      ->excludes("--commands");
   run_cmd->add_flag("--report", run.report, "Write report.html at the end.");
   run_cmd->add_flag("--json", run.json, "Print the summary as JSON on standard output.");
   run_cmd->add_flag("--overwrite", run.overwrite, "Replace a run that is in the folder.");
@@ -131,6 +153,7 @@ int run_program(int argc, char** argv) {
 
   std::string scenario;
   std::vector<std::string> overrides;
+  std::vector<std::string> plugins;
   bool filled_in = false;
   auto* check_cmd =
       app.add_subcommand("check", "Check a scenario: all problems at once.");
@@ -138,6 +161,7 @@ int run_program(int argc, char** argv) {
   check_cmd->add_option("--set", overrides, "KEY=VALUE: overrides a key of the scenario.")
       ->take_all()
       ->allow_extra_args(false);
+  add_plugin_option(*check_cmd, plugins);
   check_cmd->add_flag("--print", filled_in,
                       "Print the scenario with all defaults filled in.");
   add_log_option(*check_cmd);
@@ -146,6 +170,11 @@ int run_program(int argc, char** argv) {
   std::string role;
   auto* list_cmd = app.add_subcommand("list", "List the kinds that a scenario can name.");
   list_cmd->add_option("kind", role, "Only this role: estimator, strategy, fire...");
+  add_plugin_option(*list_cmd, plugins);
+  bool verify = false;
+  list_cmd->add_flag("--verify", verify,
+                     "Test whether kinds keep the contract of their role: those of the "
+                     "plugins; without plugins all.");
   list_cmd->footer(kListExamples);
 
   auto* schema_cmd = app.add_subcommand(
@@ -154,9 +183,14 @@ int run_program(int argc, char** argv) {
   auto* keys_cmd =
       app.add_subcommand("keys", "Print the documentation of all keys (Markdown).");
   std::string document = "scenario";
-  for (auto* command : {schema_cmd, keys_cmd})
-    command->add_option("of", document, "Of which files: scenario or aircraft.")
-        ->check(CLI::IsMember({"scenario", "aircraft"}));
+  for (auto* command : {schema_cmd, keys_cmd}) {
+    command
+        ->add_option("of", document,
+                     "Of which files: scenario or aircraft; records: what runs leave "
+                     "behind.")
+        ->check(CLI::IsMember({"scenario", "aircraft", "records"}));
+    add_plugin_option(*command, plugins);
+  }
   keys_cmd->footer(kKeysExamples);
 
   FlyArguments fly;
@@ -238,6 +272,7 @@ int run_program(int argc, char** argv) {
   study_cmd->add_option("--set", study.overrides, "KEY=VALUE for every run.")
       ->take_all()
       ->allow_extra_args(false);
+  add_plugin_option(*study_cmd, study.plugins);
   study_cmd->add_option(
       "--cases", study.cases_file,
       "estimators: evaluate the rows of this CSV (- = standard input).");
@@ -274,10 +309,11 @@ int run_program(int argc, char** argv) {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   if (*run_cmd) return run_command(run, stop_requested);
-  if (*check_cmd) return check_command(scenario, overrides, filled_in);
-  if (*list_cmd) return list_command(role);
-  if (*schema_cmd) return schema_command(document);
-  if (*keys_cmd) return keys_command(document);
+  if (*check_cmd) return check_command(scenario, overrides, plugins, filled_in);
+  if (*list_cmd && verify) return verify_command(role, plugins);
+  if (*list_cmd) return list_command(role, plugins);
+  if (*schema_cmd) return schema_command(document, plugins);
+  if (*keys_cmd) return keys_command(document, plugins);
   if (*fly_cmd && steady) {
     trim.aircraft = fly.aircraft;
     return trim_command(trim);

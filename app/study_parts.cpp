@@ -23,6 +23,9 @@ fs::path shipped_scenario(const std::string& name) {
   std::error_code fault;
   if (fs::exists(here, fault)) return here;
   const fs::path program = fs::read_symlink("/proc/self/exe", fault);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "skein" / "scenarios" / name;
+  if (fs::exists(installed, fault)) return installed;
   return program.parent_path().parent_path().parent_path() / "scenarios" / name;
 }
 
@@ -77,16 +80,18 @@ bool tell_failures(const std::vector<campaign::BatchItem>& items,
 }
 
 Result<record::RunSummary> run_item(const campaign::BatchItem& item,
+                                    const assemble::KindRegistry& kinds,
                                     const std::atomic<bool>& stop, Recorder* listener) {
   assemble::QuietRun how;
   how.version = kVersion;
   how.stop = &stop;
   how.listener = listener;
-  return assemble::run_quietly(item.scenario, how);
+  return assemble::run_quietly(item.scenario, kinds, how);
 }
 
 Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
                                                      const StudyArguments& arguments,
+                                                     const assemble::KindRegistry& kinds,
                                                      const fs::path& folder,
                                                      const std::atomic<bool>& stop,
                                                      campaign::RunScenario run) {
@@ -101,7 +106,7 @@ Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& 
     if (terminal) complain("\r{} of {} runs", done, all);
   };
   if (!run)
-    run = [&stop](const campaign::BatchItem& item) { return run_item(item, stop); };
+    run = [&](const campaign::BatchItem& item) { return run_item(item, kinds, stop); };
   auto outcomes = campaign::run_batch(plan.items, run, options);
   if (terminal) complain("\n");
   return outcomes;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/campaign/batch.h"
 #include "skein/campaign/monitoring_study.h"
@@ -17,7 +18,8 @@ namespace skein::app {
 
 // What studies have in common.
 
-/// A shipped scenario: beside the working folder, or beside the program's checkout.
+/// A shipped scenario: beside the working folder, installed with the program, or beside
+/// the program's checkout.
 std::filesystem::path shipped_scenario(const std::string& name);
 
 /// Made when there is something to put into it: what is refused leaves nothing behind.
@@ -33,6 +35,7 @@ bool tell_failures(const std::vector<campaign::BatchItem>& items,
 
 /// Runs one item without records.
 Result<record::RunSummary> run_item(const campaign::BatchItem& item,
+                                    const assemble::KindRegistry& kinds,
                                     const std::atomic<bool>& stop,
                                     Recorder* listener = nullptr);
 
@@ -41,6 +44,7 @@ Result<record::RunSummary> run_item(const campaign::BatchItem& item,
 /// @param run  of one item; none: run_item().
 Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
                                                      const StudyArguments& arguments,
+                                                     const assemble::KindRegistry& kinds,
                                                      const std::filesystem::path& folder,
                                                      const std::atomic<bool>& stop,
                                                      campaign::RunScenario run = {});
@@ -53,11 +57,11 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
            const std::atomic<bool>& stop, const std::map<std::string, double>& more = {});
 
 /// `skein study wind-following`; returns the exit status.
-int following_study(const StudyArguments& arguments, const std::filesystem::path& folder,
-                    const std::atomic<bool>& stop);
+int following_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                    const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study tuning`; returns the exit status.
-int tuning_study(const StudyArguments& arguments, const std::filesystem::path& folder,
-                 const std::atomic<bool>& stop);
+int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                 const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 }  // namespace skein::app

@@ -26,14 +26,7 @@ constexpr double kStepsPerSecond = 100;
 // Records nothing, and takes the time of the processor at each second of the run.
 class Stopwatch final : public Recorder {
  public:
-  void entity(EntityId, const std::string&, const std::string&) override {}
-  void truth(Time, EntityId, const VehicleState&) override {}
-  void estimate(EntityId, const NavEstimate&, const AutopilotStatus&) override {}
-  void reading(const FireReading&) override {}
-  void message(const Message&, Time, bool) override {}
-  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
-  void event(const Event&) override {}
-  void crossing(const Crossing&) override {}
+  void record(const Record&) override {}
   Result<void> step_done(Time now) override {
     if (now.ns() % Time::from_seconds(1).ns() == 0) at_.push_back(std::clock());
     return {};
@@ -75,7 +68,7 @@ std::vector<double> run_fleet(const std::string& plant, const std::string& senso
   const auto read =
       scenario::read_scenario_text(text, "fleet", ".", assemble::kind_table());
   if (!read.ok()) throw std::runtime_error(read.report());
-  auto built = assemble::build(*read.scenario);
+  auto built = assemble::build(*read.scenario, assemble::KindRegistry());
   if (!built) throw std::runtime_error(built.error().text());
   built.value().options.threads = 1;
   Stopwatch stopwatch;

@@ -31,26 +31,24 @@ class Touches final : public Recorder {
     Time still_since;
     double off = 0;  // from the point, at rest [m]
   };
-  void entity(EntityId, const std::string&, const std::string&) override {}
-  void truth(Time time, EntityId id, const VehicleState& state) override {
-    One& one = all[id.value];
+  void record(const Record& record) override {
+    if (const auto* truth = std::get_if<TruthRecord>(&record)) take(*truth);
+    if (const auto* event = std::get_if<Event>(&record))
+      if (event->kind == "accident") all[event->entity.value].broke = true;
+  }
+
+  std::map<std::uint32_t, One> all;
+
+ private:
+  void take(const TruthRecord& truth) {
+    const VehicleState& state = truth.state;
+    One& one = all[truth.id.value];
     one.touched |= state.on_ground;
-    if (!one.touched || state.v_N.norm() > kStill) one.still_since = time;
-    if (one.rests || (time - one.still_since).seconds() < kStillTime) return;
+    if (!one.touched || state.v_N.norm() > kStill) one.still_since = truth.time;
+    if (one.rests || (truth.time - one.still_since).seconds() < kStillTime) return;
     one.rests = true;
     one.off = geo::horizontal(state.p_N).norm();
   }
-  void estimate(EntityId, const NavEstimate&, const AutopilotStatus&) override {}
-  void reading(const FireReading&) override {}
-  void message(const Message&, Time, bool) override {}
-  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
-  void event(const Event& event) override {
-    if (event.kind == "accident") all[event.entity.value].broke = true;
-  }
-  void crossing(const Crossing&) override {}
-  Result<void> step_done(Time) override { return {}; }
-
-  std::map<std::uint32_t, One> all;
 };
 
 class Quiet final : public OperatorConsole {
@@ -77,7 +75,7 @@ void landing(benchmark::State& state, const char* aircraft, double wind,
     const auto read = scenario::read_scenario_text(text, "landing", SKEIN_SOURCE_DIR,
                                                    assemble::kind_table());
     if (!read.ok()) throw std::runtime_error(read.report());
-    auto built = assemble::build(*read.scenario);
+    auto built = assemble::build(*read.scenario, assemble::KindRegistry());
     if (!built) throw std::runtime_error(built.error().text());
     Touches touches;
     Quiet console;

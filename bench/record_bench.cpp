@@ -42,8 +42,8 @@ void give_rows(Recorder& recorder, std::int64_t rows) {
     state.p_N = Vec3(0.1 * static_cast<double>(i), 20, -300);
     estimate.time = now;
     estimate.p_N = state.p_N;
-    recorder.truth(now, id, state);
-    recorder.estimate(id, estimate, {});
+    recorder.record(TruthRecord{now, id, state});
+    recorder.record(EstimateRecord{id, estimate, {}});
     benchmark::DoNotOptimize(recorder.step_done(now));
   }
 }

@@ -3,10 +3,17 @@
 #   skein_module(<name> SOURCES a.cpp... TESTS test/a_test.cpp...
 #                NEEDS <modules and public libraries>... HIDES <private libraries>...)
 #
-# NEEDS entries that are modules of this project are linked as skein_<entry>.
+# NEEDS entries that are modules of this project are linked as skein_<entry>. TEST_ONLY
+# modules are tests of several others together; they are not installed.
+
+# Libraries without anything to link: those who use ours need not have them.
+set(SKEIN_HEADER_ONLY skein_warnings nlohmann_json::nlohmann_json)
+
 function(skein_link target visibility)
   foreach(need IN LISTS ARGN)
-    if(TARGET skein_${need})
+    if(visibility STREQUAL PRIVATE AND need IN_LIST SKEIN_HEADER_ONLY)
+      target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:${need}>)
+    elseif(TARGET skein_${need})
       target_link_libraries(${target} ${visibility} skein_${need})
     else()
       target_link_libraries(${target} ${visibility} ${need})
@@ -15,16 +22,18 @@ function(skein_link target visibility)
 endfunction()
 
 function(skein_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;TESTS;NEEDS;HIDES;TEST_NEEDS" ${ARGN})
+  cmake_parse_arguments(ARG TEST_ONLY "" "SOURCES;TESTS;NEEDS;HIDES;TEST_NEEDS" ${ARGN})
   if(ARG_SOURCES)
     add_library(skein_${name} STATIC ${ARG_SOURCES})
-    target_include_directories(skein_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    skein_export(${name} PUBLIC)
     skein_link(skein_${name} PUBLIC ${ARG_NEEDS})
     skein_link(skein_${name} PRIVATE skein_warnings ${ARG_HIDES})
     target_precompile_headers(skein_${name} REUSE_FROM skein_precompiled)
   else()
     add_library(skein_${name} INTERFACE)
-    target_include_directories(skein_${name} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    if(NOT ARG_TEST_ONLY)
+      skein_export(${name} INTERFACE)
+    endif()
     skein_link(skein_${name} INTERFACE ${ARG_NEEDS})
   endif()
   if(ARG_TESTS AND SKEIN_TESTS)

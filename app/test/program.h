@@ -55,6 +55,7 @@ class Program : public testing::Test {
     if (chdir(folder_.c_str()) != 0) _exit(99);
     if (!freopen("out.txt", "w", stdout) || !freopen("err.txt", "w", stderr)) _exit(99);
     if (out >= 0) dup2(out, STDOUT_FILENO);
+    if (!input_.empty() && !freopen(input_.c_str(), "r", stdin)) _exit(99);
     const rlimit limit{file_limit, file_limit}, memory{memory_limit, memory_limit};
     setrlimit(RLIMIT_FSIZE, &limit);
     setrlimit(RLIMIT_AS, &memory);
@@ -134,6 +135,7 @@ class Program : public testing::Test {
 #endif
 
   fs::path folder_;
+  fs::path input_;  // what programs read from standard input; empty: what the test has
 };
 
 }  // namespace skein::app

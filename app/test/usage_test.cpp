@@ -44,6 +44,12 @@ TEST_F(Program, ListsKindsAndTheirKeys) {
 TEST_F(Program, TheDocumentationOfKeysIsUpToDate) {
   EXPECT_EQ(run({"keys"}).out, read_file(SKEIN_SOURCE_DIR "/docs/scenario-keys.md"))
       << "Renew it: build/release/skein keys > docs/scenario-keys.md";
+  EXPECT_EQ(run({"keys", "records"}).out,
+            read_file(SKEIN_SOURCE_DIR "/docs/record-tables.md"))
+      << "Renew it: build/release/skein keys records > docs/record-tables.md";
+  EXPECT_EQ(run({"schema", "records"}).out,
+            read_file(SKEIN_SOURCE_DIR "/web/report/records.ts"))
+      << "Renew it: build/release/skein schema records > web/report/records.ts";
 }
 
 TEST_F(Program, ShippedScenariosAreGood) {

@@ -1,5 +1,7 @@
 /** What the program puts into the page, and how its packed numbers are read. */
 
+import type { Entity, Event, GroundObject } from "./records";
+
 /** Base64 of little-endian numbers of the kind that the field's comment names. */
 export type Packed = string;
 
@@ -15,16 +17,6 @@ export interface Track {
 export interface Frame {
   time_s: number;
   rings: Packed[]; // truth: uint16 north, east; belief: north, east, normal, sigma
-}
-
-/** A thing on the ground that moves evenly: its place at time 0. */
-export interface GroundObject {
-  id: number;
-  name: string;
-  north_m: number;
-  east_m: number;
-  velocity_north_m_s: number;
-  velocity_east_m_s: number;
 }
 
 export interface Terrain {
@@ -54,7 +46,7 @@ export interface MapData {
 }
 
 export type FlightColumn =
-  "altitude_msl_m" | "airspeed_m_s" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
+  "altitude_msl_m" | "airspeed_mps" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
 
 export interface RunData {
   label: string;
@@ -68,12 +60,12 @@ export interface RunData {
   duration_s: number;
   allocation_start_s: number | null;
   summary: Record<string, number>;
-  entities: { id: number; name: string; kind: string }[];
+  entities: Entity[];
   metrics: { time_s: Packed; columns: Record<string, Packed> }; // float32, NaN = absent
   /** The first aircraft, over time; empty in comparisons. */
   flights: { entity: number; time_s: Packed; columns: Record<FlightColumn, Packed> }[]; // float32
   messages: { bin_s: number; sent: number[]; lost: number[] };
-  events: { time_s: number; entity: number; kind: string; text: string }[];
+  events: Event[];
   events_left_out: number;
   scenario: string;
   map: MapData | null;

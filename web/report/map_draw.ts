@@ -244,8 +244,8 @@ function drawObjects(context: CanvasRenderingContext2D, scene: Scene, time: numb
   }
   context.globalAlpha = 1;
   for (const each of scene.objects) {
-    const [x, y] = place(each.north_m + time * each.velocity_north_m_s, each.east_m + time * each.velocity_east_m_s);
-    context.fillStyle = found.has(each.id) ? theme.found : theme.paper;
+    const [x, y] = place((each.north_m ?? 0) + time * (each.velocity_north_mps ?? 0), (each.east_m ?? 0) + time * (each.velocity_east_mps ?? 0));
+    context.fillStyle = found.has(each.object_id) ? theme.found : theme.paper;
     context.strokeStyle = theme.found;
     context.lineWidth = 1.6;
     context.fillRect(x - 4, y - 4, 8, 8);

@@ -109,13 +109,13 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
 
 function eventList(runs: RunData[]): HTMLElement | null {
   const tables = runs.filter((run) => run.events.length > 0).map((run) => {
-    const names = new Map(run.entities.map((entity) => [entity.id, entity.name]));
+    const names = new Map(run.entities.map((entity) => [entity.entity_id, entity.name]));
     return h("details", { open: runs.length === 1 && run.events.length <= 15 },
       h("summary", {}, `${run.label}: ${run.events.length + run.events_left_out} events`),
       h("div", { class: "scroll" }, h("table", { class: "events" },
         h("thead", {}, h("tr", {}, ...["Time", "Who", "Kind", "What"].map((t) => h("th", { scope: "col" }, t)))),
         h("tbody", {}, ...run.events.map((event) => h("tr", {},
-          h("td", {}, clock(event.time_s)), h("td", {}, names.get(event.entity) ?? String(event.entity)),
+          h("td", {}, clock(event.time_s)), h("td", {}, names.get(event.entity_id) ?? String(event.entity_id)),
           h("td", {}, event.kind), h("td", {}, event.text)))))),
       run.events_left_out > 0
         ? h("p", { class: "hint" }, `${run.events_left_out} more are in the run's database.`) : null);

@@ -1,5 +1,6 @@
 /** What is where at a time: unpacked tracks and perimeters of one run. */
-import { floats, octets, shorts, type Frame, type GroundObject, type MapData, type RunData, type Terrain } from "./data";
+import { floats, octets, shorts, type Frame, type MapData, type RunData, type Terrain } from "./data";
+import type { GroundObject } from "./records";
 
 /** A believed ring: places, outward directions and deviations, point by point. */
 export interface Ring {
@@ -36,7 +37,7 @@ export class Scene {
   private readonly cache = new Map<Frame, Ring[]>();
 
   constructor(run: RunData, private readonly map: MapData) {
-    const names = new Map(run.entities.map((entity) => [entity.id, entity.name]));
+    const names = new Map(run.entities.map((entity) => [entity.entity_id, entity.name]));
     this.duration = run.duration_s;
     this.terrain = map.terrain;
     this.tracks = map.tracks.map((track) => ({

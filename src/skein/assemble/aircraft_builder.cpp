@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "skein/assemble/aircraft_fit.h"
-#include "skein/assemble/kinds_of.h"
 #include "skein/assemble/placement.h"
 #include "skein/assemble/presence.h"
 #include "skein/assemble/sampling.h"
@@ -37,9 +36,21 @@ Error at(const std::string& name, Error error) {
 
 }  // namespace
 
+std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& scenario) {
+  std::map<std::string, int> named;  // how many aircraft have a group's name
+  std::vector<std::vector<std::string>> all;
+  for (const AircraftGroup& group : scenario.aircraft) {
+    all.emplace_back();
+    for (int i = 0; i < group.count; ++i)
+      all.back().push_back(fmt::format("{}-{}", group.name, ++named[group.name]));
+  }
+  return all;
+}
+
 Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
                                                  EntityId self) {
-  const std::string name = fmt::format("{}-{}", group.name, ++named_[group.name]);
+  const auto group_index = static_cast<std::size_t>(&group - scenario_.aircraft.data());
+  const std::string& name = names_.at(group_index).at(static_cast<std::size_t>(index));
   AircraftContext context;
   context.seed = scenario_.seed;
   context.self = self;
@@ -55,46 +66,48 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.limits = nominal.value()->limits();
   context.airframe = nominal.value()->airframe();
 
-  auto vehicle = std::make_unique<simulation::Vehicle>();
-  vehicle->plant = nominal.value();
+  simulation::VehicleParts vehicle;
+  vehicle.name = name;
+  vehicle.plant = nominal.value();
   if (group.parameter_spread > 0) {
     context.parameter_spread = group.parameter_spread;
-    auto own = plant_kinds().make(group.plant, context);
+    auto own = kinds_.plant.make(group.plant, context);
     if (!own) return own.error();
-    vehicle->plant = std::move(own).value();
+    vehicle.plant = std::move(own).value();
   }
   auto step = flight_step(scenario_, group);
   if (!step) return at(name, step.error());
-  vehicle->step = step.value();
-  if (auto placed = put(name, group, index, *vehicle); !placed) return placed.error();
-  context.initial = as_estimate(vehicle->state, Time());
-  context.on_ground = vehicle->state.on_ground;
+  vehicle.step = step.value();
+  if (auto placed = put(name, group, index, vehicle); !placed) return placed.error();
+  context.initial = as_estimate(vehicle.state, Time());
+  context.on_ground = vehicle.state.on_ground;
 
   context.hears_station = heartbeat(scenario_) > Time();
   for (const scenario::Choice& sensor : group.sensors)
-    context.has_position |= position_age(sensor, vehicle->step.seconds()).has_value();
+    context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
-  auto autopilot = autopilot_kinds().make(group.autopilot, context);
+  auto autopilot = kinds_.autopilot.make(group.autopilot, context);
   if (!autopilot) return at(name, autopilot.error());
-  vehicle->autopilot = std::move(autopilot).value();
-  auto parts = mount_sensors(group, context, *vehicle);
+  vehicle.autopilot = std::move(autopilot).value();
+  auto parts = mount_sensors(group, context, vehicle);
   if (!parts) return parts.error();
   auto turbulence = gusty_air(context);
   if (!turbulence) return turbulence.error();
-  vehicle->turbulence = std::move(turbulence).value();
+  vehicle.turbulence = std::move(turbulence).value();
   auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
                                context.seed, context.self);
   if (!faults) return faults.error();
-  vehicle->faults = std::move(faults).value();
-  auto agent = agent_kinds().make(group.agent, context);
+  vehicle.faults = std::move(faults).value();
+  vehicle.breakable = breakable_parts(parts.value());
+  auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
   simulation::Entity entity;
   entity.name = name;
   entity.kind = "aircraft";
   entity.agent = std::move(agent).value();
-  entity.vehicle = std::move(vehicle);
+  entity.vehicle = std::make_unique<simulation::SimulatedVehicle>(std::move(vehicle));
   entity.agent_period = group.agent_period;
   entity.active = presence(group, index, scenario_.duration);
   return entity;
@@ -104,14 +117,14 @@ Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
     const AircraftGroup& group, const AircraftContext& context) {
   if (const auto known = plants_.find(&group); known != plants_.end())
     return known->second;
-  auto made = plant_kinds().make(group.plant, context);
+  auto made = kinds_.plant.make(group.plant, context);
   if (!made) return made.error();
   return plants_.emplace(&group, std::move(made).value()).first->second;
 }
 
 Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
     const AircraftContext& context) const {
-  auto turbulence = turbulence_kinds().make(scenario_.environment.turbulence, context);
+  auto turbulence = kinds_.turbulence.make(scenario_.environment.turbulence, context);
   if (!turbulence || scenario_.environment.gusts.empty()) return turbulence;
   environment::DiscreteGustsOptions single;
   for (const scenario::GustEvent& gust : scenario_.environment.gusts)
@@ -130,7 +143,7 @@ Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
 
 // In level flight at cruise, in the wind of that place, or on the ground.
 Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& group,
-                                  int index, simulation::Vehicle& vehicle) const {
+                                  int index, simulation::VehicleParts& vehicle) const {
   const Place place = place_at_start(group.start, index, group.count);
   const double ground = map_->elevation_msl(place.position);
   const double altitude =
@@ -169,13 +182,13 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
 
 Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
                                              AircraftContext& context,
-                                             simulation::Vehicle& vehicle) const {
+                                             simulation::VehicleParts& vehicle) const {
   Parts parts;
   parts.airframe = context.airframe;
   std::map<std::string, std::uint32_t> of_kind;
   for (const scenario::Choice& choice : group.sensors) {
     context.instance = of_kind[choice.kind]++;
-    auto sensor = sensor_kinds().make(choice, context);
+    auto sensor = kinds_.sensor.make(choice, context);
     if (!sensor) return sensor.error();
     auto mounted = unpacked(choice.kind, std::move(sensor).value());
     for (sensory::SensorSuite::Part& part : mounted) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/assemble/contexts.h"
+#include "skein/assemble/kind_registry.h"
 #include "skein/assemble/vehicle_faults.h"
 #include "skein/base/result.h"
 #include "skein/data/zone.h"
@@ -14,23 +15,30 @@
 #include "skein/role/plant.h"
 #include "skein/role/wind_field.h"
 #include "skein/scenario/scenario.h"
+#include "skein/simulation/simulated_vehicle.h"
 #include "skein/simulation/world.h"
 
 namespace skein::assemble {
+
+/// What the aircraft of a scenario are called, group by group: GROUP-1, GROUP-2...
+std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& scenario);
 
 /// Makes the aircraft of a scenario, one after the other. Those of one group share their
 /// plant, unless each differs a little.
 class AircraftBuilder {
  public:
   /// All references outlive the builder.
-  AircraftBuilder(const scenario::Scenario& scenario, std::shared_ptr<const Terrain> map,
-                  const std::vector<Zone>& zones, const WindField& wind, EntityId station)
+  AircraftBuilder(const scenario::Scenario& scenario, const KindsByRole& kinds,
+                  std::shared_ptr<const Terrain> map, const std::vector<Zone>& zones,
+                  const WindField& wind, EntityId station)
       : scenario_(scenario),
+        kinds_(kinds),
         map_(std::move(map)),
         zones_(zones),
         wind_(wind),
         station_(station),
-        planner_(std::make_shared<planning::AaStar>()) {}
+        planner_(std::make_shared<planning::AaStar>()),
+        names_(aircraft_names(scenario)) {}
 
   /// Aircraft `index` of `group`, which becomes entity `self`.
   /// Fails: what a part cannot be made from; a start inside terrain or a no-flight zone;
@@ -44,13 +52,14 @@ class AircraftBuilder {
   Result<std::shared_ptr<const Plant>> nominal_plant(const scenario::AircraftGroup& group,
                                                      const AircraftContext& context);
   Result<void> put(const std::string& name, const scenario::AircraftGroup& group,
-                   int index, simulation::Vehicle& vehicle) const;
+                   int index, simulation::VehicleParts& vehicle) const;
   Result<Parts> mount_sensors(const scenario::AircraftGroup& group,
                               AircraftContext& context,
-                              simulation::Vehicle& vehicle) const;
+                              simulation::VehicleParts& vehicle) const;
   Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
 
   const scenario::Scenario& scenario_;
+  const KindsByRole& kinds_;
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;
@@ -58,7 +67,7 @@ class AircraftBuilder {
   std::shared_ptr<const PathPlanner> planner_;
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
-  std::map<std::string, int> named_;  // how many aircraft have a group's name
+  std::vector<std::vector<std::string>> names_;                // of each group
 };
 
 }  // namespace skein::assemble

@@ -9,6 +9,7 @@
 #include "skein/assemble/skein_autopilot_kind.h"
 #include "skein/layer/autopilot/guidance/unflyable.h"
 #include "skein/layer/autopilot/modes/geofence.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
 namespace {
@@ -21,6 +22,13 @@ bool has(const AircraftGroup& group, std::initializer_list<const char*> kinds) {
       group.sensors.begin(), group.sensors.end(), [&](const scenario::Choice& sensor) {
         return std::find(kinds.begin(), kinds.end(), sensor.kind) != kinds.end();
       });
+}
+
+bool has_plugin_sensor(const AircraftGroup& group, const KindRegistry& kinds) {
+  return std::any_of(group.sensors.begin(), group.sensors.end(),
+                     [&kinds](const scenario::Choice& sensor) {
+                       return !kinds.plugin_of("sensor", sensor.kind).empty();
+                     });
 }
 
 // The autopilot skein moves on by inertial samples and is put right by positions; or it
@@ -71,7 +79,7 @@ void check_delay(const char* failsafe, double delay, double silence, const char*
 }
 
 void check_delays(const SkeinChoice& choice, const Scenario& scenario,
-                  const AircraftGroup& group, const simulation::Vehicle& vehicle,
+                  const AircraftGroup& group, const simulation::VehicleParts& vehicle,
                   std::vector<Error>& found) {
   const double step = scenario.step.seconds();
   const Time beat = heartbeat(scenario);
@@ -88,7 +96,7 @@ void check_delays(const SkeinChoice& choice, const Scenario& scenario,
               "the next position has come (the receiver's period and latency)", found);
 }
 
-void check_fence(const SkeinChoice& choice, const simulation::Vehicle& vehicle,
+void check_fence(const SkeinChoice& choice, const simulation::VehicleParts& vehicle,
                  std::vector<Error>& found) {
   const autopilot::GeofenceOptions fence =
       geofence_of(choice.fence, vehicle.plant->limits());
@@ -108,7 +116,7 @@ void check_fence(const SkeinChoice& choice, const simulation::Vehicle& vehicle,
 }
 
 // Agents give no airspeed: at its altitude the air must carry it at cruise.
-void check_air(const AircraftGroup& group, const simulation::Vehicle& vehicle,
+void check_air(const AircraftGroup& group, const simulation::VehicleParts& vehicle,
                std::vector<Error>& found) {
   const VehicleState& start = vehicle.state;
   const double altitude = -start.p_N.z() + (start.on_ground ? group.altitude_agl : 0);
@@ -122,7 +130,7 @@ void check_air(const AircraftGroup& group, const simulation::Vehicle& vehicle,
 
 void doubt_rotors(const SkeinChoice& choice, const AircraftGroup& group,
                   const simulation::Entity& aircraft, std::vector<std::string>& found) {
-  const Airframe airframe = aircraft.vehicle->plant->airframe();
+  const Airframe airframe = parts_of(aircraft).plant->airframe();
   const auto* rotors = std::get_if<MultirotorAirframe>(&airframe);
   if (!rotors) return;
   autopilot::MultirotorGains gains = choice.options.rotor_gains;
@@ -151,14 +159,15 @@ Time heartbeat(const Scenario& scenario) {
   return watched ? Time::from_seconds(1) : Time();
 }
 
-std::vector<Error> misfits(const Scenario& scenario, const AircraftGroup& group,
+std::vector<Error> misfits(const Scenario& scenario, const KindRegistry& kinds,
+                           const AircraftGroup& group,
                            const simulation::Entity& aircraft) {
   std::vector<Error> found;
-  const simulation::Vehicle& vehicle = *aircraft.vehicle;
+  const simulation::VehicleParts& vehicle = parts_of(aircraft);
   check_air(group, vehicle, found);
   if (group.autopilot.kind == "skein") {
     const auto& choice = group.autopilot.as<SkeinChoice>();
-    check_sensors(group, found);
+    if (!has_plugin_sensor(group, kinds)) check_sensors(group, found);
     check_gains(choice, group, vehicle.plant->airframe(), found);
     check_delays(choice, scenario, group, vehicle, found);
     check_fence(choice, vehicle, found);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/scenario/scenario.h"
 #include "skein/simulation/world.h"
@@ -17,9 +18,11 @@ Time heartbeat(const scenario::Scenario& scenario);
 /// cannot fly by, gains for another airframe, failsafes that would act at once for ever,
 /// a fence that it starts outside of.
 ///
+/// @param kinds     that the scenario was read with. Sensors of plugins may serve any
+///                  autopilot: what they measure is not known here.
 /// @param group     it is one of.
 /// @param aircraft  as it starts.
-std::vector<Error> misfits(const scenario::Scenario& scenario,
+std::vector<Error> misfits(const scenario::Scenario& scenario, const KindRegistry& kinds,
                            const scenario::AircraftGroup& group,
                            const simulation::Entity& aircraft);
 

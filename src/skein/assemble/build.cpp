@@ -9,10 +9,12 @@
 #include "skein/assemble/aircraft_fit.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/sampling.h"
+#include "skein/data/command_text.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/layer/reasoning/agent/heartbeat.h"
+#include "skein/layer/reasoning/agent/operator_orders.h"
 #include "skein/layer/reasoning/agent/zone_desk.h"
 #include "skein/scenario/zones.h"
 
@@ -38,11 +40,12 @@ class SharedTerrain : public Terrain {
   std::shared_ptr<const Terrain> terrain_;
 };
 
-simulation::RunOptions run_options(const Scenario& scenario) {
+simulation::RunOptions run_options(const Scenario& scenario,
+                                   const scenario::KindTable& kinds) {
   simulation::RunOptions options;
   options.step = scenario.step;
   options.duration = scenario.duration;
-  options.environment_period = truth_period(scenario);
+  options.environment_period = truth_period(scenario, kinds);
   const double steps_per_row = 1 / (scenario.record.rate_hz * options.step.seconds());
   options.record_period = options.step * std::llround(steps_per_row);
   options.perimeter_period = scenario.record.metrics_period;
@@ -61,8 +64,8 @@ Error together(const std::vector<Error>& faults) {
 // plain until the end, so that all faults are found at once.
 class Builder {
  public:
-  Builder(const Scenario& scenario, geo::LocalFrame frame)
-      : scenario_(scenario), frame_(std::move(frame)) {
+  Builder(const Scenario& scenario, const KindRegistry& kinds, geo::LocalFrame frame)
+      : scenario_(scenario), kinds_(kinds), frame_(std::move(frame)) {
     const scenario::Environment& environment = scenario.environment;
     for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
       zones_.push_back(scenario::ring_zone(environment.zone_rings[i], i));
@@ -71,8 +74,9 @@ class Builder {
   }
 
   Result<Build> build() {
-    build_.options = run_options(scenario_);
-    build_.warnings = sampling_warnings(scenario_);
+    build_.options = run_options(scenario_, kinds_.table());
+    build_.options.commands = commands();
+    build_.warnings = sampling_warnings(scenario_, kinds_.table());
     for (std::string& doubt : scenario::zone_doubts(scenario_.environment))
       build_.warnings.push_back(std::move(doubt));
     build_.world.zones = zones_;
@@ -95,7 +99,7 @@ class Builder {
   void environment() {
     EnvironmentContext context{frame_,  scenario_.start_utc, scenario_.seed, nullptr,
                                nullptr, &build_.warnings};
-    auto terrain = terrain_kinds().make(scenario_.environment.terrain, context);
+    auto terrain = kinds_.kinds().terrain.make(scenario_.environment.terrain, context);
     // Far below everything where the real one is missing: nothing collides with it.
     if (note(terrain))
       map_ = std::move(terrain).value();
@@ -104,20 +108,19 @@ class Builder {
           environment::FlatTerrainOptions{-1e5});
     build_.world.terrain = std::make_unique<SharedTerrain>(map_);
     context.terrain = map_.get();
-    auto wind = wind_kinds().make(scenario_.environment.wind, context);
-    if (note(wind))
-      build_.world.wind = std::move(wind).value();
-    else
-      build_.world.wind =
-          std::make_unique<environment::UniformWind>(environment::UniformWindOptions{});
+    auto wind = kinds_.kinds().wind.make(scenario_.environment.wind, context);
+    build_.world.wind = std::make_unique<simulation::CommandedWind>(
+        note(wind) ? std::move(wind).value()
+                   : std::make_unique<environment::UniformWind>(
+                         environment::UniformWindOptions{}));
     context.wind = build_.world.wind.get();
-    auto fire = fire_kinds().make(scenario_.environment.fire, context);
+    auto fire = kinds_.kinds().fire.make(scenario_.environment.fire, context);
     if (note(fire)) build_.world.fire = std::move(fire).value();
   }
 
   Result<void> station() {
-    StationContext context{scenario_, team(), zones_};
-    auto agent = station_agent_kinds().make(scenario_.station.agent, context);
+    StationContext context{scenario_, kinds_.kinds(), team(), zones_};
+    auto agent = kinds_.kinds().station_agent.make(scenario_.station.agent, context);
     if (!agent) return agent.error();
     simulation::Entity entity;
     entity.name = "station";
@@ -125,16 +128,33 @@ class Builder {
     entity.agent = std::move(agent).value();
     entity.agent =
         std::make_unique<reasoning::ZoneDesk>(desk_options(), std::move(entity.agent));
+    entity.agent = std::make_unique<reasoning::OperatorOrders>(named_team(),
+                                                               std::move(entity.agent));
     if (const Time period = heartbeat(scenario_); period > Time())
-      entity.agent = std::make_unique<reasoning::Heartbeat>(std::move(entity.agent),
-                                                            context.team, period);
+      entity.agent = std::make_unique<reasoning::HeartbeatSender>(std::move(entity.agent),
+                                                                  context.team, period);
     entity.agent_period = scenario_.station.agent_period;
     entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
     build_.world.entities.push_back(std::move(entity));
     return {};
   }
 
-  // Who says which zones are in force, and when the scenario wants changes.
+  // What the scenario commands by itself.
+  std::vector<CommandRecord> commands() const {
+    std::vector<CommandRecord> all;
+    for (const scenario::NoFlightZone& zone : scenario_.environment.zones)
+      for (const scenario::ZoneSwitch& change : zone.switches)
+        all.push_back(
+            {change.at, "scenario", ZoneChange{0, change.on, scenario::to_zone(zone)}});
+    for (const scenario::PlannedCommand& planned : scenario_.commands)
+      if (auto command = parse_command(planned.text))
+        all.push_back({planned.at, "scenario", std::move(command).value()});
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.time < b.time; });
+    return all;
+  }
+
+  // Who says which zones are in force.
   reasoning::ZoneDeskOptions desk_options() const {
     reasoning::ZoneDeskOptions options;
     options.team = team();
@@ -142,12 +162,16 @@ class Builder {
     for (const scenario::NoFlightZone& described : scenario_.environment.zones) {
       const Zone zone = scenario::to_zone(described);
       if (!described.active) options.drawn.push_back(zone);
-      for (const scenario::ZoneSwitch& change : described.switches)
-        options.planned.push_back({change.at, {0, change.on, zone}});
     }
-    std::stable_sort(options.planned.begin(), options.planned.end(),
-                     [](const auto& a, const auto& b) { return a.at < b.at; });
     return options;
+  }
+
+  std::vector<reasoning::NamedAircraft> named_team() const {
+    const std::vector<EntityId> ids = team();
+    std::vector<reasoning::NamedAircraft> all;
+    for (const std::vector<std::string>& group : aircraft_names(scenario_))
+      for (const std::string& name : group) all.push_back({ids[all.size()], name});
+    return all;
   }
 
   std::vector<EntityId> team() const {
@@ -159,7 +183,8 @@ class Builder {
   }
 
   void aircraft() {
-    AircraftBuilder builder(scenario_, map_, zones_, *build_.world.wind, kStation);
+    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
+                            kStation);
     for (const AircraftGroup& group : scenario_.aircraft)
       for (int i = 0; i < group.count; ++i) {
         auto made = builder.make(
@@ -172,7 +197,7 @@ class Builder {
 
   bool note_fit(const AircraftGroup& group, int index,
                 const simulation::Entity& aircraft) {
-    const std::vector<Error> found = misfits(scenario_, group, aircraft);
+    const std::vector<Error> found = misfits(scenario_, kinds_, group, aircraft);
     faults_.insert(faults_.end(), found.begin(), found.end());
     if (index == 0)
       for (const std::string& doubt : doubts(scenario_, group, aircraft))
@@ -191,7 +216,7 @@ class Builder {
     // The radio outlives no entity: both are the world's.
     RadioContext context;
     context.seed = scenario_.seed;
-    std::vector<const simulation::Vehicle*> vehicles;
+    std::vector<const Vehicle*> vehicles;
     for (const simulation::Entity& entity : build_.world.entities)
       vehicles.push_back(entity.vehicle.get());
     const Vec2 at = scenario_.station.position;
@@ -200,15 +225,18 @@ class Builder {
     context.position = [vehicles, antenna](EntityId id) -> std::optional<Vec3> {
       if (id == kStation) return antenna;
       if (id.value >= vehicles.size() || !vehicles[id.value]) return std::nullopt;
-      return vehicles[id.value]->state.p_N;
+      // Radio waves leave from where it is, known or not.
+      const VehicleState* truth = vehicles[id.value]->truth();
+      return truth ? truth->p_N : vehicles[id.value]->estimate().p_N;
     };
-    auto made = radio_kinds().make(scenario_.radio, context);
+    auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();
     build_.world.radio = std::move(made).value();
     return {};
   }
 
   const Scenario& scenario_;
+  const KindRegistry& kinds_;
   geo::LocalFrame frame_;
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
@@ -218,10 +246,10 @@ class Builder {
 
 }  // namespace
 
-Result<Build> build(const Scenario& scenario) {
+Result<Build> build(const Scenario& scenario, const KindRegistry& kinds) {
   auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return frame.error();
-  return Builder(scenario, std::move(frame).value()).build();
+  return Builder(scenario, kinds, std::move(frame).value()).build();
 }
 
 TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/geo/local_frame.h"
 #include "skein/scenario/scenario.h"
@@ -22,9 +23,10 @@ struct Build {
 
 /// Makes the world of a scenario that has passed the reader's checks. Entity 0 is the
 /// ground station, then the aircraft in the order of their groups.
+/// @param kinds  that the scenario was read with; the world does not need them any more.
 /// Fails: what terrain, wind or fire cannot be made from; an aircraft that starts inside
 ///        terrain or a no-flight zone.
-Result<Build> build(const scenario::Scenario& scenario);
+Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kinds);
 
 /// Heights of the ground for a map: `count` x `count` points about `centre`.
 struct TerrainPatch {

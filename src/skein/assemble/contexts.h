@@ -29,6 +29,8 @@ struct Scenario;
 
 namespace skein::assemble {
 
+struct KindsByRole;
+
 /// What every terrain, wind and fire is given besides its options.
 struct EnvironmentContext {
   const geo::LocalFrame& frame;
@@ -64,6 +66,7 @@ struct AircraftContext {
 /// What every ground station's agent is given besides its options.
 struct StationContext {
   const scenario::Scenario& scenario;
+  const KindsByRole& kinds;    ///< of its parts
   std::vector<EntityId> team;  ///< all aircraft
   const std::vector<Zone>& zones;
 };

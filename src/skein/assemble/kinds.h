@@ -48,6 +48,13 @@ class Kinds {
     return Error{};
   }
 
+  /// Adds all rows of `more`, which has none of these names.
+  void append(const Kinds& more) {
+    descriptions_.insert(descriptions_.end(), more.descriptions_.begin(),
+                         more.descriptions_.end());
+    rows_.insert(rows_.end(), more.rows_.begin(), more.rows_.end());
+  }
+
   /// Adds these kinds to the table that scenarios are read with.
   void describe(scenario::KindTable& table) const {
     for (const auto& description : descriptions_) description(table);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <string>
 
+#include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/record/summary.h"
 #include "skein/role/recorder.h"
@@ -23,6 +24,6 @@ struct QuietRun {
 /// Builds a scenario, runs it and gives its key figures; writes nothing.
 /// Fails: as build() and simulation::run(); kInterrupted when stopped early.
 Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
-                                       const QuietRun& how);
+                                       const KindRegistry& kinds, const QuietRun& how);
 
 }  // namespace skein::assemble

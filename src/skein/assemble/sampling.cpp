@@ -6,7 +6,6 @@
 #include <array>
 #include <numeric>
 
-#include "skein/assemble/kinds_of.h"
 #include "skein/scenario/numbers.h"
 
 namespace skein::assemble {
@@ -43,9 +42,8 @@ bool looks_at_fire(const std::string& kind) {
 
 // Every sensor whose kind has the key rate_hz. Kinds that are not known here count as
 // looking at the fire: that costs time, never truth.
-std::vector<Sampling> all_sensors(const Scenario& scenario) {
-  scenario::KindTable table;
-  sensor_kinds().describe(table);
+std::vector<Sampling> all_sensors(const Scenario& scenario,
+                                  const scenario::KindTable& kinds) {
   std::vector<Time> steps;
   for (const scenario::AircraftGroup& group : scenario.aircraft) {
     const Result<Time> step = flight_step(scenario, group);
@@ -55,7 +53,7 @@ std::vector<Sampling> all_sensors(const Scenario& scenario) {
   for (std::size_t g = 0; g < scenario.aircraft.size(); ++g)
     for (std::size_t s = 0; s < scenario.aircraft[g].sensors.size(); ++s) {
       const scenario::Choice& sensor = scenario.aircraft[g].sensors[s];
-      const scenario::Object& keys = *table.find("sensor", sensor.kind)->options;
+      const scenario::Object& keys = *kinds.find("sensor", sensor.kind)->options;
       const scenario::Field* rate = keys.find("rate_hz");
       // The ideal one is meant to speak in each step, however long that is.
       if (rate == nullptr || sensor.kind == "ideal-navigation") continue;
@@ -75,10 +73,10 @@ Time look_period(double rate_hz, Time step) {
   return period > step && period.ns() % step.ns() == 0 ? period : step;
 }
 
-Time derived_period(const Scenario& scenario) {
+Time derived_period(const Scenario& scenario, const scenario::KindTable& kinds) {
   std::int64_t ns =
       std::gcd(Time::from_seconds(1).ns(), scenario.record.metrics_period.ns());
-  for (const Sampling& sensor : all_sensors(scenario))
+  for (const Sampling& sensor : all_sensors(scenario, kinds))
     if (sensor.fire) ns = std::gcd(ns, look_period(sensor.rate_hz, scenario.step).ns());
   return ns % scenario.step.ns() == 0 ? Time::from_ns(ns) : scenario.step;
 }
@@ -97,14 +95,15 @@ Result<Time> flight_step(const Scenario& scenario, const scenario::AircraftGroup
                "Give flight_step_s, or another step_s."};
 }
 
-Time truth_period(const Scenario& scenario) {
-  return scenario.environment.period.value_or(derived_period(scenario));
+Time truth_period(const Scenario& scenario, const scenario::KindTable& kinds) {
+  return scenario.environment.period.value_or(derived_period(scenario, kinds));
 }
 
-std::vector<std::string> sampling_warnings(const Scenario& scenario) {
+std::vector<std::string> sampling_warnings(const Scenario& scenario,
+                                           const scenario::KindTable& kinds) {
   std::vector<std::string> warnings;
-  const Time period = truth_period(scenario);
-  for (const Sampling& sensor : all_sensors(scenario)) {
+  const Time period = truth_period(scenario, kinds);
+  for (const Sampling& sensor : all_sensors(scenario, kinds)) {
     const double steps_per_s = 1 / sensor.step.seconds();
     if (sensor.rate_hz > steps_per_s * (1 + 1e-9))
       warnings.push_back(fmt::format(
@@ -120,7 +119,7 @@ std::vector<std::string> sampling_warnings(const Scenario& scenario) {
           "s: "
           "it sees a fire that stands still in between. Leave the key out, or write {}.",
           seconds_text(period), sensor.key, seconds_text(look),
-          seconds_text(derived_period(scenario))));
+          seconds_text(derived_period(scenario, kinds))));
   }
   return warnings;
 }

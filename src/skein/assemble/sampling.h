@@ -5,6 +5,7 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
+#include "skein/scenario/kind_table.h"
 #include "skein/scenario/scenario.h"
 
 namespace skein::assemble {
@@ -18,10 +19,11 @@ Result<Time> flight_step(const scenario::Scenario& scenario,
 /// How often the true fire moves: as the scenario says, else the longest period that
 /// divides one second, the metrics' period and the time between two looks of every
 /// sensor at the fire, so that none of them sees a fire of the past.
-Time truth_period(const scenario::Scenario& scenario);
+Time truth_period(const scenario::Scenario& scenario, const scenario::KindTable& kinds);
 
 /// What cannot be sampled as the scenario wants it, one line each: sensors with more
 /// samples than steps, and sensors that look at the fire more often than it moves.
-std::vector<std::string> sampling_warnings(const scenario::Scenario& scenario);
+std::vector<std::string> sampling_warnings(const scenario::Scenario& scenario,
+                                           const scenario::KindTable& kinds);
 
 }  // namespace skein::assemble

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kind_registry.h"
 #include "skein/layer/reasoning/agent/round_trip.h"
 #include "skein/layer/reasoning/agent/route_agent.h"
 #include "skein/layer/reasoning/monitoring/coordinator/coordinator.h"
@@ -22,9 +22,9 @@ struct CoordinatorChoice {};  // its options are the scenario's `monitoring`
 Result<std::unique_ptr<Agent>> make_coordinator(const StationContext& c) {
   const scenario::Monitoring& mission = c.scenario.monitoring;
   auto estimator =
-      estimator_kinds().make(mission.estimator, {c.scenario.seed, mission.prior});
+      c.kinds.estimator.make(mission.estimator, {c.scenario.seed, mission.prior});
   if (!estimator) return estimator.error();
-  auto strategy = strategy_kinds().make(mission.strategy, {});
+  auto strategy = c.kinds.strategy.make(mission.strategy, {});
   if (!strategy) return strategy.error();
 
   monitoring::CoordinatorOptions options;
@@ -36,6 +36,7 @@ Result<std::unique_ptr<Agent>> make_coordinator(const StationContext& c) {
   options.lost_after = mission.lost_after.seconds();
   options.late_window = mission.late_window.seconds();
   options.zones = c.zones;
+  options.record_period = c.scenario.record.metrics_period;
   return std::unique_ptr<Agent>(std::make_unique<monitoring::Coordinator>(
       options, std::move(estimator).value(), std::move(strategy).value()));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 
 #include "skein/base/math.h"
 #include "skein/base/random.h"
@@ -95,6 +96,37 @@ Result<std::vector<VehicleFault>> meant(FailureKind kind, const std::string& par
 }
 
 }  // namespace
+
+std::vector<VehicleFault> breakable_parts(const Parts& parts) {
+  std::vector<VehicleFault> all;
+  const auto add = [&](FaultKind kind, std::size_t part, std::string name) {
+    all.push_back({kind, part, {}, {}, std::move(name)});
+  };
+  if (const auto* wing = std::get_if<FixedWingAirframe>(&parts.airframe)) {
+    if (wing->motor) add(FaultKind::kMotor, channel::kThrottle, "motor");
+    add(FaultKind::kServoStuck, channel::kAileron, "aileron");
+    add(FaultKind::kServoStuck, channel::kElevator, "elevator");
+    if (wing->rudder) add(FaultKind::kServoStuck, channel::kRudder, "rudder");
+  } else if (const auto* rotors = std::get_if<MultirotorAirframe>(&parts.airframe)) {
+    for (std::size_t k = 0; k < rotors->rotors.size(); ++k)
+      add(FaultKind::kMotor, k, fmt::format("motor {}", k));
+  }
+  const auto add_sensors = [&](const std::vector<std::string>& kinds, FaultKind kind) {
+    std::map<std::string, int> count;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      // Of several sensors of a kind the first has no number.
+      const int which = ++count[kinds[k]];
+      add(kind, k,
+          which == 1 ? "sensor " + kinds[k]
+                     : fmt::format("sensor {} {}", kinds[k], which));
+    }
+  };
+  add_sensors(parts.sensors, FaultKind::kSensor);
+  add_sensors(parts.payload, FaultKind::kPayload);
+  add(FaultKind::kBattery, 0, "battery");
+  add(FaultKind::kLink, 0, "link");
+  return all;
+}
 
 Result<std::vector<VehicleFault>> vehicle_faults(const scenario::AircraftGroup& group,
                                                  int index, const Parts& parts,

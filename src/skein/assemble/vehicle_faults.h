@@ -18,6 +18,9 @@ struct Parts {
   std::vector<std::string> payload;  ///< kinds of the agent's, in their order
 };
 
+/// Every part of an aircraft that a command can make fail, once each.
+std::vector<VehicleFault> breakable_parts(const Parts& parts);
+
 /// What will fail on aircraft `index` of a group: what the scenario says, and what chance
 /// adds, in the order of time.
 ///

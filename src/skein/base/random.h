@@ -37,6 +37,8 @@ enum class Purpose : std::uint32_t {
   kTurbulence = 25,
   kVehicleFault = 40,
   kAirframe = 41,
+  /// Kinds of plugins: this and every number above it, as `static_cast<Purpose>(...)`.
+  kPlugin = 0x4000,
 };
 
 /// A stream of independent random numbers, by counter: number k of the stream is a pure

@@ -33,10 +33,17 @@ FlightWatch::FlightWatch(const ControlLimits& limits, EntityId aircraft,
   if (hover_at) hover_at_ = *hover_at;
 }
 
-void FlightWatch::truth(Time time, EntityId id, const VehicleState& state) {
-  if (id != aircraft_) return;
-  const double dt = (time - last_).seconds();
-  last_ = time;
+void FlightWatch::record(const Record& record) {
+  if (const auto* truth = std::get_if<TruthRecord>(&record)) take(*truth);
+  if (const auto* estimate = std::get_if<EstimateRecord>(&record)) take(*estimate);
+  if (const auto* event = std::get_if<Event>(&record)) take(*event);
+}
+
+void FlightWatch::take(const TruthRecord& truth) {
+  if (truth.id != aircraft_) return;
+  const VehicleState& state = truth.state;
+  const double dt = (truth.time - last_).seconds();
+  last_ = truth.time;
   position_ = geo::horizontal(state.p_N);
   const double cosine = std::clamp(geo::down_in_body(state.q_NB).z(), -1.0, 1.0);
   const double tilt = math::acos(cosine);
@@ -47,10 +54,10 @@ void FlightWatch::truth(Time time, EntityId id, const VehicleState& state) {
   height_.add(-state.p_N.z() - altitude_msl_);
 }
 
-void FlightWatch::estimate(EntityId id, const NavEstimate& estimate,
-                           const AutopilotStatus& status) {
-  if (id != aircraft_) return;
-  const double wrong = (geo::horizontal(estimate.p_N) - position_).norm();
+void FlightWatch::take(const EstimateRecord& estimate) {
+  if (estimate.id != aircraft_) return;
+  const AutopilotStatus& status = estimate.status;
+  const double wrong = (geo::horizontal(estimate.nav.p_N) - position_).norm();
   if (status.follows) {
     track_.add(std::abs(status.cross_track) + wrong);
     hover_since_ = last_;
@@ -59,7 +66,7 @@ void FlightWatch::estimate(EntityId id, const NavEstimate& estimate,
   }
 }
 
-void FlightWatch::event(const Event& event) {
+void FlightWatch::take(const Event& event) {
   if (event.entity == aircraft_ && event.kind == "accident") accident_ = true;
 }
 

@@ -29,16 +29,7 @@ class FlightWatch final : public Recorder {
   FlightWatch(const ControlLimits& limits, EntityId aircraft, double altitude_msl,
               const Vec2* hover_at);
 
-  void entity(EntityId, const std::string&, const std::string&) override {}
-  void truth(Time time, EntityId id, const VehicleState& state) override;
-  void estimate(EntityId id, const NavEstimate& estimate,
-                const AutopilotStatus& status) override;
-  void reading(const FireReading&) override {}
-  void message(const Message&, Time, bool) override {}
-  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
-  void event(const Event& event) override;
-  void crossing(const Crossing&) override {}
-  Result<void> step_done(Time) override { return {}; }
+  void record(const Record& record) override;
 
   /// Adds `lost` (0 or 1), `lost_accident`, `lost_tilt`, `lost_slow`, `lost_height`,
   /// `lost_track` (why), `tilt_most_deg`, `airspeed_least_mps`, `slow_longest_s`,
@@ -47,6 +38,10 @@ class FlightWatch final : public Recorder {
   void add_figures(std::map<std::string, double>& figures) const;
 
  private:
+  void take(const TruthRecord& truth);
+  void take(const EstimateRecord& estimate);
+  void take(const Event& event);
+
   struct Errors {
     double square = 0, count = 0, most = 0;
     void add(double error);

@@ -28,27 +28,32 @@ double percentile_95(std::vector<double> values) {
 
 }  // namespace
 
-void LapRecorder::truth(Time time, EntityId id, const VehicleState& state) {
-  if (!aircraft_) aircraft_ = id;
-  if (id != *aircraft_) return;
+void LapRecorder::record(const Record& record) {
+  if (const auto* truth = std::get_if<TruthRecord>(&record)) take(*truth);
+  if (const auto* estimate = std::get_if<EstimateRecord>(&record)) take(*estimate);
+}
+
+void LapRecorder::take(const TruthRecord& truth) {
+  if (!aircraft_) aircraft_ = truth.id;
+  if (truth.id != *aircraft_) return;
   fresh_ = samples_.empty();
   before_ = now_;
   time_before_ = time_;
-  now_ = state;
-  time_ = time;
+  now_ = truth.state;
+  time_ = truth.time;
 }
 
-void LapRecorder::estimate(EntityId id, const NavEstimate& estimate,
-                           const AutopilotStatus& status) {
-  if (!aircraft_ || id != *aircraft_) return;
+void LapRecorder::take(const EstimateRecord& estimate) {
+  if (!aircraft_ || estimate.id != *aircraft_) return;
+  const AutopilotStatus& status = estimate.status;
   laps_ = std::max(laps_, status.lap);
   if (!status.follows) return;
   LapSample sample;
   sample.time = time_.seconds();
   sample.lap = status.lap;
   sample.position = geo::horizontal(now_.p_N);
-  const double since = (time_ - estimate.time).seconds();
-  const Vec3 error = now_.p_N - since * now_.v_N - estimate.p_N;
+  const double since = (time_ - estimate.nav.time).seconds();
+  const Vec3 error = now_.p_N - since * now_.v_N - estimate.nav.p_N;
   sample.estimated = status.cross_track;
   sample.cross_track =
       status.cross_track + geo::cross(status.along, geo::horizontal(error));

@@ -33,16 +33,7 @@ struct LapSample {
 /// |p - p_hat|^2 / 2R.
 class LapRecorder final : public Recorder {
  public:
-  void entity(EntityId, const std::string&, const std::string&) override {}
-  void truth(Time time, EntityId id, const VehicleState& state) override;
-  void estimate(EntityId id, const NavEstimate& estimate,
-                const AutopilotStatus& status) override;
-  void reading(const FireReading&) override {}
-  void message(const Message&, Time, bool) override {}
-  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
-  void event(const Event&) override {}
-  void crossing(const Crossing&) override {}
-  Result<void> step_done(Time) override { return {}; }
+  void record(const Record& record) override;
 
   const std::vector<LapSample>& samples() const { return samples_; }
   /// Laps that were completed.
@@ -53,6 +44,9 @@ class LapRecorder final : public Recorder {
   void add_figures(std::map<std::string, double>& figures) const;
 
  private:
+  void take(const TruthRecord& truth);
+  void take(const EstimateRecord& estimate);
+
   std::optional<EntityId> aircraft_;
   VehicleState now_, before_;
   Time time_, time_before_;

@@ -96,7 +96,8 @@ Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
                      wind, from)});
     overrides.push_back({fmt::format("seed={}", seed)});
     for (const std::string& text : study.overrides) overrides.push_back({text});
-    auto read = scenario::read_scenario(study.base, kinds, overrides);
+    auto read = scenario::read_scenario(study.base, kinds, overrides,
+                                        scenario::plugins_are_loaded());
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     scenario::Scenario run = *std::move(read.scenario);
     const std::size_t cell =

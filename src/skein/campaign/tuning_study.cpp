@@ -24,7 +24,8 @@ Result<BatchItem> flight_of(const TuningStudy& study, const std::string& name, i
                             const scenario::KindTable& kinds, DataFingerprint& data) {
   std::vector<scenario::Override> overrides;
   for (const std::string& text : changes) overrides.push_back({text});
-  auto read = scenario::read_scenario(study.base, kinds, overrides);
+  auto read = scenario::read_scenario(study.base, kinds, overrides,
+                                      scenario::plugins_are_loaded());
   if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
   BatchItem item;
   item.scenario = std::move(*read.scenario);

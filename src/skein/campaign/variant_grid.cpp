@@ -43,7 +43,8 @@ Result<StudyPlan> plan_grid(VariantGrid grid, const scenario::KindTable& kinds) 
         for (const auto* list : {&each.overrides, &strategy.overrides,
                                  &estimator.overrides, &std::as_const(grid.overrides)})
           for (const std::string& text : *list) overrides.push_back({text});
-        auto read = scenario::read_scenario(grid.base, kinds, overrides);
+        auto read = scenario::read_scenario(grid.base, kinds, overrides,
+                                            scenario::plugins_are_loaded());
         if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
         const std::string files = data.of(scenario::named_files(*read.scenario, kinds));
         for (int k = 0; k < grid.seeds; ++k) {

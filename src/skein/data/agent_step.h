@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "skein/data/agent_record.h"
 #include "skein/data/autopilot.h"
+#include "skein/data/command.h"
 #include "skein/data/event.h"
-#include "skein/data/fire.h"
 #include "skein/data/message.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
@@ -20,6 +21,7 @@ struct AgentInput {
   AutopilotStatus autopilot;
   std::span<const SensorSample> samples;  ///< since the last step
   std::span<const Message> inbox;         ///< since the last step
+  std::span<const Command> commands;      ///< to a ground station, since the last step
 };
 
 /// What an agent does at one step.
@@ -29,9 +31,7 @@ struct AgentOutput {
   std::optional<AutopilotCommand> command;
   std::optional<ReturnWay> return_way;  ///< when returns shall lead elsewhere from now on
   std::vector<Event> events;
-  std::vector<Crossing> crossings;  ///< that it made out of the readings it has; records
-  /// No-flight zones that a ground station has put into force or taken back; records.
-  std::vector<ZoneChange> zone_changes;
+  std::vector<AgentRecord> records;  ///< what else it wants to have recorded
 };
 
 }  // namespace skein

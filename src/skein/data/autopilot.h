@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "skein/data/describe.h"
 #include "skein/data/path.h"
 #include "skein/data/pilot.h"
 #include "skein/data/plan.h"
@@ -98,6 +100,10 @@ enum class FailsafeTrigger : std::uint8_t {
   kGnss,      ///< no fix
   kMotor,     ///< a motor stands
 };
+constexpr auto names_of(const FailsafeTrigger*) {
+  return std::to_array<std::string_view>(
+      {"none", "link", "battery", "geofence", "gnss", "motor"});
+}
 
 /// What is done about it.
 enum class FailsafeReaction : std::uint8_t {
@@ -107,6 +113,9 @@ enum class FailsafeReaction : std::uint8_t {
   kLand,     ///< fly home and land
   kDescend,  ///< come down here: glide or sink in circles
 };
+constexpr auto names_of(const FailsafeReaction*) {
+  return std::to_array<std::string_view>({"none", "hold", "return", "land", "descend"});
+}
 
 /// How far the autopilot is with what it was told, and how it flies.
 struct AutopilotStatus {
@@ -132,6 +141,37 @@ struct AutopilotStatus {
       std::nullopt;  ///< flight time left at the present power [s]
 };
 
+// Without `refused`, which becomes the event "refused".
+constexpr auto describe(const AutopilotStatus*) {
+  using T = AutopilotStatus;
+  return described<T>(
+      {"autopilot_status"}, "What an autopilot does, and how well.",
+      untabled(field("remaining", &T::remaining, unit::kMetre, "along the path")),
+      field("cross_track", &T::cross_track, unit::kMetre,
+            "off the path that it follows, right positive"),
+      untabled(field("done", &T::done, "the path's end has been passed")),
+      field("follows", &T::follows,
+            "there is a path, plan or leg: cross_track means something"),
+      field("time_error", &T::time_error, unit::kSecond,
+            "behind its plan; 0 on paths, which have no times"),
+      untabled(field("along", &T::along, axes::kDirection, "tangent of what it follows")),
+      field("lap", &T::lap, "laps of its waypoints that have been completed"),
+      untabled(field("demanded_altitude_msl", &T::altitude_msl, unit::kMetre,
+                     "of fixed-wing guidance")),
+      untabled(field("demanded_airspeed", &T::airspeed, unit::kMetrePerSecond,
+                     "of fixed-wing guidance")),
+      field("on_ground", &T::on_ground, "as far as it can tell"),
+      field("mode", &T::mode, "who flies"),
+      field("failsafe", &T::trigger, "what has gone wrong"),
+      field("reaction", &T::reaction, "what is done about it"),
+      untabled(field("refusals", &T::refusals, "commands that could not be flown")),
+      field("charge", &T::charge, "as its battery monitor says"),
+      field("reserve", &T::reserve,
+            "the charge less what it takes to get home; 1 while nothing is known of it"),
+      field("endurance", &T::endurance, unit::kSecond,
+            "flight time left at the present power; null while not known"));
+}
+
 /// Whether the autopilot does what its agent says: no pilot, no failsafe flies or forbids
 /// to take off.
 constexpr bool obeys_orders(const AutopilotStatus& status) {
@@ -139,21 +179,6 @@ constexpr bool obeys_orders(const AutopilotStatus& status) {
   const bool pilot =
       status.mode == FlightMode::kManual || status.mode == FlightMode::kStabilized;
   return !pilot && status.reaction == FailsafeReaction::kNone;
-}
-
-/// The words of these, as records and messages have them.
-constexpr std::string_view name_of(FlightMode mode) {
-  constexpr std::string_view kNames[] = {"manual", "stabilized", "auto", "guided"};
-  return kNames[static_cast<std::size_t>(mode)];
-}
-constexpr std::string_view name_of(FailsafeTrigger trigger) {
-  constexpr std::string_view kNames[] = {"none",     "link", "battery",
-                                         "geofence", "gnss", "motor"};
-  return kNames[static_cast<std::size_t>(trigger)];
-}
-constexpr std::string_view name_of(FailsafeReaction reaction) {
-  constexpr std::string_view kNames[] = {"none", "hold", "return", "land", "descend"};
-  return kNames[static_cast<std::size_t>(reaction)];
 }
 
 }  // namespace skein

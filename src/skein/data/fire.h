@@ -4,6 +4,7 @@
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
+#include "skein/data/describe.h"
 #include "skein/geo/vec.h"
 
 namespace skein {
@@ -18,6 +19,18 @@ struct FireReading {
   bool inside = false;
 };
 
+constexpr auto describe(const FireReading*) {
+  using T = FireReading;
+  return described<T>(
+      {"reading", "readings"},
+      "One look of an in/out fire sensor, placed where the aircraft believes it.",
+      field("time", &T::time, "when it was measured"),
+      field("entity_id", &T::aircraft, "whose sensor"),
+      field("", &T::point, axes::kPlace, "the point looked at"),
+      field("position_sd", &T::point_sd, unit::kMetre, "of the point, per axis"),
+      field("inside", &T::inside, "it burns"));
+}
+
 /// Two successive readings of one aircraft that differ: the boundary passed between them.
 struct Crossing {
   Time time;  ///< of the later reading
@@ -27,6 +40,21 @@ struct Crossing {
   double point_sd = 0;        ///< of the position, per axis [m]
   bool entered = false;       ///< the later reading is inside
 };
+
+constexpr auto describe(const Crossing*) {
+  using T = Crossing;
+  return described<T>(
+      {"crossing", "crossings"},
+      "Two successive readings of one aircraft that differ, as the agent found that "
+      "keeps "
+      "the belief. Not in order of time where readings came late.",
+      field("time", &T::time, "of the later reading"),
+      field("entity_id", &T::aircraft, "who crossed the boundary"),
+      field("", &T::point, axes::kPlace, "middle of the two readings"),
+      field("position_sd", &T::point_sd, unit::kMetre, "of the place, per axis"),
+      field("entered", &T::entered, "the later reading is inside"),
+      field("track", &T::track, axes::kOffset, "from the earlier to the later reading"));
+}
 
 /// One point of a believed boundary.
 struct BoundaryPoint {
@@ -40,11 +68,33 @@ struct BoundaryPoint {
   Vec2 major_axis = Vec2::Zero();
 };
 
+constexpr auto describe(const BoundaryPoint*) {
+  using T = BoundaryPoint;
+  return described<T>(
+      {"boundary_point"}, "One point of a believed boundary.",
+      field("", &T::position, axes::kPlace, "where"),
+      field("normal", &T::normal, axes::kDirection, "outward unit normal"),
+      field("sigma", &T::sigma, unit::kMetre, "standard deviation along the normal"),
+      field("sigma_growth", &T::sigma_growth, unit::kMetrePerSecond,
+            "of sigma while nothing is observed"),
+      field("rate", &T::rate, unit::kMetrePerSecond, "believed speed along the normal"),
+      field("major_axis", &T::major_axis, axes::kOffset,
+            "major semi-axis of the 1-sigma ellipse; 0 where it is not known"));
+}
+
 /// A believed boundary: closed rings of points, outer ones positive (see geo/polygon.h).
 struct BoundaryEstimate {
   Time time;
   std::vector<std::vector<BoundaryPoint>> rings;
 };
+
+constexpr auto describe(const BoundaryEstimate*) {
+  using T = BoundaryEstimate;
+  return described<T>({"boundary"}, "A believed boundary.",
+                      field("time", &T::time, "that it is of"),
+                      field("rings", &T::rings, Storage::kFloats,
+                            "closed; outer ones run clockwise on the map"));
+}
 
 /// What is known of a fire before the first observation.
 struct PerimeterPrior {

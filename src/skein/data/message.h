@@ -1,10 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
+#include "skein/data/describe.h"
 #include "skein/data/fire.h"
 #include "skein/data/task.h"
 #include "skein/data/vehicle.h"
@@ -24,14 +29,55 @@ struct AircraftReport {
   std::uint32_t zone_changes = 0;
 };
 
+constexpr auto describe(const AircraftReport*) {
+  using T = AircraftReport;
+  return described<T>(
+      {"report"}, "What an aircraft says about itself, once a second.",
+      field("", &T::nav, "where it believes to be"),
+      field("limits", &T::limits, "what it can do"),
+      field("task_number", &T::task_number, "that it works on; 0: none yet"),
+      field("task_done", &T::task_done, "that task is done"),
+      field("obeys", &T::obeys, "no pilot and no failsafe flies"),
+      field("zone_changes", &T::zone_changes, "it knows all changes up to this number"));
+}
+
 /// Where an aircraft of the team is, told on by the ground station or by itself.
 struct TeamPosition {
   EntityId aircraft;
   NavEstimate nav;
 };
 
+constexpr auto describe(const TeamPosition*) {
+  using T = TeamPosition;
+  return described<T>({"team_position"}, "Where an aircraft of the team is.",
+                      field("entity_id", &T::aircraft, "which aircraft"),
+                      field("", &T::nav, "where it believes to be"));
+}
+
 /// The sender is there, nothing more.
-struct SignOfLife {};
+struct Heartbeat {};
+
+constexpr auto describe(const Heartbeat*) {
+  return described<Heartbeat>({"heartbeat"}, "The sender is there, nothing more.");
+}
+
+/// What a plugin's agents say to each other: Skein carries it and does not look inside.
+/// `coded` is best made of a described struct by wire::encode().
+struct PluginPayload {
+  std::string kind;  ///< starts with the plugin's name
+  std::vector<std::uint8_t> coded;
+};
+
+constexpr auto describe(const PluginPayload*) {
+  using T = PluginPayload;
+  return described<T>({"plugin"}, "A plugin's own value.",
+                      field("plugin_kind", &T::kind, "what it is"),
+                      field("coded", &T::coded, Storage::kBytes, "its bytes"));
+}
+
+/// What a message may say.
+using MessageContent = std::variant<FireReading, AircraftReport, Task, Heartbeat,
+                                    TeamPosition, ZoneChange, PluginPayload>;
 
 /// A message between agents. `number` counts the sender's messages.
 struct Message {
@@ -39,9 +85,23 @@ struct Message {
   EntityId to;
   std::uint64_t number = 0;
   Time sent;
-  int size_bytes = 0;  ///< as coded on the air
-  std::variant<FireReading, AircraftReport, Task, SignOfLife, TeamPosition, ZoneChange>
-      content;
+  MessageContent content;
 };
+
+constexpr auto describe(const Message*) {
+  using T = Message;
+  return described<T>({"message"}, "A message between agents.",
+                      field("from_id", &T::from, "who sent it"),
+                      field("to_id", &T::to, "for whom"),
+                      field("number", &T::number, "counts the sender's messages"),
+                      field("sent", &T::sent, "when it was sent"),
+                      field("content", &T::content, Storage::kKindOnly, "what it says"));
+}
+
+/// The word for what a message says.
+std::string_view kind_of(const MessageContent& content);
+
+/// Bytes of a message on the air, as wire::encode() makes them.
+std::size_t coded_size(const Message& message);
 
 }  // namespace skein

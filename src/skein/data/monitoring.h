@@ -38,7 +38,7 @@ struct MonitoringSituation {
 /// A new order for one aircraft; aircraft without one keep what they have.
 struct Assignment {
   EntityId aircraft;
-  decltype(Task::what) what;
+  TaskKind what;
 };
 
 }  // namespace skein

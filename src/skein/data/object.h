@@ -4,6 +4,7 @@
 #include <string>
 
 #include "skein/base/time.h"
+#include "skein/data/describe.h"
 #include "skein/geo/vec.h"
 
 namespace skein {
@@ -17,5 +18,15 @@ struct GroundObject {
 
   Vec2 at(Time now) const { return position + now.seconds() * velocity; }
 };
+
+constexpr auto describe(const GroundObject*) {
+  using T = GroundObject;
+  return described<T>({"object", "objects"},
+                      "A thing on the ground (environment.objects); it moves evenly.",
+                      field("object_id", &T::id, "which"),
+                      field("name", &T::name, "as the scenario has it"),
+                      field("", &T::position, axes::kPlace, "at time 0"),
+                      field("", &T::velocity, axes::kVelocity, "over ground"));
+}
 
 }  // namespace skein

@@ -6,6 +6,7 @@
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
+#include "skein/data/describe.h"
 #include "skein/data/sensing.h"
 #include "skein/geo/vec.h"
 
@@ -25,6 +26,19 @@ struct Detection {
   double point_sd = 0;  ///< of both together, per axis [m]
 };
 
+constexpr auto describe(const Detection*) {
+  using T = Detection;
+  return described<T>(
+      {"detection", "detections"}, "An object found in one picture of a camera.",
+      field("time", &T::time, "of the picture"),
+      field("entity_id", &T::aircraft, "whose camera"),
+      field("sensor", &T::sensor, "which of its payload sensors"),
+      field("object_id", &T::object, "what was found"),
+      field("", &T::point, axes::kPlace, "where the aircraft believes it"),
+      field("position_sd", &T::point_sd, unit::kMetre,
+            "per axis: of the aircraft's own position and of the picture together"));
+}
+
 /// The ground in one picture, where the aircraft believes it.
 struct Footprint {
   Time time;
@@ -33,6 +47,17 @@ struct Footprint {
   std::array<Vec2, 4> corners{};  ///< in N, in the order of FootprintSample [m]
 };
 
+constexpr auto describe(const Footprint*) {
+  using T = Footprint;
+  return described<T>({"footprint", "footprints"}, "One picture: the ground in it.",
+                      field("time", &T::time, "of the picture"),
+                      field("entity_id", &T::aircraft, "whose camera"),
+                      field("sensor", &T::sensor, "which of its payload sensors"),
+                      field("corner", &T::corners, axes::kPlace,
+                            "front left, front right, back right, back left, as the "
+                            "aircraft believes them"));
+}
+
 /// What a rangefinder or LiDAR measured at one time, as it says it.
 struct RangeScan {
   Time time;
@@ -40,5 +65,15 @@ struct RangeScan {
   std::uint32_t sensor = 0;
   std::vector<RangeSample> beams;  ///< all of that time
 };
+
+constexpr auto describe(const RangeScan*) {
+  using T = RangeScan;
+  return described<T>(
+      {"range_scan", "ranges"}, "One scan of a LiDAR, or one sample of a rangefinder.",
+      field("time", &T::time, "when it was measured"),
+      field("entity_id", &T::aircraft, "whose sensor"),
+      field("sensor", &T::sensor, "which of its payload sensors"),
+      field("beams", &T::beams, Storage::kFloats, "of the scan, in its order"));
+}
 
 }  // namespace skein

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "skein/base/time.h"
+#include "skein/data/describe.h"
 
 namespace skein {
 
@@ -13,6 +16,9 @@ enum class FlightMode : std::uint8_t {
   kAuto,        ///< the stored mission
   kGuided,      ///< what the agent says from moment to moment
 };
+constexpr auto names_of(const FlightMode*) {
+  return std::to_array<std::string_view>({"manual", "stabilized", "auto", "guided"});
+}
 
 /// The safety pilot's transmitter, as its receiver on board gives it out.
 struct PilotInput {

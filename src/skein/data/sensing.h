@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "skein/base/time.h"
+#include "skein/data/describe.h"
 #include "skein/data/pilot.h"
 #include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
@@ -80,6 +81,15 @@ struct RangeSample {
   Vec3 beam_B = Vec3::Zero();  ///< unit vector
   double range = 0;            ///< [m]; 0 = nothing within reach
 };
+
+constexpr auto describe(const RangeSample*) {
+  using T = RangeSample;
+  return described<T>(
+      {"range"}, "Distance along one beam.",
+      untabled(field("time", &T::time, "when it was measured")),
+      field("", &T::beam_B, axes::kBodyDirection, "unit vector of the beam in the body"),
+      field("range", &T::range, unit::kMetre, "0: nothing within reach"));
+}
 
 /// Height above the ground straight below.
 struct HeightSample {

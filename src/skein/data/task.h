@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "skein/base/id.h"
+#include "skein/data/describe.h"
 #include "skein/geo/vec.h"
 
 namespace skein {
@@ -13,6 +15,12 @@ namespace skein {
 struct FlyTo {
   Vec2 point = Vec2::Zero();  ///< [m]
 };
+
+constexpr auto describe(const FlyTo*) {
+  using T = FlyTo;
+  return described<T>({"fly_to"}, "Fly to a point and through it.",
+                      field("", &T::point, axes::kPlace, "the point"));
+}
 
 /// Follow the real edge of the fire with the in/out sensor.
 struct FollowEdge {
@@ -24,20 +32,50 @@ struct FollowEdge {
   double angle = 0;  ///< between course and edge [rad]; 0 = the agent's own
 };
 
+constexpr auto describe(const FollowEdge*) {
+  using T = FollowEdge;
+  return described<T>(
+      {"follow_edge"}, "Follow the real edge of the fire with the in/out sensor.",
+      field("clockwise", &T::clockwise, "around the fire, on the map"),
+      field("", &T::start, axes::kPlace, "where to look for the edge first"),
+      field("tangent", &T::tangent, axes::kDirection,
+            "believed direction of the edge there; 0: not known"),
+      field("angle", &T::angle, unit::kDegree,
+            "between course and edge; 0: the agent's own"));
+}
+
 /// Follow a line of points, once.
 struct FollowLine {
   std::vector<Vec2> points;  ///< [m]
 };
+
+constexpr auto describe(const FollowLine*) {
+  using T = FollowLine;
+  return described<T>({"follow_line"}, "Follow a line of points, once.",
+                      field("points", &T::points, Storage::kJson, "of the line"));
+}
 
 /// Fly a fixed course (a transect).
 struct FlyCourse {
   double course = 0;  ///< [rad]
 };
 
+constexpr auto describe(const FlyCourse*) {
+  using T = FlyCourse;
+  return described<T>({"fly_course"}, "Fly a fixed course.",
+                      field("course", &T::course, unit::kDegree, "over ground"));
+}
+
 /// Circle a point until told otherwise.
 struct Loiter {
   Vec2 centre = Vec2::Zero();
 };
+
+constexpr auto describe(const Loiter*) {
+  using T = Loiter;
+  return described<T>({"loiter"}, "Circle a point until another order comes.",
+                      field("", &T::centre, axes::kPlace, "the point"));
+}
 
 /// Fly through points, round and round.
 struct FlyRoute {
@@ -46,17 +84,47 @@ struct FlyRoute {
   std::vector<EntityId> tell;  ///< whom to tell the own position directly, each second
 };
 
+constexpr auto describe(const FlyRoute*) {
+  using T = FlyRoute;
+  return described<T>({"fly_route"}, "Fly through points, round and round.",
+                      field("points", &T::points, Storage::kJson, "of the route"),
+                      field("laps", &T::laps, "times round"),
+                      field("tell", &T::tell, Storage::kJson,
+                            "who gets the own position directly, each second"));
+}
+
 /// Stay at a place that moves with another aircraft.
 struct FollowLeader {
   EntityId leader;
   Vec2 offset = Vec2::Zero();  ///< ahead of the leader and to its right [m]
 };
 
+constexpr auto describe(const FollowLeader*) {
+  using T = FollowLeader;
+  return described<T>(
+      {"follow_leader"}, "Stay at a place that moves with another aircraft.",
+      field("leader_id", &T::leader, "whom to follow"),
+      field("", &T::offset, axes::kFormation, "ahead of the leader and to its right"));
+}
+
+/// What an aircraft may be asked to do.
+using TaskKind = std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse, FlyRoute,
+                              FollowLeader>;
+
+/// The word for a task.
+std::string_view kind_of(const TaskKind& task);
+
 /// One order for one aircraft. Numbers grow; an agent keeps the newest.
 struct Task {
   std::uint32_t number = 0;
-  std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse, FlyRoute, FollowLeader>
-      what = Loiter{};
+  TaskKind what = Loiter{};
 };
+
+constexpr auto describe(const Task*) {
+  using T = Task;
+  return described<T>({"task"}, "One order for one aircraft.",
+                      field("task_number", &T::number, "the newest counts"),
+                      field("what", &T::what, Storage::kJson, "what to do"));
+}
 
 }  // namespace skein

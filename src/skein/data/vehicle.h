@@ -5,6 +5,7 @@
 
 #include "skein/base/time.h"
 #include "skein/data/control.h"
+#include "skein/data/describe.h"
 #include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
 
@@ -17,6 +18,15 @@ struct Energy {
   double power = 0;    ///< drawn now [W]; 0 = not modelled
 };
 
+constexpr auto describe(const Energy*) {
+  using T = Energy;
+  return described<T>(
+      {"energy"}, "What a vehicle has to fly with, and uses.",
+      field("charge", &T::charge, "left, from 0 to 1"),
+      field("voltage", &T::voltage, unit::kVolt, "under load; 0: not modelled"),
+      field("power", &T::power, unit::kWatt, "drawn now; 0: not modelled"));
+}
+
 /// Which parts of a vehicle do not work.
 struct Faults {
   std::uint8_t dead =
@@ -27,6 +37,15 @@ struct Faults {
   bool is_dead(std::size_t k) const { return (dead >> k & 1u) != 0; }
   bool is_stuck(std::size_t k) const { return (stuck >> k & 1u) != 0; }
 };
+
+constexpr auto describe(const Faults*) {
+  using T = Faults;
+  return described<T>(
+      {"faults"}, "Which parts of a vehicle do not work.",
+      field("dead_actuators", &T::dead, "bit k: actuator k gives nothing"),
+      field("stuck_actuators", &T::stuck, "bit k: actuator k is stuck"),
+      field("battery_failed", &T::battery, "it gives nothing any more"));
+}
 
 /// The true motion of a vehicle and of what moves it. N is the local frame with its
 /// origin at mean sea level, so the altitude above mean sea level is -p_N.z().
@@ -43,6 +62,21 @@ struct VehicleState {
   bool on_ground = false;
 };
 
+constexpr auto describe(const VehicleState*) {
+  using T = VehicleState;
+  return described<T>(
+      {"vehicle_state"}, "The true motion of a vehicle and of what moves it.",
+      field("", &T::p_N, axes::kPlace, "position"),
+      field("", &T::v_N, axes::kVelocity, "over ground"),
+      field("", &T::q_NB, "attitude; the heading is that of the forward axis"),
+      untabled(field("", &T::w_NB_B, axes::kBodyRates, "rates of turn")),
+      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "through the air"),
+      untabled(field("actuator", &T::actuators, "what they do; see the plant")),
+      field("", &T::energy, "what it flies with"),
+      untabled(field("", &T::faults, "what does not work")),
+      field("on_ground", &T::on_ground, "it stands or rolls"));
+}
+
 /// What a vehicle can do, as planners need it.
 struct FlightLimits {
   double airspeed = 20;     ///< cruise [m/s]
@@ -55,6 +89,20 @@ struct FlightLimits {
   double least_density = 0;
 };
 
+constexpr auto describe(const FlightLimits*) {
+  using T = FlightLimits;
+  return described<T>(
+      {"flight_limits"}, "What a vehicle can do.",
+      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "cruise"),
+      field("turn_radius", &T::turn_radius, unit::kMetre, "smallest, at cruise"),
+      field("climb_rate", &T::climb_rate, unit::kMetrePerSecond, "largest"),
+      field("slowest", &T::slowest, unit::kMetrePerSecond, "level flight; 0: it hovers"),
+      field("fastest", &T::fastest, unit::kMetrePerSecond, "level flight"),
+      field("sink_rate", &T::sink_rate, unit::kMetrePerSecond, "largest"),
+      field("least_density", &T::least_density, unit::kKilogramPerCubicMetre,
+            "of air that carries it; 0: any"));
+}
+
 /// What an autopilot's estimator believes about its own vehicle.
 struct NavEstimate {
   Time time;
@@ -66,6 +114,20 @@ struct NavEstimate {
   double roll = 0;             ///< [rad]
   double pitch = 0;            ///< [rad]
 };
+
+constexpr auto describe(const NavEstimate*) {
+  using T = NavEstimate;
+  return described<T>(
+      {"nav"}, "What an estimator believes about its own vehicle.",
+      field("time", &T::time, "that it is of"),
+      field("", &T::p_N, axes::kPlace, "position"),
+      field("", &T::v_N, axes::kVelocity, "over ground"),
+      field("heading", &T::heading, unit::kDegree, "of the air-relative velocity"),
+      field("", &T::wind_N, axes::kWind, "estimated, horizontal"),
+      field("position_sd", &T::position_sd, unit::kMetre, "per horizontal axis"),
+      field("roll", &T::roll, unit::kDegree, "right wing down positive"),
+      field("pitch", &T::pitch, unit::kDegree, "nose up positive"));
+}
 
 /// The true motion as an estimate without errors: what an operator tells an autopilot at
 /// the start. The wind is not known.

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "skein/data/describe.h"
 #include "skein/geo/polygon.h"
 
 namespace skein {
@@ -14,6 +15,13 @@ struct Disc {
   Vec2 centre = Vec2::Zero();  ///< [m]
   double radius = 0;           ///< [m]
 };
+
+constexpr auto describe(const Disc*) {
+  using T = Disc;
+  return described<T>({"disc"}, "A circle and what is inside.",
+                      field("centre", &T::centre, axes::kPlace, "its middle"),
+                      field("radius", &T::radius, unit::kMetre, "its radius"));
+}
 
 /// A no-flight zone: what lies above an area, in a range of altitudes and of times.
 struct Zone {
@@ -25,6 +33,18 @@ struct Zone {
   double until = std::numeric_limits<double>::infinity();        ///< forbidden until [s]
   std::string name = {};  ///< for people; may be empty
 };
+
+constexpr auto describe(const Zone*) {
+  using T = Zone;
+  return described<T>(
+      {"zone"}, "A no-fly zone.", field("name", &T::name, "for people"),
+      field("area", &T::area, Storage::kJson, "a ring of corners or a disc"),
+      field("floor_msl", &T::floor_msl, unit::kMetre, "lowest altitude; null: no limit"),
+      field("ceiling_msl", &T::ceiling_msl, unit::kMetre,
+            "highest altitude; null: no limit"),
+      field("from", &T::from, unit::kSecond, "forbidden since; null: always"),
+      field("until", &T::until, unit::kSecond, "forbidden until; null: for ever"));
+}
 
 /// Whether a place on the map lies over or under the zone, whatever altitude and time.
 bool covers(const Zone& zone, const Vec2& p);

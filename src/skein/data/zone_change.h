@@ -2,14 +2,15 @@
 
 #include <cstdint>
 
+#include "skein/data/describe.h"
 #include "skein/data/zone.h"
 
 namespace skein {
 
 /// A no-flight zone that is put into force or taken back in flight.
 struct ZoneChange {
-  /// Counts the ground station's changes from 1; 0 = an operator's wish that the station
-  /// has not taken up yet.
+  /// Counts the ground station's changes from 1; 0 = a command that no station has taken
+  /// up yet.
   std::uint32_t number = 0;
   bool on = true;
   /// Its name says which zone it is: a new one replaces that of the same name. Of a zone
@@ -17,5 +18,15 @@ struct ZoneChange {
   /// back, and leave the ring empty.
   Zone zone;
 };
+
+constexpr auto describe(const ZoneChange*) {
+  using T = ZoneChange;
+  return described<T>(
+      {"zone"}, "A no-fly zone that is put into force or taken back.",
+      field("number", &T::number,
+            "of the ground station's changes; 0: known to all from the start"),
+      field("in_force", &T::on, "else it is taken back, and only its name counts"),
+      field("", &T::zone, "which"));
+}
 
 }  // namespace skein

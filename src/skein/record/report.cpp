@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "skein/data/json.h"
 #include "skein/record/page.h"
 #include "skein/record/report_map.h"
 #include "skein/record/run_reader.h"
@@ -55,7 +55,7 @@ Json flights_json(const StoredRun& run) {
                        {"time_s", packed(flight.time)},
                        {"columns",
                         {{"altitude_msl_m", packed(flight.altitude_msl)},
-                         {"airspeed_m_s", packed(flight.airspeed)},
+                         {"airspeed_mps", packed(flight.airspeed)},
                          {"cross_track_m", packed(flight.cross_track)},
                          {"position_error_m", packed(flight.position_error)},
                          {"charge", packed(flight.charge)},
@@ -65,14 +65,9 @@ Json flights_json(const StoredRun& run) {
 
 Json run_json(const StoredRun& run, const std::string& label, const fs::path& directory) {
   Json entities = Json::array(), events = Json::array();
-  for (const EntityRow& entity : run.entities)
-    entities.push_back(
-        {{"id", entity.id.value}, {"name", entity.name}, {"kind", entity.kind}});
-  for (const Event& event : run.events)
-    events.push_back({{"time_s", event.time.seconds()},
-                      {"entity", event.entity.value},
-                      {"kind", event.kind},
-                      {"text", event.text}});
+  for (const EntityRecord& entity : run.entities)
+    entities.push_back(json::to_json(entity));
+  for (const Event& event : run.events) events.push_back(json::to_json(event));
   std::string scenario = run.info.scenario_text;
   if (scenario.size() > kLongestScenario)
     scenario =

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "skein/base/math.h"
+#include "skein/data/json.h"
 #include "skein/record/page.h"
 #include "skein/record/run_database.h"
 
@@ -225,13 +225,7 @@ Json crossings_json(const StoredRun& run, const Extent& extent) {
 // The things on the ground, and where the aircraft believed what they found of them.
 Json objects_json(const StoredRun& run) {
   Json objects = Json::array();
-  for (const GroundObject& object : run.objects)
-    objects.push_back({{"id", object.id},
-                       {"name", object.name},
-                       {"north_m", object.position.x()},
-                       {"east_m", object.position.y()},
-                       {"velocity_north_m_s", object.velocity.x()},
-                       {"velocity_east_m_s", object.velocity.y()}});
+  for (const GroundObject& object : run.objects) objects.push_back(json::to_json(object));
   return objects;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "skein/record/record_table.h"
 #include "skein/record/run_database.h"
 #include "skein/record/statistics.h"
 #include "skein/record/track_builder.h"
@@ -34,9 +35,6 @@ std::vector<float> float_blob(const Statement& row, int column) {
     std::memcpy(floats.data(), bytes.data(), floats.size() * sizeof(float));
   return floats;
 }
-
-// The first schema with energy reserves and tables of the payload.
-constexpr std::int64_t kPayloadSchema = 3;
 
 // Every k-th, so that about `most` are left at most.
 template <class T>
@@ -65,21 +63,16 @@ class Reader {
   }
 
  private:
-  // Calls `take` for each row of `sql`.
   template <class Take>
   Result<void> rows(const std::string& sql, Take&& take) {
-    auto prepared = database_.prepare(sql);
-    if (!prepared) return prepared.error();
-    Statement row = std::move(prepared).value();
-    while (row.next()) take(row);
-    if (row.failed()) return database_.error();
-    return {};
+    return for_each_row(database_, sql, std::forward<Take>(take));
+  }
+  template <Described T, class Take>
+  Result<void> records(const std::string& order, Take&& take) {
+    return for_each_record<T>(database_, order, std::forward<Take>(take));
   }
 
-  Result<void> schema() {
-    return rows("PRAGMA user_version",
-                [this](const Statement& row) { schema_ = row.integer(0); });
-  }
+  Result<void> schema() { return check_schema(database_); }
 
   Result<void> meta() {
     return rows("SELECT name, value FROM meta", [this](const Statement& row) {
@@ -93,11 +86,10 @@ class Reader {
   }
 
   Result<void> entities() {
-    return rows("SELECT entity_id, name, kind FROM entities",
-                [this](const Statement& row) {
-                  run_.entities.push_back({entity_id(row, 0), row.text(1), row.text(2)});
-                  statistics_.entity(entity_id(row, 0), row.text(1), row.text(2));
-                });
+    return records<EntityRecord>("", [this](EntityRecord entity) {
+      statistics_.entity(entity.id, entity.name, entity.kind);
+      run_.entities.push_back(std::move(entity));
+    });
   }
 
   Result<void> duration() {
@@ -120,15 +112,11 @@ class Reader {
     });
     if (!done) return done;
     // The rarest kinds say the most: they stay when there are too many.
-    done = rows(
-        "SELECT time_s, entity_id, e.kind, text FROM events e JOIN"
-        " (SELECT kind, count(*) AS n FROM events GROUP BY kind) k ON k.kind = e.kind"
+    done = records<Event>(
+        "JOIN (SELECT kind AS k, count(*) AS n FROM events GROUP BY kind) ON k = kind"
         " ORDER BY n, time_s LIMIT " +
             std::to_string(budget_.events),
-        [this](const Statement& row) {
-          run_.events.push_back({Time::from_seconds(row.real(0)), entity_id(row, 1),
-                                 row.text(2), row.text(3)});
-        });
+        [this](Event event) { run_.events.push_back(std::move(event)); });
     if (!done) return done;
     std::stable_sort(run_.events.begin(), run_.events.end(),
                      [](const Event& a, const Event& b) { return a.time < b.time; });
@@ -179,7 +167,7 @@ class Reader {
     std::map<EntityId, TrackBuilder> builders;
     auto done = rows(
         "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg, charge,"
-        " airspeed_m_s FROM truth",
+        " airspeed_mps FROM truth",
         [&](const Statement& row) {
           const EntityId id = entity_id(row, 0);
           statistics_.truth(Time::from_seconds(row.real(1)), id,
@@ -196,19 +184,21 @@ class Reader {
 
   // The figures of a run that was cut off have no truth beside the estimates.
   Result<void> estimates() {
-    const std::string reserve = schema_ < kPayloadSchema ? "NULL" : "reserve";
-    auto done = rows("SELECT entity_id, cross_track_m, time_s, north_m, east_m, " +
-                         reserve + " FROM estimates",
-                     [this](const Statement& row) {
-                       if (!row.is_null(1))
-                         statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(),
-                                              row.real(1));
-                       flights_->estimate(entity_id(row, 0),
-                                          {row.real(2), Vec2(row.real(3), row.real(4)),
-                                           known(row, 1), known(row, 5)});
-                     });
+    auto done = rows(
+        "SELECT entity_id, time_s, north_m, east_m, reserve, follows, cross_track_m"
+        " FROM estimates",
+        [this](const Statement& row) {
+          const double cross_track = row.integer(5) != 0
+                                         ? row.real(6)
+                                         : std::numeric_limits<double>::quiet_NaN();
+          if (std::isfinite(cross_track))
+            statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(), cross_track);
+          flights_->estimate(
+              entity_id(row, 0),
+              {row.real(1), Vec2(row.real(2), row.real(3)), cross_track, known(row, 4)});
+        });
     run_.flights = flights_->take();
-    if (!done || schema_ < kPayloadSchema) return done;
+    if (!done) return done;
     return rows("SELECT entity_id, min(reserve) FROM estimates GROUP BY entity_id",
                 [this](const Statement& row) {
                   statistics_.reserve(entity_id(row, 0), row.real(1));
@@ -270,48 +260,26 @@ class Reader {
 
   Result<void> crossings() {
     std::vector<Crossing> all;
-    auto done = rows(
-        "SELECT time_s, entity_id, north_m, east_m, entered FROM crossings"
-        " ORDER BY time_s",
-        [&](const Statement& row) {
-          Crossing crossing;
-          crossing.time = Time::from_seconds(row.real(0));
-          crossing.aircraft = entity_id(row, 1);
-          crossing.point = Vec2(row.real(2), row.real(3));
-          crossing.entered = row.integer(4) != 0;
-          all.push_back(crossing);
-          statistics_.crossing(crossing);
-        });
+    auto done = records<Crossing>("ORDER BY time_s", [&](const Crossing& crossing) {
+      all.push_back(crossing);
+      statistics_.crossing(crossing);
+    });
     run_.crossings = thinned(all, budget_.crossings);
     return done;
   }
 
-  // What cameras and ranging sensors saw; older runs have no tables of it.
+  // What cameras and ranging sensors saw.
   Result<void> payload() {
-    if (schema_ < kPayloadSchema) return {};
-    auto done = rows(
-        "SELECT object_id, name, north_m, east_m, velocity_north_m_s, velocity_east_m_s"
-        " FROM objects",
-        [this](const Statement& row) {
-          run_.objects.push_back({static_cast<std::uint32_t>(row.integer(0)), row.text(1),
-                                  Vec2(row.real(2), row.real(3)),
-                                  Vec2(row.real(4), row.real(5))});
-          statistics_.payload().object(run_.objects.back());
-        });
+    auto done = records<GroundObject>("", [this](GroundObject object) {
+      statistics_.payload().object(object);
+      run_.objects.push_back(std::move(object));
+    });
     if (!done) return done;
     std::vector<Detection> all;
-    done = rows(
-        "SELECT time_s, entity_id, object_id, north_m, east_m FROM detections"
-        " ORDER BY time_s",
-        [&](const Statement& row) {
-          Detection detection;
-          detection.time = Time::from_seconds(row.real(0));
-          detection.aircraft = entity_id(row, 1);
-          detection.object = static_cast<std::uint32_t>(row.integer(2));
-          detection.point = Vec2(row.real(3), row.real(4));
-          all.push_back(detection);
-          statistics_.payload().detection(detection);
-        });
+    done = records<Detection>("ORDER BY time_s", [&](const Detection& detection) {
+      all.push_back(detection);
+      statistics_.payload().detection(detection);
+    });
     if (!done) return done;
     run_.detections = thinned(all, budget_.detections);
     done = rows("SELECT 1 FROM footprints",
@@ -367,7 +335,6 @@ class Reader {
   StoredRun run_;
   std::optional<FlightSeriesBuilder> flights_;
   double movers_ = 1;
-  std::int64_t schema_ = 0;
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ struct StoredRun {
   double duration = 0;  ///< [s]
   double allocation_start =
       std::numeric_limits<double>::quiet_NaN();  ///< [s]; NaN = never
-  std::vector<EntityRow> entities;
+  std::vector<EntityRecord> entities;
   std::vector<double> metric_times;       ///< [s]
   std::vector<PerimeterMetrics> metrics;  ///< of the believer that came first
   std::vector<StoredTrack> tracks;
@@ -44,7 +44,7 @@ struct StoredRun {
   std::vector<StoredFrame> truth, belief;
   std::vector<Crossing> crossings;
   std::vector<GroundObject> objects;
-  std::vector<Detection> detections;              ///< without sensor and deviation
+  std::vector<Detection> detections;
   std::vector<Event> events;                      ///< in order of time
   int events_left_out = 0;                        ///< more of the most frequent kinds
   double message_bin = 60;                        ///< [s]

@@ -28,7 +28,7 @@ struct RunRecorderOptions {
 /// fills and the simulation waits.
 ///
 /// Truth and estimates are stored as often as the caller gives them. Metrics are computed
-/// at every perimeter(); the perimeters themselves are stored at most every
+/// at every PerimeterRecord; the perimeters themselves are stored at most every
 /// `perimeter_period` and at the end.
 class RunRecorder final : public Recorder {
  public:
@@ -42,21 +42,7 @@ class RunRecorder final : public Recorder {
   /// Finishes what was given so far, without a summary, when close() was not called.
   ~RunRecorder() override;
 
-  void entity(EntityId id, const std::string& name, const std::string& kind) override;
-  void truth(Time time, EntityId id, const VehicleState& state) override;
-  void estimate(EntityId id, const NavEstimate& estimate,
-                const AutopilotStatus& status) override;
-  void reading(const FireReading& reading) override;
-  void message(const Message& message, Time arrived, bool lost) override;
-  void perimeter(Time time, const geo::Region& truth, EntityId believer,
-                 const BoundaryEstimate& belief) override;
-  void event(const Event& event) override;
-  void crossing(const Crossing& crossing) override;
-  void zone(Time time, const ZoneChange& change) override;
-  void object(const GroundObject& object) override;
-  void detection(const Detection& detection) override;
-  void footprint(const Footprint& footprint) override;
-  void ranges(const RangeScan& scan) override;
+  void record(const Record& record) override;
   Result<void> step_done(Time time) override;
 
   /// Keeps a small grid of the ground for the report's map, row by row: row r, column c

@@ -104,7 +104,7 @@ Result<void> RunWriter::write_batch(std::vector<Row>& batch) {
   if (auto done = database_.begin(); !done) return done;
   const auto began = transaction_began_ = Clock::now();
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    auto done = std::visit([this](auto& row) { return write(row); }, batch[i]);
+    auto done = write(batch[i]);
     if (done.ok() && i % 256 == 255) done = commit_if_due();
     if (!done) {
       // Keep what this transaction holds, if the failure left it whole.
@@ -134,98 +134,56 @@ Result<void> RunWriter::commit_if_due() {
   return database_.begin();
 }
 
-Result<void> RunWriter::write(const EntityRow& row) {
-  statistics_.entity(row.id, row.name, row.kind);
-  return database_.write(row);
+Result<void> RunWriter::write(Row& row) {
+  if (auto* terrain = std::get_if<std::unique_ptr<TerrainRow>>(&row))
+    return database_.write(**terrain);
+  return write(std::get<Record>(row));
 }
 
-Result<void> RunWriter::write(const TruthRow& row) {
-  statistics_.truth(row.time, row.id, row.p_N, row.charge);
-  return database_.write(row);
+Result<void> RunWriter::write(Record& record) {
+  if (auto* perimeter = std::get_if<PerimeterRecord>(&record)) return write(*perimeter);
+  statistics_.take(record);
+  const auto* message = std::get_if<MessageRecord>(&record);
+  if (message)
+    if (auto done = write_order(*message); !done) return done;
+  return message && !store_messages_ ? Result<void>() : database_.write(record);
 }
 
-Result<void> RunWriter::write(const EstimateRow& row) {
-  statistics_.estimate(row.estimate.time, row.id, row.estimate.p_N,
-                       row.follows ? std::optional(row.cross_track) : std::nullopt);
-  statistics_.reserve(row.id, row.reserve);
-  return database_.write(row);
+// The order that a message carries has a table of its own.
+Result<void> RunWriter::write_order(const MessageRecord& record) {
+  const Message& message = record.message;
+  const auto* task = std::get_if<Task>(&message.content);
+  if (!task) return {};
+  return database_.write(TaskRow{message.sent, record.arrived, message.from, message.to,
+                                 *task, record.lost});
 }
 
-Result<void> RunWriter::write(const FireReading& row) {
-  statistics_.reading();
-  return database_.write(row);
-}
-
-Result<void> RunWriter::write(const Crossing& row) {
-  statistics_.crossing(row);
-  return database_.write(row);
-}
-
-Result<void> RunWriter::write(const MessageRow& row) {
-  statistics_.message(row.lost);
-  return store_messages_ ? database_.write(row) : Result<void>();
-}
-
-Result<void> RunWriter::write(const Event& row) {
-  statistics_.event(row);
-  return database_.write(row);
-}
-
-Result<void> RunWriter::write(const Detection& row) {
-  statistics_.payload().detection(row);
-  return database_.write(row);
-}
-
-Result<void> RunWriter::write(const Footprint& row) {
-  statistics_.payload().footprint();
-  return database_.write(row);
-}
-
-Result<void> RunWriter::write(const RangeScan& row) {
-  statistics_.payload().ranges();
-  return database_.write(row);
-}
-
-Result<void> RunWriter::write(std::unique_ptr<GroundObject>& row) {
-  statistics_.payload().object(*row);
-  return database_.write(*row);
-}
-
-Result<void> RunWriter::write(std::unique_ptr<TaskRow>& row) {
-  return database_.write(*row);
-}
-
-Result<void> RunWriter::write(std::unique_ptr<ZoneRow>& row) {
-  return database_.write(*row);
-}
-
-Result<void> RunWriter::write(std::unique_ptr<TerrainRow>& row) {
-  return database_.write(*row);
-}
-
-Result<void> RunWriter::write(std::unique_ptr<PerimeterRow>& row) {
-  const TrueBoundary truth(row->truth);
+Result<void> RunWriter::write(PerimeterRecord& record) {
+  const TrueBoundary truth(record.truth);
   const PerimeterMetrics metrics =
-      statistics_.perimeter(row->time, truth, row->believer, row->belief);
-  if (auto done = database_.write_metrics(row->time, row->believer, metrics); !done)
+      statistics_.perimeter(record.time, truth, record.believer, record.belief);
+  if (auto done = database_.write_metrics(record.time, record.believer, metrics); !done)
     return done;
-  const auto stored = belief_stored_.find(row->believer);
-  if (stored == belief_stored_.end() || row->time >= stored->second + perimeter_period_) {
-    if (auto done = store(*row); !done) return done;
-    not_stored_[row->believer] = nullptr;
+  const EntityId believer = record.believer;
+  const auto stored = belief_stored_.find(believer);
+  if (stored == belief_stored_.end() ||
+      record.time >= stored->second + perimeter_period_) {
+    if (auto done = store(record); !done) return done;
+    not_stored_[believer].reset();
   } else {
-    not_stored_[row->believer] = std::move(row);
+    not_stored_[believer] = std::move(record);
   }
   return commit_if_due();
 }
 
-Result<void> RunWriter::store(const PerimeterRow& row) {
-  belief_stored_[row.believer] = row.time;
-  if (auto done = database_.write_belief(row.time, row.believer, row.belief); !done)
+Result<void> RunWriter::store(const PerimeterRecord& record) {
+  belief_stored_[record.believer] = record.time;
+  if (auto done = database_.write_belief(record.time, record.believer, record.belief);
+      !done)
     return done;
-  if (truth_stored_ == row.time) return {};  // another believer's, of the same time
-  truth_stored_ = row.time;
-  return database_.write_truth(row.time, row.truth);
+  if (truth_stored_ == record.time) return {};  // another believer's, of the same time
+  truth_stored_ = record.time;
+  return database_.write_truth(record.time, record.truth);
 }
 
 }  // namespace skein::record

@@ -50,22 +50,11 @@ class RunWriter {
   Result<void> write_rest();
   Result<void> commit_if_due();
 
-  Result<void> write(const EntityRow& row);
-  Result<void> write(const TruthRow& row);
-  Result<void> write(const EstimateRow& row);
-  Result<void> write(const FireReading& row);
-  Result<void> write(const Crossing& row);
-  Result<void> write(const MessageRow& row);
-  Result<void> write(const Event& row);
-  Result<void> write(const Detection& row);
-  Result<void> write(const Footprint& row);
-  Result<void> write(const RangeScan& row);
-  Result<void> write(std::unique_ptr<GroundObject>& row);
-  Result<void> write(std::unique_ptr<TaskRow>& row);
-  Result<void> write(std::unique_ptr<TerrainRow>& row);
-  Result<void> write(std::unique_ptr<PerimeterRow>& row);
-  Result<void> write(std::unique_ptr<ZoneRow>& row);
-  Result<void> store(const PerimeterRow& row);
+  Result<void> write(Row& row);
+  Result<void> write(Record& record);
+  Result<void> write_order(const MessageRecord& record);
+  Result<void> write(PerimeterRecord& record);
+  Result<void> store(const PerimeterRecord& record);
 
   // Of the writing thread.
   RunDatabase database_;
@@ -75,7 +64,7 @@ class RunWriter {
   Clock::time_point transaction_began_;
   std::optional<Time> truth_stored_;
   std::map<EntityId, Time> belief_stored_;
-  std::map<EntityId, std::unique_ptr<PerimeterRow>> not_stored_;  // newest per believer
+  std::map<EntityId, std::optional<PerimeterRecord>> not_stored_;  // newest per believer
 
   // Shared, under the mutex.
   std::mutex mutex_;

@@ -48,33 +48,33 @@ std::span<const std::byte> Statement::blob(int column) const {
   return {static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)};
 }
 
-void Statement::bind_one(int column, double value) {
+void Statement::put(int column, double value) {
   sqlite3_bind_double(statement_.get(), column, value);
 }
 
-void Statement::bind_one(int column, std::int64_t value) {
+void Statement::put(int column, std::int64_t value) {
   sqlite3_bind_int64(statement_.get(), column, value);
 }
 
 // Text and blobs outlive run(): SQLite need not copy them.
-void Statement::bind_one(int column, std::string_view value) {
+void Statement::put(int column, std::string_view value) {
   sqlite3_bind_text64(statement_.get(), column, value.data(), value.size(), nullptr,
                       SQLITE_UTF8);
 }
 
-void Statement::bind_one(int column, std::span<const std::byte> value) {
+void Statement::put(int column, std::span<const std::byte> value) {
   sqlite3_bind_blob64(statement_.get(), column, value.data(), value.size(), nullptr);
 }
 
-void Statement::bind_one(int column, std::nullptr_t) {
+void Statement::put(int column, std::nullptr_t) {
   sqlite3_bind_null(statement_.get(), column);
 }
 
-void Statement::bind_one(int column, const std::optional<double>& value) {
+void Statement::put(int column, const std::optional<double>& value) {
   if (value)
-    bind_one(column, *value);
+    put(column, *value);
   else
-    bind_one(column, nullptr);
+    put(column, nullptr);
 }
 
 void Sqlite::Close::operator()(sqlite3* database) const {

@@ -26,7 +26,7 @@ class Statement {
   template <class... Values>
   Statement& bind(const Values&... values) {
     int column = 0;
-    (bind_one(++column, values), ...);
+    (put(++column, values), ...);
     return *this;
   }
 
@@ -44,25 +44,20 @@ class Statement {
   /// Valid until the next step.
   std::span<const std::byte> blob(int column) const;
 
- private:
-  void bind_one(int column, double value);  ///< NaN is stored as NULL
-  void bind_one(int column, std::int64_t value);
-  void bind_one(int column, std::uint32_t value) {
-    bind_one(column, std::int64_t{value});
-  }
-  void bind_one(int column, int value) { bind_one(column, std::int64_t{value}); }
-  void bind_one(int column, bool value) { bind_one(column, std::int64_t{value}); }
-  void bind_one(int column, std::string_view value);
-  void bind_one(int column, const std::string& value) {
-    bind_one(column, std::string_view(value));
-  }
-  void bind_one(int column, const char* value) {
-    bind_one(column, std::string_view(value));
-  }
-  void bind_one(int column, std::span<const std::byte> value);
-  void bind_one(int column, std::nullptr_t);
-  void bind_one(int column, const std::optional<double>& value);
+  /// Binds one parameter, counted from 1. Text and blobs must live until run().
+  void put(int column, double value);  ///< NaN is stored as NULL
+  void put(int column, std::int64_t value);
+  void put(int column, std::uint32_t value) { put(column, std::int64_t{value}); }
+  void put(int column, int value) { put(column, std::int64_t{value}); }
+  void put(int column, bool value) { put(column, std::int64_t{value}); }
+  void put(int column, std::string_view value);
+  void put(int column, const std::string& value) { put(column, std::string_view(value)); }
+  void put(int column, const char* value) { put(column, std::string_view(value)); }
+  void put(int column, std::span<const std::byte> value);
+  void put(int column, std::nullptr_t);
+  void put(int column, const std::optional<double>& value);
 
+ private:
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const;
   };

@@ -3,6 +3,44 @@
 #include <algorithm>
 
 namespace skein::record {
+namespace {
+
+// Each kind of record, and what becomes of it.
+struct Taker {
+  RunStatistics& statistics;
+
+  void operator()(const EntityRecord& r) { statistics.entity(r.id, r.name, r.kind); }
+  void operator()(const TruthRecord& r) {
+    statistics.truth(r.time, r.id, r.state.p_N, r.state.energy.charge);
+  }
+  void operator()(const EstimateRecord& r) {
+    statistics.estimate(
+        r.nav.time, r.id, r.nav.p_N,
+        r.status.follows ? std::optional(r.status.cross_track) : std::nullopt);
+    statistics.reserve(r.id, r.status.reserve);
+  }
+  void operator()(const FireReading&) { statistics.reading(); }
+  void operator()(const Crossing& r) { statistics.crossing(r); }
+  void operator()(const MessageRecord& r) { statistics.message(r.lost); }
+  void operator()(const PerimeterRecord& r) {
+    statistics.perimeter(r.time, TrueBoundary(r.truth), r.believer, r.belief);
+  }
+  void operator()(const Event& r) { statistics.event(r); }
+  void operator()(const GroundObject& r) { statistics.payload().object(r); }
+  void operator()(const Detection& r) { statistics.payload().detection(r); }
+  void operator()(const Footprint&) { statistics.payload().footprint(); }
+  void operator()(const RangeScan&) { statistics.payload().ranges(); }
+  // No figures are made of these.
+  void operator()(const ZoneRecord&) {}
+  void operator()(const CommandRecord&) {}
+  void operator()(const PluginRecord&) {}
+};
+
+}  // namespace
+
+void RunStatistics::take(const Record& record) {
+  std::visit(Taker{*this}, record);
+}
 
 void RunStatistics::entity(EntityId id, const std::string& name,
                            const std::string& kind) {

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/event.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/record.h"
 #include "skein/record/flight_statistics.h"
 #include "skein/record/metrics.h"
 #include "skein/record/payload_statistics.h"
@@ -20,6 +19,9 @@ namespace skein::record {
 /// by all recorders, so that a figure means the same wherever it comes from.
 class RunStatistics {
  public:
+  /// Takes in what a run gives its recorders.
+  void take(const Record& record);
+
   void entity(EntityId id, const std::string& name, const std::string& kind);
   void truth(Time time, EntityId id, const Vec3& p_N, double charge);
   /// See FlightStatistics.

@@ -6,73 +6,9 @@ namespace skein::record {
 
 SummaryRecorder::SummaryRecorder(RunInfo info) : info_(std::move(info)) {}
 
-void SummaryRecorder::entity(EntityId id, const std::string& name,
-                             const std::string& kind) {
-  hash_.entity(id, name, kind);
-  statistics_.entity(id, name, kind);
-}
-
-void SummaryRecorder::truth(Time time, EntityId id, const VehicleState& state) {
-  hash_.truth(time, id, state);
-  statistics_.truth(time, id, state.p_N, state.energy.charge);
-}
-
-void SummaryRecorder::estimate(EntityId id, const NavEstimate& estimate,
-                               const AutopilotStatus& status) {
-  hash_.estimate(id, estimate, status);
-  statistics_.estimate(estimate.time, id, estimate.p_N,
-                       status.follows ? std::optional(status.cross_track) : std::nullopt);
-  statistics_.reserve(id, status.reserve);
-}
-
-void SummaryRecorder::reading(const FireReading& reading) {
-  hash_.reading(reading);
-  statistics_.reading();
-}
-
-void SummaryRecorder::message(const Message& message, Time arrived, bool lost) {
-  hash_.message(message, arrived, lost);
-  statistics_.message(lost);
-}
-
-void SummaryRecorder::perimeter(Time time, const geo::Region& truth, EntityId believer,
-                                const BoundaryEstimate& belief) {
-  hash_.perimeter(time, truth, believer, belief);
-  statistics_.perimeter(time, TrueBoundary(truth), believer, belief);
-}
-
-void SummaryRecorder::event(const Event& event) {
-  hash_.event(event);
-  statistics_.event(event);
-}
-
-void SummaryRecorder::crossing(const Crossing& crossing) {
-  hash_.crossing(crossing);
-  statistics_.crossing(crossing);
-}
-
-void SummaryRecorder::zone(Time time, const ZoneChange& change) {
-  hash_.zone(time, change);
-}
-
-void SummaryRecorder::object(const GroundObject& object) {
-  hash_.object(object);
-  statistics_.payload().object(object);
-}
-
-void SummaryRecorder::detection(const Detection& detection) {
-  hash_.detection(detection);
-  statistics_.payload().detection(detection);
-}
-
-void SummaryRecorder::footprint(const Footprint& footprint) {
-  hash_.footprint(footprint);
-  statistics_.payload().footprint();
-}
-
-void SummaryRecorder::ranges(const RangeScan& scan) {
-  hash_.ranges(scan);
-  statistics_.payload().ranges();
+void SummaryRecorder::record(const Record& record) {
+  hash_.add(record);
+  statistics_.take(record);
 }
 
 Result<void> SummaryRecorder::step_done(Time time) {

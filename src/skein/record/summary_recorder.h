@@ -14,21 +14,7 @@ class SummaryRecorder final : public Recorder {
  public:
   explicit SummaryRecorder(RunInfo info);
 
-  void entity(EntityId id, const std::string& name, const std::string& kind) override;
-  void truth(Time time, EntityId id, const VehicleState& state) override;
-  void estimate(EntityId id, const NavEstimate& estimate,
-                const AutopilotStatus& status) override;
-  void reading(const FireReading& reading) override;
-  void message(const Message& message, Time arrived, bool lost) override;
-  void perimeter(Time time, const geo::Region& truth, EntityId believer,
-                 const BoundaryEstimate& belief) override;
-  void event(const Event& event) override;
-  void crossing(const Crossing& crossing) override;
-  void zone(Time time, const ZoneChange& change) override;
-  void object(const GroundObject& object) override;
-  void detection(const Detection& detection) override;
-  void footprint(const Footprint& footprint) override;
-  void ranges(const RangeScan& scan) override;
+  void record(const Record& record) override;
   Result<void> step_done(Time time) override;
 
   /// Sets one more number of the summary, such as `deadline_misses`.

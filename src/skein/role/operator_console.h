@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/zone_change.h"
+#include "skein/data/command.h"
 
 namespace skein {
 
@@ -16,7 +16,7 @@ struct RunProgress {
   std::string headline;  ///< key figures in one line
 };
 
-/// The operator's view of a run: sees progress, may ask to stop.
+/// The operator's view of a run: sees progress, may steer it and ask to stop.
 class OperatorConsole {
  public:
   virtual ~OperatorConsole() = default;
@@ -27,11 +27,10 @@ class OperatorConsole {
   /// Whether the operator asked for an end of the run. Must be quick.
   virtual bool stop_requested() const = 0;
 
-  /// No-flight zones that the operator has drawn or taken back since the last call, in
-  /// order, without numbers. Asked at every step of a run, so it must be quick. They take
-  /// effect at the next decision of the ground station; what it does not take up becomes
-  /// an event "zone-refused".
-  virtual std::vector<ZoneChange> zone_wishes() { return {}; }
+  /// What has been asked for since the last call, in order; the times are filled in by
+  /// the run. Asked at every step of a run, and while it stands still, so it must be
+  /// quick. What cannot be done becomes an event "command-refused".
+  virtual std::vector<CommandRecord> commands() { return {}; }
 };
 
 }  // namespace skein

@@ -100,8 +100,10 @@ Reading read_document_text(std::string_view text, const std::string& name,
   for (const Override& change : overrides) {
     apply_override(change, ++source, *root, problems);
   }
-  Reader(kinds, {folder, {}}, problems)
-      .read(Type{ObjectType{document.keys}}, *root, target);
+  const Folders folders{folder, {}};
+  if (document.prepare && !document.prepare(*root, folders, problems))
+    return finished(problems, document);
+  Reader(kinds, folders, problems).read(Type{ObjectType{document.keys}}, *root, target);
   return finished(problems, document);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@
 
 namespace skein::scenario {
 
+struct Folders;
+struct Node;
+
 /// A kind of YAML file: its keys, and how messages and documentation speak of it.
 struct Document {
   ObjectPtr keys;           ///< of the struct that such a file is read into
@@ -22,6 +26,9 @@ struct Document {
   std::string consequence;  ///< of problems, ends their report: "nothing was run"
   std::string title;        ///< of the JSON Schema
   std::string preface;      ///< of the documentation of its keys, Markdown
+  /// What must be done with the file, changed by overrides, before its keys are read;
+  /// false: they are not. May be empty.
+  std::function<bool(const Node&, const Folders&, Problems&)> prepare = {};
 };
 
 /// Everything that is wrong with a file.

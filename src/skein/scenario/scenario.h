@@ -163,10 +163,17 @@ struct Recording {
   bool messages = true;
 };
 
+/// A command that the scenario gives by itself.
+struct PlannedCommand {
+  Time at;
+  std::string text;  ///< see data/command_text.h
+};
+
 /// A run, as its file describes it. Members hold SI units and radians; keys, ranges and
 /// meanings stand in scenario_fields.cpp, defaults only here.
 struct Scenario {
   std::string name = "unnamed";
+  std::vector<std::string> plugins;  ///< shared libraries with kinds of their own
   std::uint64_t seed = 1;
   Time duration = Time::from_seconds(3600);
   Time step = Time::from_seconds(0.1);
@@ -177,6 +184,7 @@ struct Scenario {
   Choice radio{"ideal"};
   Station station;
   Monitoring monitoring;
+  std::vector<PlannedCommand> commands;
   Recording record;
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/data/command_text.h"
 #include "skein/scenario/numbers.h"
 #include "skein/scenario/scenario.h"
 #include "skein/scenario/zones.h"
@@ -396,10 +397,29 @@ std::vector<RuleFault> period_faults(const Scenario& scenario) {
 
 }  // namespace
 
+namespace {
+
+Fields<PlannedCommand> command_fields() {
+  using T = PlannedCommand;
+  return Fields<T>()
+      .duration_s("at_s", &T::at, "When it is given.", {.at_least = 0})
+      .required()
+      .text("do", &T::text, "The command, as in a terminal: see docs/commands.md.")
+      .required()
+      .rule("do", [](const T& t) {
+        const auto command = parse_command(t.text);
+        return command ? std::string() : command.error().text();
+      });
+}
+
+}  // namespace
+
 Fields<Scenario> scenario_fields() {
   using T = Scenario;
   return Fields<T>()
       .text("name", &T::name, "Name of the run, for reports.")
+      .file("plugins", &T::plugins,
+            "Shared libraries that bring kinds of their own; see docs/extending.md.")
       .integer("seed", &T::seed, "Seed of all randomness: same seed, same run.",
                {.at_least = 0})
       .duration_s("duration_s", &T::duration, "Length of the run.")
@@ -415,6 +435,9 @@ Fields<Scenario> scenario_fields() {
       .kind("radio", &T::radio, "radio", "The channel between all of them.")
       .object("station", &T::station, station_fields(), "The ground station.")
       .object("monitoring", &T::monitoring, monitoring_fields(), "The mission.")
+      .object("commands", &T::commands, command_fields(),
+              "What the scenario commands by itself, as an operator would.")
+      .items({.at_most = 10000})
       .object("record", &T::record, record_fields(), "What is stored.")
       .rules(period_faults);
 }

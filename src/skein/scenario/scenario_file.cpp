@@ -22,6 +22,16 @@ Document scenario_document() {
   return document;
 }
 
+// A scenario whose plugins are loaded by `load`.
+Document document_with(const LoadPlugin& load) {
+  Document document = scenario_document();
+  document.prepare = [&load](const Node& root, const Folders& folders,
+                             Problems& problems) {
+    return load_plugins(root, folders, load, problems);
+  };
+  return document;
+}
+
 ReadOutcome outcome_of(Reading reading, Scenario& scenario) {
   ReadOutcome outcome{std::move(reading), std::nullopt};
   if (outcome.Reading::ok()) outcome.scenario = std::move(scenario);
@@ -31,18 +41,19 @@ ReadOutcome outcome_of(Reading reading, Scenario& scenario) {
 }  // namespace
 
 ReadOutcome read_scenario(const std::filesystem::path& path, const KindTable& kinds,
-                          std::span<const Override> overrides) {
+                          std::span<const Override> overrides, const LoadPlugin& load) {
   Scenario scenario;
-  Reading reading = read_document(path, scenario_document(), kinds, overrides, &scenario);
+  Reading reading = read_document(path, document_with(load), kinds, overrides, &scenario);
   return outcome_of(std::move(reading), scenario);
 }
 
 ReadOutcome read_scenario_text(std::string_view text, const std::string& name,
                                const std::filesystem::path& folder,
                                const KindTable& kinds,
-                               std::span<const Override> overrides) {
+                               std::span<const Override> overrides,
+                               const LoadPlugin& load) {
   Scenario scenario;
-  Reading reading = read_document_text(text, name, folder, scenario_document(), kinds,
+  Reading reading = read_document_text(text, name, folder, document_with(load), kinds,
                                        overrides, &scenario);
   return outcome_of(std::move(reading), scenario);
 }

@@ -9,6 +9,7 @@
 #include "skein/scenario/document.h"
 #include "skein/scenario/kind_table.h"
 #include "skein/scenario/override.h"
+#include "skein/scenario/plugins.h"
 #include "skein/scenario/scenario.h"
 
 namespace skein::scenario {
@@ -25,9 +26,12 @@ struct ReadOutcome : Reading {
 ///
 /// @param overrides  changes from the command line, applied in their order; paths in
 ///                   them are relative to the working folder.
+/// @param load       makes the kinds of the scenario's plugins known: it adds them to the
+///                   table that `kinds` is. Without it a scenario can have no plugins.
 /// Never throws for what a file holds. A 10 MB file takes a few seconds.
 ReadOutcome read_scenario(const std::filesystem::path& path, const KindTable& kinds,
-                          std::span<const Override> overrides = {});
+                          std::span<const Override> overrides = {},
+                          const LoadPlugin& load = {});
 
 /// The same of a text, for callers that have one.
 ///
@@ -36,7 +40,8 @@ ReadOutcome read_scenario(const std::filesystem::path& path, const KindTable& ki
 ReadOutcome read_scenario_text(std::string_view text, const std::string& name,
                                const std::filesystem::path& folder,
                                const KindTable& kinds,
-                               std::span<const Override> overrides = {});
+                               std::span<const Override> overrides = {},
+                               const LoadPlugin& load = {});
 
 /// The scenario as a YAML file with every key written out. Reading that gives an equal
 /// scenario, bit by bit, when this one came from reading.

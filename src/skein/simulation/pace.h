@@ -19,6 +19,12 @@ class Pace {
   /// ms. Counts a miss when `now` was due more than a step ago.
   void wait_for(Time now, const OperatorConsole& console);
 
+  /// Waits a little while the run is paused; that time does not make it late.
+  void nap();
+
+  /// From the simulated time `now` on, at another speed; 0 = never waits.
+  void set_speed(double speed, Time now);
+
   double wall_s() const;
   std::int64_t misses() const { return misses_; }
 
@@ -27,8 +33,14 @@ class Pace {
 
  private:
   using Clock = std::chrono::steady_clock;
+  double late(Time now) const;
+
   double speed_;
+  Time step_;
   double step_wall_s_;
+  // Where simulated and wall time were last in step.
+  double origin_wall_s_ = 0;
+  Time origin_;
   Clock::time_point start_;
   Clock::time_point last_show_;
   std::int64_t misses_ = 0;

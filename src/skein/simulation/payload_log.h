@@ -3,7 +3,7 @@
 #include <span>
 
 #include "skein/data/payload.h"
-#include "skein/role/autopilot.h"
+#include "skein/data/vehicle.h"
 #include "skein/role/recorder.h"
 
 namespace skein::simulation {
@@ -16,7 +16,8 @@ namespace skein::simulation {
 /// passed over.
 ///
 /// @param sensor  which of the aircraft's payload sensors, from 0.
+/// @param nav     what its autopilot believes now.
 void log_payload(std::span<const SensorSample> samples, EntityId aircraft,
-                 std::uint32_t sensor, const Autopilot& autopilot, Recorder& recorder);
+                 std::uint32_t sensor, const NavEstimate& nav, Recorder& recorder);
 
 }  // namespace skein::simulation

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include <vector>
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
+#include "skein/data/command.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/recorder.h"
 #include "skein/simulation/world.h"
@@ -21,6 +21,10 @@ struct RunOptions {
   /// Simulated seconds per second of wall time; 0 = as fast as possible.
   double speed = 0;
   int threads = 1;
+  /// Given at their times, before what the console says; in order of time.
+  std::vector<CommandRecord> commands;
+  /// Pauses and speeds that are commanded hold; else they are only recorded (a replay).
+  bool clock_by_command = true;
 };
 
 /// How a run ended.
@@ -35,7 +39,8 @@ struct RunOutcome {
 
 /// Moves `world` through time until the end or until the operator asks to stop.
 ///
-/// Before each step the ground stations get what the operator asked for since the last.
+/// Before each step commands are obeyed: those of the options, then what the console has
+/// taken in since the last. While it is paused the run waits and asks the console.
 /// Each step: environment -> sensors -> agents -> radio -> autopilots -> plants ->
 /// record. Entities run in parallel inside a phase, each writing only itself; messages
 /// are merged in entity order. So the records depend on neither `threads` nor `speed`.

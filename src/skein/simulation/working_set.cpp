@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "skein/simulation/entity_step.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::simulation {
 namespace {
@@ -21,15 +21,12 @@ std::span<const std::byte> block_of(const Role& part) {
 
 }  // namespace
 
-WorkingSet::WorkingSet(const Entity& entity, const EntityState& state) {
-  const Vehicle* vehicle = entity.vehicle.get();
-  if (!vehicle) return;
-  blocks_.reserve(vehicle->sensors.size() + 4);
-  blocks_.push_back(std::as_bytes(std::span(&state, 1)));
-  blocks_.push_back(std::as_bytes(std::span(vehicle, 1)));
-  blocks_.push_back(block_of(*vehicle->autopilot));
-  if (vehicle->turbulence) blocks_.push_back(block_of(*vehicle->turbulence));
-  for (const auto& sensor : vehicle->sensors) blocks_.push_back(block_of(*sensor));
+WorkingSet::WorkingSet(const void* vehicle, std::size_t size, const VehicleParts& parts) {
+  blocks_.reserve(parts.sensors.size() + 3);
+  blocks_.emplace_back(static_cast<const std::byte*>(vehicle), size);
+  blocks_.push_back(block_of(*parts.autopilot));
+  if (parts.turbulence) blocks_.push_back(block_of(*parts.turbulence));
+  for (const auto& sensor : parts.sensors) blocks_.push_back(block_of(*sensor));
   for (const auto& block : blocks_) size_ += std::ssize(block);
 }
 

@@ -5,23 +5,21 @@
 #include <span>
 #include <vector>
 
-#include "skein/simulation/world.h"
-
 namespace skein::simulation {
 
-struct EntityState;
+struct VehicleParts;
 
-/// The memory in which a flying entity keeps what its steps read and write, to be loaded
-/// while another one flies.
+/// The memory in which a simulated vehicle keeps what its steps read and write, to be
+/// loaded while another one flies.
 ///
 /// A fleet is larger than the processor's caches, and an aircraft is some ten blocks from
 /// the heap: without this a step of the run begins with waiting for each of them. Only
 /// speed depends on it.
 class WorkingSet {
  public:
-  WorkingSet() = default;
-  /// Both must stay where they are.
-  WorkingSet(const Entity& entity, const EntityState& state);
+  /// @param vehicle  its own memory, of `size` bytes.
+  /// @param parts    must stay where they are.
+  WorkingSet(const void* vehicle, std::size_t size, const VehicleParts& parts);
 
   /// Has the processor load one of `parts` equal parts of it, without waiting: it can
   /// only wait for so many cache lines at a time.

@@ -9,6 +9,7 @@
 #include "skein/assemble/sampling.h"
 #include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
 #include "skein/scenario/scenario_file.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
 namespace {
@@ -22,19 +23,19 @@ scenario::Scenario read(const std::string& text) {
 }
 
 Build built(const std::string& text) {
-  auto made = build(read(text));
+  auto made = build(read(text), KindRegistry());
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().text());
   return made.ok() ? std::move(made).value() : Build{};
 }
 
 std::string refusal(const std::string& text) {
-  const auto made = build(read(text));
+  const auto made = build(read(text), KindRegistry());
   EXPECT_FALSE(made.ok());
   return made.ok() ? "" : made.error().text();
 }
 
-const simulation::Vehicle& vehicle(const Build& b, std::size_t k = 1) {
-  return *b.world.entities.at(k).vehicle;
+const simulation::VehicleParts& vehicle(const Build& b, std::size_t k = 1) {
+  return parts_of(b.world.entities.at(k));
 }
 
 constexpr const char* kWing =
@@ -213,14 +214,16 @@ TEST(VehicleFaults, ByChanceAreExponentialAndEachAircraftHasItsOwn) {
 }
 
 TEST(Sampling, FlightSensorsSampleAtTheVehiclesOwnStep) {
-  EXPECT_TRUE(sampling_warnings(read(std::string(kWing) + "}]")).empty());
+  EXPECT_TRUE(sampling_warnings(read(std::string(kWing) + "}]"), kind_table()).empty());
   const auto warnings = sampling_warnings(
       read("aircraft: [{plant: fixed-wing, autopilot: skein, sensors: [{kind: imu, "
-           "rate_hz: 400}]}]"));
+           "rate_hz: 400}]}]"),
+      kind_table());
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("flight_step_s 0.01"), std::string::npos) << warnings[0];
-  EXPECT_EQ(truth_period(read("aircraft: [{sensors: [imu, camera, fire]}]")),
-            Time::from_seconds(1))
+  EXPECT_EQ(
+      truth_period(read("aircraft: [{sensors: [imu, camera, fire]}]"), kind_table()),
+      Time::from_seconds(1))
       << "only the fire sensor looks at the fire";
 }
 

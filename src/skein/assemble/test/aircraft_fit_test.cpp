@@ -14,7 +14,7 @@ std::string said_of(const std::string& aircraft, const std::string& rest = "") {
   const auto read = scenario::read_scenario_text(
       "aircraft: [{" + aircraft + "}]\n" + rest, "test", ".", kind_table());
   if (!read.ok()) return read.report();
-  const auto made = build(*read.scenario);
+  const auto made = build(*read.scenario, KindRegistry());
   return made ? "" : made.error().text();
 }
 
@@ -116,7 +116,7 @@ std::vector<std::string> doubts_of(const std::string& aircraft,
   const auto read = scenario::read_scenario_text(
       "aircraft: [{" + aircraft + "}]\n" + rest, "test", ".", kind_table());
   EXPECT_TRUE(read.ok()) << read.report();
-  return build(*read.scenario).value().warnings;
+  return build(*read.scenario, KindRegistry()).value().warnings;
 }
 
 TEST(AircraftFit, SlowRotorsAreDoubted) {

@@ -9,6 +9,7 @@
 #include "skein/assemble/presence.h"
 #include "skein/assemble/run.h"
 #include "skein/scenario/scenario_file.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
 namespace {
@@ -29,7 +30,7 @@ std::string hash_of(const Scenario& scenario, int threads = 1, double speed = 0)
   QuietRun how;
   how.threads = threads;
   how.speed = speed;
-  const auto summary = run_quietly(scenario, how);
+  const auto summary = run_quietly(scenario, KindRegistry(), how);
   EXPECT_TRUE(summary.ok()) << summary.error().text();
   return summary.ok() ? summary.value().content_hash : "";
 }
@@ -41,13 +42,15 @@ TEST(Kinds, EveryKindHasDefaultsThatAreAllowedAndCanBeMade) {
   for (const auto& kind : table.of("estimator"))
     for (const auto& strategy : table.of("strategy"))
       EXPECT_TRUE(build(read("duration_s: 0\nmonitoring: {estimator: " + kind.name +
-                             ", strategy: " + strategy.name + "}"))
+                             ", strategy: " + strategy.name + "}"),
+                        KindRegistry())
                       .ok())
           << kind.name << " " << strategy.name;
 }
 
 TEST(Build, PutsTheStationFirstAndAircraftInOrder) {
-  const auto built = build(read("aircraft: [{name: a, count: 2}, {name: b, count: 1}]"));
+  const auto built =
+      build(read("aircraft: [{name: a, count: 2}, {name: b, count: 1}]"), KindRegistry());
   ASSERT_TRUE(built.ok());
   const auto& entities = built.value().world.entities;
   ASSERT_EQ(entities.size(), 4u);
@@ -55,23 +58,25 @@ TEST(Build, PutsTheStationFirstAndAircraftInOrder) {
   EXPECT_EQ(entities[2].name, "a-2");
   EXPECT_EQ(entities[3].name, "b-1");
   // Two stand on opposite sides, facing the centre, at their height above ground.
-  EXPECT_NEAR(entities[1].vehicle->state.p_N.x(), 900, 1e-9);
-  EXPECT_NEAR(entities[2].vehicle->state.p_N.x(), -900, 1e-9);
-  EXPECT_NEAR(entities[1].vehicle->state.p_N.z(), -120, 1e-9);
-  EXPECT_NEAR(std::abs(geo::yaw(entities[1].vehicle->state.q_NB)), geo::kPi, 1e-9);
+  EXPECT_NEAR(entities[1].vehicle->truth()->p_N.x(), 900, 1e-9);
+  EXPECT_NEAR(entities[2].vehicle->truth()->p_N.x(), -900, 1e-9);
+  EXPECT_NEAR(entities[1].vehicle->truth()->p_N.z(), -120, 1e-9);
+  EXPECT_NEAR(std::abs(geo::yaw(entities[1].vehicle->truth()->q_NB)), geo::kPi, 1e-9);
 }
 
 TEST(Build, RefusesAnAircraftInsideTerrainOrInAZone) {
   const auto inside =
       build(read("environment: {terrain: {kind: flat, elevation_m: 500}}\n"
-                 "aircraft: [{count: 1, start: {altitude_msl_m: 400}}]"));
+                 "aircraft: [{count: 1, start: {altitude_msl_m: 400}}]"),
+            KindRegistry());
   ASSERT_FALSE(inside.ok());
   EXPECT_NE(inside.error().text().find("scout-1"), std::string::npos)
       << inside.error().text();
   EXPECT_NE(inside.error().text().find("500"), std::string::npos)
       << inside.error().text();
-  const auto zone = build(read(
-      "environment: {zones_m: [[[800, -100], [1000, -100], [1000, 100], [800, 100]]]}"));
+  const auto zone = build(read("environment: {zones_m: [[[800, -100], [1000, -100], "
+                               "[1000, 100], [800, 100]]]}"),
+                          KindRegistry());
   ASSERT_FALSE(zone.ok());
   EXPECT_NE(zone.error().text().find("no-flight zone"), std::string::npos);
 }
@@ -84,7 +89,8 @@ TEST(Build, TellsOfAllFaultsInDataAtOnce) {
            "file: '" +
            wind +
            "'}}\naircraft: [{name: a, start: {altitude_msl_m: 400}}, "
-           "{name: b, start: {altitude_msl_m: 300}}]"));
+           "{name: b, start: {altitude_msl_m: 300}}]"),
+      KindRegistry());
   ASSERT_FALSE(built.ok());
   for (const char* text : {"3 problems:", "wind_without_numbers.csv:2",
                            "a-1: starts inside terrain", "b-1: starts inside terrain"})
@@ -93,7 +99,8 @@ TEST(Build, TellsOfAllFaultsInDataAtOnce) {
 
 TEST(Build, NumbersGroupsOfOneNameOn) {
   const auto built = build(
-      read("aircraft: [{name: a, count: 2}, {name: b, count: 1}, {name: a, count: 1}]"));
+      read("aircraft: [{name: a, count: 2}, {name: b, count: 1}, {name: a, count: 1}]"),
+      KindRegistry());
   ASSERT_TRUE(built.ok());
   std::vector<std::string> names;
   for (const auto& entity : built.value().world.entities) names.push_back(entity.name);
@@ -173,7 +180,7 @@ TEST(Kinds, HaveOnlyTheKeysThatTheyUse) {
 
 TEST(Build, MovesTheFireAsOftenAsSensorsLook) {
   const auto period = [](const std::string& more) {
-    const auto built = build(read(more));
+    const auto built = build(read(more), KindRegistry());
     EXPECT_TRUE(built.ok());
     return built.value().options.environment_period.seconds();
   };
@@ -192,7 +199,7 @@ TEST(Build, MovesTheFireAsOftenAsSensorsLook) {
 
 TEST(Build, WarnsOfLooksAtAFireOfThePastAndOfRatesAboveTheSteps) {
   const auto warnings = [](const std::string& text) {
-    const auto built = build(read(text));
+    const auto built = build(read(text), KindRegistry());
     EXPECT_TRUE(built.ok());
     std::string lines;
     for (const std::string& line : built.value().warnings) lines += line + "\n";
@@ -232,9 +239,9 @@ TEST(Run, SameHashForAnyThreadsAndSpeed) {
 
 TEST(Run, WhatIsStoredChangesNoFigure) {
   Scenario scenario = read("duration_s: 60\nradio: {kind: ideal, loss: 0.2}");
-  const auto with = run_quietly(scenario, {});
+  const auto with = run_quietly(scenario, KindRegistry(), {});
   scenario.record.messages = false;
-  const auto without = run_quietly(scenario, {});
+  const auto without = run_quietly(scenario, KindRegistry(), {});
   ASSERT_TRUE(with.ok() && without.ok());
   EXPECT_GT(without.value().number("messages_sent").value_or(0), 50);
   for (const char* figure : {"messages_sent", "messages_lost"})
@@ -244,10 +251,10 @@ TEST(Run, WhatIsStoredChangesNoFigure) {
 
 TEST(Build, EachSensorOfAnAircraftErrsInItsOwnWay) {
   const auto readings = [&](const std::string& sensors) {
-    auto built = build(read("aircraft: [{sensors: [" + sensors + "]}]"));
+    auto built = build(read("aircraft: [{sensors: [" + sensors + "]}]"), KindRegistry());
     EXPECT_TRUE(built.ok());
     const simulation::World& world = built.value().world;
-    const simulation::Vehicle& vehicle = *world.entities[1].vehicle;
+    const simulation::VehicleParts& vehicle = parts_of(world.entities[1]);
     std::vector<std::vector<bool>> all(vehicle.payload.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<SensorSample> samples;

@@ -36,7 +36,7 @@ TEST_P(Expectation, Holds) {
       fs::path(SKEIN_SOURCE_DIR) / "scenarios" / file["scenario"].as<std::string>();
   const auto read = scenario::read_scenario(path, kind_table(), overrides);
   ASSERT_TRUE(read.ok()) << read.report();
-  const auto summary = run_quietly(*read.scenario, {});
+  const auto summary = run_quietly(*read.scenario, KindRegistry(), {});
   ASSERT_TRUE(summary.ok()) << summary.error().text();
   ASSERT_TRUE(file["expect"].size() > 0);
   for (const auto& bound : file["expect"]) {

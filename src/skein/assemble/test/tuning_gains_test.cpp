@@ -120,7 +120,7 @@ TEST(LapGains, TheTextOfAnEntryIsReadAsTheSameGains) {
   const auto read =
       read_with({"aircraft[0].autopilot.lap_gains=[" + lap_gains_text(quick) + "]"});
   ASSERT_TRUE(read.ok()) << read.report();
-  EXPECT_TRUE(build(*read.scenario).ok());
+  EXPECT_TRUE(build(*read.scenario, KindRegistry()).ok());
   const std::string written = scenario::write_scenario(*read.scenario, kind_table());
   EXPECT_NE(written.find("lap_gains"), std::string::npos);
 }
@@ -129,7 +129,7 @@ TEST(LapGains, AreForFixedWingsOnly) {
   const auto read = read_with({"aircraft[0].plant={kind: multirotor, aircraft: quad}",
                                "aircraft[0].autopilot.lap_gains=[{lateral: {}}]"});
   ASSERT_TRUE(read.ok()) << read.report();
-  const auto built = build(*read.scenario);
+  const auto built = build(*read.scenario, KindRegistry());
   ASSERT_FALSE(built.ok());
   EXPECT_NE(built.error().text().find("lap_gains"), std::string::npos)
       << built.error().text();

@@ -33,41 +33,20 @@ struct FlightRow {
 /// Everything that was recorded.
 class FlightLog final : public Recorder {
  public:
-  void entity(EntityId id, const std::string& name, const std::string& kind) override {
-    hash_->entity(id, name, kind);
+  void record(const Record& record) override {
+    hash_->add(record);
+    if (const auto* t = std::get_if<TruthRecord>(&record))
+      rows[t->id.value].push_back({t->time, t->state, {}, {}});
+    if (const auto* e = std::get_if<EstimateRecord>(&record)) {
+      FlightRow& row = rows[e->id.value].back();
+      row.nav = e->nav;
+      row.status = e->status;
+      row.status.refused = {};  // good until the next one only
+    }
+    if (const auto* e = std::get_if<Event>(&record)) events.push_back(*e);
+    if (const auto* d = std::get_if<Detection>(&record)) detections.push_back(*d);
+    if (const auto* s = std::get_if<RangeScan>(&record)) scans.push_back(*s);
   }
-  void truth(Time time, EntityId id, const VehicleState& state) override {
-    hash_->truth(time, id, state);
-    rows[id.value].push_back({time, state, {}, {}});
-  }
-  void estimate(EntityId id, const NavEstimate& estimate,
-                const AutopilotStatus& status) override {
-    hash_->estimate(id, estimate, status);
-    rows[id.value].back().nav = estimate;
-    rows[id.value].back().status = status;
-    rows[id.value].back().status.refused = {};  // good until the next one only
-  }
-  void reading(const FireReading& reading) override { hash_->reading(reading); }
-  void message(const Message& message, Time arrived, bool lost) override {
-    hash_->message(message, arrived, lost);
-  }
-  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
-  void event(const Event& event) override {
-    hash_->event(event);
-    events.push_back(event);
-  }
-  void crossing(const Crossing& crossing) override { hash_->crossing(crossing); }
-  void zone(Time time, const ZoneChange& change) override { hash_->zone(time, change); }
-  void detection(const Detection& detection) override {
-    hash_->detection(detection);
-    detections.push_back(detection);
-  }
-  void footprint(const Footprint& footprint) override { hash_->footprint(footprint); }
-  void ranges(const RangeScan& scan) override {
-    hash_->ranges(scan);
-    scans.push_back(scan);
-  }
-  Result<void> step_done(Time) override { return {}; }
 
   std::string hash() const { return hash_->hex(); }
   /// The first event of that kind and text (empty: any); null when there is none.
@@ -138,7 +117,7 @@ inline FlightLog fly(const std::string& text, const Flown& how = {}) {
   const auto read =
       scenario::read_scenario_text(text, "flight", SKEIN_SOURCE_DIR, kind_table());
   if (!read.ok()) throw std::runtime_error(read.report());
-  auto built = build(*read.scenario);
+  auto built = build(*read.scenario, KindRegistry());
   if (!built) throw std::runtime_error(built.error().text());
   if (!how.script.empty())
     for (simulation::Entity& entity : built.value().world.entities)

@@ -22,7 +22,7 @@ struct Leg {
     state.v_N = {15, 0, 0};
     state.airspeed = 16;
     state.actuators[0] = aileron;
-    recorder.truth(Time::from_seconds(time), kWing, state);
+    recorder.record(TruthRecord{Time::from_seconds(time), kWing, state});
     NavEstimate nav;
     nav.time = Time::from_seconds(time - 0.1);
     nav.p_N = {15 * (time - 0.1), off + 0.5, -101};
@@ -31,7 +31,7 @@ struct Leg {
     status.cross_track = off + 0.5;
     status.altitude_msl = 100;
     status.airspeed = 14;
-    recorder.estimate(kWing, nav, status);
+    recorder.record(EstimateRecord{kWing, nav, status});
     time += 0.25;
   }
 };
@@ -68,11 +68,11 @@ TEST(LapRecorder, TakesTheFirstAircraftAndOnlyWhatFollowsTheRoute) {
   Leg leg;
   leg.fly(2);
   const VehicleState other;
-  leg.recorder.truth(Time(), EntityId{4}, other);
-  leg.recorder.estimate(EntityId{4}, {}, leg.status);
+  leg.recorder.record(TruthRecord{Time(), EntityId{4}, other});
+  leg.recorder.record(EstimateRecord{EntityId{4}, {}, leg.status});
   leg.status.follows = false;
   NavEstimate nav;
-  leg.recorder.estimate(kWing, nav, leg.status);
+  leg.recorder.record(EstimateRecord{kWing, nav, leg.status});
   ASSERT_EQ(leg.recorder.samples().size(), 1u);
   EXPECT_NEAR(leg.recorder.samples()[0].cross_track, 2, 1e-12);
   EXPECT_NEAR(leg.recorder.samples()[0].on_route.norm(), 0, 1e-12);

@@ -23,8 +23,8 @@ struct Watched {
     for (int k = 0; k < static_cast<int>(10 * seconds + 0.5); ++k) {
       now += Time::from_seconds(0.1);
       nav.p_N = state.p_N + off;
-      watch.truth(now, kAircraft, state);
-      watch.estimate(kAircraft, nav, status);
+      watch.record(TruthRecord{now, kAircraft, state});
+      watch.record(EstimateRecord{kAircraft, nav, status});
     }
   }
   double figure(const std::string& name) {
@@ -96,9 +96,9 @@ TEST(FlightWatch, AHoverIsHeldAgainstTheEndOfTheRoute) {
 TEST(FlightWatch, AnAccidentIsALoss) {
   Watched flight;
   flight.fly(1);
-  flight.watch.event({flight.now, EntityId{2}, "accident", ""});
+  flight.watch.record(Event{flight.now, EntityId{2}, "accident", ""});
   EXPECT_EQ(flight.figure("lost"), 0);
-  flight.watch.event({flight.now, kAircraft, "accident", ""});
+  flight.watch.record(Event{flight.now, kAircraft, "accident", ""});
   EXPECT_EQ(flight.figure("lost"), 1);
 }
 

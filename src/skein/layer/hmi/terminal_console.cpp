@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skein/layer/hmi/zone_command.h"
+#include "skein/data/command_text.h"
 
 namespace skein::hmi {
 namespace {
@@ -72,21 +72,21 @@ TerminalConsole::~TerminalConsole() {
   if (!drawn_.empty()) std::fputs("\n", out_);
 }
 
-std::vector<ZoneChange> TerminalConsole::zone_wishes() {
-  std::vector<ZoneChange> wishes;
+std::vector<CommandRecord> TerminalConsole::commands() {
+  std::vector<CommandRecord> given;
   for (const std::string& line : input_.take()) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    auto change = parse_zone_command(line);
-    if (change) {
-      wishes.push_back(std::move(change).value());
+    auto command = parse_command(line);
+    if (command) {
+      given.push_back({Time(), "terminal", std::move(command).value()});
       continue;
     }
     // On a line of its own; the progress is drawn anew below.
-    fmt::print(out_, "{}{}\n", drawn_.empty() ? "" : "\n", change.error().text());
+    fmt::print(out_, "{}{}\n", drawn_.empty() ? "" : "\n", command.error().text());
     std::fflush(out_);
     drawn_.clear();
   }
-  return wishes;
+  return given;
 }
 
 void TerminalConsole::show(const RunProgress& progress) {

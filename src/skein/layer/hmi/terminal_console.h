@@ -15,8 +15,8 @@ namespace skein::hmi {
 std::string progress_line(const RunProgress& progress, int width);
 
 /// Shows a run's progress in one line of a terminal, redrawn in place. When the output is
-/// no terminal it stays silent. Reads commands of the operator (zone_command.h) line by
-/// line, when it is given an input; what is wrong with one is told at once.
+/// no terminal it stays silent. Reads commands of the operator (data/command_text.h) line
+/// by line, when it is given an input; what is wrong with one is told at once.
 ///
 /// Thread safety: used by one thread; only `stop` may be set from others or from a signal
 /// handler (the atomic must then be lock-free, as it is on every supported machine).
@@ -39,7 +39,7 @@ class TerminalConsole final : public OperatorConsole {
   /// Draws nothing that is drawn already.
   void show(const RunProgress& progress) override;
   bool stop_requested() const override { return stop_.load(std::memory_order_relaxed); }
-  std::vector<ZoneChange> zone_wishes() override;
+  std::vector<CommandRecord> commands() override;
 
  private:
   const std::atomic<bool>& stop_;

@@ -39,7 +39,7 @@ std::string integrity(const std::filesystem::path& run) {
 Error fill(RunRecorder& recorder) {
   for (int i = 0; i < 3000000; ++i) {
     const Time now = Time::from_ns(std::int64_t{i} * 1000000);
-    recorder.truth(now, EntityId{1}, VehicleState{});
+    recorder.record(TruthRecord{now, EntityId{1}, VehicleState{}});
     if (auto done = recorder.step_done(now); !done) return done.error();
   }
   return {};
@@ -102,10 +102,10 @@ TEST(RunRecorderFaults, RefusesAPlaceThatCannotBeWritten) {
 TEST(RunRecorderFaults, ABugOnTheWritingThreadReachesTheRun) {
   const TemporaryFolder folder("bug");
   auto recorder = RunRecorder::create(folder.path(), kInfo).value();
-  recorder->truth({}, EntityId{1}, VehicleState{});
+  recorder->record(TruthRecord{{}, EntityId{1}, {}});
   BoundaryEstimate belief = believed_circle({}, {0, 0}, 100, 5);
   belief.rings[0][7].position.x() = std::nan("");
-  recorder->perimeter({}, {circle({0, 0}, 100, 50)}, EntityId{0}, belief);
+  recorder->record(PerimeterRecord{{}, EntityId{0}, {circle({0, 0}, 100, 50)}, belief});
   EXPECT_THROW(static_cast<void>(recorder->close()), Bug);
   EXPECT_THROW(static_cast<void>(recorder->step_done({})), Bug);
 }
@@ -114,7 +114,7 @@ TEST(RunRecorderFaults, NeverReplacesARunUnasked) {
   const TemporaryFolder folder("again");
   {
     auto first = RunRecorder::create(folder.path(), kInfo).value();
-    first->truth({}, EntityId{1}, VehicleState{});
+    first->record(TruthRecord{{}, EntityId{1}, {}});
     ASSERT_TRUE(first->close());
   }
   const auto second = RunRecorder::create(folder.path(), kInfo);
@@ -133,10 +133,12 @@ TEST(RunRecorderFaults, NeverReplacesARunUnasked) {
 void record_wall_time(RunRecorder& recorder, Clock::time_point start, bool fast) {
   for (std::int64_t i = 0;; ++i) {
     const Time now = Time::from_ns((Clock::now() - start).count());
-    recorder.truth(now, EntityId{1}, VehicleState{});
+    recorder.record(TruthRecord{now, EntityId{1}, VehicleState{}});
     if (fast && i % 1000 == 0)
-      recorder.perimeter(now, {circle({0, 0}, 500, 500)}, EntityId{0},
-                         believed_circle(now, {0, 0}, 510, 9));
+      recorder.record(PerimeterRecord{now,
+                                      EntityId{0},
+                                      {circle({0, 0}, 500, 500)},
+                                      believed_circle(now, {0, 0}, 510, 9)});
     if (!recorder.step_done(now)) _exit(3);
     if (!fast) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

@@ -195,15 +195,15 @@ TEST(Report, LeavesOutWhatAFlightWithoutFireHasNot) {
   const TemporaryFolder folder("no_fire");
   auto recorder = RunRecorder::create(folder.path() / "run", kInfo).value();
   const EntityId id{1};
-  recorder->entity(id, "uav", "aircraft");
+  recorder->record(EntityRecord{id, "uav", "aircraft"});
   for (int k = 0; k < 60; ++k) {
     VehicleState state;
     state.p_N = Vec3(k, 0, -100 - k);
     NavEstimate estimate;
     estimate.time = Time::from_seconds(k);
     estimate.p_N = state.p_N + Vec3(0.1 * k, 0, 0);
-    recorder->truth(estimate.time, id, state);
-    recorder->estimate(id, estimate, {});
+    recorder->record(TruthRecord{estimate.time, id, state});
+    recorder->record(EstimateRecord{id, estimate, {}});
   }
   ASSERT_TRUE(recorder->close());
   const fs::path page = folder.path() / "report.html";
@@ -242,23 +242,16 @@ TEST(Report, ReadsARunThatWasCutOff) {
     EXPECT_NEAR(cut["summary"][name].get<double>(), whole.numbers.at(name), 1e-9) << name;
 }
 
-TEST(Report, ReadsARunOfBeforeThePayloadWasRecorded) {
+TEST(Report, SaysWhenARunIsOfAnotherVersion) {
   const TemporaryFolder folder("older");
   make_run(folder.path() / "old", 60);
-  // As the second schema had it.
-  std::string sql = "PRAGMA user_version = 2;";
-  for (const char* table : {"objects", "detections", "footprints", "ranges"})
-    sql += std::string("DROP TABLE ") + table + ";";
-  for (const char* column : {"reserve", "endurance_s"})
-    sql += std::string("ALTER TABLE estimates DROP COLUMN ") + column + ";";
   auto database =
       Sqlite::open(folder.path() / "old" / "run.sqlite", Sqlite::Mode::kCreate).value();
-  ASSERT_TRUE(database.execute(sql));
+  ASSERT_TRUE(database.execute("PRAGMA user_version = 4;"));
   const auto run = read_run(folder.path() / "old", {});
-  ASSERT_TRUE(run.ok()) << run.error().text();
-  EXPECT_TRUE(run.value().objects.empty());
-  EXPECT_EQ(run.value().tracks.size(), 2u);
-  EXPECT_TRUE(std::isnan(run.value().flights.at(0).reserve.at(0)));
+  ASSERT_FALSE(run.ok());
+  EXPECT_NE(run.error().text().find("version 4"), std::string::npos)
+      << run.error().text();
 }
 
 TEST(Report, ShowsRunsThatHoldLittle) {
@@ -269,12 +262,12 @@ TEST(Report, ShowsRunsThatHoldLittle) {
     ASSERT_TRUE(recorder->close());
   };
   make("nothing", [](RunRecorder&) {});
-  make("one_row", [](RunRecorder& r) { r.truth({}, EntityId{1}, VehicleState{}); });
+  make("one_row", [](RunRecorder& r) { r.record(TruthRecord{{}, EntityId{1}, {}}); });
   make("no_fire", [](RunRecorder& r) {
-    r.perimeter({}, {}, EntityId{0}, believed_circle({}, {0, 0}, 100, 5));
+    r.record(PerimeterRecord{{}, EntityId{0}, {}, believed_circle({}, {0, 0}, 100, 5)});
   });
   make("no_belief", [](RunRecorder& r) {
-    r.perimeter({}, {circle({0, 0}, 100, 8)}, EntityId{0}, BoundaryEstimate{});
+    r.record(PerimeterRecord{{}, EntityId{0}, {circle({0, 0}, 100, 8)}, {}});
   });
   std::vector<fs::path> runs;
   for (const char* name : {"nothing", "one_row", "no_fire", "no_belief"})

@@ -56,13 +56,13 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
                           int rows_per_second = 10) {
   RandomStream random(7, 0, Purpose::kTest);
   const EntityId ground{0};
-  recorder.entity(ground, "ground", "ground_station");
+  recorder.record(EntityRecord{ground, "ground", "ground_station"});
   for (int a = 1; a <= aircraft; ++a)
-    recorder.entity(EntityId{static_cast<std::uint32_t>(a)}, "uav" + std::to_string(a),
-                    "aircraft");
+    recorder.record(EntityRecord{EntityId{static_cast<std::uint32_t>(a)},
+                                 "uav" + std::to_string(a), "aircraft"});
   const GroundObject car{0, "car", {40, -30}, {0.1, 0}};
-  recorder.object(car);
-  recorder.object({1, "person", {-500, 0}, {0, 0}});  // never seen
+  recorder.record(car);
+  recorder.record(GroundObject{1, "person", {-500, 0}, {0, 0}});  // never seen
   std::uint64_t number = 0;
   for (int step = 0; step <= seconds * rows_per_second; ++step) {
     const Time now = Time::from_seconds(static_cast<double>(step) / rows_per_second);
@@ -79,7 +79,7 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
       state.v_N = Vec3(-20 * std::sin(bearing), 20 * std::cos(bearing), 0);
       state.airspeed = 20;
       state.q_NB = geo::from_euler({0, 0, bearing + geo::kPi / 2});
-      recorder.truth(now, id, state);
+      recorder.record(TruthRecord{now, id, state});
       NavEstimate estimate;
       estimate.time = now;
       estimate.p_N = state.p_N + Vec3(random.normal(), random.normal(), 0);
@@ -94,49 +94,52 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
         status.reserve = status.charge - 0.1;
         status.endurance = 1000 - t;
       }
-      recorder.estimate(id, estimate, status);
+      recorder.record(EstimateRecord{id, estimate, status});
       if (!whole_second) continue;
       // A camera and a LiDAR of three beams, the last without a hit.
       if (a == 1) {
-        recorder.footprint(
-            {now,
-             id,
-             0,
-             {{p + Vec2(9, -9), p + Vec2(9, 9), p + Vec2(-9, 9), p + Vec2(-9, -9)}}});
+        recorder.record(Footprint{
+            now,
+            id,
+            0,
+            {{p + Vec2(9, -9), p + Vec2(9, 9), p + Vec2(-9, 9), p + Vec2(-9, -9)}}});
         if (step % (10 * rows_per_second) == 0)
-          recorder.detection({now, id, 0, car.id, car.at(now) + Vec2(3, 4), 2.5});
-        recorder.ranges(
-            {now,
-             id,
-             1,
-             {{now, {0, 0, 1}, 40}, {now, {0, 0.6, 0.8}, 50}, {now, {0, 1, 0}, 0}}});
+          recorder.record(Detection{now, id, 0, car.id, car.at(now) + Vec2(3, 4), 2.5});
+        recorder.record(RangeScan{
+            now,
+            id,
+            1,
+            {{now, {0, 0, 1}, 40}, {now, {0, 0.6, 0.8}, 50}, {now, {0, 1, 0}, 0}}});
       }
       const FireReading reading{now, id, p, 1.5, distance < radius};
-      recorder.reading(reading);
+      recorder.record(reading);
       const double before =
           distance - 60 * (std::sin(t / 9 + a) - std::sin((t - 1) / 9 + a));
       if ((before < radius) != (distance < radius))
-        recorder.crossing(
-            {now, id, radius * geo::unit(bearing), p, 1.5, distance < radius});
-      const Message message{id, ground, ++number, now, 32, reading};
-      recorder.message(message, now + Time::from_seconds(0.05), random.uniform() < 0.05);
+        recorder.record(
+            Crossing{now, id, radius * geo::unit(bearing), p, 1.5, distance < radius});
+      const Message message{id, ground, ++number, now, reading};
+      recorder.record(MessageRecord{message, now + Time::from_seconds(0.05), 32,
+                                    random.uniform() < 0.05});
       if (step % (60 * rows_per_second) == 0) {
         Task task;
         task.number = static_cast<std::uint32_t>(1 + t);
         task.what.emplace<FlyTo>(FlyTo{p});
-        const Message order{ground, id, ++number, now, 24, task};
-        recorder.message(order, now + Time::from_seconds(0.05), false);
+        const Message order{ground, id, ++number, now, task};
+        recorder.record(MessageRecord{order, now + Time::from_seconds(0.05), 24, false});
       }
     }
     if (step == 60 * rows_per_second)
-      recorder.event({now, ground, "allocation", "every aircraft has found the fire"});
+      recorder.record(
+          Event{now, ground, "allocation", "every aircraft has found the fire"});
     if (whole_second && step % (5 * rows_per_second) == 0) {
       const double sigma = 10 + 40 * std::exp(-t / 200);
       BoundaryEstimate belief =
           believed_circle(now, {0, 0}, radius + sigma * std::sin(t / 50), sigma, 80);
       for (BoundaryPoint& point : belief.rings[0])
         point.position += 0.6 * sigma * random.normal() * point.normal;
-      recorder.perimeter(now, {circle({0, 0}, radius, 400)}, ground, belief);
+      recorder.record(
+          PerimeterRecord{now, ground, {circle({0, 0}, radius, 400)}, belief});
     }
     if (!recorder.step_done(now)) return;
   }

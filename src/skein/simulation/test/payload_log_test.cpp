@@ -6,38 +6,22 @@ namespace skein::simulation {
 namespace {
 
 // 100 m north at 2 s, flying east at 20 m/s, known to 3 m.
-class Pilot : public Autopilot {
- public:
-  void begin(const NavEstimate&, bool) override {}
-  void sense(const SensorSample&) override {}
-  void command(const AutopilotCommand&) override {}
-  void set_return(const ReturnWay&) override {}
-  Control control(Time, double) override { return FlightCommand{}; }
-  NavEstimate estimate() const override {
-    NavEstimate nav;
-    nav.time = Time::from_seconds(2);
-    nav.p_N = {100, 0, -50};
-    nav.v_N = {0, 20, 0};
-    nav.position_sd = 3;
-    return nav;
-  }
-  AutopilotStatus status() const override { return {}; }
-};
+NavEstimate believed() {
+  NavEstimate nav;
+  nav.time = Time::from_seconds(2);
+  nav.p_N = {100, 0, -50};
+  nav.v_N = {0, 20, 0};
+  nav.position_sd = 3;
+  return nav;
+}
 
 class Log : public Recorder {
  public:
-  void entity(EntityId, const std::string&, const std::string&) override {}
-  void truth(Time, EntityId, const VehicleState&) override {}
-  void estimate(EntityId, const NavEstimate&, const AutopilotStatus&) override {}
-  void reading(const FireReading&) override {}
-  void message(const Message&, Time, bool) override {}
-  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
-  void event(const Event&) override {}
-  void crossing(const Crossing&) override {}
-  void detection(const Detection& d) override { detections.push_back(d); }
-  void footprint(const Footprint& f) override { footprints.push_back(f); }
-  void ranges(const RangeScan& s) override { scans.push_back(s); }
-  Result<void> step_done(Time) override { return {}; }
+  void record(const Record& record) override {
+    if (const auto* d = std::get_if<Detection>(&record)) detections.push_back(*d);
+    if (const auto* f = std::get_if<Footprint>(&record)) footprints.push_back(*f);
+    if (const auto* r = std::get_if<RangeScan>(&record)) scans.push_back(*r);
+  }
 
   std::vector<Detection> detections;
   std::vector<Footprint> footprints;
@@ -50,7 +34,7 @@ TEST(PayloadLog, PlacesAreWhereTheAircraftBelievesItWasThen) {
   const std::vector<SensorSample> samples = {picture,
                                              DetectionSample{then, 7, {5, 6}, 4}};
   Log log;
-  log_payload(samples, EntityId{3}, 1, Pilot(), log);
+  log_payload(samples, EntityId{3}, 1, believed(), log);
   ASSERT_EQ(log.detections.size(), 1u);
   const Detection& found = log.detections[0];
   EXPECT_EQ(found.time, then);
@@ -71,7 +55,7 @@ TEST(PayloadLog, BeamsOfOneTimeAreOneScan) {
       RangeSample{first, down, 40}, RangeSample{first, down, 0},
       FireSample{first, 0, true}, RangeSample{second, down, 41}};
   Log log;
-  log_payload(samples, EntityId{3}, 0, Pilot(), log);
+  log_payload(samples, EntityId{3}, 0, believed(), log);
   ASSERT_EQ(log.scans.size(), 2u);
   EXPECT_EQ(log.scans[0].time, first);
   ASSERT_EQ(log.scans[0].beams.size(), 2u);

@@ -1,11 +1,16 @@
 #include "skein/simulation/run.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <new>
+
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::simulation {
 namespace {
@@ -92,7 +97,7 @@ class Talker : public Agent {
     for (const Message& message : in.inbox)
       out.events.push_back(
           {in.now, message.from, "heard", std::to_string(message.number)});
-    if (in.now == Time::from_seconds(4)) out.crossings.push_back({in.now, to_});
+    if (in.now == Time::from_seconds(4)) out.records.emplace_back(Crossing{in.now, to_});
     Message message;
     message.to = to_;
     message.content = AircraftReport{};
@@ -106,30 +111,9 @@ class Talker : public Agent {
 // Everything as text, in order.
 class Notes : public Recorder {
  public:
-  void entity(EntityId id, const std::string& name, const std::string&) override {
-    text += fmt::format("{}={};", id.value, name);
+  void record(const Record& record) override {
+    std::visit([this](const auto& one) { note(one); }, record);
   }
-  void truth(Time t, EntityId id, const VehicleState& s) override {
-    text += fmt::format("T{} {} {};", t.ns(), id.value, s.p_N.x());
-    ++truths;
-  }
-  void estimate(EntityId, const NavEstimate&, const AutopilotStatus&) override {}
-  void reading(const FireReading&) override {}
-  void message(const Message& m, Time t, bool) override {
-    text += fmt::format("M{} {} {};", t.ns(), m.from.value, m.number);
-    ++messages;
-  }
-  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
-  void event(const Event& e) override {
-    text += fmt::format("E{} {} {} {};", e.time.ns(), e.entity.value, e.kind, e.text);
-    if (e.kind != "heard") kinds += e.kind + " ";
-  }
-  void crossing(const Crossing& c) override {
-    text += fmt::format("C{} {};", c.time.ns(), c.aircraft.value);
-    ++crossings;
-  }
-  void object(const GroundObject& o) override { objects += o.name + ";"; }
-  void ranges(const RangeScan& scan) override { scans.push_back(scan); }
   Result<void> step_done(Time now) override {
     if (full_at && now >= *full_at)
       return Error{ErrorCode::kUnavailable, "disk", "it is full.", ""};
@@ -137,8 +121,34 @@ class Notes : public Recorder {
   }
   std::string text, kinds, objects;
   std::vector<RangeScan> scans;
+  std::vector<CommandRecord> commands;
   int truths = 0, messages = 0, crossings = 0;
   std::optional<Time> full_at;
+
+ private:
+  template <class Other>
+  void note(const Other&) {}
+  void note(const EntityRecord& e) { text += fmt::format("{}={};", e.id.value, e.name); }
+  void note(const TruthRecord& t) {
+    text += fmt::format("T{} {} {};", t.time.ns(), t.id.value, t.state.p_N.x());
+    ++truths;
+  }
+  void note(const MessageRecord& m) {
+    text +=
+        fmt::format("M{} {} {};", m.arrived.ns(), m.message.from.value, m.message.number);
+    ++messages;
+  }
+  void note(const Event& e) {
+    text += fmt::format("E{} {} {} {};", e.time.ns(), e.entity.value, e.kind, e.text);
+    if (e.kind != "heard") kinds += e.kind + " ";
+  }
+  void note(const Crossing& c) {
+    text += fmt::format("C{} {};", c.time.ns(), c.aircraft.value);
+    ++crossings;
+  }
+  void note(const GroundObject& o) { objects += o.name + ";"; }
+  void note(const RangeScan& scan) { scans.push_back(scan); }
+  void note(const CommandRecord& command) { commands.push_back(command); }
 };
 
 class Silent : public OperatorConsole {
@@ -149,10 +159,13 @@ class Silent : public OperatorConsole {
   int stop_after = std::numeric_limits<int>::max();
 };
 
-World make_world(int count, Time delay = Time(), double climb = 0) {
+using Change = std::function<void(std::size_t index, VehicleParts& parts)>;
+
+World make_world(int count, Time delay = Time(), double climb = 0,
+                 const Change& change = {}) {
   World world;
   world.terrain = std::make_unique<Ground>();
-  world.wind = std::make_unique<Calm>();
+  world.wind = std::make_unique<CommandedWind>(std::make_unique<Calm>());
   world.fire = std::make_unique<NoFire>();
   world.radio = std::make_unique<Post>(delay);
   const auto plant = std::make_shared<Glider>();
@@ -163,11 +176,14 @@ World make_world(int count, Time delay = Time(), double climb = 0) {
     entity.agent =
         std::make_unique<Talker>(EntityId{static_cast<std::uint32_t>((i + 1) % count)});
     entity.agent_period = Time::from_seconds(0.5);
-    entity.vehicle = std::make_unique<Vehicle>();
-    entity.vehicle->plant = plant;
-    entity.vehicle->autopilot = std::make_unique<Hands>(climb);
-    entity.vehicle->step = Time::from_seconds(0.1);
-    entity.vehicle->state.p_N = {0, 0, -50};
+    VehicleParts parts;
+    parts.name = entity.name;
+    parts.plant = plant;
+    parts.autopilot = std::make_unique<Hands>(climb);
+    parts.step = Time::from_seconds(0.1);
+    parts.state.p_N = {0, 0, -50};
+    if (change) change(static_cast<std::size_t>(i), parts);
+    entity.vehicle = std::make_unique<SimulatedVehicle>(std::move(parts));
     entity.active = {{Time(), Time::from_seconds(1e6)}};
     world.entities.push_back(std::move(entity));
   }
@@ -191,7 +207,7 @@ TEST(Run, RecordsAtItsRateAndDeliversMessages) {
   EXPECT_EQ(notes.truths, 2 * 101);
   EXPECT_EQ(notes.messages, 2 * 21);
   EXPECT_EQ(notes.crossings, 2) << "each reports one, recorded once";
-  EXPECT_NEAR(world.entities[0].vehicle->state.p_N.x(), 20 * 10.1, 1e-9);
+  EXPECT_NEAR(world.entities[0].vehicle->truth()->p_N.x(), 20 * 10.1, 1e-9);
 }
 
 TEST(Run, IsTheSameForAnyNumberOfThreads) {
@@ -218,8 +234,9 @@ TEST(Run, EntitiesJoinAndLeave) {
 }
 
 TEST(Run, AnAircraftThatHitsTheGroundEndsAsAnAccident) {
-  World world = make_world(2, Time(), -10);
-  world.entities[0].vehicle->state.p_N.z() = -1000;
+  World world = make_world(2, Time(), -10, [](std::size_t i, VehicleParts& parts) {
+    if (i == 0) parts.state.p_N.z() = -1000;
+  });
   Notes notes;
   Silent console;
   ASSERT_TRUE(run(world, seconds(10), notes, console).ok());
@@ -278,19 +295,22 @@ class Listener : public Hands {
   int heard = 0;
 };
 
-Listener* listen_to_first(World& world) {
-  auto listener = std::make_unique<Listener>();
-  Listener* heard = listener.get();
-  world.entities[0].vehicle->autopilot = std::move(listener);
-  world.entities[0].vehicle->sensors.push_back(std::make_unique<Intervals>());
-  return heard;
+// Puts a listener, which stays its vehicle's, into the first vehicle.
+Change listen(Listener** heard, std::vector<VehicleFault> faults = {}) {
+  return [heard, faults](std::size_t, VehicleParts& parts) {
+    auto listener = std::make_unique<Listener>();
+    *heard = listener.get();
+    parts.autopilot = std::move(listener);
+    parts.sensors.push_back(std::make_unique<Intervals>());
+    parts.faults = faults;
+  };
 }
 
 TEST(Run, AFlightBeginsWhenTheAircraftJoinsAndAgainWhenItReturns) {
-  World world = make_world(1);
+  Listener* listener = nullptr;
+  World world = make_world(1, Time(), 0, listen(&listener));
   world.entities[0].active = {{Time::from_seconds(1), Time::from_seconds(2)},
                               {Time::from_seconds(5), Time::from_seconds(6)}};
-  Listener* listener = listen_to_first(world);
   Notes notes;
   Silent console;
   ASSERT_TRUE(run(world, seconds(8), notes, console).ok());
@@ -302,10 +322,11 @@ TEST(Run, AFlightBeginsWhenTheAircraftJoinsAndAgainWhenItReturns) {
 }
 
 TEST(Run, ASensorThatFailsSpeaksOfNowWhenItIsBack) {
-  World world = make_world(1);
-  Listener* listener = listen_to_first(world);
-  world.entities[0].vehicle->faults = {
-      {VehicleFault::Kind::kSensor, 0, Time::from_seconds(2), Time::from_seconds(4)}};
+  Listener* listener = nullptr;
+  World world =
+      make_world(1, Time(), 0,
+                 listen(&listener, {{VehicleFault::Kind::kSensor, 0,
+                                     Time::from_seconds(2), Time::from_seconds(4)}}));
   Notes notes;
   Silent console;
   ASSERT_TRUE(run(world, seconds(8), notes, console).ok());
@@ -329,12 +350,12 @@ class Beam : public Sensor {
 };
 
 TEST(Run, TellsOfEachPayloadSampleOnceAndByWhichSensor) {
-  World world = make_world(1);
-  Vehicle& vehicle = *world.entities[0].vehicle;
-  vehicle.payload.push_back(std::make_unique<Beam>(10));
-  vehicle.payload.push_back(std::make_unique<Beam>(20));
-  vehicle.faults = {
-      {VehicleFault::Kind::kPayload, 0, Time::from_seconds(1), Time::from_seconds(2)}};
+  World world = make_world(1, Time(), 0, [](std::size_t, VehicleParts& parts) {
+    parts.payload.push_back(std::make_unique<Beam>(10));
+    parts.payload.push_back(std::make_unique<Beam>(20));
+    parts.faults = {
+        {VehicleFault::Kind::kPayload, 0, Time::from_seconds(1), Time::from_seconds(2)}};
+  });
   world.objects.push_back({4, "car", {1, 2}, {0, 0}});
   Notes notes;
   Silent console;
@@ -355,9 +376,10 @@ TEST(Run, TellsOfEachPayloadSampleOnceAndByWhichSensor) {
 }
 
 TEST(Run, AFailedLinkLosesMessagesBothWays) {
-  World world = make_world(2);
-  world.entities[0].vehicle->faults = {
-      {VehicleFault::Kind::kLink, 0, Time(), Time::from_seconds(100)}};
+  World world = make_world(2, Time(), 0, [](std::size_t i, VehicleParts& parts) {
+    if (i == 0)
+      parts.faults = {{VehicleFault::Kind::kLink, 0, Time(), Time::from_seconds(100)}};
+  });
   Notes notes;
   Silent console;
   ASSERT_TRUE(run(world, seconds(4), notes, console).ok());
@@ -367,8 +389,9 @@ TEST(Run, AFailedLinkLosesMessagesBothWays) {
 }
 
 TEST(Run, AMotionThatIsNoLongerFiniteEndsThatAircraftOnly) {
-  World world = make_world(2);
-  world.entities[1].vehicle->plant = std::make_shared<Glider>(50);
+  World world = make_world(2, Time(), 0, [](std::size_t i, VehicleParts& parts) {
+    if (i == 1) parts.plant = std::make_shared<Glider>(50);
+  });
   Notes notes;
   Silent console;
   const auto outcome = run(world, seconds(10), notes, console);
@@ -449,42 +472,43 @@ TEST(Run, KeepsPaceWithTheClock) {
                                            // depends on the machine
 }
 
-// Draws a zone at its tenth question.
-class Drawing : public Silent {
+// Gives commands when it is asked for the n-th time, from 1.
+class Operator : public Silent {
  public:
-  std::vector<ZoneChange> zone_wishes() override {
-    std::vector<ZoneChange> wishes;
-    if (++questions_ == 10)
-      wishes.push_back({0, true, {.area = Disc{{0, 0}, 50}, .name = "drawn"}});
-    return wishes;
+  std::map<int, std::vector<Command>> plan;
+  int asked = 0;
+  std::vector<CommandRecord> commands() override {
+    std::vector<CommandRecord> given;
+    for (const Command& command : plan[++asked])
+      given.push_back({Time(), "operator", command});
+    return given;
   }
-
- private:
-  int questions_ = 0;
 };
 
-// A ground station that puts into force what it hears of, and writes when.
+// A ground station that puts into force what is commanded, and writes when.
 class Office : public Agent {
  public:
   void step(const AgentInput& in, AgentOutput& out) override {
-    for (const Message& message : in.inbox)
-      if (const auto* wish = std::get_if<ZoneChange>(&message.content)) {
-        out.events.push_back({in.now, message.from, "wish", wish->zone.name});
-        out.zone_changes.push_back(*wish);
+    for (const Command& command : in.commands)
+      if (const auto* change = std::get_if<ZoneChange>(&command)) {
+        out.events.push_back({in.now, EntityId{2}, "command", change->zone.name});
+        out.records.emplace_back(*change);
       }
   }
 };
 
 class ZoneNotes : public Notes {
  public:
-  void zone(Time t, const ZoneChange& change) override {
-    zones += fmt::format("{:.1f} {} {};", t.seconds(), change.on, change.zone.name);
+  void record(const Record& record) override {
+    Notes::record(record);
+    if (const auto* zone = std::get_if<ZoneRecord>(&record))
+      zones += fmt::format("{:.1f} {} {};", zone->time.seconds(), zone->change.on,
+                           zone->change.zone.name);
   }
   std::string zones;
 };
 
-TEST(Run, TellsGroundStationsWhatTheOperatorDraws) {
-  World world = make_world(2);
+void add_station(World& world) {
   Entity station;
   station.name = "station";
   station.kind = "station";
@@ -492,14 +516,67 @@ TEST(Run, TellsGroundStationsWhatTheOperatorDraws) {
   station.agent_period = Time::from_seconds(0.5);
   station.active = {{Time(), Time::from_seconds(100)}};
   world.entities.push_back(std::move(station));
+}
+
+TEST(Run, PassesCommandsOnToGroundStationsAndRecordsThem) {
+  World world = make_world(2);
+  add_station(world);
   world.zones.push_back({.area = Disc{{0, 0}, 50}, .name = "known"});
   ZoneNotes notes;
-  Drawing console;
+  Operator console;
+  console.plan[10] = {ZoneChange{0, true, {.area = Disc{{0, 0}, 50}, .name = "drawn"}}};
   ASSERT_TRUE(run(world, seconds(3), notes, console).ok());
-  // Asked at 0.9 s, thought of at the station's next step; aircraft hear nothing of it.
-  EXPECT_NE(notes.text.find("E1000000000 2 wish drawn;"), std::string::npos)
-      << notes.text;
+  // Asked at 0.9 s, thought of at the station's next step; aircraft get nothing of it.
   EXPECT_EQ(notes.zones, "0.0 true known;1.0 true drawn;");
+  EXPECT_NE(notes.kinds.find("command"), std::string::npos);
+  ASSERT_EQ(notes.commands.size(), 1u);
+  EXPECT_EQ(notes.commands[0].time, Time::from_seconds(0.9));
+  EXPECT_EQ(notes.commands[0].sender, "operator");
+}
+
+TEST(Run, APausedRunStandsStillAndMakesTheStepsThatAreAskedFor) {
+  World world = make_world(1);
+  Notes notes;
+  Operator console;
+  // Asked once a step, and again and again while it stands still.
+  console.plan[11] = {PauseCommand{true}};
+  console.plan[14] = {StepCommand{3}};
+  console.plan[20] = {PauseCommand{false}};
+  RunOptions options = seconds(3);
+  ASSERT_TRUE(run(world, options, notes, console).ok());
+  ASSERT_EQ(notes.commands.size(), 3u);
+  EXPECT_EQ(notes.commands[0].time, Time::from_seconds(1.0));
+  EXPECT_EQ(notes.commands[1].time, Time::from_seconds(1.0));
+  EXPECT_EQ(notes.commands[2].time, Time::from_seconds(1.3));
+  EXPECT_EQ(notes.truths, 31) << "nothing is lost by standing still";
+}
+
+TEST(Run, CommandsOfARecordedRunGiveTheSameRecordsAgain) {
+  const auto fly = [](RunOptions options, Operator& console, Notes& notes) {
+    World world =
+        make_world(3, Time::from_seconds(0.2), 0, [](std::size_t, VehicleParts& parts) {
+          parts.breakable = {{VehicleFault::Kind::kLink, 0, {}, {}, "link"}};
+        });
+    world.entities[2].active.clear();
+    ASSERT_TRUE(run(world, options, notes, console).ok());
+  };
+  Notes first, second;
+  Operator console, nobody;
+  console.plan[5] = {WindCommand{{3, 4}}, FaultCommand{"a0", "link", true}};
+  console.plan[12] = {PauseCommand{true}};
+  console.plan[15] = {AddCommand{"a2"}, PauseCommand{false}, SpeedCommand{1000}};
+  console.plan[30] = {RemoveCommand{"a1"}, FaultCommand{"a0", "link", false},
+                      FaultCommand{"a0", "wing", true}, AddCommand{"nobody"}};
+  fly(seconds(6), console, first);
+  RunOptions again = seconds(6);
+  again.commands = first.commands;
+  again.clock_by_command = false;
+  fly(again, nobody, second);
+  EXPECT_EQ(first.text, second.text);
+  ASSERT_EQ(second.commands.size(), 10u);
+  EXPECT_EQ(first.kinds,
+            "joined joined failure joined left repaired command-refused "
+            "command-refused ");
 }
 
 }  // namespace

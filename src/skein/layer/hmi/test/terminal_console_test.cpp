@@ -101,12 +101,13 @@ TEST(TerminalConsole, TakesCommandsAndSaysWhatIsWrongWithThem) {
   File file;
   const std::atomic<bool> stop = false;
   TerminalConsole console(stop, file.get(), false, 80, pipe_ends[0]);
-  const std::vector<ZoneChange> wishes = console.zone_wishes();
-  ASSERT_EQ(wishes.size(), 2u);
-  EXPECT_TRUE(wishes[0].on);
-  EXPECT_FALSE(wishes[1].on);
+  const std::vector<CommandRecord> given = console.commands();
+  ASSERT_EQ(given.size(), 2u);
+  EXPECT_EQ(given[0].sender, "terminal");
+  EXPECT_TRUE(std::get<ZoneChange>(given[0].command).on);
+  EXPECT_FALSE(std::get<ZoneChange>(given[1].command).on);
   EXPECT_NE(file.text().find("this is no command"), std::string::npos);
-  EXPECT_TRUE(console.zone_wishes().empty());
+  EXPECT_TRUE(console.commands().empty());
   close(pipe_ends[0]);
   close(pipe_ends[1]);
 }

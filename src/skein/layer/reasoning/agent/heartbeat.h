@@ -7,17 +7,17 @@
 
 namespace skein::reasoning {
 
-/// A ground station's agent that also gives signs of life: a short message to each
+/// A ground station's agent that also sends heartbeats: a short message to each
 /// aircraft of its team every `period`, so that their autopilots know that the link
 /// stands.
-class Heartbeat final : public Agent {
+class HeartbeatSender final : public Agent {
  public:
   /// @param station  what reasons on the ground.
   /// @param period   above 0.
-  Heartbeat(std::unique_ptr<Agent> station, std::vector<EntityId> team, Time period);
+  HeartbeatSender(std::unique_ptr<Agent> station, std::vector<EntityId> team,
+                  Time period);
 
   void step(const AgentInput& in, AgentOutput& out) override;
-  const BoundaryEstimate* perimeter() const override { return station_->perimeter(); }
 
  private:
   std::unique_ptr<Agent> station_;

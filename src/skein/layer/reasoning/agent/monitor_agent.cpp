@@ -16,8 +16,6 @@ namespace skein::reasoning {
 namespace {
 
 // On the air: ids, time and content as fixed-point numbers.
-constexpr int kReadingBytes = 28;
-constexpr int kReportBytes = 50;
 constexpr double kPathReserve = 1.1;  // of turn radii over ground: room to correct
 constexpr double kLineAhead = 3;      // pursuit point of a line, flight time ahead [s]
 constexpr double kLineJoin = 2;       // a line begins this near to its start [turn radii]
@@ -122,9 +120,9 @@ void MonitorAgent::take_samples(const AgentInput& in, AgentOutput& out) {
       if (follower_) follower_->add(reading, geo::bearing(velocity));
       Message message;
       message.to = coordinator_;
-      message.size_bytes = kReadingBytes;
       message.content = reading;
       out.outbox.push_back(std::move(message));
+      out.records.emplace_back(reading);
     } else if (const auto* edge = std::get_if<EdgeSample>(&sample)) {
       const double ago = (nav.time - edge->time).seconds();
       if (follower_) follower_->add(*edge, geo::horizontal(nav.p_N) - ago * velocity);
@@ -139,7 +137,6 @@ void MonitorAgent::report(const AgentInput& in, AgentOutput& out) {
   next_report_ = std::max(next_report_.value_or(in.now) + period, in.now);
   Message message;
   message.to = coordinator_;
-  message.size_bytes = kReportBytes;
   message.content = AircraftReport{*in.nav,
                                    limits_,
                                    has_task_ ? task_.number : 0,

@@ -7,17 +7,8 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr int kChangeBytes = 33;        // on the air: header, numbers and limits
-constexpr int kCornerBytes = 8;         // two fixed-point numbers
 constexpr double kHeardWithin = 5;      // a report this old says that it can be heard [s]
 constexpr std::size_t kMaxAtOnce = 20;  // changes sent again to one aircraft in a step
-
-int size_on_air(const ZoneChange& change) {
-  const auto* ring = std::get_if<geo::Ring>(&change.zone.area);
-  const int corners = !change.on ? 0 : ring ? static_cast<int>(ring->size()) : 2;
-  return kChangeBytes + static_cast<int>(change.zone.name.size()) +
-         corners * kCornerBytes;
-}
 
 bool has_shape(const Zone& zone) {
   const auto* ring = std::get_if<geo::Ring>(&zone.area);
@@ -34,20 +25,12 @@ ZoneDesk::ZoneDesk(const ZoneDeskOptions& options, std::unique_ptr<Agent> statio
 
 void ZoneDesk::step(const AgentInput& in, AgentOutput& out) {
   const std::size_t before = changes_.size();
-  for (const Message& message : in.inbox) {
-    take_report(message, in.now);
-    const auto* wish = std::get_if<ZoneChange>(&message.content);
-    if (wish && wish->number == 0) issue(*wish, in.now, out);
-  }
-  while (next_planned_ < options_.planned.size() &&
-         options_.planned[next_planned_].at <= in.now)
-    issue(options_.planned[next_planned_++].change, in.now, out);
+  for (const Message& message : in.inbox) take_report(message, in.now);
+  for (const Command& command : in.commands)
+    if (const auto* change = std::get_if<ZoneChange>(&command))
+      issue(*change, in.now, out);
 
   std::vector<Message> inbox(in.inbox.begin(), in.inbox.end());
-  std::erase_if(inbox, [](const Message& message) {
-    const auto* wish = std::get_if<ZoneChange>(&message.content);
-    return wish && wish->number == 0;
-  });
   for (std::size_t k = before; k < changes_.size(); ++k) {
     inbox.emplace_back().content = changes_[k];
     inbox.back().sent = in.now;
@@ -98,12 +81,11 @@ void ZoneDesk::issue(ZoneChange change, Time now, AgentOutput& out) {
   out.events.push_back({now, EntityId{}, change.on ? "zone-on" : "zone-off",
                         fmt::format("change {}: {} is {}", change.number, zone.name,
                                     change.on ? "in force" : "taken back")});
-  out.zone_changes.push_back(change);
+  out.records.emplace_back(change);
   changes_.push_back(std::move(change));
   all_know_ = false;
   for (Listener& listener : team_) {
-    out.outbox.push_back({EntityId{}, listener.id, 0, Time(),
-                          size_on_air(changes_.back()), changes_.back()});
+    out.outbox.push_back({EntityId{}, listener.id, 0, Time(), changes_.back()});
     listener.sent = now;
   }
 }
@@ -117,8 +99,7 @@ void ZoneDesk::send_missing(Time now, AgentOutput& out) {
     if ((now - listener.sent).seconds() < wait) continue;
     const std::size_t end = std::min(changes_.size(), listener.knows + kMaxAtOnce);
     for (std::size_t k = listener.knows; k < end; ++k)
-      out.outbox.push_back(
-          {EntityId{}, listener.id, 0, Time(), size_on_air(changes_[k]), changes_[k]});
+      out.outbox.push_back({EntityId{}, listener.id, 0, Time(), changes_[k]});
     listener.sent = now;
   }
 }

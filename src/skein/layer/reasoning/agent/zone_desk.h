@@ -10,29 +10,22 @@
 
 namespace skein::reasoning {
 
-/// A change of zones that is planned beforehand.
-struct PlannedZoneChange {
-  Time at;
-  ZoneChange change;  ///< without number
-};
-
 struct ZoneDeskOptions {
   std::vector<EntityId> team;  ///< who has to know
   std::vector<Zone> known;     ///< in force, and known to all, from the start
   /// Zones that an operator can put into force by name; those known are among them.
   std::vector<Zone> drawn;
-  std::vector<PlannedZoneChange> planned;  ///< in order of time
   double resend_after = 2;  ///< to an aircraft that is heard but does not know [s]
   double resend_slow = 10;  ///< to one that is not heard [s]
 };
 
 /// A ground station's agent that also says which no-flight zones are in force.
 ///
-/// Wishes of an operator (messages ZoneChange without number) and planned changes become
-/// numbered changes, which go to each aircraft of the team at once. Each AircraftReport
-/// says up to which number its sender knows them all; what it does not know is sent
-/// again. So a message that is lost delays a change, and leaves nobody without it. The
-/// station's own agent hears of a change in the same step, as a message.
+/// Commands (ZoneChange without number) become numbered changes, which go to each
+/// aircraft of the team at once. Each AircraftReport says up to which number its sender
+/// knows them all; what it does not know is sent again. So a message that is lost delays
+/// a change, and leaves nobody without it. The station's own agent hears of a change in
+/// the same step, as a message.
 ///
 /// Events: "zone-on" and "zone-off", "zone-refused" with the reason, and "zones-known"
 /// when all that are heard know the last change.
@@ -42,7 +35,6 @@ class ZoneDesk final : public Agent {
   ZoneDesk(const ZoneDeskOptions& options, std::unique_ptr<Agent> station);
 
   void step(const AgentInput& in, AgentOutput& out) override;
-  const BoundaryEstimate* perimeter() const override { return station_->perimeter(); }
 
  private:
   struct Listener {
@@ -62,7 +54,6 @@ class ZoneDesk final : public Agent {
   ZoneBook book_;
   std::vector<ZoneChange> changes_;  // number k at k - 1
   std::vector<Listener> team_;
-  std::size_t next_planned_ = 0;
   bool all_know_ = true;
 };
 

@@ -24,7 +24,6 @@ class ZoneShield final : public Agent {
              std::unique_ptr<Agent> pilot);
 
   void step(const AgentInput& in, AgentOutput& out) override;
-  const BoundaryEstimate* perimeter() const override { return pilot_->perimeter(); }
 
  private:
   void shield(const AgentInput& in, AgentOutput& out);

@@ -9,8 +9,6 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr int kTaskBytes = 48;
-constexpr int kPositionBytes = 36;
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
 
 }  // namespace
@@ -39,7 +37,6 @@ void FormationControl::step(const AgentInput& in, AgentOutput& out) {
       if (other == k) continue;
       Message told;
       told.to = options_.team[other];
-      told.size_bytes = kPositionBytes;
       told.content = TeamPosition{message.from, report->nav};
       out.outbox.push_back(std::move(told));
     }
@@ -74,7 +71,6 @@ void FormationControl::send(std::size_t k, Time now, AgentOutput& out) {
   members_[k].sent = now;
   Message message;
   message.to = options_.team[k];
-  message.size_bytes = kTaskBytes;
   message.content = members_[k].task;
   out.outbox.push_back(std::move(message));
 }

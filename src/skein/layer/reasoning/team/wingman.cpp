@@ -9,8 +9,6 @@ namespace skein::reasoning {
 namespace {
 
 // On the air: ids, time and content as fixed-point numbers.
-constexpr int kReportBytes = 50;
-constexpr int kPositionBytes = 36;
 constexpr double kTurnRateLimit = 0.6;  // faster is noise of two positions [rad/s]
 constexpr double kStaleLeader = 5;      // two positions this far apart say no turn [s]
 constexpr std::size_t kAhead = 5;       // point of a plan whose bearing its course is
@@ -144,19 +142,16 @@ void Wingman::report(const AgentInput& in, AgentOutput& out) {
   if (in.now < next_report_) return;
   next_report_ =
       std::max(next_report_ + Time::from_seconds(options_.report_period), in.now);
-  const auto send = [&](EntityId to, int bytes, auto content) {
+  const auto send = [&](EntityId to, auto content) {
     Message message;
     message.to = to;
-    message.size_bytes = bytes;
     message.content = std::move(content);
     out.outbox.push_back(std::move(message));
   };
-  send(station_, kReportBytes,
-       AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_,
-                      obeys_orders(in.autopilot), zones_.changes_known()});
+  send(station_, AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_,
+                                obeys_orders(in.autopilot), zones_.changes_known()});
   if (const auto* route = std::get_if<FlyRoute>(&task_.what))
-    for (const EntityId id : route->tell)
-      send(id, kPositionBytes, TeamPosition{self_, *in.nav});
+    for (const EntityId id : route->tell) send(id, TeamPosition{self_, *in.nav});
 }
 
 }  // namespace skein::reasoning

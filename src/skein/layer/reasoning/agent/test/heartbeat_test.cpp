@@ -8,16 +8,11 @@ namespace {
 class Quiet final : public Agent {
  public:
   void step(const AgentInput&, AgentOutput&) override {}
-  const BoundaryEstimate* perimeter() const override { return &belief_; }
-
- private:
-  BoundaryEstimate belief_;
 };
 
-TEST(Heartbeat, TellsEachAircraftOncePerPeriodHoweverLongTheSteps) {
-  Heartbeat station(std::make_unique<Quiet>(), {EntityId{1}, EntityId{2}},
-                    Time::from_seconds(1));
-  EXPECT_NE(station.perimeter(), nullptr);
+TEST(HeartbeatSender, TellsEachAircraftOncePerPeriodHoweverLongTheSteps) {
+  HeartbeatSender station(std::make_unique<Quiet>(), {EntityId{1}, EntityId{2}},
+                          Time::from_seconds(1));
   AgentOutput out;
   for (int k = 0; k <= 40; ++k) {
     AgentInput in;
@@ -27,7 +22,7 @@ TEST(Heartbeat, TellsEachAircraftOncePerPeriodHoweverLongTheSteps) {
   ASSERT_EQ(out.outbox.size(), 2u * 11);
   EXPECT_EQ(out.outbox[0].to, EntityId{1});
   EXPECT_EQ(out.outbox[1].to, EntityId{2});
-  EXPECT_TRUE(std::holds_alternative<SignOfLife>(out.outbox[0].content));
+  EXPECT_TRUE(std::holds_alternative<Heartbeat>(out.outbox[0].content));
 
   out.outbox.clear();
   for (int k = 0; k < 5; ++k) {

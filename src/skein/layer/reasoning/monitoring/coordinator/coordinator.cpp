@@ -8,7 +8,6 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr int kTaskBytes = 48;
 constexpr double kStaleAfter = 5;  // nothing heard for this long: predict the belief [s]
 constexpr double kLevel = 50;      // zones this far above and below an aircraft count [m]
 constexpr double kSoon = 60;       // zones that come into force within this count [s]
@@ -34,7 +33,6 @@ Vec2 sure_crossing(const AircraftStatus& aircraft, const BoundaryEstimate& bound
 void send_order(const Member& member, AgentOutput& out) {
   Message message;
   message.to = member.status.id;
-  message.size_bytes = kTaskBytes;
   message.content = member.status.task;
   out.outbox.push_back(std::move(message));
 }
@@ -59,6 +57,13 @@ void Coordinator::step(const AgentInput& in, AgentOutput& out) {
   force_crossings(in.now, out);
   allocate(in.now, out);
   resend_lost_orders(in.now, out);
+  record_belief(in.now, out);
+}
+
+void Coordinator::record_belief(Time now, AgentOutput& out) {
+  if (now < next_record_) return;
+  next_record_ = std::max(next_record_ + options_.record_period, now);
+  out.records.emplace_back(boundary_);
 }
 
 void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
@@ -117,7 +122,7 @@ void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
   member->status.has_crossed = true;
   member->status.last_crossing = std::max(member->status.last_crossing, crossing.time);
   member->deploying = member->forced = false;
-  out.crossings.push_back(crossing);
+  out.records.emplace_back(crossing);
   judge(crossing, out);
   out.events.push_back({crossing.time, crossing.aircraft, "crossing",
                         fmt::format("{} the fire at {:.0f} m north, {:.0f} m east",
@@ -125,8 +130,7 @@ void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
                                     crossing.point.x(), crossing.point.y())});
 }
 
-void Coordinator::order(Member& member, decltype(Task::what) what, Time now,
-                        AgentOutput& out) {
+void Coordinator::order(Member& member, TaskKind what, Time now, AgentOutput& out) {
   member.status.task.number += 1;
   member.status.task.what = std::move(what);
   member.status.task_done = false;

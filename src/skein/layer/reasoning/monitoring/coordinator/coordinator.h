@@ -24,6 +24,8 @@ struct CoordinatorOptions {
   double lost_after = 5;          ///< an aircraft not heard for this long is lost [s]
   double late_window = 60;        ///< readings this late still count [s]
   std::vector<Zone> zones;        ///< no-flight zones in force from the start
+  /// Between two beliefs that are given to be recorded.
+  Time record_period = Time::from_seconds(5);
 };
 
 /// The ground station's agent of a perimeter mission: keeps the belief from all readings,
@@ -46,7 +48,6 @@ class Coordinator : public Agent {
               std::unique_ptr<MonitoringStrategy> strategy);
 
   void step(const AgentInput& in, AgentOutput& out) override;
-  const BoundaryEstimate* perimeter() const override { return &boundary_; }
 
  private:
   // A number that grows and is told now and then.
@@ -62,7 +63,8 @@ class Coordinator : public Agent {
   void force_crossings(Time now, AgentOutput& out);
   void allocate(Time now, AgentOutput& out);
   void resend_lost_orders(Time now, AgentOutput& out);
-  void order(Member& member, decltype(Task::what) what, Time now, AgentOutput& out);
+  void order(Member& member, TaskKind what, Time now, AgentOutput& out);
+  void record_belief(Time now, AgentOutput& out);
   void note_crossing(const Crossing& crossing, AgentOutput& out);
   void judge(const Crossing& crossing, AgentOutput& out);
   std::vector<Zone> zones_in_the_way(Time now) const;
@@ -76,6 +78,7 @@ class Coordinator : public Agent {
   ConfidenceMonitor confidence_;
   Tally outliers_, dropped_;
   Time last_heard_;  // when a reading last came, however old
+  Time next_record_;
   bool allocating_ = false;
 };
 

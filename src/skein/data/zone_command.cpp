@@ -1,13 +1,14 @@
-#include "skein/layer/hmi/zone_command.h"
+#include "skein/data/zone_command.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace skein::hmi {
+#include "skein/data/words.h"
+
+namespace skein {
 namespace {
 
 constexpr const char* kUsage =
@@ -18,33 +19,8 @@ Error wrong(std::string message) {
   return {ErrorCode::kBadInput, "", std::move(message), kUsage};
 }
 
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view kBlank = " \t\r\n";
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t begin = line.find_first_not_of(kBlank);
-    if (begin == std::string_view::npos) return words;
-    const std::size_t end = std::min(line.find_first_of(kBlank, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    line.remove_prefix(end);
-  }
-}
-
-std::optional<double> number(std::string_view word) {
-  double value = 0;
-  const char* end = word.data() + word.size();
-  const auto [rest, fault] = std::from_chars(word.data(), end, value);
-  if (fault != std::errc() || rest != end) return std::nullopt;
-  return value;
-}
-
-std::optional<Vec2> place(std::string_view word) {
-  const std::size_t comma = word.find(',');
-  if (comma == std::string_view::npos) return std::nullopt;
-  const auto north = number(word.substr(0, comma)), east = number(word.substr(comma + 1));
-  if (!north || !east) return std::nullopt;
-  return Vec2(*north, *east);
-}
+using words::number;
+using words::place;
 
 double* limit(Zone& zone, std::string_view word) {
   if (word == "floor") return &zone.floor_msl;
@@ -80,7 +56,7 @@ std::string take_shape(const std::vector<std::string_view>& words, std::size_t& 
 }  // namespace
 
 Result<ZoneChange> parse_zone_command(std::string_view line) {
-  const std::vector<std::string_view> words = words_of(line);
+  const std::vector<std::string_view> words = skein::words::split(line);
   if (words.size() < 3 || words[0] != "zone" || (words[1] != "on" && words[1] != "off"))
     return wrong("this is no command.");
   ZoneChange change;
@@ -106,4 +82,4 @@ Result<ZoneChange> parse_zone_command(std::string_view line) {
   return change;
 }
 
-}  // namespace skein::hmi
+}  // namespace skein

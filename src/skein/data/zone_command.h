@@ -5,7 +5,7 @@
 #include "skein/base/result.h"
 #include "skein/data/zone_change.h"
 
-namespace skein::hmi {
+namespace skein {
 
 /// An operator's line about a no-flight zone, as a change without number:
 ///
@@ -22,4 +22,4 @@ namespace skein::hmi {
 /// the zone that it draws.
 Result<ZoneChange> parse_zone_command(std::string_view line);
 
-}  // namespace skein::hmi
+}  // namespace skein

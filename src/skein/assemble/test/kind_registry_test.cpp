@@ -1,0 +1,153 @@
+#include "skein/assemble/kind_registry.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "skein/assemble/build.h"
+#include "skein/assemble/interface_version.h"
+#include "skein/assemble/load_plugin.h"
+#include "skein/scenario/scenario_file.h"
+
+namespace skein::assemble {
+namespace {
+
+struct PatientOptions {
+  double patience = 3;
+};
+
+class PatientRadio final : public Radio {
+ public:
+  void send(const Message&) override {}
+  void deliver(Time, std::vector<Message>&, std::vector<Message>&) override {}
+};
+
+// What a plugin with one radio adds. Its default of 3 must be at least `least`.
+KindsByRole with_radio(const std::string& name, double least = 0) {
+  KindsByRole kinds;
+  kinds.radio.add(
+      name, "Patient.",
+      scenario::Fields<PatientOptions>().number("patience_s", &PatientOptions::patience,
+                                                "How long.", {.at_least = least}),
+      [](const PatientOptions& o, const RadioContext&) -> Result<std::unique_ptr<Radio>> {
+        if (o.patience > 100) return Error{ErrorCode::kBadInput, "", "too patient.", ""};
+        return std::unique_ptr<Radio>(std::make_unique<PatientRadio>());
+      });
+  return kinds;
+}
+
+KindRegistry registry_with(const KindsByRole& more) {
+  KindRegistry kinds;
+  const auto added = kinds.add(more, "test.so");
+  EXPECT_TRUE(added.ok()) << added.error().text();
+  return kinds;
+}
+
+scenario::ReadOutcome read(const KindRegistry& kinds, const std::string& text) {
+  return scenario::read_scenario_text(text, "test", ".", kinds.table());
+}
+
+TEST(KindRegistry, PluginsKindsAreChosenAndCheckedLikeOurs) {
+  const KindRegistry kinds = registry_with(with_radio("patient"));
+  EXPECT_EQ(kinds.plugin_of("radio", "patient"), "test.so");
+  EXPECT_EQ(kinds.plugin_of("radio", "ideal"), "");
+  EXPECT_NE(scenario::json_schema(kinds.table()).find("patience_s"), std::string::npos);
+  EXPECT_NE(scenario::markdown_keys(kinds.table()).find("patience_s"), std::string::npos);
+
+  const auto good = read(kinds, "radio: {kind: patient, patience_s: 5}");
+  ASSERT_TRUE(good.ok()) << good.report();
+  EXPECT_TRUE(build(*good.scenario, kinds).ok());
+  const auto late = read(kinds, "radio: {kind: patient, patience_s: 500}");
+  EXPECT_FALSE(build(*late.scenario, kinds).ok());
+
+  const std::string wrong =
+      read(kinds, "radio: {kind: patient, patience_s: -5}").report();
+  EXPECT_NE(wrong.find("radio.patience_s: -5 must be at least 0"), std::string::npos)
+      << wrong;
+  const std::string unknown = read(kinds, "radio: patent").report();
+  EXPECT_NE(unknown.find("Did you mean \"patient\"?"), std::string::npos) << unknown;
+}
+
+TEST(KindRegistry, RefusesNamesThatAreTakenOrNoNames) {
+  for (const char* name : {"ideal", "", "two words", "Upper", "a_b", "a.b"}) {
+    KindRegistry kinds;
+    const auto added = kinds.add(with_radio(name), "test.so");
+    ASSERT_FALSE(added.ok()) << name;
+    EXPECT_EQ(added.error().place, "test.so");
+    EXPECT_EQ(kinds.table().names("radio"), KindRegistry().table().names("radio"));
+    EXPECT_FALSE(kinds.has_plugin("test.so"));
+  }
+  KindRegistry kinds = registry_with(with_radio("patient"));
+  const auto again = kinds.add(with_radio("patient"), "other.so");
+  ASSERT_FALSE(again.ok());
+  EXPECT_NE(again.error().text().find("of test.so"), std::string::npos);
+}
+
+TEST(KindRegistry, RefusesDefaultsThatTheirOwnKeyForbids) {
+  KindRegistry kinds;
+  const auto added = kinds.add(with_radio("patient", 10), "test.so");
+  ASSERT_FALSE(added.ok());
+  EXPECT_NE(added.error().text().find("patience_s"), std::string::npos);
+  EXPECT_EQ(kinds.table().find("radio", "patient"), nullptr);
+}
+
+// What loading `file` says.
+std::string refusal(const std::filesystem::path& file) {
+  KindRegistry kinds;
+  const auto loaded = load_plugin(file, kinds);
+  return loaded.ok() ? "" : loaded.error().text();
+}
+
+TEST(LoadPlugin, SaysWhatIsWrongWithTheFile) {
+  EXPECT_NE(refusal("/nowhere/x.so").find("No such file"), std::string::npos);
+  const auto text = std::filesystem::temp_directory_path() / "skein_no_library.so";
+  std::ofstream(text) << "text";
+  EXPECT_NE(refusal(text).find("cannot be loaded"), std::string::npos) << refusal(text);
+  std::filesystem::remove(text);
+}
+
+TEST(LoadPlugin, RefusesPluginsOfOtherHeaders) {
+  const std::string said = refusal(SKEIN_FOREIGN_PLUGIN);
+  EXPECT_NE(said.find("000000000000"), std::string::npos) << said;
+  EXPECT_NE(said.find(kInterfaceHeaders), std::string::npos) << said;
+  EXPECT_NE(said.find("Build the plugin anew"), std::string::npos) << said;
+}
+
+TEST(LoadPlugin, RefusesOtherSharedLibraries) {
+  const std::string said = refusal(SKEIN_OTHER_LIBRARY);
+  EXPECT_NE(said.find("no symbol skein_plugin"), std::string::npos) << said;
+}
+
+// The scenario's key, with plugins of which some cannot be loaded.
+TEST(PluginsOfAScenario, AreLoadedBeforeItsKindsAreRead) {
+  KindRegistry kinds;
+  std::vector<std::string> asked;
+  const auto load = [&](const std::string& file) -> Result<void> {
+    asked.push_back(file);
+    return kinds.add(with_radio("patient"), file);
+  };
+  const std::string file = SKEIN_OTHER_LIBRARY;
+  const auto good = scenario::read_scenario_text(
+      "radio: patient\nplugins: [" + file + "]", "test", ".", kinds.table(), {}, load);
+  ASSERT_TRUE(good.ok()) << good.report();
+  EXPECT_EQ(asked, std::vector<std::string>{file});
+  EXPECT_EQ(good.scenario->plugins, asked);
+
+  const auto refused = scenario::read_scenario_text(
+      "name: x\nplugins: ['" + file + "']\nradio: no-such-kind", "test", ".",
+      kinds.table(), {}, [](const std::string& plugin) -> Result<void> {
+        return Error{ErrorCode::kBadInput, plugin, "is not good.", ""};
+      });
+  ASSERT_EQ(refused.problem_count, 1u) << refused.report();
+  EXPECT_EQ(refused.problems[0].text(),
+            "test:2:11 plugins[0]: " + file + ": is not good.");
+
+  const auto missing = scenario::read_scenario_text("plugins: [nowhere.so]", "test", ".",
+                                                    kinds.table(), {}, load);
+  ASSERT_EQ(missing.problem_count, 1u) << missing.report();
+  EXPECT_NE(missing.report().find("test:1:11 plugins[0]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace skein::assemble

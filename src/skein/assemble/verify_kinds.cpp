@@ -1,0 +1,198 @@
+#include "skein/assemble/verify_kinds.h"
+
+#include <array>
+
+#include "skein/geo/local_frame.h"
+#include "skein/layer/environment/terrain/synthetic_terrain.h"
+#include "skein/layer/environment/wind/uniform_wind.h"
+#include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/scenario/scenario_file.h"
+
+namespace skein::assemble {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+
+// A kind with its default options, for making as many equal ones as a suite wants.
+template <class Role, class Context>
+struct Subject {
+  const Kinds<Role, Context>& kinds;
+  scenario::Choice choice;
+  Context context;
+
+  // Fails as the kind itself: then there is nothing to test.
+  Result<void> can_be_made() const {
+    const auto made = kinds.make(choice, context);
+    if (!made) return made.error();
+    if (!made.value())
+      return Error{ErrorCode::kNotFound, "", "it is nothing at all.", ""};
+    return {};
+  }
+  contract::Make<Role> make() const {
+    return [this] { return std::move(kinds.make(choice, context)).value(); };
+  }
+};
+
+// The small world that kinds are made for.
+class Stage {
+ public:
+  explicit Stage(const KindRegistry& kinds) : kinds_(kinds) {
+    const auto read =
+        scenario::read_scenario_text("name: contract", "contract", ".", kinds.table());
+    SKEIN_CHECK(read.ok(), read.report());
+    scenario_ = *read.scenario;
+    for (const scenario::Kind& kind : kinds.table().of("plant")) {
+      auto plant = kinds.kinds().plant.make({kind.name, kind.options->prototype},
+                                            aircraft(nullptr));
+      if (plant) plants_.emplace_back(kind.name, std::move(plant).value());
+    }
+  }
+
+  KindVerdict verdict(const std::string& role, const scenario::Kind& kind) const;
+
+ private:
+  template <class Role>
+  Subject<Role, EnvironmentContext> subject(const Kinds<Role, EnvironmentContext>& kinds,
+                                            const scenario::Choice& choice) const {
+    return {kinds, choice,
+            EnvironmentContext{frame_, scenario_.start_utc, kSeed, &ground_, &wind_,
+                               &warnings_}};
+  }
+  template <class Role>
+  Subject<Role, AircraftContext> subject(const Kinds<Role, AircraftContext>& kinds,
+                                         const scenario::Choice& choice) const {
+    return {kinds, choice, aircraft(plants_.front().second.get())};
+  }
+
+  // With the plant, if there is one yet.
+  AircraftContext aircraft(const Plant* plant) const {
+    AircraftContext context;
+    context.seed = kSeed;
+    context.self = EntityId{1};
+    context.station = EntityId{0};
+    context.agent_period = Time::from_seconds(0.5);
+    context.altitude_agl = 120;
+    context.map =
+        std::make_shared<environment::FlatTerrain>(environment::FlatTerrainOptions{});
+    context.planner = std::make_shared<planning::AaStar>();
+    if (plant) context.limits = plant->limits();
+    if (plant) context.airframe = plant->airframe();
+    context.initial = start(context.limits);
+    context.has_position = true;
+    context.shared = &shared_;
+    return context;
+  }
+  StationContext station() const {
+    return {scenario_, kinds_.kinds(), {EntityId{1}, EntityId{2}}, zones_};
+  }
+  static RadioContext radio() {
+    return {kSeed, [](EntityId id) -> std::optional<Vec3> {
+              return Vec3(200.0 * id.value, 0, -100);
+            }};
+  }
+  const PerimeterPrior& prior() const { return scenario_.monitoring.prior; }
+
+  static NavEstimate start(const FlightLimits& limits) {
+    NavEstimate nav;
+    nav.p_N = {-800, 0, -120};
+    nav.v_N = {limits.airspeed, 0, 0};
+    return nav;
+  }
+
+  KindVerdict autopilot_verdict(const scenario::Kind& kind) const;
+  auto agent_suite(bool has_vehicle) const {
+    return [this, has_vehicle](const contract::Make<Agent>& make) {
+      const NavEstimate nav = start(plants_.front().second->limits());
+      return contract::agent_violations(make, has_vehicle ? &nav : nullptr);
+    };
+  }
+  auto estimator_suite() const {
+    return [this](const contract::Make<PerimeterEstimator>& make) {
+      return contract::estimator_violations(make, prior());
+    };
+  }
+  static auto radio_suite() {
+    return [](const contract::Make<Radio>& make) {
+      static constexpr std::array kEntities = {EntityId{0}, EntityId{1}, EntityId{2}};
+      return contract::radio_violations(make, kEntities);
+    };
+  }
+
+  const KindRegistry& kinds_;
+  scenario::Scenario scenario_;
+  geo::LocalFrame frame_ = geo::LocalFrame::at({36.989, -122.0514, 0}).value();
+  environment::FlatTerrain ground_{environment::FlatTerrainOptions{}};
+  environment::UniformWind wind_{environment::UniformWindOptions{}};
+  std::vector<Zone> zones_;
+  std::vector<std::pair<std::string, std::unique_ptr<Plant>>> plants_;  // by kind
+  mutable std::vector<std::string> warnings_;
+  mutable std::any shared_;
+};
+
+// With every plant that it can fly.
+KindVerdict Stage::autopilot_verdict(const scenario::Kind& kind) const {
+  KindVerdict verdict{"autopilot", kind.name, "it flies no plant.", {}};
+  for (const auto& [name, plant] : plants_) {
+    const Subject<Autopilot, AircraftContext> subject{
+        kinds_.kinds().autopilot,
+        {kind.name, kind.options->prototype},
+        aircraft(plant.get())};
+    if (!subject.can_be_made()) continue;
+    verdict.not_tested.clear();
+    for (const std::string& violation : contract::autopilot_violations(
+             subject.make(), plant->airframe(), plant->limits()))
+      verdict.violations.push_back("on the plant " + name + ": " + violation);
+  }
+  return verdict;
+}
+
+KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) const {
+  const scenario::Choice choice{kind.name, kind.options->prototype};
+  const KindsByRole& all = kinds_.kinds();
+  KindVerdict verdict{role, kind.name, "there is no suite for its role.", {}};
+  const auto test = [&verdict](const auto& subject, auto suite) {
+    const auto made = subject.can_be_made();
+    verdict.not_tested = made ? "" : made.error().text();
+    if (made) verdict.violations = suite(subject.make());
+  };
+  if (role == "terrain") test(subject(all.terrain, choice), contract::terrain_violations);
+  if (role == "wind") test(subject(all.wind, choice), contract::wind_violations);
+  if (role == "fire") test(subject(all.fire, choice), contract::phenomenon_violations);
+  if (role == "turbulence")
+    test(subject(all.turbulence, choice), contract::turbulence_violations);
+  if (role == "plant") test(subject(all.plant, choice), contract::plant_violations);
+  if (role == "autopilot") return autopilot_verdict(kind);
+  if (role == "sensor") test(subject(all.sensor, choice), contract::sensor_violations);
+  if (role == "agent") test(subject(all.agent, choice), agent_suite(true));
+  if (role == "station-agent")
+    test(Subject<Agent, StationContext>{all.station_agent, choice, station()},
+         agent_suite(false));
+  if (role == "radio")
+    test(Subject<Radio, RadioContext>{all.radio, choice, radio()}, radio_suite());
+  if (role == "estimator")
+    test(
+        Subject<PerimeterEstimator, EstimatorContext>{
+            all.estimator, choice, {kSeed, prior()}},
+        estimator_suite());
+  if (role == "strategy")
+    test(Subject<MonitoringStrategy, StrategyContext>{all.strategy, choice, {}},
+         contract::strategy_violations);
+  return verdict;
+}
+
+}  // namespace
+
+std::vector<KindVerdict> verify_kinds(const KindRegistry& kinds, const std::string& role,
+                                      bool of_plugins) {
+  const Stage stage(kinds);
+  std::vector<KindVerdict> verdicts;
+  for (const std::string& each : kinds.table().roles()) {
+    if (!role.empty() && each != role) continue;
+    for (const scenario::Kind& kind : kinds.table().of(each))
+      if (!of_plugins || !kinds.plugin_of(each, kind.name).empty())
+        verdicts.push_back(stage.verdict(each, kind));
+  }
+  return verdicts;
+}
+
+}  // namespace skein::assemble

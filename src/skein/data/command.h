@@ -1,0 +1,147 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/describe.h"
+#include "skein/data/task.h"
+#include "skein/data/zone_change.h"
+#include "skein/geo/vec.h"
+
+// What whoever steers a run may ask for: an operator, a scenario, a page, another
+// program. Aircraft are named as the scenario names them.
+
+namespace skein {
+
+/// One aircraft shall do this, until the mission has it again (MissionCommand).
+struct TaskCommand {
+  std::string aircraft;
+  TaskKind what = Loiter{};
+};
+
+constexpr auto describe(const TaskCommand*) {
+  using T = TaskCommand;
+  return described<T>({"task"}, "One aircraft shall do this until the mission resumes.",
+                      field("aircraft", &T::aircraft, "who"),
+                      field("what", &T::what, Storage::kJson, "what to do"));
+}
+
+/// The mission gives no more orders, or goes on and has all aircraft again.
+struct MissionCommand {
+  bool paused = true;  ///< aircraft circle where they are
+};
+
+constexpr auto describe(const MissionCommand*) {
+  using T = MissionCommand;
+  return described<T>({"mission"}, "The mission stops giving orders, or goes on.",
+                      field("paused", &T::paused, "it stops, and its aircraft circle"));
+}
+
+/// Simulated time stands still, or goes on.
+struct PauseCommand {
+  bool paused = true;
+};
+
+constexpr auto describe(const PauseCommand*) {
+  using T = PauseCommand;
+  return described<T>({"pause"}, "Simulated time stands still, or goes on.",
+                      field("paused", &T::paused, "it stands still"));
+}
+
+/// Of a run that stands still: this many steps, then it stands still again.
+struct StepCommand {
+  std::uint32_t steps = 1;
+};
+
+constexpr auto describe(const StepCommand*) {
+  using T = StepCommand;
+  return described<T>({"step"}, "A paused run makes some steps.",
+                      field("steps", &T::steps, "of the run"));
+}
+
+/// How fast simulated time goes.
+struct SpeedCommand {
+  double factor = 0;  ///< simulated over wall time; 0: as fast as possible
+};
+
+constexpr auto describe(const SpeedCommand*) {
+  using T = SpeedCommand;
+  return described<T>(
+      {"speed"}, "How fast simulated time goes.",
+      field("factor", &T::factor, "simulated over wall time; 0: as fast as possible"));
+}
+
+/// A part of a simulated aircraft fails, or works again.
+struct FaultCommand {
+  std::string aircraft;
+  std::string part;  ///< "motor 1", "sensor imu", "battery", "link"...
+  bool fails = true;
+};
+
+constexpr auto describe(const FaultCommand*) {
+  using T = FaultCommand;
+  return described<T>({"fault"}, "A part of an aircraft fails, or works again.",
+                      field("aircraft", &T::aircraft, "whose part"),
+                      field("part", &T::part, "as in the events of failures"),
+                      field("fails", &T::fails, "else it works again"));
+}
+
+/// The true mean wind is this much off the scenario's, everywhere from now on.
+struct WindCommand {
+  Vec2 added = Vec2::Zero();  ///< velocity of the air [m/s]
+};
+
+constexpr auto describe(const WindCommand*) {
+  using T = WindCommand;
+  return described<T>({"wind"}, "The true mean wind changes everywhere.",
+                      field("", &T::added, axes::kWind, "on top of the scenario's"));
+}
+
+/// An aircraft of the scenario that takes no part joins now.
+struct AddCommand {
+  std::string aircraft;
+};
+
+constexpr auto describe(const AddCommand*) {
+  return described<AddCommand>({"add"}, "An aircraft of the scenario joins now.",
+                               field("aircraft", &AddCommand::aircraft, "who"));
+}
+
+/// An aircraft takes no further part.
+struct RemoveCommand {
+  std::string aircraft;
+};
+
+constexpr auto describe(const RemoveCommand*) {
+  return described<RemoveCommand>({"remove"}, "An aircraft takes no further part.",
+                                  field("aircraft", &RemoveCommand::aircraft, "who"));
+}
+
+/// New kinds go to the end: the place in this list is part of the wire form.
+using Command =
+    std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
+                 SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand>;
+
+/// The word for a command.
+std::string_view kind_of(const Command& command);
+
+/// A command that was given, as a run keeps it.
+struct CommandRecord {
+  Time time;           ///< before the step that begins then
+  std::string sender;  ///< "terminal", "scenario"...
+  Command command;
+};
+
+constexpr auto describe(const CommandRecord*) {
+  using T = CommandRecord;
+  return described<T>({"command", "commands"}, "A command that somebody gave.",
+                      field("time", &T::time, "it counts from this step on"),
+                      field("sender", &T::sender, "who gave it"),
+                      field("", &T::command, Storage::kCoded, "what was asked for"));
+}
+
+}  // namespace skein

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+#include "skein/base/result.h"
+#include "skein/data/command.h"
+
+namespace skein {
+
+/// A command as a person writes it, in a terminal or a scenario:
+///
+///   zone on|off NAME ...                        see data/zone_command.h
+///   task AIRCRAFT loiter NORTH,EAST
+///   task AIRCRAFT fly_to NORTH,EAST
+///   task AIRCRAFT course DEGREES
+///   task AIRCRAFT line NORTH,EAST NORTH,EAST ...
+///   task AIRCRAFT route NORTH,EAST NORTH,EAST ... [laps N]
+///   task AIRCRAFT follow_edge NORTH,EAST clockwise|counterclockwise
+///   mission pause|resume
+///   pause      resume      step [N]      speed fast|real|FACTOR
+///   fault AIRCRAFT PART     repair AIRCRAFT PART        such as: motor, sensor imu, link
+///   wind SPEED FROM_DEGREES      on top of the scenario's; wind off
+///   add AIRCRAFT            remove AIRCRAFT
+///
+/// Metres in the local frame, metres per second, seconds of the run.
+///
+/// Fails: kBadInput when the line is none of these; the message says what is wrong.
+Result<Command> parse_command(std::string_view line);
+
+}  // namespace skein

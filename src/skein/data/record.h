@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "skein/base/id.h"
+#include "skein/base/time.h"
+#include "skein/data/autopilot.h"
+#include "skein/data/command.h"
+#include "skein/data/describe.h"
+#include "skein/data/event.h"
+#include "skein/data/fire.h"
+#include "skein/data/message.h"
+#include "skein/data/object.h"
+#include "skein/data/payload.h"
+#include "skein/data/plugin_record.h"
+#include "skein/data/vehicle.h"
+#include "skein/data/zone_change.h"
+#include "skein/geo/polygon.h"
+
+// What a run leaves behind: everything that a Recorder is given. All of it counts for the
+// content hash.
+
+namespace skein {
+
+/// An entity exists. Comes before anything else about it.
+struct EntityRecord {
+  EntityId id;
+  std::string name;
+  std::string kind;  ///< "aircraft" or "station"
+};
+
+constexpr auto describe(const EntityRecord*) {
+  using T = EntityRecord;
+  return described<T>({"entity", "entities"}, "An aircraft or ground station.",
+                      field("entity_id", &T::id, "its number"),
+                      field("name", &T::name, "as the scenario has it"),
+                      field("kind", &T::kind, "aircraft or station"));
+}
+
+/// The true motion of a vehicle.
+struct TruthRecord {
+  Time time;
+  EntityId id;
+  VehicleState state;
+};
+
+constexpr auto describe(const TruthRecord*) {
+  using T = TruthRecord;
+  return described<T>(
+      {"truth", "truth"}, "The true state of a vehicle.", field("time", &T::time, "when"),
+      field("entity_id", &T::id, "whose"), field("", &T::state, "its motion and parts"));
+}
+
+/// What an autopilot believes and does.
+struct EstimateRecord {
+  EntityId id;
+  NavEstimate nav;
+  AutopilotStatus status;
+};
+
+constexpr auto describe(const EstimateRecord*) {
+  using T = EstimateRecord;
+  return described<T>({"estimate", "estimates"}, "What an autopilot believes and does.",
+                      field("entity_id", &T::id, "whose"),
+                      field("", &T::nav, "where it believes to be"),
+                      field("", &T::status, "what it does"));
+}
+
+/// A message that arrived at `arrived`, or was lost then.
+struct MessageRecord {
+  Message message;
+  Time arrived;
+  std::uint32_t size_bytes = 0;  ///< as coded on the air
+  bool lost = false;
+};
+
+constexpr auto describe(const MessageRecord*) {
+  using T = MessageRecord;
+  return described<T>({"message", "messages"}, "A message that arrived or was lost.",
+                      field("", &T::message, "the message"),
+                      field("arrived", &T::arrived, "when it arrived, or was lost"),
+                      field("size_bytes", &T::size_bytes, "as coded on the air"),
+                      field("lost", &T::lost, "it never arrived"));
+}
+
+/// The true burnt region and what an agent believes about its boundary at that time.
+struct PerimeterRecord {
+  Time time;
+  EntityId believer;
+  geo::Region truth;
+  BoundaryEstimate belief;
+};
+
+constexpr auto describe(const PerimeterRecord*) {
+  using T = PerimeterRecord;
+  return described<T>(
+      {"perimeter"}, "A true boundary and what is believed about it.",
+      field("time", &T::time, "when"), field("believer_id", &T::believer, "whose belief"),
+      field("truth", &T::truth, Storage::kFloats, "rings of the burnt area"),
+      field("belief", &T::belief, "the boundary as believed"));
+}
+
+/// A no-fly zone comes into force for those who have received it, or is taken back.
+struct ZoneRecord {
+  Time time;
+  ZoneChange change;
+};
+
+constexpr auto describe(const ZoneRecord*) {
+  using T = ZoneRecord;
+  return described<T>({"zone", "zones"}, "A no-fly zone put into force or taken back.",
+                      field("time", &T::time, "when"),
+                      field("", &T::change, "which zone, and how"));
+}
+
+/// Everything that a Recorder is given. New kinds go to the end: the place in this list
+/// is part of the wire form and of the content hash.
+using Record =
+    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
+                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
+                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord>;
+
+}  // namespace skein

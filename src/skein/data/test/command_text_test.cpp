@@ -1,0 +1,90 @@
+#include "skein/data/command_text.h"
+
+#include <gtest/gtest.h>
+
+namespace skein {
+namespace {
+
+template <class T>
+T parsed(std::string_view line) {
+  const auto command = parse_command(line);
+  EXPECT_TRUE(command.ok()) << line << ": " << command.error().text();
+  if (!command || !std::holds_alternative<T>(command.value())) {
+    ADD_FAILURE() << line;
+    return {};
+  }
+  return std::get<T>(command.value());
+}
+
+TEST(CommandText, SaysEveryCommand) {
+  EXPECT_TRUE(parsed<ZoneChange>("zone on a circle 0,0 50").on);
+  const TaskCommand task = parsed<TaskCommand>("task uav-1 route 0,0 10,5 laps 3");
+  EXPECT_EQ(task.aircraft, "uav-1");
+  EXPECT_EQ(std::get<FlyRoute>(task.what).laps, 3);
+  EXPECT_EQ(std::get<FlyRoute>(task.what).points.size(), 2u);
+  const auto edge = std::get<FollowEdge>(
+      parsed<TaskCommand>("task a follow_edge 1,2 counterclockwise").what);
+  EXPECT_FALSE(edge.clockwise);
+  EXPECT_EQ(edge.start, Vec2(1, 2));
+  EXPECT_DOUBLE_EQ(
+      std::get<FlyCourse>(parsed<TaskCommand>("task a course 90").what).course,
+      geo::kPi / 2);
+  EXPECT_TRUE(parsed<MissionCommand>("mission pause").paused);
+  EXPECT_FALSE(parsed<MissionCommand>("mission resume").paused);
+  EXPECT_TRUE(parsed<PauseCommand>("pause").paused);
+  EXPECT_FALSE(parsed<PauseCommand>("resume").paused);
+  EXPECT_EQ(parsed<StepCommand>("step").steps, 1u);
+  EXPECT_EQ(parsed<StepCommand>("step 25").steps, 25u);
+  EXPECT_EQ(parsed<SpeedCommand>("speed fast").factor, 0);
+  EXPECT_EQ(parsed<SpeedCommand>("speed 2.5").factor, 2.5);
+  EXPECT_EQ(parsed<FaultCommand>("fault a sensor imu").part, "sensor imu");
+  EXPECT_FALSE(parsed<FaultCommand>("repair a motor").fails);
+  EXPECT_LT((parsed<WindCommand>("wind 3 270").added - Vec2(0, 3)).norm(), 1e-12);
+  EXPECT_EQ(parsed<WindCommand>("wind off").added, Vec2(0, 0));
+  EXPECT_EQ(parsed<AddCommand>("add b").aircraft, "b");
+  EXPECT_EQ(parsed<RemoveCommand>("remove b").aircraft, "b");
+}
+
+TEST(CommandText, RefusesEverythingElseAndSaysWhy) {
+  for (const char* line : {"",
+                           "fly",
+                           "task",
+                           "task a",
+                           "task a loiter",
+                           "task a loiter 0",
+                           "task a fly_to x,y",
+                           "task a course north",
+                           "task a line 0,0",
+                           "task a route 0,0 laps 0",
+                           "task a route laps 2",
+                           "task a follow_edge 0,0 left",
+                           "task a loiter inf,0",
+                           "mission",
+                           "mission stop",
+                           "pause now",
+                           "step 0",
+                           "step 1.5",
+                           "step 1 2",
+                           "speed",
+                           "speed 0",
+                           "speed -1",
+                           "speed nan",
+                           "wind 3",
+                           "wind -3 0",
+                           "wind 3 nan",
+                           "wind 1000 0",
+                           "fault a",
+                           "repair",
+                           "add",
+                           "add a b",
+                           "remove",
+                           "zone up a"}) {
+    const auto command = parse_command(line);
+    ASSERT_FALSE(command.ok()) << line;
+    EXPECT_FALSE(command.error().message.empty()) << line;
+    EXPECT_FALSE(command.error().hint.empty()) << line;
+  }
+}
+
+}  // namespace
+}  // namespace skein

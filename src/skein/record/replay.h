@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/data/command.h"
+
+namespace skein::record {
+
+/// What a run needs to be done again, besides its scenario.
+struct RecordedRun {
+  std::vector<CommandRecord> commands;      ///< as they were given, in order
+  std::optional<std::string> content_hash;  ///< none: the run was cut off
+  std::optional<Time> interrupted;          ///< its first step that was not made
+};
+
+/// Reads the run in `directory`.
+/// Fails: as read_run(); kBadInput for commands that make no sense.
+Result<RecordedRun> read_recorded(const std::filesystem::path& directory);
+
+}  // namespace skein::record

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "skein/base/id.h"
+#include "skein/data/airframe.h"
+#include "skein/data/fire.h"
+#include "skein/data/vehicle.h"
+#include "skein/role/agent.h"
+#include "skein/role/autopilot.h"
+#include "skein/role/monitoring_strategy.h"
+#include "skein/role/perimeter_estimator.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/plant.h"
+#include "skein/role/radio.h"
+#include "skein/role/sensor.h"
+#include "skein/role/terrain.h"
+#include "skein/role/turbulence.h"
+#include "skein/role/wind_field.h"
+
+/// What every implementation of a role owes to whoever uses it, as far as a test can see
+/// it from outside. One function for each role; conditions are drawn at random from fixed
+/// seeds. `skein list --verify` puts all kinds through them, those of plugins too.
+namespace skein::contract {
+
+/// How an implementation breaks its contract, one sentence each; empty: not found to.
+using Violations = std::vector<std::string>;
+
+/// Makes one more of the same kind, with the same options and seed.
+template <class Role>
+using Make = std::function<std::unique_ptr<Role>()>;
+
+/// Finite everywhere, the same whenever asked, the gradient that of the heights.
+Violations terrain_violations(const Make<Terrain>& make);
+
+/// Finite everywhere and at all times, the same whenever asked.
+Violations wind_violations(const Make<WindField>& make);
+
+/// What burns keeps burning; inside() and region() agree; equal ones burn alike, in
+/// steps of any number that lead to the same times.
+Violations phenomenon_violations(const Make<Phenomenon>& make);
+
+/// Finite gusts, the same for equal ones.
+Violations turbulence_violations(const Make<Turbulence>& make);
+
+/// Starts where it is told; stays finite under any control; remembers nothing but the
+/// state; limits in order; on the ground after it has touched.
+Violations plant_violations(const Make<Plant>& make);
+
+/// Controls are finite, in range and what the airframe takes, with samples of any kind
+/// and with none; begins where it is told; equal ones fly alike.
+/// @param airframe, limits  of the plant that it was made for.
+Violations autopilot_violations(const Make<Autopilot>& make, const Airframe& airframe,
+                                const FlightLimits& limits);
+
+/// Only appends; times of samples neither in the future nor going back; finite; equal
+/// ones say the same; one that serves the autopilot never looks at the fire.
+Violations sensor_violations(const Make<Sensor>& make);
+
+/// Every message arrives or is lost once, unchanged, not before it was sent; equal ones
+/// treat the same messages alike.
+/// @param entities  that have a place, two at least.
+Violations radio_violations(const Make<Radio>& make, std::span<const EntityId> entities);
+
+/// Only appends; commands and messages are finite, whatever is received; equal ones act
+/// alike.
+/// @param nav  of its vehicle at the start; null: it has none.
+Violations agent_violations(const Make<Agent>& make, const NavEstimate* nav);
+
+/// A boundary of the time that was asked for, finite, with unit normals; clones are equal
+/// and independent; impossible observations do no lasting harm; equal ones believe alike.
+/// @param prior  that it was made with.
+Violations estimator_violations(const Make<PerimeterEstimator>& make,
+                                const PerimeterPrior& prior);
+
+/// Orders for aircraft of the situation only, at most one each and in their order, no two
+/// to the same point; equal ones order alike.
+Violations strategy_violations(const Make<MonitoringStrategy>& make);
+
+}  // namespace skein::contract

@@ -1,0 +1,294 @@
+// The suites find what they are for: each implementation here breaks one rule.
+#include "skein/role/contract/contract.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "skein/base/random.h"
+
+namespace skein::contract {
+namespace {
+
+using One = Violations;
+
+// --- terrain, wind, turbulence -------------------------------------------------------
+
+struct Slope : Terrain {
+  double elevation_msl(const Vec2& p) const override { return 0.1 * p.x(); }
+  Vec2 gradient(const Vec2&) const override { return {0.1, 0}; }
+};
+struct WrongSlope final : Slope {
+  Vec2 gradient(const Vec2&) const override { return {0, 0.1}; }
+};
+struct Abyss final : Slope {
+  double elevation_msl(const Vec2& p) const override {
+    return p.norm() > 1e4 ? -std::numeric_limits<double>::infinity() : 0.1 * p.x();
+  }
+};
+
+template <class T, class Role = T>
+Make<Role> make() {
+  return [] { return std::make_unique<T>(); };
+}
+
+TEST(TerrainContract, FindsWrongSlopesAndHoles) {
+  EXPECT_EQ((terrain_violations(make<Slope, Terrain>())), One{});
+  EXPECT_EQ((terrain_violations(make<WrongSlope, Terrain>())),
+            One{"gradient() is not the slope of elevation_msl()"});
+  EXPECT_EQ((terrain_violations(make<Abyss, Terrain>())),
+            One{"elevation_msl() is not finite everywhere"});
+}
+
+struct Restless final : WindField {
+  Vec3 wind(const Vec3&, Time) const override { return {1.0 * ++asked, 0, 0}; }
+  mutable int asked = 0;
+};
+
+TEST(WindContract, FindsAWindThatChangesWhenAsked) {
+  EXPECT_EQ((wind_violations(make<Restless, WindField>())),
+            One{"the same place and time has another wind when asked again"});
+}
+
+// --- phenomena -----------------------------------------------------------------------
+
+// A square that grows, shrinks or lies elsewhere than it says.
+class Square : public Phenomenon {
+ public:
+  explicit Square(double rate, double shift = 0) : rate_(rate), shift_(shift) {}
+  void advance(Time time) override {
+    half_ = 500 + rate_ * time.seconds();
+    region_ = {{{half_, half_}, {-half_, half_}, {-half_, -half_}, {half_, -half_}}};
+  }
+  bool inside(const Vec2& p) const override {
+    return (p - Vec2(shift_, 0)).lpNorm<Eigen::Infinity>() < half_;
+  }
+  const geo::Region& region() const override { return region_; }
+
+ private:
+  double rate_, shift_, half_ = 0;
+  geo::Region region_;
+};
+
+Make<Phenomenon> square(double rate, double shift = 0) {
+  return [=] { return std::make_unique<Square>(rate, shift); };
+}
+
+TEST(PhenomenonContract, FindsWhatGoesOutAndWhatLiesElsewhere) {
+  EXPECT_EQ(phenomenon_violations(square(1)), One{});
+  EXPECT_EQ(phenomenon_violations(square(-1)), One{"what burnt is no longer inside"});
+  EXPECT_EQ(phenomenon_violations(square(1, 40)), One{"inside() and region() disagree"});
+}
+
+// --- sensors -------------------------------------------------------------------------
+
+struct HeightFinder : Sensor {
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override {
+    out.emplace_back(HeightSample{view.now, -view.vehicle.p_N.z()});
+  }
+};
+struct Eraser final : HeightFinder {
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override {
+    out.clear();
+    HeightFinder::sample(view, out);
+  }
+};
+struct Peeper final : HeightFinder {
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override {
+    if (view.fire.inside({0, 0})) HeightFinder::sample(view, out);
+  }
+};
+struct Gambler final : HeightFinder {
+  explicit Gambler(std::uint64_t seed) : random(seed, 0, Purpose::kTest) {}
+  void sample(const SensorView& view, std::vector<SensorSample>& out) override {
+    out.emplace_back(HeightSample{view.now, random.normal()});
+  }
+  RandomStream random;
+};
+
+TEST(SensorContract, FindsEachBreach) {
+  EXPECT_EQ((sensor_violations(make<HeightFinder, Sensor>())), One{});
+  EXPECT_EQ((sensor_violations(make<Eraser, Sensor>())),
+            One{"sample() changes what others have said before"});
+  EXPECT_EQ((sensor_violations(make<Peeper, Sensor>())),
+            One{"it looks at the fire, but payload() says that it serves the autopilot"});
+  std::uint64_t seed = 0;
+  EXPECT_EQ(sensor_violations([&] { return std::make_unique<Gambler>(++seed); }),
+            One{"two equal ones do not say the same"});
+}
+
+// --- radio ---------------------------------------------------------------------------
+
+// Delivers what was sent `copies` times.
+class Copier final : public Radio {
+ public:
+  explicit Copier(int copies) : copies_(copies) {}
+  void send(const Message& message) override {
+    for (int k = 0; k < copies_; ++k) under_way_.push_back(message);
+  }
+  void deliver(Time, std::vector<Message>& arrived, std::vector<Message>&) override {
+    arrived.insert(arrived.end(), under_way_.begin(), under_way_.end());
+    under_way_.clear();
+  }
+
+ private:
+  int copies_;
+  std::vector<Message> under_way_;
+};
+
+TEST(RadioContract, FindsMessagesThatVanishOrDouble) {
+  const EntityId entities[] = {EntityId{0}, EntityId{1}};
+  const auto copier = [](int copies) -> Make<Radio> {
+    return [copies] { return std::make_unique<Copier>(copies); };
+  };
+  EXPECT_EQ(radio_violations(copier(1), entities), One{});
+  EXPECT_EQ(radio_violations(copier(2), entities),
+            One{"a message comes out twice, or was never sent"});
+  EXPECT_EQ(radio_violations(copier(0), entities),
+            One{"after two minutes a message is neither delivered nor lost"});
+}
+
+// --- strategies and estimators -------------------------------------------------------
+
+// Sends all aircraft to one place, or in the wrong order.
+class Herd final : public MonitoringStrategy {
+ public:
+  explicit Herd(bool backwards) : backwards_(backwards) {}
+  std::vector<Assignment> assign(const MonitoringSituation& situation) override {
+    std::vector<Assignment> orders;
+    for (const AircraftStatus& each : situation.aircraft)
+      orders.push_back({each.id, FlyTo{{backwards_ ? 100.0 * each.id.value : 0, 0}}});
+    if (backwards_) std::reverse(orders.begin(), orders.end());
+    return orders;
+  }
+
+ private:
+  bool backwards_;
+};
+
+TEST(StrategyContract, FindsEachBreach) {
+  const auto herd = [](bool backwards) -> Make<MonitoringStrategy> {
+    return [backwards] { return std::make_unique<Herd>(backwards); };
+  };
+  EXPECT_EQ(strategy_violations(herd(false)),
+            One{"two aircraft are sent to the same point"});
+  EXPECT_EQ(strategy_violations(herd(true)),
+            One{"orders are not at most one each, in the order of the aircraft"});
+}
+
+// A circle that every observation makes larger; clones may share the radius.
+class Swelling final : public PerimeterEstimator {
+ public:
+  explicit Swelling(bool shares) : shares_(shares) {}
+  void predict(Time time) override { time_ = time; }
+  void observe(const FireReading&) override { ++*radius_; }
+  void observe(const Crossing&) override { ++*radius_; }
+  BoundaryEstimate boundary() const override {
+    BoundaryEstimate estimate{time_, {{}}};
+    for (int k = 0; k < 12; ++k) {
+      BoundaryPoint point;
+      point.normal = geo::unit(k * geo::kPi / 6);
+      point.position = *radius_ * point.normal;
+      estimate.rings[0].push_back(point);
+    }
+    return estimate;
+  }
+  EstimatorHealth health() const override { return {}; }
+  std::unique_ptr<PerimeterEstimator> clone() const override {
+    auto copy = std::make_unique<Swelling>(*this);
+    if (!shares_) copy->radius_ = std::make_shared<double>(*radius_);
+    return copy;
+  }
+
+ private:
+  bool shares_;
+  Time time_;
+  std::shared_ptr<double> radius_ = std::make_shared<double>(500);
+};
+
+TEST(EstimatorContract, FindsClonesThatAreTheOriginal) {
+  const auto swelling = [](bool shares) -> Make<PerimeterEstimator> {
+    return [shares] { return std::make_unique<Swelling>(shares); };
+  };
+  EXPECT_EQ(estimator_violations(swelling(false), {}), One{});
+  const One found = estimator_violations(swelling(true), {});
+  EXPECT_EQ(std::count(found.begin(), found.end(),
+                       "what a clone observes changes the original"),
+            1);
+}
+
+// --- plants, autopilots, agents ------------------------------------------------------
+
+// Moves evenly; counts its steps, as no plant may.
+class CountingPlant final : public Plant {
+ public:
+  FlightLimits limits() const override { return {}; }
+  Airframe airframe() const override { return SelfStabilised{}; }
+  VehicleState start(const VehicleStart& start) const override {
+    VehicleState state;
+    state.p_N = start.p_N;
+    state.q_NB = geo::from_euler({0, 0, start.heading});
+    return state;
+  }
+  void step(VehicleState& state, const Control&, const Air&, double dt) const override {
+    state.p_N.x() += dt * ++steps_;
+  }
+  Contact touch(VehicleState&, double, double) const override { return Contact::kRests; }
+
+ private:
+  mutable int steps_ = 0;
+};
+
+TEST(PlantContract, FindsMemoryAndGroundContactWithoutGround) {
+  EXPECT_EQ((plant_violations(make<CountingPlant, Plant>())),
+            (One{"step() depends on more than the state: on other vehicles",
+                 "touch() rests, but the vehicle is not on the ground"}));
+}
+
+class FullThrottle final : public Autopilot {
+ public:
+  void begin(const NavEstimate& start, bool) override { nav_ = start; }
+  void sense(const SensorSample&) override {}
+  void command(const AutopilotCommand&) override {}
+  void set_return(const ReturnWay&) override {}
+  Control control(Time, double) override {
+    Actuators all;
+    all.channel.fill(1.5);
+    return all;
+  }
+  NavEstimate estimate() const override { return nav_; }
+  AutopilotStatus status() const override { return {}; }
+
+ private:
+  NavEstimate nav_;
+};
+
+TEST(AutopilotContract, FindsControlsOutOfRange) {
+  const One found{"control() is not what the airframe takes, or not in its range"};
+  EXPECT_EQ(
+      (autopilot_violations(make<FullThrottle, Autopilot>(), FixedWingAirframe{}, {})),
+      found);
+  EXPECT_EQ((autopilot_violations(make<FullThrottle, Autopilot>(), SelfStabilised{}, {})),
+            found);
+}
+
+struct Lost final : Agent {
+  void step(const AgentInput&, AgentOutput& out) override {
+    out.events.clear();
+    out.command = AutopilotCommand{HoldCourse{std::nan("")}, 100, std::nullopt};
+  }
+};
+
+TEST(AgentContract, FindsEachBreach) {
+  const NavEstimate nav;
+  EXPECT_EQ(
+      (agent_violations(make<Lost, Agent>(), &nav)),
+      (One{"step() removes what is in the output already", "a command is not finite"}));
+  EXPECT_EQ((agent_violations(make<Lost, Agent>(), nullptr)),
+            (One{"step() removes what is in the output already",
+                 "it commands, but has no vehicle", "a command is not finite"}));
+}
+
+}  // namespace
+}  // namespace skein::contract

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/base/time.h"
+#include "skein/data/autopilot.h"
+#include "skein/data/object.h"
+#include "skein/data/sensing.h"
+#include "skein/data/vehicle.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/terrain.h"
+#include "skein/role/wind_field.h"
+
+namespace skein {
+
+/// The world that a vehicle is in. During a phase of a step any thread may read it.
+struct Surroundings {
+  const Terrain& terrain;
+  const WindField& wind;
+  const Phenomenon& fire;
+  std::span<const GroundObject> objects = {};
+};
+
+/// What has become of the last command.
+struct CommandFate {
+  enum class State : std::uint8_t {
+    kNone,      ///< there was none
+    kPending,   ///< given, not yet answered
+    kAccepted,  ///< it is flown, or was
+    kRefused,   ///< it cannot be flown; what was flown before goes on
+  };
+  std::uint32_t number = 0;  ///< counts the commands, from 1
+  State state = State::kNone;
+  std::string_view reason = {};  ///< of a refusal; good until the next command
+};
+
+/// Something that happened to a vehicle, for the records.
+struct VehicleEvent {
+  std::string kind;
+  std::string text;
+};
+
+/// What the payload has measured: samples of one sensor follow one another.
+struct PayloadSamples {
+  std::vector<SensorSample> samples;
+  std::vector<std::size_t> ends;  ///< where those of each sensor end
+};
+
+/// A vehicle with its autopilot, as the simulation and its agent see it: simulated,
+/// behind a link, or in another process; nobody above can tell which.
+///
+/// Threads: one at a time; vehicles move in parallel, and each writes only itself.
+class Vehicle {
+ public:
+  virtual ~Vehicle() = default;
+
+  /// It takes part from `now` on, or again.
+  virtual void begin(const Surroundings& world, Time now) = 0;
+
+  /// A step of the run begins: what is due at `now` happens to its parts.
+  virtual void begin_step(Time /*now*/) {}
+
+  /// Appends what its payload measures at `now`, or has measured since the last call.
+  virtual void look(const Surroundings& world, Time now, PayloadSamples& out) = 0;
+
+  /// Moves on from `now` to `until`.
+  /// @param next  the vehicle that moves after this one, see prefetch(); may be null.
+  virtual void advance(const Surroundings& world, Time now, Time until,
+                       const Vehicle* next) = 0;
+
+  /// Has the processor load part of what the next advance() needs, without waiting. Only
+  /// speed depends on it.
+  /// @param part  from 0 to parts - 1.
+  virtual void prefetch(std::int64_t /*part*/, std::int64_t /*parts*/) const {}
+
+  /// What its autopilot believes. Its age is the time since `time`, its quality
+  /// `position_sd`.
+  virtual NavEstimate estimate() const = 0;
+  virtual AutopilotStatus status() const = 0;
+
+  /// Replaces what to do next.
+  virtual void command(const AutopilotCommand& command) = 0;
+  virtual CommandFate command_fate() const = 0;
+  /// Replaces where returns lead from now on.
+  virtual void set_return(const ReturnWay& way) = 0;
+
+  /// A message of the ground station has arrived on board.
+  virtual void ground_received(Time now) = 0;
+  /// Whether messages go in and out.
+  virtual bool link_works() const { return true; }
+
+  /// The true state; null where nobody knows it.
+  virtual const VehicleState* truth() const { return nullptr; }
+
+  /// It takes no further part: it is broken, or its motion is no longer finite.
+  virtual bool lost() const { return false; }
+
+  /// Appends what has happened since the last call.
+  virtual void take_events(std::vector<VehicleEvent>& out) = 0;
+
+  /// Makes a part fail from `now` on, or work again.
+  /// Fails: kBadInput when there is no such part, or it cannot be made to fail.
+  virtual Result<void> set_fault(const std::string& part, bool fails, Time now) = 0;
+};
+
+}  // namespace skein

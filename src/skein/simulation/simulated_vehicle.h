@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/data/air.h"
+#include "skein/data/fault.h"
+#include "skein/role/autopilot.h"
+#include "skein/role/plant.h"
+#include "skein/role/sensor.h"
+#include "skein/role/turbulence.h"
+#include "skein/role/vehicle.h"
+#include "skein/simulation/working_set.h"
+#include "skein/simulation/world.h"
+
+namespace skein::simulation {
+
+/// What a simulated vehicle is made of.
+struct VehicleParts {
+  std::string name;
+  std::shared_ptr<const Plant> plant;
+  std::unique_ptr<Autopilot> autopilot;
+  std::vector<std::unique_ptr<Sensor>> sensors;  ///< of the autopilot
+  std::vector<std::unique_ptr<Sensor>> payload;  ///< of the agent
+  std::unique_ptr<Turbulence> turbulence;        ///< null: none
+  std::vector<VehicleFault> faults;              ///< that are going to happen
+  std::vector<VehicleFault> breakable;  ///< all that can be made to fail, by name
+  Time step;           ///< of sensors, autopilot and plant; divides the run's step
+  VehicleState state;  ///< the truth
+  Air air;             ///< that it flies in
+};
+
+/// A vehicle whose plant, sensors and autopilot are models.
+///
+/// Each of its steps: the autopilot turns estimate and command into control, the air
+/// gusts, the plant moves, the flight sensors measure the new state.
+class SimulatedVehicle final : public Vehicle {
+ public:
+  explicit SimulatedVehicle(VehicleParts parts);
+
+  void begin(const Surroundings& world, Time now) override;
+  void begin_step(Time now) override;
+  void look(const Surroundings& world, Time now, PayloadSamples& out) override;
+  void advance(const Surroundings& world, Time now, Time until,
+               const Vehicle* next) override;
+  void prefetch(std::int64_t part, std::int64_t parts) const override {
+    working_set_.prefetch(part, parts);
+  }
+  NavEstimate estimate() const override { return parts_.autopilot->estimate(); }
+  AutopilotStatus status() const override { return parts_.autopilot->status(); }
+  void command(const AutopilotCommand& command) override;
+  CommandFate command_fate() const override;
+  void set_return(const ReturnWay& way) override { parts_.autopilot->set_return(way); }
+  void ground_received(Time now) override { parts_.autopilot->sense(LinkSample{now}); }
+  bool link_works() const override { return !link_down_; }
+  const VehicleState* truth() const override { return &parts_.state; }
+  bool lost() const override { return lost_; }
+  void take_events(std::vector<VehicleEvent>& out) override;
+  Result<void> set_fault(const std::string& part, bool fails, Time now) override;
+
+  const VehicleParts& parts() const { return parts_; }
+
+ private:
+  SensorView view(const Surroundings& world, Time now) const;
+  void sample_one(Sensor& sensor, bool silent, const SensorView& view,
+                  std::vector<SensorSample>& out) const;
+  void sense(const Surroundings& world, Time now);
+  void move(const Surroundings& world, Time now, double ground, double dt);
+  void touch_ground(const Surroundings& world, double ground, double dt);
+  void update_faults(Time now);
+  void apply(const VehicleFault& fault, Faults& faults);
+  void lose(std::string text);
+
+  VehicleParts parts_;
+  WorkingSet working_set_;
+  std::vector<SensorSample> flight_samples_;  // of one step, kept for its memory
+  VehicleState before_;                       // at the start of the last advance()
+  std::vector<bool> fault_active_;            // of each of the faults
+  std::uint64_t silent_sensors_ = 0, silent_payload_ = 0;  // bit k: sensor k
+  std::vector<VehicleEvent> events_;
+  std::uint32_t commands_ = 0;
+  int refusals_before_ = 0;  // when the last command was given
+  bool link_down_ = false, lost_ = false, flew_ = false, answered_ = false;
+};
+
+/// The parts of an entity whose vehicle is simulated. Fails: Bug for any other.
+const VehicleParts& parts_of(const Entity& entity);
+
+}  // namespace skein::simulation

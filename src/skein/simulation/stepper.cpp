@@ -1,0 +1,339 @@
+#include "skein/simulation/stepper.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cmath>
+#include <utility>
+
+#include "skein/base/log.h"
+#include "skein/simulation/fork_join.h"
+#include "skein/simulation/payload_log.h"
+
+namespace skein::simulation {
+namespace {
+
+EntityId id_of(std::size_t index) {
+  return EntityId{static_cast<std::uint32_t>(index)};
+}
+
+bool due(Time now, Time period) {
+  return now.ns() % period.ns() == 0;
+}
+
+bool takes_part(const Entity& entity, Time now) {
+  for (const ActiveSpan& span : entity.active)
+    if (span.from <= now && now < span.until) return true;
+  return false;
+}
+
+std::optional<double> rms_sigma(const BoundaryEstimate& belief) {
+  double sum = 0;
+  int count = 0;
+  for (const auto& ring : belief.rings)
+    for (const BoundaryPoint& point : ring) {
+      sum += point.sigma * point.sigma;
+      ++count;
+    }
+  if (count == 0) return std::nullopt;
+  return std::sqrt(sum / count);
+}
+
+}  // namespace
+
+Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
+    : world_(world),
+      options_(options),
+      recorder_(recorder),
+      arena_(options.threads),
+      states_(world.entities.size()) {}
+
+Surroundings Stepper::surroundings() const {
+  return {*world_.terrain, *world_.wind, *world_.fire, world_.objects};
+}
+
+void Stepper::introduce() {
+  for (std::size_t i = 0; i < world_.entities.size(); ++i)
+    recorder_.record(
+        EntityRecord{id_of(i), world_.entities[i].name, world_.entities[i].kind});
+  for (const GroundObject& object : world_.objects) recorder_.record(object);
+  for (const Zone& zone : world_.zones)
+    recorder_.record(ZoneRecord{Time(), {0, true, zone}});
+}
+
+Result<void> Stepper::step(Time now) {
+  if (due(now, options_.environment_period)) world_.fire->advance(now);
+  update_presence(now);
+  update_parts(now);
+  look(now);
+  think(now);
+  exchange(now);
+  record_vehicles(now);
+  const Time next = now + options_.step;
+  advance(now, next);
+  record_accidents(now);
+  record_status_changes(next);
+  return recorder_.step_done(now);
+}
+
+std::string Stepper::headline() const {
+  return sigma_ ? fmt::format("sigma {:.1f} m", *sigma_) : std::string();
+}
+
+void Stepper::for_each(const std::function<void(std::size_t)>& body) {
+  constexpr std::size_t kGrain = 16;  // below this, starting tasks costs more than work
+  const std::size_t count = states_.size();
+  if (options_.threads <= 1 || count < 2 * kGrain) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+    return;
+  }
+  fork_join::fork();
+  arena_.execute([&] {
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, count, kGrain),
+                              [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+                                fork_join::begin_task();
+                                for (std::size_t i = range.begin(); i < range.end(); ++i)
+                                  body(i);
+                                fork_join::end_task();
+                              });
+  });
+  fork_join::join();
+}
+
+void Stepper::update_presence(Time now) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    EntityState& state = states_[i];
+    Entity& entity = world_.entities[i];
+    const bool active =
+        !state.lost && state.commanded_active.value_or(takes_part(entity, now));
+    if (active == state.active) continue;
+    state.active = active;
+    state.inbox.clear();
+    if (active && entity.vehicle) {
+      entity.vehicle->begin(surroundings(), now);
+      state.last_status = entity.vehicle->status();
+      state.was_on_ground = state.last_status.on_ground;
+    }
+    record_event(now, i, active ? "joined" : "left",
+                 fmt::format("{} {}", entity.name,
+                             active ? "takes part" : "no longer takes part"));
+  }
+}
+
+void Stepper::update_parts(Time now) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    Vehicle* vehicle = world_.entities[i].vehicle.get();
+    if (!states_[i].active || !vehicle) continue;
+    vehicle->begin_step(now);
+    vehicle_events_.clear();
+    vehicle->take_events(vehicle_events_);
+    for (VehicleEvent& event : vehicle_events_)
+      record_event(now, i, std::move(event.kind), std::move(event.text));
+  }
+}
+
+void Stepper::look(Time now) {
+  for_each([&](std::size_t i) {
+    EntityState& state = states_[i];
+    if (!state.active || !world_.entities[i].vehicle) return;
+    state.fresh = state.payload.samples.size();
+    state.payload.ends.clear();
+    world_.entities[i].vehicle->look(surroundings(), now, state.payload);
+  });
+  log_payload_samples();
+}
+
+// What cameras and ranging sensors have said in this step.
+void Stepper::log_payload_samples() {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const EntityState& state = states_[i];
+    const std::span<const SensorSample> samples = state.payload.samples;
+    if (!state.active || state.fresh == samples.size()) continue;
+    const NavEstimate nav = world_.entities[i].vehicle->estimate();
+    std::size_t begin = state.fresh;
+    for (std::uint32_t k = 0; k < state.payload.ends.size(); ++k) {
+      const std::size_t end = state.payload.ends[k];
+      log_payload(samples.subspan(begin, end - begin), id_of(i), k, nav, recorder_);
+      begin = end;
+    }
+  }
+}
+
+void Stepper::think(Time now) {
+  for_each([&](std::size_t i) { think(now, world_.entities[i], states_[i]); });
+}
+
+void Stepper::think(Time now, Entity& entity, EntityState& state) {
+  if (!state.active || !due(now, entity.agent_period)) return;
+  AgentInput in;
+  in.now = now;
+  NavEstimate nav;
+  if (entity.vehicle) {
+    nav = entity.vehicle->estimate();
+    in.nav = &nav;
+    in.autopilot = entity.vehicle->status();
+  }
+  in.samples = state.payload.samples;
+  in.inbox = state.inbox;
+  in.commands = state.commands;
+  entity.agent->step(in, state.output);
+  if (state.output.command && entity.vehicle)
+    entity.vehicle->command(*state.output.command);
+  if (state.output.return_way && entity.vehicle)
+    entity.vehicle->set_return(*state.output.return_way);
+  state.output.command.reset();
+  state.output.return_way.reset();
+  state.payload.samples.clear();
+  state.fresh = 0;
+  state.inbox.clear();
+  state.commands.clear();
+}
+
+// Sends what agents wrote, in entity order, and hands out what has arrived.
+void Stepper::exchange(Time now) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    AgentOutput& output = states_[i].output;
+    send(now, i);
+    for (const Event& event : output.events) record_event(event);
+    for (const AgentRecord& said : output.records) record_agent(now, i, said);
+    output.outbox.clear();
+    output.events.clear();
+    output.records.clear();
+  }
+  receive(now);
+}
+
+void Stepper::send(Time now, std::size_t i) {
+  const Vehicle* vehicle = world_.entities[i].vehicle.get();
+  const bool works = !vehicle || vehicle->link_works();
+  for (Message& message : states_[i].output.outbox) {
+    message.from = id_of(i);
+    message.number = states_[i].sent++;
+    message.sent = now;
+    if (works)
+      world_.radio->send(message);
+    else
+      record_message(message, now, true);
+  }
+}
+
+void Stepper::receive(Time now) {
+  arrived_.clear();
+  lost_.clear();
+  world_.radio->deliver(now, arrived_, lost_);
+  for (Message& message : arrived_) {
+    const bool known = message.to.value < states_.size();
+    Vehicle* vehicle = known ? world_.entities[message.to.value].vehicle.get() : nullptr;
+    const bool link_down = vehicle && !vehicle->link_works();
+    record_message(message, now, link_down);
+    if (!known || link_down || !states_[message.to.value].active) continue;
+    if (vehicle && !world_.entities[message.from.value].vehicle)
+      vehicle->ground_received(now);
+    states_[message.to.value].inbox.push_back(std::move(message));
+  }
+  for (const Message& message : lost_) record_message(message, now, true);
+}
+
+void Stepper::record_vehicles(Time now) {
+  if (!due(now, options_.record_period)) return;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const Vehicle* vehicle = world_.entities[i].vehicle.get();
+    if (!states_[i].active || !vehicle) continue;
+    if (const VehicleState* truth = vehicle->truth())
+      recorder_.record(TruthRecord{now, id_of(i), *truth});
+    recorder_.record(EstimateRecord{id_of(i), vehicle->estimate(), vehicle->status()});
+  }
+}
+
+void Stepper::advance(Time now, Time until) {
+  for_each([&](std::size_t i) {
+    Vehicle* vehicle = world_.entities[i].vehicle.get();
+    if (!states_[i].active || !vehicle) return;
+    const Vehicle* next =
+        i + 1 < states_.size() ? world_.entities[i + 1].vehicle.get() : nullptr;
+    vehicle->advance(surroundings(), now, until, next);
+    states_[i].status = vehicle->status();  // as long as it is at hand
+    states_[i].lost = vehicle->lost();
+  });
+}
+
+// What ends an aircraft, but not the run.
+void Stepper::record_accidents(Time now) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    Vehicle* vehicle = world_.entities[i].vehicle.get();
+    if (!states_[i].active || !states_[i].lost) continue;
+    vehicle_events_.clear();
+    vehicle->take_events(vehicle_events_);
+    for (VehicleEvent& event : vehicle_events_)
+      record_event(now, i, std::move(event.kind), std::move(event.text));
+  }
+}
+
+// What autopilots do by themselves: modes and failsafes, take-offs and landings.
+void Stepper::record_status_changes(Time now) {
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].active && world_.entities[i].vehicle && !states_[i].lost)
+      record_status_changes(now, i);
+}
+
+void Stepper::record_status_changes(Time now, std::size_t i) {
+  EntityState& state = states_[i];
+  const AutopilotStatus& status = state.status;
+  const AutopilotStatus& last = state.last_status;
+  if (status.mode != last.mode)
+    record_event(now, i, "mode", std::string(name_of(status.mode)));
+  if (status.trigger != last.trigger || status.reaction != last.reaction)
+    record_event(
+        now, i, "failsafe",
+        status.trigger == FailsafeTrigger::kNone
+            ? std::string("over")
+            : fmt::format("{}: {}", name_of(status.trigger), name_of(status.reaction)));
+  if (status.refusals > last.refusals)
+    if (auto text =
+            state.refusals.told(now, status.refusals - last.refusals, status.refused))
+      record_event(now, i, "refused", *std::move(text));
+  if (status.on_ground != state.was_on_ground)
+    record_event(now, i, status.on_ground ? "landed" : "took-off",
+                 fmt::format("{} {} the ground", world_.entities[i].name,
+                             status.on_ground ? "stands on" : "has left"));
+  state.was_on_ground = status.on_ground;
+  state.last_status = status;
+}
+
+void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
+  struct Maker {
+    Stepper& stepper;
+    Time now;
+    EntityId agent;
+    Record operator()(const FireReading& reading) { return reading; }
+    Record operator()(const Crossing& crossing) { return crossing; }
+    Record operator()(const ZoneChange& change) { return ZoneRecord{now, change}; }
+    Record operator()(const BoundaryEstimate& belief) {
+      stepper.sigma_ = rms_sigma(belief);
+      return PerimeterRecord{now, agent, stepper.world_.fire->region(), belief};
+    }
+    Record operator()(const PluginRecord& record) { return record; }
+  };
+  recorder_.record(std::visit(Maker{*this, now, id_of(i)}, said));
+}
+
+void Stepper::record_message(const Message& message, Time arrived, bool lost) {
+  recorder_.record(MessageRecord{message, arrived,
+                                 static_cast<std::uint32_t>(coded_size(message)), lost});
+}
+
+void Stepper::record_event(Time now, std::size_t i, std::string kind, std::string text) {
+  record_event({now, id_of(i), std::move(kind), std::move(text)});
+}
+
+void Stepper::record_event(const Event& event) {
+  const std::size_t who = event.entity.value;
+  log_info("{:.1f} s, {}: {}: {}", event.time.seconds(),
+           who < world_.entities.size() ? std::string_view(world_.entities[who].name)
+                                        : std::string_view("?"),
+           event.kind, event.text);
+  recorder_.record(event);
+}
+
+}  // namespace skein::simulation

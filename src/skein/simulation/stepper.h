@@ -1,0 +1,91 @@
+#pragma once
+
+#include <oneapi/tbb/task_arena.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/role/recorder.h"
+#include "skein/simulation/refusals.h"
+#include "skein/simulation/run.h"
+#include "skein/simulation/world.h"
+
+namespace skein::simulation {
+
+/// What an entity keeps between the phases of a step.
+struct EntityState {
+  bool active = false;
+  std::optional<bool> commanded_active;  ///< an operator's word on it
+  PayloadSamples payload;                ///< until the agent reads it
+  std::size_t fresh = 0;                 ///< samples of this step begin here
+  std::vector<Message> inbox;
+  std::vector<Command> commands;
+  AgentOutput output;
+  std::uint64_t sent = 0;       ///< messages
+  AutopilotStatus status;       ///< at the end of the last step
+  bool lost = false;            ///< the same
+  AutopilotStatus last_status;  ///< whose changes have been recorded
+  bool was_on_ground = false;   ///< the same
+  Refusals refusals;            ///< the same
+};
+
+/// One run: the world, what is between the phases of a step, and where it is recorded.
+///
+/// A phase in which entities run in parallel writes only their own state; what they say
+/// to others is merged in entity order.
+class Stepper {
+ public:
+  Stepper(World& world, const RunOptions& options, Recorder& recorder);
+
+  /// Records what exists. Before the first step.
+  void introduce();
+
+  /// Takes a command that counts from `now` on, and records it. Those that steer the
+  /// clock are the caller's to obey.
+  void command(Time now, std::string sender, const Command& command);
+
+  /// Moves the world from `now` to the next step.
+  Result<void> step(Time now);
+
+  /// The key figure of the newest belief, in a few words; empty without one.
+  std::string headline() const;
+
+ private:
+  void update_presence(Time now);
+  void update_parts(Time now);
+  void look(Time now);
+  void log_payload_samples();
+  void think(Time now);
+  void think(Time now, Entity& entity, EntityState& state);
+  void exchange(Time now);
+  void send(Time now, std::size_t i);
+  void receive(Time now);
+  void record_vehicles(Time now);
+  void advance(Time now, Time until);
+  void record_accidents(Time now);
+  void record_status_changes(Time now);
+  void record_status_changes(Time now, std::size_t i);
+  void record_agent(Time now, std::size_t i, const AgentRecord& said);
+  void record_message(const Message& message, Time arrived, bool lost);
+  void record_event(Time now, std::size_t i, std::string kind, std::string text);
+  void record_event(const Event& event);
+  std::optional<std::size_t> find(const std::string& aircraft) const;
+  void obey(Time now, const Command& command);
+  void refuse(Time now, const std::string& why);
+  void for_each(const std::function<void(std::size_t)>& body);
+  Surroundings surroundings() const;
+
+  World& world_;
+  const RunOptions& options_;
+  Recorder& recorder_;
+  oneapi::tbb::task_arena arena_;
+  std::vector<EntityState> states_;
+  std::vector<Message> arrived_, lost_;
+  std::vector<VehicleEvent> vehicle_events_;
+  std::optional<double> sigma_;  // root mean square, of the newest belief [m]
+};
+
+}  // namespace skein::simulation

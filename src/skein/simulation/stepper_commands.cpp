@@ -1,0 +1,73 @@
+// What a run does on a command.
+
+#include <fmt/format.h>
+
+#include "skein/simulation/stepper.h"
+
+namespace skein::simulation {
+
+void Stepper::command(Time now, std::string sender, const Command& command) {
+  recorder_.record(CommandRecord{now, std::move(sender), command});
+  obey(now, command);
+}
+
+std::optional<std::size_t> Stepper::find(const std::string& aircraft) const {
+  for (std::size_t i = 0; i < world_.entities.size(); ++i)
+    if (world_.entities[i].vehicle && world_.entities[i].name == aircraft) return i;
+  return std::nullopt;
+}
+
+void Stepper::refuse(Time now, const std::string& why) {
+  record_event({now, EntityId{}, "command-refused", why});
+}
+
+void Stepper::obey(Time now, const Command& command) {
+  // To the ground stations, where the operator is.
+  const auto pass_on = [&] {
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      if (!world_.entities[i].vehicle && states_[i].active)
+        states_[i].commands.push_back(command);
+  };
+  const auto with = [&](const std::string& aircraft, const auto& act) {
+    if (const auto i = find(aircraft))
+      act(*i);
+    else
+      refuse(now, fmt::format("there is no aircraft \"{}\".", aircraft));
+  };
+  struct Visitor {
+    Stepper& run;
+    Time now;
+    const decltype(pass_on)& pass_on_to_stations;
+    const decltype(with)& with_aircraft;
+    void operator()(const ZoneChange&) const { pass_on_to_stations(); }
+    void operator()(const TaskCommand& c) const {
+      with_aircraft(c.aircraft, [&](std::size_t) { pass_on_to_stations(); });
+    }
+    void operator()(const MissionCommand&) const { pass_on_to_stations(); }
+    // The clock is the run loop's.
+    void operator()(const PauseCommand&) const {}
+    void operator()(const StepCommand&) const {}
+    void operator()(const SpeedCommand&) const {}
+    void operator()(const FaultCommand& c) const {
+      with_aircraft(c.aircraft, [&](std::size_t i) {
+        Vehicle& vehicle = *run.world_.entities[i].vehicle;
+        if (auto done = vehicle.set_fault(c.part, c.fails, now); !done)
+          run.refuse(now, done.error().text());
+      });
+    }
+    void operator()(const WindCommand& c) const {
+      run.world_.wind->set_added({c.added.x(), c.added.y(), 0});
+    }
+    void operator()(const AddCommand& c) const {
+      with_aircraft(c.aircraft,
+                    [&](std::size_t i) { run.states_[i].commanded_active = true; });
+    }
+    void operator()(const RemoveCommand& c) const {
+      with_aircraft(c.aircraft,
+                    [&](std::size_t i) { run.states_[i].commanded_active = false; });
+    }
+  };
+  std::visit(Visitor{*this, now, pass_on, with}, command);
+}
+
+}  // namespace skein::simulation

@@ -1,0 +1,398 @@
+/** Made by `skein schema records` from the descriptions in src/skein/data: do not edit. */
+
+/** An aircraft or ground station. */
+export interface Entity {
+  entity_id: number; // its number
+  name: string; // as the scenario has it
+  kind: string; // aircraft or station
+}
+
+/** The true state of a vehicle. */
+export interface Truth {
+  time_s: number; // when
+  entity_id: number; // whose
+  north_m: number | null; // position
+  east_m: number | null; // position
+  altitude_msl_m: number | null; // position
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  heading_deg: number; // attitude; the heading is that of the forward axis
+  roll_deg: number; // attitude; the heading is that of the forward axis
+  pitch_deg: number; // attitude; the heading is that of the forward axis
+  roll_rate_dps: number | null; // rates of turn
+  pitch_rate_dps: number | null; // rates of turn
+  yaw_rate_dps: number | null; // rates of turn
+  airspeed_mps: number | null; // through the air
+  actuator_1: number | null; // what they do; see the plant
+  actuator_2: number | null; // what they do; see the plant
+  actuator_3: number | null; // what they do; see the plant
+  actuator_4: number | null; // what they do; see the plant
+  actuator_5: number | null; // what they do; see the plant
+  actuator_6: number | null; // what they do; see the plant
+  actuator_7: number | null; // what they do; see the plant
+  actuator_8: number | null; // what they do; see the plant
+  charge: number | null; // left, from 0 to 1
+  voltage_v: number | null; // under load; 0: not modelled
+  power_w: number | null; // drawn now; 0: not modelled
+  dead_actuators: number; // bit k: actuator k gives nothing
+  stuck_actuators: number; // bit k: actuator k is stuck
+  battery_failed: boolean; // it gives nothing any more
+  on_ground: boolean; // it stands or rolls
+}
+
+/** What an autopilot believes and does. */
+export interface Estimate {
+  entity_id: number; // whose
+  time_s: number; // that it is of
+  north_m: number | null; // position
+  east_m: number | null; // position
+  altitude_msl_m: number | null; // position
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  heading_deg: number | null; // of the air-relative velocity
+  wind_north_mps: number | null; // estimated, horizontal
+  wind_east_mps: number | null; // estimated, horizontal
+  position_sd_m: number | null; // per horizontal axis
+  roll_deg: number | null; // right wing down positive
+  pitch_deg: number | null; // nose up positive
+  remaining_m: number | null; // along the path
+  cross_track_m: number | null; // off the path that it follows, right positive
+  done: boolean; // the path's end has been passed
+  follows: boolean; // there is a path, plan or leg: cross_track means something
+  time_error_s: number | null; // behind its plan; 0 on paths, which have no times
+  along_north: number | null; // tangent of what it follows
+  along_east: number | null; // tangent of what it follows
+  lap: number; // laps of its waypoints that have been completed
+  demanded_altitude_msl_m: number | null; // of fixed-wing guidance
+  demanded_airspeed_mps: number | null; // of fixed-wing guidance
+  on_ground: boolean; // as far as it can tell
+  mode: "manual" | "stabilized" | "auto" | "guided"; // who flies
+  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor"; // what has gone wrong
+  reaction: "none" | "hold" | "return" | "land" | "descend"; // what is done about it
+  refusals: number; // commands that could not be flown
+  charge: number | null; // as its battery monitor says
+  reserve: number | null; // the charge less what it takes to get home; 1 while nothing is known of it
+  endurance_s: number | null; // flight time left at the present power; null while not known
+}
+
+/** One look of an in/out fire sensor, placed where the aircraft believes it. */
+export interface Reading {
+  time_s: number; // when it was measured
+  entity_id: number; // whose sensor
+  north_m: number | null; // the point looked at
+  east_m: number | null; // the point looked at
+  position_sd_m: number | null; // of the point, per axis
+  inside: boolean; // it burns
+}
+
+/** Two successive readings of one aircraft that differ, as the agent found that keeps the belief. Not in order of time where readings came late. */
+export interface Crossing {
+  time_s: number; // of the later reading
+  entity_id: number; // who crossed the boundary
+  north_m: number | null; // middle of the two readings
+  east_m: number | null; // middle of the two readings
+  position_sd_m: number | null; // of the place, per axis
+  entered: boolean; // the later reading is inside
+  track_north_m: number | null; // from the earlier to the later reading
+  track_east_m: number | null; // from the earlier to the later reading
+}
+
+/** What an aircraft says about itself, once a second. */
+export interface Report {
+  time_s: number; // that it is of
+  north_m: number | null; // position
+  east_m: number | null; // position
+  altitude_msl_m: number | null; // position
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  heading_deg: number | null; // of the air-relative velocity
+  wind_north_mps: number | null; // estimated, horizontal
+  wind_east_mps: number | null; // estimated, horizontal
+  position_sd_m: number | null; // per horizontal axis
+  roll_deg: number | null; // right wing down positive
+  pitch_deg: number | null; // nose up positive
+  limits_airspeed_mps: number | null; // cruise
+  limits_turn_radius_m: number | null; // smallest, at cruise
+  limits_climb_rate_mps: number | null; // largest
+  limits_slowest_mps: number | null; // level flight; 0: it hovers
+  limits_fastest_mps: number | null; // level flight
+  limits_sink_rate_mps: number | null; // largest
+  limits_least_density_kg_m3: number | null; // of air that carries it; 0: any
+  task_number: number; // that it works on; 0: none yet
+  task_done: boolean; // that task is done
+  obeys: boolean; // no pilot and no failsafe flies
+  zone_changes: number; // it knows all changes up to this number
+}
+
+/** Circle a point until another order comes. */
+export interface Loiter {
+  north_m: number | null; // the point
+  east_m: number | null; // the point
+}
+
+/** Fly to a point and through it. */
+export interface FlyTo {
+  north_m: number | null; // the point
+  east_m: number | null; // the point
+}
+
+/** Follow the real edge of the fire with the in/out sensor. */
+export interface FollowEdge {
+  clockwise: boolean; // around the fire, on the map
+  north_m: number | null; // where to look for the edge first
+  east_m: number | null; // where to look for the edge first
+  tangent_north: number | null; // believed direction of the edge there; 0: not known
+  tangent_east: number | null; // believed direction of the edge there; 0: not known
+  angle_deg: number | null; // between course and edge; 0: the agent's own
+}
+
+/** Follow a line of points, once. */
+export interface FollowLine {
+  points: [number, number][]; // of the line
+}
+
+/** Fly a fixed course. */
+export interface FlyCourse {
+  course_deg: number | null; // over ground
+}
+
+/** Fly through points, round and round. */
+export interface FlyRoute {
+  points: [number, number][]; // of the route
+  laps: number; // times round
+  tell: number[]; // who gets the own position directly, each second
+}
+
+/** Stay at a place that moves with another aircraft. */
+export interface FollowLeader {
+  leader_id: number; // whom to follow
+  forward_m: number | null; // ahead of the leader and to its right
+  right_m: number | null; // ahead of the leader and to its right
+}
+
+/** One order for one aircraft. */
+export interface Task {
+  task_number: number; // the newest counts
+  kind: string; // what to do: fields of ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader)
+}
+
+/** The sender is there, nothing more. */
+export interface Heartbeat {
+}
+
+/** Where an aircraft of the team is. */
+export interface TeamPosition {
+  entity_id: number; // which aircraft
+  time_s: number; // that it is of
+  north_m: number | null; // position
+  east_m: number | null; // position
+  altitude_msl_m: number | null; // position
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  heading_deg: number | null; // of the air-relative velocity
+  wind_north_mps: number | null; // estimated, horizontal
+  wind_east_mps: number | null; // estimated, horizontal
+  position_sd_m: number | null; // per horizontal axis
+  roll_deg: number | null; // right wing down positive
+  pitch_deg: number | null; // nose up positive
+}
+
+/** A circle and what is inside. */
+export interface Disc {
+  centre_north_m: number | null; // its middle
+  centre_east_m: number | null; // its middle
+  radius_m: number | null; // its radius
+}
+
+/** A no-fly zone that is put into force or taken back. */
+export interface ZoneChange {
+  number: number; // of the ground station's changes; 0: known to all from the start
+  in_force: boolean; // else it is taken back, and only its name counts
+  name: string; // for people
+  area: { kind: "ring"; points: [number, number][] } | ({ kind: "disc" } & Disc); // a ring of corners or a disc
+  floor_msl_m: number | null; // lowest altitude; null: no limit
+  ceiling_msl_m: number | null; // highest altitude; null: no limit
+  from_s: number | null; // forbidden since; null: always
+  until_s: number | null; // forbidden until; null: for ever
+}
+
+/** A plugin's own value. */
+export interface Plugin {
+  plugin_kind: string; // what it is
+  coded: number[]; // its bytes
+}
+
+/** A message that arrived or was lost. */
+export interface MessageRecord {
+  from_id: number; // who sent it
+  to_id: number; // for whom
+  number: number; // counts the sender's messages
+  sent_s: number; // when it was sent
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin); // what it says
+  arrived_s: number; // when it arrived, or was lost
+  size_bytes: number; // as coded on the air
+  lost: boolean; // it never arrived
+}
+
+/** One point of a believed boundary. */
+export interface BoundaryPoint {
+  north_m: number | null; // where
+  east_m: number | null; // where
+  normal_north: number | null; // outward unit normal
+  normal_east: number | null; // outward unit normal
+  sigma_m: number | null; // standard deviation along the normal
+  sigma_growth_mps: number | null; // of sigma while nothing is observed
+  rate_mps: number | null; // believed speed along the normal
+  major_axis_north_m: number | null; // major semi-axis of the 1-sigma ellipse; 0 where it is not known
+  major_axis_east_m: number | null; // major semi-axis of the 1-sigma ellipse; 0 where it is not known
+}
+
+/** A true boundary and what is believed about it. */
+export interface Perimeter {
+  time_s: number; // when
+  believer_id: number; // whose belief
+  truth: [number, number][][]; // rings of the burnt area
+  belief_time_s: number; // that it is of
+  belief_rings: BoundaryPoint[][]; // closed; outer ones run clockwise on the map
+}
+
+/** Something worth telling. */
+export interface Event {
+  time_s: number; // when
+  entity_id: number; // to whom it happened
+  kind: string; // short and stable, for scripts
+  text: string; // for people
+}
+
+/** A no-fly zone put into force or taken back. */
+export interface ZoneRecord {
+  time_s: number; // when
+  number: number; // of the ground station's changes; 0: known to all from the start
+  in_force: boolean; // else it is taken back, and only its name counts
+  name: string; // for people
+  area: { kind: "ring"; points: [number, number][] } | ({ kind: "disc" } & Disc); // a ring of corners or a disc
+  floor_msl_m: number | null; // lowest altitude; null: no limit
+  ceiling_msl_m: number | null; // highest altitude; null: no limit
+  from_s: number | null; // forbidden since; null: always
+  until_s: number | null; // forbidden until; null: for ever
+}
+
+/** A thing on the ground (environment.objects); it moves evenly. */
+export interface GroundObject {
+  object_id: number; // which
+  name: string; // as the scenario has it
+  north_m: number | null; // at time 0
+  east_m: number | null; // at time 0
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+}
+
+/** An object found in one picture of a camera. */
+export interface Detection {
+  time_s: number; // of the picture
+  entity_id: number; // whose camera
+  sensor: number; // which of its payload sensors
+  object_id: number; // what was found
+  north_m: number | null; // where the aircraft believes it
+  east_m: number | null; // where the aircraft believes it
+  position_sd_m: number | null; // per axis: of the aircraft's own position and of the picture together
+}
+
+/** One picture: the ground in it. */
+export interface Footprint {
+  time_s: number; // of the picture
+  entity_id: number; // whose camera
+  sensor: number; // which of its payload sensors
+  corner_1_north_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+  corner_1_east_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+  corner_2_north_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+  corner_2_east_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+  corner_3_north_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+  corner_3_east_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+  corner_4_north_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+  corner_4_east_m: number | null; // front left, front right, back right, back left, as the aircraft believes them
+}
+
+/** Distance along one beam. */
+export interface Range {
+  time_s: number; // when it was measured
+  forward: number | null; // unit vector of the beam in the body
+  right: number | null; // unit vector of the beam in the body
+  down: number | null; // unit vector of the beam in the body
+  range_m: number | null; // 0: nothing within reach
+}
+
+/** One scan of a LiDAR, or one sample of a rangefinder. */
+export interface RangeScan {
+  time_s: number; // when it was measured
+  entity_id: number; // whose sensor
+  sensor: number; // which of its payload sensors
+  beams: Range[]; // of the scan, in its order
+}
+
+/** One aircraft shall do this until the mission resumes. */
+export interface TaskCommand {
+  aircraft: string; // who
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader); // what to do
+}
+
+/** The mission stops giving orders, or goes on. */
+export interface Mission {
+  paused: boolean; // it stops, and its aircraft circle
+}
+
+/** Simulated time stands still, or goes on. */
+export interface Pause {
+  paused: boolean; // it stands still
+}
+
+/** A paused run makes some steps. */
+export interface Step {
+  steps: number; // of the run
+}
+
+/** How fast simulated time goes. */
+export interface Speed {
+  factor: number | null; // simulated over wall time; 0: as fast as possible
+}
+
+/** A part of an aircraft fails, or works again. */
+export interface Fault {
+  aircraft: string; // whose part
+  part: string; // as in the events of failures
+  fails: boolean; // else it works again
+}
+
+/** The true mean wind changes everywhere. */
+export interface Wind {
+  wind_north_mps: number | null; // on top of the scenario's
+  wind_east_mps: number | null; // on top of the scenario's
+}
+
+/** An aircraft of the scenario joins now. */
+export interface Add {
+  aircraft: string; // who
+}
+
+/** An aircraft takes no further part. */
+export interface Remove {
+  aircraft: string; // who
+}
+
+/** A command that somebody gave. */
+export interface CommandRecord {
+  time_s: number; // it counts from this step on
+  sender: string; // who gave it
+  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove)
+}
+
+/** A value that a plugin has recorded. */
+export interface PluginRecord {
+  time_s: number; // when
+  plugin_kind: string; // what it is
+  coded: number[]; // its bytes
+}
