@@ -85,8 +85,9 @@ PlanningBudget budget_of(const PlanPathArguments& arguments,
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const double limit = arguments.time_limit.value_or(1e9);
-  budget.stop = [begin, limit, &stop] {
-    return stop || std::chrono::duration<double>(Clock::now() - begin).count() > limit;
+  budget.stop = [&stop] { return stop.load(); };
+  budget.enough = [begin, limit] {
+    return std::chrono::duration<double>(Clock::now() - begin).count() > limit;
   };
   return budget;
 }

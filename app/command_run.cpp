@@ -57,8 +57,11 @@ std::string quoted(const std::string& text) {
 Result<record::RunSummary> close(record::RunRecorder& recorder, bool interrupted) {
   try {
     return recorder.close(interrupted);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kUnavailable, "", "not enough memory.",
+                 "The records end early."};
   } catch (const std::exception& fault) {
-    return Error{ErrorCode::kUnavailable, "", fault.what(), "The records end early."};
+    return internal_error(fault.what());
   }
 }
 
@@ -189,7 +192,7 @@ int finish(const RunArguments& arguments, const fs::path& folder,
     std::string text;
     if (auto read = read_text(folder / "summary.json", text); !read)
       return say_error(read.error());
-    print("{}\n", text);
+    put_out(text + "\n");
   } else {
     print("{}{}\n", summary.name, interrupted ? " (interrupted)" : "");
     print_table(summary);

@@ -1,6 +1,7 @@
 // Commands about scenario files, aircraft files and kinds: check, list, schema, keys.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/commands.h"
@@ -28,7 +29,7 @@ int check_command(const std::string& file, const std::vector<std::string>& overr
   if (!built) return say_error(built.error());
   for (const std::string& warning : built.value().warnings) log_warning("{}", warning);
   if (filled_in)
-    print("{}", scenario::write_scenario(*scenario, kinds->table()));
+    put_out(scenario::write_scenario(*scenario, kinds->table()));
   else
     print("{}: good.\n", file);
   return kDone;
@@ -36,15 +37,30 @@ int check_command(const std::string& file, const std::vector<std::string>& overr
 
 namespace {
 
+struct Listed {
+  std::string name, help;
+};
+
+// Names in a column as wide as the longest, at least kColumn, then what they are.
+void print_list(const std::string& title, const std::vector<Listed>& all) {
+  constexpr std::size_t kColumn = 12;
+  std::size_t column = kColumn;
+  for (const Listed& each : all) column = std::max(column, each.name.size());
+  print("{}:\n", title);
+  for (const Listed& each : all) print("  {:<{}}  {}\n", each.name, column, each.help);
+}
+
 // The aircraft that are part of the program.
 void list_aircraft() {
-  print("aircraft:\n");
+  std::vector<Listed> all;
   for (const assemble::BuiltInAircraft& each : assemble::built_in_aircraft()) {
     const auto file = assemble::read_aircraft(each.text, std::string(each.name));
     SKEIN_CHECK(file.ok(), each.name, file.error().text());
-    print("  {:<17}{} [{}]\n", each.name, file.value().description,
-          file.value().plants());
+    all.push_back(
+        {std::string(each.name),
+         fmt::format("{} [{}]", file.value().description, file.value().plants())});
   }
+  print_list("aircraft", all);
 }
 
 // Where a kind comes from, if it is not part of the program.
@@ -68,9 +84,11 @@ int list_command(const std::string& role, const std::vector<std::string>& plugin
   for (const std::string& each : table.roles()) {
     if (!role.empty() && role != each) continue;
     any = true;
-    print("{}:\n", each);
+    std::vector<Listed> kinds_of_role;
     for (const scenario::Kind& kind : table.of(each))
-      print("  {:<16} {}{}\n", kind.name, kind.help, origin_of(*kinds, each, kind.name));
+      kinds_of_role.push_back(
+          {kind.name, kind.help + origin_of(*kinds, each, kind.name)});
+    print_list(each, kinds_of_role);
   }
   if (role.empty()) list_aircraft();
   if (any) return kDone;
@@ -103,8 +121,9 @@ int schema_command(const std::string& document, const std::vector<std::string>& 
   const auto kinds = load_kinds(plugins);
   if (!kinds) return kBadUsage;
   const bool aircraft = document == "aircraft";
-  print("{}\n", aircraft ? scenario::schema_text(assemble::aircraft_document(), {})
-                         : scenario::json_schema(kinds->table()));
+  put_out(aircraft ? scenario::schema_text(assemble::aircraft_document(), {})
+                   : scenario::json_schema(kinds->table()));
+  put_out("\n");
   return kDone;
 }
 
@@ -116,8 +135,8 @@ int keys_command(const std::string& document, const std::vector<std::string>& pl
   const auto kinds = load_kinds(plugins);
   if (!kinds) return kBadUsage;
   const bool aircraft = document == "aircraft";
-  print("{}", aircraft ? scenario::keys_as_markdown(assemble::aircraft_document(), {})
-                       : scenario::markdown_keys(kinds->table()));
+  put_out(aircraft ? scenario::keys_as_markdown(assemble::aircraft_document(), {})
+                   : scenario::markdown_keys(kinds->table()));
   return kDone;
 }
 

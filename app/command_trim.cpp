@@ -195,7 +195,7 @@ int trim_command(const TrimArguments& arguments) {
       all.push_back(to_json(model, request, asset::find_trim(model, request)));
       all.back()["modes"] = to_json(modes_at(model, request));
     }
-    print("{}\n", all.dump(2));
+    put_out(all.dump(2) + "\n");
   } else {
     print_table(model, requests);
     if (arguments.airspeed) print_modes(modes_at(model, requests.front()));

@@ -34,7 +34,7 @@ complete -o filenames -F _skein skein
 
 int completion_command(const std::string& shell) {
   if (shell == "zsh") print("autoload -U +X bashcompinit && bashcompinit\n");
-  print("{}", kBash);
+  put_out(kBash);
   return kDone;
 }
 

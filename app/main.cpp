@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include "app/commands.h"
@@ -12,8 +13,8 @@
 #include "app/output.h"
 #include "app/plan_options.h"
 #include "app/version.h"
-#include "skein/base/check.h"
 #include "skein/base/log.h"
+#include "skein/base/result.h"
 
 namespace {
 
@@ -299,7 +300,10 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int status = app.exit(error);
+    std::ostringstream out, err;
+    const int status = app.exit(error, out, err);
+    put_out(out.str());
+    put_err(err.str());
     return status == 0 ? kDone : kBadUsage;
   }
 
@@ -330,8 +334,6 @@ int run_guarded(int argc, char** argv) {
   using namespace skein::app;
   try {
     return run_program(argc, argv);
-  } catch (const skein::Bug& bug) {
-    complain("This is a fault in Skein, please report it:\n{}\n", bug.what());
   } catch (const std::bad_alloc&) {
     put_err(
         "error: not enough memory. Use a coarser grid or fewer members, or run fewer "
@@ -339,7 +341,7 @@ int run_guarded(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& fault) {
     complain("error: {}: {}.\n", fault.path1().string(), fault.code().message());
   } catch (const std::exception& fault) {
-    complain("error: {}\n", fault.what());
+    complain("error: {}\n", skein::internal_error(fault.what()).text());
   }
   return kFailed;
 }

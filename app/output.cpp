@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 #include "app/commands.h"
 
@@ -36,7 +37,8 @@ bool put_out_now(std::string_view text) {
 }
 
 void put_err(std::string_view text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  const std::string safe = shown(text);
+  std::fwrite(safe.data(), 1, safe.size(), stderr);
 }
 
 int finish_output(int status) {

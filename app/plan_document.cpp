@@ -53,8 +53,8 @@ int say_no_plan(const std::string& outcome, const std::string& reason,
                 int status) {
   complain("no plan ({}): {}\n", outcome, reason);
   if (output.json)
-    print("{}\n",
-          about.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    put_out(about.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+            "\n");
   return status;
 }
 

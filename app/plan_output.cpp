@@ -151,7 +151,7 @@ int put_plan(const exchange::Document& document, const Json& about,
   all["plans"] = Json::array();
   for (const exchange::NamedPlan& plan : document.plans)
     all["plans"].push_back(plan_json(plan));
-  print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
+  put_out(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return kDone;
 }
 

@@ -91,7 +91,7 @@ CLI::App* add_path(CLI::App& plan, PlanPathArguments& given) {
   command
       .add_option_function<double>(
           "--time-limit-ms", [&given](double ms) { given.time_limit = ms / 1000; },
-          "End with the best path after so long.")
+          "End with the best path after so long; the first one is always looked for.")
       ->check(number_in(0.0, 1e9));
   command
       .add_option("--states", given.states,

@@ -83,7 +83,7 @@ void plan_scene(benchmark::State& state) {
   for (auto _ : state) {
     const auto begin = std::chrono::steady_clock::now();
     if (limit > 0)
-      scene.query.budget.stop = [&] {
+      scene.query.budget.enough = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
                    .count() > limit;
       };
@@ -101,6 +101,49 @@ BENCHMARK(plan_scene)
     ->Name("plan_scene_by_manoeuvres")
     ->ArgNames({"scene", "wind", "ms", "ways"})
     ->ArgsProduct({{0, 1, 2}, {0}, {0, 50, 500}, {0}})
+    ->Unit(benchmark::kMillisecond);
+
+// Walls across the way, each with one gap; drawn.
+Scene walls_of(std::int64_t count, double gap, std::uint64_t seed) {
+  RandomStream draw(seed, 0, Purpose::kTest);
+  Scene scene;
+  constexpr double kApart = 300, kThick = 10, kAcross = 800;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double north = kApart * static_cast<double>(i + 1);
+    const double middle = draw.uniform(-300, 300);
+    const auto wall = [&](double west, double east) {
+      scene.airspace.zones.push_back({geo::Ring{
+          {north, west}, {north + kThick, west}, {north + kThick, east}, {north, east}}});
+    };
+    wall(-kAcross, middle - gap / 2);
+    wall(middle + gap / 2, kAcross);
+  }
+  const double length = kApart * static_cast<double>(count + 1);
+  scene.query.start = {Vec3(0, 0, -100), 0};
+  scene.query.goal = {Vec3(length, 0, -100), 0};
+  scene.query.limits.airspeed = 20;
+  scene.query.limits.turn_radius = 60;
+  scene.query.least = Vec2(-500, -kAcross);
+  scene.query.most = Vec2(length + 500, kAcross);
+  return scene;
+}
+
+// The first path through walls; gap in metres, seed, wind.
+void first_path_through_walls(benchmark::State& state) {
+  Scene scene = walls_of(5, static_cast<double>(state.range(0)),
+                         static_cast<std::uint64_t>(state.range(1)));
+  scene.query.airspace = &scene.airspace;
+  scene.query.wind = kWinds[state.range(2)];
+  scene.query.budget.first = true;
+  scene.query.budget.states = 1'000'000;
+  PlannedPath path;
+  for (auto _ : state) path = AaStar().plan(scene.query);
+  report(state, scene, path);
+  state.SetLabel(std::string(name_of(path.outcome)));
+}
+BENCHMARK(first_path_through_walls)
+    ->ArgNames({"gap", "seed", "wind"})
+    ->ArgsProduct({{12, 40}, {1, 2, 3}, {0, 1, 2}})
     ->Unit(benchmark::kMillisecond);
 
 // A zone of 70 m appears on the path; its place goes from early to late.

@@ -1,6 +1,6 @@
 // Bundles a page's folder (main.ts and the style sheet it imports) and writes script and
 // style as C++ text, functions page_script() and page_style() of skein::NAMESPACE that the
-// header NAMESPACE/page_assets.h declares: build.mjs FOLDER NAMESPACE OUTPUT.cpp
+// header skein/NAMESPACE/page_assets.h declares: build.mjs FOLDER NAMESPACE OUTPUT.cpp
 import { writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";

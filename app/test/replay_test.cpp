@@ -19,15 +19,15 @@ constexpr const char* kEventful =
     "fire]}\n"
     "  - {name: point, count: 2}\n"
     "commands:\n"
-    "  - {at_s: 20, do: task point-1 fly_to 300.125,-200.375}\n"
-    "  - {at_s: 35, do: task wing-1 course 33.3}\n"
-    "  - {at_s: 40, do: wind 2.5 133.7}\n"
-    "  - {at_s: 50, do: fault point-2 link}\n"
-    "  - {at_s: 60, do: repair point-2 link}\n"
-    "  - {at_s: 80, do: mission pause}\n"
-    "  - {at_s: 90, do: mission resume}\n"
-    "  - {at_s: 100, do: remove point-2}\n"
-    "  - {at_s: 120, do: add point-2}\n";
+    "  - {at_s: 20, do: 'task point-1 fly_to 300.125,-200.375'}\n"
+    "  - {at_s: 35, do: 'task wing-1 course 33.3'}\n"
+    "  - {at_s: 40, do: 'wind 2.5 133.7'}\n"
+    "  - {at_s: 50, do: 'fault point-2 link'}\n"
+    "  - {at_s: 60, do: 'repair point-2 link'}\n"
+    "  - {at_s: 80, do: 'mission pause'}\n"
+    "  - {at_s: 90, do: 'mission resume'}\n"
+    "  - {at_s: 100, do: 'remove point-2'}\n"
+    "  - {at_s: 120, do: 'add point-2'}\n";
 
 TEST_F(Program, ARunIsDoneAgainWithItsCommandsAndEndsWithTheSameHash) {
   const auto scenario = write("eventful.yaml", kEventful);

@@ -93,15 +93,56 @@ TEST_F(Program, AnswersForMissingHugeAndBinaryScenarios) {
   EXPECT_EQ(run({"check", write("binary.yaml", binary).string()}).status, 2);
 }
 
-TEST_F(Program, RunsNothingAtAllCleanly) {
-  const Finished zero =
-      run({"run", write("z.yaml", "duration_s: 0").string(), "--report"});
-  EXPECT_EQ(zero.status, 0) << zero.err;
-  const Finished nobody =
-      run({"run", write("n.yaml", "duration_s: 20\naircraft: []").string(), "--out", "n",
-           "--report"});
+TEST_F(Program, SaysThatARunHasNoTimeOrNoAircraft) {
+  const auto timeless = write("z.yaml", "duration_s: 0").string();
+  for (const char* command : {"check", "run"}) {
+    const Finished zero = run({command, timeless});
+    EXPECT_EQ(zero.status, 2);
+    EXPECT_NE(zero.err.find("duration_s: 0 must be above 0"), std::string::npos)
+        << zero.err;
+  }
+  const auto empty = write("n.yaml", "duration_s: 20\naircraft: []").string();
+  const Finished checked = run({"check", empty});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_NE(checked.err.find("no aircraft: "), std::string::npos) << checked.err;
+  const Finished nobody = run({"run", empty, "--out", "n", "--report"});
   EXPECT_EQ(nobody.status, 0) << nobody.err;
+  EXPECT_NE(nobody.err.find("no aircraft: "), std::string::npos) << nobody.err;
   EXPECT_TRUE(fs::exists(folder_ / "n" / "report.html"));
+}
+
+TEST_F(Program, ShowsControlCharactersOfFilesByTheirNumbers) {
+  const std::string name = "n\u202eo\u009b31m\u0085w";
+  const auto file = write("c\x1b[31m.yaml", "name: " + name + "\n" + name + ": 1\n");
+  const Finished refused = run({"check", file.string()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("c\\x1b[31m.yaml:2:1"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("\\u202e"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("\\u009b31m\\u0085w"), std::string::npos) << refused.err;
+  const auto fine = write("f.yaml", "duration_s: 1\nname: " + name);
+  const Finished done = run({"run", fine.string(), "--out", "r", "--log", "info"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  const Finished argument = run({"check", "--\x1b[31m"});
+  EXPECT_EQ(argument.status, 2);
+  for (const std::string& text :
+       {refused.err, done.out, done.err, argument.err, argument.out})
+    for (const char* steers : {"\x1b", "\u202e", "\u009b", "\u0085"})
+      EXPECT_EQ(text.find(steers), std::string::npos) << text;
+  // What other programs read stays as it is.
+  const Finished printed = run({"check", fine.string(), "--print"});
+  EXPECT_NE(printed.out.find("n\u202eo\u009b31m"), std::string::npos) << printed.out;
+}
+
+TEST_F(Program, ListsNamesInAColumnOfTheirOwn) {
+  const Finished list = run({"list"});
+  EXPECT_EQ(list.status, 0);
+  std::istringstream lines(list.out);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with(":") && line[0] != ' ') continue;
+    const std::size_t end = line.find("  ", 2);
+    ASSERT_NE(end, std::string::npos) << line;
+    EXPECT_EQ(line.find(' ', 2), end) << "the name runs into its help: " << line;
+  }
 }
 
 TEST_F(Program, RefusesAnAircraftInsideTerrain) {

@@ -132,7 +132,7 @@ export class Scene {
     };
     for (const track of this.tracks) add(track.north, track.east);
     add(this.detections.north, this.detections.east);
-    for (const { north_m, east_m } of this.objects) add(Float32Array.of(north_m), Float32Array.of(east_m));
+    for (const { north_m, east_m } of this.objects) add(Float32Array.of(north_m ?? 0), Float32Array.of(east_m ?? 0));
     for (const rings of [this.truth(this.duration), this.belief(this.duration), this.truth(0)])
       for (const ring of rings) add(ring.north, ring.east);
     if (!(n0 <= n1)) return { low: [-500, -500], high: [500, 500] };

@@ -36,8 +36,9 @@ Fields<reasoning::MonitorAgentOptions> scout_fields() {
   return Fields<T>()
       .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
                   {.above = 0})
-      .angle_deg("edge_angle_deg", [](T & t) -> auto& { return t.edge.angle; },
-                 "Following the edge: between course and edge, to cross it again.",
+      .angle_deg("edge_angle_deg", &T::edge_angle,
+                 "Following the edge: between course and edge, to cross it again, "
+                 "whatever the strategy orders. Null: as it orders.",
                  {.above = 0, .at_most = 90})
       .number(
           "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },

@@ -79,6 +79,10 @@ class Builder {
     build_.warnings = sampling_warnings(scenario_, kinds_.table());
     for (std::string& doubt : scenario::zone_doubts(scenario_.environment))
       build_.warnings.push_back(std::move(doubt));
+    if (team().empty())
+      build_.warnings.emplace_back(
+          "no aircraft: nothing is flown, and nobody watches the fire. Give aircraft a "
+          "group with a count above 0.");
     build_.world.zones = zones_;
     environment();
     note(station());

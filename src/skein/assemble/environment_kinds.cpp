@@ -68,7 +68,8 @@ Fields<CanyonTerrainOptions> canyon_fields() {
 Fields<RasterTerrainOptions> raster_fields() {
   using T = RasterTerrainOptions;
   return Fields<T>()
-      .file("file", &T::file, "Any raster that GDAL reads, elevations in metres.")
+      .file("file", &T::file,
+            "A raster, elevations in metres; docs/environment.md has the formats.")
       .required()
       .integer("band", &T::band, "Band, when no name is given.",
                {.at_least = 1, .at_most = 10000})
@@ -100,7 +101,7 @@ Fields<SeriesWindOptions> series_fields() {
 Fields<GriddedWindOptions> gridded_fields() {
   using T = GriddedWindOptions;
   return Fields<T>()
-      .file("file", &T::file, "Any raster that GDAL reads.")
+      .file("file", &T::file, "A raster; docs/environment.md has the formats.")
       .required()
       .file("second_file", &T::second_file,
             "Of the second quantity; empty: the same file.", {.may_be_empty = true})
@@ -126,20 +127,23 @@ Fields<GriddedWindOptions> gridded_fields() {
       .boolean("extend", &T::extend, "Beyond the data the nearest values go on.");
 }
 
-std::vector<RuleFault> thesis_faults(const ThesisFireOptions& o) {
+std::vector<RuleFault> thesis_faults(const ThesisFireOptions& o,
+                                     const scenario::SoundValues& sound) {
   std::vector<RuleFault> faults;
-  if (o.displacement_harmonics > 0 && !(o.displacement < o.start_radius))
+  if (sound("displacement_m", "displacement_harmonics", "start_radius_m") &&
+      o.displacement_harmonics > 0 && !(o.displacement < o.start_radius))
     faults.push_back({"displacement_m",
                       fmt::format("{:.6g} must be below start_radius_m, {:.6g}.",
                                   o.displacement, o.start_radius),
                       {"start_radius_m", "displacement_harmonics"}});
+  if (!sound("rate_mps", "rate_error_mps")) return faults;
   if (o.rate_error > o.rate)
     faults.push_back(
         {"rate_error_mps",
          fmt::format("{:.6g} must be at most rate_mps, {:.6g}.", o.rate_error, o.rate),
          {"rate_mps"}});
   const double least = o.rate - o.rate_error;
-  if (least >= 0 && o.wind.norm() > 0 && o.wind.norm() >= least)
+  if (sound("wind_mps") && least >= 0 && o.wind.norm() > 0 && o.wind.norm() >= least)
     faults.push_back(
         {"wind_mps",
          fmt::format(
@@ -183,7 +187,7 @@ Fields<ThesisFireOptions> thesis_fields() {
       .duration_s("step_s", &T::step, "Longest step of the integration.",
                   {.at_least = 0.01, .at_most = 60})
       .boolean("respace", &T::respace, "Add points where they have drawn apart.")
-      .rules(thesis_faults);
+      .rules_of_sound(thesis_faults);
 }
 
 /// A front-tracked fire and the fuel that it burns.
@@ -213,17 +217,21 @@ Fields<PatchyFuelOptions> fuel_fields() {
               {.at_least = 0, .at_most = 0.5});
 }
 
-std::vector<RuleFault> front_faults(const FrontFireKind& o) {
+std::vector<RuleFault> front_faults(const FrontFireKind& o,
+                                    const scenario::SoundValues& sound) {
   std::vector<RuleFault> faults;
+  if (!sound("marker_spacing_m")) return faults;
   // Below that the markers of a circle would fall together.
   const double least = 0.1 * o.fire.front.spacing;
-  for (std::size_t i = 0; i < o.fire.ignitions.size(); ++i)
-    if (!(o.fire.ignitions[i].radius >= least))
-      faults.push_back({fmt::format("ignitions[{}].radius_m", i),
+  for (std::size_t i = 0; i < o.fire.ignitions.size(); ++i) {
+    const std::string key = fmt::format("ignitions[{}].radius_m", i);
+    if (sound(key) && !(o.fire.ignitions[i].radius >= least))
+      faults.push_back({key,
                         fmt::format("{:.6g} must be at least a tenth of "
                                     "marker_spacing_m, {:.6g}.",
                                     o.fire.ignitions[i].radius, least),
                         {"marker_spacing_m"}});
+  }
   return faults;
 }
 
@@ -262,15 +270,15 @@ Fields<FrontFireKind> front_fields() {
       .object(
           "fuel", [](T & t) -> auto& { return t.fuel; }, fuel_fields(),
           "Smooth random patches of fuel.")
-      .rules(front_faults);
+      .rules_of_sound(front_faults);
 }
 
 Fields<RecordedFireOptions> recorded_fields() {
   using T = RecordedFireOptions;
   return Fields<T>()
       .file("source", &T::path,
-            "Dated perimeters (a table of files, or one file with times; any vector "
-            "format that GDAL reads) or an arrival-time raster.")
+            "Dated perimeters (a table of files, or one file with times) or an "
+            "arrival-time raster.")
       .required()
       .word("holds", &T::kind, "What the source holds.",
             {{"auto", RecordedKind::kAuto, "a raster is arrival times, else perimeters"},

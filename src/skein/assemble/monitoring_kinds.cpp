@@ -23,6 +23,19 @@ constexpr scenario::Range kProbability{.at_least = 0, .below = 0.5};
 
 constexpr scenario::IntegerRange kControlPoints{.at_least = 8, .at_most = 5000};
 
+// All particles have four numbers; this many take 160 MB.
+std::vector<scenario::RuleFault> particle_faults(const PointwiseOptions& o,
+                                                 const scenario::SoundValues& sound) {
+  constexpr std::int64_t kMaxParticles = 5'000'000;
+  if (!sound("particles", "control_points")) return {};
+  if (std::int64_t{o.particles} * o.control_points <= kMaxParticles) return {};
+  return {{"particles",
+           fmt::format("{} for each of {} points are too much memory; at most {} are "
+                       "allowed for so many points.",
+                       o.particles, o.control_points, kMaxParticles / o.control_points),
+           {"control_points"}}};
+}
+
 // Each kind has the keys that it uses.
 Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
   using T = PointwiseOptions;
@@ -53,7 +66,8 @@ Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
         .integer("particles", &T::particles, "Samples per point.",
                  {.at_least = 20, .at_most = 100000})
         .number("false_rate", &T::false_rate, "Probability that a reading is false.",
-                kProbability);
+                kProbability)
+        .rules_of_sound(particle_faults);
   return fields;
 }
 
@@ -62,10 +76,11 @@ Fields<JointOptions> joint_fields() {
   return Fields<T>()
       .integer("control_points", &T::control_points,
                "Points of the believed perimeter, at equal bearings.", kControlPoints)
-      .number("spacing_m", &T::spacing,
-              "Above 0: points at equal arc length of at most this, instead of "
-              "control_points at equal bearings.",
-              kNotNegative)
+      .number(
+          "spacing_m", &T::spacing,
+          "Above 0: points at equal arc length of at most this (5000 points at most), "
+          "instead of control_points at equal bearings.",
+          kNotNegative)
       .integer("knots", &T::knots, "Unknowns of the radius, and as many of the rate.",
                {.at_least = 8, .at_most = 720})
       .number("false_rate", &T::false_rate, "Probability that a reading is wrong.",
@@ -80,6 +95,19 @@ Fields<JointOptions> joint_fields() {
       .duration_s("growth_horizon_s", &T::growth_horizon,
                   "Time over which the growth of the uncertainty is averaged.",
                   {.above = 0});
+}
+
+// Every member has a number at every node; this many take 160 MB.
+std::vector<scenario::RuleFault> ensemble_faults(const EnsembleOptions& o,
+                                                 const scenario::SoundValues& sound) {
+  constexpr std::int64_t kMaxNumbers = 40'000'000;
+  if (!sound("members", "max_nodes")) return {};
+  if (std::int64_t{o.members} * o.max_nodes <= kMaxNumbers) return {};
+  return {{"max_nodes",
+           fmt::format("{} nodes of {} members are too much memory; at most {} nodes are "
+                       "allowed for so many members.",
+                       o.max_nodes, o.members, kMaxNumbers / o.members),
+           {"members"}}};
 }
 
 Fields<EnsembleOptions> ensemble_fields() {
@@ -109,7 +137,8 @@ Fields<EnsembleOptions> ensemble_fields() {
               "A reading this near to the last one used, of the same aircraft and side, "
               "is the same one.",
               kNotNegative)
-      .duration_s("repeat_time_s", &T::repeat_time, "The same in time.");
+      .duration_s("repeat_time_s", &T::repeat_time, "The same in time.")
+      .rules_of_sound(ensemble_faults);
 }
 
 Fields<GusOptions> gus_fields() {

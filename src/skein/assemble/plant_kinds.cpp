@@ -95,9 +95,10 @@ Fields<asset::KinematicOptions> kinematic_fields() {
               {.at_least = 0, .at_most = 1e6})
       .number("glide_sink_mps", &T::glide_sink, "Sink rate on an empty battery.",
               {.above = 0, .at_most = 100})
-      .rules([](const T& o) {
+      .rules_of_sound([](const T& o, const scenario::SoundValues& sound) {
         std::vector<scenario::RuleFault> faults;
-        if (o.climb_rate >= o.slowest())
+        if (sound("climb_rate_mps", "airspeed_mps", "airspeed_range") &&
+            o.climb_rate >= o.slowest())
           faults.push_back(
               {"climb_rate_mps",
                fmt::format("{:.6g} must be below the slowest airspeed, {:.6g} "

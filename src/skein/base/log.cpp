@@ -5,6 +5,8 @@
 
 #include <memory>
 
+#include "skein/base/shown_text.h"
+
 namespace skein {
 namespace {
 
@@ -44,7 +46,7 @@ bool logs(LogLevel level) {
 }
 
 void log_line(LogLevel level, std::string_view text) {
-  logger().log(to_spdlog(level), text);
+  logger().log(to_spdlog(level), shown(text));
 }
 
 }  // namespace skein

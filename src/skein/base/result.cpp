@@ -13,4 +13,9 @@ std::string Error::text() const {
   return text + (lower ? "; " : ". ") + hint;
 }
 
+Error internal_error(const std::string& what) {
+  return {ErrorCode::kInternal, "internal error", what,
+          "This is a fault in Skein, please report it."};
+}
+
 }  // namespace skein

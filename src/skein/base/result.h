@@ -8,15 +8,16 @@
 
 namespace skein {
 
-/// What kind of outside fault an Error reports.
+/// What kind of fault an Error reports.
 enum class ErrorCode {
   kBadInput,     ///< the content of a file, argument or message is wrong
   kNotFound,     ///< a file or name does not exist
   kUnavailable,  ///< the world failed: disk full, unwritable folder, socket closed
   kInterrupted,  ///< somebody asked to stop
+  kInternal,     ///< Skein's own code is at fault: see internal_error()
 };
 
-/// A fault of input or of the outside world, in words for the user.
+/// What prevented a result, in words for the user.
 struct Error {
   ErrorCode code = ErrorCode::kBadInput;
   std::string place;    ///< file, `file:line:column` or key; may be empty
@@ -27,6 +28,11 @@ struct Error {
   /// parted from the hint.
   std::string text() const;
 };
+
+/// The error of whoever caught an exception that nothing outside Skein explains (a Bug,
+/// an index out of range): it says "internal error" and asks for a report. `what` is the
+/// exception's text.
+Error internal_error(const std::string& what);
 
 /// A value or the Error that prevented it.
 template <class T>

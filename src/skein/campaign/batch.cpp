@@ -75,7 +75,7 @@ BatchOutcome run_one(const BatchItem& item, const RunScenario& run) {
   } catch (const std::bad_alloc&) {
     outcome.error = "not enough memory.";
   } catch (const std::exception& fault) {
-    outcome.error = fault.what();  // this run is lost, the batch goes on
+    outcome.error = internal_error(fault.what()).text();  // the batch goes on
   }
   return outcome;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "skein/base/math.h"
+#include "skein/base/shown_text.h"
 #include "skein/geo/vec.h"
 
 namespace skein::exchange {
@@ -13,32 +14,12 @@ namespace {
 
 constexpr double kDay = 86400, kInDays = 100 * 3600.0, kLongest = 1e5 * kDay;  // [s]
 
-// Bytes of the UTF-8 character that `text` begins with; 0 when it is none. Surrogates,
-// overlong forms and what lies beyond Unicode are none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned first = byte(0);
-  const std::size_t length = first < 0x80                     ? 1
-                             : first >= 0xC2 && first < 0xE0  ? 2
-                             : first >= 0xE0 && first < 0xF0  ? 3
-                             : first >= 0xF0 && first <= 0xF4 ? 4
-                                                              : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0u) != 0x80u) return 0;
-  if (first == 0xE0 && byte(1) < 0xA0) return 0;
-  if (first == 0xED && byte(1) >= 0xA0) return 0;
-  if (first == 0xF0 && byte(1) < 0x90) return 0;
-  if (first == 0xF4 && byte(1) >= 0x90) return 0;
-  return length;
-}
-
 }  // namespace
 
 std::string escaped(std::string_view text) {
   std::string out;
   while (!text.empty()) {
-    const std::size_t length = character_length(text);
+    const std::size_t length = utf8_length(text);
     const char c = text.front();
     if (length == 0)
       out += '?';

@@ -20,10 +20,22 @@ struct PlanningBudget {
   /// States it may look at. What is simulated uses this limit only: it does not depend on
   /// the machine.
   std::int64_t states = 100'000;
-  /// Asked now and then; true ends the search. For a limit of time or an impatient user.
+  /// Asked now and then; true ends the search, with or without a path: nobody waits for
+  /// it any more.
   std::function<bool()> stop = {};
+  /// Asked now and then; true ends the search as soon as there is a path, or once
+  /// `first_states` were looked at without one. For a limit of time: a machine under load
+  /// gives a worse path then, never none.
+  std::function<bool()> enough = {};
+  std::int64_t first_states = 100'000;
   /// End with the first path found, without bettering it.
   bool first = false;
+
+  /// Whether `stop` or `enough` end a search without a path that has looked at so many
+  /// states.
+  bool ends_at(std::int64_t looked_at) const {
+    return (stop && stop()) || (enough && looked_at >= first_states && enough());
+  }
 };
 
 /// What a planner is asked.

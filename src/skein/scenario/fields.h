@@ -264,16 +264,25 @@ class Fields : public detail::FieldsBase {
     return rules([key = std::move(key), fault = std::move(fault)](const T& object) {
       std::vector<RuleFault> found;
       if (std::string text = fault(object); !text.empty())
-        found.push_back({key, std::move(text), {""}});
+        found.push_back({key, std::move(text)});
       return found;
     });
   }
 
-  /// Conditions that may be broken in several places: `faults` is asked whenever the
-  /// struct has been read, and says itself which values each fault is about.
+  /// Conditions that may be broken in several places, asked when all keys are sound.
   Fields& rules(std::function<std::vector<RuleFault>(const T&)> faults) {
-    add_rule([faults = std::move(faults)](const void* object) {
-      return faults(*static_cast<const T*>(object));
+    return rules_of_sound(
+        [faults = std::move(faults)](const T& object, const SoundValues& sound) {
+          return sound("") ? faults(object) : std::vector<RuleFault>();
+        });
+  }
+
+  /// Conditions between some of the keys, asked whenever the struct has been read:
+  /// `faults` uses only values that it has asked `sound` about.
+  Fields& rules_of_sound(
+      std::function<std::vector<RuleFault>(const T&, const SoundValues& sound)> faults) {
+    add_rule([faults = std::move(faults)](const void* object, const SoundValues& sound) {
+      return faults(*static_cast<const T*>(object), sound);
     });
     return *this;
   }

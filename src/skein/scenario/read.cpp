@@ -77,8 +77,11 @@ void Reader::patch_list(const ListType& type, const Node& node, void* target) {
 
 void Reader::read_optional(const OptionalType& type, const Node& node, void* target) {
   if (node.kind == Node::Kind::kNull) return type.reset(target);
-  has_default_ = has_default_ && type.has(target);
-  read(*type.inner, node, type.has(target) ? type.get(target) : type.emplace(target));
+  const bool had = type.has(target);
+  const std::size_t before = problems_.count();
+  has_default_ = has_default_ && had;
+  read(*type.inner, node, had ? type.get(target) : type.emplace(target));
+  if (!had && problems_.count() != before) type.reset(target);
 }
 
 void Reader::read_object(const Object& object, const Node& node, void* target,
@@ -185,15 +188,10 @@ void Reader::apply_rules(const Object& object, const Node& node, const void* tar
   if (object.rules.empty() || problems_.full()) return;
   const std::string here = path_text();
   std::vector<RuleFault> found;
-  for (const Rule& rule : object.rules) {
-    for (RuleFault& fault : rule(target)) {
-      fault.with.push_back(fault.key);
-      const bool told = std::any_of(
-          fault.with.begin(), fault.with.end(),
-          [&](const std::string& path) { return faulty(joined(here, path)); });
-      if (!told) found.push_back(std::move(fault));
-    }
-  }
+  const SoundValues sound(
+      [&](const std::string& path) { return !faulty(joined(here, path)); });
+  for (const Rule& rule : object.rules)
+    for (RuleFault& fault : rule(target, sound)) found.push_back(std::move(fault));
   for (const RuleFault& fault : found) {
     const std::string path = joined(here, fault.key);
     problems_.add(place_of(node, fault), path, fault.message);

@@ -112,7 +112,7 @@ Fields<Environment> environment_fields() {
       .object("zones", &T::zones, zone_fields(),
               "No-flight zones with names, floors, ceilings, times and switches.")
       .items({.at_most = 1000})
-      .rules(zone_list_faults)
+      .rules_of_sound(zone_list_faults)
       .object("objects", &T::objects, object_fields(),
               "Things on the ground, for cameras to find.")
       .items({.at_most = 10000});
@@ -351,14 +351,15 @@ Fields<Recording> record_fields() {
 }
 
 // Periods that are no whole number of steps.
-std::vector<RuleFault> period_faults(const Scenario& scenario) {
+std::vector<RuleFault> period_faults(const Scenario& scenario, const SoundValues& sound) {
   std::vector<RuleFault> faults;
+  if (!sound("step_s")) return faults;
   const Time step = scenario.step;
   const auto steps_near = [&](double seconds) {
     return std::max<std::int64_t>(1, std::llround(seconds / step.seconds()));
   };
   const auto check = [&](const std::string& key, Time period) {
-    if (period.ns() % step.ns() == 0) return;
+    if (!sound(key) || period.ns() % step.ns() == 0) return;
     faults.push_back(
         {key,
          fmt::format("{} s is no whole number of steps of {} s (step_s); the "
@@ -373,14 +374,16 @@ std::vector<RuleFault> period_faults(const Scenario& scenario) {
     check(fmt::format("aircraft[{}].agent_period_s", i),
           scenario.aircraft[i].agent_period);
     const auto& flight_step = scenario.aircraft[i].flight_step;
-    if (flight_step && step.ns() % flight_step->ns() != 0)
-      faults.push_back({fmt::format("aircraft[{}].flight_step_s", i),
+    const std::string key = fmt::format("aircraft[{}].flight_step_s", i);
+    if (sound(key) && flight_step && step.ns() % flight_step->ns() != 0)
+      faults.push_back({key,
                         fmt::format("{} s does not divide step_s, {} s.",
                                     seconds_text(*flight_step), seconds_text(step)),
                         {"step_s"}});
   }
   check("station.agent_period_s", scenario.station.agent_period);
   check("record.metrics_period_s", scenario.record.metrics_period);
+  if (!sound("record.rate_hz")) return faults;
   // A rate is a rounded number: 3.33333 means every third step of 0.1 s.
   const double rows = 1 / scenario.record.rate_hz;
   const double nearest = static_cast<double>(steps_near(rows)) * step.seconds();
@@ -422,7 +425,7 @@ Fields<Scenario> scenario_fields() {
             "Shared libraries that bring kinds of their own; see docs/extending.md.")
       .integer("seed", &T::seed, "Seed of all randomness: same seed, same run.",
                {.at_least = 0})
-      .duration_s("duration_s", &T::duration, "Length of the run.")
+      .duration_s("duration_s", &T::duration, "Length of the run.", {.above = 0})
       .duration_s("step_s", &T::step, "Time step of the simulation.",
                   {.at_least = 0.001, .at_most = 10})
       .object("origin", &T::origin, origin_fields(),
@@ -439,7 +442,7 @@ Fields<Scenario> scenario_fields() {
               "What the scenario commands by itself, as an operator would.")
       .items({.at_most = 10000})
       .object("record", &T::record, record_fields(), "What is stored.")
-      .rules(period_faults);
+      .rules_of_sound(period_faults);
 }
 
 }  // namespace skein::scenario

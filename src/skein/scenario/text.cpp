@@ -5,35 +5,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "skein/base/shown_text.h"
+
 namespace skein::scenario {
-namespace {
-
-// Length of the UTF-8 sequence at the start of `text`; 0 when there is none. Refuses
-// overlong forms, surrogates and what is above U+10FFFF (RFC 3629, section 4).
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  const unsigned char second = byte(1);
-  if (lead == 0xE0 && second < 0xA0) return 0;
-  if (lead == 0xED && second > 0x9F) return 0;
-  if (lead == 0xF0 && second < 0x90) return 0;
-  if (lead == 0xF4 && second > 0x8F) return 0;
-  return length;
-}
-
-}  // namespace
-
 std::optional<std::size_t> first_bad_byte(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto c = static_cast<unsigned char>(text[i]);
     if ((c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F) return i;
-    const std::size_t length = sequence_length(text.substr(i));
+    const std::size_t length = utf8_length(text.substr(i));
     if (length == 0) return i;
     i += length;
   }
@@ -76,7 +55,7 @@ std::string quote(std::string_view text) {
   constexpr std::size_t kMax = 60;
   std::string shown;
   for (std::size_t i = 0; i < text.size() && shown.size() < kMax;) {
-    const std::size_t length = std::max<std::size_t>(1, sequence_length(text.substr(i)));
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(text.substr(i)));
     const auto c = static_cast<unsigned char>(text[i]);
     if (c < 0x20 || c == 0x7F) {
       shown += c == '\n' ? "\\n" : fmt::format("\\x{:02x}", c);

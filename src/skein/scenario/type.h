@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -152,13 +153,33 @@ struct RuleFault {
   /// Where it is reported: a path from the struct, as "aircraft[1].agent_period_s".
   std::string key;
   std::string message;
-  /// The other values that it is about, as paths; "" is the whole struct. With a problem
-  /// in one of them, this one is not reported.
+  /// The other values that it is about, as paths: it is shown at the first of them that
+  /// the file gives where it does not give `key`.
   std::vector<std::string> with = {};
 };
 
-/// A condition between several keys of a struct: the faults that it finds.
-using Rule = std::function<std::vector<RuleFault>(const void*)>;
+/// Which values of a struct were read without a problem. A value that could not be read
+/// holds its default or whatever else stood there, so a rule asks before it uses one.
+class SoundValues {
+ public:
+  using Ask = std::function<bool(const std::string& path)>;
+
+  explicit SoundValues(Ask ask) : ask_(std::move(ask)) {}
+
+  /// Whether there is no problem at any of these paths from the struct (as
+  /// "aircraft[1].agent_period_s"; "" is the whole struct), around or below them.
+  template <class... Paths>
+  bool operator()(const Paths&... paths) const {
+    return (ask_(paths) && ...);
+  }
+
+ private:
+  Ask ask_;
+};
+
+/// A condition between several keys of a struct: the faults that it finds among values
+/// that are sound by themselves.
+using Rule = std::function<std::vector<RuleFault>(const void*, const SoundValues&)>;
 
 /// A struct and its keys.
 struct Object {

@@ -45,7 +45,7 @@ Zone ring_zone(const geo::Ring& ring, std::size_t index) {
 std::vector<RuleFault> zone_faults(const NoFlightZone& zone) {
   std::vector<RuleFault> found;
   const auto add = [&](const char* key, std::string message) {
-    found.push_back({key, std::move(message), {""}});
+    found.push_back({key, std::move(message)});
   };
   if (zone.name.empty()) add("name", "must not be empty.");
   const bool disc = zone.centre && zone.radius;
@@ -74,20 +74,23 @@ std::vector<RuleFault> zone_faults(const NoFlightZone& zone) {
   return found;
 }
 
-std::vector<RuleFault> zone_list_faults(const Environment& environment) {
+std::vector<RuleFault> zone_list_faults(const Environment& environment,
+                                        const SoundValues& sound) {
   std::vector<RuleFault> found;
   std::map<std::string, std::size_t> names;
   for (std::size_t i = 0; i < environment.zone_rings.size(); ++i) {
-    names[ring_zone({}, i).name] = i;
+    const std::string key = ring_zone({}, i).name;
+    names[key] = i;
+    if (!sound(key)) continue;
     if (const auto fault = fault_in(Zone{.area = environment.zone_rings[i]}))
-      found.push_back({fmt::format("zones_m[{}]", i), sentence(*fault), {}});
+      found.push_back({key, sentence(*fault)});
   }
-  for (std::size_t i = 0; i < environment.zones.size(); ++i)
-    if (!names.emplace(environment.zones[i].name, i).second)
-      found.push_back({fmt::format("zones[{}].name", i),
-                       fmt::format("another zone is called \"{}\" already.",
-                                   environment.zones[i].name),
-                       {}});
+  for (std::size_t i = 0; i < environment.zones.size(); ++i) {
+    const std::string key = fmt::format("zones[{}].name", i);
+    if (sound(key) && !names.emplace(environment.zones[i].name, i).second)
+      found.push_back({key, fmt::format("another zone is called \"{}\" already.",
+                                        environment.zones[i].name)});
+  }
   return found;
 }
 

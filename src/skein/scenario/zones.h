@@ -19,7 +19,8 @@ Zone ring_zone(const geo::Ring& ring, std::size_t index);
 std::vector<RuleFault> zone_faults(const NoFlightZone& zone);
 
 /// What is wrong with `zones_m`, and names in `zones` that are there twice.
-std::vector<RuleFault> zone_list_faults(const Environment& environment);
+std::vector<RuleFault> zone_list_faults(const Environment& environment,
+                                        const SoundValues& sound);
 
 /// Rings that run counter-clockwise on the map. They mean the same area; one sentence for
 /// each, so that whoever meant a hole hears of it.

@@ -22,14 +22,11 @@ Error failed_at(Time now, Error error) {
 Result<void> guarded_step(Stepper& stepper, Time now) {
   try {
     return stepper.step(now);
-  } catch (const Bug& bug) {
-    return Error{ErrorCode::kUnavailable, "", bug.what(),
-                 "This is a fault in Skein, please report it."};
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kUnavailable, "", "not enough memory",
                  "Use a coarser grid or fewer members, or run fewer at a time."};
   } catch (const std::exception& fault) {
-    return Error{ErrorCode::kUnavailable, "", fault.what(), ""};
+    return internal_error(fault.what());
   }
 }
 

@@ -74,8 +74,7 @@ std::vector<scenario::RuleFault> at_file_keys(
     const bool in_degrees = key.find("_deg") != std::string::npos;
     found.push_back(
         {key,
-         fault.message + (in_degrees ? " (in radians; the file has degrees)." : "."),
-         {""}});
+         fault.message + (in_degrees ? " (in radians; the file has degrees)." : ".")});
   }
   return found;
 }

@@ -31,9 +31,9 @@ std::vector<scenario::RuleFault> section_faults(const Sections& file) {
   if (file.fixed_wing && file.multirotor)
     found.push_back({"multirotor", "stands beside fixed_wing; give one of the two."});
   if (file.fixed_wing_gains && !file.fixed_wing)
-    found.push_back({"fixed_wing_gains", "is of no use without fixed_wing.", {""}});
+    found.push_back({"fixed_wing_gains", "is of no use without fixed_wing."});
   if (file.multirotor_gains && !file.multirotor)
-    found.push_back({"multirotor_gains", "is of no use without multirotor.", {""}});
+    found.push_back({"multirotor_gains", "is of no use without multirotor."});
   return found;
 }
 

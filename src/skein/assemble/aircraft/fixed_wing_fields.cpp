@@ -1,4 +1,5 @@
 // The keys of a fixed wing in aircraft files.
+#include <utility>
 #include <variant>
 
 #include "skein/assemble/aircraft/aircraft_fields.h"
@@ -32,6 +33,15 @@ struct Coefficient {
   bool required = false;
   Range range = kCoefficient;
 };
+
+// A part's faults are told even where others cannot be read.
+template <class Part>
+Fields<Part> with_faults(Fields<Part> fields) {
+  fields.rules([keys = fields.description()](const Part& part) {
+    return at_file_keys(*keys, asset::faults(part));
+  });
+  return fields;
+}
 
 Fields<AeroCoefficients> aero_fields() {
   using T = AeroCoefficients;
@@ -74,7 +84,7 @@ Fields<AeroCoefficients> aero_fields() {
     fields.number(each.key, each.member, each.help, each.range);
     if (each.required) fields.required();
   }
-  return fields;
+  return with_faults(std::move(fields));
 }
 
 Fields<asset::Stall> stall_fields() {
@@ -151,37 +161,39 @@ Fields<asset::PistonEngine> piston_engine_fields() {
 Fields<asset::Servos> servo_fields() {
   using T = asset::Servos;
   constexpr Range kDeflection{.above = 0, .at_most = 90};
-  return Fields<T>()
-      .angle_deg("aileron_max_deg", &T::aileron_max, "Largest deflection, both ways.",
-                 kDeflection)
-      .required()
-      .angle_deg("elevator_max_deg", &T::elevator_max, "Largest deflection, both ways.",
-                 kDeflection)
-      .required()
-      .angle_deg("rudder_max_deg", &T::rudder_max,
-                 "Largest deflection, both ways; 0: it has no rudder.",
-                 {.at_least = 0, .at_most = 90})
-      .required()
-      .angle_deg("rate_deg_per_s", &T::rate, "Largest.", {.above = 0, .at_most = 1e5})
-      .duration_s("lag_s", &T::lag, "Time constant.");
+  return with_faults(
+      Fields<T>()
+          .angle_deg("aileron_max_deg", &T::aileron_max, "Largest deflection, both ways.",
+                     kDeflection)
+          .required()
+          .angle_deg("elevator_max_deg", &T::elevator_max,
+                     "Largest deflection, both ways.", kDeflection)
+          .required()
+          .angle_deg("rudder_max_deg", &T::rudder_max,
+                     "Largest deflection, both ways; 0: it has no rudder.",
+                     {.at_least = 0, .at_most = 90})
+          .required()
+          .angle_deg("rate_deg_per_s", &T::rate, "Largest.", {.above = 0, .at_most = 1e5})
+          .duration_s("lag_s", &T::lag, "Time constant."));
 }
 
 Fields<asset::Envelope> envelope_fields() {
   using T = asset::Envelope;
-  return Fields<T>()
-      .number("cruise_mps", &T::cruise, "Airspeed.", kSpeed)
-      .required()
-      .number("slowest_mps", &T::slowest,
-              "Least airspeed to fly at: the stall with a reserve.", kSpeed)
-      .required()
-      .number("fastest_mps", &T::fastest, "Airspeed.", kSpeed)
-      .required()
-      .angle_deg("bank_limit_deg", &T::bank_limit, "Largest bank.",
-                 {.above = 0, .below = 90})
-      .angle_deg("pitch_up_deg", &T::pitch_up, "Largest pitch angle.",
-                 {.above = 0, .below = 90})
-      .angle_deg("pitch_down_deg", &T::pitch_down, "Least pitch angle.",
-                 {.above = -90, .below = 0});
+  return with_faults(Fields<T>()
+                         .number("cruise_mps", &T::cruise, "Airspeed.", kSpeed)
+                         .required()
+                         .number("slowest_mps", &T::slowest,
+                                 "Least airspeed to fly at: the stall with a reserve.",
+                                 kSpeed)
+                         .required()
+                         .number("fastest_mps", &T::fastest, "Airspeed.", kSpeed)
+                         .required()
+                         .angle_deg("bank_limit_deg", &T::bank_limit, "Largest bank.",
+                                    {.above = 0, .below = 90})
+                         .angle_deg("pitch_up_deg", &T::pitch_up, "Largest pitch angle.",
+                                    {.above = 0, .below = 90})
+                         .angle_deg("pitch_down_deg", &T::pitch_down,
+                                    "Least pitch angle.", {.above = -90, .below = 0}));
 }
 
 }  // namespace
@@ -277,11 +289,7 @@ Fields<FixedWingFile> fixed_wing_fields() {
         fault.key = (file.electric_motor ? "electric_motor." : "piston_engine.") +
                     fault.key.substr(kPropulsion.size());
     }
-    std::vector<scenario::RuleFault> at = at_file_keys(*keys, found);
-    // Only whether it can fly in its envelope hangs on all the rest.
-    for (scenario::RuleFault& fault : at)
-      if (!fault.key.starts_with("envelope")) fault.with.clear();
-    return at;
+    return at_file_keys(*keys, found);
   });
   return fields;
 }

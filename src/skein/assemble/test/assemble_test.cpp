@@ -41,7 +41,7 @@ TEST(Kinds, EveryKindHasDefaultsThatAreAllowedAndCanBeMade) {
   EXPECT_GE(table.of("strategy").size(), 6u);
   for (const auto& kind : table.of("estimator"))
     for (const auto& strategy : table.of("strategy"))
-      EXPECT_TRUE(build(read("duration_s: 0\nmonitoring: {estimator: " + kind.name +
+      EXPECT_TRUE(build(read("duration_s: 1\nmonitoring: {estimator: " + kind.name +
                              ", strategy: " + strategy.name + "}"),
                         KindRegistry())
                       .ok())
@@ -216,9 +216,54 @@ TEST(Build, WarnsOfLooksAtAFireOfThePastAndOfRatesAboveTheSteps) {
             "steps a second of step_s 0.1: the sensor has one in each step.\n");
 }
 
-TEST(Run, TakesNoAircraftAndNoTime) {
+TEST(Run, TakesNoAircraftAndHardlyAnyTime) {
   EXPECT_NE(hash_of(read("duration_s: 60\naircraft: []")), "");
-  EXPECT_NE(hash_of(read("duration_s: 0")), "");
+  EXPECT_NE(hash_of(read("duration_s: 0.001")), "");
+}
+
+TEST(Kinds, AnEnsembleThatIsTooLargeIsRefusedBeforeItTakesMemory) {
+  const auto problems = [](const std::string& ensemble) {
+    return scenario::read_scenario_text(
+               "monitoring: {estimator: {kind: ensemble, cell_m: "
+               "0.5, " +
+                   ensemble + "}}",
+               "test", ".", kind_table())
+        .report();
+  };
+  EXPECT_EQ(problems("members: 40, max_nodes: 1000000"), "");
+  EXPECT_EQ(
+      problems("members: 50, max_nodes: 1000000"),
+      "test:1:68 monitoring.estimator.max_nodes: 1000000 nodes of 50 members are too "
+      "much memory; at most 800000 nodes are allowed for so many members.\n1 "
+      "problem; nothing was run.\n");
+  EXPECT_NE(problems("max_nodes: 10000000"), "");
+}
+
+TEST(Kinds, TooManyParticlesAreRefusedBeforeTheyTakeMemory) {
+  const auto problems = [](const std::string& particles) {
+    return scenario::read_scenario_text(
+               "monitoring: {estimator: {kind: particle, " + particles + "}}", "test",
+               ".", kind_table())
+        .report();
+  };
+  EXPECT_EQ(problems("particles: 1000, control_points: 5000"), "");
+  EXPECT_NE(problems("particles: 1001, control_points: 5000").find("at most 1000 are "),
+            std::string::npos);
+}
+
+TEST(Build, WarnsWhenThereIsNoAircraft) {
+  const auto warnings = [](const std::string& text) {
+    const auto built = build(read(text));
+    EXPECT_TRUE(built.ok()) << text;
+    return built.ok() ? built.value().warnings : std::vector<std::string>();
+  };
+  EXPECT_TRUE(warnings("duration_s: 1").empty());
+  EXPECT_TRUE(warnings("aircraft: [{count: 0}, {count: 1}]").empty());
+  for (const char* nobody : {"aircraft: []", "aircraft: [{count: 0}]"}) {
+    const auto found = warnings(nobody);
+    ASSERT_EQ(found.size(), 1u) << nobody;
+    EXPECT_TRUE(found[0].starts_with("no aircraft: ")) << found[0];
+  }
 }
 
 TEST(Run, SameHashForAnyThreadsAndSpeed) {

@@ -11,6 +11,7 @@
 #include "skein/base/log.h"
 #include "skein/base/random.h"
 #include "skein/base/result.h"
+#include "skein/base/shown_text.h"
 #include "skein/base/time.h"
 
 namespace skein {
@@ -147,6 +148,38 @@ TEST(Hasher, TellsOrderAndContentApart) {
   EXPECT_NE(hash(std::string_view("ab"), std::string_view("c")),
             hash(std::string_view("a"), std::string_view("bc")));
   EXPECT_EQ(hash(1.0).size(), 32u);
+}
+
+TEST(Shown, KeepsWhatSteersATerminalFromIt) {
+  // Kept: text of any script, line feeds and tabulators.
+  const std::string kept = "Blåfjell 山 é 👩‍🚒\n\tend";
+  EXPECT_EQ(shown(kept), kept);
+  EXPECT_EQ(shown(""), "");
+  EXPECT_EQ(shown("a\x1b[31mb\rc\x7f" + std::string(1, '\0')),
+            "a\\x1b[31mb\\x0dc\\x7f\\x00");
+  EXPECT_EQ(
+      shown("\u0085 \u009b31m \u202e \u2066 \u200f \u061c \ufeff \u2028 \U000e0041"),
+      "\\u0085 \\u009b31m \\u202e \\u2066 \\u200f \\u061c \\ufeff \\u2028 \\ue0041");
+  EXPECT_EQ(shown("\u00a0\u200d\u202f\u2027"), "\u00a0\u200d\u202f\u2027");
+  // No UTF-8: a lone C1 byte, a cut sequence, an overlong form, a surrogate.
+  EXPECT_EQ(shown("\x9b"
+                  "2J \xe2\x80"),
+            "\\x9b2J \\xe2\\x80");
+  EXPECT_EQ(shown("\xc0\x9b \xed\xa0\x80"), "\\xc0\\x9b \\xed\\xa0\\x80");
+}
+
+TEST(Shown, LeavesNothingThatSteersInAnyBytes) {
+  RandomStream random(3, 0, Purpose::kTest);
+  for (int i = 0; i < 20000; ++i) {
+    std::string bytes;
+    for (int k = 0; k < 12; ++k)  // mostly bytes of such characters
+      bytes +=
+          static_cast<char>("\xc2\xe2\x80\xae\x9b\x1b\xf3\xa0\x81"[random.bits() % 9]);
+    const std::string text = shown(bytes);
+    EXPECT_EQ(shown(text), text);
+    for (const char* hidden : {"\x1b", "\xc2\x9b", "\xe2\x80\xae"})
+      EXPECT_EQ(text.find(hidden), std::string::npos) << text;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/base/shown_text.h"
 #include "skein/data/command_text.h"
 
 namespace skein::hmi {
@@ -82,7 +83,7 @@ std::vector<CommandRecord> TerminalConsole::commands() {
       continue;
     }
     // On a line of its own; the progress is drawn anew below.
-    fmt::print(out_, "{}{}\n", drawn_.empty() ? "" : "\n", command.error().text());
+    fmt::print(out_, "{}{}\n", drawn_.empty() ? "" : "\n", shown(command.error().text()));
     std::fflush(out_);
     drawn_.clear();
   }

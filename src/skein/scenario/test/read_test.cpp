@@ -26,10 +26,11 @@ TEST(Read, GivesEveryDefaultToAThreeLineScenario) {
   EXPECT_EQ(s.aircraft[0].sensors.size(), AircraftGroup{}.sensors.size());
 }
 
-TEST(Read, TakesARunThatDoesNothing) {
-  const Scenario s = read_good("duration_s: 0\naircraft: []\n");
-  EXPECT_EQ(s.duration, Time());
-  EXPECT_TRUE(s.aircraft.empty());
+TEST(Read, TakesARunWithoutAircraftButNotOneWithoutTime) {
+  EXPECT_TRUE(read_good("aircraft: []\n").aircraft.empty());
+  EXPECT_EQ(problems_of("duration_s: 0"),
+            "test.yaml:1:13 duration_s: 0 must be above 0 and at most 4000000. The "
+            "default is 3600.\n");
 }
 
 TEST(Read, TakesEveryTypeOfKey) {
@@ -135,8 +136,8 @@ TEST(Read, ConditionsBetweenKeysAreToldWithEverythingElse) {
                   "  - {agent_period_s: 0.25, count: many}\n"
                   "  - {agent_period_s: soon}\n"
                   "record: {rate_hz: 3.33333}\n"),
-      "test.yaml:1:13 duration_s: -1 must be from 0 to 4000000. The default is "
-      "3600.\n"
+      "test.yaml:1:13 duration_s: -1 must be above 0 and at most 4000000. The default "
+      "is 3600.\n"
       "test.yaml:2:15 environment.period_s: 0.25 s is no whole number of steps of "
       "0.1 s (step_s); the nearest is 0.3.\n"
       "test.yaml:4:6 aircraft[0].agent_period_s: 0.25 s is no whole number of steps "
@@ -158,6 +159,18 @@ TEST(Read, ConditionsBetweenKeysAreToldWithEverythingElse) {
   EXPECT_EQ(problems_of("name: x", {"aircraft[0].agent_period_s=0.25"}),
             "--set aircraft[0].agent_period_s=0.25 aircraft[0].agent_period_s: 0.25 s "
             "is no whole number of steps of 0.1 s (step_s); the nearest is 0.3.\n");
+}
+
+TEST(Read, ConditionsAreAskedOnlyOfValuesThatWereRead) {
+  // As 0 in the place of the step it would be a division by zero.
+  for (const char* nothing : {"", "''", "'0'", "soon", "0", "-1", ".nan", "[]"}) {
+    const std::string set = std::string("aircraft[0].flight_step_s=") + nothing;
+    const ReadOutcome outcome = read_text("name: x", {set});
+    EXPECT_EQ(outcome.problem_count, *nothing == '\0' ? 0u : 1u) << outcome.report();
+  }
+  EXPECT_EQ(problems_of("name: x", {"step_s=''", "aircraft[0].flight_step_s=0.03"}),
+            "--set step_s='' step_s: found the text \"\", needs a number from 0.001 to "
+            "10.\n");
 }
 
 class ReadRefuses : public testing::TestWithParam<Case> {};
@@ -210,11 +223,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"radio: {kind: ideal, speed: 2}",
              "test.yaml:1:22 radio.speed: unknown key. Known here: kind."},
         Case{"duration_s: \"60\"",
-             "test.yaml:1:13 duration_s: found the text \"60\", needs a number from 0 to "
-             "4000000. Remove the quotation marks."},
+             "test.yaml:1:13 duration_s: found the text \"60\", needs a number above 0 "
+             "and at most 4000000. Remove the quotation marks."},
         Case{"duration_s: 60 min",
-             "test.yaml:1:13 duration_s: found \"60 min\", needs a number from 0 to "
-             "4000000. "
+             "test.yaml:1:13 duration_s: found \"60 min\", needs a number above 0 "
+             "and at most 4000000. "
              "Write the number alone; the key says the unit, s."},
         Case{"duration_s: .nan",
              "test.yaml:1:13 duration_s: .nan must be a finite number. The default is "
@@ -223,16 +236,16 @@ INSTANTIATE_TEST_SUITE_P(
              "test.yaml:1:13 duration_s: -.inf must be a finite number. The default is "
              "3600."},
         Case{"duration_s: 1e999",
-             "test.yaml:1:13 duration_s: found \"1e999\", needs a number from 0 to "
-             "4000000. "
+             "test.yaml:1:13 duration_s: found \"1e999\", needs a number above 0 "
+             "and at most 4000000. "
              "Write the number alone; the key says the unit, s."},
         Case{
             "duration_s:",
-            "test.yaml:1:1 duration_s: found nothing, needs a number from 0 to 4000000."},
-        Case{
-            "duration_s: {}",
-            "test.yaml:1:13 duration_s: found keys with values, needs a number from 0 to "
+            "test.yaml:1:1 duration_s: found nothing, needs a number above 0 and at most "
             "4000000."},
+        Case{"duration_s: {}",
+             "test.yaml:1:13 duration_s: found keys with values, needs a number above 0 "
+             "and at most 4000000."},
         Case{"seed: 1.5",
              "test.yaml:1:7 seed: found 1.5, needs a whole number at least 0. The "
              "default is 1."},

@@ -424,6 +424,30 @@ TEST(Run, SaysWhenMemoryRanOut) {
       << outcome.error().text();
 }
 
+// A check of our own code fails in the third second.
+class Faulty : public NoFire {
+ public:
+  void advance(Time now) override {
+    SKEIN_CHECK(now < Time::from_seconds(3), "front", 7);
+  }
+};
+
+TEST(Run, SaysWhenSkeinItselfIsAtFault) {
+  World world = make_world(1);
+  world.fire = std::make_unique<Faulty>();
+  Notes notes;
+  Silent console;
+  const auto outcome = run(world, seconds(10), notes, console);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error().code, ErrorCode::kInternal);
+  const std::string text = outcome.error().text();
+  EXPECT_TRUE(text.starts_with("internal error: ")) << text;
+  EXPECT_NE(text.find("front 7 (at 3.000 s of simulated time). This is a fault in Skein, "
+                      "please report it."),
+            std::string::npos)
+      << text;
+}
+
 // Asks to stop from a moment of the wall clock on.
 class Impatient : public OperatorConsole {
  public:
@@ -575,8 +599,8 @@ TEST(Run, CommandsOfARecordedRunGiveTheSameRecordsAgain) {
   EXPECT_EQ(first.text, second.text);
   ASSERT_EQ(second.commands.size(), 10u);
   EXPECT_EQ(first.kinds,
-            "joined joined failure joined left repaired command-refused "
-            "command-refused ");
+            "joined joined failure joined command-refused command-refused left "
+            "repaired ");
 }
 
 }  // namespace

@@ -121,6 +121,18 @@ void check_numbers(ParameterCheck& check, const FixedWingParameters& p) {
 
 }  // namespace
 
+std::vector<ParameterFault> faults(const AeroCoefficients& coefficients) {
+  return found_by(coefficients, check_aero);
+}
+
+std::vector<ParameterFault> faults(const Servos& servos) {
+  return found_by(servos, check_servos);
+}
+
+std::vector<ParameterFault> faults(const Envelope& envelope) {
+  return found_by(envelope, check_envelope);
+}
+
 std::vector<ParameterFault> faults(const FixedWingParameters& p) {
   return found_by(p, check_numbers, check_flight);
 }

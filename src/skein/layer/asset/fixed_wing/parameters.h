@@ -136,5 +136,9 @@ struct FixedWingParameters {
 /// the slowest airspeed is above the stall, the airspeeds are in order, and the aircraft
 /// can fly level at each of the three with its surfaces and its motor.
 std::vector<ParameterFault> faults(const FixedWingParameters& parameters);
+/// Those of single parts, by themselves.
+std::vector<ParameterFault> faults(const AeroCoefficients& coefficients);
+std::vector<ParameterFault> faults(const Servos& servos);
+std::vector<ParameterFault> faults(const Envelope& envelope);
 
 }  // namespace skein::asset

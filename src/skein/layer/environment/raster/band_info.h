@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/layer/environment/raster/raster_file.h"
+#include "skein/layer/environment/raster/raster_facts.h"
 
 namespace skein::environment {
 

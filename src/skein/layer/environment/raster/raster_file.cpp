@@ -1,59 +1,19 @@
 #include "skein/layer/environment/raster/raster_file.h"
 
-#include <cpl_conv.h>
-#include <cpl_string.h>
 #include <fmt/format.h>
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
 #include "skein/geo/gdal/gdal_guard.h"
-#include "skein/layer/environment/raster/band_info.h"
-#include "skein/layer/environment/raster/whole_file.h"
+#include "skein/layer/environment/raster/raster_service.h"
 
 namespace skein::environment {
 namespace {
 
 constexpr double kLargestWindow = 100e6;  // pixels
-
-struct Subdataset {
-  std::string name;      // for GDALOpen
-  std::string variable;  // its last part
-};
-
-std::vector<Subdataset> subdatasets(GDALDatasetH dataset) {
-  std::vector<Subdataset> found;
-  char** list = GDALGetMetadata(dataset, "SUBDATASETS");
-  for (int i = 1;; ++i) {
-    const char* name =
-        CSLFetchNameValue(list, fmt::format("SUBDATASET_{}_NAME", i).c_str());
-    if (name == nullptr) return found;
-    const std::string text = name;
-    found.push_back({text, text.substr(text.find_last_of(":/") + 1)});
-  }
-}
-
-std::string driver_of(GDALDatasetH dataset) {
-  return GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
-}
-
-std::uint64_t pixel_bytes(GDALDatasetH dataset) {
-  std::uint64_t bytes = 0;
-  if (const char* header = GDALGetMetadataItem(dataset, "header_offset", "ENVI"))
-    bytes = std::strtoull(header, nullptr, 10);
-  const auto pixels = static_cast<std::uint64_t>(GDALGetRasterXSize(dataset)) *
-                      static_cast<std::uint64_t>(GDALGetRasterYSize(dataset));
-  for (int band = 1; band <= GDALGetRasterCount(dataset); ++band) {
-    const GDALDataType type = GDALGetRasterDataType(GDALGetRasterBand(dataset, band));
-    bytes += pixels * static_cast<std::uint64_t>(GDALGetDataTypeSizeBytes(type));
-  }
-  return bytes;
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -64,7 +24,9 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 struct RasterFile::Handles {
-  geo::GdalDataset dataset;
+  explicit Handles(RasterService opened) : service(std::move(opened)) {}
+
+  RasterService service;
   Georeference place;
 };
 
@@ -80,70 +42,33 @@ Error RasterFile::fault(const std::string& message, const std::string& hint) con
 
 Result<RasterFile> RasterFile::open(const std::string& path,
                                     const std::string& variable) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored))
-    return Error{ErrorCode::kNotFound, path, "there is no such file", ""};
-  if (!std::filesystem::is_regular_file(path, ignored))
-    return Error{ErrorCode::kBadInput, path, "is not a file but a folder or device",
-                 "give one raster file"};
-  const geo::GdalGuard guard;
-  auto handles = std::make_unique<Handles>();
-  handles->dataset = geo::open_dataset(path, geo::DataKind::kRaster);
-  if (!handles->dataset)
-    return Error{ErrorCode::kBadInput, path,
-                 "cannot be read as a raster: " + guard.failure(),
-                 "any raster that GDAL reads is allowed"};
-  if (const auto whole = check_whole(path, driver_of(handles->dataset.get()),
-                                     pixel_bytes(handles->dataset.get()));
-      !whole)
-    return whole.error();
-
-  const auto parts = subdatasets(handles->dataset.get());
-  if (!parts.empty() &&
-      (!variable.empty() || GDALGetRasterCount(handles->dataset.get()) == 0)) {
-    std::vector<std::string> names;
-    const Subdataset* chosen = nullptr;
-    for (const Subdataset& part : parts) {
-      names.push_back(part.variable);
-      if (part.variable == variable) chosen = &part;
-    }
-    if (chosen == nullptr)
-      return Error{ErrorCode::kNotFound, path,
-                   variable.empty() ? "has several variables and none was chosen"
-                                    : fmt::format("has no variable \"{}\"", variable),
-                   "it has: " + joined(names)};
-    handles->dataset = geo::open_dataset(chosen->name, geo::DataKind::kRaster);
-    if (!handles->dataset)
-      return Error{
-          ErrorCode::kBadInput, path,
-          fmt::format("variable \"{}\" cannot be read: {}", variable, guard.failure()),
-          ""};
-  }
-
-  RasterFile file(path, std::move(handles));
+  auto service = RasterService::start(path, variable);
+  if (!service) return service.error();
+  RasterFile file(path, std::make_unique<Handles>(std::move(service).value()));
   if (auto good = file.georeference(); !good) return good.error();
-  file.describe_bands();
   return file;
+}
+
+const std::vector<BandInfo>& RasterFile::bands() const {
+  return handles_->service.facts().bands;
 }
 
 Result<void> RasterFile::georeference() {
   const geo::GdalGuard guard;
-  GDALDatasetH dataset = handles_->dataset.get();
+  const RasterFacts& facts = handles_->service.facts();
   Georeference& place = handles_->place;
-  place.columns = GDALGetRasterXSize(dataset);
-  place.rows = GDALGetRasterYSize(dataset);
-  if (GDALGetRasterCount(dataset) < 1) return fault("has no raster band");
-  if (GDALGetGeoTransform(dataset, place.geo.data()) != CE_None ||
-      GDALInvGeoTransform(place.geo.data(), place.inverse.data()) == 0)
-    return fault("has no georeference: nothing says where its pixels lie",
-                 "an affine transform (world file, GeoTIFF tags...) is needed");
-  OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
-  if (system == nullptr)
-    return fault("has no coordinate reference system",
-                 "assign one, for example with gdal_translate -a_srs");
-  place.geographic = OSRIsGeographic(system) != 0;
-  place.to_raster = geo::transform_from_degrees(system);
-  place.from_raster = geo::transform_to_degrees(system);
+  place.columns = facts.columns;
+  place.rows = facts.rows;
+  place.geo = facts.geo;
+  if (GDALInvGeoTransform(place.geo.data(), place.inverse.data()) == 0)
+    return fault("has pixels of no size");
+  OGRSpatialReferenceH system = OSRNewSpatialReference(facts.system.c_str());
+  if (system != nullptr) {
+    place.geographic = OSRIsGeographic(system) != 0;
+    place.to_raster = geo::transform_from_degrees(system);
+    place.from_raster = geo::transform_to_degrees(system);
+    OSRDestroySpatialReference(system);
+  }
   if (!place.to_raster || !place.from_raster)
     return fault("has a coordinate reference system that cannot be used: " +
                  guard.failure());
@@ -160,13 +85,8 @@ bool RasterFile::geographic() const {
   return handles_->place.geographic;
 }
 
-void RasterFile::describe_bands() {
-  for (int i = 1; i <= GDALGetRasterCount(handles_->dataset.get()); ++i)
-    bands_.push_back(describe_band(handles_->dataset.get(), i));
-}
-
 Result<int> RasterFile::find_band(int number, const std::string& name) const {
-  const int count = static_cast<int>(bands_.size());
+  const int count = static_cast<int>(bands().size());
   if (name.empty()) {
     if (number >= 1 && number <= count) return number;
     return Error{ErrorCode::kNotFound, path_, fmt::format("has no band {}", number),
@@ -174,7 +94,7 @@ Result<int> RasterFile::find_band(int number, const std::string& name) const {
   }
   std::vector<std::string> names;
   int found = 0, matches = 0;
-  for (const BandInfo& band : bands_) {
+  for (const BandInfo& band : bands()) {
     names.push_back(band.name);
     if (band.name != name) continue;
     found = band.number;
@@ -219,54 +139,15 @@ Result<PixelMap> RasterFile::map(const geo::LocalFrame& frame,
 }
 
 Result<PixelWindow> RasterFile::read(int band, const PixelWindow& window) const {
-  const geo::GdalGuard guard;
-  if (band < 1 || band > static_cast<int>(bands_.size()))
+  if (band < 1 || band > static_cast<int>(bands().size()))
     return fault(fmt::format("has no band {}", band));
-  PixelWindow pixels = window;
-  if (window.columns <= 0 || window.rows <= 0) return pixels;
+  if (window.columns <= 0 || window.rows <= 0) return window;
   const double count = static_cast<double>(window.columns) * window.rows;
   if (count > kLargestWindow)
     return fault(fmt::format("the area has {:.0f} pixels; at most {:.0f} are allowed",
                              count, kLargestWindow),
                  "use a smaller area or a coarser raster");
-  pixels.values.resize(static_cast<std::size_t>(count));
-  std::vector<unsigned char> valid(pixels.values.size());
-  GDALRasterBandH handle = GDALGetRasterBand(handles_->dataset.get(), band);
-  const auto fill = [&](GDALRasterBandH from, void* to, GDALDataType type) {
-    return GDALRasterIO(from, GF_Read, window.first_column, window.first_row,
-                        window.columns, window.rows, to, window.columns, window.rows,
-                        type, 0, 0) == CE_None &&
-           !guard.failed();
-  };
-  if (!fill(handle, pixels.values.data(), GDT_Float64) ||
-      !fill(GDALGetMaskBand(handle), valid.data(), GDT_Byte))
-    return fault(
-        fmt::format("band {} cannot be read; the file is truncated or corrupt: {}", band,
-                    guard.failure()));
-  int has_nodata = 0;
-  const double nodata = GDALGetRasterNoDataValue(handle, &has_nodata);
-  const bool nan_declared = has_nodata != 0 && std::isnan(nodata);
-  int given = 0;
-  double scale = GDALGetRasterScale(handle, &given);
-  if (given == 0) scale = 1;
-  double offset = GDALGetRasterOffset(handle, &given);
-  if (given == 0) offset = 0;
-  for (std::size_t i = 0; i < pixels.values.size(); ++i) {
-    double& value = pixels.values[i];
-    if (valid[i] == 0 || (nan_declared && std::isnan(value))) {
-      value = std::nan("");
-      continue;
-    }
-    value = scale * value + offset;
-    if (std::isfinite(value)) continue;
-    const auto across = static_cast<std::size_t>(window.columns);
-    return fault(
-        fmt::format("band {}, column {}, row {} (from 0): {} is not a finite number",
-                    band, window.first_column + static_cast<int>(i % across),
-                    window.first_row + static_cast<int>(i / across), value),
-        "declare it as the band's \"no data\" value, or repair the file");
-  }
-  return pixels;
+  return handles_->service.read(band, window);
 }
 
 Result<GridField> read_grid(const std::string& path, int band, const std::string& name,

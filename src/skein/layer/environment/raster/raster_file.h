@@ -1,34 +1,29 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/base/result.h"
 #include "skein/geo/local_frame.h"
 #include "skein/layer/environment/raster/pixel_map.h"
+#include "skein/layer/environment/raster/raster_facts.h"
 
 namespace skein::environment {
 
-/// What a raster says about one of its bands.
-struct BandInfo {
-  int number = 1;               ///< from 1
-  std::string name;             ///< variable, GRIB element or description; may be empty
-  std::string standard_name;    ///< CF standard name; may be empty
-  std::string unit;             ///< as written in the file; may be empty
-  std::optional<double> utc_s;  ///< valid time, seconds since 1970 UTC
-  std::optional<double> height_m;  ///< of the level, where the file gives one
-};
-
-/// Any raster that GDAL reads (GeoTIFF, NetCDF, GRIB, ASCII grid...), opened for reading,
-/// with its place on the Earth. One object is for one thread at a time.
+/// A raster (GeoTIFF, NetCDF, GRIB, ASCII grid...; docs/environment.md has all formats),
+/// opened for reading, with its place on the Earth. One object is for one thread at a
+/// time.
+///
+/// The file is opened and read in a process of its own (RasterService): one on which its
+/// library crashes is an error like any other.
 class RasterFile {
  public:
   /// @param variable  name of the variable, for files with several (NetCDF); else empty.
   /// Fails: kNotFound when there is no such file or variable (the message lists those
-  ///        there are); kBadInput when GDAL cannot read it, it is truncated
-  ///        (check_whole()), or it is not georeferenced.
+  ///        there are); kBadInput when GDAL cannot read it or crashes, it is truncated
+  ///        (check_whole()), or it is not georeferenced; kUnavailable when no process
+  ///        can be made.
   static Result<RasterFile> open(const std::string& path,
                                  const std::string& variable = "");
 
@@ -37,7 +32,7 @@ class RasterFile {
   ~RasterFile();
 
   const std::string& path() const { return path_; }
-  const std::vector<BandInfo>& bands() const { return bands_; }
+  const std::vector<BandInfo>& bands() const;
   int columns() const;
   int rows() const;
   /// Whether the raster's axes are latitude and longitude.
@@ -66,11 +61,9 @@ class RasterFile {
   RasterFile(std::string path, std::unique_ptr<Handles> handles);
   Error fault(const std::string& message, const std::string& hint = "") const;
   Result<void> georeference();
-  void describe_bands();
 
   std::string path_;
   std::unique_ptr<Handles> handles_;
-  std::vector<BandInfo> bands_;
 };
 
 /// Opens, maps, reads and resamples one band in one go.

@@ -14,7 +14,8 @@ struct RawSeries {
   bool utc = false;  ///< times are seconds since 1970 UTC, not from an unknown origin
 };
 
-/// Reads the outlines of a fire with their times, in any vector format that GDAL reads.
+/// Reads the outlines of a fire with their times, in any vector format of
+/// docs/environment.md.
 ///
 /// `path` is one of
 /// - a vector file (GeoJSON, shapefile, KML, GeoPackage...) whose features carry a time:

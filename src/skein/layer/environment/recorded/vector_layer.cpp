@@ -245,7 +245,7 @@ Result<std::vector<VectorFeature>> VectorReader::read(
   const geo::GdalDataset dataset = geo::open_dataset(name, geo::DataKind::kVector);
   if (!dataset)
     return fault("cannot be read as vector data: " + guard.failure(),
-                 "any vector format that GDAL reads is allowed");
+                 "docs/environment.md has the formats that can be read");
   std::vector<VectorFeature> features;
   std::size_t points = 0;
   for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l) {

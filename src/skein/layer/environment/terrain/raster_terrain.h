@@ -17,9 +17,9 @@ enum class Outside {
 };
 
 struct RasterTerrainOptions {
-  std::string file;       ///< any raster that GDAL reads, elevations in metres
-  int band = 1;           ///< from 1; used when no name is given
-  std::string band_name;  ///< description of the band; empty: by number
+  std::string file;                   ///< a raster (see RasterFile), elevations in metres
+  int band = 1;                       ///< from 1; used when no name is given
+  std::string band_name;              ///< description of the band; empty: by number
   Outside outside = Outside::kError;  ///< where the file has no data within the area
   double area = 5000;  ///< half the side of the square about the origin [m]
   double spacing = 0;  ///< of the nodes kept in memory [m]; 0: a pixel's size

@@ -26,7 +26,7 @@ enum class WindNorth {
 };
 
 struct GriddedWindOptions {
-  std::string file;         ///< any raster that GDAL reads
+  std::string file;         ///< a raster: see RasterFile
   std::string second_file;  ///< of the second quantity; empty: the same file
   WindKind kind = WindKind::kSpeedAndFrom;
   std::string first;   ///< variable or band name: speed, or component to east

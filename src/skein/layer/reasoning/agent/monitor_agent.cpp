@@ -98,8 +98,11 @@ void MonitorAgent::take_task(const Task& task, const AgentInput& in, AgentOutput
   path_.clear();
   along_ = 0;
   follower_.reset();
-  if (const auto* edge = std::get_if<FollowEdge>(&task.what))
-    follower_.emplace(options_.edge, *edge);
+  if (const auto* edge = std::get_if<FollowEdge>(&task.what)) {
+    FollowEdge own = *edge;
+    own.angle = options_.edge_angle.value_or(edge->angle);
+    follower_.emplace(options_.edge, own);
+  }
   if (const auto* line = std::get_if<FollowLine>(&task.what))
     path_ = straight_path(line->points);
   out.events.push_back({in.now, self_, "task",

@@ -20,6 +20,8 @@ struct MonitorAgentOptions {
   double replan_wind = 2;     ///< change of the wind estimate that re-plans a path [m/s]
   double replan_cross = 60;   ///< distance off a path that re-plans it [m]
   EdgeFollowerOptions edge;
+  /// Between course and edge, whatever the order says [rad]; none: the order's.
+  std::optional<double> edge_angle;
   ZoneGuardOptions guard;
   SafetyZone safety_zone;
 };

@@ -1,5 +1,6 @@
 #include "skein/layer/environment/raster/whole_file.h"
 
+#include "skein/base/random.h"
 #include "skein/layer/environment/raster/raster_file.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
 
@@ -82,6 +83,33 @@ TEST(WholeFile, EveryCutIsSeenInEveryFormat) {
     }
   }
   ::testing::internal::GetCapturedStderr();  // what PROJ and HDF5 say of their own
+}
+
+// The libraries that read these formats crash on some of them.
+TEST(WholeFile, DamageNeverEndsTheProcess) {
+  RandomStream random(29, 0, Purpose::kTest);
+  const auto below = [&](std::size_t count) { return random.bits() % count; };
+  for (const Format& format : formats()) {
+    const std::string whole = scratch(format.name);
+    make_raster(whole, format.recipe);
+    std::ifstream in(whole, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::string damaged = scratch("damaged-" + std::string(format.name));
+    const auto header = std::filesystem::path(whole).replace_extension(".hdr");
+    if (std::filesystem::exists(header))  // of ENVI
+      std::filesystem::copy_file(
+          header, std::filesystem::path(damaged).replace_extension(".hdr"));
+    for (int k = 0; k < 60; ++k) {
+      std::string copy = bytes;
+      // Most of them where the header is.
+      for (std::size_t flips = 1 + below(8); flips > 0; --flips)
+        copy[below(below(4) == 0 ? copy.size()
+                                 : std::min<std::size_t>(copy.size(), 1500))] =
+            static_cast<char>(below(3) == 0 ? 255 : random.bits());
+      std::ofstream(damaged, std::ios::binary) << copy;
+      refusal(damaged, format.variable);
+    }
+  }
 }
 
 TEST(WholeFile, SaysHowMuchIsMissing) {

@@ -17,8 +17,9 @@ constexpr EntityId kSelf{3}, kStation{0};
 // An agent in its aircraft, stepped once a second.
 class Mission {
  public:
-  explicit Mission(const std::vector<Zone>& zones = {}, const Vec2& wind = Vec2::Zero())
-      : agent({}, kSelf, kStation, FlightLimits{}, ground, zones) {
+  explicit Mission(const std::vector<Zone>& zones = {}, const Vec2& wind = Vec2::Zero(),
+                   const MonitorAgentOptions& options = {})
+      : agent(options, kSelf, kStation, FlightLimits{}, ground, zones) {
     aircraft.wind = wind;
   }
 
@@ -192,6 +193,36 @@ TEST(MonitorAgent, FollowsAFire) {
   EXPECT_GT(crossings, 60);
   EXPECT_LT(sum / n, 40);
   EXPECT_FALSE(mission.agent.task_done());
+}
+
+// Crossings in ten minutes along the edge of a half-plane, `angle` being ordered.
+int crossings_along_edge(double angle, std::optional<double> own) {
+  MonitorAgentOptions options;
+  options.edge_angle = own;
+  Mission mission({}, Vec2::Zero(), options);
+  mission.aircraft.p = {-200, 0, -220};
+  mission.send(1, FollowEdge{true, {0, 0}, {0, -1}, angle});
+  int crossings = 0;
+  bool last = false;
+  for (int i = 0; i < 600; ++i) {
+    const bool inside = mission.aircraft.position().x() > 0;
+    mission.second({FireSample{mission.now, 0, inside}});
+    crossings += inside != last ? 1 : 0;
+    last = inside;
+  }
+  return crossings;
+}
+
+TEST(MonitorAgent, CrossesTheEdgeAtItsOwnAngleWhateverIsOrdered) {
+  const double flat = geo::radians(25), steep = geo::radians(80);
+  const int as_ordered = crossings_along_edge(flat, std::nullopt);
+  const int own = crossings_along_edge(flat, steep);
+  EXPECT_EQ(own, crossings_along_edge(steep, std::nullopt));
+  EXPECT_NE(own, as_ordered);
+  // An order without an angle leaves it to the aircraft.
+  EXPECT_EQ(crossings_along_edge(0, steep), own);
+  EXPECT_EQ(crossings_along_edge(0, std::nullopt),
+            crossings_along_edge(EdgeFollowerOptions{}.angle, std::nullopt));
 }
 
 TEST(MonitorAgent, NeverEntersAZoneWhateverItsTask) {

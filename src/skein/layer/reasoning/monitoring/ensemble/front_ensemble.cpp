@@ -176,23 +176,38 @@ void FrontEnsemble::tidy() {
   grow(low, high);
 }
 
-void FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
-  const int spacing = options_.rate_spacing_cells;
-  const double length = 2 * spacing * grid_.cell;
+// What is missing for the grid to reach from `low` to `high`.
+Growth FrontEnsemble::growth_to(const Vec2& low, const Vec2& high) const {
+  const int unit = 2 * options_.rate_spacing_cells;
   const auto rows = [&](double missing) {
-    return missing > 0 ? 2 * spacing * static_cast<int>(std::ceil(missing / length)) : 0;
+    return missing > 0 ? unit * static_cast<int>(std::ceil(missing / (unit * grid_.cell)))
+                       : 0;
   };
-  const Growth growth{rows(grid_.low.x() - low.x()), rows(grid_.low.y() - low.y()),
-                      rows(high.x() - grid_.high().x()),
-                      rows(high.y() - grid_.high().y())};
-  if (!growth.any()) return;
-  const double rate_sd = rate_sd_ * std::sqrt(0.5 * noise_factor_);
-  for (Member& m : members_) extend_member(m, growth, spacing, rate_sd);
+  return {rows(grid_.low.x() - low.x()), rows(grid_.low.y() - low.y()),
+          rows(high.x() - grid_.high().x()), rows(high.y() - grid_.high().y())};
+}
+
+void FrontEnsemble::coarsen() {
+  for (Member& m : members_) coarsen_member(m, options_.rate_spacing_cells);
   grid_ = members_[0].phi.grid;
-  while (grid_.size() > static_cast<std::size_t>(options_.max_nodes)) {
-    for (Member& m : members_) coarsen_member(m, spacing);
-    grid_ = members_[0].phi.grid;
-  }
+}
+
+void FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
+  const auto most = static_cast<double>(options_.max_nodes);
+  if (!growth_to(low, high).any()) return;
+  // Far away: fine cells all the way there would not fit into the memory.
+  const auto nodes = [&] {
+    const Vec2 size =
+        (high.cwiseMax(grid_.high()) - low.cwiseMin(grid_.low)) / grid_.cell;
+    return size.x() * size.y();
+  };
+  while (nodes() > 4 * most) coarsen();
+  const double rate_sd = rate_sd_ * std::sqrt(0.5 * noise_factor_);
+  const Growth growth = growth_to(low, high);
+  for (Member& m : members_)
+    extend_member(m, growth, options_.rate_spacing_cells, rate_sd);
+  grid_ = members_[0].phi.grid;
+  while (static_cast<double>(grid_.size()) > most) coarsen();
 }
 
 void FrontEnsemble::update_mean() {

@@ -83,6 +83,8 @@ class FrontEnsemble {
   void teach_common(const MemberValues& at_p, const Eigen::VectorXd& change);
   void tidy();
   void grow(const Vec2& low, const Vec2& high);
+  Growth growth_to(const Vec2& low, const Vec2& high) const;
+  void coarsen();
   void update_mean();
   Window window(const Vec2& p) const;
   MemberValues summary(Eigen::VectorXd values) const;

@@ -44,11 +44,13 @@ BoundaryEstimate mean_boundary(const FrontEnsemble& ensemble, Time time,
   BoundaryEstimate out;
   out.time = time;
   const double floor = options.sigma_floor_cells * grid.cell;
+  // Much finer than the grid there is nothing to tell.
+  const double spacing = std::max(options.control_spacing, 0.1 * grid.cell);
   for (const geo::Ring& ring : region) {
     const double area = geo::signed_area(ring);
     if (std::abs(area) < options.min_area && area != largest) continue;
     std::vector<BoundaryPoint> points;
-    for (const Vec2& p : geo::resample_by_spacing(ring, options.control_spacing, 8))
+    for (const Vec2& p : geo::resample_by_spacing(ring, spacing, 8))
       points.push_back(describe(ensemble, p, floor));
     out.rings.push_back(std::move(points));
   }

@@ -206,7 +206,9 @@ std::vector<double> JointEstimator::spaced_bearings(double spacing) const {
     length[i] = length[i - 1] + (point - last).norm();
     last = point;
   }
-  const int count = std::max(8, static_cast<int>(std::ceil(length.back() / spacing)));
+  constexpr double kMinPoints = 8, kMaxPoints = 5000;
+  const int count = static_cast<int>(
+      std::clamp(std::ceil(length.back() / spacing), kMinPoints, kMaxPoints));
   std::vector<double> bearings;
   std::size_t cell = 0;
   for (int i = 0; i < count; ++i) {

@@ -26,6 +26,7 @@ struct Try {
   double greed;
 };
 constexpr std::array<Try, 4> kTries = {{{1, 1}, {1, 1.1}, {1, 1.5}, {3, 1}}};
+constexpr std::int64_t kOfWays = 6;  // each may use this part of the states left
 // By which part of the best path's time other ways may seem longer at first.
 constexpr double kOtherWays = 0.05;
 
@@ -77,6 +78,7 @@ void Planning::take(FlightPlan plan) {
   if (time >= best_.duration || !map_.is_free(plan)) return;
   best_.plan = std::move(plan);
   best_.duration = time;
+  effort_.has_path();
 }
 
 void Planning::take(std::optional<Chain> chain) {
@@ -95,6 +97,7 @@ void Planning::take_direct() {
   if (map_.is_free(plan)) {
     best_.duration = direct->duration();
     best_.plan = std::move(plan);
+    effort_.has_path();
     if (done()) return;
   }
   take(swerve(*direct, map_, effort_));
@@ -146,10 +149,8 @@ void Planning::take_ways() {
     request.ways = t.ways;
     request.greed = t.greed;
     request.most_time = best_.duration * (1 + kOtherWays);
-    PlanningBudget budget = query_.budget;
-    budget.states = effort_.left() / 6;
-    const Ways found =
-        ways_around(zones, query_, speed, request, {kMargin, kMargin}, budget);
+    const Ways found = ways_around(zones, query_, speed, request, {kMargin, kMargin},
+                                   effort_.part(kOfWays));
     effort_.spend(found.states);
     const bool quickest = t.greed == 1 && a == b && !map_.is_timed();
     for (std::size_t i = followed_ && t.ways > 1 ? 1 : 0;

@@ -21,7 +21,8 @@ class AirspaceMap;
 /// left to look at; as kBudgetEnded with the best path otherwise.
 ///
 /// No path is deeper than 0.1 m in a zone or another's room; see AirspaceMap for the
-/// ground. The answer depends on the query alone unless `budget.stop` ends it.
+/// ground. The answer depends on the query alone unless `budget.stop` or
+/// `budget.enough` end it.
 class AaStar final : public PathPlanner {
  public:
   struct Options {

@@ -132,11 +132,18 @@ bool Improver::move(double step) {
 bool Effort::spend(std::int64_t states) {
   states_ += states;
   if (states_ >= budget_->states) ended_ = true;
-  if (!ended_ && budget_->stop && states_ >= asked_) {
+  if (!ended_ && states_ >= asked_) {
     asked_ = states_ + kBetweenAsking;
-    ended_ = budget_->stop();
+    ended_ = budget_->ends_at(has_path_ ? budget_->first_states : states_);
   }
   return !ended_;
+}
+
+PlanningBudget Effort::part(std::int64_t share) const {
+  PlanningBudget part = *budget_;
+  part.states = left() / share;
+  part.first_states = has_path_ ? 0 : budget_->first_states - states_;
+  return part;
 }
 
 std::optional<Chain> make_chain(std::vector<Via> states, const PathQuery& query) {

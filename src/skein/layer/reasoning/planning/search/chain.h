@@ -19,10 +19,16 @@ class Effort {
   std::int64_t states() const { return states_; }
   std::int64_t left() const { return budget_->states - states_; }
 
+  /// From now on there is a path: `enough` ends the search.
+  void has_path() { has_path_ = true; }
+  /// The budget of a part of the search: of the states that are left, the `share`-th
+  /// part.
+  PlanningBudget part(std::int64_t share) const;
+
  private:
   const PlanningBudget* budget_;
   std::int64_t states_ = 0, asked_ = 0;
-  bool ended_ = false;
+  bool ended_ = false, has_path_ = false;
 };
 
 /// A state on the way, and how long to circle from there before going on.

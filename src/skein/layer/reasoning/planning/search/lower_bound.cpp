@@ -29,9 +29,8 @@ LowerBound lower_bound(const PathQuery& query, Effort& effort) {
   WayRequest request;
   request.start = geo::horizontal(query.start.p_N);
   request.goal = geo::horizontal(query.goal.p_N);
-  PlanningBudget budget = query.budget;
-  budget.states = effort.left() / kShare;
-  const Ways found = ways_around(zones, {}, speed, request, {0, kMargin}, budget);
+  const Ways found =
+      ways_around(zones, {}, speed, request, {0, kMargin}, effort.part(kShare));
   effort.spend(found.states);
   if (found.ways.empty()) return {found.complete ? kInfinity : 0};
   double more = 0;  // what the margin adds [m]

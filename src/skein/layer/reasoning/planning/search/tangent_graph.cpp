@@ -267,7 +267,8 @@ Ways Search::run() {
   std::int64_t settled = 0;
   while (!open_.empty() && !enough() &&
          tangents_seen_ / kTangentsPerState < budget_.states) {
-    if ((++settled & 63) == 0 && budget_.stop && budget_.stop()) break;
+    if ((++settled & 63) == 0 && budget_.ends_at(tangents_seen_ / kTangentsPerState))
+      break;
     const Open next = open_.top();
     open_.pop();
     settle(next, out);

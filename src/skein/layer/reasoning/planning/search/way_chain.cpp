@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <queue>
+#include <tuple>
 #include <utility>
 
 #include "skein/model/path/wind_triangle.h"
@@ -97,13 +99,86 @@ void arrive(std::vector<Layer>& layers, std::size_t layer, Offer& to,
   }
 }
 
+void arrive_earliest(std::vector<Layer>& layers, const AirspaceMap& map, Effort& effort) {
+  for (std::size_t i = 1; i < layers.size(); ++i)
+    for (Offer& to : layers[i]) arrive(layers, i, to, map, effort);
+}
+
+// Best-first from offer to offer, each link looked at only when its turn comes: one with
+// the least time so far and kGreed times the time that the way takes from there on. That
+// arrives soon, not at the earliest time.
+class GreedyArrival {
+ public:
+  GreedyArrival(std::vector<Layer>& layers, const AirspaceMap& map, Effort& effort)
+      : layers_(layers), map_(map), effort_(effort), left_(layers.size(), 0.0) {
+    for (std::size_t i = layers.size() - 1; i > 0; --i) {
+      left_[i - 1] = left_[i];
+      if (layers[i].empty() || layers[i - 1].empty()) continue;
+      const Vec3 on = layers[i].front().state.p_N - layers[i - 1].front().state.p_N;
+      left_[i - 1] += on.norm() / map.query().limits.airspeed;
+    }
+  }
+
+  void run() {
+    expand(0, 0);
+    while (!open_.empty() && !effort_.ended()) {
+      const Trial t = open_.top();
+      open_.pop();
+      Offer& to = layers_[t.layer][t.index];
+      const Offer& from = layers_[t.layer_before][t.before];
+      if (to.time < kInfinity) continue;
+      if (!map_.is_free(to_flight_plan(t.link, from.state, from.time, map_.query())))
+        continue;
+      to.time = from.time + t.link.duration;
+      to.layer_before = t.layer_before;
+      to.before = t.before;
+      if (t.layer + 1 == layers_.size()) return;
+      expand(t.layer, t.index);
+    }
+  }
+
+ private:
+  static constexpr double kGreed = 3;
+  struct Trial {
+    double worth;
+    std::size_t layer, index, layer_before, before;
+    Link link;
+    bool operator<(const Trial& other) const {
+      if (worth != other.worth) return worth > other.worth;
+      return std::tie(layer, index, layer_before, before) >
+             std::tie(other.layer, other.index, other.layer_before, other.before);
+    }
+  };
+
+  void expand(std::size_t layer, std::size_t index) {
+    const Offer& from = layers_[layer][index];
+    const std::size_t last = std::min(layer + 2, layers_.size() - 1);
+    for (std::size_t next = layer + 1; next <= last; ++next)
+      for (std::size_t i = 0; i < layers_[next].size(); ++i) {
+        if (layers_[next][i].time < kInfinity || !effort_.spend()) continue;
+        const Link l = link(from.state, layers_[next][i].state, map_.query());
+        const double arrival = from.time + l.duration;
+        if (arrival < kInfinity)
+          open_.push({arrival + kGreed * left_[next], next, i, layer, index, l});
+      }
+  }
+
+  std::vector<Layer>& layers_;
+  const AirspaceMap& map_;
+  Effort& effort_;
+  std::vector<double> left_;  // from each layer to the goal along the way [s]
+  std::priority_queue<Trial> open_;
+};
+
 }  // namespace
 
 std::optional<Chain> follow_way(const Way& way, const AirspaceMap& map, Effort& effort,
                                 Detail detail) {
   std::vector<Layer> layers = layers_of(way, map.query(), detail);
-  for (std::size_t i = 1; i < layers.size(); ++i)
-    for (Offer& to : layers[i]) arrive(layers, i, to, map, effort);
+  if (detail == Detail::kFine)
+    GreedyArrival(layers, map, effort).run();
+  else
+    arrive_earliest(layers, map, effort);
   if (layers.back().front().time == kInfinity) return std::nullopt;
   std::vector<Via> states;
   std::size_t layer = layers.size() - 1, index = 0;

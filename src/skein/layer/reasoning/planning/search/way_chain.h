@@ -11,11 +11,13 @@ namespace skein::planning {
 enum class Detail { kCoarse, kFine };
 
 /// A chain of states along a way around rounds that a real aircraft can fly: beside each
-/// arc some states are offered, further out or turned, and of all chains through one
-/// state per place the quickest that is free is taken, place by place in the order of
-/// earliest arrival. Places may be passed by.
+/// arc some states are offered, further out or turned. Places may be passed by.
+/// - Coarse: of all chains through one state per place the quickest that is free, place
+/// by
+///   place in the order of earliest arrival.
+/// - Fine: the first that a best-first search finds, which weighs the time left by 3.
 /// @returns  a free chain, or nothing.
-/// Cost: of n states per place 2 n^2 links per place.
+/// Cost: of n states per place at most 2 n^2 links per place; fine mostly a small part.
 std::optional<Chain> follow_way(const Way& way, const AirspaceMap& map, Effort& effort,
                                 Detail detail);
 

@@ -78,6 +78,7 @@ Ways ways_around(const std::vector<Zone>& zones, const PathQuery& query,
   while (true) {
     PlanningBudget rest = budget;
     rest.states -= states;
+    rest.first_states -= states;
     Ways found = find_ways(AirspaceMap(alone), rounds, speed, request, rest);
     found.states += states;
     states = found.states;
@@ -90,7 +91,7 @@ Ways ways_around(const std::vector<Zone>& zones, const PathQuery& query,
         add_rounds(zones[i], margins, rounds);
       }
     if (!more) return found;
-    if (states >= budget.states || (budget.stop && budget.stop())) {
+    if (states >= budget.states || budget.ends_at(states)) {
       found.ways.clear();
       found.complete = false;
       return found;

@@ -1,6 +1,7 @@
 #include "skein/layer/reasoning/monitoring/ensemble/front_ensemble.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "skein/layer/reasoning/monitoring/ensemble/localisation.h"
 
@@ -120,6 +121,25 @@ TEST(FrontEnsemble, GridGrowsWithTheFireAndCoarsensWithinItsLimit) {
   for (int k = 0; k < 4; ++k)
     EXPECT_NEAR(ensemble.distance(p.origin + 3800 * geo::unit(k * geo::kPi / 2)).mean, 0,
                 150);
+}
+
+TEST(FrontEnsemble, APartFarAwayCoarsensTheGridBeforeItTakesMemory) {
+  const auto peak_mb = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+  };
+  EnsembleOptions options;
+  options.members = 8;
+  options.max_nodes = 10000;
+  FrontEnsemble ensemble(prior(), options);
+  const double before = peak_mb();
+  // With the cells of the start: some 3e7 nodes for each member, together 1 GB.
+  const Vec2 far = prior().origin + Vec2(40e3, -40e3);
+  ensemble.stamp(far, true, Eigen::VectorXd::Constant(ensemble.size(), 2000));
+  EXPECT_LT(peak_mb() - before, 50);
+  EXPECT_LE(ensemble.grid().size(), 10000U);
+  EXPECT_LT(ensemble.distance(far).mean, 0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "skein/base/random.h"
 #include "skein/layer/reasoning/planning/search/test/oracle.h"
 #include "skein/layer/reasoning/planning/search/test/scenes.h"
 #include "skein/model/connection/connection.h"
@@ -338,6 +339,61 @@ TEST(AaStar, FindsItsWayAmongThousandsOfZones) {
   EXPECT_LE(test::depth(airspace, path.plan, 0.2), 0.1);
   // The bound may be that without zones, and this is the first path only.
   EXPECT_LE(path.duration, 1.4 * path.bound);
+}
+
+// Five walls across the way, each with one gap at a drawn place.
+Airspace walls_with_gaps(double gap, RandomStream& draw) {
+  Airspace airspace;
+  for (int i = 0; i < 5; ++i) {
+    const double north = 300 * (i + 1), middle = draw.uniform(-300, 300);
+    const auto wall = [&](double west, double east) {
+      airspace.zones.push_back({geo::Ring{
+          {north, west}, {north + 10, west}, {north + 10, east}, {north, east}}});
+    };
+    wall(-800, middle - gap / 2);
+    wall(middle + gap / 2, 800);
+  }
+  return airspace;
+}
+
+TEST(AaStar, ALimitOfTimeNeverCostsTheFirstPath) {
+  RandomStream draw(17, 0, Purpose::kTest);
+  for (int k = 0; k < 20; ++k) {
+    const Airspace airspace = walls_with_gaps(12, draw);
+    PathQuery q = query_over(1800);
+    q.airspace = &airspace;
+    q.least = {-500, -800};
+    q.most = {2300, 800};
+    q.limits.turn_radius = 60;
+    q.wind = k % 2 == 0 ? Vec2(0, 0) : Vec2(draw.uniform(-5, 5), draw.uniform(-5, 5));
+    q.budget.states = std::numeric_limits<std::int64_t>::max();
+    q.budget.enough = [] { return true; };  // the time has passed already
+    const PlannedPath path = AaStar().plan(q);
+    SCOPED_TRACE(k);
+    expect_sound(q, path);
+    EXPECT_EQ(path.outcome, PlanningOutcome::kBudgetEnded);
+    EXPECT_LT(path.states, 20'000);
+    // Whoever does not want an answer any more gets none.
+    q.budget.stop = [] { return true; };
+    EXPECT_TRUE(AaStar().plan(q).plan.empty());
+  }
+}
+
+TEST(AaStar, ALimitOfTimeEndsTheSearchForAPathThatIsNotThere) {
+  // Gaps that nothing flies through in this wind, but not closed.
+  RandomStream draw(18, 0, Purpose::kTest);
+  const Airspace airspace = walls_with_gaps(0.05, draw);
+  PathQuery q = query_over(1800);
+  q.airspace = &airspace;
+  q.least = {-500, -800};
+  q.most = {2300, 800};
+  q.wind = {3, 4};
+  q.budget.states = std::numeric_limits<std::int64_t>::max();
+  q.budget.first_states = 5000;
+  q.budget.enough = [] { return true; };
+  const PlannedPath path = AaStar().plan(q);
+  EXPECT_EQ(path.outcome, PlanningOutcome::kNothingFound);
+  EXPECT_LT(path.states, 20'000);
 }
 
 TEST(AaStar, SaysWhenTheBudgetEndsBeforeAPath) {
