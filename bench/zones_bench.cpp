@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
+#include "skein/data/airspace.h"
 #include "skein/layer/reasoning/agent/ways_around.h"
 #include "skein/layer/reasoning/agent/zone_guard.h"
 #include "skein/layer/reasoning/planning/search/aa_star.h"

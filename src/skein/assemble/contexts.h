@@ -17,10 +17,15 @@
 #include "skein/data/vehicle.h"
 #include "skein/data/zone.h"
 #include "skein/geo/local_frame.h"
-#include "skein/role/path_planner.h"
-#include "skein/role/terrain.h"
-#include "skein/role/wind_field.h"
-#include "skein/scenario/scenario.h"
+
+namespace skein {
+class PathPlanner;
+class Terrain;
+class WindField;
+namespace scenario {
+struct Scenario;
+}
+}  // namespace skein
 
 namespace skein::assemble {
 

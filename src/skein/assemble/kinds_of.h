@@ -2,15 +2,20 @@
 
 #include "skein/assemble/contexts.h"
 #include "skein/assemble/kinds.h"
-#include "skein/role/agent.h"
-#include "skein/role/autopilot.h"
-#include "skein/role/monitoring_strategy.h"
-#include "skein/role/perimeter_estimator.h"
-#include "skein/role/phenomenon.h"
-#include "skein/role/plant.h"
-#include "skein/role/radio.h"
-#include "skein/role/sensor.h"
-#include "skein/role/turbulence.h"
+
+namespace skein {
+class Agent;
+class Autopilot;
+class MonitoringStrategy;
+class PerimeterEstimator;
+class Phenomenon;
+class Plant;
+class Radio;
+class Sensor;
+class Terrain;
+class Turbulence;
+class WindField;
+}  // namespace skein
 
 namespace skein::assemble {
 

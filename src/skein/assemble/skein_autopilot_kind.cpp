@@ -6,6 +6,7 @@
 #include "skein/geo/clip.h"
 #include "skein/geo/self_crossing.h"
 #include "skein/layer/autopilot/skein/skein_autopilot.h"
+#include "skein/role/terrain.h"
 
 namespace skein::assemble {
 namespace {

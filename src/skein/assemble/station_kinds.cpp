@@ -9,6 +9,7 @@
 #include "skein/layer/reasoning/agent/route_agent.h"
 #include "skein/layer/reasoning/monitoring/coordinator/coordinator.h"
 #include "skein/layer/reasoning/team/formation_control.h"
+#include "skein/scenario/scenario.h"
 
 namespace skein::assemble {
 namespace {

@@ -7,12 +7,13 @@
 #include <string>
 #include <string_view>
 
-#include "skein/data/airspace.h"
 #include "skein/data/flight_plan.h"
 #include "skein/data/vehicle.h"
-#include "skein/role/terrain.h"
 
 namespace skein {
+
+class Terrain;
+struct Airspace;
 
 /// How much work a planner may do.
 struct PlanningBudget {

@@ -96,7 +96,7 @@ TEST(Math, GivesTheSameBitsEverywhere) {
       const double value = row.ours(random.uniform(row.low, row.high));
       hasher.add(std::as_bytes(std::span(&value, 1)));
     }
-  EXPECT_EQ(hasher.hex(), "");
+  EXPECT_EQ(hasher.hex(), "ee2cf89df059ba7382a3999309b77ae3");
 }
 
 }  // namespace

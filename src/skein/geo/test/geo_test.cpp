@@ -19,6 +19,13 @@ Ring circle(const Vec2& centre, double radius, int count) {
   return ring;
 }
 
+// Products of large matrices are split, and so summed, by these.
+TEST(Eigen, CountsOnTheSameCachesOnEveryProcessor) {
+  EXPECT_EQ(Eigen::l1CacheSize(), 32 * 1024);
+  EXPECT_EQ(Eigen::l2CacheSize(), 256 * 1024);
+  EXPECT_EQ(Eigen::l3CacheSize(), 2 * 1024 * 1024);
+}
+
 TEST(Angles, WrapIntoTheirRanges) {
   EXPECT_DOUBLE_EQ(wrap_pi(3 * kPi), kPi);
   EXPECT_DOUBLE_EQ(wrap_pi(-kPi), kPi);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "skein/base/math.h"
+#include "skein/model/path/direction.h"
 #include "skein/model/path/path_geometry.h"
 
 namespace skein::model {
@@ -29,8 +29,10 @@ struct Reduced {
   Reduced mirrored() const { return {x, -y, phi == 0 ? 0 : kTurn - phi, -sine, cosine}; }
 };
 
+// `angle` less whole turns, in [0, 2 pi).
 double positive_turn(double angle) {
-  const double a = angle - kTurn * std::floor(angle / kTurn);
+  const double turns = angle * (1 / kTurn), nearest = nearest_whole(turns);
+  const double a = angle - kTurn * (nearest > turns ? nearest - 1 : nearest);
   return a > kTurn - kFullTurnSnap ? 0 : a;
 }
 
@@ -64,7 +66,7 @@ std::array<double, 3> equal_parts(const Reduced& g, const Centres& c, double str
                                   double length) {
   const double turns = length - straight;
   if (straight < kSameCircle) return {g.phi, straight, 0};
-  const double first = std::min(positive_turn(math::atan2(c.y, c.x)), turns);
+  const double first = std::min(positive_turn(direction(c.x, c.y)), turns);
   return {first, straight, turns - first};
 }
 
@@ -85,17 +87,19 @@ void try_opposite(const Reduced& g, DubinsWord word, Best& best) {
   const double straight = std::sqrt(std::max(0.0, c.distance2 - 4));
   // One turn undoes the other but for phi.
   if (straight + std::min(g.phi, kTurn - g.phi) >= best.length) return;
-  const double course = math::atan2(straight * c.y + 2 * c.x, straight * c.x - 2 * c.y);
+  const double course = direction(straight * c.x - 2 * c.y, straight * c.y + 2 * c.x);
   best.take(word, {positive_turn(course), straight, positive_turn(course - g.phi)});
 }
 
 void try_turns(const Reduced& g, const Centres& c, DubinsWord word, Best& best) {
   // The middle circle touches both others: an isosceles triangle with sides 2, 2, d.
   if (c.distance2 > 16) return;
-  const double half = math::acos(std::sqrt(c.distance2) / 4);
+  const double distance = std::sqrt(c.distance2);
+  // acos x >= sqrt(2 - 2 x), which is quicker.
+  if (geo::kPi + 2 * std::sqrt(2 - distance / 2) >= best.length) return;
+  const double half = direction(distance, std::sqrt(16 - c.distance2));
   const double middle = geo::kPi + 2 * half;
-  if (middle >= best.length) return;
-  const double axis = math::atan2(c.y, c.x);
+  const double axis = direction(c.x, c.y);
   const double first = positive_turn(axis + half + geo::kPi / 2);
   if (first + middle >= best.length) return;
   best.take(word, {first, middle, positive_turn(g.phi - axis + half + geo::kPi / 2)});

@@ -60,7 +60,9 @@ std::string shown(const fs::path& page, const fs::path& scratch) {
       " --disable-sync --virtual-time-budget=5000 --user-data-dir='" +
       (scratch / "browser").string() + "' --dump-dom 'file://" + page.string() + "' > '" +
       out.string() + "' 2>/dev/null";
-  return std::system(command.c_str()) == 0 ? text_of(out) : "";
+  if (std::system(command.c_str()) == 0) return text_of(out);
+  ADD_FAILURE() << "chromium is there but fails: " << command;
+  return "";
 }
 
 TEST(Report, HoldsTheRunAndNothingFromTheNetwork) {

@@ -1,6 +1,6 @@
 #include "skein/layer/asset/body/rigid_body.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "skein/base/check.h"
@@ -14,12 +14,13 @@ Mat3 Inertia::tensor() const {
 }
 
 bool Inertia::possible() const {
-  if (!tensor().allFinite()) return false;
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  const Vec3 principal =
-      solver.computeDirect(tensor(), Eigen::EigenvaluesOnly).eigenvalues();
-  // In rising order. A flat plate has equality, which rounding may miss.
-  return principal[0] > 0 && principal[2] <= (principal[0] + principal[1]) * (1 + 1e-9);
+  // Moments along the principal axes are above 0, and none is larger than the other two
+  // together, or half of the trace. A flat plate has equality, which rounding may miss.
+  const Mat3 J = tensor();
+  const double half = J.trace() * (1 + 1e-9) / (2 + 1e-9);
+  const Mat3 room = half * Mat3::Identity() - J;
+  const auto positive = [](const Mat3& m) { return m.llt().info() == Eigen::Success; };
+  return J.allFinite() && positive(J) && positive(room);
 }
 
 RigidBody::RigidBody(double mass, const Inertia& inertia)

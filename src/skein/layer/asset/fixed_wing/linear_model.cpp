@@ -37,24 +37,20 @@ StateVector rate(const FixedWingModel& model, const StateVector& x,
 }
 
 // Rows and columns of `from` listed in `which`.
-template <std::size_t n>
-auto picked(const LinearModel& from, const std::array<int, n>& which) {
-  constexpr int kSize = static_cast<int>(n);
-  Eigen::Matrix<double, kSize, kSize> out;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      out(static_cast<int>(i), static_cast<int>(j)) = from.A(which[i], which[j]);
-  return out;
+Eigen::MatrixXd picked(const LinearModel& from, std::initializer_list<int> which) {
+  const std::vector<int> at = which;
+  return from.A(at, at);
 }
 
-// Eigenvalues, fastest first; of conjugates the one above the real axis first.
-template <class Matrix>
-std::vector<std::complex<double>> eigenvalues(const Matrix& matrix) {
-  const auto values = Eigen::EigenSolver<Matrix>(matrix, false).eigenvalues().eval();
+// Eigenvalues, fastest first; of conjugates the one above the real axis first. One size
+// for all matrices: the compiler takes ten seconds for each.
+std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& matrix) {
+  const auto values = Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues();
   std::vector<std::complex<double>> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
     // Conjugates have the same real part to the last bit, their moduli too.
-    return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a.imag() > b.imag();
+    return std::norm(a) != std::norm(b) ? std::norm(a) > std::norm(b)
+                                        : a.imag() > b.imag();
   });
   return sorted;
 }
@@ -102,14 +98,13 @@ LinearModel linearise(const FixedWingModel& model, const Trim& trim,
 Modes modes(const LinearModel& linear) {
   using L = LinearModel;
   Modes modes;
-  const auto along = eigenvalues(
-      picked(linear, std::array<int, 5>{L::kU, L::kW, L::kQ, L::kPitch, L::kHeight}));
+  const auto along =
+      eigenvalues(picked(linear, {L::kU, L::kW, L::kQ, L::kPitch, L::kHeight}));
   modes.short_period = {along[0], along[1]};
   modes.phugoid = {along[2], along[3]};
   modes.height = along[4].real();
 
-  auto across =
-      eigenvalues(picked(linear, std::array<int, 4>{L::kV, L::kP, L::kR, L::kRoll}));
+  auto across = eigenvalues(picked(linear, {L::kV, L::kP, L::kR, L::kRoll}));
   // The dutch roll is the fastest pair.
   const auto pair = std::find_if(across.begin(), across.end(),
                                  [](const auto& z) { return z.imag() > 0; });

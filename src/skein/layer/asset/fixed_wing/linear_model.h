@@ -4,6 +4,7 @@
 #include <complex>
 #include <optional>
 
+#include "skein/base/math.h"
 #include "skein/layer/asset/fixed_wing/trim.h"
 
 namespace skein::asset {
@@ -46,11 +47,11 @@ Modes modes(const LinearModel& linear);
 
 /// Angular frequency of the undamped motion [rad/s].
 inline double natural_frequency(std::complex<double> eigenvalue) {
-  return std::abs(eigenvalue);
+  return math::hypot(eigenvalue.real(), eigenvalue.imag());
 }
 /// Share of the critical damping; 1 or more: no oscillation.
 inline double damping_ratio(std::complex<double> eigenvalue) {
-  return -eigenvalue.real() / std::abs(eigenvalue);
+  return -eigenvalue.real() / natural_frequency(eigenvalue);
 }
 
 }  // namespace skein::asset

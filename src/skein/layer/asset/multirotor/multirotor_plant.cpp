@@ -116,7 +116,7 @@ MultirotorTrim MultirotorPlant::trim(const Vec3& v_AB_N, double heading,
     const auto thrusts = rotors_.thrusts(thrust_N.norm(), -held.moment_B,
                                          p.torque_factor / p.thrust_factor);
     trim.q_NB = attitude_of(thrust_N.normalized(), heading);
-    double change = trim.q_NB.angularDistance(last.q_NB);
+    double change = geo::log_so3(trim.q_NB * last.q_NB.conjugate()).norm();
     for (std::size_t k = 0; k < rotors_.size(); ++k) {
       trim.rotors[k] = std::clamp(std::sqrt(std::max(0.0, thrusts[k]) / thrust_factor),
                                   0.0, p.fastest_rotor);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "skein/role/agent.h"
+#include "skein/data/agent_step.h"
 
 namespace skein::reasoning {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "skein/base/id.h"
-#include "skein/role/agent.h"
+#include "skein/data/agent_step.h"
 
 namespace skein::reasoning {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "skein/base/id.h"
+#include "skein/data/agent_step.h"
 #include "skein/data/zone.h"
 #include "skein/layer/reasoning/agent/ways_around.h"
 #include "skein/layer/reasoning/agent/zone_guard.h"
-#include "skein/role/agent.h"
 #include "skein/role/terrain.h"
 
 namespace skein::reasoning {

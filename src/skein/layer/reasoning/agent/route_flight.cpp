@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "skein/base/math.h"
+#include "skein/data/airspace.h"
 #include "skein/layer/reasoning/agent/round_trip.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/model/path/wind_triangle.h"

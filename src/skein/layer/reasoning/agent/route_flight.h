@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "skein/data/agent_step.h"
 #include "skein/layer/reasoning/agent/zone_watch.h"
-#include "skein/role/agent.h"
 #include "skein/role/path_planner.h"
 
 namespace skein::reasoning {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "skein/data/airspace.h"
 #include "skein/layer/reasoning/agent/test/test_flight.h"
 #include "skein/model/path/plan_curve.h"
 

@@ -5,11 +5,11 @@
 #include <functional>
 #include <vector>
 
+#include "skein/data/agent_step.h"
 #include "skein/data/autopilot.h"
 #include "skein/data/vehicle.h"
 #include "skein/model/path/path_geometry.h"
 #include "skein/model/path/wind_triangle.h"
-#include "skein/role/agent.h"
 #include "skein/role/terrain.h"
 
 namespace skein::reasoning::test {

@@ -8,6 +8,7 @@
 #include "skein/base/check.h"
 #include "skein/base/math.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/role/terrain.h"
 
 namespace skein::planning {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "skein/layer/reasoning/planning/search/airspace_map.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/role/terrain.h"
 
 // Single places and times of an AirspaceMap, and its conflicts in words.
 namespace skein::planning {

@@ -1,4 +1,5 @@
 #include "skein/layer/reasoning/planning/search/levels.h"
+#include "skein/role/terrain.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/data/airspace.h"
 #include "skein/geo/clip.h"
 #include "skein/layer/reasoning/planning/tasks/coverage_check.h"
 #include "skein/layer/reasoning/planning/tasks/gap_lines.h"

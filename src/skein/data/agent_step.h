@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "skein/data/agent_record.h"
+#include "skein/data/autopilot.h"
+#include "skein/data/command.h"
+#include "skein/data/event.h"
+#include "skein/data/message.h"
+#include "skein/data/sensing.h"
+#include "skein/data/vehicle.h"
+
+namespace skein {
+
+/// What an agent perceives at one step. A ground station has no vehicle: `nav` is null.
+struct AgentInput {
+  Time now;
+  const NavEstimate* nav = nullptr;
+  AutopilotStatus autopilot;
+  std::span<const SensorSample> samples;  ///< since the last step
+  std::span<const Message> inbox;         ///< since the last step
+  std::span<const Command> commands;      ///< to a ground station, since the last step
+};
+
+/// What an agent does at one step.
+struct AgentOutput {
+  std::vector<Message>
+      outbox;  ///< `from`, `number` and `sent` are filled in by the sender
+  std::optional<AutopilotCommand> command;
+  std::optional<ReturnWay> return_way;  ///< when returns shall lead elsewhere from now on
+  std::vector<Event> events;
+  std::vector<AgentRecord> records;  ///< what else it wants to have recorded
+};
+
+}  // namespace skein
