@@ -38,7 +38,7 @@ function content(extension) {
 writeFileSync(
   output,
   `// Made by web/build.mjs.
-#include "${namespace}/page_assets.h"
+#include "skein/${namespace}/page_assets.h"
 
 namespace skein::${namespace} {
 
