@@ -191,6 +191,14 @@ const std::vector<StudyKind>& study_kinds() {
        "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
         "--set"}},
+      {"ground-starts",
+       "starts from the ground in random wind and turbulence (500 runs): is any lost?",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
+        "--set"}},
+      {"keeping",
+       "how closely a glider and a quadrotor keep to what they are told, by receiver",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
+        "--set"}},
       {"tuning",
        "laps of waypoints, each with other gains; can search for gains",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
@@ -251,6 +259,9 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
   if (arguments.name == "monitoring") return monitoring(arguments, folder, stop);
   if (arguments.name == "fidelity") return fidelity(arguments, folder, stop);
   if (arguments.name == "robustness") return robustness(arguments, folder, stop);
+  if (arguments.name == "ground-starts")
+    return ground_starts_study(arguments, folder, stop);
+  if (arguments.name == "keeping") return keeping_study(arguments, folder, stop);
   if (arguments.name == "wind-following") return following_study(arguments, folder, stop);
   if (arguments.name == "tuning") return tuning_study(arguments, folder, stop);
   return bridge(arguments, folder, stop);

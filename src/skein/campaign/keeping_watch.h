@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "skein/role/recorder.h"
+
+namespace skein::campaign {
+
+/// What one aircraft is told to keep to.
+struct Keeping {
+  EntityId aircraft;
+  double altitude_msl = 0;        ///< [m]
+  double airspeed = 0;            ///< [m/s]
+  std::optional<Vec2> hovers_at;  ///< [m]; none: it follows a route
+  double settling = 20;           ///< after the start, not counted [s]
+};
+
+/// Measures how far one aircraft truly is from what it is told to keep to.
+///
+/// Across its route: the cross-track distance that its autopilot believes, corrected by
+/// the error of its believed position across the leg. A turn is where the leg's direction
+/// turns by more than 2 degrees a second.
+class KeepingWatch final : public Recorder {
+ public:
+  explicit KeepingWatch(const Keeping& keeping) : keeping_(keeping) {}
+
+  void entity(EntityId, const std::string&, const std::string&) override {}
+  void truth(Time time, EntityId id, const VehicleState& state) override;
+  void estimate(EntityId id, const NavEstimate& estimate,
+                const AutopilotStatus& status) override;
+  void reading(const FireReading&) override {}
+  void message(const Message&, Time, bool) override {}
+  void perimeter(Time, const geo::Region&, EntityId, const BoundaryEstimate&) override {}
+  void event(const Event& event) override;
+  void crossing(const Crossing&) override {}
+  Result<void> step_done(Time) override { return {}; }
+
+  /// Adds `straights_rms_m`, `turns_rms_m`, `believed_rms_m` (of routes),
+  /// `height_most_m`, `airspeed_rms_mps`, `hover_most_m`, `hover_believed_most_m`: those
+  /// that have been measured; and `accident` (0 or 1).
+  void add_figures(std::map<std::string, double>& figures) const;
+
+ private:
+  struct Errors {
+    double square = 0, count = 0, most = 0;
+    void add(double error);
+  };
+
+  void keep_to_route(const NavEstimate& estimate, const AutopilotStatus& status);
+
+  Keeping keeping_;
+  Time now_;
+  double dt_ = 0;
+  VehicleState state_;
+  Vec2 along_ = Vec2::Zero();
+  Errors straights_, turns_, believed_, height_, airspeed_, hover_, hover_believed_;
+  bool accident_ = false;
+};
+
+}  // namespace skein::campaign
