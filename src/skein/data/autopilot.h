@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -97,7 +99,18 @@ enum class FailsafeTrigger : std::uint8_t {
   kGeofence,  ///< outside the area or above the ceiling
   kGnss,      ///< no fix
   kMotor,     ///< a motor stands
+  kImu,       ///< no inertial measurement: the attitude is not known
 };
+
+/// What an autopilot flies by, besides satellites. Each may be fitted more than once.
+enum class FlightSensor : std::uint8_t {
+  kImu,
+  kBarometer,
+  kMagnetometer,
+  kAirspeed,
+  kPower,
+};
+inline constexpr std::size_t kFlightSensors = 5;
 
 /// What is done about it.
 enum class FailsafeReaction : std::uint8_t {
@@ -128,6 +141,9 @@ struct AutopilotStatus {
       {};              ///< why the last of them could not; good until the next one
   double charge = 1;   ///< left, from 0 to 1
   double reserve = 1;  ///< of it, when what it takes to get home is taken off
+  /// Bit k: of FlightSensor k, which is fitted, nothing is heard any more.
+  std::uint8_t lost_sensors = 0;
+  std::array<std::uint8_t, kFlightSensors> units{};  ///< of each, the one flown by
   std::optional<double> endurance =
       std::nullopt;  ///< flight time left at the present power [s]
 };
@@ -147,13 +163,28 @@ constexpr std::string_view name_of(FlightMode mode) {
   return kNames[static_cast<std::size_t>(mode)];
 }
 constexpr std::string_view name_of(FailsafeTrigger trigger) {
-  constexpr std::string_view kNames[] = {"none",     "link", "battery",
-                                         "geofence", "gnss", "motor"};
+  constexpr std::string_view kNames[] = {"none", "link",  "battery", "geofence",
+                                         "gnss", "motor", "imu"};
   return kNames[static_cast<std::size_t>(trigger)];
 }
 constexpr std::string_view name_of(FailsafeReaction reaction) {
   constexpr std::string_view kNames[] = {"none", "hold", "return", "land", "descend"};
   return kNames[static_cast<std::size_t>(reaction)];
+}
+constexpr std::string_view name_of(FlightSensor sensor) {
+  constexpr std::string_view kNames[] = {"imu", "barometer", "magnetometer", "airspeed",
+                                         "power"};
+  return kNames[static_cast<std::size_t>(sensor)];
+}
+
+/// What is flown by instead of a sensor that is lost, for people.
+constexpr std::string_view instead_of(FlightSensor sensor) {
+  constexpr std::string_view kNames[] = {
+      "nothing shows the attitude; motors off, surfaces at trim",
+      "altitude by satellites", "heading by gyros and the flight over ground",
+      "airspeed by the estimated wind, with a margin",
+      "charge by the consumption so far"};
+  return kNames[static_cast<std::size_t>(sensor)];
 }
 
 }  // namespace skein

@@ -206,6 +206,7 @@ class Stepper {
                  ? std::string("over")
                  : fmt::format("{}: {}", name_of(status.trigger),
                                name_of(status.reaction)));
+      note_sensors(now, i, status, told);
       Watched& watched = watched_[i];
       if (status.refusals > told.refusals)
         if (auto text = watched.refusals.told(now, status.refusals - told.refusals,
@@ -217,6 +218,23 @@ class Stepper {
                          status.on_ground ? "stands on" : "has left"));
       watched.on_ground = status.on_ground;
       told = status;
+    }
+  }
+
+  // Flight sensors that an autopilot misses, hears again, or has replaced by a spare.
+  void note_sensors(Time now, std::size_t i, const AutopilotStatus& status,
+                    const AutopilotStatus& told) {
+    if (status.lost_sensors == told.lost_sensors && status.units == told.units) return;
+    for (std::size_t k = 0; k < kFlightSensors; ++k) {
+      const auto sensor = static_cast<FlightSensor>(k);
+      const bool lost = (status.lost_sensors >> k & 1u) != 0;
+      if (lost != ((told.lost_sensors >> k & 1u) != 0))
+        tell(now, i, lost ? "sensor-lost" : "sensor-back",
+             lost ? fmt::format("{}: {}", name_of(sensor), instead_of(sensor))
+                  : std::string(name_of(sensor)));
+      if (status.units[k] != told.units[k])
+        tell(now, i, "sensor-switched",
+             fmt::format("{}: flies by number {}", name_of(sensor), status.units[k] + 1));
     }
   }
 
