@@ -190,6 +190,14 @@ const std::vector<StudyKind>& study_kinds() {
        "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
         "--plugin"}},
+      {"ground-starts",
+       "starts from the ground in random wind and turbulence (500 runs): is any lost?",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
+        "--plugin"}},
+      {"keeping",
+       "how closely a glider and a quadrotor keep to what they are told, by receiver",
+       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
+        "--plugin"}},
       {"tuning",
        "laps of waypoints, each with other gains; can search for gains",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
@@ -264,6 +272,9 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
   if (arguments.name == "monitoring") return monitoring(all, *kinds, folder, stop);
   if (arguments.name == "fidelity") return fidelity(all, *kinds, folder, stop);
   if (arguments.name == "robustness") return robustness(all, *kinds, folder, stop);
+  if (arguments.name == "ground-starts")
+    return ground_starts_study(all, *kinds, folder, stop);
+  if (arguments.name == "keeping") return keeping_study(all, *kinds, folder, stop);
   if (arguments.name == "wind-following")
     return following_study(all, *kinds, folder, stop);
   if (arguments.name == "tuning") return tuning_study(all, *kinds, folder, stop);

@@ -60,6 +60,16 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
 int following_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                     const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
+/// `skein study ground-starts`; returns the exit status.
+int ground_starts_study(const StudyArguments& arguments,
+                        const assemble::KindRegistry& kinds,
+                        const std::filesystem::path& folder,
+                        const std::atomic<bool>& stop);
+
+/// `skein study keeping`; returns the exit status.
+int keeping_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                  const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
 /// `skein study tuning`; returns the exit status.
 int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                  const std::filesystem::path& folder, const std::atomic<bool>& stop);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "skein/assemble/aircraft_fit.h"
 #include "skein/assemble/placement.h"
 #include "skein/assemble/presence.h"
@@ -28,10 +31,49 @@ std::vector<sensory::SensorSuite::Part> unpacked(const std::string& kind,
   return one;
 }
 
+// What the suite `flight` holds, as single sensors are called.
+constexpr std::string_view kSuite = "flight";
+constexpr std::array<std::string_view, 7> kInSuite = {
+    "imu", "gnss-receiver", "barometer", "magnetometer", "airspeed", "height", "power"};
+
+// The number of a sensor among those of its kind on board, which a suite holds too: each
+// has errors of its own.
+std::uint32_t next_instance(const std::string& kind,
+                            const std::map<std::string, std::uint32_t>& mounted) {
+  const auto count = [&](const std::string& name) {
+    const auto found = mounted.find(name);
+    return found == mounted.end() ? 0 : found->second;
+  };
+  std::uint32_t next = count(kind);
+  if (kind == kSuite)
+    for (const std::string_view part : kInSuite)
+      next = std::max(next, count(std::string(part)));
+  return next;
+}
+
+std::uint8_t flight_sensors_in(const std::vector<std::string>& kinds) {
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < kFlightSensors; ++k)
+    if (std::find(kinds.begin(), kinds.end(), name_of(static_cast<FlightSensor>(k))) !=
+        kinds.end())
+      bits |= 1u << k;
+  return static_cast<std::uint8_t>(bits);
+}
+
 // An error of the aircraft called `name`, if it does not say where.
 Error at(const std::string& name, Error error) {
   if (error.place.empty()) error.place = name;
   return error;
+}
+
+// Whether whoever puts it on the ground turns it into the wind: a wing that is not told a
+// heading, where there is wind to feel.
+bool faces_wind(const scenario::Start& start, const Airframe& airframe,
+                const Vec3& wind_N) {
+  constexpr double kCalm = 0.3;  // [m/s]
+  return start.on_ground && !start.heading &&
+         std::holds_alternative<FixedWingAirframe>(airframe) &&
+         geo::horizontal(wind_N).norm() > kCalm;
 }
 
 }  // namespace
@@ -87,11 +129,12 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
+  auto parts = mount_sensors(group, context, vehicle);
+  if (!parts) return parts.error();
+  context.fitted = flight_sensors_in(parts.value().sensors);
   auto autopilot = kinds_.autopilot.make(group.autopilot, context);
   if (!autopilot) return at(name, autopilot.error());
   vehicle.autopilot = std::move(autopilot).value();
-  auto parts = mount_sensors(group, context, vehicle);
-  if (!parts) return parts.error();
   auto turbulence = gusty_air(context);
   if (!turbulence) return turbulence.error();
   vehicle.turbulence = std::move(turbulence).value();
@@ -164,8 +207,10 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
         "Leave start.on_ground out, or choose another plant."};
   VehicleStart start;
   start.p_N = {place.position.x(), place.position.y(), -altitude};
-  start.heading = place.heading;
   start.wind_N = wind_.wind(start.p_N, Time());
+  start.heading = place.heading;
+  if (faces_wind(group.start, vehicle.plant->airframe(), start.wind_N))
+    start.heading = geo::bearing(-geo::horizontal(start.wind_N));
   start.on_ground = group.start.on_ground;
   vehicle.state = vehicle.plant->start(start);
   vehicle.air.wind_N = start.wind_N;
@@ -187,11 +232,13 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
   parts.airframe = context.airframe;
   std::map<std::string, std::uint32_t> of_kind;
   for (const scenario::Choice& choice : group.sensors) {
-    context.instance = of_kind[choice.kind]++;
+    context.instance = next_instance(choice.kind, of_kind);
+    of_kind[choice.kind] = context.instance + 1;
     auto sensor = kinds_.sensor.make(choice, context);
     if (!sensor) return sensor.error();
     auto mounted = unpacked(choice.kind, std::move(sensor).value());
     for (sensory::SensorSuite::Part& part : mounted) {
+      of_kind[part.kind] = context.instance + 1;
       const bool payload = part.sensor->payload();
       (payload ? parts.payload : parts.sensors).push_back(part.kind);
       (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));

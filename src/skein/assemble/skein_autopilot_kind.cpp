@@ -60,6 +60,9 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
               "The aircraft is outside the fence.")
       .object("gnss", &T::gnss, rule_fields(), "No position from satellites.")
       .object("motor", &T::motor, rule_fields(), "A motor stands under throttle.")
+      .object("imu", &T::imu, rule_fields(),
+              "No inertial unit is heard: nothing shows the attitude. The only reaction "
+              "that can be flown is descend, with motors off and surfaces at trim.")
       .number("battery_reserve", &T::battery_reserve, "Of a full charge.", kShare)
       .number("battery_critical_charge", &T::battery_critical_at, "Of a full charge.",
               kShare)
@@ -141,6 +144,7 @@ Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
                  "Choose plant: fixed-wing, or leave them out."};
   options.watches_link = c.hears_station;
   options.watches_gnss = c.has_position;
+  options.watches_sensors = c.fitted;
   options.fence = geofence_of(choice.fence, c.limits);
   if (options.fence.area.empty() && !choice.fence.areas.empty())
     return Error{ErrorCode::kBadInput, "autopilot.fence.areas_m", "enclose nothing.", ""};

@@ -60,9 +60,13 @@ Result<std::vector<VehicleFault>> servo(FaultKind kind, const std::string& part,
 Result<std::vector<VehicleFault>> sensor(const std::string& part, const Parts& parts) {
   std::vector<VehicleFault> all;
   const auto collect = [&](const std::vector<std::string>& kinds, FaultKind kind) {
-    for (std::size_t k = 0; k < kinds.size(); ++k)
-      if (part.empty() || kinds[k] == part)
-        all.push_back({kind, k, {}, {}, "sensor " + kinds[k]});
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      const auto here = kinds.begin() + static_cast<std::ptrdiff_t>(k);
+      const auto number = 1 + std::count(kinds.begin(), here, kinds[k]);
+      if (part.empty() || kinds[k] == part ||
+          part == fmt::format("{}#{}", kinds[k], number))
+        all.push_back({kind, k, {}, {}, "sensor " + (part.empty() ? kinds[k] : part)});
+    }
   };
   collect(parts.sensors, FaultKind::kSensor);
   collect(parts.payload, FaultKind::kPayload);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -99,11 +100,26 @@ enum class FailsafeTrigger : std::uint8_t {
   kGeofence,  ///< outside the area or above the ceiling
   kGnss,      ///< no fix
   kMotor,     ///< a motor stands
+  kImu,       ///< no inertial measurement: the attitude is not known
 };
 constexpr auto names_of(const FailsafeTrigger*) {
   return std::to_array<std::string_view>(
-      {"none", "link", "battery", "geofence", "gnss", "motor"});
+      {"none", "link", "battery", "geofence", "gnss", "motor", "imu"});
 }
+
+/// What an autopilot flies by, besides satellites. Each may be fitted more than once.
+enum class FlightSensor : std::uint8_t {
+  kImu,
+  kBarometer,
+  kMagnetometer,
+  kAirspeed,
+  kPower,
+};
+constexpr auto names_of(const FlightSensor*) {
+  return std::to_array<std::string_view>(
+      {"imu", "barometer", "magnetometer", "airspeed", "power"});
+}
+inline constexpr std::size_t kFlightSensors = 5;
 
 /// What is done about it.
 enum class FailsafeReaction : std::uint8_t {
@@ -137,6 +153,9 @@ struct AutopilotStatus {
       {};              ///< why the last of them could not; good until the next one
   double charge = 1;   ///< left, from 0 to 1
   double reserve = 1;  ///< of it, when what it takes to get home is taken off
+  /// Bit k: of FlightSensor k, which is fitted, nothing is heard any more.
+  std::uint8_t lost_sensors = 0;
+  std::array<std::uint8_t, kFlightSensors> units{};  ///< of each, the one flown by
   std::optional<double> endurance =
       std::nullopt;  ///< flight time left at the present power [s]
 };
@@ -169,7 +188,12 @@ constexpr auto describe(const AutopilotStatus*) {
       field("reserve", &T::reserve,
             "the charge less what it takes to get home; 1 while nothing is known of it"),
       field("endurance", &T::endurance, unit::kSecond,
-            "flight time left at the present power; null while not known"));
+            "flight time left at the present power; null while not known"),
+      field(
+          "lost_sensors", &T::lost_sensors,
+          "bit k: nothing is received any more of the IMU (0), barometer, magnetometer, "
+          "airspeed, power"),
+      untabled(field("unit", &T::units, "of each of these, the one flown by")));
 }
 
 /// Whether the autopilot does what its agent says: no pilot, no failsafe flies or forbids
@@ -179,6 +203,16 @@ constexpr bool obeys_orders(const AutopilotStatus& status) {
   const bool pilot =
       status.mode == FlightMode::kManual || status.mode == FlightMode::kStabilized;
   return !pilot && status.reaction == FailsafeReaction::kNone;
+}
+
+/// What is flown by instead of a sensor that is lost, for people.
+constexpr std::string_view instead_of(FlightSensor sensor) {
+  constexpr std::string_view kNames[] = {
+      "nothing shows the attitude; motors off, surfaces at trim",
+      "altitude by satellites", "heading by gyros and the flight over ground",
+      "airspeed by the estimated wind, with a margin",
+      "charge by the consumption so far"};
+  return kNames[static_cast<std::size_t>(sensor)];
 }
 
 }  // namespace skein

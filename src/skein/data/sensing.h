@@ -26,6 +26,7 @@ struct GnssFix {
   double altitude_sd = 0;  ///< [m]
   double velocity_sd = 0;  ///< per axis [m/s]
   GnssKind kind = GnssKind::kSingle;
+  std::uint8_t unit = 0;  ///< which of several on board, from 0
 };
 
 /// The in/out fire sensor: does the ground at the looked-at point burn?
@@ -57,22 +58,26 @@ struct ImuSample {
   double interval = 0;         ///< [s]
   Vec3 w_NB_B = Vec3::Zero();  ///< rate of turn [rad/s]
   Vec3 f_B = Vec3::Zero();     ///< specific force: acceleration less gravity [m/s^2]
+  std::uint8_t unit = 0;       ///< which of several on board, from 0
 };
 
 struct BarometerSample {
   Time time;
   double altitude_msl = 0;  ///< pressure altitude [m]
+  std::uint8_t unit = 0;    ///< which of several on board, from 0
 };
 
 struct MagnetometerSample {
   Time time;
   Vec3 m_B = Vec3::Zero();  ///< field over its strength, in the body frame
+  std::uint8_t unit = 0;    ///< which of several on board, from 0
 };
 
 /// Pitot tube.
 struct AirspeedSample {
   Time time;
-  double airspeed = 0;  ///< [m/s]
+  double airspeed = 0;    ///< [m/s]
+  std::uint8_t unit = 0;  ///< which of several on board, from 0
 };
 
 /// Distance along one beam.

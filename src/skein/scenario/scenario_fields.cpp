@@ -143,17 +143,19 @@ Fields<Start> start_fields() {
           {.at_least = -500, .at_most = 30000})
       .boolean("on_ground", &T::on_ground,
                "Stands on the ground at the start, for take-off; needs a plant that can.")
-      .angle_deg("heading_deg", &T::heading,
-                 "Heading at the start, clockwise from north. Null: to the centre (line: "
-                 "north; ring: along it, clockwise).",
-                 kBearing);
+      .angle_deg(
+          "heading_deg", &T::heading,
+          "Heading at the start, clockwise from north. Null: to the centre (line: "
+          "north; ring: along it, clockwise); a fixed wing on the ground is faced "
+          "into the wind that blows there at the start. A heading that is given is "
+          "that of the runway: it takes off along it.",
+          kBearing);
 }
 
 constexpr const char* kPartHelp =
     "Which part. Motor: its channel, from 0 (empty: the only one of a fixed wing, the "
-    "first of a multirotor). Servo: aileron, elevator or rudder. Sensor: its kind "
-    "(empty: "
-    "all).";
+    "first of a multirotor). Servo: aileron, elevator or rudder. Sensor: its kind, "
+    "or imu#2 for the second of several (empty: all).";
 
 Fields<Failure> failure_fields() {
   using T = Failure;

@@ -289,6 +289,7 @@ void Stepper::record_status_changes(Time now, std::size_t i) {
         status.trigger == FailsafeTrigger::kNone
             ? std::string("over")
             : fmt::format("{}: {}", name_of(status.trigger), name_of(status.reaction)));
+  record_sensor_changes(now, i);
   if (status.refusals > last.refusals)
     if (auto text =
             state.refusals.told(now, status.refusals - last.refusals, status.refused))
@@ -299,6 +300,25 @@ void Stepper::record_status_changes(Time now, std::size_t i) {
                              status.on_ground ? "stands on" : "has left"));
   state.was_on_ground = status.on_ground;
   state.last_status = status;
+}
+
+// Flight sensors that an autopilot misses, receives again, or has replaced by a spare.
+void Stepper::record_sensor_changes(Time now, std::size_t i) {
+  const AutopilotStatus& status = states_[i].status;
+  const AutopilotStatus& last = states_[i].last_status;
+  if (status.lost_sensors == last.lost_sensors && status.units == last.units) return;
+  for (std::size_t k = 0; k < kFlightSensors; ++k) {
+    const auto sensor = static_cast<FlightSensor>(k);
+    const bool lost = (status.lost_sensors >> k & 1u) != 0;
+    if (lost != ((last.lost_sensors >> k & 1u) != 0))
+      record_event(now, i, lost ? "sensor-lost" : "sensor-back",
+                   lost ? fmt::format("{}: {}", name_of(sensor), instead_of(sensor))
+                        : std::string(name_of(sensor)));
+    if (status.units[k] != last.units[k])
+      record_event(
+          now, i, "sensor-switched",
+          fmt::format("{}: flies by number {}", name_of(sensor), status.units[k] + 1));
+  }
 }
 
 void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {

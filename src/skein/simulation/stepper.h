@@ -68,6 +68,7 @@ class Stepper {
   void record_accidents(Time now);
   void record_status_changes(Time now);
   void record_status_changes(Time now, std::size_t i);
+  void record_sensor_changes(Time now, std::size_t i);
   void record_agent(Time now, std::size_t i, const AgentRecord& said);
   void record_message(const Message& message, Time arrived, bool lost);
   void record_event(Time now, std::size_t i, std::string kind, std::string text);

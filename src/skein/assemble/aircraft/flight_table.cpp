@@ -22,6 +22,7 @@ struct Bounds {
 
 // Wide enough for every flight that the models cover; what lies outside is a slip.
 constexpr std::string_view kInDegrees = "Angles are in radians.";
+constexpr double kAny = std::numeric_limits<double>::max();
 constexpr Bounds kBounds[] = {
     {"t", -1e9, 1e9, ""},
     {"de_rad", -1.6, 1.6, kInDegrees},
@@ -37,9 +38,9 @@ constexpr Bounds kBounds[] = {
     {"u_mps", -1000, 1000, ""},
     {"v_mps", -1000, 1000, ""},
     {"w_mps", -1000, 1000, ""},
-    {"phi_rad", -6.2831853071795865, 6.2831853071795865, kInDegrees},
-    {"theta_rad", -1.5707963267948966, 1.5707963267948966, kInDegrees},
-    {"psi_rad", -6.2831853071795865, 6.2831853071795865, kInDegrees},
+    {"phi_rad", -kAny, kAny, ""},
+    {"theta_rad", -kAny, kAny, ""},
+    {"psi_rad", -kAny, kAny, ""},
     {"p_rps", -100, 100, ""},
     {"q_rps", -100, 100, ""},
     {"r_rps", -100, 100, ""},
@@ -186,6 +187,9 @@ Result<void> FlightTableReader::read_start() {
     if (!number) return number.error();
     *into[i] = number.value();
   }
+  geo::Euler& attitude = start_.attitude;
+  for (double* angle : {&attitude.roll, &attitude.pitch, &attitude.yaw})
+    *angle = geo::wrap_pi(*angle);
   return {};
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "skein/base/id.h"
 #include "skein/base/random.h"
 #include "skein/layer/sensory/periodic_sensor.h"
@@ -16,7 +18,8 @@ struct AirspeedOptions {
 };
 
 /// Pitot tube: airspeed (1 + scale) + bias + noise, and 0 below a floor. Not sensitive to
-/// the angles of attack and side-slip.
+/// angles of attack and side-slip up to 20 degrees together; beyond, it feels the part of
+/// the air's speed that comes from ahead, and nothing from behind.
 class AirspeedSensor final : public PeriodicSensor<AirspeedSensor, AirspeedSample> {
  public:
   AirspeedSensor(const AirspeedOptions& options, std::uint64_t seed, EntityId entity,
@@ -25,11 +28,15 @@ class AirspeedSensor final : public PeriodicSensor<AirspeedSensor, AirspeedSampl
   bool measure(const SensorView& view, AirspeedSample& sample);
 
  private:
+  // Airspeed as the tube feels it [m/s].
+  static double felt(const SensorView& view);
+
   double noise_sd_;
   double floor_;
   FastNormals normal_;
   double bias_;
   double gain_;
+  std::uint8_t unit_;
 };
 
 }  // namespace skein::sensory

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "skein/base/id.h"
 #include "skein/base/random.h"
 #include "skein/layer/sensory/gauss_markov.h"
@@ -30,6 +32,7 @@ class Barometer final : public PeriodicSensor<Barometer, BarometerSample> {
   FastNormals normal_;
   double bias_;
   GaussMarkov1 drift_;
+  std::uint8_t unit_;
 };
 
 }  // namespace skein::sensory

@@ -43,7 +43,8 @@ GnssReceiver::GnssReceiver(const GnssReceiverOptions& options, std::uint64_t see
       outages_(options.outages,
                RandomStream(seed, entity.value, Purpose::kGnssOutage, instance)),
       reacquisition_(Time::from_seconds(options.reacquisition)),
-      blind_until_(Time::from_ns(-1)) {
+      blind_until_(Time::from_ns(-1)),
+      unit_(static_cast<std::uint8_t>(instance)) {
   double variance = 0;
   for (const GnssSource& source : gnss_sources(options)) {
     if (source.sd <= 0) continue;
@@ -70,6 +71,7 @@ bool GnssReceiver::measure(const SensorView& view, GnssFix& fix) {
   fix.altitude_sd = altitude_sd_;
   fix.velocity_sd = velocity_sd_;
   fix.kind = kind_;
+  fix.unit = unit_;
   return true;
 }
 

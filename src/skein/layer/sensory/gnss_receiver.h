@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include <array>
 
 #include "skein/base/id.h"
@@ -78,6 +80,7 @@ class GnssReceiver final : public PeriodicSensor<GnssReceiver, GnssFix> {
   Outages outages_;
   Time reacquisition_;
   Time blind_until_;
+  std::uint8_t unit_;
 };
 
 }  // namespace skein::sensory

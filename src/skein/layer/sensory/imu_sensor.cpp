@@ -33,7 +33,8 @@ ImuSensor::ImuSensor(const ImuOptions& options, std::uint64_t seed, EntityId ent
       gyro_scale_(options.gyro_scale_sd * normal3(normal_)),
       gyro_bias_(options.gyro_bias_sd * normal3(normal_)),
       accelerometer_scale_(options.accelerometer_scale_sd * normal3(normal_)),
-      accelerometer_bias_(options.accelerometer_bias_sd * normal3(normal_)) {}
+      accelerometer_bias_(options.accelerometer_bias_sd * normal3(normal_)),
+      unit_(static_cast<std::uint8_t>(instance)) {}
 
 void ImuSensor::walk(Time now) {
   const double root = std::sqrt((now - walked_).seconds());
@@ -43,6 +44,7 @@ void ImuSensor::walk(Time now) {
 }
 
 bool ImuSensor::measure(const SensorView& view, ImuSample& sample) {
+  sample.unit = unit_;
   const Quat& q_NB = view.vehicle.q_NB;
   const Vec3& v_N = view.vehicle.v_N;
   const bool whole = started_;

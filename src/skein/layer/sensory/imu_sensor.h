@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "skein/base/id.h"
 #include "skein/base/random.h"
 #include "skein/layer/sensory/periodic_sensor.h"
@@ -58,6 +60,7 @@ class ImuSensor final : public PeriodicSensor<ImuSensor, ImuSample> {
   Time since_;
   Time walked_;  // when the biases moved last
   bool started_ = false;
+  std::uint8_t unit_;
 };
 
 }  // namespace skein::sensory

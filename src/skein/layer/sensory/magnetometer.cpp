@@ -17,9 +17,11 @@ Magnetometer::Magnetometer(const MagnetometerOptions& options, std::uint64_t see
       field_N_(magnetic_field_N(options.declination, options.inclination)),
       noise_sd_(options.noise_sd),
       normal_(RandomStream(seed, entity.value, Purpose::kMagnetometer, instance)),
-      hard_iron_(options.hard_iron_sd * normal3(normal_)) {}
+      hard_iron_(options.hard_iron_sd * normal3(normal_)),
+      unit_(static_cast<std::uint8_t>(instance)) {}
 
 bool Magnetometer::measure(const SensorView& view, MagnetometerSample& sample) {
+  sample.unit = unit_;
   sample.m_B = view.vehicle.q_NB.conjugate() * field_N_ + hard_iron_ +
                noise_sd_ * normal3(normal_);
   return true;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "skein/base/id.h"
 #include "skein/base/random.h"
 #include "skein/layer/sensory/periodic_sensor.h"
@@ -32,6 +34,7 @@ class Magnetometer final : public PeriodicSensor<Magnetometer, MagnetometerSampl
   double noise_sd_;
   FastNormals normal_;
   Vec3 hard_iron_;
+  std::uint8_t unit_;
 };
 
 }  // namespace skein::sensory

@@ -12,10 +12,10 @@ namespace skein::autopilot {
 namespace {
 
 constexpr double kHeldGap = 0.1;         // over which the last rates may be held [s]
+constexpr double kLongGap = 1;           // after which the attitude is found anew [s]
 constexpr double kGapAcceleration = 3;   // that may have been missed in a gap [m/s^2]
 constexpr double kGapTurnRate = 0.3;     // likewise [rad/s]
 constexpr double kAirspeedLag = 0.3;     // of the airspeed's offset by gusts [s]
-constexpr double kFirstGusts = 20;       // what the first gust strength is worth [s]
 constexpr double kStale = 1;             // age at which a reading counts no more [s]
 constexpr double kUnknownHeading = 0.5;  // sd before the first bearing [rad]
 constexpr double kRestTilt = 2e-3;       // sd of the tilt by gravity, but for biases
@@ -33,15 +33,17 @@ void set_three(ErrorCovariance& p, std::size_t at, double sd) {
 FlightEstimator::FlightEstimator(std::shared_ptr<const EstimatorOptions> options,
                                  const EstimatorStart& start)
     : options_(std::move(options)),
-      gusts_along_{options_->gust_sd * options_->gust_sd, kFirstGusts, {}},
+      gusts_along_(first_gusts()),
       gusts_across_(gusts_along_),
       gusts_north_(gusts_along_),
       gusts_east_(gusts_along_),
       accepted_fix_(start.time),
       airspeed_time_(start.time),
       height_time_(start.time),
+      field_time_(start.time),
       align_from_(start.time),
-      aligning_(start.at_rest) {
+      aligning_(start.at_rest),
+      coordinated_(!start.at_rest) {
   x_.p_N = start.p_N;
   x_.v_N = start.v_N;
   x_.q_NB = start.q_NB.normalized();
@@ -98,13 +100,47 @@ void FlightEstimator::add(const ImuSample& sample) {
     if (gap > kHeldGap) dt = sample.interval;
   }
   strapdown(x_, step_, w, sample.f_B - x_.accel_bias, dt);
+  if (alignment_) alignment_->add(w, sample.f_B - x_.accel_bias, dt);
   history_.remember(nav_.time, {x_.p_N, x_.v_N});
   publish(w);
   if (step_.dt > options_->period - 0.5 * dt) correct();
 }
 
+void FlightEstimator::replaced(FlightSensor sensor) {
+  switch (sensor) {
+    case FlightSensor::kImu:
+      x_.gyro_bias.setZero();
+      x_.accel_bias.setZero();
+      x_.gyro_scale.setZero();
+      set_three(covariance_, error::kGyroBias, options_->gyro_bias_sd);
+      set_three(covariance_, error::kAccelBias, options_->accel_bias_sd);
+      set_three(covariance_, error::kGyroScale, options_->gyro_scale_sd);
+      return;
+    case FlightSensor::kBarometer:
+      x_.baro_bias = 0;
+      altitude_.count = 0;
+      covariance_.restart(error::kBaroBias,
+                          options_->baro_bias_sd * options_->baro_bias_sd);
+      return;
+    case FlightSensor::kMagnetometer:
+      x_.magnetic_bias.setZero();
+      set_three(covariance_, error::kMagneticBias, options_->magnetic_bias_sd);
+      return;
+    case FlightSensor::kAirspeed:
+      x_.airspeed_scale = 0;
+      airspeed_.count = 0;
+      covariance_.restart(error::kAirspeedScale,
+                          options_->airspeed_scale_sd * options_->airspeed_scale_sd);
+      return;
+    case FlightSensor::kPower:
+      return;
+  }
+}
+
 // Across a long gap the motion goes straight on. What may have happened in it is noise.
 void FlightEstimator::bridge(double gap) {
+  alignment_.reset();
+  if (gap > kLongGap) misfit_ = 2 * kDiverged;  // the attitude may be any
   if (gap > kHeldGap) {
     x_.p_N += gap * x_.v_N;
     history_.clear();
@@ -201,6 +237,8 @@ void FlightEstimator::add(const MagnetometerSample& sample) {
     align_m_.add(sample.m_B);
     return;
   }
+  field_B_ = sample.m_B;
+  field_time_ = sample.time;
   const double age = seconds_since(sample.time);
   field_N_.add(x_.q_NB * Vec3(sample.m_B - age * nav_.w_NB_B.cross(sample.m_B)));
 }
@@ -284,9 +322,10 @@ NavEstimate FlightEstimator::estimate() const {
   e.roll = angles.roll;
   e.pitch = angles.pitch;
   const Vec2 air = (nav_.v_N - nav_.wind_N).head<2>();
-  e.heading = options_->fixed_wing && air.norm() > options_->airspeed_least
-                  ? geo::bearing(air)
-                  : angles.yaw;
+  e.heading =
+      options_->fixed_wing && coordinated_ && air.norm() > options_->airspeed_least
+          ? geo::bearing(air)
+          : angles.yaw;
   e.position_sd = accuracy().position;
   return e;
 }

@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "skein/data/air.h"
+#include "skein/data/autopilot.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
 #include "skein/layer/autopilot/estimator/error_covariance.h"
 #include "skein/layer/autopilot/estimator/error_state.h"
 #include "skein/layer/autopilot/estimator/estimator_options.h"
+#include "skein/layer/autopilot/estimator/flight_alignment.h"
 #include "skein/layer/autopilot/estimator/motion_history.h"
 #include "skein/layer/autopilot/estimator/observations.h"
 #include "skein/layer/autopilot/nav_state.h"
@@ -44,11 +46,12 @@ class FlightEstimator {
  public:
   /// How often what was taken in, or not.
   struct Counts {
-    std::uint32_t bad = 0;       ///< not finite
-    std::uint32_t late = 0;      ///< from before what has been used, or too late
-    std::uint32_t rejected = 0;  ///< beyond the gate
-    std::uint32_t gaps = 0;      ///< in the inertial samples
-    std::uint32_t resets = 0;    ///< begun again after lasting rejection
+    std::uint32_t bad = 0;         ///< not finite
+    std::uint32_t late = 0;        ///< from before what has been used, or too late
+    std::uint32_t rejected = 0;    ///< beyond the gate
+    std::uint32_t gaps = 0;        ///< in the inertial samples
+    std::uint32_t resets = 0;      ///< begun again after lasting rejection
+    std::uint32_t alignments = 0;  ///< attitude found anew in flight
   };
 
   FlightEstimator(std::shared_ptr<const EstimatorOptions> options,
@@ -69,6 +72,15 @@ class FlightEstimator {
   void add(const HeightSample& sample);
   void add(const TruthSample& sample);
 
+  /// Whether the vehicle flies without lasting side-slip from now on: a fixed wing in the
+  /// air does; on the ground, in a take-off run or while it lines up to touch down the
+  /// nose points elsewhere. At first: unless it starts at rest.
+  void set_coordinated(bool coordinated) { coordinated_ = coordinated; }
+
+  /// Another unit of this kind is heard from now on: what has been learnt of the errors
+  /// of the old one is forgotten. Of no meaning for what has no such errors.
+  void replaced(FlightSensor sensor);
+
   /// State at the last inertial sample (or truth).
   const NavState& state() const { return nav_; }
   /// The same for agents; its position_sd is that of the filter.
@@ -85,6 +97,9 @@ class FlightEstimator {
   bool direct() const { return direct_; }
   /// Whether the tilt is still looked for, at rest.
   bool aligning() const { return aligning_; }
+  /// Whether the satellites have contradicted the state for some time, far beyond what it
+  /// states of itself: its attitude is then found anew, within seconds.
+  bool diverged() const { return alignment_.has_value(); }
   /// Strength of the gusts along the flight, as estimated [m/s].
   double gust_sd() const;
   const Counts& counts() const { return counts_; }
@@ -124,11 +139,24 @@ class FlightEstimator {
     double seconds = 0;   // over which
     Coloured last;
   };
+  // What became of a measurement, and its innovation squared over the variance of that.
+  struct Fused {
+    bool accepted = false;
+    double square = 0;
+  };
   // Since when one kind of measurement has been rejected without break.
   struct Rejection {
     Time since;
     bool now = false;
   };
+
+  Gusts first_gusts() const {
+    constexpr double kWorth = 20;  // of the first guess of their strength [s]
+    return {options_->gust_sd * options_->gust_sd, kWorth, {}};
+  }
+  // Mean square of the fixes' innovations, over what it should be, of a filter that has
+  // lost itself.
+  static constexpr double kDiverged = 4;
 
   void align(const ImuSample& sample, double dt);
   void finish_alignment();
@@ -138,13 +166,17 @@ class FlightEstimator {
   void propagate();
   void add_scale_noise(Transition& step);
   void fuse_fix(ErrorVector& error);
+  bool contradicted(double mean_square);
+  void find_attitude(const Past& past);
+  void take_attitude(const Quat& q_NB, double heading_sd);
   void fuse_altitude(ErrorVector& error);
   void fuse_bearing(ErrorVector& error);
   double bearing_curvature() const;
   void fuse_air_data(ErrorVector& error);
   void fuse_through_gusts(const Observation& z, double innovation, double white,
                           double sideslip, Gusts& gusts, ErrorVector& error);
-  bool fuse(const Observation& z, double innovation, double variance, ErrorVector& error);
+  Fused fuse(const Observation& z, double innovation, double variance,
+             ErrorVector& error);
   bool lasts(Rejection& rejection, bool accepted, double limit);
   void inject(const ErrorVector& error);
   void begin_again(const GnssFix& fix, const Past& past);
@@ -173,11 +205,15 @@ class FlightEstimator {
   double airspeed_offset_ = 0;  // of the measured airspeed over that in the mean wind
   double height_agl_ = 0;
 
-  Time accepted_fix_, airspeed_time_, height_time_, align_from_;
+  Time accepted_fix_, airspeed_time_, height_time_, field_time_, align_from_;
   Rejection fix_rejection_, bearing_rejection_, altitude_rejection_;
+  Time judged_;        // the last fix that was
+  double misfit_ = 1;  // smoothed square of the fixes' innovations over what it should be
+  std::optional<FlightAlignment> alignment_;  // under way
+  Vec3 field_B_ = Vec3::Zero();               // last measured
   Batch<Vec3> align_w_, align_f_, align_m_;
   bool fix_waits_ = false, has_fix_ = false, has_height_ = false, has_airspeed_ = false;
-  bool aligning_ = false, direct_ = false;
+  bool aligning_ = false, direct_ = false, coordinated_ = true, has_judged_ = false;
   Counts counts_;
 };
 

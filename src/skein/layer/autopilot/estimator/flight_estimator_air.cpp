@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSideslipTime = 5;   // over which side-slip lasts [s]
 constexpr double kFreshAirspeed = 1;  // [s]
-constexpr double kMoves = 3;          // over ground: below it may be parked [m/s]
+constexpr double kOblique = 0.06;     // of airspeed, by air that comes from aside
 constexpr double kWildGust = 10;      // innovations above say nothing of gusts [m/s]
 
 }  // namespace
@@ -32,14 +32,22 @@ void FlightEstimator::fuse_air_data(ErrorVector& error) {
   if (airspeed_.count > 0) {
     const double white =
         options_->airspeed_noise * options_->airspeed_noise / airspeed_.count;
-    fuse_through_gusts(observe_airspeed(x_), airspeed_.mean(), white, 0, gusts_along_,
-                       error);
+    if (coordinated_ || !options_->fixed_wing) {
+      fuse_through_gusts(observe_airspeed(x_), airspeed_.mean(), white, 0, gusts_along_,
+                         error);
+    } else {
+      // The tube feels what comes from ahead; airspeed_ was held against all of it.
+      const Observation z = observe_airspeed_ahead(x_);
+      const double seen = airspeed_.mean() + observe_airspeed(x_).value;
+      const double oblique = kOblique * seen;
+      fuse_through_gusts(z, seen - z.value, white + oblique * oblique, 0, gusts_along_,
+                         error);
+    }
   }
   const double measured = has_airspeed_ && seconds_since(airspeed_time_) < kFreshAirspeed
                               ? nav_.airspeed
                               : speed;
-  const bool parked = x_.v_N.squaredNorm() < kMoves * kMoves;
-  if (options_->fixed_wing && measured > options_->airspeed_least && !parked) {
+  if (options_->fixed_wing && coordinated_ && measured > options_->airspeed_least) {
     const Observation z = observe_sideslip(x_);
     fuse_through_gusts(z, -z.value, 0, options_->sideslip_sd * speed, gusts_across_,
                        error);

@@ -16,6 +16,7 @@ constexpr double kMinLevelField = 0.05;  // of the unit field
 constexpr double kLeg = 30;              // of flight with one attitude [s]
 constexpr double kWildTilt = 0.1;        // sd of the tilt [rad]
 constexpr double kFieldMemory = 20;      // of the field's dip [s]
+constexpr double kDoubtful = 2;          // mean square of the fixes' innovations
 
 }  // namespace
 
@@ -85,19 +86,20 @@ void FlightEstimator::add_scale_noise(Transition& step) {
   }
 }
 
-bool FlightEstimator::fuse(const Observation& z, double innovation, double variance,
-                           ErrorVector& error) {
+FlightEstimator::Fused FlightEstimator::fuse(const Observation& z, double innovation,
+                                             double variance, ErrorVector& error) {
   ErrorVector ph;
   const double s = covariance_.project(z.row, ph) + variance;
   const double left = innovation - z.row.dot(error);
-  if (left * left > options_->gate * options_->gate * s) {
+  const double square = left * left / s;
+  if (square > options_->gate * options_->gate) {
     ++counts_.rejected;
-    return false;
+    return {false, square};
   }
   const double scale = left / s;
   for (std::size_t i = 0; i < error::kSize; ++i) error[i] += scale * ph[i];
   covariance_.reduce(ph, s);
-  return true;
+  return {true, square};
 }
 
 bool FlightEstimator::lasts(Rejection& rejection, bool accepted, double limit) {
@@ -121,7 +123,7 @@ void FlightEstimator::fuse_altitude(ErrorVector& error) {
   const Observation z = observe_altitude(x_);
   const double innovation = altitude_.mean();
   const double white = options_->baro_noise * options_->baro_noise / altitude_.count;
-  const bool accepted = fuse(z, innovation, white, error);
+  const bool accepted = fuse(z, innovation, white, error).accepted;
   if (lasts(altitude_rejection_, accepted, kLongRejection))
     covariance_.add(error::kBaroBias, innovation * innovation);
 }
@@ -135,10 +137,13 @@ void FlightEstimator::fuse_bearing(ErrorVector& error) {
           covariance_.variance(error::kAttitude + 1) >
       kWildTilt * kWildTilt)
     return;
-  field_seconds_ = std::min(field_seconds_ + options_->period, kFieldMemory);
-  const double share = options_->period / field_seconds_;
-  field_level_ += share * (level - field_level_);
-  field_down_ += share * (m_N.z() - field_down_);
+  // An attitude in doubt would teach a wrong dip.
+  if (misfit_ < kDoubtful || field_seconds_ <= 0) {
+    field_seconds_ = std::min(field_seconds_ + options_->period, kFieldMemory);
+    const double share = options_->period / field_seconds_;
+    field_level_ += share * (level - field_level_);
+    field_down_ += share * (m_N.z() - field_down_);
+  }
   const Vec3 field_N(field_level_ * math::cos(options_->declination),
                      field_level_ * math::sin(options_->declination), field_down_);
   const double innovation =
@@ -150,7 +155,7 @@ void FlightEstimator::fuse_bearing(ErrorVector& error) {
   const double lasting = last_bearing_.variance(bearing_curvature(), kLeg, nav_.time);
   last_bearing_.used(nav_.time);
   const bool accepted =
-      fuse(observe_bearing(x_, field_N), innovation, white + lasting, error);
+      fuse(observe_bearing(x_, field_N), innovation, white + lasting, error).accepted;
   if (lasts(bearing_rejection_, accepted, kLongRejection))
     covariance_.add(error::kAttitude + 2, innovation * innovation);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/base/math.h"
 #include "skein/data/air.h"
 #include "skein/layer/autopilot/estimator/flight_estimator.h"
 
@@ -14,6 +15,18 @@ constexpr double kMinFixSd = 0.002;        // of position [m] and velocity [m/s]
 constexpr double kCarrier = 0.01;          // errors of its phase to those of the code
 constexpr double kSlowShare = 0.05;        // least share of a fix's variance [-]
 constexpr double kChangedPrecision = 1.5;  // of a receiver that begins anew
+
+// A filter that is right has innovations of mean square 1.
+constexpr double kMaxSquare = 30;        // of one fix: a single one proves nothing
+constexpr double kMisfitTime = 3;        // over which it is smoothed [s]
+constexpr double kMaxShare = 0.1;        // of one fix, however long after the last
+constexpr double kAlignFor = 2;          // of flight, for the attitude [s]
+constexpr double kAlignGap = 1;          // between fixes, to begin the search again [s]
+constexpr double kFoundTilt = 0.05;      // sd of a found attitude [rad]
+constexpr double kFoundHeading = 0.1;    // sd by the field [rad]
+constexpr double kGuessedHeading = 0.5;  // sd without it [rad]
+constexpr double kFreshField = 0.5;      // [s]
+constexpr double kUnknownWind = 5;       // sd [m/s]
 
 }  // namespace
 
@@ -31,7 +44,7 @@ void FlightEstimator::take_precision_of(const GnssFix& fix) {
   const double fast2 = fast * fast * (noise2 + (phase ? 0 : multipath2));
   const double slow2 = std::max(sd * sd - fast2, kSlowShare * sd * sd);
   const double last2 = gnss_sd_ * gnss_sd_;
-  const bool anew = !has_fix_ || fix.kind != fix_.kind ||
+  const bool anew = !has_fix_ || fix.kind != fix_.kind || fix.unit != fix_.unit ||
                     slow2 > kChangedPrecision * last2 ||
                     slow2 * kChangedPrecision < last2;
   gnss_sd_ = std::sqrt(slow2);
@@ -63,20 +76,88 @@ void FlightEstimator::fuse_fix(ErrorVector& error) {
   for (int k = 0; k < 3; ++k) {
     const Observation z = observe_position(x_, past, k);
     const double scale2 = k < 2 ? 1 : gnss_down_ * gnss_down_;
-    const bool fits = fuse(z, fix_.p_N[k] - z.value, scale2 * variance, error);
+    const bool fits = fuse(z, fix_.p_N[k] - z.value, scale2 * variance, error).accepted;
     accepted = accepted && (fits || k == 2);
   }
   const double velocity_sd = std::max(fix_.velocity_sd, kMinFixSd);
+  double square = 0;
   for (int k = 0; k < 3; ++k) {
     const Observation z = observe_velocity(x_, past, k);
-    const bool fits = fuse(z, fix_.v_N[k] - z.value, velocity_sd * velocity_sd, error);
-    accepted = accepted && (fits || k == 2);
+    const Fused fits = fuse(z, fix_.v_N[k] - z.value, velocity_sd * velocity_sd, error);
+    accepted = accepted && (fits.accepted || k == 2);
+    square += std::min(fits.square, kMaxSquare) / 3;
   }
   if (accepted) accepted_fix_ = fix_.time;
+  if (contradicted(square)) {
+    inject(error);
+    error.fill(0);
+    find_attitude(past);
+    return;
+  }
   if (!lasts(fix_rejection_, accepted, options_->gnss_reset_after)) return;
   inject(error);
   error.fill(0);
   begin_again(fix_, past);
+}
+
+// Smooths the squares of the fixes' innovations, and tells whether a search for the
+// attitude is at its end with this fix.
+bool FlightEstimator::contradicted(double mean_square) {
+  const double since = has_judged_ ? (fix_.time - judged_).seconds() : kMisfitTime;
+  judged_ = fix_.time;
+  has_judged_ = true;
+  misfit_ += std::min(since / kMisfitTime, kMaxShare) * (mean_square - misfit_);
+  if (!alignment_ ? misfit_ < kDiverged : since > kAlignGap) {
+    alignment_.reset();
+    return false;
+  }
+  if (!alignment_) {
+    x_.gyro_bias.setZero();
+    x_.accel_bias.setZero();
+    alignment_.emplace(nav_.time, fix_.v_N);
+  }
+  return seconds_since(alignment_->begin()) >= kAlignFor;
+}
+
+// The field shows the heading, as far as its dip is known; without it the nose of a wing
+// points where it flies through the air, and that of a rotorcraft where it was believed.
+void FlightEstimator::find_attitude(const Past& past) {
+  const bool field = field_seconds_ > 0 && seconds_since(field_time_) < kFreshField;
+  Vec3 u_B = Vec3::UnitX(), u_N = x_.q_NB * Vec3::UnitX();
+  if (field) {
+    u_B = field_B_;
+    u_N = {field_level_ * math::cos(options_->declination),
+           field_level_ * math::sin(options_->declination), field_down_};
+  } else if (options_->fixed_wing) {
+    u_N = fix_.v_N - nav_.wind_N;
+  }
+  const auto found = alignment_->attitude(nav_.time, fix_.v_N, u_B, u_N);
+  if (!found) return;
+  alignment_.reset();
+  ++counts_.alignments;
+  misfit_ = 1;
+  take_attitude(*found, field ? kFoundHeading : kGuessedHeading);
+  begin_again(fix_, past);
+  // These were held against the old state.
+  altitude_.count = field_N_.count = airspeed_.count = wind_N_.count = 0;
+}
+
+// What the old attitude has taught of the sensors and the wind goes with it.
+void FlightEstimator::take_attitude(const Quat& q_NB, double heading_sd) {
+  const auto three = [this](std::size_t at, double sd) {
+    for (std::size_t k = 0; k < 3; ++k) covariance_.restart(at + k, sd * sd);
+  };
+  x_.q_NB = q_NB;
+  x_.magnetic_bias.setZero();
+  field_seconds_ = 0;
+  three(error::kAttitude, kFoundTilt);
+  covariance_.restart(error::kAttitude + 2, heading_sd * heading_sd);
+  three(error::kGyroBias, options_->gyro_bias_sd);
+  three(error::kAccelBias, options_->accel_bias_sd);
+  three(error::kMagneticBias, options_->magnetic_bias_sd);
+  covariance_.restart(error::kWind, kUnknownWind * kUnknownWind);
+  covariance_.restart(error::kWind + 1, kUnknownWind * kUnknownWind);
+  gusts_along_ = gusts_across_ = gusts_north_ = gusts_east_ = first_gusts();
 }
 
 void FlightEstimator::begin_again(const GnssFix& fix, const Past& past) {

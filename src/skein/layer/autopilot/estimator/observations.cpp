@@ -89,6 +89,19 @@ Observation observe_airspeed(const Navigated& x) {
   return z;
 }
 
+Observation observe_airspeed_ahead(const Navigated& x) {
+  const Vec3 air = through_air(x);
+  const Vec3 ahead = x.q_NB.toRotationMatrix().col(0);
+  const double gain = 1 + x.airspeed_scale;
+  Observation z;
+  z.value = gain * ahead.dot(air);
+  z.row.add(error::kAirspeedScale, ahead.dot(air));
+  z.row.add(error::kWind, -gain * ahead.x());
+  z.row.add(error::kWind + 1, -gain * ahead.y());
+  add_three(z.row, error::kVelocity, gain * ahead);
+  return z;
+}
+
 Observation observe_sideslip(const Navigated& x) {
   const Vec3 air = through_air(x);
   const Vec3 right = x.q_NB.toRotationMatrix().col(1);

@@ -39,6 +39,10 @@ Observation observe_bearing(const Navigated& x, const Vec3& field_N);
 /// Reading of the pitot tube in the mean wind [m/s].
 Observation observe_airspeed(const Navigated& x);
 
+/// Reading of the pitot tube where the air may come from far aside: the part ahead, in
+/// the mean wind [m/s]. The attitude counts as known.
+Observation observe_airspeed_ahead(const Navigated& x);
+
 /// Velocity through the mean wind along the right wing [m/s]; its true value is 0 without
 /// side-slip and gusts.
 Observation observe_sideslip(const Navigated& x);

@@ -37,7 +37,8 @@ std::optional<std::string> fault_in(const FailsafeOptions& options) {
       {"battery_critical", &options.battery_critical},
       {"geofence", &options.geofence},
       {"gnss", &options.gnss},
-      {"motor", &options.motor}};
+      {"motor", &options.motor},
+      {"imu", &options.imu}};
   for (const auto& [name, rule] : rules)
     if (auto fault = fault_in_rule(name, *rule)) return fault;
   const std::pair<const char*, double> times[] = {
@@ -66,7 +67,7 @@ AirframeKind kind_of(const Airframe& airframe) {
 FailsafeReaction feasible(FailsafeReaction reaction, const Abilities& abilities) {
   using enum FailsafeReaction;
   if (reaction == kNone || reaction == kDescend) return reaction;
-  if (!abilities.motors) return kDescend;
+  if (!abilities.motors || !abilities.attitude) return kDescend;
   if (!abilities.position) {
     if (abilities.airframe == AirframeKind::kMultirotor || reaction == kLand)
       return kDescend;

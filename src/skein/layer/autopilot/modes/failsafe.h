@@ -21,13 +21,15 @@ enum class Failsafe : std::uint8_t {
   kGnss,  ///< no position: no fix, or the estimator has lost itself
   kBatteryCritical,
   kMotor,
+  kImu,  ///< nothing shows the attitude
 };
-inline constexpr std::size_t kFailsafes = 6;
+inline constexpr std::size_t kFailsafes = 7;
 
 constexpr FailsafeTrigger trigger_of(Failsafe failsafe) {
   constexpr std::array<FailsafeTrigger, kFailsafes> triggers = {
       FailsafeTrigger::kLink, FailsafeTrigger::kBattery, FailsafeTrigger::kGeofence,
-      FailsafeTrigger::kGnss, FailsafeTrigger::kBattery, FailsafeTrigger::kMotor};
+      FailsafeTrigger::kGnss, FailsafeTrigger::kBattery, FailsafeTrigger::kMotor,
+      FailsafeTrigger::kImu};
   return triggers[static_cast<std::size_t>(failsafe)];
 }
 
@@ -56,6 +58,7 @@ struct FailsafeOptions {
   FailsafeRule geofence{0.2, FailsafeReaction::kReturn};
   FailsafeRule gnss{2, FailsafeReaction::kHold, 60, FailsafeReaction::kDescend, true};
   FailsafeRule motor{0, FailsafeReaction::kDescend};
+  FailsafeRule imu{0, FailsafeReaction::kDescend, 0, FailsafeReaction::kNone, true};
   double battery_reserve = 0.15;      ///< low: charge less what it takes to get home
   double battery_critical_at = 0.08;  ///< critical: charge
   double recovery = 2;  ///< for which a condition must be gone before it clears [s]
@@ -77,11 +80,13 @@ struct Abilities {
   AirframeKind airframe = AirframeKind::kFixedWing;
   bool position = true;       ///< it knows where it is
   bool motors = true;         ///< all turn
+  bool attitude = true;       ///< it knows which way is down
   bool home_in_reach = true;  ///< on the charge left
 };
 
 /// The reaction itself when it can be flown, else the closest one that can.
 ///
+///   no attitude           hold, return, land -> descend (motors off, surfaces at trim)
 ///   a motor stands        hold, return, land -> descend (a fixed wing glides in circles)
 ///   no position           land -> descend;  return -> hold (fixed wing, by dead
 ///   reckoning)

@@ -47,7 +47,8 @@ ModeRules::ModeRules(const FailsafeOptions& options, AirframeKind airframe)
              made_ready(options.geofence),
              made_ready(options.gnss),
              made_ready(options.battery_critical),
-             made_ready(options.motor)},
+             made_ready(options.motor),
+             made_ready(options.imu)},
       battery_reserve_(options.battery_reserve),
       battery_critical_at_(options.battery_critical_at),
       recovery_(Time::from_seconds(options.recovery)),
@@ -146,6 +147,7 @@ void ModeLogic::decide(const ModeInput& in) {
   decision_.trigger = failsafe ? trigger_of(*failsafe) : most_severe_raised();
   decision_.without_position = decision_.raised.has(Failsafe::kGnss);
   decision_.without_motor = decision_.raised.has(Failsafe::kMotor);
+  decision_.without_attitude = decision_.raised.has(Failsafe::kImu);
   if (decision_.mode != mode_before) decision_.events.insert(ModeEvent::kModeChanged);
   if (decision_.order != order_before ||
       (decision_.order == Order::kAgent && in.command != CommandKind::kNone))
@@ -199,6 +201,7 @@ void ModeLogic::fly_failsafe(const ModeInput& in, FailsafeReaction reaction) {
       .airframe = rules_->airframe_,
       .position = !decision_.raised.has(Failsafe::kGnss),
       .motors = !decision_.raised.has(Failsafe::kMotor),
+      .attitude = !decision_.raised.has(Failsafe::kImu),
       .home_in_reach = !home_lost_,
   };
   reaction = feasible(reaction, abilities);

@@ -39,6 +39,7 @@ struct ModeInput {
   double charge_home = 0;  ///< what getting home takes, as a part of a full charge
   bool outside_fence = false;
   bool motor_failed = false;  ///< see MotorWatch
+  bool imu_lost = false;      ///< see SensorSelector
   bool on_ground = false;
   // What guidance says about the order of the last step:
   bool done = false;       ///< its end has been reached
@@ -108,6 +109,7 @@ struct Decision {
   FailsafeReaction reaction = FailsafeReaction::kNone;  ///< as flown, see feasible()
   bool without_position = false;  ///< fly by dead reckoning or level attitude
   bool without_motor = false;     ///< do not count on thrust
+  bool without_attitude = false;  ///< nothing can be controlled
   SetOf<Failsafe> raised;
   SetOf<Failsafe> raised_now, cleared_now;
   SetOf<ModeEvent> events;  ///< of this step

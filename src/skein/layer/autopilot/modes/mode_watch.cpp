@@ -24,6 +24,7 @@ std::uint32_t ModeLogic::digest(const ModeInput& in) const {
       bit(!(in.charge >= rules.battery_critical_at_), place(Failsafe::kBatteryCritical));
   bits |= bit(in.outside_fence, place(Failsafe::kGeofence));
   bits |= bit(in.motor_failed, place(Failsafe::kMotor));
+  bits |= bit(in.imu_lost, place(Failsafe::kImu));
   bits |= bit(!in.estimator_healthy, kUnhealthy);
   bits |= bit(!(in.charge >= in.charge_home), kHomeOutOfReach);
   bits |= bit(in.on_ground, kOnGround) | bit(in.done, kDone);

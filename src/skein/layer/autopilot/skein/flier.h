@@ -19,6 +19,8 @@ namespace skein::autopilot {
 //   descend(now, dt)        down, near the place where begin_descent() was called
 //   pilot(sticks, now, dt)  what the sticks say
 //   stand(now, dt)          motors off
+//   release(now, dt)        motors off, surfaces at trim: without attitude
+//   coordinated()           whether it flies without side-slip, as it flew last
 //   take_over(now)          another has flown: go on from the motion now
 
 /// The own motion, as fliers need it.
@@ -28,6 +30,7 @@ struct FlierView {
   double ground_msl = 0;             ///< believed, where nothing is measured [m]
   bool position = true;              ///< it is known
   bool motor = true;                 ///< it pulls
+  bool airspeed = true;              ///< it is measured
 
   double height() const { return height_agl.value_or(-nav.p_N.z() - ground_msl); }
 };

@@ -14,6 +14,8 @@ constexpr double kStands = 1;      // over ground, of a fixed wing at most [m/s]
 constexpr double kStandsTime = 3;  // [s]
 constexpr double kClimb = 1;       // that a vehicle on the ground cannot have [m/s]
 constexpr double kLift = 3;        // above where it stood [m]
+constexpr double kClear = 5;       // above it: no wheel touches any more [m]
+constexpr double kIdle = 0.05;     // throttle of what does not take off
 
 // Whether something has been so for a time; `since` keeps when that began.
 bool lasts(bool is_so, Time now, double seconds, std::optional<Time>& since) {
@@ -25,7 +27,10 @@ bool lasts(bool is_so, Time now, double seconds, std::optional<Time>& since) {
 }  // namespace
 
 LandDetector::LandDetector(const FlightLimits& limits, double hover, bool on_ground)
-    : slowest_(limits.slowest), hover_(hover), on_ground_(on_ground) {}
+    : slowest_(limits.slowest),
+      hover_(hover),
+      on_ground_(on_ground),
+      clear_(!on_ground) {}
 
 bool LandDetector::slow(const NavState& nav, double throttle) const {
   // With so little thrust it would fall. The horizontal speed does not count: without
@@ -44,15 +49,17 @@ bool LandDetector::stands_in_wind(const NavState& nav) const {
 bool LandDetector::step(const NavState& nav, double throttle) {
   const double altitude = -nav.p_N.z();
   if (on_ground_) {
-    if (!placed_) ground_ = altitude;
-    placed_ = true;
+    // What the first fixes move is the belief, not the aircraft.
+    if (!ground_ || throttle < kIdle) ground_ = altitude;
+    clear_ = false;
     const bool fast =
         slowest_ > 0 && nav.airspeed > kTooSlow * slowest_ && nav.v_N.norm() > kStands;
-    if (-nav.v_N.z() > kClimb || altitude > ground_ + kLift || fast) on_ground_ = false;
+    if (-nav.v_N.z() > kClimb || altitude > *ground_ + kLift || fast) on_ground_ = false;
     slow_since_.reset();
     stands_since_.reset();
     return on_ground_;
   }
+  clear_ = clear_ || !ground_ || altitude > *ground_ + kClear;
   const bool still = lasts(slow(nav, throttle), nav.time, kStillTime, slow_since_);
   const bool stands = lasts(stands_in_wind(nav), nav.time, kStandsTime, stands_since_);
   if (still || stands) {

@@ -27,6 +27,8 @@ class LandDetector {
   bool step(const NavState& nav, double throttle);
 
   bool on_ground() const { return on_ground_; }
+  /// Whether it has been well above the ground since it left it.
+  bool clear() const { return clear_; }
 
  private:
   bool slow(const NavState& nav, double throttle) const;
@@ -34,9 +36,9 @@ class LandDetector {
 
   double slowest_, hover_;
   bool on_ground_;
-  bool placed_ = false;
+  bool clear_;  // since it left the ground it has been well above
   std::optional<Time> slow_since_, stands_since_;
-  double ground_ = 0;  // altitude where it stands [m]
+  std::optional<double> ground_;  // altitude where it stands or stood last [m]
 };
 
 }  // namespace skein::autopilot

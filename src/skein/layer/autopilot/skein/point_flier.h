@@ -22,7 +22,9 @@ class PointFlier {
   /// Sticks say roll angle, climb rate and airspeed; manual and stabilized are one.
   Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
   Control stand(const FlierView& now, double dt);
+  Control release(const FlierView& now, double dt) { return stand(now, dt); }
   void take_over(const FlierView& now);
+  static bool coordinated() { return true; }
   const AutopilotStatus& status() const { return guidance_.status(); }
 
  private:

@@ -20,7 +20,9 @@ class RotorFlier {
   Control descend(const FlierView& now, double dt);
   Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
   Control stand(const FlierView& now, double dt);
+  Control release(const FlierView& now, double dt) { return stand(now, dt); }
   void take_over(const FlierView& now);
+  static bool coordinated() { return true; }
   const AutopilotStatus& status() const { return guidance_.status(); }
 
   /// Bit k: rotor k gives nothing.

@@ -79,6 +79,7 @@ SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
       motors_(setup_->options.motor_watch),
       consumption_(setup_->options.consumption),
       ground_(setup_->limits, hover_throttle(setup_->airframe), on_ground),
+      sensors_(initial.time, setup_->options.watches_sensors),
       flier_(make_flier(*setup_, home_N_)) {
   if (setup_->wing || setup_->rotors) last_ = Actuators{};
   if (setup_->options.watches_link) input_.link_heard = initial.time;
@@ -95,7 +96,29 @@ void SkeinAutopilot::begin(const NavEstimate& start, bool on_ground) {
   *this = std::move(anew);
 }
 
+bool SkeinAutopilot::selected(FlightSensor sensor, std::uint8_t unit, Time time) {
+  const SensorSelector::Use use = sensors_.take(sensor, unit, time);
+  if (use == SensorSelector::Use::kAnew) estimator_.replaced(sensor);
+  return use != SensorSelector::Use::kNo;
+}
+
+// Whether the sample counts: of several units of a kind one is flown by.
+bool SkeinAutopilot::selected(const SensorSample& sample) {
+  if (const auto* imu = std::get_if<ImuSample>(&sample))
+    return selected(FlightSensor::kImu, imu->unit, imu->time);
+  if (const auto* baro = std::get_if<BarometerSample>(&sample))
+    return selected(FlightSensor::kBarometer, baro->unit, baro->time);
+  if (const auto* field = std::get_if<MagnetometerSample>(&sample))
+    return selected(FlightSensor::kMagnetometer, field->unit, field->time);
+  if (const auto* air = std::get_if<AirspeedSample>(&sample))
+    return selected(FlightSensor::kAirspeed, air->unit, air->time);
+  if (const auto* power = std::get_if<PowerSample>(&sample))
+    sensors_.take(FlightSensor::kPower, 0, power->time);
+  return true;
+}
+
 void SkeinAutopilot::sense(const SensorSample& sample) {
+  if (!selected(sample)) return;
   if (const auto* pilot = std::get_if<PilotInput>(&sample)) {
     input_.pilot = *pilot;
   } else if (const auto* link = std::get_if<LinkSample>(&sample)) {
@@ -160,14 +183,21 @@ void SkeinAutopilot::command(const AutopilotCommand& command) {
 }
 
 FlierView SkeinAutopilot::view() const {
-  return {estimator_.state(), estimator_.height_agl(), -home_N_.z(),
-          !modes_.decision().without_position, !modes_.decision().without_motor};
+  return {estimator_.state(),
+          estimator_.height_agl(),
+          -home_N_.z(),
+          !modes_.decision().without_position,
+          !modes_.decision().without_motor,
+          !is_lost(FlightSensor::kAirspeed)};
 }
 
 void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   input_.now = now;
+  lost_ = sensors_.lost(now);
+  input_.imu_lost = is_lost(FlightSensor::kImu);
   input_.estimator_healthy = std::isfinite(nav.p_N.sum() + nav.v_N.sum()) &&
-                             (now - nav.time).seconds() < kStaleState;
+                             (now - nav.time).seconds() < kStaleState &&
+                             !estimator_.diverged();
   if (powered_ && (now - power_time_).seconds() > kSilentMonitor)
     input_.charge = std::max(
         0.0, power_charge_ - consumption_.rate() * (now - power_time_).seconds());
@@ -175,6 +205,9 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   if (order_ == Order::kLand)
     input_.charge_home = std::min(input_.charge_home, input_.charge);
   input_.on_ground = ground_.step(nav, throttle_);
+  const bool coordinated =
+      std::visit([](const auto& f) { return f.coordinated(); }, flier_);
+  estimator_.set_coordinated(coordinated && ground_.clear() && !input_.on_ground);
   const bool landing =
       order_ == Order::kLand ||
       (order_ == Order::kAgent && std::holds_alternative<Land>(agent_command_.guidance));
@@ -302,7 +335,8 @@ Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
           case Order::kPilot:
             return flier.pilot(*input_.pilot, now, dt);
           case Order::kDescend:
-            return flier.descend(now, dt);
+            return modes_.decision().without_attitude ? flier.release(now, dt)
+                                                      : flier.descend(now, dt);
           default:
             return flier.fly(now, dt);
         }
@@ -331,6 +365,8 @@ AutopilotStatus SkeinAutopilot::status() const {
   if (order_ != Order::kAgent) status.done = false;  // of what the agent wants
   status.refusals = refusals_;
   status.refused = refused_;
+  status.lost_sensors = lost_;
+  status.units = sensors_.units();
   status.charge = input_.charge;
   status.reserve = input_.charge - input_.charge_home;
   status.endurance = consumption_.endurance();

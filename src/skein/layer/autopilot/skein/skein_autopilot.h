@@ -10,6 +10,7 @@
 #include "skein/layer/autopilot/skein/land_detector.h"
 #include "skein/layer/autopilot/skein/point_flier.h"
 #include "skein/layer/autopilot/skein/rotor_flier.h"
+#include "skein/layer/autopilot/skein/sensor_selector.h"
 #include "skein/layer/autopilot/skein/skein_setup.h"
 #include "skein/layer/autopilot/skein/wing_flier.h"
 #include "skein/role/autopilot.h"
@@ -56,6 +57,11 @@ class SkeinAutopilot final : public Autopilot {
   static Flier make_flier(const SkeinSetup& setup, const Vec3& home_N);
 
   FlierView view() const;
+  bool is_lost(FlightSensor sensor) const {
+    return (lost_ >> static_cast<unsigned>(sensor) & 1u) != 0;
+  }
+  bool selected(const SensorSample& sample);
+  bool selected(FlightSensor sensor, std::uint8_t unit, Time time);
   void take(const PowerSample& sample);
   void look_around(Time now, const NavState& nav);
   void obey(Order order, Order before, const FlierView& now);
@@ -75,6 +81,7 @@ class SkeinAutopilot final : public Autopilot {
   MotorWatch motors_;
   Consumption consumption_;
   LandDetector ground_;
+  SensorSelector sensors_;
   Flier flier_;
   ModeInput input_;
   Order order_ = Order::kStand;
@@ -85,6 +92,7 @@ class SkeinAutopilot final : public Autopilot {
   bool powered_ = false;  // a battery monitor has been heard
   Time power_time_;
   double power_charge_ = 1;
+  std::uint8_t lost_ = 0;      // bit k: FlightSensor k
   std::uint8_t standing_ = 0;  // motors, as the battery monitor says
   std::uint8_t failed_ = 0;    // motors that have stood under throttle
   double throttle_ = 0;        // mean of what the motors were told

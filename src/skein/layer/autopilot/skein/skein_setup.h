@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,7 @@ struct SkeinOptions {
   GeofenceOptions fence;
   /// Signs of life and positions are to come: their silence counts from the start on.
   bool watches_link = false, watches_gnss = false;
+  std::uint8_t watches_sensors = 0;  ///< likewise, bit k: FlightSensor k
   MotorWatchOptions motor_watch;
   ConsumptionOptions consumption;
   /// Fixed wings: lap k of FlyWaypoints is flown with entry k, those beyond the last with

@@ -11,7 +11,8 @@ constexpr double kLowHeight = 15;   // sinks slowly from here: the height is a b
 constexpr double kLowSink = 1.2;    // [m/s]
 constexpr double kDescentSink = 2;  // with motor, at most [m/s]
 constexpr double kFlareSink = 0.7;  // [m/s]
-constexpr double kWheels = 0.15;    // friction at most; a belly has more
+constexpr double kUnmeasured = 1.12;  // of the demanded airspeed, when none is measured
+constexpr double kWheels = 0.15;      // friction at most; a belly has more
 
 FixedWingGuidanceOptions guidance_options(const SkeinSetup& setup) {
   FixedWingGuidanceOptions options = setup.options.wing_guidance;
@@ -29,7 +30,8 @@ WingFlier::WingFlier(const SkeinSetup& setup, const Vec3& home_N)
     : guidance_(guidance_options(setup), setup.limits, home_N),
       control_(setup.wing),
       sink_rate_(std::min(kDescentSink, setup.limits.sink_rate)),
-      cruise_(setup.limits.airspeed) {}
+      cruise_(setup.limits.airspeed),
+      fastest_(setup.limits.fastest) {}
 
 std::optional<std::string> WingFlier::command(const AutopilotCommand& command,
                                               const FlierView& now) {
@@ -37,8 +39,38 @@ std::optional<std::string> WingFlier::command(const AutopilotCommand& command,
 }
 
 Control WingFlier::fly(const FlierView& now, double dt) {
-  return control_.control(guidance_.step(motion_of(now.nav, now.height_agl), dt), now.nav,
-                          dt);
+  return control(guidance_.step(motion_of(now.nav, now.height_agl), dt), now, dt);
+}
+
+Control WingFlier::control(const FixedWingDemand& demand, const FlierView& now,
+                           double dt) {
+  phase_ = demand.phase;
+  FixedWingDemand safe = demand;
+  // By the wind as it is believed: gusts are not felt. Idle flares ask for none.
+  if (!now.airspeed && demand.airspeed > 0)
+    safe.airspeed = std::min(kUnmeasured * demand.airspeed, fastest_);
+  return control_.control(safe, now.nav, dt);
+}
+
+Control WingFlier::release(const FlierView& now, double dt) {
+  phase_ = FlightPhase::kFlight;
+  return control_.manual({}, now.nav, dt);
+}
+
+bool WingFlier::coordinated() const {
+  switch (phase_) {
+    case FlightPhase::kGround:
+    case FlightPhase::kRun:
+    case FlightPhase::kFlare:
+    case FlightPhase::kRollOut:
+      return false;
+    case FlightPhase::kClimbOut:
+    case FlightPhase::kFlight:
+    case FlightPhase::kApproach:
+    case FlightPhase::kGlide:
+      return true;
+  }
+  return true;
 }
 
 void WingFlier::begin_descent(const FlierView& now) {
@@ -67,10 +99,11 @@ Control WingFlier::descend(const FlierView& now, double dt) {
     demand.phase = FlightPhase::kFlare;
     demand.airspeed = 0;  // motor idle
   }
-  return control_.control(demand, now.nav, dt);
+  return control(demand, now, dt);
 }
 
 Control WingFlier::pilot(const PilotInput& sticks, const FlierView& now, double dt) {
+  phase_ = FlightPhase::kFlight;
   if (sticks.mode == FlightMode::kManual) return control_.manual(sticks, now.nav, dt);
   return control_.stabilize(control_.attitude_for(sticks), now.nav, dt);
 }
@@ -78,7 +111,7 @@ Control WingFlier::pilot(const PilotInput& sticks, const FlierView& now, double 
 Control WingFlier::stand(const FlierView& now, double dt) {
   FixedWingDemand still;
   still.phase = FlightPhase::kGround;
-  return control_.control(still, now.nav, dt);
+  return control(still, now, dt);
 }
 
 void WingFlier::change(const LateralOptions& lateral,

@@ -23,7 +23,11 @@ class WingFlier {
   Control descend(const FlierView& now, double dt);
   Control pilot(const PilotInput& sticks, const FlierView& now, double dt);
   Control stand(const FlierView& now, double dt);
+  /// As it would glide by itself.
+  Control release(const FlierView& now, double dt);
   void take_over(const FlierView& now);
+  /// Not on the ground, nor while it lines up with its course to touch down.
+  bool coordinated() const;
   const AutopilotStatus& status() const { return guidance_.status(); }
 
   /// Other gains from the next step on. Nothing jumps: demands go on from where they are
@@ -31,11 +35,15 @@ class WingFlier {
   void change(const LateralOptions& lateral, std::shared_ptr<const FixedWingSetup> wing);
 
  private:
+  Control control(const FixedWingDemand& demand, const FlierView& now, double dt);
+
   FixedWingGuidance guidance_;
   FixedWingControl control_;
-  double sink_rate_;             // of a descent with motor [m/s]
-  double cruise_;                // [m/s]
-  double descent_altitude_ = 0;  // demanded now [m]
+  double sink_rate_;                          // of a descent with motor [m/s]
+  double cruise_;                             // [m/s]
+  double fastest_;                            // [m/s]
+  double descent_altitude_ = 0;               // demanded now [m]
+  FlightPhase phase_ = FlightPhase::kFlight;  // flown last
 };
 
 }  // namespace skein::autopilot

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "skein/layer/autopilot/estimator/test/synthetic_flight.h"
 
@@ -271,6 +272,133 @@ TEST(FlightEstimator, AlignsAtRest) {
   EXPECT_LT((estimator.navigated().gyro_bias - gyro_bias).norm(), 1e-3);
   EXPECT_LT(estimator.state().v_N.norm(), 0.2);
   EXPECT_EQ(estimator.navigated().wind_N, Vec2::Zero());
+}
+
+// Stands for five seconds, then rolls straight along its nose with 3 m/s^2, in a wind
+// from anywhere; all sensors but the GNSS receiver with noise only.
+class GroundRunInWind {
+ public:
+  GroundRunInWind(double heading, const Vec2& wind, std::uint64_t seed)
+      : q_(geo::from_euler({0, 0.08, heading})),
+        ahead_(geo::unit(heading)),
+        wind_(wind),
+        normal_(RandomStream(seed, 2, Purpose::kTest)) {}
+
+  void roll(FlightEstimator& estimator) {
+    for (int k = 1; k <= 900; ++k) {
+      const Time now = Time::from_ns(k * 10'000'000LL);
+      const double speed = std::max(0.0, 3 * (now.seconds() - 5));
+      const Vec2 v = speed * ahead_;
+      const Vec2 pull = speed > 0 ? Vec2(3 * ahead_) : Vec2(0, 0);
+      estimator.add(
+          ImuSample{now, 0.01, noise(2e-3),
+                    q_.conjugate() * Vec3(pull.x(), pull.y(), -kGravity) + noise(0.04)});
+      if (k % 20 == 0)
+        estimator.add(GnssFix{now,
+                              Vec3(0.5 * speed * speed / 3 * ahead_.x(),
+                                   0.5 * speed * speed / 3 * ahead_.y(), 0) +
+                                  noise(0.3),
+                              Vec3(v.x(), v.y(), 0) + noise(0.05), 3.8, 8, 0.05});
+      if (k % 4 != 0) continue;
+      estimator.add(MagnetometerSample{
+          now, q_.conjugate() * Vec3(std::cos(1.15), 0, std::sin(1.15)) + noise(0.005)});
+      const double felt = (v - wind_).dot(ahead_) + 0.3 * normal_();
+      estimator.add(AirspeedSample{now, felt < 3 ? 0 : felt});
+    }
+  }
+  const Quat& attitude() const { return q_; }
+
+ private:
+  Vec3 noise(double sd) {
+    const double x = normal_(), y = normal_(), z = normal_();
+    return sd * Vec3(x, y, z);
+  }
+
+  Quat q_;
+  Vec2 ahead_, wind_;
+  FastNormals normal_;
+};
+
+TEST(FlightEstimator, KnowsItsAttitudeInATakeOffRunAcrossTheWind) {
+  RandomStream random(31, 0, Purpose::kTest);
+  for (int trial = 0; trial < 60; ++trial) {
+    const double heading = random.uniform(-geo::kPi, geo::kPi);
+    const Vec2 wind =
+        random.uniform(0, 12) * geo::unit(random.uniform(-geo::kPi, geo::kPi));
+    GroundRunInWind run(heading, wind, static_cast<std::uint64_t>(trial));
+    EstimatorStart start;
+    start.at_rest = true;
+    start.sd.wind = 5;
+    FlightEstimator estimator(EstimatorOptions{}, start);
+    run.roll(estimator);
+    const Vec3 wrong = geo::log_so3(run.attitude() * estimator.state().q_NB.conjugate());
+    EXPECT_LT(wrong.head<2>().norm(), 0.02) << "tilt, in a wind of " << wind.transpose();
+    EXPECT_LT(std::abs(wrong.z()), 0.06) << "heading, in a wind of " << wind.transpose();
+    EXPECT_EQ(estimator.counts().alignments, 0u);
+    // What blows across cannot be felt; what is believed of the wind keeps its word.
+    const Vec2 miss = estimator.state().wind_N.head<2>() - wind;
+    const double sd = estimator.accuracy().wind;
+    EXPECT_LT(miss.norm(), 4 * std::sqrt(2.0) * sd) << wind.transpose();
+  }
+}
+
+TEST(FlightEstimator, FindsAnAttitudeThatHasNothingToDoWithWhatItBelieved) {
+  RandomStream random(32, 0, Purpose::kTest);
+  for (int trial = 0; trial < 40; ++trial) {
+    FlightPlan plan;
+    plan.wind = random.uniform(0, 8) * geo::unit(random.uniform(-geo::kPi, geo::kPi));
+    plan.gust_sd = random.uniform(0, 2);
+    SyntheticFlight flight({}, plan, static_cast<std::uint64_t>(100 + trial));
+    EstimatorStart start = flight.start(kStart);
+    const Vec3 off(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5),
+                   random.uniform(-geo::kPi, geo::kPi));
+    start.q_NB = geo::exp_so3(off) * flight.truth().q_NB;
+    FlightEstimator estimator(EstimatorOptions{}, start);
+    for (int k = 0; k < 3000; ++k)
+      flight.step([&](const auto& sample) { estimator.add(sample); });
+    const ErrorVector e = difference(flight.truth(), estimator.navigated());
+    EXPECT_LT(std::hypot(e[error::kAttitude], e[error::kAttitude + 1]), 0.05)
+        << off.transpose();
+    EXPECT_LT(std::abs(e[error::kAttitude + 2]), 0.15) << off.transpose();
+    EXPECT_FALSE(estimator.diverged());
+  }
+}
+
+TEST(FlightEstimator, DoesNotDoubtItselfInAGoodFlight) {
+  RandomStream random(33, 0, Purpose::kTest);
+  for (int trial = 0; trial < 40; ++trial) {
+    FlightPlan plan;
+    plan.manoeuvres = random.uniform() < 0.7;
+    plan.wind = random.uniform(0, 10) * geo::unit(random.uniform(-geo::kPi, geo::kPi));
+    plan.gust_sd = random.uniform(0, 3);
+    plan.outage_from = random.uniform(20, 100);
+    plan.outage_until = plan.outage_from + random.uniform(0, 30);
+    plan.airspeed = random.uniform() < 0.8;
+    plan.magnetometer = random.uniform() < 0.8;
+    Flown f(plan, kStart, static_cast<std::uint64_t>(trial));
+    f.fly(150);
+    EXPECT_EQ(f.estimator.counts().alignments, 0u) << trial;
+  }
+}
+
+TEST(FlightEstimator, FindsItsAttitudeAfterAGapInTheInertialSamples) {
+  RandomStream random(34, 0, Purpose::kTest);
+  for (int trial = 0; trial < 30; ++trial) {
+    const double from = random.uniform(20, 60), until = from + random.uniform(1, 15);
+    SyntheticFlight flight({}, {}, static_cast<std::uint64_t>(trial));
+    FlightEstimator estimator(EstimatorOptions{}, flight.start(kStart));
+    for (int k = 0; k < static_cast<int>(100 * (until + 20)); ++k)
+      flight.step([&](const auto& sample) {
+        const double now = flight.now().seconds();
+        if (std::is_same_v<std::decay_t<decltype(sample)>, ImuSample> && now > from &&
+            now < until)
+          return;
+        estimator.add(sample);
+      });
+    const ErrorVector e = difference(flight.truth(), estimator.navigated());
+    EXPECT_LT(std::hypot(e[error::kAttitude], e[error::kAttitude + 1]), 0.05)
+        << from << " to " << until;
+  }
 }
 
 TEST(FlightEstimator, TakesTheTruthAsItIs) {

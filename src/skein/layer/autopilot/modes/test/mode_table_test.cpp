@@ -67,6 +67,8 @@ const Fault kFaults[] = {
      [](Cockpit& c) { c.in.charge = 0.07; }, 3, Order::kLand, Order::kLand},
     {"motor", Failsafe::kMotor, [](Cockpit& c) { c.in.motor_failed = true; }, 0,
      Order::kDescend, Order::kDescend},
+    {"inertial unit", Failsafe::kImu, [](Cockpit& c) { c.in.imu_lost = true; }, 0,
+     Order::kDescend, Order::kDescend},
 };
 
 class EveryCase : public testing::TestWithParam<AirframeKind> {};
@@ -120,20 +122,21 @@ INSTANTIATE_TEST_SUITE_P(Airframes, EveryCase,
 // feasible() in full: nothing impossible is ever asked for.
 TEST(Feasible, CanBeFlown) {
   using enum FailsafeReaction;
-  for (int k = 0; k < 5 * 16; ++k) {
+  for (int k = 0; k < 5 * 32; ++k) {
     const auto wanted = static_cast<FailsafeReaction>(k % 5);
     const Abilities a{
         .airframe = k / 5 % 2 ? AirframeKind::kMultirotor : AirframeKind::kFixedWing,
         .position = (k / 10 % 2) != 0,
         .motors = (k / 20 % 2) != 0,
-        .home_in_reach = (k / 40 % 2) != 0};
+        .attitude = (k / 40 % 2) != 0,
+        .home_in_reach = (k / 80 % 2) != 0};
     const FailsafeReaction done = feasible(wanted, a);
     SCOPED_TRACE(k);
     EXPECT_EQ(done == kNone, wanted == kNone);
     if (wanted == kDescend) {
       EXPECT_EQ(done, kDescend);
     }
-    if (!a.motors) {
+    if (!a.motors || !a.attitude) {
       EXPECT_TRUE(done == kNone || done == kDescend);
     }
     if (!a.position) {
@@ -145,7 +148,7 @@ TEST(Feasible, CanBeFlown) {
     if (!a.home_in_reach) {
       EXPECT_NE(done, kLand);
     }
-    if (a.motors && a.position && a.home_in_reach) {
+    if (a.motors && a.attitude && a.position && a.home_in_reach) {
       EXPECT_EQ(done, wanted);
     }
     EXPECT_EQ(feasible(done, a), done);  // what is done needs no further fallback

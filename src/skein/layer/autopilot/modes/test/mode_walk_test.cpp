@@ -46,8 +46,9 @@ FailsafeRule random_rule(Dice& dice) {
 
 FailsafeOptions random_options(Dice& dice) {
   FailsafeOptions options;
-  for (FailsafeRule* rule : {&options.link, &options.battery_low, &options.geofence,
-                             &options.gnss, &options.battery_critical, &options.motor})
+  for (FailsafeRule* rule :
+       {&options.link, &options.battery_low, &options.geofence, &options.gnss,
+        &options.battery_critical, &options.motor, &options.imu})
     *rule = random_rule(dice);
   options.recovery = dice.ms(1500);
   options.most_clears = static_cast<int>(dice.below(5));
@@ -80,7 +81,7 @@ struct Surroundings {
 
   // Changes one thing.
   void act(Dice& dice) {
-    switch (dice.below(16)) {
+    switch (dice.below(17)) {
       case 0:
         link = !toggled(!link, 0.4, dice);
         break;
@@ -119,6 +120,9 @@ struct Surroundings {
       case 14:
         in.done = !in.done;
         break;
+      case 15:
+        in.imu_lost = toggled(in.imu_lost, 0.3, dice);
+        break;
       default:
         if (dice.chance(0.5))
           in.landed = !in.landed;
@@ -144,7 +148,7 @@ struct Surroundings {
 
 // How long each condition has been there, for the time to react.
 struct Stopwatch {
-  long fence = -1, unhealthy = -1, low = -1, critical = -1, motor = -1;
+  long fence = -1, unhealthy = -1, low = -1, critical = -1, motor = -1, imu = -1;
 
   static void run(long& ms, bool bad) { ms = !bad ? -1 : ms < 0 ? 0 : ms + kStepMs; }
   void run(const ModeInput& in, const FailsafeOptions& options) {
@@ -153,6 +157,7 @@ struct Stopwatch {
     run(low, in.charge - in.charge_home < options.battery_reserve);
     run(critical, in.charge < options.battery_critical_at);
     run(motor, in.motor_failed);
+    run(imu, in.imu_lost);
   }
 };
 
@@ -231,6 +236,7 @@ class Flight {
     }
     EXPECT_EQ(d.without_motor, d.raised.has(Failsafe::kMotor)) << where();
     EXPECT_EQ(d.without_position, d.raised.has(Failsafe::kGnss)) << where();
+    EXPECT_EQ(d.without_attitude, d.raised.has(Failsafe::kImu)) << where();
   }
 
   void pilot_first(const Decision& d) const {
@@ -258,6 +264,7 @@ class Flight {
     due(watch_.low, options_.battery_low, Failsafe::kBatteryLow);
     due(watch_.critical, options_.battery_critical, Failsafe::kBatteryCritical);
     due(watch_.motor, options_.motor, Failsafe::kMotor);
+    due(watch_.imu, options_.imu, Failsafe::kImu);
     const double link_silence = (world_.in.now - world_.in.link_heard).seconds();
     if (link_silence > options_.link.delay + 1e-9) {
       EXPECT_TRUE(d.raised.has(Failsafe::kLink)) << where();
@@ -356,9 +363,9 @@ TEST(ModeWalk, AgreesWithTheReferenceOverAHundredThousandTransitions) {
     EXPECT_TRUE(std::any_of(seen.orders.begin(), seen.orders.end(), leaves)) << order;
   }
   // Every reaction to every trigger that an airframe can fly, and no other. Link,
-  // battery, geofence: all five. Motor: told or down. No position: told or down, a fixed
-  // wing also holds, or finishes its landing. And nothing to nothing.
-  EXPECT_EQ(seen.reactions.size(), (3u * 5 + 2 + 4 + 1) + (3u * 5 + 2 + 2 + 1));
+  // battery, geofence: all five. Motor, inertial unit: told or down. No position: told or
+  // down, a fixed wing also holds, or finishes its landing. And nothing to nothing.
+  EXPECT_EQ(seen.reactions.size(), (3u * 5 + 2 * 2 + 4 + 1) + (3u * 5 + 2 * 2 + 2 + 1));
 }
 
 TEST(ModeWalk, AgreesWithTheReferenceWithTheDefaults) {

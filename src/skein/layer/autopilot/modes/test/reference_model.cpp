@@ -13,22 +13,29 @@ long to_ms(Time time) {
   return static_cast<long>(time.ns() / 1'000'000);
 }
 
+constexpr int kLastRow = static_cast<int>(kFailsafes) - 1;
+
 // What becomes of none, hold, return, land, descend.
 struct Fallback {
   const char* airframe_and_state;
   const char* becomes;
 };
 constexpr Fallback kFallbacks[] = {
-    {"fixed wing, well", "NHRLD"}, {"fixed wing, far from home", "NHRDD"},
-    {"fixed wing, lost", "NHHDD"}, {"fixed wing, no motor", "NDDDD"},
-    {"multirotor, well", "NHRLD"}, {"multirotor, far from home", "NHRDD"},
-    {"multirotor, lost", "NDDDD"}, {"multirotor, no motor", "NDDDD"},
+    {"fixed wing, well", "NHRLD"},  {"fixed wing, far from home", "NHRDD"},
+    {"fixed wing, lost", "NHHDD"},  {"fixed wing, no motor", "NDDDD"},
+    {"fixed wing, blind", "NDDDD"}, {"multirotor, blind", "NDDDD"},
+    {"multirotor, well", "NHRLD"},  {"multirotor, far from home", "NHRDD"},
+    {"multirotor, lost", "NDDDD"},  {"multirotor, no motor", "NDDDD"},
 };
 
-FailsafeReaction fall_back(FailsafeReaction wanted, AirframeKind kind, bool motor,
-                           bool lost, bool far_from_home) {
+FailsafeReaction fall_back(FailsafeReaction wanted, AirframeKind kind, bool blind,
+                           bool motor, bool lost, bool far_from_home) {
   std::string key = kind == AirframeKind::kFixedWing ? "fixed wing, " : "multirotor, ";
-  key += motor ? "no motor" : lost ? "lost" : far_from_home ? "far from home" : "well";
+  key += blind           ? "blind"
+         : motor         ? "no motor"
+         : lost          ? "lost"
+         : far_from_home ? "far from home"
+                         : "well";
   for (const Fallback& row : kFallbacks)
     if (key == row.airframe_and_state) {
       const char letter = row.becomes[static_cast<std::size_t>(wanted)];
@@ -48,6 +55,7 @@ ReferenceModel::ReferenceModel(const FailsafeOptions& o, AirframeKind airframe,
   rows_[3].rule = o.gnss;
   rows_[4].rule = o.battery_critical;
   rows_[5].rule = o.motor;
+  rows_[6].rule = o.imu;
   rows_[1].forever = rows_[4].forever = rows_[5].forever = true;
 }
 
@@ -79,7 +87,7 @@ FailsafeReaction ReferenceModel::wanted(const Row& row) const {
 }
 
 int ReferenceModel::acting_row() const {
-  for (int i = 5; i >= 0; --i) {
+  for (int i = kLastRow; i >= 0; --i) {
     const Row& row = rows_[static_cast<std::size_t>(i)];
     if (row.raised_ms >= 0 && wanted(row) != FailsafeReaction::kNone) return i;
   }
@@ -122,6 +130,7 @@ ReferenceModel::Answer ReferenceModel::step(const ModeInput& in) {
   count(rows_[3], gnss_silent, !in.estimator_healthy, released);
   count(rows_[4], false, in.charge < options_.battery_critical_at, released);
   count(rows_[5], false, in.motor_failed, released);
+  count(rows_[6], false, in.imu_lost, released);
   if (rows_[4].raised_ms >= 0 && in.charge < in.charge_home) home_lost_ = true;
 
   const int acts = acting_row();
@@ -150,11 +159,11 @@ ReferenceModel::Answer ReferenceModel::step(const ModeInput& in) {
   Answer answer{};
   for (std::size_t i = 0; i < kFailsafes; ++i) answer.raised[i] = rows_[i].raised_ms >= 0;
   int told = acts;
-  for (int i = 5; told < 0 && i >= 0; --i)
+  for (int i = kLastRow; told < 0 && i >= 0; --i)
     if (answer.raised[static_cast<std::size_t>(i)]) told = i;
   using enum FailsafeTrigger;
   constexpr FailsafeTrigger names[] = {kNone, kLink,    kBattery, kGeofence,
-                                       kGnss, kBattery, kMotor};
+                                       kGnss, kBattery, kMotor,   kImu};
   answer.trigger = names[told + 1];
 
   constexpr FlightState standing[2] = {FlightState::kReady, FlightState::kLanded};
@@ -178,7 +187,7 @@ ReferenceModel::Answer ReferenceModel::step(const ModeInput& in) {
     body_ = kAirborne;
     const FailsafeReaction reaction =
         fall_back(wanted(rows_[static_cast<std::size_t>(acts)]), airframe_,
-                  answer.raised[5], answer.raised[3], home_lost_);
+                  answer.raised[6], answer.raised[5], answer.raised[3], home_lost_);
     if (landing && in.committed && !new_command && reaction != FailsafeReaction::kDescend)
       return say(order_, FlightMode::kAuto, FailsafeReaction::kLand);
     constexpr Order orders[] = {Order::kStand, Order::kHold, Order::kReturn, Order::kLand,
