@@ -35,7 +35,7 @@ class Mission {
   AgentOutput second(std::vector<SensorSample> samples = {}) {
     const NavEstimate nav = aircraft.nav(now);
     AgentOutput out;
-    agent.step({now, &nav, aircraft.status, samples, inbox}, out);
+    agent.step({now, &nav, aircraft.status, samples, inbox, {}}, out);
     inbox.clear();
     if (out.command) aircraft.obey(*out.command);
     for (int i = 0; i < 20; ++i) aircraft.step(0.05);
@@ -88,7 +88,7 @@ TEST(MonitorAgent, ReportsOnceASecond) {
   for (int i = 0; i < 40; ++i) {  // stepped at 4 Hz
     const NavEstimate nav = mission.aircraft.nav(mission.now);
     AgentOutput out;
-    mission.agent.step({mission.now, &nav, {}, {}, {}}, out);
+    mission.agent.step({mission.now, &nav, {}, {}, {}, {}}, out);
     reports += static_cast<int>(contents<AircraftReport>(out).size());
     mission.now += Time::from_seconds(0.25);
   }
@@ -288,7 +288,7 @@ TEST(AltitudeOver, ClearsARidgeWithinTheClimbRate) {
 TEST(MonitorAgent, AStationWithoutVehicleStaysSilent) {
   Mission mission;
   AgentOutput out;
-  mission.agent.step({Time(), nullptr, {}, {}, {}}, out);
+  mission.agent.step({Time(), nullptr, {}, {}, {}, {}}, out);
   EXPECT_TRUE(out.outbox.empty());
   EXPECT_FALSE(out.command.has_value());
 }
