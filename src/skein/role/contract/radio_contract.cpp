@@ -28,7 +28,6 @@ std::vector<Message> traffic(std::span<const EntityId> entities) {
       message.to = entities[to];
       message.number = ++numbers[from.value];
       message.sent = Time::from_seconds(0.1 * step);
-      message.size_bytes = 40;
       message.content =
           FireReading{message.sent, from, place_within(random, 500), 1, true};
       all.push_back(message);

@@ -40,7 +40,7 @@ Message some_message(RandomStream& random, Time now) {
       message.content = TeamPosition{EntityId{2}, {}};
       break;
     default:
-      message.content = SignOfLife{};
+      message.content = AircraftReport{};
   }
   return message;
 }
