@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "skein/assemble/sampling.h"
 #include "skein/assemble/sensor_kinds.h"
 #include "skein/assemble/skein_autopilot_kind.h"
 #include "skein/layer/autopilot/guidance/unflyable.h"
 #include "skein/layer/autopilot/modes/geofence.h"
+#include "skein/scenario/numbers.h"
 #include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
@@ -115,6 +117,21 @@ void check_fence(const SkeinChoice& choice, const simulation::VehicleParts& vehi
        "Widen the fence or move the start."});
 }
 
+// Which kinds take actuators is known of ours only, so others may have got too long a
+// step.
+void check_step(const AircraftGroup& group, const simulation::VehicleParts& vehicle,
+                std::vector<Error>& found) {
+  if (group.flight_step || vehicle.step <= kFlightStep ||
+      std::holds_alternative<SelfStabilised>(vehicle.plant->airframe()))
+    return;
+  found.push_back(
+      {ErrorCode::kBadInput, "flight_step_s",
+       fmt::format("is needed: the plant {} takes actuators, steps of {} s are "
+                   "too long for it.",
+                   group.plant.kind, scenario::seconds_text(vehicle.step)),
+       "Skein's own plants are stepped by 0.01 s."});
+}
+
 // Agents give no airspeed: at its altitude the air must carry it at cruise.
 void check_air(const AircraftGroup& group, const simulation::VehicleParts& vehicle,
                std::vector<Error>& found) {
@@ -164,6 +181,7 @@ std::vector<Error> misfits(const Scenario& scenario, const KindRegistry& kinds,
                            const simulation::Entity& aircraft) {
   std::vector<Error> found;
   const simulation::VehicleParts& vehicle = parts_of(aircraft);
+  check_step(group, vehicle, found);
   check_air(group, vehicle, found);
   if (group.autopilot.kind == "skein") {
     const auto& choice = group.autopilot.as<SkeinChoice>();

@@ -7,22 +7,14 @@
 namespace skein::assemble {
 namespace {
 
-// The tables of each role, side by side in two sets of them.
+// Calls `visit` with the member of KindsByRole for each role.
 template <class Visit>
-void for_each_role(KindsByRole& a, const KindsByRole& b, Visit visit) {
-  visit(a.terrain, b.terrain);
-  visit(a.wind, b.wind);
-  visit(a.turbulence, b.turbulence);
-  visit(a.fire, b.fire);
-  visit(a.plant, b.plant);
-  visit(a.autopilot, b.autopilot);
-  visit(a.sensor, b.sensor);
-  visit(a.agent, b.agent);
-  visit(a.station_agent, b.station_agent);
-  visit(a.radio, b.radio);
-  visit(a.estimator, b.estimator);
-  visit(a.strategy, b.strategy);
-  visit(a.planner, b.planner);
+void for_each_role(Visit visit) {
+  using K = KindsByRole;
+  const auto all = [&visit](auto... role) { (visit(role), ...); };
+  all(&K::terrain, &K::wind, &K::turbulence, &K::fire, &K::plant, &K::autopilot,
+      &K::sensor, &K::agent, &K::station_agent, &K::radio, &K::estimator, &K::strategy,
+      &K::planner);
 }
 
 KindsByRole own_kinds() {
@@ -44,9 +36,7 @@ KindsByRole own_kinds() {
 }
 
 void describe(const KindsByRole& kinds, scenario::KindTable& table) {
-  KindsByRole none;
-  for_each_role(none, kinds,
-                [&table](const auto&, const auto& rows) { rows.describe(table); });
+  for_each_role([&](auto role) { (kinds.*role).describe(table); });
 }
 
 bool is_name(const std::string& name) {
@@ -90,8 +80,7 @@ Result<void> KindRegistry::add(const KindsByRole& more, const std::string& plugi
                       other.empty() ? "of Skein's own" : fmt::format("of {}", other)),
           "Give it another name.");
     }
-  for_each_role(kinds_, more,
-                [](auto& rows, const auto& others) { rows.append(others); });
+  for_each_role([&](auto role) { (kinds_.*role).append(more.*role); });
   describe(more, table_);
   for (const std::string& role : theirs.roles())
     for (const std::string& name : theirs.names(role))

@@ -77,6 +77,8 @@ Result<void> load_plugin(const std::filesystem::path& file, KindRegistry& regist
   if (std::string found = difference(plugin->interface); !found.empty())
     return refusal(path, std::move(found), kRebuild);
   if (dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) return cannot_load(path);
+  if (plugin->add_kinds == nullptr)
+    return refusal(path, "its skein_plugin has no function that adds kinds.");
 
   KindsByRole kinds;
   try {

@@ -35,4 +35,5 @@ struct Plugin {
 
 }  // namespace skein::assemble
 
+// NOLINTNEXTLINE(readability-identifier-naming): a C name, which dlsym looks up.
 extern "C" [[gnu::visibility("default")]] const skein::assemble::Plugin skein_plugin;

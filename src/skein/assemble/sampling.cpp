@@ -14,9 +14,6 @@ namespace {
 using scenario::Scenario;
 using scenario::seconds_text;
 
-// Of plants that take actuators, where the scenario does not say.
-const Time kFlightStep = Time::from_ns(10'000'000);
-
 struct Sampling {
   std::string key;  // of the sensor's rate
   double rate_hz = 0;

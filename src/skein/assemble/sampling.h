@@ -10,6 +10,9 @@
 
 namespace skein::assemble {
 
+/// The step of plants that take actuators, where the scenario does not say.
+inline constexpr Time kFlightStep = Time::from_ns(10'000'000);
+
 /// The step of sensors, autopilot and plant of a group: as the scenario says, else the
 /// run's, for plants that take actuators at most 10 ms.
 /// Fails: kBadInput when 10 ms do not divide the run's step.

@@ -1,5 +1,7 @@
 #include "skein/assemble/verify_kinds.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "skein/geo/local_frame.h"
@@ -133,15 +135,16 @@ class Stage {
 KindVerdict Stage::autopilot_verdict(const scenario::Kind& kind) const {
   KindVerdict verdict{"autopilot", kind.name, "it flies no plant.", {}};
   for (const auto& [name, plant] : plants_) {
+    std::any shared;  // of autopilots of one kind on one plant
+    AircraftContext context = aircraft(plant.get());
+    context.shared = &shared;
     const Subject<Autopilot, AircraftContext> subject{
-        kinds_.kinds().autopilot,
-        {kind.name, kind.options->prototype},
-        aircraft(plant.get())};
+        kinds_.kinds().autopilot, {kind.name, kind.options->prototype}, context};
     if (!subject.can_be_made()) continue;
     verdict.not_tested.clear();
     for (const std::string& violation : contract::autopilot_violations(
              subject.make(), plant->airframe(), plant->limits()))
-      verdict.violations.push_back("on the plant " + name + ": " + violation);
+      verdict.violations.push_back(fmt::format("on the plant {}: {}", name, violation));
   }
   return verdict;
 }

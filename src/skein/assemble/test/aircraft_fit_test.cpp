@@ -4,17 +4,20 @@
 
 #include "skein/assemble/build.h"
 #include "skein/assemble/kinds_of.h"
+#include "skein/layer/asset/multirotor/multirotor_plant.h"
+#include "skein/layer/sensory/ideal_navigation.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {
 namespace {
 
 // What a scenario with one group of aircraft is refused for; nothing when it is built.
-std::string said_of(const std::string& aircraft, const std::string& rest = "") {
+std::string said_of(const std::string& aircraft, const std::string& rest = "",
+                    const KindRegistry& kinds = KindRegistry()) {
   const auto read = scenario::read_scenario_text(
-      "aircraft: [{" + aircraft + "}]\n" + rest, "test", ".", kind_table());
+      "aircraft: [{" + aircraft + "}]\n" + rest, "test", ".", kinds.table());
   if (!read.ok()) return read.report();
-  const auto made = build(*read.scenario, KindRegistry());
+  const auto made = build(*read.scenario, kinds);
   return made ? "" : made.error().text();
 }
 
@@ -109,6 +112,41 @@ TEST(AircraftFit, AllThatDoesNotFitIsToldAtOnce) {
   const std::string said = said_of(
       skein("rotor_gains: {}, failsafe: {gnss: {delay_s: 0}, link: {delay_s: 0}}"));
   EXPECT_NE(said.find("3 problems"), std::string::npos) << said;
+}
+
+struct NoKeys {};
+
+// A plant and a sensor as a plugin brings them.
+KindRegistry with_plugin() {
+  KindsByRole more;
+  more.plant.add(
+      "my-rotors", "Multirotor.", scenario::Fields<NoKeys>(),
+      [](const NoKeys&, const AircraftContext&) {
+        return std::make_unique<asset::MultirotorPlant>(asset::MultirotorParameters{});
+      });
+  more.sensor.add("my-navigation", "Says everything.", scenario::Fields<NoKeys>(),
+                  [](const NoKeys&, const AircraftContext&) {
+                    return std::make_unique<sensory::IdealNavigation>(
+                        sensory::IdealNavigationOptions{});
+                  });
+  KindRegistry kinds;
+  const auto added = kinds.add(more, "plugin");
+  EXPECT_TRUE(added.ok()) << added.error().text();
+  return kinds;
+}
+
+TEST(AircraftFit, PlantsOfPluginsThatTakeActuatorsNeedAStep) {
+  const KindRegistry kinds = with_plugin();
+  const std::string group = "plant: my-rotors, autopilot: skein, sensors: [flight]";
+  const std::string said = said_of(group, "", kinds);
+  EXPECT_NE(said.find("flight_step_s: is needed"), std::string::npos) << said;
+  EXPECT_EQ(said_of(group + ", flight_step_s: 0.01", "", kinds), "");
+}
+
+TEST(AircraftFit, SensorsOfPluginsMayServeTheAutopilot) {
+  EXPECT_EQ(said_of("plant: multirotor, autopilot: skein, sensors: [my-navigation]", "",
+                    with_plugin()),
+            "");
 }
 
 std::vector<std::string> doubts_of(const std::string& aircraft,

@@ -8,6 +8,7 @@
 #include "skein/assemble/build.h"
 #include "skein/assemble/interface_version.h"
 #include "skein/assemble/load_plugin.h"
+#include "skein/role/radio.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {

@@ -53,8 +53,8 @@ TEST(KeepingWatch, TellsTurnsFromStraightsAndWatchesAHover) {
   status.cross_track = 2;
   for (int k = 0; k < 100; ++k) {
     status.along = geo::unit(0.02 * k);
-    turning.truth(Time::from_seconds(0.1 * k), kAircraft, {});
-    turning.estimate(kAircraft, {}, status);
+    turning.record(TruthRecord{Time::from_seconds(0.1 * k), kAircraft, {}});
+    turning.record(EstimateRecord{kAircraft, {}, status});
   }
   EXPECT_NEAR(figures_of(turning).at("turns_rms_m"), 2, 1e-9);
   EXPECT_EQ(figures_of(turning).count("straights_rms_m"), 0u);
@@ -62,11 +62,11 @@ TEST(KeepingWatch, TellsTurnsFromStraightsAndWatchesAHover) {
   KeepingWatch hovering({kAircraft, 100, 15, Vec2(3, 4), 1});
   VehicleState state;
   state.p_N = {3, 4, -102};
-  hovering.truth(Time::from_seconds(2), kAircraft, state);
-  hovering.estimate(kAircraft, {}, {});
+  hovering.record(TruthRecord{Time::from_seconds(2), kAircraft, state});
+  hovering.record(EstimateRecord{kAircraft, {}, {}});
   EXPECT_NEAR(figures_of(hovering).at("hover_most_m"), 2, 1e-9);
   EXPECT_EQ(figures_of(hovering).at("accident"), 0);
-  hovering.event({Time(), kAircraft, "accident", ""});
+  hovering.record(Event{Time(), kAircraft, "accident", ""});
   EXPECT_EQ(figures_of(hovering).at("accident"), 1);
 }
 

@@ -57,7 +57,8 @@ double to_outline(const geo::Region& region, const Vec2& p) {
   double nearest = 1e9;
   for (const geo::Ring& ring : region)
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Vec2 a = ring[k], along = ring[(k + 1) % ring.size()] - a;
+      const Vec2& a = ring[k];
+      const Vec2 along = ring[(k + 1) % ring.size()] - a;
       const double share =
           along.squaredNorm() > 0
               ? std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0)

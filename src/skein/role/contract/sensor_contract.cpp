@@ -33,7 +33,6 @@ Violations sensor_violations(const Make<Sensor>& make) {
   const std::vector<GroundObject> objects = {
       {.id = 1, .name = "car", .position = {290, 20}}};
   const bool payload = sensor->payload();
-  std::vector<SensorSample> said, twin_said;
   Air air;
   air.wind_N = {3, -1, 0};
   for (int i = 0; i < kSteps; ++i) {
@@ -42,23 +41,22 @@ Violations sensor_violations(const Make<Sensor>& make) {
     const int looks = fire.looks();
     const VehicleState vehicle = in_flight(i);
     const SensorView view{now, vehicle, air, terrain, fire, objects};
-    const std::vector<SensorSample> before = said;
+    const SensorSample others = HeightSample{now, 1.0 * i};  // said before
+    std::vector<SensorSample> said = {others}, twin_said = said;
     sensor->sample(view, said);
     checks.expect(
         payload || fire.looks() == looks,
         "it looks at the fire, but payload() says that it serves the autopilot");
     twin->sample(view, twin_said);
-    checks.expect(said.size() >= before.size() &&
-                      std::equal(before.begin(), before.end(), said.begin(), same),
+    checks.expect(!said.empty() && same(said.front(), others),
                   "sample() changes what others have said before");
-    for (std::size_t k = before.size(); k < said.size(); ++k) {
+    for (std::size_t k = 1; k < said.size(); ++k) {
       checks.expect(time_of(said[k]) <= now, "a sample is from the future");
       checks.expect(all_finite(numbers_of(said[k])), "a sample is not finite");
     }
-    if (said.size() > 4000) said.clear(), twin_said.clear();
-    checks.expect(said.size() == twin_said.size() &&
-                      std::equal(said.begin(), said.end(), twin_said.begin(), same),
-                  "two equal ones do not say the same");
+    checks.expect(
+        std::equal(said.begin(), said.end(), twin_said.begin(), twin_said.end(), same),
+        "two equal ones do not say the same");
   }
   checks.expect(sensor->payload() == payload, "payload() changes");
   return checks.take();

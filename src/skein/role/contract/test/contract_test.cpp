@@ -51,6 +51,28 @@ TEST(WindContract, FindsAWindThatChangesWhenAsked) {
             One{"the same place and time has another wind when asked again"});
 }
 
+// Gusts that grow from one made to the next.
+class Moody final : public Turbulence {
+ public:
+  explicit Moody(double mood) : mood_(mood) {}
+  Gust advance(const TurbulenceView&, double) override {
+    return {{mood_, 0, 0}, Vec3::Zero()};
+  }
+
+ private:
+  double mood_;
+};
+
+TEST(TurbulenceContract, FindsGustsThatDifferOrAreNoNumbers) {
+  double mood = 0;
+  EXPECT_EQ(turbulence_violations([&] { return std::make_unique<Moody>(++mood); }),
+            One{"two equal ones do not gust alike"});
+  EXPECT_EQ(turbulence_violations([] {
+              return std::make_unique<Moody>(std::numeric_limits<double>::infinity());
+            }),
+            One{"gusts are not finite"});
+}
+
 // --- phenomena -----------------------------------------------------------------------
 
 // A square that grows, shrinks or lies elsewhere than it says.
