@@ -36,8 +36,8 @@ void there_and_back(benchmark::State& state, const Message& message) {
     if (!decoded) return state.SkipWithError("it was not read back");
     benchmark::DoNotOptimize(decoded);
   }
-  state.counters["messages"] = benchmark::Counter(
-      static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["messages"] = benchmark::Counter(static_cast<double>(state.iterations()),
+                                                  benchmark::Counter::kIsRate);
   state.counters["bytes"] = static_cast<double>(coded.size());
 }
 BENCHMARK_CAPTURE(there_and_back, reading, message_of(a_reading()));

@@ -65,10 +65,10 @@ TEST_F(Program, AFailedRunOfAStudyCanBeReplayed) {
   const Finished failed =
       run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
            "--estimators", "ensemble", "--strategies", "gus", "--threads", "1", "--set",
-           ("monitoring.estimator={kind: ensemble, members: 200, cell_m: 0.5, "
-            "max_nodes: 10000000}"),
+           ("monitoring.estimator={kind: ensemble, members: 200, cell_m: 5, "
+            "max_nodes: 200000}"),
            "--set", "duration_s=10"},
-          RLIM_INFINITY, 800'000'000);
+          RLIM_INFINITY, 350'000'000);
   EXPECT_EQ(failed.status, 1) << failed.err;
   EXPECT_NE(failed.err.find("not enough memory"), std::string::npos) << failed.err;
   EXPECT_NE(failed.err.find("Replay: skein run m/failed-no-wind-gus-ensemble-1.yaml"),

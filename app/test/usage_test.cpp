@@ -241,8 +241,8 @@ TEST_F(Program, SaysWhenMemoryIsNotEnough) {
   if (!kMemoryCanBeLimited) GTEST_SKIP() << "needs a limit of memory";
   const auto file = write("s.yaml",
                           "duration_s: 5\nmonitoring: {estimator: {kind: ensemble, "
-                          "members: 200, cell_m: 0.5, max_nodes: 10000000}}\n");
-  const Finished big = run({"run", file.string()}, RLIM_INFINITY, 800'000'000);
+                          "members: 200, cell_m: 5, max_nodes: 200000}}\n");
+  const Finished big = run({"run", file.string()}, RLIM_INFINITY, 350'000'000);
   EXPECT_EQ(big.status, 1) << big.err;
   EXPECT_NE(big.err.find("not enough memory"), std::string::npos) << big.err;
 }

@@ -69,12 +69,18 @@ export interface Estimate {
   demanded_airspeed_mps: number | null; // of fixed-wing guidance
   on_ground: boolean; // as far as it can tell
   mode: "manual" | "stabilized" | "auto" | "guided"; // who flies
-  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor"; // what has gone wrong
+  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu"; // what has gone wrong
   reaction: "none" | "hold" | "return" | "land" | "descend"; // what is done about it
   refusals: number; // commands that could not be flown
   charge: number | null; // as its battery monitor says
   reserve: number | null; // the charge less what it takes to get home; 1 while nothing is known of it
   endurance_s: number | null; // flight time left at the present power; null while not known
+  lost_sensors: number; // bit k: nothing is received any more of the IMU (0), barometer, magnetometer, airspeed, power
+  unit_1: number; // of each of these, the one flown by
+  unit_2: number; // of each of these, the one flown by
+  unit_3: number; // of each of these, the one flown by
+  unit_4: number; // of each of these, the one flown by
+  unit_5: number; // of each of these, the one flown by
 }
 
 /** One look of an in/out fire sensor, placed where the aircraft believes it. */

@@ -246,7 +246,8 @@ class Reader {
 
   template <class T>
   bool get(T& value) {
-    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, float>) {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, float> ||
+                  std::is_same_v<T, std::uint8_t>) {
       return get_raw(value);
     } else if constexpr (std::is_same_v<T, bool>) {
       std::uint8_t raw = 0;
@@ -259,8 +260,6 @@ class Reader {
       value = static_cast<T>(raw);
       return raw < names_of(static_cast<const T*>(nullptr)).size() ||
              fail("an enumeration has no such value");
-    } else if constexpr (std::is_same_v<T, std::uint8_t>) {
-      return get_raw(value);
     } else if constexpr (std::is_same_v<T, Time>) {
       std::int64_t ns = 0;
       if (!get_raw(ns)) return false;

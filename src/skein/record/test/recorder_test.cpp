@@ -221,7 +221,8 @@ TEST(RunRecorder, OrdersAndBeliefsThatDifferHashDifferently) {
   const auto order = [](double angle) {
     FollowEdge edge;
     edge.angle = angle;
-    return hash_of(MessageRecord{{EntityId{1}, EntityId{2}, 5, Time(), Task{1, edge}}, Time(), 9, false});
+    return hash_of(MessageRecord{
+        {EntityId{1}, EntityId{2}, 5, Time(), Task{1, edge}}, Time(), 9, false});
   };
   EXPECT_NE(order(0.1), order(0.2));
   const auto belief = [](double axis) {
