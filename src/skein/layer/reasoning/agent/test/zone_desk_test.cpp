@@ -46,8 +46,8 @@ struct Desk {
     options.team = {EntityId{1}, EntityId{2}};
     return options;
   }
-  AgentOutput at(double time, const std::vector<ZoneChange>& wishes = {}) {
-    const std::vector<Command> commands(wishes.begin(), wishes.end());
+  AgentOutput at(double time, const std::vector<ZoneChange>& requests = {}) {
+    const std::vector<Command> commands(requests.begin(), requests.end());
     AgentInput in;
     in.commands = commands;
     in.now = Time::from_seconds(time);
@@ -169,13 +169,13 @@ TEST(ZoneDesk, ALinkThatLosesMostLeavesNobodyBehind) {
   ZoneBook books[2];
   RandomStream random(1, 1, Purpose::kTest);
   for (int step = 0; step < 400; ++step) {
-    std::vector<ZoneChange> wishes;
+    std::vector<ZoneChange> requests;
     if (step % 40 == 0 && step < 200)
-      wishes.push_back(
+      requests.push_back(
           wish(true, square(std::string(1, static_cast<char>('a' + step / 40)))));
     for (std::uint32_t who : {0u, 1u})
       if (random.uniform() < 0.2) desk.report(who + 1, books[who].complete_to());
-    for (const Message& message : desk.at(step, wishes).outbox)
+    for (const Message& message : desk.at(step, requests).outbox)
       if (random.uniform() < 0.2)
         books[message.to.value - 1].take(std::get<ZoneChange>(message.content));
   }
