@@ -58,7 +58,7 @@ planning::OrbitQuery query_of(const PlanOrbitArguments& arguments,
 Json about_orbit(const planning::OrbitResult& found) {
   Json about = {{"outcome", planning::name_of(found.outcome)}};
   if (!found.reason.empty()) about["reason"] = found.reason;
-  if (found.least_radius > 0) about["least_radius_m"] = found.least_radius;
+  if (found.min_radius > 0) about["min_radius_m"] = found.min_radius;
   if (found.plan.empty()) return about;
   about["airspeed_mps"] = found.airspeed;
   about["entry_s"] = found.entry_time;
@@ -113,7 +113,7 @@ int plan_orbit_command(const PlanOrbitArguments& arguments) {
       {"Flown at", fmt::format("{:g} m/s", found.airspeed)}};
   add_facts(document, task.value().setting);
   const bool conflict =
-      tell_conflicts({found.plan}, airspace.value(), task.value(), about);
+      report_conflicts({found.plan}, airspace.value(), task.value(), about);
   const int status = put_plan(document, about, arguments.output);
   if (found.outcome == OrbitOutcome::kPlanned && !conflict) return status;
   // Drawn, so that one sees where; it is no success.

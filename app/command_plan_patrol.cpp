@@ -91,7 +91,7 @@ int plan_patrol_command(const PlanPatrolArguments& arguments) {
     document.facts.emplace_back("Interval", exchange::shown_time(found.interval));
   add_facts(document, task.value().setting);
   const bool conflict =
-      tell_conflicts(found.plans, airspace.value(), task.value(), about);
+      report_conflicts(found.plans, airspace.value(), task.value(), about);
   const int status = put_plan(document, about, arguments.output);
   return status == kDone && conflict ? static_cast<int>(kFailed) : status;
 }

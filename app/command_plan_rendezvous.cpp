@@ -72,7 +72,7 @@ int plan_rendezvous_command(const PlanRendezvousArguments& arguments) {
                                                                 found.arrivals.end()))}};
   add_facts(document, task.value().setting);
   const bool conflict =
-      tell_conflicts(found.plans, airspace.value(), task.value(), about);
+      report_conflicts(found.plans, airspace.value(), task.value(), about);
   const int status = put_plan(document, about, arguments.output);
   return status == kDone && conflict ? static_cast<int>(kFailed) : status;
 }

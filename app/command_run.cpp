@@ -38,8 +38,8 @@ std::optional<double> parse_speed(const std::string& text) {
 fs::path free_folder(const std::string& name) {
   const fs::path base = fs::path("runs") / folder_name(name);
   fs::path folder = base;
-  std::error_code fault;  // a place that cannot be looked at fails when it is written
-  for (int k = 2; fs::exists(folder, fault); ++k)
+  std::error_code error;  // a place that cannot be looked at fails when it is written
+  for (int k = 2; fs::exists(folder, error); ++k)
     folder = base.string() + fmt::format("-{}", k);
   return folder;
 }
@@ -60,8 +60,8 @@ Result<record::RunSummary> close(record::RunRecorder& recorder, bool interrupted
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kUnavailable, "", "not enough memory.",
                  "The records end early."};
-  } catch (const std::exception& fault) {
-    return internal_error(fault.what());
+  } catch (const std::exception& error) {
+    return internal_error(error.what());
   }
 }
 
@@ -83,7 +83,7 @@ void print_table(const record::RunSummary& summary) {
       {"failsafes", "failsafes"},
       {"cross_track_rms_m", "distance to the path flown, RMS [m]"},
       {"position_error_rms_m", "error of own position, RMS [m]"},
-      {"charge_least", "least charge left, of 1"},
+      {"min_charge", "least charge left, of 1"},
       {"objects_found", "objects found"},
       {"detections", "detections of objects"},
       {"simulated_s", "simulated time [s]"},

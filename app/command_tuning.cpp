@@ -195,7 +195,7 @@ class Tuning {
       state = report_.alert =
           fmt::format("partial: the search ended after {} of {} gains",
                       found_.search.tries.size(), arguments_.search);
-    failed_ = tell_failures(plan_.items, outcomes_, folder_) || !found_.error.empty();
+    failed_ = report_failures(plan_.items, outcomes_, folder_) || !found_.error.empty();
     if (!found_.error.empty()) complain("search: {}\n", found_.error);
     if (auto written = write_text(folder_ / "runs.csv",
                                   campaign::tuning_csv(study_, plan_, outcomes_));

@@ -83,9 +83,9 @@ Result<void> write_text(const std::filesystem::path& file, const std::string& te
   std::ofstream out(part, std::ios::binary);
   out << text;
   out.close();
-  std::error_code fault;
-  if (out.good()) std::filesystem::rename(part, file, fault);
-  if (!out.good() || fault)
+  std::error_code error;
+  if (out.good()) std::filesystem::rename(part, file, error);
+  if (!out.good() || error)
     return Error{ErrorCode::kUnavailable, file.string(), "cannot be written.",
                  "Is the folder writable, the disk full?"};
   return {};

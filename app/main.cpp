@@ -338,10 +338,10 @@ int run_guarded(int argc, char** argv) {
     put_err(
         "error: not enough memory. Use a coarser grid or fewer members, or run fewer "
         "at a time.\n");
-  } catch (const std::filesystem::filesystem_error& fault) {
-    complain("error: {}: {}.\n", fault.path1().string(), fault.code().message());
-  } catch (const std::exception& fault) {
-    complain("error: {}\n", skein::internal_error(fault.what()).text());
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain("error: {}: {}.\n", error.path1().string(), error.code().message());
+  } catch (const std::exception& error) {
+    complain("error: {}\n", skein::internal_error(error.what()).text());
   }
   return kFailed;
 }

@@ -9,8 +9,8 @@
 
 namespace skein::app {
 
-bool tell_conflicts(const std::vector<FlightPlan>& plans, const Airspace& airspace,
-                    const TaskInput& task, nlohmann::ordered_json& about) {
+bool report_conflicts(const std::vector<FlightPlan>& plans, const Airspace& airspace,
+                      const TaskInput& task, nlohmann::ordered_json& about) {
   PathQuery query;
   query.limits = task.limits;
   query.wind = task.setting.air.wind;

@@ -12,7 +12,7 @@ namespace skein::app {
 /// Says on standard error what flights come into that their planner did not look at: of
 /// each the first zone or moving obstacle. Adds them to `about` as `conflicts`.
 /// @returns whether there is any.
-bool tell_conflicts(const std::vector<FlightPlan>& plans, const Airspace& airspace,
-                    const TaskInput& task, nlohmann::ordered_json& about);
+bool report_conflicts(const std::vector<FlightPlan>& plans, const Airspace& airspace,
+                      const TaskInput& task, nlohmann::ordered_json& about);
 
 }  // namespace skein::app

@@ -20,21 +20,21 @@ namespace fs = std::filesystem;
 
 fs::path shipped_scenario(const std::string& name) {
   const fs::path here = fs::path("scenarios") / name;
-  std::error_code fault;
-  if (fs::exists(here, fault)) return here;
-  const fs::path program = fs::read_symlink("/proc/self/exe", fault);
+  std::error_code error;
+  if (fs::exists(here, error)) return here;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path installed =
       program.parent_path().parent_path() / "share" / "skein" / "scenarios" / name;
-  if (fs::exists(installed, fault)) return installed;
+  if (fs::exists(installed, error)) return installed;
   return program.parent_path().parent_path().parent_path() / "scenarios" / name;
 }
 
 Result<void> make_folder(const fs::path& folder) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (!fault) return {};
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return {};
   return Error{ErrorCode::kUnavailable, folder.string(),
-               "cannot be made: " + fault.message() + ".", ""};
+               "cannot be made: " + error.message() + ".", ""};
 }
 
 namespace {
@@ -64,9 +64,9 @@ void print_table(const record::StudyTable& table) {
   }
 }
 
-bool tell_failures(const std::vector<campaign::BatchItem>& items,
-                   const std::vector<campaign::BatchOutcome>& outcomes,
-                   const fs::path& folder) {
+bool report_failures(const std::vector<campaign::BatchItem>& items,
+                     const std::vector<campaign::BatchOutcome>& outcomes,
+                     const fs::path& folder) {
   bool failed = false;
   for (std::size_t i = 0; i < outcomes.size(); ++i)
     if (!outcomes[i].error.empty()) {
@@ -118,7 +118,7 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
            const std::atomic<bool>& stop, const std::map<std::string, double>& more) {
   campaign::StudyFigures figures = campaign::study_figures(plan, outcomes);
   figures.insert(more.begin(), more.end());
-  const bool failed = tell_failures(plan.items, outcomes, folder);
+  const bool failed = report_failures(plan.items, outcomes, folder);
   if (auto written = write_text(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
       !written)
     return say_error(written.error());

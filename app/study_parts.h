@@ -29,9 +29,9 @@ Result<void> make_folder(const std::filesystem::path& folder);
 void print_table(const record::StudyTable& table);
 
 /// Says what failed and stores a scenario to replay it; false when nothing did.
-bool tell_failures(const std::vector<campaign::BatchItem>& items,
-                   const std::vector<campaign::BatchOutcome>& outcomes,
-                   const std::filesystem::path& folder);
+bool report_failures(const std::vector<campaign::BatchItem>& items,
+                     const std::vector<campaign::BatchOutcome>& outcomes,
+                     const std::filesystem::path& folder);
 
 /// Runs one item without records.
 Result<record::RunSummary> run_item(const campaign::BatchItem& item,

@@ -15,12 +15,12 @@
 namespace skein::model {
 namespace {
 
-ConnectionQuery random_query(RandomStream& random, double box, double most_wind) {
+ConnectionQuery random_query(RandomStream& random, double box, double max_wind) {
   ConnectionQuery q;
   const double turn = 2 * geo::kPi;
   q.air.airspeed = 20;
   q.air.turn_radius = 50;
-  q.air.wind = 20 * most_wind * random.uniform() * geo::unit(turn * random.uniform());
+  q.air.wind = 20 * max_wind * random.uniform() * geo::unit(turn * random.uniform());
   q.from.position = 50 * box * Vec2(random.uniform(), random.uniform());
   q.from.course = turn * random.uniform();
   q.to.position = 50 * box * Vec2(random.uniform(), random.uniform());
@@ -28,10 +28,10 @@ ConnectionQuery random_query(RandomStream& random, double box, double most_wind)
   return q;
 }
 
-void connections(benchmark::State& state, double box, double most_wind) {
+void connections(benchmark::State& state, double box, double max_wind) {
   RandomStream random(7, 0, Purpose::kTest);
   std::vector<ConnectionQuery> queries;
-  for (int i = 0; i < 2000; ++i) queries.push_back(random_query(random, box, most_wind));
+  for (int i = 0; i < 2000; ++i) queries.push_back(random_query(random, box, max_wind));
   constexpr int kTimes = 200;
   std::vector<double> ns;
   using Clock = std::chrono::steady_clock;
@@ -54,11 +54,10 @@ void connections(benchmark::State& state, double box, double most_wind) {
 }
 
 // One after the other, as a batch meets them: nothing is predicted from the last time.
-void batch(benchmark::State& state, double box, double most_wind) {
+void batch(benchmark::State& state, double box, double max_wind) {
   RandomStream random(8, 0, Purpose::kTest);
   std::vector<ConnectionQuery> queries;
-  for (int i = 0; i < 20'000; ++i)
-    queries.push_back(random_query(random, box, most_wind));
+  for (int i = 0; i < 20'000; ++i) queries.push_back(random_query(random, box, max_wind));
   std::vector<Connection> out(queries.size());
   for (auto _ : state) {
     connect(queries, out);

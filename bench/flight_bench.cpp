@@ -9,7 +9,7 @@
 #include "skein/base/random.h"
 #include "skein/layer/asset/kinematic_plant.h"
 #include "skein/layer/autopilot/simple_autopilot.h"
-#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/layer/reasoning/agent/zone_avoidance.h"
 #include "skein/model/connection/point_connection.h"
 #include "skein/model/path/dubins.h"
 
@@ -58,7 +58,7 @@ void time_to_point(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(time_to_point)->ArgName("wind_m_s")->Arg(0)->Arg(3)->Arg(8);
+BENCHMARK(time_to_point)->ArgName("wind_mps")->Arg(0)->Arg(3)->Arg(8);
 
 void plant_step(benchmark::State& state) {
   const asset::KinematicPlant plant{asset::KinematicOptions{}};
@@ -112,7 +112,7 @@ void zone_guard(benchmark::State& state) {
   nav.p_N = {-300, 0, -300};
   nav.v_N = {20, 0, 0};
   for (auto _ : state) {
-    reasoning::ZoneGuard guard({}, FlightLimits{}, zones);
+    reasoning::ZoneAvoidance guard({}, FlightLimits{}, zones);
     benchmark::DoNotOptimize(guard.check(HoldCourse{0}, 0, nav));
   }
   state.SetItemsProcessed(state.iterations());

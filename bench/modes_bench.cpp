@@ -89,7 +89,7 @@ void fence_measured(benchmark::State& state) {
 }
 BENCHMARK(fence_measured);
 
-void way_home(benchmark::State& state) {
+void route_home(benchmark::State& state) {
   const HomeFlight flight{.airspeed = 15, .power_level = 60};
   Vec2 p(300, 400);
   for (auto _ : state) {
@@ -97,7 +97,7 @@ void way_home(benchmark::State& state) {
     benchmark::DoNotOptimize(home_need(-p, 100, {3, 4}, flight).energy);
   }
 }
-BENCHMARK(way_home);
+BENCHMARK(route_home);
 
 void motor_step(benchmark::State& state) {
   MotorWatch watch({});

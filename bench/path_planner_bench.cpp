@@ -78,7 +78,7 @@ void plan_scene(benchmark::State& state) {
   scene.query.budget.states = 1'000'000'000;
   scene.query.budget.first = state.range(2) == 0;
   const double limit = static_cast<double>(state.range(2)) / 1000;
-  const AaStar planner(AaStar::Options{.ways = state.range(3) != 0});
+  const AaStar planner(AaStar::Options{.detours = state.range(3) != 0});
   PlannedPath path;
   for (auto _ : state) {
     const auto begin = std::chrono::steady_clock::now();

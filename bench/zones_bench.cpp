@@ -7,8 +7,8 @@
 
 #include "skein/base/random.h"
 #include "skein/data/airspace.h"
-#include "skein/layer/reasoning/agent/ways_around.h"
-#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/layer/reasoning/agent/detour_planner.h"
+#include "skein/layer/reasoning/agent/zone_avoidance.h"
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 
 namespace skein {
@@ -38,7 +38,7 @@ const Vec2 kFrom(-2000, 0), kTo(2000, 0);
 // A step of an agent far from zones that all count.
 void guard_far(benchmark::State& state) {
   const std::vector<Zone> zones = scene(state.range(0));
-  reasoning::ZoneGuard guard({}, FlightLimits{}, zones);
+  reasoning::ZoneAvoidance guard({}, FlightLimits{}, zones);
   NavEstimate nav;
   nav.p_N = {-5000, 0, -100};
   nav.v_N = {20, 0, 0};
@@ -48,20 +48,20 @@ void guard_far(benchmark::State& state) {
 BENCHMARK(guard_far)->Arg(2)->Arg(20)->Arg(200);
 
 // When zones come or go.
-void draw_ways(benchmark::State& state) {
+void draw_detours(benchmark::State& state) {
   const std::vector<Zone> zones = scene(state.range(0));
   for (auto _ : state) {
-    const reasoning::WaysAround ways(zones, 100);
-    benchmark::DoNotOptimize(&ways);
+    const reasoning::DetourPlanner detours(zones, 100);
+    benchmark::DoNotOptimize(&detours);
   }
 }
-BENCHMARK(draw_ways)->Arg(2)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(draw_detours)->Arg(2)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
 
-void find_way(benchmark::State& state) {
-  const reasoning::WaysAround ways(scene(state.range(0)), 100);
-  for (auto _ : state) benchmark::DoNotOptimize(ways.way(kFrom, kTo));
+void find_detour(benchmark::State& state) {
+  const reasoning::DetourPlanner detours(scene(state.range(0)), 100);
+  for (auto _ : state) benchmark::DoNotOptimize(detours.detour(kFrom, kTo));
 }
-BENCHMARK(find_way)->Arg(2)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(find_detour)->Arg(2)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 // A leg as RouteFlight has it planned; the second argument is the states looked at. The
 // time that the way takes is a counter.

@@ -77,7 +77,7 @@ TEST_F(PlanConnect, ClimbsAndArrivesInTime) {
 }
 
 TEST_F(PlanConnect, RefusesWhatCannotBe) {
-  const std::vector<std::pair<std::vector<std::string>, const char*>> faults = {
+  const std::vector<std::pair<std::vector<std::string>, const char*>> errors = {
       {{"--from", "0,0,0"}, "--to: is needed"},
       {{"--from", "0,0", "--to", "1,1,1"}, "2 numbers given"},
       {{"--from", "0,0,nan", "--to", "1,1,1"}, "\"nan\" is not a finite number"},
@@ -92,7 +92,7 @@ TEST_F(PlanConnect, RefusesWhatCannotBe) {
       {{"--from", "0,0,0", "--to", "5,5,5", "--origin", "50,14", "--out", "x.plan"},
        "Give --altitude-m"},
       {{"--from", "0,0,0", "--to", "5,5,5", "--batch", "x.csv"}, "--batch"}};
-  for (const auto& [options, text] : faults) {
+  for (const auto& [options, text] : errors) {
     const Finished refused = connect(options);
     EXPECT_EQ(refused.status, 2) << text;
     EXPECT_NE(refused.err.find(text), std::string::npos) << text << "\n" << refused.err;

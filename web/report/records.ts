@@ -126,7 +126,7 @@ export interface Report {
   limits_slowest_mps: number | null; // level flight; 0: it hovers
   limits_fastest_mps: number | null; // level flight
   limits_sink_rate_mps: number | null; // largest
-  limits_least_density_kg_m3: number | null; // of air that carries it; 0: any
+  limits_min_density_kg_m3: number | null; // of air that carries it; 0: any
   task_number: number; // that it works on; 0: none yet
   task_done: boolean; // that task is done
   obeys: boolean; // no pilot and no failsafe flies

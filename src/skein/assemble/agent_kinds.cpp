@@ -10,7 +10,7 @@
 #include "skein/layer/reasoning/agent/monitor_agent.h"
 #include "skein/layer/reasoning/agent/round_trip.h"
 #include "skein/layer/reasoning/agent/route_agent.h"
-#include "skein/layer/reasoning/agent/zone_shield.h"
+#include "skein/layer/reasoning/agent/zone_decorator.h"
 #include "skein/layer/reasoning/team/wingman.h"
 #include "skein/layer/reasoning/tour/tour_agent.h"
 
@@ -148,8 +148,8 @@ Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
   if (!options.around_zones)
     zones = lasting(c.zones, std::min(start, altitude), std::max(start, altitude));
   // From the start to the first point, then round.
-  std::vector<Vec2> way = {geo::horizontal(c.initial.p_N), options.points.front()};
-  auto crossed = reasoning::into_zone(way, false, zones);
+  std::vector<Vec2> leg = {geo::horizontal(c.initial.p_N), options.points.front()};
+  auto crossed = reasoning::into_zone(leg, false, zones);
   if (!crossed) crossed = reasoning::into_zone(options.points, options.laps > 1, zones);
   if (crossed)
     return Error{
@@ -195,8 +195,8 @@ Kinds<Agent, AircraftContext> agent_kinds() {
             [](const reasoning::TourAgentOptions& o, const AircraftContext& c) {
               reasoning::TourAgentOptions all = o;
               all.altitude_agl = c.altitude_agl;
-              return std::make_unique<reasoning::ZoneShield>(
-                  reasoning::ZoneGuardOptions{}, c.self, c.limits, *c.map, c.zones,
+              return std::make_unique<reasoning::ZoneDecorator>(
+                  reasoning::ZoneAvoidanceOptions{}, c.self, c.limits, *c.map, c.zones,
                   std::make_unique<reasoning::TourAgent>(all, c.self, c.station, c.limits,
                                                          *c.map));
             });

@@ -145,8 +145,9 @@ void check_air(const AircraftGroup& group, const simulation::VehicleParts& vehic
                      "Fly lower, or choose another plant."});
 }
 
-void doubt_rotors(const SkeinChoice& choice, const AircraftGroup& group,
-                  const simulation::Entity& aircraft, std::vector<std::string>& found) {
+void warn_about_rotors(const SkeinChoice& choice, const AircraftGroup& group,
+                       const simulation::Entity& aircraft,
+                       std::vector<std::string>& found) {
   const Airframe airframe = parts_of(aircraft).plant->airframe();
   const auto* rotors = std::get_if<MultirotorAirframe>(&airframe);
   if (!rotors) return;
@@ -176,9 +177,9 @@ Time heartbeat(const Scenario& scenario) {
   return watched ? Time::from_seconds(1) : Time();
 }
 
-std::vector<Error> misfits(const Scenario& scenario, const KindRegistry& kinds,
-                           const AircraftGroup& group,
-                           const simulation::Entity& aircraft) {
+std::vector<Error> incompatibilities(const Scenario& scenario, const KindRegistry& kinds,
+                                     const AircraftGroup& group,
+                                     const simulation::Entity& aircraft) {
   std::vector<Error> found;
   const simulation::VehicleParts& vehicle = parts_of(aircraft);
   check_step(group, vehicle, found);
@@ -194,8 +195,8 @@ std::vector<Error> misfits(const Scenario& scenario, const KindRegistry& kinds,
   return found;
 }
 
-std::vector<std::string> doubts(const Scenario& scenario, const AircraftGroup& group,
-                                const simulation::Entity& aircraft) {
+std::vector<std::string> warnings(const Scenario& scenario, const AircraftGroup& group,
+                                  const simulation::Entity& aircraft) {
   std::vector<std::string> found;
   if (group.autopilot.kind != "skein") return found;
   const auto& choice = group.autopilot.as<SkeinChoice>();
@@ -205,7 +206,7 @@ std::vector<std::string> doubts(const Scenario& scenario, const AircraftGroup& g
         "station.heartbeat_s: the station gives no signs of life. Where {:.6g} s pass "
         "without an order the failsafe link of {} acts.",
         link.delay, aircraft.name));
-  doubt_rotors(choice, group, aircraft, found);
+  warn_about_rotors(choice, group, aircraft, found);
   return found;
 }
 

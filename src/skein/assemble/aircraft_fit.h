@@ -22,13 +22,14 @@ Time heartbeat(const scenario::Scenario& scenario);
 ///                  autopilot: what they measure is not known here.
 /// @param group     it is one of.
 /// @param aircraft  as it starts.
-std::vector<Error> misfits(const scenario::Scenario& scenario, const KindRegistry& kinds,
-                           const scenario::AircraftGroup& group,
-                           const simulation::Entity& aircraft);
+std::vector<Error> incompatibilities(const scenario::Scenario& scenario,
+                                     const KindRegistry& kinds,
+                                     const scenario::AircraftGroup& group,
+                                     const simulation::Entity& aircraft);
 
 /// What will hardly fly well, in one line each.
-std::vector<std::string> doubts(const scenario::Scenario& scenario,
-                                const scenario::AircraftGroup& group,
-                                const simulation::Entity& aircraft);
+std::vector<std::string> warnings(const scenario::Scenario& scenario,
+                                  const scenario::AircraftGroup& group,
+                                  const simulation::Entity& aircraft);
 
 }  // namespace skein::assemble

@@ -15,7 +15,7 @@
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/layer/reasoning/agent/heartbeat.h"
 #include "skein/layer/reasoning/agent/operator_orders.h"
-#include "skein/layer/reasoning/agent/zone_desk.h"
+#include "skein/layer/reasoning/agent/zone_server.h"
 #include "skein/scenario/zones.h"
 
 namespace skein::assemble {
@@ -53,10 +53,10 @@ simulation::RunOptions run_options(const Scenario& scenario,
 }
 
 // All faults as one.
-Error together(const std::vector<Error>& faults) {
-  if (faults.size() == 1) return faults.front();
-  Error all{faults.front().code, "", fmt::format("{} problems:", faults.size()), ""};
-  for (const Error& fault : faults) all.message += "\n  " + fault.text();
+Error together(const std::vector<Error>& errors) {
+  if (errors.size() == 1) return errors.front();
+  Error all{errors.front().code, "", fmt::format("{} problems:", errors.size()), ""};
+  for (const Error& error : errors) all.message += "\n  " + error.text();
   return all;
 }
 
@@ -77,7 +77,7 @@ class Builder {
     build_.options = run_options(scenario_, kinds_.table());
     build_.options.commands = commands();
     build_.warnings = sampling_warnings(scenario_, kinds_.table());
-    for (std::string& doubt : scenario::zone_doubts(scenario_.environment))
+    for (std::string& doubt : scenario::zone_warnings(scenario_.environment))
       build_.warnings.push_back(std::move(doubt));
     if (team().empty())
       build_.warnings.emplace_back(
@@ -89,14 +89,14 @@ class Builder {
     aircraft();
     objects();
     note(radio());
-    if (!faults_.empty()) return together(faults_);
+    if (!errors_.empty()) return together(errors_);
     return std::move(build_);
   }
 
  private:
   template <class T>
   bool note(const Result<T>& made) {
-    if (!made) faults_.push_back(made.error());
+    if (!made) errors_.push_back(made.error());
     return made.ok();
   }
 
@@ -130,8 +130,8 @@ class Builder {
     entity.name = "station";
     entity.kind = "station";
     entity.agent = std::move(agent).value();
-    entity.agent =
-        std::make_unique<reasoning::ZoneDesk>(desk_options(), std::move(entity.agent));
+    entity.agent = std::make_unique<reasoning::ZoneServer>(server_options(),
+                                                           std::move(entity.agent));
     entity.agent = std::make_unique<reasoning::OperatorOrders>(named_team(),
                                                                std::move(entity.agent));
     if (const Time period = heartbeat(scenario_); period > Time())
@@ -159,8 +159,8 @@ class Builder {
   }
 
   // Who says which zones are in force.
-  reasoning::ZoneDeskOptions desk_options() const {
-    reasoning::ZoneDeskOptions options;
+  reasoning::ZoneServerOptions server_options() const {
+    reasoning::ZoneServerOptions options;
     options.team = team();
     options.known = options.drawn = zones_;
     for (const scenario::NoFlightZone& described : scenario_.environment.zones) {
@@ -201,10 +201,11 @@ class Builder {
 
   bool note_fit(const AircraftGroup& group, int index,
                 const simulation::Entity& aircraft) {
-    const std::vector<Error> found = misfits(scenario_, kinds_, group, aircraft);
-    faults_.insert(faults_.end(), found.begin(), found.end());
+    const std::vector<Error> found =
+        incompatibilities(scenario_, kinds_, group, aircraft);
+    errors_.insert(errors_.end(), found.begin(), found.end());
     if (index == 0)
-      for (const std::string& doubt : doubts(scenario_, group, aircraft))
+      for (const std::string& doubt : warnings(scenario_, group, aircraft))
         build_.warnings.push_back(doubt);
     return found.empty();
   }
@@ -245,7 +246,7 @@ class Builder {
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
   Build build_;
-  std::vector<Error> faults_;
+  std::vector<Error> errors_;
 };
 
 }  // namespace

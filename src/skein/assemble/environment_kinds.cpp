@@ -19,7 +19,7 @@ namespace {
 using namespace environment;
 using scenario::Fields;
 using scenario::Range;
-using scenario::RuleFault;
+using scenario::RuleViolation;
 
 constexpr Range kLength{.above = 0, .at_most = 1e6};
 constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
@@ -127,24 +127,24 @@ Fields<GriddedWindOptions> gridded_fields() {
       .boolean("extend", &T::extend, "Beyond the data the nearest values go on.");
 }
 
-std::vector<RuleFault> thesis_faults(const ThesisFireOptions& o,
-                                     const scenario::SoundValues& sound) {
-  std::vector<RuleFault> faults;
-  if (sound("displacement_m", "displacement_harmonics", "start_radius_m") &&
+std::vector<RuleViolation> thesis_errors(const ThesisFireOptions& o,
+                                         const scenario::ValidValues& valid) {
+  std::vector<RuleViolation> errors;
+  if (valid("displacement_m", "displacement_harmonics", "start_radius_m") &&
       o.displacement_harmonics > 0 && !(o.displacement < o.start_radius))
-    faults.push_back({"displacement_m",
+    errors.push_back({"displacement_m",
                       fmt::format("{:.6g} must be below start_radius_m, {:.6g}.",
                                   o.displacement, o.start_radius),
                       {"start_radius_m", "displacement_harmonics"}});
-  if (!sound("rate_mps", "rate_error_mps")) return faults;
+  if (!valid("rate_mps", "rate_error_mps")) return errors;
   if (o.rate_error > o.rate)
-    faults.push_back(
+    errors.push_back(
         {"rate_error_mps",
          fmt::format("{:.6g} must be at most rate_mps, {:.6g}.", o.rate_error, o.rate),
          {"rate_mps"}});
   const double least = o.rate - o.rate_error;
-  if (sound("wind_mps") && least >= 0 && o.wind.norm() > 0 && o.wind.norm() >= least)
-    faults.push_back(
+  if (valid("wind_mps") && least >= 0 && o.wind.norm() > 0 && o.wind.norm() >= least)
+    errors.push_back(
         {"wind_mps",
          fmt::format(
              "a drift of {:.6g} m/s must be below the least spread, {:.6g} m/s "
@@ -152,7 +152,7 @@ std::vector<RuleFault> thesis_faults(const ThesisFireOptions& o,
              "its own origin.",
              o.wind.norm(), least),
          {"rate_mps", "rate_error_mps"}});
-  return faults;
+  return errors;
 }
 
 Fields<ThesisFireOptions> thesis_fields() {
@@ -187,7 +187,7 @@ Fields<ThesisFireOptions> thesis_fields() {
       .duration_s("step_s", &T::step, "Longest step of the integration.",
                   {.at_least = 0.01, .at_most = 60})
       .boolean("respace", &T::respace, "Add points where they have drawn apart.")
-      .rules_of_sound(thesis_faults);
+      .rules_of_valid(thesis_errors);
 }
 
 /// A front-tracked fire and the fuel that it burns.
@@ -217,22 +217,22 @@ Fields<PatchyFuelOptions> fuel_fields() {
               {.at_least = 0, .at_most = 0.5});
 }
 
-std::vector<RuleFault> front_faults(const FrontFireKind& o,
-                                    const scenario::SoundValues& sound) {
-  std::vector<RuleFault> faults;
-  if (!sound("marker_spacing_m")) return faults;
+std::vector<RuleViolation> front_errors(const FrontFireKind& o,
+                                        const scenario::ValidValues& valid) {
+  std::vector<RuleViolation> errors;
+  if (!valid("marker_spacing_m")) return errors;
   // Below that the markers of a circle would fall together.
   const double least = 0.1 * o.fire.front.spacing;
   for (std::size_t i = 0; i < o.fire.ignitions.size(); ++i) {
     const std::string key = fmt::format("ignitions[{}].radius_m", i);
-    if (sound(key) && !(o.fire.ignitions[i].radius >= least))
-      faults.push_back({key,
+    if (valid(key) && !(o.fire.ignitions[i].radius >= least))
+      errors.push_back({key,
                         fmt::format("{:.6g} must be at least a tenth of "
                                     "marker_spacing_m, {:.6g}.",
                                     o.fire.ignitions[i].radius, least),
                         {"marker_spacing_m"}});
   }
-  return faults;
+  return errors;
 }
 
 Fields<FrontFireKind> front_fields() {
@@ -270,7 +270,7 @@ Fields<FrontFireKind> front_fields() {
       .object(
           "fuel", [](T & t) -> auto& { return t.fuel; }, fuel_fields(),
           "Smooth random patches of fuel.")
-      .rules_of_sound(front_faults);
+      .rules_of_valid(front_errors);
 }
 
 Fields<RecordedFireOptions> recorded_fields() {

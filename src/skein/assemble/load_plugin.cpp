@@ -60,11 +60,11 @@ std::string difference(const PluginInterface& theirs) {
 }  // namespace
 
 Result<void> load_plugin(const std::filesystem::path& file, KindRegistry& registry) {
-  std::error_code fault;
-  const std::string path = std::filesystem::canonical(file, fault).string();
-  if (fault)
+  std::error_code error;
+  const std::string path = std::filesystem::canonical(file, error).string();
+  if (error)
     return Error{ErrorCode::kNotFound, file.string(),
-                 fmt::format("cannot be read: {}.", fault.message()), ""};
+                 fmt::format("cannot be read: {}.", error.message()), ""};
   if (registry.has_plugin(path)) return {};
 
   // Functions are bound only when the interface is known to be ours.

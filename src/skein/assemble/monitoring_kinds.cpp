@@ -24,10 +24,10 @@ constexpr scenario::Range kProbability{.at_least = 0, .below = 0.5};
 constexpr scenario::IntegerRange kControlPoints{.at_least = 8, .at_most = 5000};
 
 // All particles have four numbers; this many take 160 MB.
-std::vector<scenario::RuleFault> particle_faults(const PointwiseOptions& o,
-                                                 const scenario::SoundValues& sound) {
+std::vector<scenario::RuleViolation> particle_errors(const PointwiseOptions& o,
+                                                     const scenario::ValidValues& valid) {
   constexpr std::int64_t kMaxParticles = 5'000'000;
-  if (!sound("particles", "control_points")) return {};
+  if (!valid("particles", "control_points")) return {};
   if (std::int64_t{o.particles} * o.control_points <= kMaxParticles) return {};
   return {{"particles",
            fmt::format("{} for each of {} points are too much memory; at most {} are "
@@ -49,7 +49,7 @@ Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
       .number("sensor_sd_m", &T::sensor_sd, "Standard deviation of the sensor's range.",
               kPositive);
   if (kind == "point-reset")
-    fields.number("least_sd_m", &T::least_sd,
+    fields.number("min_sd_m", &T::min_sd,
                   "Least standard deviation after a crossing, per axis.", kPositive);
   else
     fields
@@ -67,7 +67,7 @@ Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
                  {.at_least = 20, .at_most = 100000})
         .number("false_rate", &T::false_rate, "Probability that a reading is false.",
                 kProbability)
-        .rules_of_sound(particle_faults);
+        .rules_of_valid(particle_errors);
   return fields;
 }
 
@@ -98,10 +98,10 @@ Fields<JointOptions> joint_fields() {
 }
 
 // Every member has a number at every node; this many take 160 MB.
-std::vector<scenario::RuleFault> ensemble_faults(const EnsembleOptions& o,
-                                                 const scenario::SoundValues& sound) {
+std::vector<scenario::RuleViolation> ensemble_errors(const EnsembleOptions& o,
+                                                     const scenario::ValidValues& valid) {
   constexpr std::int64_t kMaxNumbers = 40'000'000;
-  if (!sound("members", "max_nodes")) return {};
+  if (!valid("members", "max_nodes")) return {};
   if (std::int64_t{o.members} * o.max_nodes <= kMaxNumbers) return {};
   return {{"max_nodes",
            fmt::format("{} nodes of {} members are too much memory; at most {} nodes are "
@@ -138,7 +138,7 @@ Fields<EnsembleOptions> ensemble_fields() {
               "is the same one.",
               kNotNegative)
       .duration_s("repeat_time_s", &T::repeat_time, "The same in time.")
-      .rules_of_sound(ensemble_faults);
+      .rules_of_valid(ensemble_errors);
 }
 
 Fields<GusOptions> gus_fields() {
@@ -149,7 +149,7 @@ Fields<GusOptions> gus_fields() {
           "Aim this many standard deviations beyond the boundary: 0.6745 for the 50 % "
           "interval, 1.1774 for the 50 % ellipse.",
           {.at_least = 0, .at_most = 10})
-      .number("least_reach_m", &T::least_reach, "Aim at least this far beyond it.",
+      .number("min_reach_m", &T::min_reach, "Aim at least this far beyond it.",
               kNotNegative)
       .number("separation_m", &T::separation, "Between the targets of two aircraft.",
               kNotNegative)

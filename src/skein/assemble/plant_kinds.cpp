@@ -66,7 +66,7 @@ Result<std::unique_ptr<Plant>> make_filed(const FiledPlant& choice,
     parameters = nominal;
     spread(parameters, c.parameter_spread,
            RandomStream(c.seed, c.self.value, Purpose::kAirframe, draw));
-    if (faults(parameters).empty()) break;
+    if (errors(parameters).empty()) break;
     if (draw == kMaxDraws)
       return Error{ErrorCode::kBadInput, "parameter_spread",
                    "leaves hardly an aircraft that can fly.", "Make it smaller."};
@@ -95,17 +95,17 @@ Fields<asset::KinematicOptions> kinematic_fields() {
               {.at_least = 0, .at_most = 1e6})
       .number("glide_sink_mps", &T::glide_sink, "Sink rate on an empty battery.",
               {.above = 0, .at_most = 100})
-      .rules_of_sound([](const T& o, const scenario::SoundValues& sound) {
-        std::vector<scenario::RuleFault> faults;
-        if (sound("climb_rate_mps", "airspeed_mps", "airspeed_range") &&
+      .rules_of_valid([](const T& o, const scenario::ValidValues& valid) {
+        std::vector<scenario::RuleViolation> errors;
+        if (valid("climb_rate_mps", "airspeed_mps", "airspeed_range") &&
             o.climb_rate >= o.slowest())
-          faults.push_back(
+          errors.push_back(
               {"climb_rate_mps",
                fmt::format("{:.6g} must be below the slowest airspeed, {:.6g} "
                            "(airspeed_mps times 1 - airspeed_range).",
                            o.climb_rate, o.slowest()),
                {"airspeed_mps", "airspeed_range"}});
-        return faults;
+        return errors;
       });
 }
 

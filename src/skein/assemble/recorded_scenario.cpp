@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 fs::path source_in(const fs::path& folder) {
   if (fs::exists(folder / "perimeters.csv")) return folder / "perimeters.csv";
   std::vector<fs::path> files;
-  std::error_code fault;
-  for (const auto& entry : fs::directory_iterator(folder, fault))
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const char* extension : {".geojson", ".gpkg", ".kml", ".shp", ".tif"})

@@ -69,10 +69,10 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
       .duration_s("recovery_s", &T::recovery,
                   "For which it must be over to count as over.",
                   {.at_least = 0, .at_most = 1e6})
-      .integer("most_clears", &T::most_clears,
+      .integer("max_clears", &T::max_clears,
                "In one flight, of each; after that it stays.",
                {.at_least = 0, .at_most = 1000})
-      .rule("", [](const T& t) { return fault_in(t).value_or(std::string()); });
+      .rule("", [](const T& t) { return error_in(t).value_or(std::string()); });
 }
 
 // Where a ring crosses itself, in words; nothing when none does. It would be doubtful
@@ -186,7 +186,7 @@ Fields<autopilot::LateralOptions> lateral_fields() {
       .duration_s("l2_time_s", [](T & t) -> auto& { return t.l2.time; },
                   "l2plus: flight time to the point aimed at.",
                   {.above = 0, .at_most = 1000})
-      .number("l2_least_m", [](T & t) -> auto& { return t.l2.least; },
+      .number("l2_min_m", [](T & t) -> auto& { return t.l2.least; },
               "l2plus: least distance of that point.", {.above = 0, .at_most = 1e5})
       .duration_s("roll_lag_s", &T::roll_lag,
                   "From a change of the demand to the acceleration.",

@@ -74,8 +74,8 @@ BatchOutcome run_one(const BatchItem& item, const RunScenario& run) {
       outcome.error = result.error().text();
   } catch (const std::bad_alloc&) {
     outcome.error = "not enough memory.";
-  } catch (const std::exception& fault) {
-    outcome.error = internal_error(fault.what()).text();  // the batch goes on
+  } catch (const std::exception& error) {
+    outcome.error = internal_error(error.what()).text();  // the batch goes on
   }
   return outcome;
 }

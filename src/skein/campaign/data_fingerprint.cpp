@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_file(const fs::path& path) {
-  std::error_code fault;
-  return fs::is_regular_file(path, fault);
+  std::error_code error;
+  return fs::is_regular_file(path, error);
 }
 
 // Files beside `table` that a cell of it names.
@@ -36,16 +36,16 @@ void add_named(const fs::path& table, std::set<fs::path>& files) {
 
 std::set<fs::path> parts_of(const fs::path& path) {
   std::set<fs::path> files;
-  std::error_code fault;
-  if (fs::is_directory(path, fault)) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
     using Walk = fs::recursive_directory_iterator;
-    for (Walk entry(path, fault), end; !fault && entry != end; entry.increment(fault))
+    for (Walk entry(path, error), end; !error && entry != end; entry.increment(error))
       if (is_file(entry->path())) files.insert(entry->path());
     return files;
   }
   files.insert(path);
-  fs::directory_iterator entry(path.parent_path(), fault);
-  for (; !fault && entry != fs::directory_iterator(); entry.increment(fault))
+  fs::directory_iterator entry(path.parent_path(), error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
     if (entry->path().stem() == path.stem() && is_file(entry->path()))
       files.insert(entry->path());
   if (path.extension() == ".csv") add_named(path, files);

@@ -47,8 +47,8 @@ void FlightWatch::take(const TruthRecord& truth) {
   position_ = geo::horizontal(state.p_N);
   const double cosine = std::clamp(geo::down_in_body(state.q_NB).z(), -1.0, 1.0);
   const double tilt = math::acos(cosine);
-  tilt_most_ = std::max(tilt_most_, tilt);
-  airspeed_least_ = std::min(airspeed_least_, state.airspeed);
+  max_tilt_ = std::max(max_tilt_, tilt);
+  min_airspeed_ = std::min(min_airspeed_, state.airspeed);
   tilted_.step(tilt > limits_.tilt, dt);
   slow_.step(state.airspeed < limits_.stall, dt);
   height_.add(-state.p_N.z() - altitude_msl_);
@@ -81,12 +81,12 @@ void FlightWatch::add_figures(std::map<std::string, double>& figures) const {
   figures["lost_slow"] = slow;
   figures["lost_height"] = height;
   figures["lost_track"] = track;
-  figures["tilt_most_deg"] = geo::degrees(tilt_most_);
-  figures["airspeed_least_mps"] = airspeed_least_;
+  figures["tilt_max_deg"] = geo::degrees(max_tilt_);
+  figures["airspeed_min_mps"] = min_airspeed_;
   figures["slow_longest_s"] = slow_.longest;
   const auto add = [&](const std::string& name, const Errors& errors) {
     if (errors.count <= 0) return;
-    figures[name + "_most_m"] = errors.most;
+    figures[name + "_max_m"] = errors.most;
     figures[name + "_rms_m"] = std::sqrt(errors.square / errors.count);
   };
   add("height_error", height_);

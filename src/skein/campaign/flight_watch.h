@@ -32,8 +32,8 @@ class FlightWatch final : public Recorder {
   void record(const Record& record) override;
 
   /// Adds `lost` (0 or 1), `lost_accident`, `lost_tilt`, `lost_slow`, `lost_height`,
-  /// `lost_track` (why), `tilt_most_deg`, `airspeed_least_mps`, `slow_longest_s`,
-  /// `height_error_most_m`, `height_error_rms_m`, `track_error_most_m`,
+  /// `lost_track` (why), `tilt_max_deg`, `airspeed_min_mps`, `slow_longest_s`,
+  /// `height_error_max_m`, `height_error_rms_m`, `track_error_max_m`,
   /// `track_error_rms_m`.
   void add_figures(std::map<std::string, double>& figures) const;
 
@@ -61,7 +61,7 @@ class FlightWatch final : public Recorder {
   Vec2 position_ = Vec2::Zero();
   Errors height_, track_;
   Lasting slow_, tilted_;
-  double tilt_most_ = 0, airspeed_least_ = 1e9;
+  double max_tilt_ = 0, min_airspeed_ = 1e9;
   bool accident_ = false;
 };
 

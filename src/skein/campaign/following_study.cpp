@@ -92,7 +92,7 @@ record::StudyTable error_table(const StudyPlan& plan,
         {cell.case_name}, {cell.estimator}, {cell.strategy}};
     for (const std::string& name :
          {std::string("cross_track_rms_m"), quantile_name(50), quantile_name(90),
-          quantile_name(95), quantile_name(99), std::string("cross_track_most_m")}) {
+          quantile_name(95), quantile_name(99), std::string("cross_track_max_m")}) {
       const MeanInterval value = figure_of(cell, outcomes, name);
       if (value.count == 0)
         row.push_back({std::numeric_limits<double>::quiet_NaN()});
@@ -197,7 +197,7 @@ void add_following_figures(const std::vector<LapSample>& samples,
   std::sort(off.begin(), off.end());
   const double count = static_cast<double>(off.size());
   figures["cross_track_rms_m"] = std::sqrt(square / count);
-  figures["cross_track_most_m"] = off.back();
+  figures["cross_track_max_m"] = off.back();
   const auto quantile = [&](int percent) {
     const double at = std::ceil(count * percent / 100) - 1;
     figures[quantile_name(percent)] = off[static_cast<std::size_t>(std::max(at, 0.0))];

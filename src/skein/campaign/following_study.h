@@ -27,7 +27,7 @@ struct FollowingStudy {
 Result<StudyPlan> plan_following_study(const FollowingStudy& study,
                                        const scenario::KindTable& kinds);
 
-/// Adds how far the aircraft was off its plan: `cross_track_rms_m`, `cross_track_most_m`,
+/// Adds how far the aircraft was off its plan: `cross_track_rms_m`, `cross_track_max_m`,
 /// and `cross_track_qNN_m`, the distance that NN % of the samples do not exceed, NN = 05,
 /// 10, ... 95 and 99. The first half minute of following does not count.
 void add_following_figures(const std::vector<LapSample>& samples,

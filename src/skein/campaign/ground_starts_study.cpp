@@ -177,9 +177,9 @@ Row row_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes) {
           {cell.strategy},
           {gone.count},
           {gone.sum, gone.sum > 0},
-          {most("tilt_most_deg")},
-          {most("attitude_error_most_deg")},
-          {most("believed_height_error_most_m")},
+          {most("tilt_max_deg")},
+          {most("attitude_error_max_deg")},
+          {most("believed_height_error_max_m")},
           {most("climb_time_s")}};
 }
 
@@ -190,9 +190,9 @@ Row row_of(const std::string& run, const record::RunSummary& summary) {
   };
   return {{run},
           {causes(summary)},
-          {number("tilt_most_deg")},
-          {number("attitude_error_most_deg")},
-          {number("believed_height_error_most_m")}};
+          {number("tilt_max_deg")},
+          {number("attitude_error_max_deg")},
+          {number("believed_height_error_max_m")}};
 }
 
 }  // namespace

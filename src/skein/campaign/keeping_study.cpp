@@ -87,8 +87,8 @@ Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes
 }
 
 constexpr std::array kFigures = {
-    "straights_rms_m",  "turns_rms_m",  "believed_rms_m",       "height_most_m",
-    "airspeed_rms_mps", "hover_most_m", "hover_believed_most_m"};
+    "straights_rms_m",  "turns_rms_m", "believed_rms_m",      "height_max_m",
+    "airspeed_rms_mps", "hover_max_m", "hover_believed_max_m"};
 
 }  // namespace
 
@@ -173,7 +173,7 @@ std::map<std::string, double> keeping_figures(const StudyPlan& plan,
       const std::string name = fmt::format("{}/{}/{}/{}", cell.case_name, cell.estimator,
                                            cell.strategy, figure);
       figures[name + "_mean"] = g.mean;
-      figures[name + "_most"] = g.most;
+      figures[name + "_max"] = g.most;
     }
   return figures;
 }

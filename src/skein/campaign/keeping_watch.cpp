@@ -76,9 +76,9 @@ void KeepingWatch::add_figures(std::map<std::string, double>& figures) const {
   rms("turns_rms_m", turns_);
   rms("believed_rms_m", believed_);
   rms("airspeed_rms_mps", airspeed_);
-  most("height_most_m", height_);
-  most("hover_most_m", hover_);
-  most("hover_believed_most_m", hover_believed_);
+  most("height_max_m", height_);
+  most("hover_max_m", hover_);
+  most("hover_believed_max_m", hover_believed_);
   figures["accident"] = accident_;
 }
 

@@ -29,7 +29,7 @@ class KeepingWatch final : public Recorder {
   void record(const Record& record) override;
 
   /// Adds `straights_rms_m`, `turns_rms_m`, `believed_rms_m` (of routes),
-  /// `height_most_m`, `airspeed_rms_mps`, `hover_most_m`, `hover_believed_most_m`: those
+  /// `height_max_m`, `airspeed_rms_mps`, `hover_max_m`, `hover_believed_max_m`: those
   /// that have been measured; and `accident` (0 or 1).
   void add_figures(std::map<std::string, double>& figures) const;
 

@@ -60,7 +60,7 @@ record::StudyCell text_of(const MeanInterval& figure, int digits) {
 // Rows: strategies; columns: estimators; of one figure in one case.
 StudyTable table_of(const Figures& figures, const std::string& case_name,
                     const char* figure, const std::string& title, int digits,
-                    bool mark_least) {
+                    bool mark_lowest) {
   StudyTable table;
   table.title = title;
   table.columns = {"strategy"};
@@ -81,7 +81,8 @@ StudyTable table_of(const Figures& figures, const std::string& case_name,
     }
     table.rows.push_back(std::move(row));
   }
-  if (mark_least && best.second > 0) table.rows[best.first][best.second].highlight = true;
+  if (mark_lowest && best.second > 0)
+    table.rows[best.first][best.second].highlight = true;
   return table;
 }
 

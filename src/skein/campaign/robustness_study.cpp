@@ -194,11 +194,11 @@ record::StudyReport robustness_report(const StudyPlan& plan,
                           {cell.strategy},
                           {gone.count},
                           {gone.sum, gone.sum > 0},
-                          {most("tilt_most_deg")},
+                          {most("tilt_max_deg")},
                           {most("slow_longest_s")},
-                          {most("height_error_most_m")},
+                          {most("height_error_max_m")},
                           {mean("height_error_rms_m")},
-                          {most("track_error_most_m")},
+                          {most("track_error_max_m")},
                           {mean("track_error_rms_m")}});
     for (const std::size_t item : cell.items) {
       const auto& summary = outcomes[item].summary;
@@ -208,10 +208,10 @@ record::StudyReport robustness_report(const StudyPlan& plan,
       };
       lost.rows.push_back({{plan.items[item].name},
                            {causes(*summary)},
-                           {number("tilt_most_deg")},
+                           {number("tilt_max_deg")},
                            {number("slow_longest_s")},
-                           {number("height_error_most_m")},
-                           {number("track_error_most_m")}});
+                           {number("height_error_max_m")},
+                           {number("track_error_max_m")}});
     }
   }
   table.caption = "Columns \"most\": the worst of all runs; \"rms\": mean over the runs.";

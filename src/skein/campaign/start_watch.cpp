@@ -23,7 +23,7 @@ void StartWatch::take(const TruthRecord& truth) {
   state_ = state;
   const double tilt =
       math::acos(std::clamp(geo::down_in_body(state.q_NB).z(), -1.0, 1.0));
-  tilt_most_ = std::max(tilt_most_, tilt);
+  max_tilt_ = std::max(max_tilt_, tilt);
   tilted_.step(tilt > limits_.tilt, dt_);
   const bool up = -state.p_N.z() > limits_.altitude_msl - limits_.arrival;
   if (up && climbed_at_ < 0) climbed_at_ = time.seconds();
@@ -38,8 +38,8 @@ void StartWatch::take(const EstimateRecord& record) {
       geo::down_in_body(geo::from_euler({estimate.roll, estimate.pitch, 0}));
   const double attitude = math::acos(std::clamp(down.dot(believed), -1.0, 1.0));
   const double height = std::abs(estimate.p_N.z() - state_.p_N.z());
-  attitude_error_most_ = std::max(attitude_error_most_, attitude);
-  height_error_most_ = std::max(height_error_most_, height);
+  max_attitude_error_ = std::max(max_attitude_error_, attitude);
+  max_height_error_ = std::max(max_height_error_, height);
   misled_.step(attitude > limits_.attitude_error || height > limits_.height_error, dt_);
   failsafe_ = failsafe_ || status.reaction != FailsafeReaction::kNone;
 }
@@ -59,9 +59,9 @@ void StartWatch::add_figures(std::map<std::string, double>& figures) const {
   figures["lost_failsafe"] = failsafe_;
   figures["lost_climb"] = late;
   if (climbed_at_ >= 0) figures["climb_time_s"] = climbed_at_;
-  figures["tilt_most_deg"] = geo::degrees(tilt_most_);
-  figures["attitude_error_most_deg"] = geo::degrees(attitude_error_most_);
-  figures["believed_height_error_most_m"] = height_error_most_;
+  figures["tilt_max_deg"] = geo::degrees(max_tilt_);
+  figures["attitude_error_max_deg"] = geo::degrees(max_attitude_error_);
+  figures["believed_height_error_max_m"] = max_height_error_;
 }
 
 }  // namespace skein::campaign

@@ -30,7 +30,7 @@ class StartWatch final : public Recorder {
 
   /// Adds `lost` (0 or 1), why: `lost_accident`, `lost_tilt`, `lost_belief`,
   /// `lost_failsafe`, `lost_climb`; `climb_time_s` (when the altitude was reached),
-  /// `tilt_most_deg`, `attitude_error_most_deg`, `believed_height_error_most_m`.
+  /// `tilt_max_deg`, `attitude_error_max_deg`, `believed_height_error_max_m`.
   void add_figures(std::map<std::string, double>& figures) const;
 
  private:
@@ -53,7 +53,7 @@ class StartWatch final : public Recorder {
   double dt_ = 0;
   VehicleState state_;
   Lasting tilted_, misled_;
-  double tilt_most_ = 0, attitude_error_most_ = 0, height_error_most_ = 0;
+  double max_tilt_ = 0, max_attitude_error_ = 0, max_height_error_ = 0;
   double climbed_at_ = -1;
   bool accident_ = false, failsafe_ = false;
 };

@@ -32,8 +32,8 @@ class SetsTable {
     }
   }
 
-  // The least mean is highlighted when `least_is_best`.
-  void figure(const LapFigure& figure, bool least_is_best) {
+  // The least mean is highlighted when `lower_is_better`.
+  void figure(const LapFigure& figure, bool lower_is_better) {
     table_.columns.push_back(figure.heading);
     double least = std::numeric_limits<double>::infinity();
     std::vector<double> means(table_.rows.size(), kNothing);
@@ -50,7 +50,7 @@ class SetsTable {
     }
     for (std::size_t set = 0; set < means.size(); ++set)
       table_.rows[set].back().highlight =
-          least_is_best && means.size() > 1 && means[set] == least;
+          lower_is_better && means.size() > 1 && means[set] == least;
   }
 
   record::StudyTable finish(std::string caption) {

@@ -25,7 +25,7 @@ Result<TuningFound> search_gains(const TuningSearch& search,
                                  const BatchOptions& options) {
   BatchOptions quiet = options;
   quiet.progress = {};
-  std::optional<Error> fault;
+  std::optional<Error> error;
   TuningFound found;
   int tried = 0;
   double best = 0;
@@ -41,12 +41,12 @@ Result<TuningFound> search_gains(const TuningSearch& search,
     study.sets = {{fmt::format("search/{}", tried), search.lap_gains(values_at(logs))}};
     const auto plan = plan_comparison(study, kinds);
     if (!plan) {
-      fault = plan.error();
+      error = plan.error();
       return {};
     }
     const auto outcomes = run_batch(plan.value().items, run, quiet);
     if (!outcomes) {
-      fault = outcomes.error();
+      error = outcomes.error();
       return {};
     }
     double sum = 0;
@@ -66,7 +66,7 @@ Result<TuningFound> search_gains(const TuningSearch& search,
   simplex.evaluations = search.evaluations;
   found.search =
       simplex_search(cost, std::vector<double>(search.start.size(), 0.0), simplex);
-  if (fault) return *fault;
+  if (error) return *error;
   for (SimplexTry& each : found.search.tries) each.at = values_at(each.at);
   if (!found.search.best.at.empty())
     found.search.best.at = values_at(found.search.best.at);

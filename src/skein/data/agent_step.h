@@ -29,7 +29,8 @@ struct AgentOutput {
   std::vector<Message>
       outbox;  ///< `from`, `number` and `sent` are filled in by the sender
   std::optional<AutopilotCommand> command;
-  std::optional<ReturnWay> return_way;  ///< when returns shall lead elsewhere from now on
+  std::optional<ReturnRoute>
+      return_route;  ///< when returns shall lead elsewhere from now on
   std::vector<Event> events;
   std::vector<AgentRecord> records;  ///< what else it wants to have recorded
 };

@@ -83,13 +83,13 @@ struct AutopilotCommand {
 
 /// Where returns lead from now on, those of failsafes too, and by what way: around what
 /// is forbidden.
-struct ReturnWay {
+struct ReturnRoute {
   /// One after the other, each straight from the last; at the last one it stays or lands
   /// [m]. Empty: straight to where the flight began.
   std::vector<Vec2> points;
   double ground_msl = 0;  ///< at the last one [m]
 
-  bool operator==(const ReturnWay&) const = default;
+  bool operator==(const ReturnRoute&) const = default;
 };
 
 /// What has gone wrong, most severe last.

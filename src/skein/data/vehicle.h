@@ -86,7 +86,7 @@ struct FlightLimits {
   double fastest = 25;      ///< [m/s]
   double sink_rate = 3;     ///< largest [m/s]
   /// Thinnest air that it can fly level in [kg/m^3]; 0 = it flies in any.
-  double least_density = 0;
+  double min_density = 0;
 };
 
 constexpr auto describe(const FlightLimits*) {
@@ -99,7 +99,7 @@ constexpr auto describe(const FlightLimits*) {
       field("slowest", &T::slowest, unit::kMetrePerSecond, "level flight; 0: it hovers"),
       field("fastest", &T::fastest, unit::kMetrePerSecond, "level flight"),
       field("sink_rate", &T::sink_rate, unit::kMetrePerSecond, "largest"),
-      field("least_density", &T::least_density, unit::kKilogramPerCubicMetre,
+      field("min_density", &T::min_density, unit::kKilogramPerCubicMetre,
             "of air that carries it; 0: any"));
 }
 

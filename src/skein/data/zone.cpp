@@ -20,7 +20,7 @@ std::string place_text(const Vec2& p) {
   return text;
 }
 
-std::optional<std::string> fault_in(const Disc& disc) {
+std::optional<std::string> error_in(const Disc& disc) {
   if (!disc.centre.allFinite() || disc.centre.cwiseAbs().maxCoeff() > kFarthest)
     return "its centre is no place on the map.";
   if (!(disc.radius > 0) || disc.radius > kFarthest)
@@ -28,7 +28,7 @@ std::optional<std::string> fault_in(const Disc& disc) {
   return {};
 }
 
-std::optional<std::string> fault_in(const geo::Ring& ring) {
+std::optional<std::string> error_in(const geo::Ring& ring) {
   if (ring.size() < 3) return "its ring has fewer than 3 corners.";
   if (ring.size() > kMaxCorners)
     return "its ring has " + std::to_string(ring.size()) + " corners; " +
@@ -46,9 +46,9 @@ std::optional<std::string> fault_in(const geo::Ring& ring) {
 
 }  // namespace
 
-std::optional<std::string> fault_in(const Zone& zone) {
-  if (auto fault = std::visit([](const auto& area) { return fault_in(area); }, zone.area))
-    return fault;
+std::optional<std::string> error_in(const Zone& zone) {
+  if (auto error = std::visit([](const auto& area) { return error_in(area); }, zone.area))
+    return error;
   if (!(zone.floor_msl < zone.ceiling_msl)) return "its floor is not below its ceiling.";
   if (!(zone.from < zone.until)) return "its end is not after its start.";
   return {};

@@ -71,7 +71,7 @@ inline constexpr std::size_t kMaxCorners = 2000;
 /// than kMaxCorners corners, no area, sides that cross (and where), a radius of 0 or
 /// less, a floor that is not below the ceiling, an end that is not after the start.
 /// A ring that runs the other way round is none of these: see made_positive().
-std::optional<std::string> fault_in(const Zone& zone);
+std::optional<std::string> error_in(const Zone& zone);
 
 /// The same ring, run through the other way when it is negative.
 geo::Ring made_positive(geo::Ring ring);

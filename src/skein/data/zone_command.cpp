@@ -65,8 +65,8 @@ Result<ZoneChange> parse_zone_command(std::string_view line) {
   if (words.size() == 3) return change;
   if (!change.on) return wrong("a zone that is taken back needs its name only.");
   std::size_t next = 3;
-  if (const std::string fault = take_shape(words, next, change.zone); !fault.empty())
-    return wrong(fault);
+  if (const std::string error = take_shape(words, next, change.zone); !error.empty())
+    return wrong(error);
   while (next < words.size()) {
     double* value = limit(change.zone, words[next]);
     const auto given = next + 1 < words.size() ? number(words[next + 1]) : std::nullopt;
@@ -75,8 +75,8 @@ Result<ZoneChange> parse_zone_command(std::string_view line) {
     *value = *given;
     next += 2;
   }
-  if (const auto fault = fault_in(change.zone))
-    return wrong(fmt::format("the zone {} cannot be used: {}", change.zone.name, *fault));
+  if (const auto error = error_in(change.zone))
+    return wrong(fmt::format("the zone {} cannot be used: {}", change.zone.name, *error));
   if (auto* ring = std::get_if<geo::Ring>(&change.zone.area))
     *ring = made_positive(*ring);
   return change;

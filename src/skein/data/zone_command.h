@@ -18,7 +18,7 @@ namespace skein {
 /// order. Metres in the local frame, seconds of the run; words are parted by blanks, so
 /// that names have none.
 ///
-/// Fails: kBadInput when the line is none of these, or when fault_in() finds fault with
+/// Fails: kBadInput when the line is none of these, or when error_in() finds fault with
 /// the zone that it draws.
 Result<ZoneChange> parse_zone_command(std::string_view line);
 

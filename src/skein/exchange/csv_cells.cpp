@@ -34,9 +34,9 @@ std::optional<std::string_view> CsvCells::next() {
 std::optional<double> number_in(std::string_view cell) {
   if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') cell.remove_prefix(1);
   double value = 0;
-  const auto [end, fault] =
+  const auto [end, error] =
       std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (fault != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
+  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
   return value;
 }
 

@@ -63,16 +63,16 @@ class Reader {
   Result<std::vector<MapFeature>> read() {
     const geo::GdalGuard guard;
     if (degrees_only_ && frame_ == nullptr)
-      return fault("KML has latitudes and longitudes; the place on Earth is not known.",
+      return error("KML has latitudes and longitudes; the place on Earth is not known.",
                    "Give --origin.");
     const geo::GdalDataset dataset = geo::open_dataset(file_, geo::DataKind::kVector);
     if (!dataset)
-      return fault("cannot be read as a map: " + words_of(guard) + ".",
+      return error("cannot be read as a map: " + words_of(guard) + ".",
                    "GeoJSON, KML and other vector formats of GDAL are allowed.");
     for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l)
       if (auto good = read_layer(GDALDatasetGetLayer(dataset.get(), l), guard); !good)
         return good.error();
-    if (guard.failed()) return fault("is truncated or corrupt: " + words_of(guard) + ".");
+    if (guard.failed()) return error("is truncated or corrupt: " + words_of(guard) + ".");
     if (against_ > 0)
       warnings_.push_back(
           fmt::format("{}: {} outer ring{} clockwise, GeoJSON's rule is "
@@ -83,14 +83,14 @@ class Reader {
   }
 
  private:
-  Error fault(const std::string& message, const std::string& hint = "") const {
+  Error error(const std::string& message, const std::string& hint = "") const {
     return {ErrorCode::kBadInput, file_, message, hint};
   }
 
   Result<void> read_layer(OGRLayerH layer, const geo::GdalGuard& guard) {
     const geo::GdalTransform to_degrees = transform_of(layer);
     if (frame_ != nullptr && !to_degrees)
-      return fault("has a coordinate reference system that cannot be used: " +
+      return error("has a coordinate reference system that cannot be used: " +
                    words_of(guard) + ".");
     note_properties(OGR_L_GetLayerDefn(layer));
     OGR_L_ResetReading(layer);

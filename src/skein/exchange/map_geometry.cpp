@@ -26,14 +26,14 @@ struct DestroyGeometry {
 
 }  // namespace
 
-Error GeometryReader::fault(const std::string& message, const std::string& hint) const {
+Error GeometryReader::error(const std::string& message, const std::string& hint) const {
   return {ErrorCode::kBadInput, common_.place, message, hint};
 }
 
 Result<void> GeometryReader::read(void* geometry, int depth) {
   if (geometry == nullptr || OGR_G_IsEmpty(geometry) != 0)
-    return fault("has an empty geometry; points, lines and areas are allowed.");
-  if (depth > kDeepest) return fault("has collections nested too deeply.");
+    return error("has an empty geometry; points, lines and areas are allowed.");
+  if (depth > kDeepest) return error("has collections nested too deeply.");
   switch (wkbFlatten(OGR_G_GetGeometryType(geometry))) {
     case wkbPoint:
       return add(MapFeature::Kind::kPoint, geometry);
@@ -65,7 +65,7 @@ Result<void> GeometryReader::read_curves(void* geometry, int depth) {
       OGR_G_GetLinearGeometry(geometry, 0, nullptr));
   if (!straight || OGR_G_HasCurveGeometry(straight.get(), TRUE) != 0 ||
       OGR_G_GetGeometryType(straight.get()) == OGR_G_GetGeometryType(geometry))
-    return fault(
+    return error(
         fmt::format("has a geometry of the kind {}; points, lines and areas are "
                     "allowed.",
                     OGR_G_GetGeometryName(geometry)));
@@ -97,10 +97,10 @@ Result<void> GeometryReader::add(MapFeature::Kind kind, void* geometry) {
   feature.kind = kind;
   feature.points = std::move(points).value();
   if (kind == MapFeature::Kind::kLine && feature.points.size() < 2)
-    return fault("is a line of fewer than two different points.");
+    return error("is a line of fewer than two different points.");
   if (OGR_G_Is3D(geometry) != 0) feature.altitude = OGR_G_GetZ(geometry, 0);
   if (feature.altitude && !std::isfinite(*feature.altitude))
-    return fault(fmt::format("has the altitude {}; a finite number is allowed.",
+    return error(fmt::format("has the altitude {}; a finite number is allowed.",
                              *feature.altitude));
   features_.push_back(std::move(feature));
   return {};
@@ -112,18 +112,18 @@ Result<geo::Ring> GeometryReader::ring_of(void* line, bool outer) {
   geo::Ring ring = std::move(points).value();
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   if (ring.size() > kMaxInRing)
-    return fault(fmt::format("has a ring of {} points; at most {} are allowed.",
+    return error(fmt::format("has a ring of {} points; at most {} are allowed.",
                              ring.size(), kMaxInRing),
                  "Simplify it.");
   if (ring.size() < 3)
-    return fault(fmt::format("has a ring of {} different points; at least 3 are needed.",
+    return error(fmt::format("has a ring of {} different points; at least 3 are needed.",
                              ring.size()));
   double total = 0;
   for (std::size_t i = 0; i < ring.size(); ++i)
     total +=
         std::abs(geo::cross(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]));
   if (total / 2 < kMinArea)
-    return fault("has a ring without an area: all its points lie on one line.");
+    return error("has a ring without an area: all its points lie on one line.");
   // Whether a ring that crosses itself is positive is a matter of taste; it is refused
   // where areas are used.
   if (geo::signed_area(ring) < 0)
@@ -137,7 +137,7 @@ Result<std::vector<Vec2>> GeometryReader::points_of(void* line) {
   const int count = line == nullptr ? 0 : OGR_G_GetPointCount(line);
   points_ += static_cast<std::size_t>(count);
   if (points_ > kMaxPoints)
-    return fault(
+    return error(
         fmt::format("takes the file over {} points, the most allowed.", kMaxPoints));
   std::vector<Vec2> points;
   for (int i = 0; i < count; ++i) {
@@ -150,7 +150,7 @@ Result<std::vector<Vec2>> GeometryReader::points_of(void* line) {
 
 Result<Vec2> GeometryReader::in_plane(double x, double y, int number) const {
   if (!std::isfinite(x) || !std::isfinite(y))
-    return fault(
+    return error(
         fmt::format("its point {} is {}, {}; finite numbers are allowed.", number, x, y));
   Vec2 p(y, x);
   if (frame_ != nullptr) {
@@ -159,14 +159,14 @@ Result<Vec2> GeometryReader::in_plane(double x, double y, int number) const {
     OCTTransformEx(static_cast<OGRCoordinateTransformationH>(to_degrees_), 1, &longitude,
                    &latitude, nullptr, &good);
     if (good == 0 || !(std::abs(latitude) <= 90) || !(std::abs(longitude) <= 360))
-      return fault(fmt::format("its point {} ({}, {}) has no longitude and latitude: "
+      return error(fmt::format("its point {} ({}, {}) has no longitude and latitude: "
                                "within -360 to 360 and -90 to 90 are allowed.",
                                number, x, y),
                    "The longitude comes first.");
     p = frame_->to_plane(latitude, longitude);
   }
   if (!(p.norm() <= kFarthest))
-    return fault(
+    return error(
         fmt::format(
             "its point {} ({}, {}) lies {:.0f} km from the origin; at most {:.0f} "
             "km are allowed.",

@@ -25,7 +25,7 @@ class GeometryReader {
   int clockwise() const { return clockwise_; }  ///< outer rings that ran so on the map
 
  private:
-  Error fault(const std::string& message, const std::string& hint = "") const;
+  Error error(const std::string& message, const std::string& hint = "") const;
   Result<void> read_parts(void* geometry, int depth);
   Result<void> read_curves(void* geometry, int depth);
   Result<void> read_polygon(void* geometry);

@@ -37,7 +37,7 @@ class Painter {
   }
 
   template <class Points>
-  std::string way(const Points& points) const {
+  std::string path_data(const Points& points) const {
     std::string d;
     for (const Vec2& p : points) {
       const Vec2 at = view_.px(p);
@@ -61,7 +61,7 @@ class Painter {
         shape.left_out ? "area hole"
         : shape.closed ? "area"
                        : "line",
-        way(shape.points), shape.closed ? "Z" : "", escaped(shape.name));
+        path_data(shape.points), shape.closed ? "Z" : "", escaped(shape.name));
   }
 
   static std::string limits(const Zone& zone) {
@@ -90,7 +90,7 @@ class Painter {
           middle.x(), middle.y(), disc->radius / view_.metres_per_px);
     } else {
       const geo::Ring& ring = std::get<geo::Ring>(zone.area);
-      put("<path class=\"{}\" d=\"{}Z\"/>\n", kind, way(ring));
+      put("<path class=\"{}\" d=\"{}Z\"/>\n", kind, path_data(ring));
       for (const Vec2& p : ring) middle += view_.px(p) / static_cast<double>(ring.size());
     }
     label(middle, zone.name, "zone-name", 0, about.empty() ? 4 : -2, "middle");
@@ -118,8 +118,9 @@ class Painter {
         points.emplace_back(each.moment.p_N.head<2>());
       put("<path class=\"element\" id=\"e{}-{}\" d=\"{}\"><title>{} {}, {} to "
           "{}</title></path>\n",
-          index, k, way(points), escaped(document_.plans[index].name), kind_of(plan[k]),
-          shown_clock(plan[k].start), shown_clock(plan[k].start + plan[k].duration));
+          index, k, path_data(points), escaped(document_.plans[index].name),
+          kind_of(plan[k]), shown_clock(plan[k].start),
+          shown_clock(plan[k].start + plan[k].duration));
     }
     for (std::size_t k = 1; k < plan.size() && plan.size() <= kMaxJoints; ++k) {
       const Vec2 at = view_.px(plan[k].p_N.head<2>());

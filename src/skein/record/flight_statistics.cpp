@@ -7,7 +7,7 @@ namespace skein::record {
 
 void FlightStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
   last_[id] = {time, geo::horizontal(p_N)};
-  charge_least_ = std::min(charge_least_.value_or(charge), charge);
+  min_charge_ = std::min(min_charge_.value_or(charge), charge);
 }
 
 void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
@@ -20,7 +20,7 @@ void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
 
 void FlightStatistics::reserve(EntityId id, double reserve) {
   if (reserve >= 1) return;
-  const auto [least, first] = reserve_least_.try_emplace(id, reserve);
+  const auto [least, first] = min_reserve_.try_emplace(id, reserve);
   if (!first) least->second = std::min(least->second, reserve);
 }
 
@@ -44,9 +44,9 @@ void FlightStatistics::add_figures(
   };
   put("cross_track_rms_m", cross_track_);
   put("position_error_rms_m", position_error_);
-  if (charge_least_) figures["charge_least"] = *charge_least_;
-  for (const auto& [id, reserve] : reserve_least_)
-    figures["reserve_least_" + name_of(id)] = reserve;
+  if (min_charge_) figures["min_charge"] = *min_charge_;
+  for (const auto& [id, reserve] : min_reserve_)
+    figures["min_reserve_" + name_of(id)] = reserve;
 }
 
 }  // namespace skein::record

@@ -28,8 +28,8 @@ class FlightStatistics {
 
   /// Adds `accidents`, `failsafes` (how often one began to act), and where there is
   /// something to say `cross_track_rms_m`, `position_error_rms_m` (horizontal, of the
-  /// estimates against the truth of the same time) and `charge_least`.
-  /// Per aircraft, by its name, `reserve_least_<name>` once something was known of it.
+  /// estimates against the truth of the same time) and `min_charge`.
+  /// Per aircraft, by its name, `min_reserve_<name>` once something was known of it.
   void add_figures(std::map<std::string, double>& figures,
                    const std::function<std::string(EntityId)>& name_of) const;
 
@@ -47,8 +47,8 @@ class FlightStatistics {
   };
   std::map<EntityId, Place> last_;  // truth
   Square cross_track_, position_error_;
-  std::optional<double> charge_least_;
-  std::map<EntityId, double> reserve_least_;
+  std::optional<double> min_charge_;
+  std::map<EntityId, double> min_reserve_;
   std::map<EntityId, bool> acting_;  // a failsafe
   std::uint64_t accidents_ = 0, failsafes_ = 0;
 };

@@ -25,7 +25,7 @@ class Autopilot {
 
   /// Replaces where returns lead. Holds for a return under way, and until the next call;
   /// a landing that is nearly down goes on.
-  virtual void set_return(const ReturnWay& way) = 0;
+  virtual void set_return(const ReturnRoute& route) = 0;
 
   /// The control for the next `dt` [s], from the estimate carried on to `now`.
   virtual Control control(Time now, double dt) = 0;

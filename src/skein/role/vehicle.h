@@ -87,7 +87,7 @@ class Vehicle {
   virtual void command(const AutopilotCommand& command) = 0;
   virtual CommandFate command_fate() const = 0;
   /// Replaces where returns lead from now on.
-  virtual void set_return(const ReturnWay& way) = 0;
+  virtual void set_return(const ReturnRoute& route) = 0;
 
   /// A message of the ground station has arrived on board.
   virtual void ground_received(Time now) = 0;

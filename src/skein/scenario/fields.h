@@ -260,29 +260,30 @@ class Fields : public detail::FieldsBase {
 
   /// A condition on the whole struct, asked when all its keys are sound: `fault` returns
   /// what is wrong, as text for the user, or nothing. `key` is where it is reported.
-  Fields& rule(std::string key, std::function<std::string(const T&)> fault) {
-    return rules([key = std::move(key), fault = std::move(fault)](const T& object) {
-      std::vector<RuleFault> found;
-      if (std::string text = fault(object); !text.empty())
+  Fields& rule(std::string key, std::function<std::string(const T&)> error) {
+    return rules([key = std::move(key), error = std::move(error)](const T& object) {
+      std::vector<RuleViolation> found;
+      if (std::string text = error(object); !text.empty())
         found.push_back({key, std::move(text)});
       return found;
     });
   }
 
   /// Conditions that may be broken in several places, asked when all keys are sound.
-  Fields& rules(std::function<std::vector<RuleFault>(const T&)> faults) {
-    return rules_of_sound(
-        [faults = std::move(faults)](const T& object, const SoundValues& sound) {
-          return sound("") ? faults(object) : std::vector<RuleFault>();
+  Fields& rules(std::function<std::vector<RuleViolation>(const T&)> errors) {
+    return rules_of_valid(
+        [errors = std::move(errors)](const T& object, const ValidValues& valid) {
+          return valid("") ? errors(object) : std::vector<RuleViolation>();
         });
   }
 
   /// Conditions between some of the keys, asked whenever the struct has been read:
   /// `faults` uses only values that it has asked `sound` about.
-  Fields& rules_of_sound(
-      std::function<std::vector<RuleFault>(const T&, const SoundValues& sound)> faults) {
-    add_rule([faults = std::move(faults)](const void* object, const SoundValues& sound) {
-      return faults(*static_cast<const T*>(object), sound);
+  Fields& rules_of_valid(
+      std::function<std::vector<RuleViolation>(const T&, const ValidValues& valid)>
+          errors) {
+    add_rule([errors = std::move(errors)](const void* object, const ValidValues& valid) {
+      return errors(*static_cast<const T*>(object), valid);
     });
     return *this;
   }

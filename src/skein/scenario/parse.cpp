@@ -234,7 +234,7 @@ std::string capitalised(std::string_view text) {
   return out;
 }
 
-bool text_is_sound(std::string_view text, std::int32_t source, std::string_view name,
+bool text_is_valid(std::string_view text, std::int32_t source, std::string_view name,
                    Problems& problems) {
   if (text.size() > ParseLimits::kBytes) {
     problems.add(
@@ -256,7 +256,7 @@ bool text_is_sound(std::string_view text, std::int32_t source, std::string_view 
 
 std::optional<Node> parse_yaml(std::string_view text, std::int32_t source,
                                std::string_view name, Problems& problems) {
-  if (!text_is_sound(text, source, name, problems)) return std::nullopt;
+  if (!text_is_valid(text, source, name, problems)) return std::nullopt;
   TreeBuilder builder(source, problems);
   TextBuffer buffer(text);
   std::istream stream(&buffer);

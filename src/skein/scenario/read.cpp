@@ -42,7 +42,7 @@ void Reader::read_list(const ListType& type, const Node& node, void* target) {
   if (node.patch) return patch_list(type, node, target);
   if (node.items.size() < type.count.at_least || node.items.size() > type.count.at_most) {
     const Type whole{type};
-    return fault(node.place, fmt::format("{} elements; needs {}.", node.items.size(),
+    return error(node.place, fmt::format("{} elements; needs {}.", node.items.size(),
                                          expected(whole)));
   }
   type.clear(target);
@@ -63,7 +63,7 @@ void Reader::patch_list(const ListType& type, const Node& node, void* target) {
     path_.push_back({nullptr, index});
     const std::size_t size = type.size(target);
     if (index > size || index >= type.count.at_most) {
-      fault(node.items[i].place, fmt::format("the list has {} elements.", size),
+      error(node.items[i].place, fmt::format("the list has {} elements.", size),
             "Elements are counted from 0.");
     } else {
       has_default_ = in_place_ = index < size;
@@ -108,7 +108,7 @@ void Reader::read_object(const Object& object, const Node& node, void* target,
     if (given[i]) continue;
     if (field.required && !in_place) {
       path_.push_back({&field.key, 0});
-      fault(node.place, fmt::format("is missing; needs {}.", expected(*field.type)));
+      error(node.place, fmt::format("is missing; needs {}.", expected(*field.type)));
       path_.pop_back();
     } else {
       complete(*field.type, field.in(target));
@@ -153,11 +153,11 @@ Place place_of(const Node& node, const std::string& path, bool& found) {
 }
 
 // Where a fault is best mended: its own key, else another one that the file gives.
-Place place_of(const Node& node, const RuleFault& fault) {
+Place place_of(const Node& node, const RuleViolation& error) {
   bool found = false;
-  const Place own = place_of(node, fault.key, found);
+  const Place own = place_of(node, error.key, found);
   if (found) return own;
-  for (const std::string& other : fault.with) {
+  for (const std::string& other : error.with) {
     const Place place = place_of(node, other, found);
     if (found && !other.empty()) return place;
   }
@@ -187,14 +187,14 @@ bool Reader::faulty(const std::string& path) const {
 void Reader::apply_rules(const Object& object, const Node& node, const void* target) {
   if (object.rules.empty() || problems_.full()) return;
   const std::string here = path_text();
-  std::vector<RuleFault> found;
-  const SoundValues sound(
+  std::vector<RuleViolation> found;
+  const ValidValues valid(
       [&](const std::string& path) { return !faulty(joined(here, path)); });
   for (const Rule& rule : object.rules)
-    for (RuleFault& fault : rule(target, sound)) found.push_back(std::move(fault));
-  for (const RuleFault& fault : found) {
-    const std::string path = joined(here, fault.key);
-    problems_.add(place_of(node, fault), path, fault.message);
+    for (RuleViolation& error : rule(target, valid)) found.push_back(std::move(error));
+  for (const RuleViolation& error : found) {
+    const std::string path = joined(here, error.key);
+    problems_.add(place_of(node, error), path, error.message);
     faulty_.push_back(path);
   }
 }
@@ -210,7 +210,7 @@ const Kind* Reader::kind_named(const ChoiceType& type, const Node& name) {
   const std::string near = problems_.full() ? "" : nearest_name(name.text, names);
   std::string hint = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
   hint += names.empty() ? "There is none yet." : fmt::format("Kinds: {}.", any_of(names));
-  fault(name.place, fmt::format("unknown kind of {}: {}.", type.role, quote(name.text)),
+  error(name.place, fmt::format("unknown kind of {}: {}.", type.role, quote(name.text)),
         hint);
   return nullptr;
 }
@@ -234,7 +234,7 @@ void Reader::read_choice(const ChoiceType& type, const Node& node, void* target)
     complete(Type{type}, target);
     kind = kinds_.find(type.role, choice.kind);
   } else {
-    return fault(node.place, "has no \"kind\".",
+    return error(node.place, "has no \"kind\".",
                  fmt::format("Kinds: {}.", any_of(kinds_.names(type.role))));
   }
   const Node no_keys = Node::of(Node::Kind::kMap, node.place);

@@ -60,7 +60,7 @@ class Reader {
   const Kind* kind_named(const ChoiceType& type, const Node& name);
 
   // Problems at `place` with the current key path.
-  void fault(const Place& place, std::string message, std::string hint = {});
+  void error(const Place& place, std::string message, std::string hint = {});
   void wrong_type(const Node& node, std::string hint = {});
   void out_of_range(const Node& node, const std::string& range);
   void unknown_key(const Object& object, const Node::Key& key, const Node& value,

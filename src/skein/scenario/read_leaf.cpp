@@ -35,7 +35,7 @@ std::string found_text(const Node& node) {
 }
 
 // Why there is no such file or folder for us; empty when there is.
-std::string file_fault(const std::filesystem::path& path, bool folder) {
+std::string file_error(const std::filesystem::path& path, bool folder) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) return "does not exist";
@@ -70,7 +70,7 @@ std::optional<double> Reader::number(const Node& node, const Range& range) {
     return std::nullopt;
   }
   if (!std::isfinite(*value)) {
-    fault(node.place, fmt::format("{} must be a finite number.", node.text),
+    error(node.place, fmt::format("{} must be a finite number.", node.text),
           default_hint());
     return std::nullopt;
   }
@@ -124,7 +124,7 @@ void Reader::read_leaf(const TextType& type, const Node& node, void* target) {
   constexpr std::size_t kLongest = 4096;
   if (!node.scalar()) return wrong_type(node);
   if (node.text.size() > kLongest) {
-    return fault(node.place, fmt::format("{} bytes of text; at most {} are allowed.",
+    return error(node.place, fmt::format("{} bytes of text; at most {} are allowed.",
                                          node.text.size(), kLongest));
   }
   if (type.utc && !parse_utc(node.text)) return wrong_type(node, default_hint());
@@ -174,32 +174,32 @@ void Reader::read_leaf(const FileType& type, const Node& node, void* target) {
   std::error_code error;
   const auto path =
       std::filesystem::absolute(folder / node.text, error).lexically_normal();
-  const std::string reason = error ? error.message() : file_fault(path, type.folder);
+  const std::string reason = error ? error.message() : file_error(path, type.folder);
   if (!reason.empty()) {
-    return fault(node.place, fmt::format("{} {}.", quote(path.string()), reason));
+    return error(node.place, fmt::format("{} {}.", quote(path.string()), reason));
   }
   member = path.string();
 }
 
-void Reader::fault(const Place& place, std::string message, std::string hint) {
+void Reader::error(const Place& place, std::string message, std::string hint) {
   if (problems_.full()) return problems_.add(place, "", "");
   faulty_.push_back(path_text());
   problems_.add(place, faulty_.back(), std::move(message), std::move(hint));
 }
 
 void Reader::wrong_type(const Node& node, std::string hint) {
-  fault(node.place,
+  error(node.place,
         fmt::format("found {}, needs {}.", found_text(node), expected(*type_)),
         std::move(hint));
 }
 
 void Reader::out_of_range(const Node& node, const std::string& range) {
-  fault(node.place, fmt::format("{} must be {}.", node.text, range), default_hint());
+  error(node.place, fmt::format("{} must be {}.", node.text, range), default_hint());
 }
 
 void Reader::unknown_key(const Object& object, const Node::Key& key, const Node& value,
                          const ChoiceType* choice, const std::string* kind) {
-  if (problems_.full()) return fault(key.place, "");
+  if (problems_.full()) return error(key.place, "");
   std::vector<std::string> known;
   if (choice) known.emplace_back("kind");
   for (const Field& field : object.fields) known.push_back(field.key);
@@ -219,7 +219,7 @@ void Reader::unknown_key(const Object& object, const Node::Key& key, const Node&
     hint = known.empty() ? "No keys stand here."
                          : fmt::format("Known here: {}.", fmt::join(known, ", "));
   }
-  fault(key.place, "unknown key.", std::move(hint));
+  error(key.place, "unknown key.", std::move(hint));
 }
 
 std::string Reader::default_hint() const {

@@ -80,7 +80,7 @@ Fields<NoFlightZone> zone_fields() {
       .object("switches", &T::switches, switch_fields(),
               "When the ground station puts it into force and takes it back, by radio.")
       .items({.at_most = 1000})
-      .rules(zone_faults);
+      .rules(zone_errors);
 }
 
 Fields<PlacedObject> object_fields() {
@@ -112,7 +112,7 @@ Fields<Environment> environment_fields() {
       .object("zones", &T::zones, zone_fields(),
               "No-flight zones with names, floors, ceilings, times and switches.")
       .items({.at_most = 1000})
-      .rules_of_sound(zone_list_faults)
+      .rules_of_valid(zone_list_errors)
       .object("objects", &T::objects, object_fields(),
               "Things on the ground, for cameras to find.")
       .items({.at_most = 10000});
@@ -203,7 +203,7 @@ Fields<RandomFailure> random_failure_fields() {
                   {.above = 0});
 }
 
-std::string positions_fault(const AircraftGroup& group) {
+std::string positions_error(const AircraftGroup& group) {
   const std::size_t points = group.start.positions.size();
   if (group.start.placement != Placement::kList || std::cmp_equal(points, group.count)) {
     return {};
@@ -212,7 +212,7 @@ std::string positions_fault(const AircraftGroup& group) {
                      group.count);
 }
 
-std::string failures_fault(const AircraftGroup& group) {
+std::string failures_error(const AircraftGroup& group) {
   for (const Failure& failure : group.failures) {
     if (failure.aircraft >= group.count) {
       return fmt::format("aircraft {} of a group of {}; they are counted from 0.",
@@ -271,8 +271,8 @@ Fields<AircraftGroup> aircraft_fields() {
               return *t.comeback <= *t.leave ? std::string("must be after leave_s.")
                                              : std::string();
             })
-      .rule("start", positions_fault)
-      .rule("failures", failures_fault);
+      .rule("start", positions_error)
+      .rule("failures", failures_error);
 }
 
 Fields<Station> station_fields() {
@@ -353,16 +353,17 @@ Fields<Recording> record_fields() {
 }
 
 // Periods that are no whole number of steps.
-std::vector<RuleFault> period_faults(const Scenario& scenario, const SoundValues& sound) {
-  std::vector<RuleFault> faults;
-  if (!sound("step_s")) return faults;
+std::vector<RuleViolation> period_errors(const Scenario& scenario,
+                                         const ValidValues& valid) {
+  std::vector<RuleViolation> errors;
+  if (!valid("step_s")) return errors;
   const Time step = scenario.step;
   const auto steps_near = [&](double seconds) {
     return std::max<std::int64_t>(1, std::llround(seconds / step.seconds()));
   };
   const auto check = [&](const std::string& key, Time period) {
-    if (!sound(key) || period.ns() % step.ns() == 0) return;
-    faults.push_back(
+    if (!valid(key) || period.ns() % step.ns() == 0) return;
+    errors.push_back(
         {key,
          fmt::format("{} s is no whole number of steps of {} s (step_s); the "
                      "nearest is {}.",
@@ -377,27 +378,27 @@ std::vector<RuleFault> period_faults(const Scenario& scenario, const SoundValues
           scenario.aircraft[i].agent_period);
     const auto& flight_step = scenario.aircraft[i].flight_step;
     const std::string key = fmt::format("aircraft[{}].flight_step_s", i);
-    if (sound(key) && flight_step && step.ns() % flight_step->ns() != 0)
-      faults.push_back({key,
+    if (valid(key) && flight_step && step.ns() % flight_step->ns() != 0)
+      errors.push_back({key,
                         fmt::format("{} s does not divide step_s, {} s.",
                                     seconds_text(*flight_step), seconds_text(step)),
                         {"step_s"}});
   }
   check("station.agent_period_s", scenario.station.agent_period);
   check("record.metrics_period_s", scenario.record.metrics_period);
-  if (!sound("record.rate_hz")) return faults;
+  if (!valid("record.rate_hz")) return errors;
   // A rate is a rounded number: 3.33333 means every third step of 0.1 s.
   const double rows = 1 / scenario.record.rate_hz;
   const double nearest = static_cast<double>(steps_near(rows)) * step.seconds();
   if (std::abs(rows - nearest) > 1e-5 * nearest)
-    faults.push_back(
+    errors.push_back(
         {"record.rate_hz",
          fmt::format(
              "{:.6g} rows a second are not one every whole number of steps of {} s "
              "(step_s); the nearest is {:.6g}.",
              scenario.record.rate_hz, seconds_text(step), 1 / nearest),
          {"step_s"}});
-  return faults;
+  return errors;
 }
 
 }  // namespace
@@ -444,7 +445,7 @@ Fields<Scenario> scenario_fields() {
               "What the scenario commands by itself, as an operator would.")
       .items({.at_most = 10000})
       .object("record", &T::record, record_fields(), "What is stored.")
-      .rules_of_sound(period_faults);
+      .rules_of_valid(period_errors);
 }
 
 }  // namespace skein::scenario

@@ -149,7 +149,7 @@ struct Field {
 };
 
 /// What a condition between several keys of a struct finds wrong.
-struct RuleFault {
+struct RuleViolation {
   /// Where it is reported: a path from the struct, as "aircraft[1].agent_period_s".
   std::string key;
   std::string message;
@@ -160,11 +160,11 @@ struct RuleFault {
 
 /// Which values of a struct were read without a problem. A value that could not be read
 /// holds its default or whatever else stood there, so a rule asks before it uses one.
-class SoundValues {
+class ValidValues {
  public:
   using Ask = std::function<bool(const std::string& path)>;
 
-  explicit SoundValues(Ask ask) : ask_(std::move(ask)) {}
+  explicit ValidValues(Ask ask) : ask_(std::move(ask)) {}
 
   /// Whether there is no problem at any of these paths from the struct (as
   /// "aircraft[1].agent_period_s"; "" is the whole struct), around or below them.
@@ -179,7 +179,7 @@ class SoundValues {
 
 /// A condition between several keys of a struct: the faults that it finds among values
 /// that are sound by themselves.
-using Rule = std::function<std::vector<RuleFault>(const void*, const SoundValues&)>;
+using Rule = std::function<std::vector<RuleViolation>(const void*, const ValidValues&)>;
 
 /// A struct and its keys.
 struct Object {

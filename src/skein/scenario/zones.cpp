@@ -16,8 +16,8 @@ double seconds_or(const std::optional<Time>& time, double otherwise) {
 }
 
 // "its ring ...", as a sentence about the key.
-std::string sentence(const std::string& fault) {
-  return "cannot be used: " + fault;
+std::string sentence(const std::string& error) {
+  return "cannot be used: " + error;
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ Zone ring_zone(const geo::Ring& ring, std::size_t index) {
   return zone;
 }
 
-std::vector<RuleFault> zone_faults(const NoFlightZone& zone) {
-  std::vector<RuleFault> found;
+std::vector<RuleViolation> zone_errors(const NoFlightZone& zone) {
+  std::vector<RuleViolation> found;
   const auto add = [&](const char* key, std::string message) {
     found.push_back({key, std::move(message)});
   };
@@ -61,8 +61,8 @@ std::vector<RuleFault> zone_faults(const NoFlightZone& zone) {
   if (zone.ring) shape.area = *zone.ring;  // corners are counted as they are written
   shape.floor_msl = shape.from = -kInfinity;
   shape.ceiling_msl = shape.until = kInfinity;
-  if (const auto fault = fault_in(shape))
-    add(zone.ring ? "ring_m" : "radius_m", sentence(*fault));
+  if (const auto error = error_in(shape))
+    add(zone.ring ? "ring_m" : "radius_m", sentence(*error));
   for (std::size_t k = 0; k < zone.switches.size(); ++k) {
     const bool before = k == 0 ? zone.active : zone.switches[k - 1].on;
     if (k > 0 && zone.switches[k].at <= zone.switches[k - 1].at)
@@ -74,31 +74,31 @@ std::vector<RuleFault> zone_faults(const NoFlightZone& zone) {
   return found;
 }
 
-std::vector<RuleFault> zone_list_faults(const Environment& environment,
-                                        const SoundValues& sound) {
-  std::vector<RuleFault> found;
+std::vector<RuleViolation> zone_list_errors(const Environment& environment,
+                                            const ValidValues& valid) {
+  std::vector<RuleViolation> found;
   std::map<std::string, std::size_t> names;
   for (std::size_t i = 0; i < environment.zone_rings.size(); ++i) {
     const std::string key = ring_zone({}, i).name;
     names[key] = i;
-    if (!sound(key)) continue;
-    if (const auto fault = fault_in(Zone{.area = environment.zone_rings[i]}))
-      found.push_back({key, sentence(*fault)});
+    if (!valid(key)) continue;
+    if (const auto error = error_in(Zone{.area = environment.zone_rings[i]}))
+      found.push_back({key, sentence(*error)});
   }
   for (std::size_t i = 0; i < environment.zones.size(); ++i) {
     const std::string key = fmt::format("zones[{}].name", i);
-    if (sound(key) && !names.emplace(environment.zones[i].name, i).second)
+    if (valid(key) && !names.emplace(environment.zones[i].name, i).second)
       found.push_back({key, fmt::format("another zone is called \"{}\" already.",
                                         environment.zones[i].name)});
   }
   return found;
 }
 
-std::vector<std::string> zone_doubts(const Environment& environment) {
-  std::vector<std::string> doubts;
+std::vector<std::string> zone_warnings(const Environment& environment) {
+  std::vector<std::string> warnings;
   const auto look = [&](const std::string& name, const geo::Ring& ring) {
     if (geo::signed_area(ring) < 0)
-      doubts.push_back(
+      warnings.push_back(
           fmt::format("the no-flight zone {} runs counter-clockwise on the map; it means "
                       "the same area, not what lies around it.",
                       name));
@@ -107,7 +107,7 @@ std::vector<std::string> zone_doubts(const Environment& environment) {
     look(ring_zone({}, i).name, environment.zone_rings[i]);
   for (const NoFlightZone& zone : environment.zones)
     if (zone.ring) look(zone.name, *zone.ring);
-  return doubts;
+  return warnings;
 }
 
 }  // namespace skein::scenario

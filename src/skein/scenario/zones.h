@@ -15,15 +15,15 @@ Zone to_zone(const NoFlightZone& described);
 /// The zone of `zones_m[index]`.
 Zone ring_zone(const geo::Ring& ring, std::size_t index);
 
-/// What is wrong with a zone of the list `zones`; see fault_in(const Zone&).
-std::vector<RuleFault> zone_faults(const NoFlightZone& zone);
+/// What is wrong with a zone of the list `zones`; see error_in(const Zone&).
+std::vector<RuleViolation> zone_errors(const NoFlightZone& zone);
 
 /// What is wrong with `zones_m`, and names in `zones` that are there twice.
-std::vector<RuleFault> zone_list_faults(const Environment& environment,
-                                        const SoundValues& sound);
+std::vector<RuleViolation> zone_list_errors(const Environment& environment,
+                                            const ValidValues& valid);
 
 /// Rings that run counter-clockwise on the map. They mean the same area; one sentence for
 /// each, so that whoever meant a hole hears of it.
-std::vector<std::string> zone_doubts(const Environment& environment);
+std::vector<std::string> zone_warnings(const Environment& environment);
 
 }  // namespace skein::scenario

@@ -31,10 +31,10 @@ Result<void> guarded_step(Stepper& stepper, Time now) {
 }
 
 // Commands of a run: where they come from, and those that steer its clock.
-class CommandDesk {
+class CommandServer {
  public:
-  CommandDesk(const RunOptions& options, OperatorConsole& console, Pace& pace,
-              Stepper& stepper)
+  CommandServer(const RunOptions& options, OperatorConsole& console, Pace& pace,
+                Stepper& stepper)
       : options_(options), console_(console), pace_(pace), stepper_(stepper) {}
 
   // Obeys all that counts from the step at `now` on; waits while the run is paused.
@@ -82,7 +82,7 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
                        OperatorConsole& console) {
   Stepper stepper(world, options, recorder);
   Pace pace(options.speed, options.step);
-  CommandDesk desk(options, console, pace, stepper);
+  CommandServer desk(options, console, pace, stepper);
   RunOutcome outcome;
   stepper.introduce();
   Time now;

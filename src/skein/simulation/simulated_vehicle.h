@@ -51,7 +51,9 @@ class SimulatedVehicle final : public Vehicle {
   AutopilotStatus status() const override { return parts_.autopilot->status(); }
   void command(const AutopilotCommand& command) override;
   CommandFate command_fate() const override;
-  void set_return(const ReturnWay& way) override { parts_.autopilot->set_return(way); }
+  void set_return(const ReturnRoute& route) override {
+    parts_.autopilot->set_return(route);
+  }
   void ground_received(Time now) override { parts_.autopilot->sense(LinkSample{now}); }
   bool link_works() const override { return !link_down_; }
   const VehicleState* truth() const override { return &parts_.state; }

@@ -180,10 +180,10 @@ void Stepper::think(Time now, Entity& entity, EntityState& state) {
   entity.agent->step(in, state.output);
   if (state.output.command && entity.vehicle)
     entity.vehicle->command(*state.output.command);
-  if (state.output.return_way && entity.vehicle)
-    entity.vehicle->set_return(*state.output.return_way);
+  if (state.output.return_route && entity.vehicle)
+    entity.vehicle->set_return(*state.output.return_route);
   state.output.command.reset();
-  state.output.return_way.reset();
+  state.output.return_route.reset();
   state.payload.samples.clear();
   state.fresh = 0;
   state.inbox.clear();

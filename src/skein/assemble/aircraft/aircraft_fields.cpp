@@ -66,15 +66,15 @@ std::string file_key(const Object& keys, std::string_view member) {
   return path;
 }
 
-std::vector<scenario::RuleFault> at_file_keys(
-    const Object& keys, const std::vector<asset::ParameterFault>& faults) {
-  std::vector<scenario::RuleFault> found;
-  for (const asset::ParameterFault& fault : faults) {
-    const std::string key = file_key(keys, fault.key);
+std::vector<scenario::RuleViolation> at_file_keys(
+    const Object& keys, const std::vector<asset::ParameterError>& errors) {
+  std::vector<scenario::RuleViolation> found;
+  for (const asset::ParameterError& error : errors) {
+    const std::string key = file_key(keys, error.key);
     const bool in_degrees = key.find("_deg") != std::string::npos;
     found.push_back(
         {key,
-         fault.message + (in_degrees ? " (in radians; the file has degrees)." : ".")});
+         error.message + (in_degrees ? " (in radians; the file has degrees)." : ".")});
   }
   return found;
 }
@@ -133,12 +133,12 @@ Fields<BatteryFile> battery_fields() {
               "Voltages of one cell without load at charges 0, 0.1 ... 1; empty: a "
               "lithium-polymer cell.",
               kVolts)
-      .rules([](const T& file) -> std::vector<scenario::RuleFault> {
+      .rules([](const T& file) -> std::vector<scenario::RuleViolation> {
         const std::size_t all = file.battery.open_circuit.size();
         if (!file.open_circuit.empty() && file.open_circuit.size() != all)
           return {
               {"open_circuit_v", "needs 11 voltages, at charges 0, 0.1 ... 1, or none."}};
-        return at_file_keys(*battery_fields().description(), faults(file.parameters()));
+        return at_file_keys(*battery_fields().description(), errors(file.parameters()));
       });
 }
 
@@ -189,7 +189,7 @@ Fields<asset::GroundContactParameters> ground_fields() {
               "Turn per way that wheels make at full rudder; 0: they do not steer.",
               {.at_least = 0, .at_most = 10})
       .rules([](const T& ground) {
-        return at_file_keys(*ground_fields().description(), faults(ground));
+        return at_file_keys(*ground_fields().description(), errors(ground));
       });
 }
 

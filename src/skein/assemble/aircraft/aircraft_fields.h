@@ -83,8 +83,8 @@ scenario::Fields<asset::GroundContactParameters> ground_fields();
 /// key of the part is sound by itself.
 ///
 /// @param keys  of the part that the faults are about.
-std::vector<scenario::RuleFault> at_file_keys(
-    const scenario::Object& keys, const std::vector<asset::ParameterFault>& faults);
+std::vector<scenario::RuleViolation> at_file_keys(
+    const scenario::Object& keys, const std::vector<asset::ParameterError>& errors);
 
 /// The path in a file of what the asset layer calls `member`, as `aero.CLa` or
 /// `envelope.slowest`: keys are named like members, with their unit. A part of the path

@@ -21,8 +21,8 @@ struct Sections {
   std::optional<autopilot::MultirotorGains> multirotor_gains;
 };
 
-std::vector<scenario::RuleFault> section_faults(const Sections& file) {
-  std::vector<scenario::RuleFault> found;
+std::vector<scenario::RuleViolation> section_errors(const Sections& file) {
+  std::vector<scenario::RuleViolation> found;
   if (!file.fixed_wing && !file.multirotor && !file.performance)
     found.push_back({"",
                      "does not say how it flies: needs one of the sections fixed_wing, "
@@ -53,7 +53,7 @@ scenario::Fields<Sections> section_fields() {
               "Of its autopilot; null: the autopilot's own.")
       .object("multirotor_gains", &T::multirotor_gains, multirotor_gains_fields(),
               "Of its autopilot; null: the autopilot's own.")
-      .rules(section_faults);
+      .rules(section_errors);
 }
 
 AircraftFile to_aircraft(const Sections& file) {

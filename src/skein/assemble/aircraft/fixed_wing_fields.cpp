@@ -38,7 +38,7 @@ struct Coefficient {
 template <class Part>
 Fields<Part> with_faults(Fields<Part> fields) {
   fields.rules([keys = fields.description()](const Part& part) {
-    return at_file_keys(*keys, asset::faults(part));
+    return at_file_keys(*keys, asset::errors(part));
   });
   return fields;
 }
@@ -282,12 +282,12 @@ Fields<FixedWingFile> fixed_wing_fields() {
                    : "";
       });
   fields.rules([keys = fields.description()](const T& file) {
-    std::vector<asset::ParameterFault> found = faults(file.parameters());
-    for (asset::ParameterFault& fault : found) {
+    std::vector<asset::ParameterError> found = errors(file.parameters());
+    for (asset::ParameterError& error : found) {
       constexpr std::string_view kPropulsion = "propulsion.";
-      if (fault.key.starts_with(kPropulsion))
-        fault.key = (file.electric_motor ? "electric_motor." : "piston_engine.") +
-                    fault.key.substr(kPropulsion.size());
+      if (error.key.starts_with(kPropulsion))
+        error.key = (file.electric_motor ? "electric_motor." : "piston_engine.") +
+                    error.key.substr(kPropulsion.size());
     }
     return at_file_keys(*keys, found);
   });

@@ -88,7 +88,7 @@ void split(std::string_view line, std::vector<std::string_view>& cells) {
 FlightTableReader::FlightTableReader(std::istream& in, std::string name)
     : in_(in), name_(std::move(name)), buffer_(kLongestLine) {}
 
-Error FlightTableReader::fault(std::string_view column, std::string message,
+Error FlightTableReader::error(std::string_view column, std::string message,
                                std::string hint) const {
   std::string place = fmt::format("{}:{}", name_, line_);
   if (!column.empty()) place += fmt::format(":{}", column);
@@ -105,7 +105,7 @@ Result<bool> FlightTableReader::read_line() {
     if (got == 0) return false;
     ++line_;
     if (in_.fail() && !in_.eof())
-      return fault("", fmt::format("a line of more than {} bytes.", kLongestLine - 1));
+      return error("", fmt::format("a line of more than {} bytes.", kLongestLine - 1));
     const auto length = static_cast<std::size_t>(in_.eof() ? got : got - 1);
     std::string_view line(buffer_.data(), length);
     if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
@@ -142,22 +142,22 @@ Result<void> FlightTableReader::read_header() {
   if (!missing.empty()) message = fmt::format("the header lacks: {}.", missing);
   if (!twice.empty())
     message += fmt::format("{}given twice: {}.", message.empty() ? "" : " ", twice);
-  if (!message.empty()) return fault("", std::move(message), std::move(hint));
+  if (!message.empty()) return error("", std::move(message), std::move(hint));
   return {};
 }
 
 Result<double> FlightTableReader::value(const Column& column) {
   if (column.index >= cells_.size())
-    return fault(column.name, fmt::format("is missing: the row has {} value{}.",
+    return error(column.name, fmt::format("is missing: the row has {} value{}.",
                                           cells_.size(), cells_.size() == 1 ? "" : "s"));
   const std::string_view cell = cells_[column.index];
-  if (cell.empty()) return fault(column.name, "is empty; needs a number.");
+  if (cell.empty()) return error(column.name, "is empty; needs a number.");
   const auto number = scenario::parse_number(cell);
   if (!number || !std::isfinite(*number))
-    return fault(column.name, fmt::format("found {}; needs a number.", shown(cell)));
+    return error(column.name, fmt::format("found {}; needs a number.", shown(cell)));
   const Bounds& bounds = kBounds[static_cast<std::size_t>(&column - columns_.data())];
   if (*number < bounds.low || *number > bounds.high)
-    return fault(column.name,
+    return error(column.name,
                  fmt::format("found {}; must be from {:.6g} to {:.6g}.", cell, bounds.low,
                              bounds.high),
                  std::string(bounds.hint));
@@ -214,7 +214,7 @@ Result<std::optional<FlightInput>> FlightTableReader::next() {
   const Result<FlightInput> row = input();
   if (!row) return row.error();
   if (row.value().t <= last_t_)
-    return fault("t", fmt::format("found {}; must be above {}, that of the row before.",
+    return error("t", fmt::format("found {}; must be above {}, that of the row before.",
                                   row.value().t, last_t_));
   last_t_ = row.value().t;
   return std::optional<FlightInput>(row.value());

@@ -76,7 +76,7 @@ class FlightTableReader {
   Result<double> value(const Column& column);
   Result<FlightInput> input();
   Result<void> read_start();
-  Error fault(std::string_view column, std::string message, std::string hint = {}) const;
+  Error error(std::string_view column, std::string message, std::string hint = {}) const;
 
   std::istream& in_;
   std::string name_;

@@ -130,7 +130,7 @@ Fields<MultirotorFile> multirotor_fields() {
               kSpeed)
       .required();
   fields.rules([keys = fields.description()](const T& file) {
-    return at_file_keys(*keys, faults(file.parameters()));
+    return at_file_keys(*keys, errors(file.parameters()));
   });
   return fields;
 }

@@ -98,7 +98,7 @@ Fields<PerformanceFile> performance_fields() {
         return file.tank || file.battery ? "" : "is missing, as is tank; give one.";
       });
   fields.rules([keys = fields.description()](const T& file) {
-    return at_file_keys(*keys, faults(file.parameters()));
+    return at_file_keys(*keys, errors(file.parameters()));
   });
   return fields;
 }

@@ -148,13 +148,13 @@ TEST(ParameterSpread, KeepsAnInertiaOfSomeBodyAndLimitsTheChange) {
   }
 }
 
-std::vector<VehicleFault> faults_of(const std::string& keys, std::size_t k = 1) {
+std::vector<VehicleFault> errors_of(const std::string& keys, std::size_t k = 1) {
   const Build b = built(std::string(kWing) + ", " + keys + "}]");
   return vehicle(b, k).faults;
 }
 
 TEST(VehicleFaults, AreThoseOfTheScenario) {
-  const auto faults = faults_of(
+  const auto faults = errors_of(
       "failures: [{at_s: 50, kind: servo-stuck, part: rudder, until_s: 60}, {at_s: 20, "
       "kind: motor}, {at_s: 30, kind: sensor, part: barometer, aircraft: 1}, {at_s: 40, "
       "kind: link}, {at_s: 45, kind: sensor, part: fire}]");
@@ -170,7 +170,7 @@ TEST(VehicleFaults, AreThoseOfTheScenario) {
 }
 
 TEST(VehicleFaults, OfOneKindOfSensorAreAllOfThem) {
-  const auto all = faults_of("failures: [{at_s: 1, kind: sensor}]");
+  const auto all = errors_of("failures: [{at_s: 1, kind: sensor}]");
   EXPECT_EQ(all.size(), 8u);
 }
 

@@ -165,13 +165,12 @@ TEST(Kinds, HaveOnlyTheKeysThatTheyUse) {
   for (const char* good :
        {"kind: qkf, control_points: 90", "kind: joint, control_points: 90",
         "kind: particle, particles: 100, false_rate: 0.1", "kind: map, sigma_v_m: 3",
-        "kind: mle, sigma_v_m: 3", "kind: point-reset, least_sd_m: 2"})
+        "kind: mle, sigma_v_m: 3", "kind: point-reset, min_sd_m: 2"})
     EXPECT_EQ(problem(good), "") << good;
   for (const char* bad :
-       {"kind: qkf, particles: 100", "kind: qkf, least_sd_m: 2",
-        "kind: qkf, sigma_v_m: 3", "kind: particle, least_sd_m: 2",
-        "kind: point-reset, use_crossings: false", "kind: point-reset, gate_sigmas: 2",
-        "kind: ensemble, control_points: 90"})
+       {"kind: qkf, particles: 100", "kind: qkf, min_sd_m: 2", "kind: qkf, sigma_v_m: 3",
+        "kind: particle, min_sd_m: 2", "kind: point-reset, use_crossings: false",
+        "kind: point-reset, gate_sigmas: 2", "kind: ensemble, control_points: 90"})
     EXPECT_NE(problem(bad).find("unknown key. The kind \""), std::string::npos)
         << problem(bad);
   EXPECT_NE(problems_of("monitoring: {control_points: 60}").find("unknown key"),

@@ -24,7 +24,7 @@ FixedWingAirframe airframe_of(const asset::FixedWingPlant& plant) {
 
 // How far height and airspeed were from their demand.
 struct Errors {
-  double height_rms = 0, height_most = 0, airspeed_rms = 0, airspeed_most = 0;
+  double height_rms = 0, max_height = 0, airspeed_rms = 0, max_airspeed = 0;
   bool lost = false;  // upside down, in the ground, or out of numbers
 };
 
@@ -52,8 +52,8 @@ Errors fly(const asset::FixedWingPlant& plant, const FixedWingAirframe& airframe
     const double height = -s.p_N.z() - kHeight, airspeed = s.airspeed - airframe.cruise;
     errors.height_rms += height * height;
     errors.airspeed_rms += airspeed * airspeed;
-    errors.height_most = std::max(errors.height_most, std::abs(height));
-    errors.airspeed_most = std::max(errors.airspeed_most, std::abs(airspeed));
+    errors.max_height = std::max(errors.max_height, std::abs(height));
+    errors.max_airspeed = std::max(errors.max_airspeed, std::abs(airspeed));
     ++count;
   }
   errors.height_rms = std::sqrt(errors.height_rms / count);
@@ -78,8 +78,8 @@ TEST(FixedWingFlight, HoldsHeightAndAirspeedInTurnsWithoutTurbulence) {
                            Vec3(5, 0, 0), 0, turns, 1);
       ASSERT_FALSE(e.lost);
       // A turn is rolled into and out of within a second: measured 0.2 m and 0.15 m/s.
-      EXPECT_LT(e.height_most, 0.5) << name;
-      EXPECT_LT(e.airspeed_most, 0.3) << name;
+      EXPECT_LT(e.max_height, 0.5) << name;
+      EXPECT_LT(e.max_airspeed, 0.3) << name;
     }
   }
 }
@@ -95,7 +95,7 @@ TEST(FixedWingFlight, HoldsHeightAndAirspeedInLightTurbulence) {
         // The goals: height at all times; airspeed in the mean square, as single gusts of
         // this turbulence (1.1 m/s standard deviation) are beyond what a motor can
         // follow.
-        EXPECT_LT(e.height_most, 2) << name << ' ' << seed;
+        EXPECT_LT(e.max_height, 2) << name << ' ' << seed;
         EXPECT_LT(e.airspeed_rms, 1) << name << ' ' << seed;
       }
   }
@@ -114,7 +114,7 @@ asset::FixedWingParameters with_errors(const asset::FixedWingParameters& nominal
           &a.Clp,  &a.Clr,  &a.Clda,       &a.Cldr,       &a.Cnb,       &a.Cnp,  &a.Cnr,
           &a.Cnda, &a.Cndr, &p.inertia.xx, &p.inertia.yy, &p.inertia.zz})
       *x *= random.uniform(0.9, 1.1);
-  } while (!asset::faults(p).empty());
+  } while (!asset::errors(p).empty());
   return p;
 }
 

@@ -69,9 +69,9 @@ aircraft:
                   trouble.failures);
   AutopilotCommand command{HoldCourse{0}, kAltitude, {}};
   if (mode == "auto") {
-    FlyWaypoints way;
-    way.points = {{{500, 0}, kAltitude}, {{500, 100}, kAltitude}};
-    command.guidance = way;
+    FlyWaypoints route;
+    route.points = {{{500, 0}, kAltitude}, {{500, 100}, kAltitude}};
+    command.guidance = route;
   }
   return fly(text, {{{command}}});
 }

@@ -213,10 +213,10 @@ TEST(WholeRotors, HoverInWind) {
 
 FlightLog ground_to_ground(Setting setting, const Vec2& home) {
   setting.on_ground = true;
-  FlyWaypoints way;
-  way.points = {{{400, 0}, 80}, {{400, 400}, 100}, {{0, 400}, 80}};
+  FlyWaypoints route;
+  route.points = {{{400, 0}, 80}, {{400, 400}, 100}, {{0, 400}, 80}};
   const AutopilotCommand up{TakeOff{geo::radians(250)}, 60, {}};
-  const AutopilotCommand out{way, 80, {}};
+  const AutopilotCommand out{route, 80, {}};
   const AutopilotCommand down{Land{home, 0}, 60, {}};
   return fly(scenario_of(setting), {{{up, 5}, {out, 6, true}, {down, 10, true}}});
 }

@@ -43,7 +43,7 @@ TEST(MultirotorFlight, SurvivesSevereTurbulenceWithWrongParameters) {
       for (double* x : {&p.mass, &p.inertia.xx, &p.inertia.yy, &p.inertia.zz,
                         &p.thrust_factor, &p.torque_factor, &p.motor_lag, &p.rotor_drag})
         *x *= random.uniform(0.9, 1.1);
-    } while (!asset::faults(p).empty());
+    } while (!asset::errors(p).empty());
     const asset::MultirotorPlant plant(p);
     Flight flight(plant, Vec3(8, 0, 0), kSevere, 0.5, seed);
     MultirotorControl control(airframe, {});

@@ -90,7 +90,7 @@ environment:
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
   turbulence: {{kind: dryden, intensity: light}}
   zones:
-    - {{name: way, centre_m: [500, 10], radius_m: 80, active: false, switches: [{{at_s: 14}}]}}
+    - {{name: route, centre_m: [500, 10], radius_m: 80, active: false, switches: [{{at_s: 14}}]}}
     - {{name: home, centre_m: [-10, 0], radius_m: 60, active: false, switches: [{{at_s: 60}}]}}
 station: {{agent: listener}}
 aircraft:

@@ -20,7 +20,7 @@ TEST(FollowingStudy, CountsTheDistanceOfASampleAfterTheRunIn) {
   EXPECT_EQ(figures.at("cross_track_q50_m"), 50);
   EXPECT_EQ(figures.at("cross_track_q95_m"), 95);
   EXPECT_EQ(figures.at("cross_track_q99_m"), 99);
-  EXPECT_EQ(figures.at("cross_track_most_m"), 100);
+  EXPECT_EQ(figures.at("cross_track_max_m"), 100);
   // The sum of the first 100 squares is 338350.
   EXPECT_NEAR(figures.at("cross_track_rms_m"), std::sqrt(3383.5), 1e-9);
   std::map<std::string, double> none;

@@ -39,10 +39,10 @@ TEST(KeepingWatch, MeasuresTheTrueDistanceAcrossALegOfAnyCourse) {
     const auto figures = figures_of(watch);
     EXPECT_NEAR(figures.at("straights_rms_m"), std::abs(off), 1e-9);
     EXPECT_NEAR(figures.at("believed_rms_m"), std::abs(status.cross_track), 1e-9);
-    EXPECT_NEAR(figures.at("height_most_m"), 3, 1e-9);
+    EXPECT_NEAR(figures.at("height_max_m"), 3, 1e-9);
     EXPECT_NEAR(figures.at("airspeed_rms_mps"), 1, 1e-9);
     EXPECT_EQ(figures.count("turns_rms_m"), 0u);
-    EXPECT_EQ(figures.count("hover_most_m"), 0u);
+    EXPECT_EQ(figures.count("hover_max_m"), 0u);
   }
 }
 
@@ -64,7 +64,7 @@ TEST(KeepingWatch, TellsTurnsFromStraightsAndWatchesAHover) {
   state.p_N = {3, 4, -102};
   hovering.record(TruthRecord{Time::from_seconds(2), kAircraft, state});
   hovering.record(EstimateRecord{kAircraft, {}, {}});
-  EXPECT_NEAR(figures_of(hovering).at("hover_most_m"), 2, 1e-9);
+  EXPECT_NEAR(figures_of(hovering).at("hover_max_m"), 2, 1e-9);
   EXPECT_EQ(figures_of(hovering).at("accident"), 0);
   hovering.record(Event{Time(), kAircraft, "accident", ""});
   EXPECT_EQ(figures_of(hovering).at("accident"), 1);

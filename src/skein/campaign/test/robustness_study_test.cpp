@@ -90,7 +90,7 @@ TEST(FlightWatch, AHoverIsHeldAgainstTheEndOfTheRoute) {
   flight.status.follows = false;
   flight.status.done = true;
   flight.fly(60);
-  EXPECT_NEAR(flight.figure("track_error_most_m"), 5, 1e-9);
+  EXPECT_NEAR(flight.figure("track_error_max_m"), 5, 1e-9);
 }
 
 TEST(FlightWatch, AnAccidentIsALoss) {

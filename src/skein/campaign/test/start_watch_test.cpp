@@ -56,7 +56,7 @@ TEST(StartWatch, ABeliefThatLeavesTheTruthForASecondIsALoss) {
   tilted.nav.roll = 0;
   tilted.fly(10);
   EXPECT_EQ(tilted.figure("lost"), 0);
-  EXPECT_NEAR(tilted.figure("attitude_error_most_deg"), geo::degrees(0.4), 1e-6);
+  EXPECT_NEAR(tilted.figure("attitude_error_max_deg"), geo::degrees(0.4), 1e-6);
   tilted.nav.pitch = 0.4;
   tilted.fly(1.2);
   EXPECT_EQ(tilted.figure("lost_belief"), 1);

@@ -21,6 +21,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   SKEIN_CHECK(!change->zone.name.empty());
   const auto* ring = std::get_if<skein::geo::Ring>(&change->zone.area);
   const bool named_only = ring && ring->empty();
-  SKEIN_CHECK(named_only || !skein::fault_in(change->zone));
+  SKEIN_CHECK(named_only || !skein::error_in(change->zone));
   return 0;
 }

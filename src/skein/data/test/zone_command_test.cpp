@@ -19,7 +19,7 @@ ZoneChange good(std::string_view line) {
   return std::move(change).value();
 }
 
-std::string fault(std::string_view line) {
+std::string error(std::string_view line) {
   const auto change = parse_zone_command(line);
   return change ? "none" : change.error().text();
 }
@@ -56,26 +56,26 @@ TEST(ZoneCommand, NamesAZone) {
 }
 
 TEST(ZoneCommand, SaysWhatIsWrong) {
-  EXPECT_NE(fault("").find("no command"), std::string::npos);
-  EXPECT_NE(fault("zone on").find("no command"), std::string::npos);
-  EXPECT_NE(fault("zone up a").find("no command"), std::string::npos);
-  EXPECT_NE(fault("zone off a circle 0,0 5").find("name only"), std::string::npos);
-  EXPECT_NE(fault("zone on a square 0,0 5").find("no shape"), std::string::npos);
-  EXPECT_NE(fault("zone on a circle 0,0").find("radius"), std::string::npos);
-  EXPECT_NE(fault("zone on a circle 0;0 5").find("NORTH,EAST"), std::string::npos);
-  EXPECT_NE(fault("zone on a circle 0,0 nan").find("radius"), std::string::npos);
-  EXPECT_NE(fault("zone on a circle nan,0 9").find("no place"), std::string::npos);
-  EXPECT_NE(fault("zone on a circle 0,0 -1").find("radius"), std::string::npos);
-  EXPECT_NE(fault("zone on a circle 0,0 9 floor").find("no limit"), std::string::npos);
-  EXPECT_NE(fault("zone on a circle 0,0 9 floor 5 ceiling 4").find("floor"),
+  EXPECT_NE(error("").find("no command"), std::string::npos);
+  EXPECT_NE(error("zone on").find("no command"), std::string::npos);
+  EXPECT_NE(error("zone up a").find("no command"), std::string::npos);
+  EXPECT_NE(error("zone off a circle 0,0 5").find("name only"), std::string::npos);
+  EXPECT_NE(error("zone on a square 0,0 5").find("no shape"), std::string::npos);
+  EXPECT_NE(error("zone on a circle 0,0").find("radius"), std::string::npos);
+  EXPECT_NE(error("zone on a circle 0;0 5").find("NORTH,EAST"), std::string::npos);
+  EXPECT_NE(error("zone on a circle 0,0 nan").find("radius"), std::string::npos);
+  EXPECT_NE(error("zone on a circle nan,0 9").find("no place"), std::string::npos);
+  EXPECT_NE(error("zone on a circle 0,0 -1").find("radius"), std::string::npos);
+  EXPECT_NE(error("zone on a circle 0,0 9 floor").find("no limit"), std::string::npos);
+  EXPECT_NE(error("zone on a circle 0,0 9 floor 5 ceiling 4").find("floor"),
             std::string::npos);
-  EXPECT_NE(fault("zone on a circle 0,0 9 wall 5").find("no limit"), std::string::npos);
-  EXPECT_NE(fault("zone on a ring 0,0 1,1").find("fewer than 3"), std::string::npos);
-  EXPECT_NE(fault("zone on a ring 0,0 1,1 2").find("\"2\" is no place"),
+  EXPECT_NE(error("zone on a circle 0,0 9 wall 5").find("no limit"), std::string::npos);
+  EXPECT_NE(error("zone on a ring 0,0 1,1").find("fewer than 3"), std::string::npos);
+  EXPECT_NE(error("zone on a ring 0,0 1,1 2").find("\"2\" is no place"),
             std::string::npos);
-  EXPECT_NE(fault("zone on a ring 0,0 10,10 10,0 0,10").find("crosses itself at 5.0"),
+  EXPECT_NE(error("zone on a ring 0,0 10,10 10,0 0,10").find("crosses itself at 5.0"),
             std::string::npos);
-  EXPECT_NE(fault("zone on a ring 0,0 1e400,0 1,1").find("no place"), std::string::npos);
+  EXPECT_NE(error("zone on a ring 0,0 1e400,0 1,1").find("no place"), std::string::npos);
 }
 
 // Words of commands in any order and number are refused, or can be used.
@@ -98,7 +98,7 @@ TEST(ZoneCommand, TakesUpNothingThatCannotBeUsed) {
     const auto* ring = std::get_if<geo::Ring>(&change.value().zone.area);
     if (ring && ring->empty()) continue;
     ++taken;
-    ASSERT_FALSE(fault_in(change.value().zone)) << line;
+    ASSERT_FALSE(error_in(change.value().zone)) << line;
   }
   EXPECT_GT(taken, 500);
 }

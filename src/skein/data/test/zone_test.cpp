@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "skein/base/random.h"
-#include "skein/data/zone_book.h"
+#include "skein/data/zone_set.h"
 
 namespace skein {
 namespace {
@@ -21,45 +21,45 @@ Zone square(const std::string& name, double half = 100) {
   return zone;
 }
 
-std::string fault_of(const geo::Ring& ring) {
-  return fault_in(Zone{.area = ring}).value_or("");
+std::string error_of(const geo::Ring& ring) {
+  return error_in(Zone{.area = ring}).value_or("");
 }
 
 TEST(Zone, SaysWhatIsWrongWithARing) {
-  EXPECT_EQ(fault_of({{0, 0}, {10, 0}, {10, 10}}), "");
-  EXPECT_EQ(fault_of({{0, 0}, {10, 10}, {10, 0}}), "");  // the other way round
-  EXPECT_NE(fault_of({{0, 0}, {10, 0}}).find("fewer than 3"), std::string::npos);
-  EXPECT_NE(fault_of({{0, 0}, {10, 0}, {20, 0}}).find("no area"), std::string::npos);
-  EXPECT_NE(fault_of({{5, 5}, {5, 5}, {5, 5}}).find("no area"), std::string::npos);
-  EXPECT_NE(fault_of({{0, 0}, {10, 0}, {kNan, 10}}).find("corner 2"), std::string::npos);
-  EXPECT_NE(fault_of({{0, 0}, {kInfinity, 0}, {9, 9}}).find("corner 1"),
+  EXPECT_EQ(error_of({{0, 0}, {10, 0}, {10, 10}}), "");
+  EXPECT_EQ(error_of({{0, 0}, {10, 10}, {10, 0}}), "");  // the other way round
+  EXPECT_NE(error_of({{0, 0}, {10, 0}}).find("fewer than 3"), std::string::npos);
+  EXPECT_NE(error_of({{0, 0}, {10, 0}, {20, 0}}).find("no area"), std::string::npos);
+  EXPECT_NE(error_of({{5, 5}, {5, 5}, {5, 5}}).find("no area"), std::string::npos);
+  EXPECT_NE(error_of({{0, 0}, {10, 0}, {kNan, 10}}).find("corner 2"), std::string::npos);
+  EXPECT_NE(error_of({{0, 0}, {kInfinity, 0}, {9, 9}}).find("corner 1"),
             std::string::npos);
-  EXPECT_NE(fault_of(geo::Ring(kMaxCorners + 1, Vec2(1, 1))).find("2001 corners"),
+  EXPECT_NE(error_of(geo::Ring(kMaxCorners + 1, Vec2(1, 1))).find("2001 corners"),
             std::string::npos);
 }
 
 TEST(Zone, SaysWhereARingCrossesItself) {
-  const std::string fault = fault_of({{0, 0}, {10, 10}, {10, 0}, {0, 10}});
-  EXPECT_NE(fault.find("5.0 m north, 5.0 m east"), std::string::npos) << fault;
-  EXPECT_NE(fault.find("corners 0 and 2"), std::string::npos) << fault;
+  const std::string error = error_of({{0, 0}, {10, 10}, {10, 0}, {0, 10}});
+  EXPECT_NE(error.find("5.0 m north, 5.0 m east"), std::string::npos) << error;
+  EXPECT_NE(error.find("corners 0 and 2"), std::string::npos) << error;
 }
 
 TEST(Zone, SaysWhatIsWrongWithDiscsLimitsAndTimes) {
   const auto disc = [](double radius) {
-    return fault_in(Zone{.area = Disc{{0, 0}, radius}}).has_value();
+    return error_in(Zone{.area = Disc{{0, 0}, radius}}).has_value();
   };
   EXPECT_FALSE(disc(10));
   for (const double radius : {0.0, -1.0, kNan, kInfinity}) EXPECT_TRUE(disc(radius));
-  EXPECT_TRUE(fault_in(Zone{.area = Disc{{kNan, 0}, 10}}));
+  EXPECT_TRUE(error_in(Zone{.area = Disc{{kNan, 0}, 10}}));
   Zone zone = square("a");
   zone.floor_msl = zone.ceiling_msl = 100;
-  EXPECT_NE(fault_in(zone)->find("floor"), std::string::npos);
+  EXPECT_NE(error_in(zone)->find("floor"), std::string::npos);
   zone.ceiling_msl = kNan;
-  EXPECT_TRUE(fault_in(zone));
+  EXPECT_TRUE(error_in(zone));
   zone = square("a");
   zone.from = 20;
   zone.until = 10;
-  EXPECT_NE(fault_in(zone)->find("end"), std::string::npos);
+  EXPECT_NE(error_in(zone)->find("end"), std::string::npos);
 }
 
 TEST(Zone, ConcernsFlightsThatShareAltitudeAndTime) {
@@ -81,15 +81,15 @@ ZoneChange change(std::uint32_t number, bool on, const std::string& name,
   return {number, on, square(name, half)};
 }
 
-std::string names(const ZoneBook& book) {
+std::string names(const ZoneSet& book) {
   std::string all;
   for (const Zone& zone : book.zones()) all += zone.name;
   return all;
 }
 
-TEST(ZoneBook, TakesZonesInAndBack) {
+TEST(ZoneSet, TakesZonesInAndBack) {
   const std::vector<Zone> known{square("a")};
-  ZoneBook book(known);
+  ZoneSet book(known);
   EXPECT_EQ(names(book), "a");
   EXPECT_FALSE(book.heard("a"));
   EXPECT_TRUE(book.take(change(1, true, "b")));
@@ -104,8 +104,8 @@ TEST(ZoneBook, TakesZonesInAndBack) {
   EXPECT_EQ(book.complete_to(), 3u);
 }
 
-TEST(ZoneBook, PassesOverWhatCannotBe) {
-  ZoneBook book;
+TEST(ZoneSet, PassesOverWhatCannotBe) {
+  ZoneSet book;
   EXPECT_FALSE(book.take(change(0, true, "a")));
   ZoneChange bad = change(1, true, "a");
   bad.zone.area = geo::Ring{{0, 0}, {kNan, 0}, {1, 1}};
@@ -114,17 +114,17 @@ TEST(ZoneBook, PassesOverWhatCannotBe) {
   EXPECT_EQ(book.complete_to(), 0u);
 }
 
-TEST(ZoneBook, ToldInAnyOrderAndTwiceTheZonesAreTheSame) {
+TEST(ZoneSet, ToldInAnyOrderAndTwiceTheZonesAreTheSame) {
   for (std::uint32_t run = 0; run < 200; ++run) {
     RandomStream random(1, run, Purpose::kTest);
     std::vector<ZoneChange> told;
-    ZoneBook straight;
+    ZoneSet straight;
     for (std::uint32_t k = 1; k <= 12; ++k) {
       const std::string name(1, static_cast<char>('a' + random.uniform(0, 3)));
       told.push_back(change(k, random.uniform() < 0.6, name, 10.0 + k));
       straight.take(told.back());
     }
-    ZoneBook shuffled;
+    ZoneSet shuffled;
     std::vector<ZoneChange> left = told;
     left.insert(left.end(), told.begin(), told.end());
     std::uint32_t heard = 0;  // as bits
@@ -138,7 +138,7 @@ TEST(ZoneBook, ToldInAnyOrderAndTwiceTheZonesAreTheSame) {
       while ((heard >> (complete + 1) & 1u) != 0) ++complete;
       ASSERT_EQ(shuffled.complete_to(), complete);
     }
-    const auto areas = [](const ZoneBook& book) {
+    const auto areas = [](const ZoneSet& book) {
       std::vector<std::pair<std::string, double>> all;
       for (const Zone& zone : book.zones())
         all.emplace_back(zone.name, geo::signed_area(std::get<geo::Ring>(zone.area)));

@@ -53,13 +53,13 @@ Read read(const std::string& text, const geo::LocalFrame* frame = nullptr,
   return read;
 }
 
-std::string fault_of_map(const std::string& text,
+std::string error_of_map(const std::string& text,
                          const geo::LocalFrame* frame = nullptr) {
   const Read got = read(text, frame);
   return got.features ? "" : got.features.error().text();
 }
 
-std::string fault_of_zones(const std::string& text) {
+std::string error_of_zones(const std::string& text) {
   const Read got = read(text);
   if (!got.features) return got.features.error().text();
   const auto zones = zones_of(got.features.value());
@@ -186,7 +186,7 @@ TEST(Map, WhatSkeinWritesItReads) {
 TEST(Map, SaysWhatIsWrongWhere) {
   const auto frame = geo::LocalFrame::at({50, 14, 0}).value();
   const std::string good = feature("Point", "[0,0]", R"("radius_m":5)") + ",";
-  const std::vector<std::pair<std::string, const char*>> faults = {
+  const std::vector<std::pair<std::string, const char*>> errors = {
       {"", "cannot be read as a map"},
       {"{\"type\":", "cannot be read as a map"},
       {collection(good + R"({"type":"Feature","properties":{},"geometry":null})"),
@@ -199,19 +199,19 @@ TEST(Map, SaysWhatIsWrongWhere) {
       {feature("Point", "[1e300,0]"), "km from the origin"},
       {feature("Point", "[0,0]", R"("radius_m":"wide")"), "radius_m is \"wide\""},
   };
-  for (const auto& [text, said] : faults)
-    EXPECT_NE(fault_of_map(text).find(said), std::string::npos) << said << "\n"
-                                                                << fault_of_map(text);
+  for (const auto& [text, said] : errors)
+    EXPECT_NE(error_of_map(text).find(said), std::string::npos) << said << "\n"
+                                                                << error_of_map(text);
   EXPECT_NE(
-      fault_of_map(feature("Point", "[50,140]"), &frame).find("longitude comes first"),
+      error_of_map(feature("Point", "[50,140]"), &frame).find("longitude comes first"),
       std::string::npos);
-  EXPECT_NE(fault_of_map(feature("Point", "[50,14]"), &frame).find("km from the origin"),
+  EXPECT_NE(error_of_map(feature("Point", "[50,14]"), &frame).find("km from the origin"),
             std::string::npos);
-  EXPECT_NE(fault_of_map(feature("Point", "[NaN,14]")), "");
+  EXPECT_NE(error_of_map(feature("Point", "[NaN,14]")), "");
 }
 
 TEST(Map, SaysWhyThatIsNoZone) {
-  const std::vector<std::pair<std::string, const char*>> faults = {
+  const std::vector<std::pair<std::string, const char*>> errors = {
       {feature("Polygon", "[[[0,0],[100,100],[100,0],[0,90],[0,0]]]"), "crosses itself"},
       {feature("LineString", "[[0,0],[10,10]]"), "is a line, which is no zone"},
       {feature("Point", "[0,0]"), "without radius_m"},
@@ -222,9 +222,9 @@ TEST(Map, SaysWhyThatIsNoZone) {
       {feature("Polygon", "[" + kSquare + "]", R"("from_s":9,"until_s":1)"),
        "from_s 9 is after until_s 1"},
       {feature("Polygon", "[" + kSquare + "," + kSquare + "]"), "leave nothing"}};
-  for (const auto& [text, said] : faults)
-    EXPECT_NE(fault_of_zones(text).find(said), std::string::npos) << said << "\n"
-                                                                  << fault_of_zones(text);
+  for (const auto& [text, said] : errors)
+    EXPECT_NE(error_of_zones(text).find(said), std::string::npos) << said << "\n"
+                                                                  << error_of_zones(text);
 }
 
 TEST(Map, WarnsOfPropertiesThatLookLikeItsOwn) {
@@ -251,18 +251,18 @@ TEST(Map, AnAreaAndALineAreOneEach) {
 }
 
 TEST(Map, ObstaclesNeedTheirSizesAndAltitude) {
-  const auto fault = [](const std::string& text) {
+  const auto error = [](const std::string& text) {
     const auto movers = movers_of(read(text).features.value());
     return movers ? "" : movers.error().text();
   };
-  EXPECT_NE(fault(feature("Point", "[0,0]", R"("radius_m":5)")).find("has no height_m"),
+  EXPECT_NE(error(feature("Point", "[0,0]", R"("radius_m":5)")).find("has no height_m"),
             std::string::npos);
-  EXPECT_NE(fault(feature("Point", "[0,0]", R"("radius_m":5,"height_m":5)"))
+  EXPECT_NE(error(feature("Point", "[0,0]", R"("radius_m":5,"height_m":5)"))
                 .find("has no altitude"),
             std::string::npos);
-  EXPECT_NE(fault(feature("LineString", "[[0,0],[5,5]]")).find("is no point"),
+  EXPECT_NE(error(feature("LineString", "[[0,0],[5,5]]")).find("is no point"),
             std::string::npos);
-  EXPECT_EQ(fault(feature("Point", "[0,0,120]", R"("radius_m":5,"height_m":5)")), "");
+  EXPECT_EQ(error(feature("Point", "[0,0,120]", R"("radius_m":5,"height_m":5)")), "");
 }
 
 TEST(Map, MayBeEmpty) {
@@ -282,7 +282,7 @@ TEST(Map, ObstaclesAmongZonesAreCounted) {
 }
 
 TEST(Map, FaultsEndWithOneFullStop) {
-  EXPECT_EQ(fault_of_map("hello").find(".."), std::string::npos) << fault_of_map("hello");
+  EXPECT_EQ(error_of_map("hello").find(".."), std::string::npos) << error_of_map("hello");
 }
 
 TEST(Map, AMissingFileIsNotThere) {

@@ -260,7 +260,7 @@ TEST(Waypoints, AreRowsOfTwelveNumbers) {
   std::string line;
   std::getline(in, line);
   EXPECT_EQ(line, "QGC WPL 110");
-  std::vector<Vec2> way;
+  std::vector<Vec2> track;
   int index = 0;
   while (std::getline(in, line)) {
     EXPECT_EQ(std::count(line.begin(), line.end(), '\t'), 11) << line;
@@ -271,10 +271,10 @@ TEST(Waypoints, AreRowsOfTwelveNumbers) {
     EXPECT_EQ(n[0], index);
     EXPECT_EQ(n[1], index == 0 ? 1 : 0);
     EXPECT_EQ(n[11], 1);
-    if (index > 0 && n[3] == 16) way.push_back(d.frame->to_plane(n[8], n[9]));
+    if (index > 0 && n[3] == 16) track.push_back(d.frame->to_plane(n[8], n[9]));
     ++index;
   }
-  EXPECT_LE(farthest(d.plans[0].plan, way), 0.5);
+  EXPECT_LE(farthest(d.plans[0].plan, track), 0.5);
 }
 
 TEST(Missions, AreRefusedWithoutPlaceAltitudeOrOneFlight) {

@@ -65,11 +65,11 @@ void SimpleAutopilot::sense(const SensorSample& sample) {
   if (const auto* air = std::get_if<AirDataSample>(&sample)) filter_.add(*air);
 }
 
-void SimpleAutopilot::set_return(const ReturnWay& way) {
+void SimpleAutopilot::set_return(const ReturnRoute& route) {
   const auto* back = std::get_if<Return>(&command_.guidance);
-  const bool under_way = is_shared_ && back && back->point == return_;
-  return_ = way.points.empty() ? std::nullopt : std::optional(way.points.back());
-  if (under_way) command({Return{}, command_.altitude_msl, command_.airspeed});
+  const bool takes_off = is_shared_ && back && back->point == return_;
+  return_ = route.points.empty() ? std::nullopt : std::optional(route.points.back());
+  if (takes_off) command({Return{}, command_.altitude_msl, command_.airspeed});
 }
 
 void SimpleAutopilot::command(const AutopilotCommand& command) {

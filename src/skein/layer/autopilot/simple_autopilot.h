@@ -50,7 +50,7 @@ class SimpleAutopilot final : public Autopilot {
   void command(const AutopilotCommand& command) override;
   /// It has no failsafes: the last place of the way is where a commanded return leads,
   /// straight.
-  void set_return(const ReturnWay& way) override;
+  void set_return(const ReturnRoute& route) override;
   /// A FlightCommand.
   Control control(Time now, double dt) override;
   NavEstimate estimate() const override { return filter_.estimate(); }

@@ -18,7 +18,7 @@ std::optional<double> ray_cast(const Terrain& terrain, const Vec3& from_N,
   if (closing <= 0) return std::nullopt;
   while (true) {
     if (above >= reach) return std::nullopt;
-    under = std::min(above + std::max(room / closing, march.least_step), reach);
+    under = std::min(above + std::max(room / closing, march.min_step), reach);
     room = clearance(under);
     if (room <= 0) break;
     above = under;

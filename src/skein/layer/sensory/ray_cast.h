@@ -10,7 +10,7 @@ namespace skein::sensory {
 /// How a ray is followed to the ground.
 struct RayMarch {
   double steepest = 2;       ///< slope of the ground that is never exceeded [-]
-  double least_step = 1;     ///< [m]; keeps a grazing ray moving
+  double min_step = 1;       ///< [m]; keeps a grazing ray moving
   double tolerance = 0.001;  ///< of the distance found [m]
 };
 

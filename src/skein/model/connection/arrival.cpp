@@ -21,13 +21,13 @@ constexpr double kExact = 1e-10, kRounding = 1e-14;
 constexpr double kLongest = 1e9;  // flight, in turn radii
 
 // Everything happens in the air mass, where the goal of that time stands still.
-struct Way {
+struct Task {
   Pose from, to;
   double radius;
 };
 
-double exact_of(const Way& way, double length) {
-  return kExact * way.radius + kRounding * length;
+double exact_of(const Task& task, double length) {
+  return kExact * task.radius + kRounding * length;
 }
 
 // What is flown besides the shortest connection: first a turn or straight, before the end
@@ -43,41 +43,41 @@ Pose after(const Pose& pose, double length, double curvature) {
 }
 
 // The connection between what is flown before and after it.
-DubinsPath between(const Way& way, const Extra& extra) {
-  return dubins(after(way.from, extra.first, extra.curvature),
-                after(way.to, -extra.last, 0), way.radius);
+DubinsPath between(const Task& task, const Extra& extra) {
+  return dubins(after(task.from, extra.first, extra.curvature),
+                after(task.to, -extra.last, 0), task.radius);
 }
 
-double total(const Way& way, const Extra& extra) {
-  return extra.first + extra.last + between(way, extra).length();
+double total(const Task& task, const Extra& extra) {
+  return extra.first + extra.last + between(task, extra).length();
 }
 
 // One family of lengthened paths: `parameter` from 0 to 1.
-using Family = Extra (*)(const Way& way, double parameter);
+using Family = Extra (*)(const Task& task, double parameter);
 
-Extra straight_first(const Way& way, double p) {
-  return {p * kTurn * way.radius, 0, 0};
+Extra straight_first(const Task& task, double p) {
+  return {p * kTurn * task.radius, 0, 0};
 }
-Extra straight_last(const Way& way, double p) {
-  return {0, 0, p * kTurn * way.radius};
+Extra straight_last(const Task& task, double p) {
+  return {0, 0, p * kTurn * task.radius};
 }
-Extra right_first(const Way& way, double p) {
-  return {p * kTurn * way.radius, 1 / way.radius, 0};
+Extra right_first(const Task& task, double p) {
+  return {p * kTurn * task.radius, 1 / task.radius, 0};
 }
-Extra left_first(const Way& way, double p) {
-  return {p * kTurn * way.radius, -1 / way.radius, 0};
+Extra left_first(const Task& task, double p) {
+  return {p * kTurn * task.radius, -1 / task.radius, 0};
 }
 
 // Where a family's length crosses the wanted one between two parameters: false position,
 // with the weight of an end that stays halved (Illinois). Nothing where the shortest
 // length jumps.
-std::optional<Extra> crossing(const Way& way, Family family, double length, double a,
+std::optional<Extra> crossing(const Task& task, Family family, double length, double a,
                               double at_a, double b, double at_b) {
-  const double exact = exact_of(way, length);
+  const double exact = exact_of(task, length);
   for (int i = 0; i < kMaxSteps; ++i) {
     const double p = i % 8 == 7 ? (a + b) / 2 : a - at_a * (b - a) / (at_b - at_a);
-    const double at_p = total(way, family(way, p)) - length;
-    if (std::abs(at_p) <= exact) return family(way, p);
+    const double at_p = total(task, family(task, p)) - length;
+    if (std::abs(at_p) <= exact) return family(task, p);
     if ((at_p < 0) == (at_b < 0)) {
       b = p;
       at_b = at_p;
@@ -93,14 +93,14 @@ std::optional<Extra> crossing(const Way& way, Family family, double length, doub
 }
 
 // The first member of a family with exactly that length.
-std::optional<Extra> member(const Way& way, Family family, double length) {
-  double low = 0, at_low = total(way, {}) - length;
-  if (std::abs(at_low) <= exact_of(way, length)) return Extra{};
+std::optional<Extra> member(const Task& task, Family family, double length) {
+  double low = 0, at_low = total(task, {}) - length;
+  if (std::abs(at_low) <= exact_of(task, length)) return Extra{};
   for (int i = 1; i <= kSteps; ++i) {
     const double high = static_cast<double>(i) / kSteps;
-    const double at_high = total(way, family(way, high)) - length;
+    const double at_high = total(task, family(task, high)) - length;
     if ((at_low < 0) != (at_high < 0))
-      if (auto extra = crossing(way, family, length, low, at_low, high, at_high))
+      if (auto extra = crossing(task, family, length, low, at_low, high, at_high))
         return extra;
     low = high;
     at_low = at_high;
@@ -108,16 +108,16 @@ std::optional<Extra> member(const Way& way, Family family, double length) {
   return std::nullopt;
 }
 
-FlightPlan build(const Way& way, const Extra& extra, int loops, const AirMotion& air) {
-  const DubinsPath path = between(way, extra);
+FlightPlan build(const Task& task, const Extra& extra, int loops, const AirMotion& air) {
+  const DubinsPath path = between(task, extra);
   const std::array<int, 3> sides = sides_of(path.word);
-  PlanBuilder plan(way.from, air);
+  PlanBuilder plan(task.from, air);
   // The circles turn as what follows them does.
-  const double first_side = extra.curvature * way.radius;
+  const double first_side = extra.curvature * task.radius;
   plan.fly(loops * kTurn, first_side != 0 ? first_side : sides[0]);
-  plan.fly(extra.first / way.radius, first_side);
+  plan.fly(extra.first / task.radius, first_side);
   for (std::size_t i = 0; i < 3; ++i) plan.fly(path.parts[i], sides[i]);
-  plan.fly(extra.last / way.radius, 0);
+  plan.fly(extra.last / task.radius, 0);
   return plan.take();
 }
 
@@ -129,9 +129,9 @@ Arrival connect_at(const Pose& from, const Pose& to, const AirMotion& air, doubl
   if (direct.status != ConnectionStatus::kFound) return arrival;
   if (!(std::abs(time) * air.airspeed <= kLongest * air.turn_radius)) return arrival;
   arrival.earliest = direct.time;
-  const Way way{from, {to.position - time * air.wind, to.course}, air.turn_radius};
-  const double length = time * air.airspeed, least = total(way, {});
-  const double exact = exact_of(way, length);
+  const Task task{from, {to.position - time * air.wind, to.course}, air.turn_radius};
+  const double length = time * air.airspeed, least = total(task, {});
+  const double exact = exact_of(task, length);
   if (length < least - exact) {
     // Before the earliest meeting, or where the shortest length has jumped up since.
     arrival.status = time < direct.time ? ArrivalStatus::kTooEarly : ArrivalStatus::kGap;
@@ -144,9 +144,9 @@ Arrival connect_at(const Pose& from, const Pose& to, const AirMotion& air, doubl
   for (int fewer = 0; fewer <= std::min(1, loops); ++fewer) {
     const double rest = length - (loops - fewer) * circle;
     for (const Family family : {straight_first, straight_last, right_first, left_first})
-      if (const auto extra = member(way, family, rest)) {
+      if (const auto extra = member(task, family, rest)) {
         arrival.status = ArrivalStatus::kFound;
-        arrival.plan = build(way, *extra, loops - fewer, air);
+        arrival.plan = build(task, *extra, loops - fewer, air);
         return arrival;
       }
   }

@@ -56,7 +56,7 @@ class TangentSearch {
 
  private:
   Moment at(double time) const {
-    const Vec2 d = word_.way - word_.wind * time;
+    const Vec2 d = word_.offset - word_.wind * time;
     const double d2 = d.squaredNorm(), r = word_.reach;
     const double s = std::sqrt(std::max(0.0, d2 - r * r));
     const Vec2 u = Vec2(s * d.x() - r * d.y(), s * d.y() + r * d.x()) / d2;
@@ -112,8 +112,8 @@ Meeting earliest_meeting(const TangentWord& word, double least, double best) {
   if (least >= best) return {};
   const TangentSearch search(word, best);
   // While the centre is within reach there is no tangent.
-  const double outside = word.way.squaredNorm() - word.reach * word.reach + kTouch;
-  const double b = word.way.dot(word.wind);
+  const double outside = word.offset.squaredNorm() - word.reach * word.reach + kTouch;
+  const double b = word.offset.dot(word.wind);
   const double root2 = b * b - word.wind2 * outside;
   if (root2 <= 0) return search.first_in(least, kNever);
   const double root = std::sqrt(root2);

@@ -15,7 +15,7 @@ inline constexpr double kTouch = 1e-12;
 ///
 ///   way - wind T = s u + reach (sin h, -cos h),   u = (cos h, sin h)
 struct TangentWord {
-  Vec2 way = Vec2::Zero();
+  Vec2 offset = Vec2::Zero();
   Vec2 wind = Vec2::Zero();
   double wind2 = 0;
   double reach = 2;  ///< 2: to another turn's circle; 1: to a point

@@ -17,11 +17,11 @@ constexpr double kMet = 1e-9;  // spare time that is none; a jump leaves more
 struct TwoTurns {
   double first = 0, last = 0;
 };
-TwoTurns two_turns(const Vec2& way, double side) {
-  const double d2 = way.squaredNorm(), d = std::sqrt(d2);
+TwoTurns two_turns(const Vec2& offset, double side) {
+  const double d2 = offset.squaredNorm(), d = std::sqrt(d2);
   const double angle = math::acos(std::clamp((d2 + 3) / (4 * d), -1.0, 1.0));
-  const double towards = math::atan2(way.y(), way.x()) + side * angle;
-  const Vec2 rest = way - 2 * geo::unit(towards);  // from the second centre
+  const double towards = math::atan2(offset.y(), offset.x()) + side * angle;
+  const Vec2 rest = offset - 2 * geo::unit(towards);  // from the second centre
   const double at_point = math::atan2(rest.y(), rest.x());
   return {turned(towards + kTurn / 4), turned(towards + kTurn / 2 - at_point)};
 }
@@ -29,7 +29,7 @@ TwoTurns two_turns(const Vec2& way, double side) {
 class TurnTurn {
  public:
   TurnTurn(const PointProblem& p, double side)
-      : way_(p.point - Vec2(0, 1)), wind_(p.wind), side_(side) {}
+      : offset_(p.point - Vec2(0, 1)), wind_(p.wind), side_(side) {}
 
   // The earliest meeting in [low, high].
   Meeting first_in(double low, double high) const {
@@ -53,7 +53,7 @@ class TurnTurn {
 
  private:
   double spare(double time) const {
-    const TwoTurns turns = two_turns(way_ - wind_ * time, side_);
+    const TwoTurns turns = two_turns(offset_ - wind_ * time, side_);
     return time - turns.first - turns.last;
   }
   // Where the spare time rises through a level; kNever where it jumps.
@@ -65,12 +65,12 @@ class TurnTurn {
     return std::abs(spare(high) - level) < kMet ? high : kNever;
   }
   Meeting meeting(double time) const {
-    const TwoTurns turns = two_turns(way_ - wind_ * time, side_);
+    const TwoTurns turns = two_turns(offset_ - wind_ * time, side_);
     const double loops = std::round((time - turns.first - turns.last) / kTurn);
     return {time, {turns.first + kTurn * loops, turns.last, 0}};
   }
 
-  Vec2 way_, wind_;
+  Vec2 offset_, wind_;
   double side_;
 };
 
@@ -79,9 +79,9 @@ struct Passage {
   double enter = kNever, leave = kNever;
 };
 Passage passage(const PointProblem& p, double radius) {
-  const Vec2 way = p.point - Vec2(0, 1);
-  const double b = way.dot(p.wind);
-  const double root2 = b * b - p.wind2 * (way.squaredNorm() - radius * radius);
+  const Vec2 offset = p.point - Vec2(0, 1);
+  const double b = offset.dot(p.wind);
+  const double root2 = b * b - p.wind2 * (offset.squaredNorm() - radius * radius);
   if (root2 <= 0) return {};
   const double root = std::sqrt(root2);
   const double leave = (b + root) / p.wind2;
@@ -96,16 +96,16 @@ PointProblem PointProblem::mirrored() const {
 }
 
 bool stays_outside(const PointProblem& p, double time) {
-  const Vec2 way = p.point - Vec2(0, 1), end = p.point - p.wind * time;
+  const Vec2 offset = p.point - Vec2(0, 1), end = p.point - p.wind * time;
   if (p.point.y() < 0 || end.y() < 0) return false;
-  const double nearest = std::clamp(way.dot(p.wind) / p.wind2, 0.0, time);
-  return (way - p.wind * nearest).squaredNorm() >= 1;
+  const double nearest = std::clamp(offset.dot(p.wind) / p.wind2, 0.0, time);
+  return (offset - p.wind * nearest).squaredNorm() >= 1;
 }
 
 Meeting turn_straight(const PointProblem& p, double best) {
-  const Vec2 way = p.point - Vec2(0, 1);
-  const double least = straight_after(way, p.wind, 1 - p.wind2, 1) * (1 - kRounding);
-  return earliest_meeting({way, p.wind, p.wind2, 1, 1, 0}, least, best);
+  const Vec2 offset = p.point - Vec2(0, 1);
+  const double least = straight_after(offset, p.wind, 1 - p.wind2, 1) * (1 - kRounding);
+  return earliest_meeting({offset, p.wind, p.wind2, 1, 1, 0}, least, best);
 }
 
 Meeting turn_turn(const PointProblem& p, double best) {

@@ -29,7 +29,7 @@ struct Loop {
 };
 
 // The first small loop around joint m.
-Loop loop_at(const geo::Ring& ring, int m, double least_area) {
+Loop loop_at(const geo::Ring& ring, int m, double min_area) {
   const int n = static_cast<int>(ring.size());
   const auto at = [&](int i) -> const Vec2& {
     return ring[static_cast<std::size_t>(((i % n) + n) % n)];
@@ -40,7 +40,7 @@ Loop loop_at(const geo::Ring& ring, int m, double least_area) {
       const Vec2 x = crossing_point(at(a), at(a + 1), at(b), at(b + 1));
       double twice = 0;
       for (int i = a + 1; i < b; ++i) twice += geo::cross(at(i) - x, at(i + 1) - x);
-      if (std::abs(twice) <= 2 * least_area) return {a, b};
+      if (std::abs(twice) <= 2 * min_area) return {a, b};
     }
   }
   return {};
@@ -69,15 +69,14 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
          (geo::cross(cd, a - c) > 0) != (geo::cross(cd, b - c) > 0);
 }
 
-void cut_loops(geo::Ring& ring, double least_area) {
+void cut_loops(geo::Ring& ring, double min_area) {
   for (std::size_t m = 0; m < ring.size();) {
     if (static_cast<int>(ring.size()) < 2 * kReach) return;
     const Vec2& p = ring[m];
     const Vec2& before = ring[m > 0 ? m - 1 : ring.size() - 1];
     const Vec2& after = ring[m + 1 < ring.size() ? m + 1 : 0];
     Loop loop;
-    if (sharp(p - before, after - p))
-      loop = loop_at(ring, static_cast<int>(m), least_area);
+    if (sharp(p - before, after - p)) loop = loop_at(ring, static_cast<int>(m), min_area);
     if (loop.last < 0) {
       ++m;
     } else {

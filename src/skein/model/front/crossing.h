@@ -15,8 +15,8 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 /// markers between give way to the crossing point. That is what the positive fill rule
 /// gives there, at a small part of its cost. Rings below 16 points stay as they are.
 ///
-/// @param least_area  loops that enclose more [m^2] stay.
-void cut_loops(geo::Ring& ring, double least_area);
+/// @param min_area  loops that enclose more [m^2] stay.
+void cut_loops(geo::Ring& ring, double min_area);
 
 /// Finds out whether any edges of a region cross; keeps its tables between calls.
 class CrossingSearch {

@@ -109,8 +109,8 @@ void try_turns(const Reduced& g, const Centres& c, DubinsWord word, Best& best) 
 
 DubinsPath dubins(const Pose& from, const Pose& to, double radius) {
   const Vec2 start = geo::unit(from.course), end = geo::unit(to.course);
-  const Vec2 way = (to.position - from.position) / radius;
-  const Reduced right{start.dot(way), geo::cross(start, way),
+  const Vec2 offset = (to.position - from.position) / radius;
+  const Reduced right{start.dot(offset), geo::cross(start, offset),
                       positive_turn(to.course - from.course), geo::cross(start, end),
                       start.dot(end)};
   const Reduced left = right.mirrored();

@@ -104,8 +104,8 @@ TruncatedNormal truncate_normal(double mean, double sd, const Interval& interval
           std::clamp(mean + sign * sd * cut.mean, lower, upper), sd * sd * cut.variance};
 }
 
-MixtureMoments doubtful_half_line(double mean, double sd, double bound, double if_above,
-                                  double if_below) {
+MixtureMoments uncertain_half_line(double mean, double sd, double bound, double if_above,
+                                   double if_below) {
   SKEIN_CHECK(sd > 0 && if_above >= 0 && if_above <= 1 && if_below >= 0 &&
                   if_below <= 1 && if_above + if_below > 0,
               sd, if_above, if_below);

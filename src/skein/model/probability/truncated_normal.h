@@ -76,8 +76,8 @@ struct MixtureMoments {
 /// @param if_below  probability of this reading when z < bound. A reading "above" that is
 ///                  wrong with probability eps has if_above = 1 - eps, if_below = eps.
 ///                  Both in [0, 1], not both 0. Anything else: Bug.
-MixtureMoments doubtful_half_line(double mean, double sd, double bound, double if_above,
-                                  double if_below);
+MixtureMoments uncertain_half_line(double mean, double sd, double bound, double if_above,
+                                   double if_below);
 
 inline Moments standard_above(double alpha) {
   constexpr double kSqrt2OverPi = 0.79788456080286535588;

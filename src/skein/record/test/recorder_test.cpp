@@ -101,8 +101,8 @@ TEST(RunRecorder, KeepsChargeReserveAndEndurance) {
   EXPECT_DOUBLE_EQ(ask(run, "SELECT endurance_s" + at), 950);
   EXPECT_EQ(ask(run, "SELECT count(endurance_s) FROM estimates WHERE entity_id = 2"), 0)
       << "not known: null";
-  EXPECT_DOUBLE_EQ(*summary.number("reserve_least_uav1"), 0.8);
-  EXPECT_FALSE(summary.number("reserve_least_uav2")) << "nothing is known of it";
+  EXPECT_DOUBLE_EQ(*summary.number("min_reserve_uav1"), 0.8);
+  EXPECT_FALSE(summary.number("min_reserve_uav2")) << "nothing is known of it";
 }
 
 TEST(RunRecorder, MessagesThatAreNotStoredCountAllTheSame) {

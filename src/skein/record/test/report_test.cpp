@@ -238,7 +238,7 @@ TEST(Report, ReadsARunThatWasCutOff) {
   for (const char* name :
        {"perf_mean_m", "iou_final", "crossings", "observations", "messages_sent",
         "aircraft", "objects_found", "detections", "detection_error_rms_m", "pictures",
-        "range_scans", "reserve_least_uav1"})
+        "range_scans", "min_reserve_uav1"})
     EXPECT_NEAR(cut["summary"][name].get<double>(), whole.numbers.at(name), 1e-9) << name;
 }
 

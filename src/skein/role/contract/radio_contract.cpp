@@ -42,32 +42,32 @@ struct Outcome {
 
 Outcome pass(Radio& radio, const std::vector<Message>& messages, Checks& checks) {
   constexpr int kSteps = 200 + 1200;  // two minutes after the last was sent
-  std::map<Name, const Message*> under_way;
+  std::map<Name, const Message*> in_transit;
   Outcome outcome;
   std::size_t next = 0;
   for (int step = 0; step < kSteps; ++step) {
     const Time now = Time::from_seconds(0.1 * step);
     for (; next < messages.size() && messages[next].sent <= now; ++next) {
       radio.send(messages[next]);
-      under_way.emplace(name_of(messages[next]), &messages[next]);
+      in_transit.emplace(name_of(messages[next]), &messages[next]);
     }
     std::vector<Message> arrived, lost;
     radio.deliver(now, arrived, lost);
     for (const auto* list : {&arrived, &lost})
       for (const Message& message : *list) {
-        const auto sent = under_way.find(name_of(message));
-        checks.expect(sent != under_way.end(),
+        const auto sent = in_transit.find(name_of(message));
+        checks.expect(sent != in_transit.end(),
                       "a message comes out twice, or was never sent");
-        if (sent == under_way.end()) continue;
+        if (sent == in_transit.end()) continue;
         checks.expect(message.to == sent->second->to &&
                           message.sent == sent->second->sent &&
                           message.content.index() == sent->second->content.index(),
                       "a message is changed on the way");
-        under_way.erase(sent);
+        in_transit.erase(sent);
         (list == &arrived ? outcome.arrived : outcome.lost).push_back(name_of(message));
       }
   }
-  checks.expect(under_way.empty(),
+  checks.expect(in_transit.empty(),
                 "after two minutes a message is neither delivered nor lost");
   return outcome;
 }

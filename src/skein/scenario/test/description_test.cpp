@@ -125,7 +125,7 @@ TEST(Units, AreTheLongestEndingOfAKey) {
   EXPECT_EQ(unit_of("rate_sd_mps")->symbol, "m/s");
   EXPECT_EQ(unit_of("area_m2")->symbol, "m^2");
   EXPECT_EQ(unit_of("yaw_rad_s")->symbol, "rad/s");
-  EXPECT_EQ(unit_of("airspeed_m_s")->symbol, "m/s");
+  EXPECT_EQ(unit_of("airspeed_mps")->symbol, "m/s");
   EXPECT_EQ(stem_of("airspeed_km_h"), "airspeed");
   EXPECT_FALSE(unit_of("m"));
   EXPECT_FALSE(unit_of("items"));

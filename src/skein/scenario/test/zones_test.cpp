@@ -91,11 +91,11 @@ TEST(Zones, ThatRunTheOtherWayRoundAreDoubtedNotRefused) {
       "environment:\n"
       "  zones_m: [[[0, 0], [0, 9], [9, 9]], [[0, 0], [9, 0], [9, 9]]]\n"
       "  zones: [{name: b, ring_m: [[0, 0], [0, 9], [9, 9]]}]\n");
-  const std::vector<std::string> doubts = zone_doubts(s.environment);
+  const std::vector<std::string> warnings = zone_warnings(s.environment);
   // Clockwise on the map is north, then east: one of the two short ones is not.
-  ASSERT_EQ(doubts.size(), 2u);
-  EXPECT_NE(doubts[0].find("zones_m["), std::string::npos);
-  EXPECT_NE(doubts[1].find("zone b"), std::string::npos);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("zones_m["), std::string::npos);
+  EXPECT_NE(warnings[1].find("zone b"), std::string::npos);
 }
 
 }  // namespace

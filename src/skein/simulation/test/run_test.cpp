@@ -79,7 +79,7 @@ class Hands : public Autopilot {
   void begin(const NavEstimate&, bool) override {}
   void sense(const SensorSample&) override {}
   void command(const AutopilotCommand&) override {}
-  void set_return(const ReturnWay&) override {}
+  void set_return(const ReturnRoute&) override {}
   Control control(Time, double) override { return FlightCommand{0, 20, climb_}; }
   NavEstimate estimate() const override { return estimate_; }
   AutopilotStatus status() const override { return {}; }

@@ -15,7 +15,7 @@ constexpr double kSegments = 10;  // of the table
 
 }  // namespace
 
-std::vector<ParameterFault> faults(const BatteryParameters& p) {
+std::vector<ParameterError> errors(const BatteryParameters& p) {
   ParameterCheck check;
   check.at_least("cells", p.cells, 1);
   check.require(p.cells == std::floor(p.cells), "cells", p.cells, "must be whole");
@@ -39,7 +39,7 @@ Battery::Battery(const BatteryParameters& parameters)
       capacity_(parameters.capacity_Ah * 3600),
       inverse_capacity_(1 / capacity_),
       cutoff_(parameters.cutoff * parameters.cells) {
-  SKEIN_CHECK(faults(parameters).empty());
+  SKEIN_CHECK(errors(parameters).empty());
   for (double& voltage : open_circuit_) voltage *= parameters.cells;
 }
 
@@ -50,7 +50,7 @@ double Battery::open_circuit(double charge) const {
   return open_circuit_[i] + part * (open_circuit_[i + 1] - open_circuit_[i]);
 }
 
-double Battery::most_current(double open_circuit) const {
+double Battery::max_current(double open_circuit) const {
   const double lowest = std::max(cutoff_, open_circuit / 2);
   return std::max(0.0, open_circuit - lowest) * inverse_resistance_;
 }
@@ -61,10 +61,10 @@ double Battery::current_for(double open_circuit, double power) const {
   return 2 * power / (open_circuit + std::sqrt(std::max(0.0, root)));
 }
 
-double Battery::most_power(double charge) const {
+double Battery::max_power(double charge) const {
   if (charge <= 0) return 0;
   const double u0 = open_circuit(charge);
-  const double most = most_current(u0);
+  const double most = max_current(u0);
   return (u0 - resistance_ * most) * most;
 }
 
@@ -82,13 +82,13 @@ double Battery::draw(Energy& energy, const Faults& faults, double power,
   }
   const double u0 = open_circuit(energy.charge);
   const double asked = std::max(0.0, power);
-  double most = most_current(u0);
+  double most = max_current(u0);
   if (most * dt > energy.charge * capacity_) most = energy.charge * capacity_ / dt;
-  const double most_power = (u0 - resistance_ * most) * most;
-  const bool enough = asked <= most_power;
+  const double max_power = (u0 - resistance_ * most) * most;
+  const bool enough = asked <= max_power;
   take(energy, u0, enough ? current_for(u0, asked) : most, dt);
   if (most <= 0) return 0;
-  return enough ? 1 : most_power / asked;
+  return enough ? 1 : max_power / asked;
 }
 
 double Battery::draw_current(Energy& energy, const Faults& faults, double current,
@@ -99,7 +99,7 @@ double Battery::draw_current(Energy& energy, const Faults& faults, double curren
   }
   const double u0 = open_circuit(energy.charge);
   const double asked = std::max(0.0, current);
-  double most = most_current(u0);
+  double most = max_current(u0);
   if (most * dt > energy.charge * capacity_) most = energy.charge * capacity_ / dt;
   const bool enough = asked <= most;
   take(energy, u0, enough ? asked : most, dt);
@@ -107,8 +107,8 @@ double Battery::draw_current(Energy& energy, const Faults& faults, double curren
   return enough ? 1 : most / asked;
 }
 
-// The open-circuit voltage below which `power` cannot be given: most_power() solved.
-double Battery::least_open_circuit(double power) const {
+// The open-circuit voltage below which `power` cannot be given: max_power() solved.
+double Battery::min_open_circuit(double power) const {
   const double product = power * resistance_;
   return product <= cutoff_ * cutoff_ ? cutoff_ + product / cutoff_
                                       : 2 * std::sqrt(product);
@@ -118,7 +118,7 @@ double Battery::endurance(const Energy& energy) const {
   if (energy.power <= 0) return std::numeric_limits<double>::infinity();
   // The time is the integral of capacity / I(charge). I is smooth between the points of
   // the table, so two Gauss points a segment are good to 1e-4 of the time.
-  const double least = least_open_circuit(energy.power);
+  const double least = min_open_circuit(energy.power);
   double seconds = 0;
   double high = std::clamp(energy.charge, 0.0, 1.0);
   while (high > 0) {

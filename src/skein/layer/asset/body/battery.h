@@ -3,7 +3,7 @@
 #include <array>
 
 #include "skein/data/vehicle.h"
-#include "skein/layer/asset/body/parameter_fault.h"
+#include "skein/layer/asset/body/parameter_error.h"
 
 namespace skein::asset {
 
@@ -21,7 +21,7 @@ struct BatteryParameters {
 };
 
 /// What must hold for a battery.
-std::vector<ParameterFault> faults(const BatteryParameters& parameters);
+std::vector<ParameterError> errors(const BatteryParameters& parameters);
 
 /// A battery under a load of constant power. Its state is the vehicle's `Energy`.
 ///
@@ -52,7 +52,7 @@ class Battery {
   double open_circuit(double charge) const;
 
   /// The most that it gives at this charge [W].
-  double most_power(double charge) const;
+  double max_power(double charge) const;
 
   /// How long it gives the power drawn now [s], until empty or at its cut-off; infinity
   /// when no power is drawn. The power of one step jumps about: for an estimate of the
@@ -61,8 +61,8 @@ class Battery {
 
  private:
   double current_for(double open_circuit, double power) const;
-  double most_current(double open_circuit) const;
-  double least_open_circuit(double power) const;
+  double max_current(double open_circuit) const;
+  double min_open_circuit(double power) const;
   void take(Energy& energy, double open_circuit, double current, double dt) const;
 
   std::array<double, 11> open_circuit_;  // of the pack [V]

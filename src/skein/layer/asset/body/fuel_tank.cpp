@@ -7,7 +7,7 @@
 
 namespace skein::asset {
 
-std::vector<ParameterFault> faults(const FuelTankParameters& p) {
+std::vector<ParameterError> errors(const FuelTankParameters& p) {
   ParameterCheck check;
   check.above("fuel", p.fuel, 0);
   check.above("consumption", p.consumption, 0);
@@ -19,7 +19,7 @@ FuelTank::FuelTank(const FuelTankParameters& parameters)
     : fuel_(parameters.fuel),
       consumption_(parameters.consumption),
       idle_(parameters.idle_consumption) {
-  SKEIN_CHECK(faults(parameters).empty());
+  SKEIN_CHECK(errors(parameters).empty());
 }
 
 double FuelTank::draw(Energy& energy, const Faults& faults, double power,

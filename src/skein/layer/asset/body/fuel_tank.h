@@ -1,7 +1,7 @@
 #pragma once
 
 #include "skein/data/vehicle.h"
-#include "skein/layer/asset/body/parameter_fault.h"
+#include "skein/layer/asset/body/parameter_error.h"
 
 namespace skein::asset {
 
@@ -13,7 +13,7 @@ struct FuelTankParameters {
 };
 
 /// What must hold for a tank.
-std::vector<ParameterFault> faults(const FuelTankParameters& parameters);
+std::vector<ParameterError> errors(const FuelTankParameters& parameters);
 
 /// Fuel used by power: fuel' = -(idle_consumption + consumption power). `charge` of the
 /// vehicle's `Energy` is the share of the fuel that is left; its voltage stays 0.

@@ -14,7 +14,7 @@ double pulled(double value, double target, double most) {
 
 }  // namespace
 
-std::vector<ParameterFault> faults(const GroundContactParameters& p) {
+std::vector<ParameterError> errors(const GroundContactParameters& p) {
   ParameterCheck check;
   check.above("sink_limit", p.sink_limit, 0);
   check.above("speed_limit", p.speed_limit, 0);

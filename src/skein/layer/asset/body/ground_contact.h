@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/layer/asset/body/parameter_fault.h"
+#include "skein/layer/asset/body/parameter_error.h"
 #include "skein/role/plant.h"
 
 namespace skein::asset {
@@ -28,7 +28,7 @@ struct GroundContactParameters {
 };
 
 /// What must hold for these.
-std::vector<ParameterFault> faults(const GroundContactParameters& parameters);
+std::vector<ParameterError> errors(const GroundContactParameters& parameters);
 
 /// What the ground at `ground_msl` [m] does to a vehicle at or below it, in one step.
 ///

@@ -85,7 +85,7 @@ double glide(const FixedWingModel& model) {
 
 // The thinnest air in which it flies level at some airspeed that keeps the lift reserve
 // of its slowest one; a glider needs no thrust, only that airspeed.
-double least_density(const FixedWingModel& model) {
+double min_density(const FixedWingModel& model) {
   const Envelope& envelope = model.envelope;
   const auto flies = [&](double altitude) {
     const double density = model::standard_air(altitude).density;
@@ -169,7 +169,7 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
     : model_(parameters),
       ground_(parameters.ground),
       stiffness_(stiffness_of(parameters)) {
-  SKEIN_CHECK(faults(parameters).empty());
+  SKEIN_CHECK(errors(parameters).empty());
   airframe_ = airframe_of(model_);
   airframe_.span = parameters.geometry.span;
   airframe_.roll_friction = parameters.ground.friction_along;
@@ -183,7 +183,7 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
   limits_.sink_rate = airframe_.sink_rate;
   limits_.slowest = airframe_.slowest;
   limits_.fastest = airframe_.fastest;
-  limits_.least_density = least_density(model_);
+  limits_.min_density = min_density(model_);
 }
 
 VehicleState FixedWingPlant::start(const VehicleStart& start) const {

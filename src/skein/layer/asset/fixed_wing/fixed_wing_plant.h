@@ -23,7 +23,7 @@ namespace skein::asset {
 /// Valid: constant mass; no ground effect, no propeller wash, no gyroscopic moments.
 class FixedWingPlant final : public Plant {
  public:
-  /// `parameters` without faults(); else a Bug.
+  /// `parameters` without errors(); else a Bug.
   explicit FixedWingPlant(const FixedWingParameters& parameters);
 
   FlightLimits limits() const override { return limits_; }

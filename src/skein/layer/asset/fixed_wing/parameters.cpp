@@ -44,13 +44,13 @@ void check_propulsion(ParameterCheck& check, const Propulsion& propulsion) {
     check.above("resistance", motor->resistance, 0);
     check.at_least("no_load_current", motor->no_load_current, 0);
     check.at_least("lag", motor->lag, 1e-3);
-    check.part("battery", faults(motor->battery));
+    check.part("battery", errors(motor->battery));
   } else if (const auto* piston = std::get_if<PistonEngine>(&propulsion)) {
     check.above("power_max", piston->power_max, 0);
     check.above("static_thrust", piston->static_thrust, 0);
     check.within("efficiency", piston->efficiency, 0.01, 1);
     check.at_least("lag", piston->lag, 1e-3);
-    check.part("tank", faults(piston->tank));
+    check.part("tank", errors(piston->tank));
   }
 }
 
@@ -116,24 +116,24 @@ void check_numbers(ParameterCheck& check, const FixedWingParameters& p) {
   check.within("thrust_above", p.thrust_above, -10, 10);
   check.part("servos", found_by(p.servos, check_servos));
   check.part("envelope", found_by(p.envelope, check_envelope));
-  check.part("ground", faults(p.ground));
+  check.part("ground", errors(p.ground));
 }
 
 }  // namespace
 
-std::vector<ParameterFault> faults(const AeroCoefficients& coefficients) {
+std::vector<ParameterError> errors(const AeroCoefficients& coefficients) {
   return found_by(coefficients, check_aero);
 }
 
-std::vector<ParameterFault> faults(const Servos& servos) {
+std::vector<ParameterError> errors(const Servos& servos) {
   return found_by(servos, check_servos);
 }
 
-std::vector<ParameterFault> faults(const Envelope& envelope) {
+std::vector<ParameterError> errors(const Envelope& envelope) {
   return found_by(envelope, check_envelope);
 }
 
-std::vector<ParameterFault> faults(const FixedWingParameters& p) {
+std::vector<ParameterError> errors(const FixedWingParameters& p) {
   return found_by(p, check_numbers, check_flight);
 }
 

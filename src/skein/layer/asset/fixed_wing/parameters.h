@@ -8,7 +8,7 @@
 #include "skein/layer/asset/body/battery.h"
 #include "skein/layer/asset/body/fuel_tank.h"
 #include "skein/layer/asset/body/ground_contact.h"
-#include "skein/layer/asset/body/parameter_fault.h"
+#include "skein/layer/asset/body/parameter_error.h"
 #include "skein/layer/asset/body/rigid_body.h"
 
 namespace skein::asset {
@@ -135,10 +135,10 @@ struct FixedWingParameters {
 /// What must hold for these; keys are member names. Beside the ranges of single numbers:
 /// the slowest airspeed is above the stall, the airspeeds are in order, and the aircraft
 /// can fly level at each of the three with its surfaces and its motor.
-std::vector<ParameterFault> faults(const FixedWingParameters& parameters);
+std::vector<ParameterError> errors(const FixedWingParameters& parameters);
 /// Those of single parts, by themselves.
-std::vector<ParameterFault> faults(const AeroCoefficients& coefficients);
-std::vector<ParameterFault> faults(const Servos& servos);
-std::vector<ParameterFault> faults(const Envelope& envelope);
+std::vector<ParameterError> errors(const AeroCoefficients& coefficients);
+std::vector<ParameterError> errors(const Servos& servos);
+std::vector<ParameterError> errors(const Envelope& envelope);
 
 }  // namespace skein::asset

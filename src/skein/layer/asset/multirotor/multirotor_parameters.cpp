@@ -39,8 +39,8 @@ void check_numbers(ParameterCheck& check, const MultirotorParameters& p) {
                 "must be above 0 and at most 1");
   check.at_least("induced_factor", p.induced_factor, 1);
   check.at_least("standing_power", p.standing_power, 0);
-  check.part("battery", faults(p.battery));
-  check.part("ground", faults(p.ground));
+  check.part("battery", errors(p.battery));
+  check.part("ground", errors(p.ground));
   check.within("tilt_limit", p.tilt_limit, 0.01, 1.4);
   check.above("cruise", p.cruise, 0);
   check.at_least("fastest", p.fastest, p.cruise);
@@ -85,11 +85,11 @@ void check_flight(ParameterCheck& check, const MultirotorParameters& p) {
 
 }  // namespace
 
-std::vector<ParameterFault> number_faults(const MultirotorParameters& parameters) {
+std::vector<ParameterError> number_errors(const MultirotorParameters& parameters) {
   return found_by(parameters, check_numbers);
 }
 
-std::vector<ParameterFault> faults(const MultirotorParameters& parameters) {
+std::vector<ParameterError> errors(const MultirotorParameters& parameters) {
   return found_by(parameters, check_numbers, check_flight);
 }
 

@@ -5,7 +5,7 @@
 #include "skein/data/airframe.h"
 #include "skein/layer/asset/body/battery.h"
 #include "skein/layer/asset/body/ground_contact.h"
-#include "skein/layer/asset/body/parameter_fault.h"
+#include "skein/layer/asset/body/parameter_error.h"
 
 namespace skein::asset {
 
@@ -56,10 +56,10 @@ struct MultirotorParameters {
 
 /// What must hold for these. Among others: the rotors can hold the weight and turn the
 /// airframe about all three axes, and `fastest` can be flown within `tilt_limit`.
-std::vector<ParameterFault> faults(const MultirotorParameters& parameters);
+std::vector<ParameterError> errors(const MultirotorParameters& parameters);
 
-/// Those of faults() that a plant cannot do without: numbers that are impossible one by
+/// Those of errors() that a plant cannot do without: numbers that are impossible one by
 /// one. The others say that it would fly badly, as one with errors in its parameters may.
-std::vector<ParameterFault> number_faults(const MultirotorParameters& parameters);
+std::vector<ParameterError> number_errors(const MultirotorParameters& parameters);
 
 }  // namespace skein::asset

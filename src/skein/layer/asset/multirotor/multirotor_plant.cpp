@@ -34,7 +34,7 @@ MultirotorPlant::MultirotorPlant(const MultirotorParameters& parameters)
       battery_(parameters.battery),
       disc_area_(disc_area(parameters)),
       profile_factor_(profile_torque_factor(parameters)) {
-  SKEIN_CHECK(number_faults(parameters).empty());
+  SKEIN_CHECK(number_errors(parameters).empty());
 }
 
 FlightLimits MultirotorPlant::limits() const {

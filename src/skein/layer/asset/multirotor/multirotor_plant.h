@@ -46,7 +46,7 @@ struct MultirotorTrim {
 /// stand, with its lag; a stuck one keeps its speed.
 class MultirotorPlant final : public Plant {
  public:
-  /// The parameters must be without number_faults().
+  /// The parameters must be without number_errors().
   explicit MultirotorPlant(const MultirotorParameters& parameters);
 
   FlightLimits limits() const override;

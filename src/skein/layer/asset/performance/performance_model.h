@@ -36,7 +36,7 @@ class PerformanceModel {
   }
 
   /// Largest power at the shaft [W].
-  double most_power(double density) const {
+  double max_power(double density) const {
     const double part = 1 - parameters_.power_lapse * (1 - density / kSeaLevel);
     return part > 0 ? part * parameters_.power : 0;
   }

@@ -25,11 +25,11 @@ void check_numbers(ParameterCheck& check, const PerformanceParameters& p) {
                 "must be above 0 and at most 1");
   check.at_least("propeller_speed", p.propeller_speed, 0);
   if (p.electric) {
-    check.part("battery", faults(p.battery));
+    check.part("battery", errors(p.battery));
     check.require(p.motor_efficiency > 0 && p.motor_efficiency <= 1, "motor_efficiency",
                   p.motor_efficiency, "must be above 0 and at most 1");
   } else {
-    check.part("tank", faults(p.tank));
+    check.part("tank", errors(p.tank));
   }
   check.above("slowest", p.slowest, 0);
   check.at_least("cruise", p.cruise, p.slowest);
@@ -60,11 +60,11 @@ void check_flight(ParameterCheck& check, const PerformanceParameters& p) {
 
 }  // namespace
 
-std::vector<ParameterFault> number_faults(const PerformanceParameters& parameters) {
+std::vector<ParameterError> number_errors(const PerformanceParameters& parameters) {
   return found_by(parameters, check_numbers);
 }
 
-std::vector<ParameterFault> faults(const PerformanceParameters& parameters) {
+std::vector<ParameterError> errors(const PerformanceParameters& parameters) {
   return found_by(parameters, check_numbers, check_flight);
 }
 

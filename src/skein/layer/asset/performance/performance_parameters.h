@@ -2,7 +2,7 @@
 
 #include "skein/layer/asset/body/battery.h"
 #include "skein/layer/asset/body/fuel_tank.h"
-#include "skein/layer/asset/body/parameter_fault.h"
+#include "skein/layer/asset/body/parameter_error.h"
 
 namespace skein::asset {
 
@@ -50,10 +50,10 @@ struct PerformanceParameters {
 
 /// What must hold for these. Among others: `slowest` is above the stall speed with its
 /// reserve, and cruise can be held, both with full tank at sea level.
-std::vector<ParameterFault> faults(const PerformanceParameters& parameters);
+std::vector<ParameterError> errors(const PerformanceParameters& parameters);
 
-/// Those of faults() that a plant cannot do without: numbers that are impossible one by
+/// Those of errors() that a plant cannot do without: numbers that are impossible one by
 /// one. The others say that it would fly badly, as one with errors in its parameters may.
-std::vector<ParameterFault> number_faults(const PerformanceParameters& parameters);
+std::vector<ParameterError> number_errors(const PerformanceParameters& parameters);
 
 }  // namespace skein::asset

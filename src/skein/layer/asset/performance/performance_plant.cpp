@@ -32,12 +32,12 @@ double cut(double most, double first, double second) {
 
 // What moves.
 struct PerformancePlant::Point {
-  Vec2 way;  // through the air [m]
+  Vec2 distance;  // through the air [m]
   double height, heading, airspeed;
 };
 
 struct PerformancePlant::Rate {
-  Vec2 way;
+  Vec2 distance;
   double climb, turn, acceleration;
   double thrust;  // that this takes [N]
 };
@@ -46,12 +46,12 @@ struct PerformancePlant::Rate {
 struct PerformancePlant::Phase {
   double airspeed, climb;  // commanded, within limits [m/s]
   double mass, density;
-  double most_power, least_power;  // at the shaft [W]
+  double max_power, min_power;  // at the shaft [W]
 };
 
 PerformancePlant::PerformancePlant(const PerformanceParameters& parameters)
     : parameters_(parameters), model_(parameters), source_(source_of(parameters)) {
-  SKEIN_CHECK(number_faults(parameters).empty());
+  SKEIN_CHECK(number_errors(parameters).empty());
 }
 
 FlightLimits PerformancePlant::limits() const {
@@ -68,7 +68,7 @@ FlightLimits PerformancePlant::limits() const {
           p.slowest,
           p.fastest,
           std::min(p.sink_rate, sink),
-          least_density()};
+          min_density()};
 }
 
 // K = 1 / (pi e b^2 / S): the induced drag tells the span.
@@ -81,7 +81,7 @@ Airframe PerformancePlant::airframe() const {
 
 // The thinnest air, with full tank, in which the cruise power holds some airspeed that
 // the wing can be flown at.
-double PerformancePlant::least_density() const {
+double PerformancePlant::min_density() const {
   const PerformanceParameters& p = parameters_;
   const double mass = model_.mass(1);
   const auto flies = [&](double density) {
@@ -90,7 +90,7 @@ double PerformancePlant::least_density() const {
     for (int i = 0; i <= kAirspeeds; ++i) {
       const double v = least + (p.fastest - least) * i / kAirspeeds;
       if (v > p.fastest) return false;
-      const double power = p.cruise_power * model_.most_power(density);
+      const double power = p.cruise_power * model_.max_power(density);
       if (model_.thrust(power, v) >= model_.drag(v, mass * kGravity, density))
         return true;
     }
@@ -142,12 +142,12 @@ PerformancePlant::Phase PerformancePlant::phase_of(const VehicleState& state, do
   phase.climb = bounded_or(0, command.climb_rate, -p.sink_rate, p.climb_rate);
   const double climbing = std::clamp(phase.climb / kFullClimb, 0.0, 1.0);
   const double rating = p.cruise_power + (1 - p.cruise_power) * climbing;
-  phase.most_power = rating * model_.most_power(air.density);
-  phase.least_power = std::min(p.idle_power * p.power, phase.most_power);
+  phase.max_power = rating * model_.max_power(air.density);
+  phase.min_power = std::min(p.idle_power * p.power, phase.max_power);
   if (state.faults.is_dead(channel::kThrottle))
-    phase.most_power = phase.least_power = 0;
+    phase.max_power = phase.min_power = 0;
   else if (state.faults.is_stuck(channel::kThrottle))
-    phase.most_power = phase.least_power = state.actuators[channel::kThrottle] * p.power;
+    phase.max_power = phase.min_power = state.actuators[channel::kThrottle] * p.power;
   return phase;
 }
 
@@ -157,8 +157,8 @@ PerformancePlant::Rate PerformancePlant::rate(const Point& point, double roll,
   const double v = point.airspeed, weight = phase.mass * kGravity;
   const double drag = model_.drag(v, weight / math::cos(roll), phase.density);
   // Everything as climb rates [m/s]: what there is, and what is wanted.
-  const double most = (model_.thrust(phase.most_power, v) - drag) * v / weight;
-  const double least = (model_.thrust(phase.least_power, v) - drag) * v / weight;
+  const double most = (model_.thrust(phase.max_power, v) - drag) * v / weight;
+  const double least = (model_.thrust(phase.min_power, v) - drag) * v / weight;
   const double wanted_acceleration =
       std::clamp((phase.airspeed - v) / p.airspeed_lag, -p.acceleration, p.acceleration);
   const double speed_up = v * wanted_acceleration / kGravity;
@@ -180,7 +180,7 @@ PerformancePlant::Rate PerformancePlant::rate(const Point& point, double roll,
   climb = std::clamp(climb, -v, v);
 
   Rate rate;
-  rate.way = std::sqrt(v * v - climb * climb) * geo::unit(point.heading);
+  rate.distance = std::sqrt(v * v - climb * climb) * geo::unit(point.heading);
   rate.climb = climb;
   rate.turn = kGravity * math::tan(roll) / v;
   rate.acceleration = change * kGravity / v;
@@ -192,7 +192,7 @@ PerformancePlant::Point PerformancePlant::short_step(const Point& point,
                                                      const Phase& phase, double roll,
                                                      double roll_rate, double dt) const {
   const auto moved = [](Point from, const Rate& k, double time) {
-    from.way += time * k.way;
+    from.distance += time * k.distance;
     from.height += time * k.climb;
     from.heading += time * k.turn;
     from.airspeed += time * k.acceleration;
@@ -204,7 +204,7 @@ PerformancePlant::Point PerformancePlant::short_step(const Point& point,
   const Rate k3 = rate(moved(point, k2, dt / 2), middle, phase);
   const Rate k4 = rate(moved(point, k3, dt), roll + roll_rate * dt, phase);
   Rate mean;
-  mean.way = (k1.way + 2 * (k2.way + k3.way) + k4.way) / 6;
+  mean.distance = (k1.distance + 2 * (k2.distance + k3.distance) + k4.distance) / 6;
   mean.climb = (k1.climb + 2 * (k2.climb + k3.climb) + k4.climb) / 6;
   mean.turn = (k1.turn + 2 * (k2.turn + k3.turn) + k4.turn) / 6;
   mean.acceleration =
@@ -229,12 +229,12 @@ void PerformancePlant::step(VehicleState& state, const Control& control, const A
   Phase phase = phase_of(state, roll_wanted, command, air);
   const double shaft =
       std::clamp(model_.power(rate(point, roll, phase).thrust, point.airspeed),
-                 phase.least_power, phase.most_power);
+                 phase.min_power, phase.max_power);
   const double taken = p.electric ? shaft / p.motor_efficiency : shaft;
   const double share = draw(source_, state.energy, state.faults, taken, dt);
   if (share < 1) {
-    phase.most_power = std::min(phase.most_power, share * shaft);
-    phase.least_power = std::min(phase.least_power, phase.most_power);
+    phase.max_power = std::min(phase.max_power, share * shaft);
+    phase.min_power = std::min(phase.min_power, phase.max_power);
   }
   state.actuators[channel::kThrottle] = share * shaft / p.power;
 
@@ -263,8 +263,8 @@ void PerformancePlant::step(VehicleState& state, const Control& control, const A
   const double heading = geo::wrap_pi(point.heading);
   const Quat before = state.q_NB;
   state.p_N += dt * air.wind_N;
-  state.p_N += Vec3(point.way.x(), point.way.y(), -point.height);
-  state.v_N = air.wind_N + Vec3(last.way.x(), last.way.y(), -last.climb);
+  state.p_N += Vec3(point.distance.x(), point.distance.y(), -point.height);
+  state.v_N = air.wind_N + Vec3(last.distance.x(), last.distance.y(), -last.climb);
   state.airspeed = point.airspeed;
   state.q_NB = geo::from_euler({roll, math::asin(last.climb / point.airspeed), heading});
   if (dt > 0) state.w_NB_B = geo::log_so3(before.conjugate() * state.q_NB) / dt;

@@ -32,7 +32,7 @@ namespace skein::asset {
 /// step; climb rate follows its command at once.
 class PerformancePlant final : public Plant {
  public:
-  /// The parameters must be without number_faults().
+  /// The parameters must be without number_errors().
   explicit PerformancePlant(const PerformanceParameters& parameters);
 
   FlightLimits limits() const override;
@@ -50,7 +50,7 @@ class PerformancePlant final : public Plant {
   struct Point;
   struct Rate;
   struct Phase;
-  double least_density() const;
+  double min_density() const;
   double steepest_bank(double airspeed, double mass, double density) const;
   Rate rate(const Point& point, double roll, const Phase& phase) const;
   Point short_step(const Point& point, const Phase& phase, double roll, double roll_rate,

@@ -139,7 +139,7 @@ TEST(GroundRun, TouchesDownSlidesAndStops) {
 
 // From 15 m/s along the heading, on its wheels: way, and turn, until it stands.
 struct Stop {
-  double way = 0, turn = 0;
+  double distance = 0, turn = 0;
 };
 Stop stop(const GroundRun& run, const Actuators& actuators, std::uint8_t dead = 0) {
   VehicleState s = run.standing();
@@ -151,7 +151,7 @@ Stop stop(const GroundRun& run, const Actuators& actuators, std::uint8_t dead = 
     EXPECT_EQ(run.step(s, actuators), Contact::kRests);
     out.turn += s.w_NB_B.z() * kStep;
   }
-  out.way = (s.p_N - from).norm();
+  out.distance = (s.p_N - from).norm();
   return out;
 }
 
@@ -159,15 +159,17 @@ TEST(GroundRun, BrakesStopIt) {
   const GroundRun run(light_sport());
   Actuators braking;
   braking[channel::kBrake] = 1;
-  const double rolls = stop(run, {}).way, brakes = stop(run, braking).way;
+  const double rolls = stop(run, {}).distance, brakes = stop(run, braking).distance;
   // Friction alone; drag, and lift that takes weight off the wheels, make a tenth.
   const double friction = run.parameters().ground.friction_along;
   const double all = friction + run.parameters().ground.brake_friction;
   EXPECT_NEAR(brakes, 15 * 15 / (2 * kGravity * all), 0.1 * brakes);
   EXPECT_GT(rolls, 4 * brakes);
-  EXPECT_NEAR(stop(run, braking, 1u << channel::kBrake).way, rolls, 1e-9) << "they fail";
+  EXPECT_NEAR(stop(run, braking, 1u << channel::kBrake).distance, rolls, 1e-9)
+      << "they fail";
   const GroundRun belly((glider()));
-  EXPECT_NEAR(stop(belly, braking).way, stop(belly, {}).way, 1e-9) << "it has none";
+  EXPECT_NEAR(stop(belly, braking).distance, stop(belly, {}).distance, 1e-9)
+      << "it has none";
 }
 
 TEST(GroundRun, WheelsSteerWithTheRudder) {
@@ -178,7 +180,7 @@ TEST(GroundRun, WheelsSteerWithTheRudder) {
     a[channel::kRudder] = rudder;
     const Stop stopped = stop(run, a);
     // Turn per way times way; where the wheels slip it is less.
-    const double asked = -rudder * run.parameters().ground.steering * stopped.way;
+    const double asked = -rudder * run.parameters().ground.steering * stopped.distance;
     EXPECT_GT(stopped.turn / asked, 0.7);
     EXPECT_LT(stopped.turn / asked, 1.3);
   }

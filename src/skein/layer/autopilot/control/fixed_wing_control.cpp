@@ -31,9 +31,9 @@ Vec2 heading_of(const Quat& q) {
   return length > 1e-9 ? Vec2(forward / length) : Vec2(1, 0);
 }
 
-EnergyView view_of(const NavState& nav, const Posture& posture) {
+EnergyView view_of(const NavState& nav, const Tilt& tilt) {
   return {-nav.p_N.z(), -nav.v_N.z(), nav.airspeed, (nav.v_N - nav.wind_N).norm(),
-          posture.load()};
+          tilt.load()};
 }
 
 }  // namespace
@@ -52,10 +52,10 @@ void FixedWingControl::reset(const NavState& nav) {
     fresh_ = true;
     return;
   }
-  const Posture posture(nav.q_NB);
-  energy_.reset(view_of(nav, posture), posture.pitch,
+  const Tilt tilt(nav.q_NB);
+  energy_.reset(view_of(nav, tilt), tilt.pitch,
                 flown_ ? last_[channel::kThrottle] : setup_->airframe.trim_throttle);
-  roll_ = posture.roll;
+  roll_ = tilt.roll;
   roll_rate_ = bounded(nav.w_NB_B.x(), setup_->gains.bank_rate_limit);
   run_heading_.setZero();
   fresh_ = false;
@@ -94,7 +94,7 @@ void FixedWingControl::move_roll(double aim, double dt) {
 }
 
 Actuators FixedWingControl::ground_run(const FixedWingDemand& wanted, const NavState& nav,
-                                       const Posture& posture, double dt) {
+                                       const Tilt& tilt, double dt) {
   const FixedWingAirframe& a = setup_->airframe;
   const bool takes_off = wanted.phase == FlightPhase::kRun;
   const Vec2 heading = heading_of(nav.q_NB);
@@ -110,7 +110,7 @@ Actuators FixedWingControl::ground_run(const FixedWingDemand& wanted, const NavS
   demand.extra_turn =
       turn + setup_->gains.run_heading_gain * geo::cross(heading, run_heading_);
   surfaces_.reset();  // the ground holds against them
-  surfaces_.step(*setup_, demand, nav, posture, dt, last_);
+  surfaces_.step(*setup_, demand, nav, tilt, dt, last_);
   if (a.rudder && a.steering > 0) {
     const double by_wheels =
         demand.extra_turn / (a.steering * std::max(speed, kRunSteers));
@@ -123,8 +123,7 @@ Actuators FixedWingControl::ground_run(const FixedWingDemand& wanted, const NavS
   if (!takes_off && a.brake_friction > 0)
     last_[channel::kBrake] =
         bounded((wanted.braking / kGravity - a.roll_friction) / a.brake_friction, 0, 1);
-  energy_.follow(*setup_, view_of(nav, posture), posture.pitch, last_[channel::kThrottle],
-                 dt);
+  energy_.follow(*setup_, view_of(nav, tilt), tilt.pitch, last_[channel::kThrottle], dt);
   move_roll(0, dt);
   return last_;
 }
@@ -138,8 +137,7 @@ SurfaceDemand FixedWingControl::without_lift() const {
   return demand;
 }
 
-Actuators FixedWingControl::stand(const NavState& nav, const Posture& posture,
-                                  double dt) {
+Actuators FixedWingControl::stand(const NavState& nav, const Tilt& tilt, double dt) {
   const FixedWingAirframe& a = setup_->airframe;
   last_ = {};
   last_[channel::kElevator] = bounded(a.trim_elevator, 1);
@@ -147,7 +145,7 @@ Actuators FixedWingControl::stand(const NavState& nav, const Posture& posture,
   surfaces_.reset();
   // In a wind that could lift it, it is held down.
   if (nav.airspeed > kWindy * a.slowest)
-    surfaces_.step(*setup_, without_lift(), nav, posture, dt, last_);
+    surfaces_.step(*setup_, without_lift(), nav, tilt, dt, last_);
   last_[channel::kBrake] = a.brake_friction > 0 ? 1 : 0;
   return last_;
 }
@@ -156,14 +154,14 @@ Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavStat
                                     double dt) {
   if (!(dt > 0) || !finite(nav) || !finite(demand)) return last_;
   if (fresh_) reset(nav);
-  const Posture posture(nav.q_NB);
-  if (demand.phase == FlightPhase::kGround) return stand(nav, posture, dt);
+  const Tilt tilt(nav.q_NB);
+  if (demand.phase == FlightPhase::kGround) return stand(nav, tilt, dt);
   last_[channel::kBrake] = 0;
   if (demand.phase == FlightPhase::kRun || demand.phase == FlightPhase::kRollOut)
-    return ground_run(demand, nav, posture, dt);
+    return ground_run(demand, nav, tilt, dt);
   run_heading_.setZero();
   move_roll(bank_demand(demand, nav), dt);
-  const EnergyOutput energy = energy_.step(*setup_, demand, view_of(nav, posture), dt);
+  const EnergyOutput energy = energy_.step(*setup_, demand, view_of(nav, tilt), dt);
   const FixedWingGains& g = setup_->gains;
   const double reserve =
       demand.phase == FlightPhase::kFlare ? g.flare_reserve : g.lift_reserve;
@@ -175,7 +173,7 @@ Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavStat
     surfaces.off_heading =
         math::atan2(geo::cross(demand.heading, heading), demand.heading.dot(heading));
   }
-  surfaces_.step(*setup_, surfaces, nav, posture, dt, last_);
+  surfaces_.step(*setup_, surfaces, nav, tilt, dt, last_);
   last_[channel::kThrottle] = bounded(energy.throttle, 0, 1);
   return last_;
 }
@@ -185,7 +183,7 @@ Actuators FixedWingControl::stabilize(const AttitudeDemand& demand, const NavSta
   if (!(dt > 0) || !finite(nav)) return last_;
   if (fresh_) reset(nav);
   const FixedWingAirframe& a = setup_->airframe;
-  const Posture posture(nav.q_NB);
+  const Tilt tilt(nav.q_NB);
   move_roll(bounded(demand.roll, a.bank_limit), dt);
   SurfaceDemand surface;
   surface.roll = roll_;
@@ -195,11 +193,10 @@ Actuators FixedWingControl::stabilize(const AttitudeDemand& demand, const NavSta
   surface.pitch =
       std::isfinite(demand.pitch) ? bounded(demand.pitch, a.pitch_down, a.pitch_up) : 0;
   surface.extra_turn = bounded(demand.yaw_rate, 1);
-  surfaces_.step(*setup_, surface, nav, posture, dt, last_);
+  surfaces_.step(*setup_, surface, nav, tilt, dt, last_);
   last_[channel::kThrottle] = a.motor ? bounded(demand.throttle, 0, 1) : 0;
   last_[channel::kBrake] = 0;
-  energy_.follow(*setup_, view_of(nav, posture), posture.pitch, last_[channel::kThrottle],
-                 dt);
+  energy_.follow(*setup_, view_of(nav, tilt), tilt.pitch, last_[channel::kThrottle], dt);
   return last_;
 }
 

@@ -48,8 +48,8 @@ class FixedWingControl {
  private:
   double bank_demand(const FixedWingDemand& demand, const NavState& nav) const;
   Actuators ground_run(const FixedWingDemand& demand, const NavState& nav,
-                       const Posture& posture, double dt);
-  Actuators stand(const NavState& nav, const Posture& posture, double dt);
+                       const Tilt& tilt, double dt);
+  Actuators stand(const NavState& nav, const Tilt& tilt, double dt);
   SurfaceDemand without_lift() const;
   void move_roll(double aim, double dt);
 

@@ -35,7 +35,7 @@ Mixer::Mixer(const MultirotorAirframe& airframe, std::uint8_t standing)
     effect.col(column) = on * Vec3(1, -rotor.position.y(), rotor.position.x());
     yaw(column) = on * rotor.spin * airframe.torque_ratio;
   }
-  thrust_most_ = most_ * turning;
+  max_thrust_ = most_ * turning;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
   decomposition.setThreshold(kRankTolerance);
   decomposition.compute(effect);
@@ -85,7 +85,7 @@ Mix Mixer::mix(const Wrench& wrench) const {
   const double tilt_share = spread > most_ ? most_ / spread : 1;
 
   // Thrust, moved to where each rotor has room for them.
-  double low = 0, high = thrust_most_;
+  double low = 0, high = max_thrust_;
   for (std::size_t k = 0; k < rotors_; ++k) {
     tilt[k] *= tilt_share;
     if (thrust_[k] > 1e-6) {

@@ -42,7 +42,7 @@ class Mixer {
   /// be steered one way only, and the airframe must spin to be steered at all.
   bool holds_still() const;
   /// Of all rotors that turn [N].
-  double thrust_most() const { return thrust_most_; }
+  double max_thrust() const { return max_thrust_; }
 
  private:
   double throttle(double thrust) const;
@@ -50,7 +50,7 @@ class Mixer {
   std::size_t rotors_;
   double most_;  // thrust of one rotor [N]
   double exponent_;
-  double thrust_most_;
+  double max_thrust_;
   // Thrust of each rotor per newton of thrust and newton metre of roll, pitch and yaw;
   // the first three also yaw, by these ratios.
   std::array<double, kMaxRotors> thrust_{}, roll_{}, pitch_{}, yaw_{};

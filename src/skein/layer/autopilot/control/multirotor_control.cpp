@@ -189,8 +189,8 @@ Actuators MultirotorControl::control(const MultirotorDemand& demand, const NavSt
                         length * bounded(-up_B.z(), 0.2, 1);
   if (cos_tilt > kLearnsAbove) {
     const double moved = g.hover_learning * dt * velocity_sum_.z();
-    const double scale = bounded(hover_scale_ * (1 - moved / kGravity),
-                                 setup_->least_scale, setup_->most_scale);
+    const double scale = bounded(hover_scale_ * (1 - moved / kGravity), setup_->min_scale,
+                                 setup_->max_scale);
     if (scale != hover_scale_) velocity_sum_.z() -= moved;
     hover_scale_ = scale;
   }
@@ -231,7 +231,7 @@ Actuators MultirotorControl::stabilize(const AttitudeDemand& demand, const NavSt
   const Vec3 up_B = nav.q_NB.conjugate() * (level * wanted);
   const double yaw_rate = bounded(demand.yaw_rate, g.manual_yaw_rate);
   return turn(tilt_rates(up_B) + yaw_rate * geo::down_in_body(nav.q_NB),
-              bounded(demand.throttle, 0, 1) * setup_->thrust_most, nav, dt);
+              bounded(demand.throttle, 0, 1) * setup_->max_thrust, nav, dt);
 }
 
 Actuators MultirotorControl::manual(const PilotInput& sticks, const NavState& nav,
@@ -242,7 +242,7 @@ Actuators MultirotorControl::manual(const PilotInput& sticks, const NavState& na
   const Vec3 rates(bounded(sticks.roll, 1) * g.manual_tilt_rate,
                    bounded(sticks.pitch, 1) * g.manual_tilt_rate,
                    bounded(sticks.yaw, 1) * g.manual_yaw_rate);
-  return turn(rates, bounded(sticks.throttle, 0, 1) * setup_->thrust_most, nav, dt);
+  return turn(rates, bounded(sticks.throttle, 0, 1) * setup_->max_thrust, nav, dt);
 }
 
 AttitudeDemand MultirotorControl::attitude_for(const PilotInput& sticks) const {

@@ -26,12 +26,12 @@ MultirotorSetup::MultirotorSetup(const MultirotorAirframe& a, const MultirotorGa
     : airframe(a),
       motor_lag(a.motor_lag > 0 ? a.motor_lag : kAssumedLag),
       gains(completed(g, motor_lag)),
-      least_scale(
+      min_scale(
           std::max(kMinScale, kGravity / (kGravity + 0.9 * gains.acceleration_limit))),
-      most_scale(
+      max_scale(
           std::min(kMaxScale,
                    kGravity / std::max(kGravity - 0.9 * gains.acceleration_limit, 1e-3))),
       tilt_tangent(math::tan(a.tilt_limit > 0 ? a.tilt_limit : 0.6)),
-      thrust_most(a.thrust_max * static_cast<double>(a.rotors.size())) {}
+      max_thrust(a.thrust_max * static_cast<double>(a.rotors.size())) {}
 
 }  // namespace skein::autopilot

@@ -41,9 +41,9 @@ struct MultirotorSetup {
   MultirotorGains gains;  ///< none is 0 for "by lag" any more
   /// Of what may be learnt as hover thrust over the nominal one: with either, the bounded
   /// vertical acceleration still brings it back.
-  double least_scale, most_scale;
+  double min_scale, max_scale;
   double tilt_tangent;  ///< of the tilt limit
-  double thrust_most;   ///< of all rotors [N]
+  double max_thrust;    ///< of all rotors [N]
 };
 
 }  // namespace skein::autopilot

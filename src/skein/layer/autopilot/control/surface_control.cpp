@@ -25,7 +25,7 @@ void SurfaceControl::reset() {
 }
 
 void SurfaceControl::step(const FixedWingSetup& setup, const SurfaceDemand& demand,
-                          const NavState& nav, const Posture& at, double dt,
+                          const NavState& nav, const Tilt& at, double dt,
                           Actuators& out) {
   const FixedWingGains& g = setup.gains;
   const FixedWingAirframe& a = setup.airframe;
@@ -41,11 +41,11 @@ void SurfaceControl::step(const FixedWingSetup& setup, const SurfaceDemand& dema
       bounded(g.pitch_gain * (demand.pitch - at.pitch), g.pitch_rate_limit);
   const double p = roll_rate - at.sin_pitch * turn;
   const double level_load = at.cos_pitch * at.cos_roll;
-  const double most_load = std::min(
+  const double max_load = std::min(
       g.load_limit, demand.lift_reserve * (speed * speed) / (a.slowest * a.slowest));
   const double q = bounded(at.cos_roll * pitch_rate + at.cos_pitch * at.sin_roll * turn,
                            (-level_load) * kGravity / speed,
-                           std::max(0.0, most_load - level_load) * kGravity / speed);
+                           std::max(0.0, max_load - level_load) * kGravity / speed);
   const double r = level_load * turn - at.sin_roll * pitch_rate + demand.extra_turn;
 
   const double p_error = p - nav.w_NB_B.x();

@@ -4,7 +4,7 @@
 
 #include "skein/data/control.h"
 #include "skein/layer/autopilot/control/fixed_wing_gains.h"
-#include "skein/layer/autopilot/control/posture.h"
+#include "skein/layer/autopilot/control/tilt.h"
 #include "skein/layer/autopilot/nav_state.h"
 
 namespace skein::autopilot {
@@ -41,7 +41,7 @@ class SurfaceControl {
 
   /// Writes aileron, elevator and rudder.
   void step(const FixedWingSetup& setup, const SurfaceDemand& demand, const NavState& nav,
-            const Posture& posture, double dt, Actuators& out);
+            const Tilt& tilt, double dt, Actuators& out);
 
  private:
   double roll_sum_ = 0;   // channel

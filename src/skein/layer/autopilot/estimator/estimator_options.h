@@ -45,12 +45,12 @@ struct EstimatorOptions {
   double airspeed_noise = 0.3;        ///< white [m/s]
   double airspeed_scale_sd = 0.023;   ///< relative, all lasting errors of the pitot tube
   double airspeed_scale_walk = 1e-5;  ///< [1/sqrt(s)]
-  double airspeed_least = 6;      ///< below it neither pitot nor side-slip count [m/s]
+  double min_airspeed = 6;        ///< below it neither pitot nor side-slip count [m/s]
   double sideslip_sd = 0.02;      ///< that lasts for some seconds [rad]
   double anemometer_noise = 0.3;  ///< white, per axis [m/s]
   double wind_walk = 0.03;        ///< of the mean wind, per axis [m/s/sqrt(s)]
   double gust_sd = 1.5;           ///< at the start, then estimated [m/s]
-  double gust_sd_least = 0.1;     ///< [m/s]
+  double min_gust_sd = 0.1;       ///< [m/s]
   double gust_length = 200;       ///< over which gusts are alike [m]
   double gust_memory = 120;       ///< of the estimated gust strength [s]
 

@@ -140,7 +140,7 @@ void FlightEstimator::replaced(FlightSensor sensor) {
 // Across a long gap the motion goes straight on. What may have happened in it is noise.
 void FlightEstimator::bridge(double gap) {
   alignment_.reset();
-  if (gap > kLongGap) misfit_ = 2 * kDiverged;  // the attitude may be any
+  if (gap > kLongGap) innovation_ratio_ = 2 * kDiverged;  // the attitude may be any
   if (gap > kHeldGap) {
     x_.p_N += gap * x_.v_N;
     history_.clear();
@@ -249,16 +249,16 @@ void FlightEstimator::add(const AirspeedSample& sample) {
     ++counts_.bad;
     return;
   }
-  const double misfit =
+  const double ratio =
       sample.airspeed / (1 + x_.airspeed_scale) - (nav_.airspeed - airspeed_offset_);
   const double dt = (sample.time - airspeed_time_).seconds();
   const double share =
       has_airspeed_ && dt > 0 ? std::min(dt / (kAirspeedLag + dt), 1.0) : 1.0;
-  airspeed_offset_ += share * (misfit - airspeed_offset_);
+  airspeed_offset_ += share * (ratio - airspeed_offset_);
   has_airspeed_ = true;
   airspeed_time_ = sample.time;
-  if (sample.airspeed > options_->airspeed_least)
-    airspeed_.add((1 + x_.airspeed_scale) * misfit);
+  if (sample.airspeed > options_->min_airspeed)
+    airspeed_.add((1 + x_.airspeed_scale) * ratio);
 }
 
 void FlightEstimator::add(const AnemometerSample& sample) {
@@ -322,10 +322,9 @@ NavEstimate FlightEstimator::estimate() const {
   e.roll = angles.roll;
   e.pitch = angles.pitch;
   const Vec2 air = (nav_.v_N - nav_.wind_N).head<2>();
-  e.heading =
-      options_->fixed_wing && coordinated_ && air.norm() > options_->airspeed_least
-          ? geo::bearing(air)
-          : angles.yaw;
+  e.heading = options_->fixed_wing && coordinated_ && air.norm() > options_->min_airspeed
+                  ? geo::bearing(air)
+                  : angles.yaw;
   e.position_sd = accuracy().position;
   return e;
 }

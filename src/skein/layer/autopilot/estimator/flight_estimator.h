@@ -207,8 +207,9 @@ class FlightEstimator {
 
   Time accepted_fix_, airspeed_time_, height_time_, field_time_, align_from_;
   Rejection fix_rejection_, bearing_rejection_, altitude_rejection_;
-  Time judged_;        // the last fix that was
-  double misfit_ = 1;  // smoothed square of the fixes' innovations over what it should be
+  Time judged_;  // the last fix that was
+  double innovation_ratio_ =
+      1;  // smoothed square of the fixes' innovations over what it should be
   std::optional<FlightAlignment> alignment_;  // under way
   Vec3 field_B_ = Vec3::Zero();               // last measured
   Batch<Vec3> align_w_, align_f_, align_m_;

@@ -47,7 +47,7 @@ void FlightEstimator::fuse_air_data(ErrorVector& error) {
   const double measured = has_airspeed_ && seconds_since(airspeed_time_) < kFreshAirspeed
                               ? nav_.airspeed
                               : speed;
-  if (options_->fixed_wing && coordinated_ && measured > options_->airspeed_least) {
+  if (options_->fixed_wing && coordinated_ && measured > options_->min_airspeed) {
     const Observation z = observe_sideslip(x_);
     fuse_through_gusts(z, -z.value, 0, options_->sideslip_sd * speed, gusts_across_,
                        error);
@@ -59,7 +59,7 @@ void FlightEstimator::fuse_through_gusts(const Observation& z, double innovation
                                          ErrorVector& error) {
   const double dt = step_.dt;
   if (dt <= 0) return;
-  const double least = options_->gust_sd_least * options_->gust_sd_least;
+  const double least = options_->min_gust_sd * options_->min_gust_sd;
   const double variance = std::max(gusts.variance, least);
   const double slip2 = sideslip * sideslip;
   // What innovations vary by beyond everything else is gusts.

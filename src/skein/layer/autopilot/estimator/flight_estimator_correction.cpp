@@ -138,7 +138,7 @@ void FlightEstimator::fuse_bearing(ErrorVector& error) {
       kWildTilt * kWildTilt)
     return;
   // An attitude in doubt would teach a wrong dip.
-  if (misfit_ < kDoubtful || field_seconds_ <= 0) {
+  if (innovation_ratio_ < kDoubtful || field_seconds_ <= 0) {
     field_seconds_ = std::min(field_seconds_ + options_->period, kFieldMemory);
     const double share = options_->period / field_seconds_;
     field_level_ += share * (level - field_level_);

@@ -18,7 +18,7 @@ constexpr double kChangedPrecision = 1.5;  // of a receiver that begins anew
 
 // A filter that is right has innovations of mean square 1.
 constexpr double kMaxSquare = 30;        // of one fix: a single one proves nothing
-constexpr double kMisfitTime = 3;        // over which it is smoothed [s]
+constexpr double kInnovationTime = 3;    // over which it is smoothed [s]
 constexpr double kMaxShare = 0.1;        // of one fix, however long after the last
 constexpr double kAlignFor = 2;          // of flight, for the attitude [s]
 constexpr double kAlignGap = 1;          // between fixes, to begin the search again [s]
@@ -103,11 +103,12 @@ void FlightEstimator::fuse_fix(ErrorVector& error) {
 // Smooths the squares of the fixes' innovations, and tells whether a search for the
 // attitude is at its end with this fix.
 bool FlightEstimator::contradicted(double mean_square) {
-  const double since = has_judged_ ? (fix_.time - judged_).seconds() : kMisfitTime;
+  const double since = has_judged_ ? (fix_.time - judged_).seconds() : kInnovationTime;
   judged_ = fix_.time;
   has_judged_ = true;
-  misfit_ += std::min(since / kMisfitTime, kMaxShare) * (mean_square - misfit_);
-  if (!alignment_ ? misfit_ < kDiverged : since > kAlignGap) {
+  innovation_ratio_ +=
+      std::min(since / kInnovationTime, kMaxShare) * (mean_square - innovation_ratio_);
+  if (!alignment_ ? innovation_ratio_ < kDiverged : since > kAlignGap) {
     alignment_.reset();
     return false;
   }
@@ -135,7 +136,7 @@ void FlightEstimator::find_attitude(const Past& past) {
   if (!found) return;
   alignment_.reset();
   ++counts_.alignments;
-  misfit_ = 1;
+  innovation_ratio_ = 1;
   take_attitude(*found, field ? kFoundHeading : kGuessedHeading);
   begin_again(fix_, past);
   // These were held against the old state.

@@ -54,9 +54,9 @@ FixedWingGuidance::FixedWingGuidance(const FixedWingGuidanceOptions& options,
       limits_(limits),
       home_N_(home_N),
       sight_(sight_of(options.lateral)),
-      most_lateral_(limits.airspeed * limits.airspeed / limits.turn_radius) {
+      max_lateral_(limits.airspeed * limits.airspeed / limits.turn_radius) {
   // In a turn the lift is g / cos(bank): the slowest airspeed grows with its root.
-  const double load = std::sqrt(1 + math::squared(most_lateral_ / kGravity));
+  const double load = std::sqrt(1 + math::squared(max_lateral_ / kGravity));
   turn_slowest_ = std::min(limits.slowest * std::sqrt(load), limits.airspeed);
   command_.guidance = HoldPosition{geo::horizontal(home_N)};
   command_.altitude_msl = altitude_ = -home_N.z();
@@ -79,14 +79,14 @@ FlightLimits FixedWingGuidance::judged_by() const {
   FlightLimits none = limits_;
   none.slowest = 0;
   none.fastest = none.climb_rate = none.sink_rate = std::numeric_limits<double>::max();
-  none.least_density = 0;
+  none.min_density = 0;
   return none;
 }
 
 double FixedWingGuidance::airspeed_for(double curvature, double wind_speed) const {
   const double base = base_airspeed();
   if (curvature <= 0) return base;
-  const double ground_speed = std::sqrt(kTurnReserve * most_lateral_ / curvature);
+  const double ground_speed = std::sqrt(kTurnReserve * max_lateral_ / curvature);
   return std::min(base, std::max(ground_speed - wind_speed, turn_slowest_));
 }
 
@@ -117,7 +117,7 @@ void FixedWingGuidance::forget(const FixedWingMotion& now) {
 
 void FixedWingGuidance::hold_at(const Vec2& centre, const FixedWingMotion& now) {
   hold_ = {centre, loiter_radius(now.wind.norm()), true};
-  hold_least_ = 0;
+  min_hold_ = 0;
   doing_ = Doing::kCircle;
 }
 
@@ -140,7 +140,7 @@ void FixedWingGuidance::begin(const AutopilotCommand& command,
     doing_ = Doing::kCourse;
   } else if (const auto* c = std::get_if<Circle>(&command_.guidance)) {
     hold_ = *c;
-    hold_least_ = c->radius;
+    min_hold_ = c->radius;
     doing_ = Doing::kCircle;
   } else if (const auto* at = std::get_if<HoldPosition>(&command_.guidance)) {
     hold_at(at->point, now);
@@ -206,7 +206,7 @@ FixedWingDemand FixedWingGuidance::step(const FixedWingMotion& now, double dt) {
       a = land(now, dt, demand);
       break;
   }
-  demand.lateral_acceleration = std::clamp(a, -most_lateral_, most_lateral_);
+  demand.lateral_acceleration = std::clamp(a, -max_lateral_, max_lateral_);
   status_.altitude_msl = demand.altitude_msl;
   status_.airspeed = demand.airspeed;
   return demand;
@@ -222,10 +222,10 @@ double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& de
   const double wind = now.wind.norm();
   // The wind may have changed since: never tighter than what it allows now. A place is
   // held on a circle that shrinks again only when the wind has become much less.
-  if (hold_least_ > 0) {
-    const double tightest = turn_slowest_ * turn_slowest_ / most_lateral_;
+  if (min_hold_ > 0) {
+    const double tightest = turn_slowest_ * turn_slowest_ / max_lateral_;
     hold_.radius =
-        std::max(hold_least_, model::ground_turn_radius(tightest, turn_slowest_, wind));
+        std::max(min_hold_, model::ground_turn_radius(tightest, turn_slowest_, wind));
   } else {
     const double least = loiter_radius(wind);
     if (hold_.radius < least || hold_.radius > 1.25 * least) hold_.radius = least;
@@ -252,7 +252,7 @@ double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& de
   const double reach = course ? kFarOff * options_.lateral.course.look_ahead * speed
                               : sight_.distance(speed) * sight_.sine;
   if (from_centre - line.radius >= reach)
-    return turn_towards(line.way_onto(from_centre), ahead.velocity,
+    return turn_towards(line.turn_onto(from_centre), ahead.velocity,
                         course ? options_.lateral.course.gain
                                : sight_.gain * speed / sight_.distance(speed));
   return lateral(options_.lateral, sight_, line, line.nearest(),

@@ -115,7 +115,7 @@ class FixedWingGuidance {
   FlightLimits limits_;
   Vec3 home_N_;
   Sight sight_;
-  double most_lateral_;  // acceleration at the bank limit [m/s^2]
+  double max_lateral_;   // acceleration at the bank limit [m/s^2]
   double turn_slowest_;  // least airspeed in a turn at the bank limit [m/s]
 
   AutopilotCommand command_;
@@ -131,8 +131,8 @@ class FixedWingGuidance {
   };
   Doing doing_ = Doing::kCircle;
   Circle hold_;
-  double hold_least_ = 0;  // radius asked for [m]; 0 = as tight as the wind allows
-  double altitude_ = 0;    // demanded when the guidance has none of its own [m]
+  double min_hold_ = 0;  // radius asked for [m]; 0 = as tight as the wind allows
+  double altitude_ = 0;  // demanded when the guidance has none of its own [m]
   Vec2 course_ = Vec2(1, 0);
   model::PathCursor path_;
   double along_ = 0;

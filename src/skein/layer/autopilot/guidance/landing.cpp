@@ -29,7 +29,7 @@ constexpr double kBalloon = 0.7;  // above the height at which the flare began [
 constexpr double kFeltSink = 0.2;
 constexpr double kFeltHeight = 0.3;
 constexpr double kFeltTime = 0.3, kGuessedTime = 1;
-constexpr double kMinWay = 0.5;  // to brake on [m]
+constexpr double kMinDistance = 0.5;  // to brake on [m]
 
 }  // namespace
 
@@ -58,10 +58,10 @@ void Landing::begin(const Land& command, const model::Pose& from, const Vec2& wi
   phase_ = FlightPhase::kFlight;
   still_for_ = 0;
   idle_ = false;
-  const Vec2 way = command.point - from.position;
+  const Vec2 leg = command.point - from.position;
   course_ = command.course        ? *command.course
             : wind.norm() > kCalm ? geo::bearing(-wind)
-            : way.norm() > 1      ? geo::bearing(way)
+            : leg.norm() > 1      ? geo::bearing(leg)
                                   : from.course;
   const double cruise = limits.airspeed;
   airspeed_ = std::max(
@@ -81,7 +81,7 @@ void Landing::begin(const Land& command, const model::Pose& from, const Vec2& wi
       (cruise - airspeed_) / braking * std::max(mean - head_wind, 0.);
   const double lead_in = options.lead_in * std::max(cruise - head_wind, kMinPace);
 
-  stop_way_ = 0;
+  stop_distance_ = 0;
   if (options.touches_down) {
     // The flare, with a sink that falls evenly with the height, takes longer than the
     // straight way down; motor idle the aircraft slows down meanwhile.
@@ -90,15 +90,16 @@ void Landing::begin(const Land& command, const model::Pose& from, const Vec2& wi
     const double longer = ratio > 1.01 ? math::log(ratio) / (1 - 1 / ratio) : 1;
     const double slowing = kSlowDrag * idle * kGravity * options.flare_time * longer;
     const double touch = std::max(airspeed_ - slowing, head_wind + kMinPace);
-    stop_way_ =
+    stop_distance_ =
         options.flare_time * ((longer - 1) * pace - longer * slowing / 2) +
         roll_out(
             touch, head_wind,
             {options.roll_friction + options.brake_share * options.brake_friction,
              kSlowDrag * idle, options.lift_off > 0 ? options.lift_off : limits.slowest});
   }
-  fix_ = command.point - (options.height / tangent_ + lead_in + slow_down + stop_way_) *
-                             geo::unit(course_);
+  fix_ =
+      command.point - (options.height / tangent_ + lead_in + slow_down + stop_distance_) *
+                          geo::unit(course_);
   line_up(model::to_path(model::dubins(from, {fix_, course_}, radius), from));
 }
 
@@ -109,7 +110,7 @@ void Landing::line_up(const Path& before) {
   const double line = (command_.point - fix_).norm();
   path.push_back({fix_, course_, line + kRollOut, 0});
   rest_at_ = joined_at_ + line;
-  touch_at_ = rest_at_ - stop_way_;
+  touch_at_ = rest_at_ - stop_distance_;
   path_.assign(path);
   along_ = 0;
 }
@@ -170,7 +171,7 @@ Landing::Step Landing::step(const View& now, double dt) {
        (phase_ == FlightPhase::kFlare && idle_ && height < options_.align_height));
   if (phase_ == FlightPhase::kRollOut)
     out.braking = now.ground_speed * now.ground_speed /
-                  (2 * std::max(out.place.remaining, kMinWay));
+                  (2 * std::max(out.place.remaining, kMinDistance));
   if (phase_ == FlightPhase::kGround) {
     out.altitude_msl = now.altitude_msl;
     out.climb_rate = 0;

@@ -107,11 +107,11 @@ class Landing {
   double radius_ = 1;
   double tangent_ = 0;  // of the glide slope
   model::PathCursor path_;
-  double joined_at_ = 0;  // arc length at the lead-in's start [m]
-  double touch_at_ = 0;   // arc length where the glide slope meets the ground [m]
-  double rest_at_ = 0;    // arc length at the landing point [m]
-  double stop_way_ = 0;   // between the two [m]
-  double airspeed_ = 0;   // [m/s]
+  double joined_at_ = 0;      // arc length at the lead-in's start [m]
+  double touch_at_ = 0;       // arc length where the glide slope meets the ground [m]
+  double rest_at_ = 0;        // arc length at the landing point [m]
+  double stop_distance_ = 0;  // between the two [m]
+  double airspeed_ = 0;       // [m/s]
   double along_ = 0;
   bool idle_ = false;        // the motor, in the flare
   double flare_sink_ = 0;    // when the flare began [m/s]

@@ -73,7 +73,7 @@ model::TrackPoint CircleLine::at(double ahead) const {
   return {centre + radius * there, side * geo::turned_right(there), side / radius};
 }
 
-Vec2 CircleLine::way_onto(double distance) const {
+Vec2 CircleLine::turn_onto(double distance) const {
   const double sine = std::min(radius / distance, 1.0);
   return side * sine * geo::turned_right(out) - std::sqrt(1 - sine * sine) * out;
 }

@@ -165,7 +165,7 @@ struct CircleLine {
   }
   /// Course from `distance` [m] from the centre, beyond the radius, on `out`, to the
   /// point at which it goes over into the circle; a unit vector.
-  Vec2 way_onto(double distance) const;
+  Vec2 turn_onto(double distance) const;
 };
 
 }  // namespace skein::autopilot

@@ -53,16 +53,16 @@ void MultirotorGuidance::forget(const NavState& now) {
   // Where (7) of docs/guidance.md comes to a stand from this speed.
   const double b = options_.braking * options_.acceleration, k = options_.stop_gain;
   const double speed = velocity_.norm();
-  const double way =
+  const double travelled =
       speed < b / k ? speed / k : speed * speed / (2 * b) + b / (2 * k * k);
-  if (speed > 0) point_ += way / speed * velocity_;
+  if (speed > 0) point_ += travelled / speed * velocity_;
   command_.guidance = HoldPosition{point_};
 }
 
 void MultirotorGuidance::begin(const AutopilotCommand& command, const NavState& now) {
   if (!started_) heading_ = geo::yaw(now.q_NB);
   // A reference that the vehicle follows goes on; one it has lost begins anew.
-  if (!started_ || (position_ - now.p_N.head<2>()).norm() > options_.most_lag ||
+  if (!started_ || (position_ - now.p_N.head<2>()).norm() > options_.max_lag ||
       phase_ == FlightPhase::kGround)
     reset(now);
   started_ = true;
@@ -126,34 +126,34 @@ MultirotorDemand MultirotorGuidance::step(const NavState& now, double dt,
     point_ = position_;
     altitude_ = altitude_ref_;
   }
-  Wish wish;
+  Setpoint setpoint;
   switch (doing_) {
     case Doing::kHold:
-      wish = hold(now);
+      setpoint = hold(now);
       break;
     case Doing::kCourse:
-      wish = hold_course(now);
+      setpoint = hold_course(now);
       break;
     case Doing::kPath:
-      wish = follow_path(now);
+      setpoint = follow_path(now);
       break;
     case Doing::kPlan:
-      wish = follow_plan(now);
+      setpoint = follow_plan(now);
       break;
     case Doing::kWaypoints:
-      wish = fly_waypoints(now);
+      setpoint = fly_waypoints(now);
       break;
     case Doing::kCircle:
-      wish = circle(now);
+      setpoint = circle(now);
       break;
     case Doing::kTakeOff:
-      wish = take_off(now);
+      setpoint = take_off(now);
       break;
     case Doing::kLand:
-      wish = land(now, dt, height_agl);
+      setpoint = land(now, dt, height_agl);
       break;
   }
-  move(wish, now, dt);
+  move(setpoint, now, dt);
   turn(dt);
   MultirotorDemand demand;
   demand.position = position_;
@@ -167,7 +167,7 @@ MultirotorDemand MultirotorGuidance::step(const NavState& now, double dt,
   return demand;
 }
 
-MultirotorGuidance::Wish MultirotorGuidance::hold(const NavState& now) {
+MultirotorGuidance::Setpoint MultirotorGuidance::hold(const NavState& now) {
   const auto* returns = std::get_if<Return>(&command_.guidance);
   if (returns) {
     // Up first, so that nothing is in the way.
@@ -182,11 +182,11 @@ MultirotorGuidance::Wish MultirotorGuidance::hold(const NavState& now) {
   return towards(point_, now);
 }
 
-MultirotorGuidance::Wish MultirotorGuidance::hold_course(const NavState& now) {
-  Wish wish;
-  wish.altitude = altitude_;
-  wish.velocity = ground_speed(course_, now) * course_;
-  return wish;
+MultirotorGuidance::Setpoint MultirotorGuidance::hold_course(const NavState& now) {
+  Setpoint setpoint;
+  setpoint.altitude = altitude_;
+  setpoint.velocity = ground_speed(course_, now) * course_;
+  return setpoint;
 }
 
 }  // namespace skein::autopilot

@@ -21,7 +21,7 @@ struct MultirotorGuidanceOptions {
   double stop_gain = 1.5;         ///< speed per distance left, close to a stop [1/s]
   double climb_acceleration = 2;  ///< [m/s^2]
   double corner_cut = 0;          ///< how far inside waypoints may be passed [m]; 0: stop
-  double most_lag = 5;            ///< the reference waits for the vehicle beyond this [m]
+  double max_lag = 5;             ///< the reference waits for the vehicle beyond this [m]
   bool yaws_along_track = true;   ///< false: keeps the heading it has
   double yaw_rate = 1;            ///< [rad/s]
   double arrival = 1;             ///< from a point or altitude, counted as there [m]
@@ -46,7 +46,7 @@ struct MultirotorGuidanceOptions {
 /// before turns what braking needs, and on climbing legs what the climb rate allows. The
 /// commanded airspeed holds in the air: V_g = wind along + sqrt(V^2 - wind across^2), up
 /// to `fastest` where it would leave less than 1 m/s over ground. The reference brakes
-/// to a stand when it is 2 `most_lag` ahead of the vehicle.
+/// to a stand when it is 2 `max_lag` ahead of the vehicle.
 ///
 /// - FollowPath: along it, stop at its end. FlyWaypoints: straight legs, stop at each
 ///   corner unless `corner_cut`. Circle: onto it and around.
@@ -80,7 +80,7 @@ class MultirotorGuidance {
 
  private:
   // What the reference shall do now.
-  struct Wish {
+  struct Setpoint {
     Vec2 velocity = Vec2::Zero();
     Vec2 acceleration = Vec2::Zero();  // fed forward
     double altitude = 0, climb_rate = 0;
@@ -92,20 +92,20 @@ class MultirotorGuidance {
   void begin(const AutopilotCommand& command, const NavState& now);
   void reset(const NavState& now);
   void arrive(const Vec2& at);
-  Wish hold(const NavState& now);
-  Wish hold_course(const NavState& now);
-  Wish follow_path(const NavState& now);
-  Wish follow_plan(const NavState& now);
-  Wish fly_waypoints(const NavState& now);
-  Wish circle(const NavState& now);
-  Wish take_off(const NavState& now);
-  Wish land(const NavState& now, double dt, std::optional<double> height_agl);
-  Wish along(const model::PathCursor& path, const model::PathCursor::Place& place,
-             const Stop& stop, const NavState& now);
-  Wish towards(const Vec2& point, const NavState& now) const;
+  Setpoint hold(const NavState& now);
+  Setpoint hold_course(const NavState& now);
+  Setpoint follow_path(const NavState& now);
+  Setpoint follow_plan(const NavState& now);
+  Setpoint fly_waypoints(const NavState& now);
+  Setpoint circle(const NavState& now);
+  Setpoint take_off(const NavState& now);
+  Setpoint land(const NavState& now, double dt, std::optional<double> height_agl);
+  Setpoint along(const model::PathCursor& path, const model::PathCursor::Place& place,
+                 const Stop& stop, const NavState& now);
+  Setpoint towards(const Vec2& point, const NavState& now) const;
   double ground_speed(const Vec2& course, const NavState& now) const;
   Stop stop_at(double distance) const;
-  void move(const Wish& wish, const NavState& now, double dt);
+  void move(const Setpoint& setpoint, const NavState& now, double dt);
   void turn(double dt);
 
   MultirotorGuidanceOptions options_;

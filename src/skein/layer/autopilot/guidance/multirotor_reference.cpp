@@ -21,24 +21,24 @@ void MultirotorGuidance::reset(const NavState& now) {
   climb_ref_ = std::clamp(-now.v_N.z(), -limits_.sink_rate, limits_.climb_rate);
 }
 
-void MultirotorGuidance::move(const Wish& wish, const NavState& now, double dt) {
+void MultirotorGuidance::move(const Setpoint& setpoint, const NavState& now, double dt) {
   const Vec2 p = now.p_N.head<2>();
   const double lag = (position_ - p).norm();
-  const double wait = std::clamp(2 - lag / options_.most_lag, 0.0, 1.0);
-  const Vec2 wanted =
-      bounded(wish.acceleration + kVelocityGain * (wait * wish.velocity - velocity_),
-              options_.acceleration);
+  const double wait = std::clamp(2 - lag / options_.max_lag, 0.0, 1.0);
+  const Vec2 wanted = bounded(
+      setpoint.acceleration + kVelocityGain * (wait * setpoint.velocity - velocity_),
+      options_.acceleration);
   acceleration_ += bounded(wanted - acceleration_, options_.jerk * dt);
   position_ += dt * (velocity_ + dt / 2 * acceleration_);
   velocity_ += dt * acceleration_;
   // Where only the velocity counts the position goes along.
   if (doing_ == Doing::kCourse) position_ = p;
 
-  const double off = wish.altitude - altitude_ref_;
+  const double off = setpoint.altitude - altitude_ref_;
   const double b = options_.braking * options_.climb_acceleration, k = options_.stop_gain;
   const double far = std::abs(off), linear = b / (k * k);
   const double back = far < linear ? k * far : std::sqrt(2 * b * (far - linear / 2));
-  const double rate = std::clamp(wish.climb_rate + std::copysign(back, off),
+  const double rate = std::clamp(setpoint.climb_rate + std::copysign(back, off),
                                  -limits_.sink_rate, limits_.climb_rate);
   climb_ref_ += std::clamp(rate - climb_ref_, -options_.climb_acceleration * dt,
                            options_.climb_acceleration * dt);
@@ -72,19 +72,19 @@ MultirotorGuidance::Stop MultirotorGuidance::stop_at(double distance) const {
   return {speed, k * speed};
 }
 
-MultirotorGuidance::Wish MultirotorGuidance::towards(const Vec2& point,
-                                                     const NavState& now) const {
-  Wish wish;
-  wish.altitude = altitude_;
-  const Vec2 way = point - position_;
-  const double distance = way.norm();
-  if (distance < 1e-6) return wish;
-  const Vec2 course = way / distance;
+MultirotorGuidance::Setpoint MultirotorGuidance::towards(const Vec2& point,
+                                                         const NavState& now) const {
+  Setpoint setpoint;
+  setpoint.altitude = altitude_;
+  const Vec2 leg = point - position_;
+  const double distance = leg.norm();
+  if (distance < 1e-6) return setpoint;
+  const Vec2 course = leg / distance;
   const Stop stop = stop_at(distance);
   const double most = ground_speed(course, now);
-  wish.velocity = std::min(stop.speed, most) * course;
-  if (stop.speed <= most) wish.acceleration = -stop.braking * course;
-  return wish;
+  setpoint.velocity = std::min(stop.speed, most) * course;
+  if (stop.speed <= most) setpoint.acceleration = -stop.braking * course;
+  return setpoint;
 }
 
 }  // namespace skein::autopilot

@@ -34,7 +34,7 @@ struct Judge {
   double usual_airspeed;  // where the guidance has none of its own [m/s]
 
   bool hovers() const { return limits.slowest <= 0; }
-  double most_lateral() const {
+  double max_lateral() const {
     return limits.airspeed * limits.airspeed / limits.turn_radius;
   }
 
@@ -85,7 +85,7 @@ struct Judge {
     for (int i = 0; i <= kInstants; ++i)
       most =
           std::max(most, needed_per_curvature(geo::unit(from + angle * i / kInstants)));
-    const double least = most / most_lateral();
+    const double least = most / max_lateral();
     if (radius >= least * (1 - kTurnSlack)) return {};
     return fmt::format(
         "{} has a radius of {:.0f} m: {:.0f} m is the least at {:.1f} m/s in {:.1f} m/s "
@@ -108,15 +108,14 @@ struct Judge {
   // Whether the air at an altitude carries it at an airspeed.
   template <class What>
   Reason carried(double altitude_msl, double at, const What& what) const {
-    if (limits.least_density <= 0) return {};
+    if (limits.min_density <= 0) return {};
     const double density = model::standard_air(altitude_msl).density;
-    if (density < limits.least_density * (1 - kDensitySlack))
+    if (density < limits.min_density * (1 - kDensitySlack))
       return fmt::format(
           "{} is {:.0f} m, where the air is too thin to fly level at any airspeed: "
           "{:.0f} "
           "m is the most",
-          what(), altitude_msl,
-          std::floor(model::standard_altitude(limits.least_density)));
+          what(), altitude_msl, std::floor(model::standard_altitude(limits.min_density)));
     const double slowest = limits.slowest * std::sqrt(model::kSeaLevelDensity / density);
     if (at >= slowest * (1 - kSpeedSlack)) return {};
     return fmt::format(
@@ -205,11 +204,11 @@ struct Judge {
     if (hovers() || speed < 1e-3) return {};
     const double lateral = std::abs(geo::cross(v, at.a_N.head<2>())) / speed;
     const double cosine = std::max(v.dot(air) / (speed * air.norm()), 1e-3);
-    if (lateral <= most_lateral() * cosine * (1 + kTurnSlack)) return {};
+    if (lateral <= max_lateral() * cosine * (1 + kTurnSlack)) return {};
     return fmt::format(
         "the plan at {:.1f} s turns with a radius of {:.0f} m at {:.1f} m/s over ground: "
         "{:.0f} m is the least",
-        time, speed * speed / lateral, speed, speed * speed / (most_lateral() * cosine));
+        time, speed * speed / lateral, speed, speed * speed / (max_lateral() * cosine));
   }
 
   Reason judge(const FlyWaypoints& w) const {
@@ -238,16 +237,16 @@ struct Judge {
   template <class What>
   Reason leg(const FlyWaypoints::Waypoint& a, const FlyWaypoints::Waypoint& b,
              const What& what) const {
-    const Vec2 way = b.point - a.point;
-    const double length = way.norm(), rise = b.altitude_msl - a.altitude_msl;
+    const Vec2 leg = b.point - a.point;
+    const double length = leg.norm(), rise = b.altitude_msl - a.altitude_msl;
     if (length < kOnePoint) {
       if (std::abs(rise) < kOnePoint) return {};
       return what() + " leads straight up or down";
     }
     if (hovers()) return {};
-    if (auto r = course(way / length, what)) return r;
-    double speed = ground_speed(way / length, limits.slowest);
-    if (speed == 0) speed = ground_speed(way / length, limits.fastest);
+    if (auto r = course(leg / length, what)) return r;
+    double speed = ground_speed(leg / length, limits.slowest);
+    if (speed == 0) speed = ground_speed(leg / length, limits.fastest);
     return climb(rise / length * speed, what);
   }
 

@@ -79,16 +79,16 @@ void WaypointRoute::lay_out() {
   Corner from = before_;
   for (int i = 0; i < 2 && leg_ + i < legs_; ++i) {
     const long k = leg_ + i;
-    const Vec2 way = leg_of(k);
-    const double length = way.norm();
+    const Vec2 leg = leg_of(k);
+    const double length = leg.norm();
     if (i > 0 && length < kNoLeg) break;
     const Corner to = i == 0 ? after_ : corner_after(k);
-    const double course = geo::bearing(way);
+    const double course = geo::bearing(leg);
     const Vec2 start = point(k - 1).point + from.tangent * geo::unit(course);
     const double straight = length - from.tangent - to.tangent;
     layout_.push_back({start, course, straight, 0});
     const double with_arcs = from.length / 2 + straight + to.length / 2;
-    (i == 0 ? way_ : way_next_) = with_arcs;
+    (i == 0 ? leg_length_ : leg_length_next_) = with_arcs;
     if (i == 0) straight_ = straight;
     if (to.length <= 0) break;  // a sharp corner is flown up to, not round
     const model::Pose at = model::end_of(layout_.back());
@@ -133,16 +133,17 @@ WaypointRoute::Place WaypointRoute::project(const Vec2& p, double window) {
     along_ = place.on_path.along;
   }
   const double flown = before_.length / 2 + along_;
-  const bool next = flown > way_;
-  const double way = next ? way_next_ : way_;
+  const bool next = flown > leg_length_;
+  const double length = next ? leg_length_next_ : leg_length_;
   const double share =
-      way > 0 ? std::clamp((next ? flown - way_ : flown) / way, 0.0, 1.0) : 1.0;
+      length > 0 ? std::clamp((next ? flown - leg_length_ : flown) / length, 0.0, 1.0)
+                 : 1.0;
   const long leg = leg_ + (next ? 1 : 0);
   const double low = point(leg - 1).altitude_msl, high = point(leg).altitude_msl;
   place.altitude_msl = low + share * (high - low);
-  place.slope = way > 0 && share < 1 ? (high - low) / way : 0;
-  place.remaining = std::max(way_ - flown, 0.0) + beyond_;
-  if (next) place.remaining = std::max(beyond_ - (flown - way_), 0.0);
+  place.slope = length > 0 && share < 1 ? (high - low) / length : 0;
+  place.remaining = std::max(leg_length_ - flown, 0.0) + beyond_;
+  if (next) place.remaining = std::max(beyond_ - (flown - leg_length_), 0.0);
   return place;
 }
 

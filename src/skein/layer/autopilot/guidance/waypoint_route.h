@@ -73,9 +73,10 @@ class WaypointRoute {
   model::PathCursor cursor_;
   Path layout_;
   double along_ = 0;
-  double straight_ = 0;            // of the current leg between its corners' arcs [m]
-  double way_ = 0, way_next_ = 0;  // of this leg and the next, half arcs included [m]
-  double beyond_ = 0;              // legs after the current one [m]
+  double straight_ = 0;  // of the current leg between its corners' arcs [m]
+  double leg_length_ = 0,
+         leg_length_next_ = 0;  // of this leg and the next, half arcs included [m]
+  double beyond_ = 0;           // legs after the current one [m]
 };
 
 }  // namespace skein::autopilot

@@ -15,7 +15,7 @@ bool is_time(double seconds) {
   return seconds >= 0 && seconds <= kLongest;  // false for what is not a number
 }
 
-std::optional<std::string> fault_in_rule(const char* name, const FailsafeRule& rule) {
+std::optional<std::string> error_in_rule(const char* name, const FailsafeRule& rule) {
   if (!is_time(rule.delay))
     return fmt::format("{}.delay: {} must be from 0 to {:g} s", name, rule.delay,
                        kLongest);
@@ -30,7 +30,7 @@ std::optional<std::string> fault_in_rule(const char* name, const FailsafeRule& r
 
 }  // namespace
 
-std::optional<std::string> fault_in(const FailsafeOptions& options) {
+std::optional<std::string> error_in(const FailsafeOptions& options) {
   const std::pair<const char*, const FailsafeRule*> rules[] = {
       {"link", &options.link},
       {"battery_low", &options.battery_low},
@@ -40,7 +40,7 @@ std::optional<std::string> fault_in(const FailsafeOptions& options) {
       {"motor", &options.motor},
       {"imu", &options.imu}};
   for (const auto& [name, rule] : rules)
-    if (auto fault = fault_in_rule(name, *rule)) return fault;
+    if (auto error = error_in_rule(name, *rule)) return error;
   const std::pair<const char*, double> times[] = {
       {"recovery", options.recovery},
       {"pilot_silence", options.pilot_silence},
@@ -54,8 +54,8 @@ std::optional<std::string> fault_in(const FailsafeOptions& options) {
   for (const auto& [name, charge] : charges)
     if (!(charge >= 0 && charge <= 1))
       return fmt::format("{}: {} must be from 0 to 1", name, charge);
-  if (options.most_clears < 0 || options.most_clears > 1000)
-    return fmt::format("most_clears: {} must be from 0 to 1000", options.most_clears);
+  if (options.max_clears < 0 || options.max_clears > 1000)
+    return fmt::format("max_clears: {} must be from 0 to 1000", options.max_clears);
   return std::nullopt;
 }
 

@@ -62,13 +62,13 @@ struct FailsafeOptions {
   double battery_reserve = 0.15;      ///< low: charge less what it takes to get home
   double battery_critical_at = 0.08;  ///< critical: charge
   double recovery = 2;  ///< for which a condition must be gone before it clears [s]
-  int most_clears = 5;  ///< of each trigger in one flight; after that it stays
+  int max_clears = 5;   ///< of each trigger in one flight; after that it stays
   double pilot_silence = 0.5;  ///< after which the transmitter counts as silent [s]
   double ground_time = 0.5;    ///< on the ground for this long: landed [s]
 };
 
 /// What is wrong with the options, naming the field; none when they can be used.
-std::optional<std::string> fault_in(const FailsafeOptions& options);
+std::optional<std::string> error_in(const FailsafeOptions& options);
 
 enum class AirframeKind : std::uint8_t { kFixedWing, kMultirotor };
 

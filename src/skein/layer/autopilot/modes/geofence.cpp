@@ -22,7 +22,7 @@ double squared_distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& p) {
 
 }  // namespace
 
-std::optional<std::string> fault_in(const GeofenceOptions& options) {
+std::optional<std::string> error_in(const GeofenceOptions& options) {
   for (const geo::Ring& ring : options.area)
     if (ring.size() < 3)
       return fmt::format("area: {} corners enclose nothing; at least 3", ring.size());
@@ -39,8 +39,8 @@ std::optional<std::string> fault_in(const GeofenceOptions& options) {
 }
 
 Geofence::Geofence(GeofenceOptions options) : options_(std::move(options)) {
-  const auto fault = fault_in(options_);
-  SKEIN_CHECK(!fault, *fault);
+  const auto error = error_in(options_);
+  SKEIN_CHECK(!error, *error);
 }
 
 double Geofence::horizontal_clearance(const Vec2& p) const {

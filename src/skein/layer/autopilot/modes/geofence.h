@@ -22,12 +22,12 @@ struct GeofenceOptions {
 };
 
 /// What is wrong with the options, naming the field; none when they can be used.
-std::optional<std::string> fault_in(const GeofenceOptions& options);
+std::optional<std::string> error_in(const GeofenceOptions& options);
 
 /// Where a vehicle may fly. Const; what one vehicle keeps of it is in FenceWatch.
 class Geofence {
  public:
-  /// `options` without fault, see fault_in().
+  /// `options` without fault, see error_in().
   explicit Geofence(GeofenceOptions options);
 
   /// How far `p_N` is inside the fence: distance to the nearest edge, ceiling or floor,

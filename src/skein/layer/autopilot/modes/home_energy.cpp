@@ -22,14 +22,14 @@ double ground_speed_along(const Vec2& direction, double airspeed, const Vec2& wi
 HomeNeed home_need(const Vec2& to_home, double height, const Vec2& wind,
                    const HomeFlight& flight) {
   const double distance = to_home.norm();
-  double way = 0;
+  double flight_time = 0;
   if (distance > kAtHome) {
     const double speed = ground_speed_along(to_home / distance, flight.airspeed, wind);
-    way = speed > 0 ? distance / speed : std::numeric_limits<double>::infinity();
+    flight_time = speed > 0 ? distance / speed : std::numeric_limits<double>::infinity();
   }
   const bool sinks = height > 0;
   const double vertical = sinks ? height / flight.sink_rate : -height / flight.climb_rate;
-  const double level = way + flight.landing_time;
+  const double level = flight_time + flight.landing_time;
   // Without this a level flight that costs nothing would be 0 times infinity.
   const double energy_level = flight.power_level > 0 ? flight.power_level * level : 0;
   return {level + vertical,

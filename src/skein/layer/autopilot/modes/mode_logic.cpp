@@ -54,9 +54,9 @@ ModeRules::ModeRules(const FailsafeOptions& options, AirframeKind airframe)
       recovery_(Time::from_seconds(options.recovery)),
       pilot_silence_(Time::from_seconds(options.pilot_silence)),
       ground_time_(Time::from_seconds(options.ground_time)),
-      most_clears_(options.most_clears),
+      max_clears_(options.max_clears),
       airframe_(airframe) {
-  const auto fault = fault_in(options);
+  const auto fault = error_in(options);
   SKEIN_CHECK(!fault, *fault);
 }
 
@@ -140,10 +140,10 @@ void ModeLogic::decide(const ModeInput& in) {
     fly_agent(in);
   }
 
-  decision_.state = !standing_   ? FlightState::kFlying
-                    : failsafe   ? FlightState::kDisarmed
-                    : has_flown_ ? FlightState::kLanded
-                                 : FlightState::kReady;
+  decision_.state = !standing_   ? ArmingState::kFlying
+                    : failsafe   ? ArmingState::kDisarmed
+                    : has_flown_ ? ArmingState::kLanded
+                                 : ArmingState::kReady;
   decision_.trigger = failsafe ? trigger_of(*failsafe) : most_severe_raised();
   decision_.without_position = decision_.raised.has(Failsafe::kGnss);
   decision_.without_motor = decision_.raised.has(Failsafe::kMotor);

@@ -59,7 +59,7 @@ enum class Order : std::uint8_t {
   kDescend,  ///< come down here
 };
 
-enum class FlightState : std::uint8_t {
+enum class ArmingState : std::uint8_t {
   kDisarmed,  ///< on the ground; a failsafe forbids to take off
   kReady,     ///< on the ground, not flown yet
   kFlying,    ///< motors under control, from the take-off run to the landing
@@ -103,7 +103,7 @@ class SetOf {
 struct Decision {
   FlightMode mode = FlightMode::kGuided;
   Order order = Order::kStand;
-  FlightState state = FlightState::kReady;
+  ArmingState state = ArmingState::kReady;
   /// The failsafe that acts; while none acts, the most severe one that is raised.
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FailsafeReaction reaction = FailsafeReaction::kNone;  ///< as flown, see feasible()
@@ -118,7 +118,7 @@ struct Decision {
 /// FailsafeOptions made ready for the step; shared by all vehicles that have them.
 class ModeRules {
  public:
-  /// `options` without fault, see fault_in().
+  /// `options` without fault, see error_in().
   ModeRules(const FailsafeOptions& options, AirframeKind airframe);
 
  private:
@@ -138,7 +138,7 @@ class ModeRules {
   Time recovery_;
   Time pilot_silence_;
   Time ground_time_;
-  int most_clears_;
+  int max_clears_;
   AirframeKind airframe_;
 };
 

@@ -79,7 +79,7 @@ bool ModeLogic::may_clear(Failsafe failsafe, bool released) const {
   if (lasts(failsafe)) return false;
   if (standing_) return true;
   const std::size_t i = place(failsafe);
-  return clears_[i] < rules_->most_clears_ && (released || rules_->rules_[i].resumes);
+  return clears_[i] < rules_->max_clears_ && (released || rules_->rules_[i].resumes);
 }
 
 void ModeLogic::watch(Time now, Failsafe failsafe, bool released) {

@@ -169,9 +169,9 @@ HomeNeed SkeinAutopilot::need_of_return(const NavState& nav,
   return all;
 }
 
-void SkeinAutopilot::set_return(const ReturnWay& way) {
-  if (way == return_) return;
-  return_ = way;
+void SkeinAutopilot::set_return(const ReturnRoute& route) {
+  if (route == return_) return;
+  return_ = route;
   return_changed_ = true;
 }
 

@@ -42,7 +42,7 @@ class SkeinAutopilot final : public Autopilot {
   void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
-  void set_return(const ReturnWay& way) override;
+  void set_return(const ReturnRoute& route) override;
   Control control(Time now, double dt) override;
   NavEstimate estimate() const override { return estimator_.estimate(); }
   AutopilotStatus status() const override;
@@ -87,7 +87,7 @@ class SkeinAutopilot final : public Autopilot {
   Order order_ = Order::kStand;
   AutopilotCommand agent_command_;
   AutopilotCommand take_off_;
-  ReturnWay return_;
+  ReturnRoute return_;
   bool return_changed_ = false;
   bool powered_ = false;  // a battery monitor has been heard
   Time power_time_;

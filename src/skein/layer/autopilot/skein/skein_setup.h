@@ -55,7 +55,7 @@ struct SkeinOptions {
 /// Everything about the autopilot that does not change in flight, worked out once for all
 /// aircraft of a kind.
 struct SkeinSetup {
-  /// `options` without fault_in(options.failsafe).
+  /// `options` without error_in(options.failsafe).
   SkeinSetup(const SkeinOptions& options, const FlightLimits& limits,
              const Airframe& airframe);
 

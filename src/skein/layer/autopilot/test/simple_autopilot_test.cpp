@@ -177,7 +177,7 @@ TEST(SimpleAutopilot, HoldsACourseOverGround) {
   }
 }
 
-TEST(SimpleAutopilot, CirclesBothWays) {
+TEST(SimpleAutopilot, CirclesBothDirections) {
   for (const bool clockwise : {true, false}) {
     Flight flight({6, 3});
     flight.fly(20);

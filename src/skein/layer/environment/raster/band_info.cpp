@@ -27,9 +27,9 @@ std::string lower(std::string text) {
 std::optional<double> leading_number(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   double value = 0;
-  const auto [end, fault] =
+  const auto [end, error] =
       std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc()) return std::nullopt;
+  if (error != std::errc()) return std::nullopt;
   return value;
 }
 

@@ -51,19 +51,19 @@ std::optional<std::vector<std::string>> split(std::string_view line) {
 std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const char* end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, value);
-  if (fault != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 
 Result<CsvTable> CsvTable::load(const std::string& path) {
-  std::error_code fault;
-  if (!std::filesystem::exists(path, fault))
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
     return Error{ErrorCode::kNotFound, path, "there is no such file", ""};
-  if (!std::filesystem::is_regular_file(path, fault))
+  if (!std::filesystem::is_regular_file(path, error))
     return Error{ErrorCode::kBadInput, path, "is not a file but a folder or device", ""};
-  const std::uintmax_t size = std::filesystem::file_size(path, fault);
-  if (fault || size > kMaxBytes)
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size > kMaxBytes)
     return Error{ErrorCode::kBadInput, path, "is larger than the 64 MB allowed", ""};
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

@@ -36,7 +36,7 @@ RasterFile::RasterFile(RasterFile&&) noexcept = default;
 RasterFile& RasterFile::operator=(RasterFile&&) noexcept = default;
 RasterFile::~RasterFile() = default;
 
-Error RasterFile::fault(const std::string& message, const std::string& hint) const {
+Error RasterFile::error(const std::string& message, const std::string& hint) const {
   return {ErrorCode::kBadInput, path_, message, hint};
 }
 
@@ -61,7 +61,7 @@ Result<void> RasterFile::georeference() {
   place.rows = facts.rows;
   place.geo = facts.geo;
   if (GDALInvGeoTransform(place.geo.data(), place.inverse.data()) == 0)
-    return fault("has pixels of no size");
+    return error("has pixels of no size");
   OGRSpatialReferenceH system = OSRNewSpatialReference(facts.system.c_str());
   if (system != nullptr) {
     place.geographic = OSRIsGeographic(system) != 0;
@@ -70,7 +70,7 @@ Result<void> RasterFile::georeference() {
     OSRDestroySpatialReference(system);
   }
   if (!place.to_raster || !place.from_raster)
-    return fault("has a coordinate reference system that cannot be used: " +
+    return error("has a coordinate reference system that cannot be used: " +
                  guard.failure());
   return {};
 }
@@ -116,7 +116,7 @@ Result<geo::Geodetic> RasterFile::geodetic(const Vec2& pixel) const {
       static_cast<OGRCoordinateTransformationH>(handles_->place.from_raster.get()), 1, &x,
       &y, nullptr, &good);
   if (good == 0 || !std::isfinite(x) || !std::isfinite(y) || std::abs(y) > 90)
-    return fault(fmt::format("pixel {:.1f}, {:.1f} has no latitude and longitude: {}",
+    return error(fmt::format("pixel {:.1f}, {:.1f} has no latitude and longitude: {}",
                              pixel.x(), pixel.y(), guard.failure()));
   return geo::Geodetic{y, x, 0};
 }
@@ -129,7 +129,7 @@ Result<double> RasterFile::pixel_size(const geo::LocalFrame& frame) const {
   const double per_north = (m.pixel(1, 0) - m.pixel(0, 0)).norm();
   const double per_east = (m.pixel(0, 1) - m.pixel(0, 0)).norm();
   const double most = std::max(per_north, per_east);
-  if (!(most > 0)) return fault("has pixels of no size at the origin");
+  if (!(most > 0)) return error("has pixels of no size at the origin");
   return 100 / most;
 }
 
@@ -140,11 +140,11 @@ Result<PixelMap> RasterFile::map(const geo::LocalFrame& frame,
 
 Result<PixelWindow> RasterFile::read(int band, const PixelWindow& window) const {
   if (band < 1 || band > static_cast<int>(bands().size()))
-    return fault(fmt::format("has no band {}", band));
+    return error(fmt::format("has no band {}", band));
   if (window.columns <= 0 || window.rows <= 0) return window;
   const double count = static_cast<double>(window.columns) * window.rows;
   if (count > kLargestWindow)
-    return fault(fmt::format("the area has {:.0f} pixels; at most {:.0f} are allowed",
+    return error(fmt::format("the area has {:.0f} pixels; at most {:.0f} are allowed",
                              count, kLargestWindow),
                  "use a smaller area or a coarser raster");
   return handles_->service.read(band, window);

@@ -59,7 +59,7 @@ class RasterFile {
  private:
   struct Handles;
   RasterFile(std::string path, std::unique_ptr<Handles> handles);
-  Error fault(const std::string& message, const std::string& hint = "") const;
+  Error error(const std::string& message, const std::string& hint = "") const;
   Result<void> georeference();
 
   std::string path_;

@@ -88,7 +88,7 @@ Result<void> RasterSource::choose(const std::string& variable) {
   if (auto whole = check_whole(path_, "netCDF", 0); !whole) return whole;
   dataset_ = geo::open_dataset(path_, geo::DataKind::kRaster);
   if (!dataset_)
-    return fault("cannot be read as a raster: " + guard.failure(),
+    return error("cannot be read as a raster: " + guard.failure(),
                  "docs/environment.md has the formats that can be read");
   if (auto whole =
           check_whole(path_, driver_of(dataset_.get()), pixel_bytes(dataset_.get()));
@@ -110,7 +110,7 @@ Result<void> RasterSource::choose(const std::string& variable) {
                  "it has: " + names};
   dataset_ = geo::open_dataset(chosen->name, geo::DataKind::kRaster);
   if (!dataset_)
-    return fault(
+    return error(
         fmt::format("variable \"{}\" cannot be read: {}", variable, guard.failure()));
   return {};
 }
@@ -121,15 +121,15 @@ Result<void> RasterSource::look() {
   GDALDatasetH dataset = dataset_.get();
   facts_.columns = GDALGetRasterXSize(dataset);
   facts_.rows = GDALGetRasterYSize(dataset);
-  if (GDALGetRasterCount(dataset) < 1) return fault("has no raster band");
+  if (GDALGetRasterCount(dataset) < 1) return error("has no raster band");
   Affine inverse{};
   if (GDALGetGeoTransform(dataset, facts_.geo.data()) != CE_None ||
       GDALInvGeoTransform(facts_.geo.data(), inverse.data()) == 0)
-    return fault("has no georeference: nothing says where its pixels lie",
+    return error("has no georeference: nothing says where its pixels lie",
                  "an affine transform (world file, GeoTIFF tags...) is needed");
   facts_.system = system_of(dataset);
   if (facts_.system.empty())
-    return fault("has no coordinate reference system",
+    return error("has no coordinate reference system",
                  "assign one, for example with gdal_translate -a_srs");
   for (int i = 1; i <= GDALGetRasterCount(dataset); ++i)
     facts_.bands.push_back(describe_band(dataset, i));
@@ -151,7 +151,7 @@ Result<PixelWindow> RasterSource::read(int band, const PixelWindow& window) cons
   };
   if (!fill(handle, pixels.values.data(), GDT_Float64) ||
       !fill(GDALGetMaskBand(handle), valid.data(), GDT_Byte))
-    return fault(
+    return error(
         fmt::format("band {} cannot be read; the file is truncated or corrupt: {}", band,
                     guard.failure()));
   int has_nodata = 0;
@@ -171,7 +171,7 @@ Result<PixelWindow> RasterSource::read(int band, const PixelWindow& window) cons
     value = scale * value + offset;
     if (std::isfinite(value)) continue;
     const auto across = static_cast<std::size_t>(window.columns);
-    return fault(
+    return error(
         fmt::format("band {}, column {}, row {} (from 0): {} is not a finite number",
                     band, window.first_column + static_cast<int>(i % across),
                     window.first_row + static_cast<int>(i / across), value),

@@ -24,7 +24,7 @@ class RasterSource {
   explicit RasterSource(std::string path) : path_(std::move(path)) {}
   Result<void> choose(const std::string& variable);
   Result<void> look();
-  Error fault(const std::string& message, const std::string& hint = "") const {
+  Error error(const std::string& message, const std::string& hint = "") const {
     return {ErrorCode::kBadInput, path_, message, hint};
   }
 

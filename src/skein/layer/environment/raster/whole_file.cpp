@@ -66,7 +66,7 @@ class NetcdfHeader {
       : bytes_(bytes), count_(version == 5 ? 8 : 4), offset_(version == 1 ? 4 : 8) {}
 
   // The least length of a sound file; none when the header makes no sense.
-  std::optional<std::uint64_t> least_length() {
+  std::optional<std::uint64_t> min_length() {
     const std::uint64_t records = bytes_.number(count_);
     const bool streaming =
         records == (count_ == 4 ? 0xFFFFFFFFULL : 0xFFFFFFFFFFFFFFFFULL);
@@ -161,7 +161,7 @@ Error cut_short(const std::string& path, std::uint64_t length, std::uint64_t wan
 Result<void> check_netcdf(const std::string& path, int version, std::uint64_t length) {
   Bytes bytes(path);
   bytes.seek(4);
-  const auto wanted = NetcdfHeader(bytes, version).least_length();
+  const auto wanted = NetcdfHeader(bytes, version).min_length();
   if (!wanted)
     return Error{ErrorCode::kBadInput, path,
                  "is truncated or damaged: its NetCDF header makes no sense",

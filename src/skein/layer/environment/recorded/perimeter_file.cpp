@@ -105,19 +105,19 @@ Result<RawSeries> read_table(const std::string& path, const std::string& time_fi
 }
 
 Result<std::string> file_in_folder(const fs::path& folder) {
-  std::error_code fault;
-  if (fs::exists(folder / "perimeters.csv", fault))
+  std::error_code error;
+  if (fs::exists(folder / "perimeters.csv", error))
     return (folder / "perimeters.csv").string();
   std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(folder, fault)) {
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string kind = entry.path().extension().string();
     for (const char* known :
          {".geojson", ".json", ".shp", ".gpkg", ".kml", ".kmz", ".gml"})
       if (kind == known) found.push_back(entry.path().string());
   }
-  if (fault)
+  if (error)
     return Error{ErrorCode::kUnavailable, folder.string(),
-                 "cannot be listed: " + fault.message(), ""};
+                 "cannot be listed: " + error.message(), ""};
   if (found.size() == 1) return found[0];
   return Error{ErrorCode::kNotFound, folder.string(),
                fmt::format("holds no perimeters.csv and {} vector files", found.size()),

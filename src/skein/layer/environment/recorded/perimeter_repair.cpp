@@ -74,12 +74,12 @@ class Repair {
     Region result = geo::clean(rings, FillRule::kPositive);
     const std::size_t parts = result.size();
     std::erase_if(result, [&](const Ring& ring) {
-      return std::abs(geo::signed_area(ring)) < options_.least_part;
+      return std::abs(geo::signed_area(ring)) < options_.min_part;
     });
     if (result.size() < parts)
       warn(fmt::format("{} part{} or hole{} below {} m2 left out", parts - result.size(),
                        parts - result.size() == 1 ? "" : "s",
-                       parts - result.size() == 1 ? "" : "s", options_.least_part));
+                       parts - result.size() == 1 ? "" : "s", options_.min_part));
     return result;
   }
 

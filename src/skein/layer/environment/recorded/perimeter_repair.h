@@ -21,8 +21,8 @@ struct RepairOptions {
       skip;  ///< numbers of perimeters to leave out, in order of time, from 0
   Outliers outliers = Outliers::kDrop;
   double outlier_share =
-      0.25;               ///< of a perimeter's area that may be missing from the next
-  double least_part = 1;  ///< parts and holes below this area are left out [m^2]
+      0.25;             ///< of a perimeter's area that may be missing from the next
+  double min_part = 1;  ///< parts and holes below this area are left out [m^2]
 };
 
 /// Projects a raw perimeter from degrees into the local plane.

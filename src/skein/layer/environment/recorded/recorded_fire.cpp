@@ -19,7 +19,7 @@ constexpr double kWantedNodes = 200e3;
 constexpr double kFinest = 5;       // spacing chosen by default [m]
 constexpr double kMaxNodes = 20e6;  // times perimeters: 160 MB
 
-Error fault(const RecordedFireOptions& options, const std::string& message,
+Error error(const RecordedFireOptions& options, const std::string& message,
             const std::string& hint = "") {
   return {ErrorCode::kBadInput, options.path, message, hint};
 }
@@ -63,7 +63,7 @@ Result<GridShape> grid_for(const RecordedFireOptions& options, const Box& box,
   const Vec2 cells = (size + 2 * margin) / spacing;
   const double numbers = cells.x() * cells.y() * static_cast<double>(layers);
   if (numbers > kMaxNodes)
-    return fault(
+    return error(
         options,
         fmt::format("a spacing of {} m over {:.0f} m by {:.0f} m with {} perimeters "
                     "takes {:.0f} numbers; {:.0f} are allowed",
@@ -74,20 +74,20 @@ Result<GridShape> grid_for(const RecordedFireOptions& options, const Box& box,
 
 Result<void> check_options(const RecordedFireOptions& options) {
   if (!(options.spacing >= 0 && std::isfinite(options.spacing)))
-    return fault(options,
+    return error(options,
                  fmt::format("spacing {} m must not be below 0", options.spacing));
   if (!(options.start >= 0 && options.start <= 1e9))
-    return fault(options, fmt::format("start {} s: 0 to 1e9 is allowed", options.start));
+    return error(options, fmt::format("start {} s: 0 to 1e9 is allowed", options.start));
   if (!(options.arrival_unit > 0 && options.arrival_unit <= 1e6))
-    return fault(options,
+    return error(options,
                  fmt::format("arrival_unit {} s: above 0 and up to 1e6 is allowed",
                              options.arrival_unit));
   if (!(options.repair.outlier_share > 0 && options.repair.outlier_share <= 1))
-    return fault(options, fmt::format("outlier_share {}: above 0 and up to 1 is allowed",
+    return error(options, fmt::format("outlier_share {}: above 0 and up to 1 is allowed",
                                       options.repair.outlier_share));
-  if (!(options.repair.least_part >= 0))
-    return fault(options, fmt::format("least_part {} m2 must not be below 0",
-                                      options.repair.least_part));
+  if (!(options.repair.min_part >= 0))
+    return error(options, fmt::format("min_part {} m2 must not be below 0",
+                                      options.repair.min_part));
   return {};
 }
 
@@ -118,7 +118,7 @@ Result<Series> load_series(const RecordedFireOptions& options, RawSeries raw,
   if (!series) return series.error();
   const double last = series.value().back().time;
   if (options.start > last)
-    return fault(
+    return error(
         options,
         fmt::format("start {} s lies after the last perimeter, {} s after the first",
                     options.start, last));
@@ -178,13 +178,13 @@ Result<Arrival> load_arrival(const RecordedFireOptions& options,
         arrival.earliest = Vec2(c + 0.5, r + 0.5);
       }
     }
-  if (arrival.last_row < 0) return fault(options, "holds no arrival time at all");
+  if (arrival.last_row < 0) return error(options, "holds no arrival time at all");
   if (negative > 0)
     warnings.push_back(
         fmt::format("{}: {} pixels with a time below 0 count as never burnt",
                     options.path, negative));
   if (options.start > arrival.last_time)
-    return fault(options, fmt::format("start {} s lies after the last arrival, {} s",
+    return error(options, fmt::format("start {} s lies after the last arrival, {} s",
                                       options.start, arrival.last_time));
   return arrival;
 }
@@ -204,7 +204,7 @@ Result<GridField> arrival_field(const RecordedFireOptions& options,
             arrival.first_row + at.y() * (arrival.last_row + 1 - arrival.first_row)));
         if (!g) return g.error();
         if (frame.to_local(g.value()).norm() > 500e3)
-          return fault(options,
+          return error(options,
                        "lies more than the 500 km allowed from the scenario's origin",
                        "is the origin right?");
         box.add(frame.to_plane(g.value().latitude_deg, g.value().longitude_deg));
@@ -286,7 +286,7 @@ Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& o
       if (!line.empty()) any = &line.front();
     if (any != nullptr) break;
   }
-  if (any == nullptr) return fault(options, "has no perimeter that encloses anything");
+  if (any == nullptr) return error(options, "has no perimeter that encloses anything");
   const auto first_frame = geo::LocalFrame::at({any->x(), any->y(), 0});
   if (!first_frame) return first_frame.error();
   const auto series =

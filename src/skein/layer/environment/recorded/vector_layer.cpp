@@ -44,7 +44,7 @@ class Collector {
       warnings_.push_back(place_ + ": empty geometry left out");
       return {};
     }
-    if (depth > kDeepest) return fault("has geometry collections nested too deeply");
+    if (depth > kDeepest) return error("has geometry collections nested too deeply");
     switch (wkbFlatten(OGR_G_GetGeometryType(geometry))) {
       case wkbPolygon:
       case wkbTriangle:
@@ -75,7 +75,7 @@ class Collector {
   }
 
  private:
-  Error fault(const std::string& message) const {
+  Error error(const std::string& message) const {
     return {ErrorCode::kBadInput, place_, message, ""};
   }
 
@@ -99,7 +99,7 @@ class Collector {
         OGR_G_GetLinearGeometry(geometry, 0, nullptr));
     if (!straight || OGR_G_HasCurveGeometry(straight.get(), TRUE) != 0 ||
         OGR_G_GetGeometryType(straight.get()) == OGR_G_GetGeometryType(geometry))
-      return fault(fmt::format("has geometry of the kind {}; areas and lines are allowed",
+      return error(fmt::format("has geometry of the kind {}; areas and lines are allowed",
                                OGR_G_GetGeometryName(geometry)));
     return add(straight.get(), out, depth + 1);
   }
@@ -108,13 +108,13 @@ class Collector {
     const int count = line == nullptr ? 0 : OGR_G_GetPointCount(line);
     points_ += static_cast<std::size_t>(count);
     if (points_ > kMaxPoints)
-      return fault(fmt::format("has over {} points, the most allowed", kMaxPoints));
+      return error(fmt::format("has over {} points, the most allowed", kMaxPoints));
     std::vector<double> x, y;
     for (int i = 0; i < count; ++i) {
       x.push_back(OGR_G_GetX(line, i));
       y.push_back(OGR_G_GetY(line, i));
       if (!std::isfinite(x.back()) || !std::isfinite(y.back()))
-        return fault(fmt::format("point {} of a line is {}, {}: not finite", i, x.back(),
+        return error(fmt::format("point {} of a line is {}, {}: not finite", i, x.back(),
                                  y.back()));
     }
     std::vector<int> good(x.size(), 1);
@@ -125,7 +125,7 @@ class Collector {
     result.reserve(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (good[i] == 0 || !(std::abs(y[i]) <= 90) || !(std::abs(x[i]) <= 360))
-        return fault(
+        return error(
             fmt::format("point {} of a line ({}, {}) has no latitude and longitude", i,
                         OGR_G_GetX(line, static_cast<int>(i)),
                         OGR_G_GetY(line, static_cast<int>(i))));
@@ -239,12 +239,12 @@ Result<std::vector<VectorFeature>> VectorReader::read(
   const bool known = !text.empty() && text == systems_->text && systems_->to_degrees;
   std::optional<ThreadOption> without_search;
   if (known) without_search.emplace("USE_OSR_FIND_MATCHES", "NO");
-  const auto fault = [&](const std::string& message, const std::string& hint = "") {
+  const auto error = [&](const std::string& message, const std::string& hint = "") {
     return Error{ErrorCode::kBadInput, name, message, hint};
   };
   const geo::GdalDataset dataset = geo::open_dataset(name, geo::DataKind::kVector);
   if (!dataset)
-    return fault("cannot be read as vector data: " + guard.failure(),
+    return error("cannot be read as vector data: " + guard.failure(),
                  "docs/environment.md has the formats that can be read");
   std::vector<VectorFeature> features;
   std::size_t points = 0;
@@ -262,12 +262,12 @@ Result<std::vector<VectorFeature>> VectorReader::read(
       if (to_degrees == nullptr) {
         OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer);
         if (own == nullptr)
-          return fault("has no coordinate reference system",
+          return error("has no coordinate reference system",
                        "a .prj file or an entry in the file is needed");
         own_transform = geo::transform_to_degrees(own);
         to_degrees = own_transform.get();
         if (to_degrees == nullptr)
-          return fault("has a coordinate reference system that cannot be used: " +
+          return error("has a coordinate reference system that cannot be used: " +
                        guard.failure());
       }
       VectorFeature& out = features.emplace_back();
@@ -292,8 +292,8 @@ Result<std::vector<VectorFeature>> VectorReader::read(
       systems_->to_degrees = std::move(own_transform);
     }
   }
-  if (guard.failed()) return fault("is truncated or corrupt: " + guard.failure());
-  if (features.empty()) return fault("has no features");
+  if (guard.failed()) return error("is truncated or corrupt: " + guard.failure());
+  if (features.empty()) return error("has no features");
   return features;
 }
 

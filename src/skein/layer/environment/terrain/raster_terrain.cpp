@@ -16,14 +16,14 @@ constexpr double kLowest = -500, kHighest = 9000;
 
 Result<std::unique_ptr<Terrain>> make_raster_terrain(const RasterTerrainOptions& options,
                                                      const geo::LocalFrame& frame) {
-  const auto fault = [&](const std::string& message, const std::string& hint = "") {
+  const auto error = [&](const std::string& message, const std::string& hint = "") {
     return Error{ErrorCode::kBadInput, options.file, message, hint};
   };
   if (!(options.area > 0 && options.area <= 200e3))
-    return fault(
+    return error(
         fmt::format("area {} m: above 0 and up to 200 km is allowed", options.area));
   if (!(options.spacing >= 0))
-    return fault(fmt::format("spacing {} m must not be below 0", options.spacing));
+    return error(fmt::format("spacing {} m must not be below 0", options.spacing));
   auto file = RasterFile::open(options.file);
   if (!file) return file.error();
   double spacing = options.spacing;
@@ -35,7 +35,7 @@ Result<std::unique_ptr<Terrain>> make_raster_terrain(const RasterTerrainOptions&
   spacing = std::min(spacing, 2 * options.area);
   const double side = 2 * options.area / spacing + 1;
   if (side * side > kMaxNodes)
-    return fault(
+    return error(
         fmt::format("an area of {} m at a spacing of {:.3g} m has {:.0f} points; at "
                     "most {:.0f} are allowed",
                     options.area, spacing, side * side, kMaxNodes),
@@ -49,7 +49,7 @@ Result<std::unique_ptr<Terrain>> make_raster_terrain(const RasterTerrainOptions&
   const auto values = field.value().values();
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   if (*low < kLowest || *high > kHighest)
-    return fault(
+    return error(
         fmt::format("holds values from {:.6g} to {:.6g}; elevations from {} to {} m "
                     "are allowed",
                     *low, *high, kLowest, kHighest),

@@ -12,17 +12,17 @@ constexpr double kSlowest = 1;  // [m/s]
 
 }  // namespace
 
-double gust_share(const DiscreteGust& gust, double way) {
+double gust_share(const DiscreteGust& gust, double distance) {
   const double end = 2 * gust.length + gust.hold;
-  const double x = std::min(way, end - way);  // it falls as it rises
+  const double x = std::min(distance, end - distance);  // it falls as it rises
   if (x <= 0) return 0;
   return x >= gust.length ? 1 : (1 - math::cos(geo::kPi * x / gust.length)) / 2;
 }
 
-double gust_slope(const DiscreteGust& gust, double way) {
+double gust_slope(const DiscreteGust& gust, double distance) {
   const double end = 2 * gust.length + gust.hold;
-  const bool falls = way > end / 2;
-  const double x = falls ? end - way : way;
+  const bool falls = distance > end / 2;
+  const double x = falls ? end - distance : distance;
   if (x <= 0 || x >= gust.length) return 0;
   const double slope =
       geo::kPi / (2 * gust.length) * math::sin(geo::kPi * x / gust.length);
@@ -41,10 +41,10 @@ Gust DiscreteGusts::advance(const TurbulenceView& view, double dt) {
   const double speed = std::max(view.vehicle.airspeed, kSlowest);
   for (Met& met : gusts_) {
     if (view.now < met.start) continue;
-    if (met.way < 0) met.way = speed * (view.now - met.start).seconds();
-    const double share = gust_share(met.gust, met.way);
-    const double slope = gust_slope(met.gust, met.way);
-    met.way += speed * dt;
+    if (met.distance < 0) met.distance = speed * (view.now - met.start).seconds();
+    const double share = gust_share(met.gust, met.distance);
+    const double slope = gust_slope(met.gust, met.distance);
+    met.distance += speed * dt;
     if (share == 0) continue;
     const bool in_body = met.gust.frame == GustFrame::kBody;
     const Quat& q_NB = view.vehicle.q_NB;

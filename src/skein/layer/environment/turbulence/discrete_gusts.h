@@ -28,10 +28,10 @@ struct DiscreteGust {
 ///
 /// The standard's gust, which stays, is the one with a hold without end.
 /// Reference: [MIL-F-8785C] 3.7.1.3.
-double gust_share(const DiscreteGust& gust, double way);
+double gust_share(const DiscreteGust& gust, double distance);
 
 /// How gust_share() grows along the way [1/m].
-double gust_slope(const DiscreteGust& gust, double way);
+double gust_slope(const DiscreteGust& gust, double distance);
 
 struct DiscreteGustsOptions {
   std::vector<DiscreteGust> gusts = {};
@@ -50,7 +50,7 @@ class DiscreteGusts final : public Turbulence {
   struct Met {
     DiscreteGust gust;
     Time start;
-    double way = -1;  // behind its beginning [m]; not yet there
+    double distance = -1;  // behind its beginning [m]; not yet there
   };
   std::vector<Met> gusts_;
 };

@@ -19,11 +19,11 @@ bool changed(double now, double then) {
 
 // (u, v, w) with u along the horizontal part of the way through the mean air. A vehicle
 // that has none is taken along its heading.
-Vec3 along_way(const TurbulenceView& view, const Vec3& gust) {
-  const Vec2 way = geo::horizontal(view.vehicle.v_N - view.wind_N);
-  const double speed = way.norm();
+Vec3 along_airspeed(const TurbulenceView& view, const Vec3& gust) {
+  const Vec2 distance = geo::horizontal(view.vehicle.v_N - view.wind_N);
+  const double speed = distance.norm();
   const Vec2 ahead =
-      speed > 1e-3 ? Vec2(way / speed) : geo::unit(geo::yaw(view.vehicle.q_NB));
+      speed > 1e-3 ? Vec2(distance / speed) : geo::unit(geo::yaw(view.vehicle.q_NB));
   const Vec2 level = gust.x() * ahead + gust.y() * geo::turned_right(ahead);
   return {level.x(), level.y(), gust.z()};
 }
@@ -38,20 +38,20 @@ DrydenTurbulence::DrydenTurbulence(const DrydenOptions& options, std::uint64_t s
   SKEIN_CHECK(options.span > 0, options.span);
 }
 
-void DrydenTurbulence::update(double height, double way) {
+void DrydenTurbulence::update(double height, double distance) {
   if (height_ < 0 || changed(height, height_)) {
     spectrum_ = dryden_spectrum(options_, height);
     height_ = height;
-  } else if (!changed(way, way_)) {
+  } else if (!changed(distance, distance_)) {
     return;
   }
-  way_ = way;
+  distance_ = distance;
   const double b = options_.span, reach = 4 * b / geo::kPi;
-  v_.discretise(way, spectrum_.length_u, 3 * b / geo::kPi);
-  w_.discretise(way, spectrum_.length_w, reach);
-  keep_u_ = math::exp(-way / spectrum_.length_u);
+  v_.discretise(distance, spectrum_.length_u, 3 * b / geo::kPi);
+  w_.discretise(distance, spectrum_.length_w, reach);
+  keep_u_ = math::exp(-distance / spectrum_.length_u);
   stir_u_ = std::sqrt(1 - keep_u_ * keep_u_);
-  keep_p_ = math::exp(-way / reach);
+  keep_p_ = math::exp(-distance / reach);
   stir_p_ = std::sqrt(1 - keep_p_ * keep_p_);
   // The integral of the spectrum: its value at 0 times pi/(2 reach).
   sigma_p_ = spectrum_.sigma_w *
@@ -86,11 +86,11 @@ Gust DrydenTurbulence::advance(const TurbulenceView& view, double dt) {
   felt.rates_B = {sigma_p_ * p_, -spectrum_.sigma_w * w_.gradient(),
                   spectrum_.sigma_u * v_.gradient()};
   if (height <= kLow) {
-    felt.velocity_N = along_way(view, gust);
+    felt.velocity_N = along_airspeed(view, gust);
   } else {
     const double part = std::min((height - kLow) / (kHigh - kLow), 1.0);
     felt.velocity_N = part * (view.vehicle.q_NB * gust);
-    if (part < 1) felt.velocity_N += (1 - part) * along_way(view, gust);
+    if (part < 1) felt.velocity_N += (1 - part) * along_airspeed(view, gust);
   }
   return felt;
 }

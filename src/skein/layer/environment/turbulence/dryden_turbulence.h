@@ -39,15 +39,15 @@ class DrydenTurbulence final : public Turbulence {
   Gust advance(const TurbulenceView& view, double dt) override;
 
  private:
-  void update(double height, double way);
+  void update(double height, double distance);
   void step();
 
   DrydenOptions options_;
   RandomStream random_;
   bool calm_;
   bool started_ = false;
-  double height_ = -1;  // that spectrum_ is for [m]
-  double way_ = -1;     // that the coefficients are for [m]
+  double height_ = -1;    // that spectrum_ is for [m]
+  double distance_ = -1;  // that the coefficients are for [m]
   DrydenSpectrum spectrum_;
   TransverseFilter v_, w_;
   double keep_u_ = 0, stir_u_ = 1, keep_p_ = 0, stir_p_ = 1;

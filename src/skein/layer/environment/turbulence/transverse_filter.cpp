@@ -15,16 +15,17 @@ constexpr double kSecond = (1 - std::numbers::sqrt3) / std::numbers::sqrt2;
 
 }  // namespace
 
-void TransverseFilter::discretise(double way, double length, double reach) {
+void TransverseFilter::discretise(double distance, double length, double reach) {
   a_ = 1 / length;
   c_ = 1 / reach;
   // The closed form divides by c - a; a thousandth beside it is as good.
   if (std::abs(c_ - a_) < 1e-3 * a_) c_ = a_ * (1 + 1e-3);
-  const double e = math::exp(-a_ * way), f = math::exp(-c_ * way);
+  const double e = math::exp(-a_ * distance), f = math::exp(-c_ * distance);
   const double apart = c_ - a_;
   const double through = c_ * (e - f) / apart;  // of a decaying exp(-a s) to x3
-  const double ramp = c_ * a_ * (way * e - (e - f) / apart) / apart;  // of a s exp(-a s)
-  const double a11 = e, a21 = a_ * way * e;
+  const double ramp =
+      c_ * a_ * (distance * e - (e - f) / apart) / apart;  // of a s exp(-a s)
+  const double a11 = e, a21 = a_ * distance * e;
   const double a31 = kFirst * through + kSecond * ramp, a32 = kSecond * through;
   transition_ = {a11, a21, a31, a32, f};
 

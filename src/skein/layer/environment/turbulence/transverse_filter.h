@@ -25,7 +25,7 @@ class TransverseFilter {
 
   /// Sets up for steps of `way` [m] in a gust of length scale `length` (L) [m], smoothed
   /// by the vehicle over `reach` (R) [m].
-  void discretise(double way, double length, double reach);
+  void discretise(double distance, double length, double reach);
 
   /// Draws a state of the steady state.
   void start(const Normals& n);

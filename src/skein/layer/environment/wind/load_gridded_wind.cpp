@@ -178,18 +178,18 @@ Result<GriddedWind::Slice> load_slice(const GriddedWindOptions& options,
 // Time [s since the run's start] of every band of the first quantity.
 Result<std::vector<double>> band_times(const GriddedWindOptions& options,
                                        const Quantity& quantity) {
-  const auto fault = [&](const std::string& message, const std::string& hint) {
+  const auto error = [&](const std::string& message, const std::string& hint) {
     return Error{ErrorCode::kBadInput, quantity.file.path(), message, hint};
   };
   const std::size_t count = quantity.bands.size();
   if (!options.times.empty()) {
     if (options.times.size() != count)
-      return fault(fmt::format("has {} bands of the wind, but {} times are given", count,
+      return error(fmt::format("has {} bands of the wind, but {} times are given", count,
                                options.times.size()),
                    "give one time for each band");
     for (const double t : options.times)
       if (!(std::abs(t) <= 1e9))
-        return fault(fmt::format("time {} s is outside -1e9 to 1e9", t), "");
+        return error(fmt::format("time {} s is outside -1e9 to 1e9", t), "");
     return options.times;
   }
   std::vector<double> times(count, 0.0);
@@ -197,14 +197,14 @@ Result<std::vector<double>> band_times(const GriddedWindOptions& options,
   for (std::size_t i = 0; i < count; ++i) timed = timed && quantity.info(i).utc_s;
   if (!timed) {
     if (count == 1 && options.start_utc.empty()) return times;
-    return fault("does not say the times of its bands", "give them in times");
+    return error("does not say the times of its bands", "give them in times");
   }
   for (std::size_t i = 0; i < count; ++i) times[i] = *quantity.info(i).utc_s;
   double start = *std::min_element(times.begin(), times.end());
   if (!options.start_utc.empty()) {
     const auto given = parse_utc(options.start_utc);
     if (!given)
-      return fault(fmt::format("start time \"{}\" is not an ISO 8601 date and time",
+      return error(fmt::format("start time \"{}\" is not an ISO 8601 date and time",
                                options.start_utc),
                    "for example 2017-06-03T18:00:00Z");
     start = *given;
@@ -230,28 +230,28 @@ std::vector<T> sorted_unique(std::vector<T> values) {
 }
 
 Result<void> check_alike(const Quantity& first, const Quantity& second) {
-  const auto fault = [&](const std::string& what) {
+  const auto error = [&](const std::string& what) {
     return Error{ErrorCode::kBadInput, second.file.path(),
                  "the two quantities of the wind differ in " + what, ""};
   };
   if (first.file.columns() != second.file.columns() ||
       first.file.rows() != second.file.rows())
-    return fault("size");
+    return error("size");
   for (const Vec2& pixel : {Vec2(0, 0), Vec2(first.file.columns(), first.file.rows())}) {
     const auto a = first.file.geodetic(pixel), b = second.file.geodetic(pixel);
     if (!a) return a.error();
     if (!b) return b.error();
     if (std::abs(a.value().latitude_deg - b.value().latitude_deg) > 1e-6 ||
         std::abs(a.value().longitude_deg - b.value().longitude_deg) > 1e-6)
-      return fault("place");
+      return error("place");
   }
   if (first.bands.size() != second.bands.size())
-    return fault(fmt::format("number of bands: {} and {}", first.bands.size(),
+    return error(fmt::format("number of bands: {} and {}", first.bands.size(),
                              second.bands.size()));
   for (std::size_t i = 0; i < first.bands.size(); ++i)
     if (first.info(i).utc_s != second.info(i).utc_s ||
         first.info(i).height_m != second.info(i).height_m)
-      return fault(fmt::format("time or level of their band {}", i + 1));
+      return error(fmt::format("time or level of their band {}", i + 1));
   return {};
 }
 
@@ -259,14 +259,14 @@ Result<void> check_alike(const Quantity& first, const Quantity& second) {
 
 Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& options,
                                                      const geo::LocalFrame& frame) {
-  const auto fault = [&](const std::string& message, const std::string& hint = "") {
+  const auto error = [&](const std::string& message, const std::string& hint = "") {
     return Error{ErrorCode::kBadInput, options.file, message, hint};
   };
   if (!(options.area > 0 && options.area <= 2e6))
-    return fault(
+    return error(
         fmt::format("area {} m: above 0 and up to 2000 km is allowed", options.area));
   if (!(options.spacing >= 0))
-    return fault(fmt::format("spacing {} m must not be below 0", options.spacing));
+    return error(fmt::format("spacing {} m must not be below 0", options.spacing));
   const bool shared = options.second_file.empty();
   const auto first = open_quantity(options.file, options.first, shared, 1);
   if (!first) return first.error();
@@ -292,7 +292,7 @@ Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& o
   const double half = std::ceil(options.area / spacing - 1e-9);
   const Vec2 corner = half * spacing * Vec2(1, 1);
   if ((2 * half + 1) * (2 * half + 1) > kMaxNodes)
-    return fault(
+    return error(
         fmt::format("an area of {} m at a spacing of {:.3g} m has over {:.0f} points",
                     options.area, spacing, kMaxNodes),
         "use a smaller area or a larger spacing");
@@ -318,7 +318,7 @@ Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& o
       for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i] == moment && heights[i] == level) matches.push_back(i);
       if (matches.size() != 1)
-        return fault(
+        return error(
             fmt::format("has {} bands for the time {} s and the level {} m; there "
                         "must be one for each time and level",
                         matches.size(), moment.seconds(), level));

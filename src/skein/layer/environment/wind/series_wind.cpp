@@ -29,16 +29,16 @@ Result<SeriesWind> from_table(const CsvTable& table, const std::string& place) {
     const auto b = table.number(row, polar ? *from : *east);
     for (const auto* field : {&t, &a, &b})
       if (!field->ok()) return field->error();
-    const auto fault = [&](const std::string& message) {
+    const auto error = [&](const std::string& message) {
       return Error{ErrorCode::kBadInput, table.place(row), message, ""};
     };
     if (std::abs(t.value()) > kLongest)
-      return fault(fmt::format("t_s: {} is outside -1e9 to 1e9", t.value()));
+      return error(fmt::format("t_s: {} is outside -1e9 to 1e9", t.value()));
     if (polar && a.value() < 0)
-      return fault(fmt::format("speed_mps: {} must not be below 0", a.value()));
+      return error(fmt::format("speed_mps: {} must not be below 0", a.value()));
     const Time at = Time::from_seconds(t.value());
     if (!entries.empty() && at <= entries.back().time)
-      return fault(fmt::format("t_s: {} is not above the one before, {}", t.value(),
+      return error(fmt::format("t_s: {} is not above the one before, {}", t.value(),
                                entries.back().time.seconds()));
     entries.push_back({at, polar ? blowing_from(a.value(), geo::radians(b.value()))
                                  : Vec2(a.value(), b.value())});

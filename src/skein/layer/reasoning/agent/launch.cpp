@@ -5,13 +5,13 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kTellAgain = 20;  // longer than any run [s]
-constexpr double kSettle = 5;      // at rest: the estimator finds its errors [s]
-constexpr double kArrival = 8;     // of the altitude, counted as reached [m]
+constexpr double kReportAgain = 20;  // longer than any run [s]
+constexpr double kSettle = 5;        // at rest: the estimator finds its errors [s]
+constexpr double kArrival = 8;       // of the altitude, counted as reached [m]
 
 }  // namespace
 
-bool Launch::under_way(const AgentInput& in, double altitude, AgentOutput& out) {
+bool Launch::takes_off(const AgentInput& in, double altitude, AgentOutput& out) {
   if (state_ == State::kFlies) return false;
   const bool first = state_ == State::kNew;
   const bool up = !in.autopilot.on_ground &&
@@ -27,7 +27,7 @@ bool Launch::under_way(const AgentInput& in, double altitude, AgentOutput& out) 
     command.guidance = TakeOff{in.nav->heading};
     command.altitude_msl = altitude;
     out.command = std::move(command);
-    order_at_ = in.now + Time::from_seconds(kTellAgain);
+    order_at_ = in.now + Time::from_seconds(kReportAgain);
   }
   return true;
 }

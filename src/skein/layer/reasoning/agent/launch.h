@@ -17,7 +17,7 @@ class Launch {
   ///
   /// @param altitude  to climb to [m above mean sea level].
   /// @returns         whether it is still being done; then nothing else may be commanded.
-  bool under_way(const AgentInput& in, double altitude, AgentOutput& out);
+  bool takes_off(const AgentInput& in, double altitude, AgentOutput& out);
 
  private:
   enum class State { kNew, kTakesOff, kFlies };

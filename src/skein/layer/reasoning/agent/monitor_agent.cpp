@@ -48,8 +48,8 @@ MonitorAgent::MonitorAgent(const MonitorAgentOptions& options, EntityId self,
       coordinator_(coordinator),
       limits_(limits),
       map_(map),
-      zones_(options.guard, limits, zones, self),
-      returns_(options.guard, limits, self, map),
+      zones_(options.avoidance, limits, zones, self),
+      returns_(options.avoidance, limits, self, map),
       execution_(options.safety_zone) {}
 
 void MonitorAgent::step(const AgentInput& in, AgentOutput& out) {
@@ -64,13 +64,13 @@ void MonitorAgent::step(const AgentInput& in, AgentOutput& out) {
 
   const Vec2 place = geo::horizontal(in.nav->p_N);
   const double up = map_.elevation_msl(place) + options_.altitude_agl;
-  if (zones_.keeps_on_ground(in, up) || launch_.under_way(in, up, out)) {
+  if (zones_.keeps_on_ground(in, up) || launch_.takes_off(in, up, out)) {
     report(in, out);
     return;
   }
   altitude_msl_ = altitude_over(map_, place, geo::horizontal(in.nav->v_N),
                                 options_.altitude_agl, limits_.climb_rate);
-  const Wish wanted = wish(in, out);
+  const Setpoint wanted = setpoint(in, out);
   AutopilotCommand command;
   command.guidance =
       zones_.keep_out(wanted.guidance, wanted.course, *in.nav, altitude_msl_);
@@ -149,7 +149,7 @@ void MonitorAgent::report(const AgentInput& in, AgentOutput& out) {
   out.outbox.push_back(std::move(message));
 }
 
-MonitorAgent::Wish MonitorAgent::wish(const AgentInput& in, AgentOutput& out) {
+MonitorAgent::Setpoint MonitorAgent::setpoint(const AgentInput& in, AgentOutput& out) {
   if (!has_task_) return circle_at(allowed(*home_, in, out), *in.nav);
   if (const auto* order = std::get_if<FlyTo>(&task_.what))
     return fly_to(allowed(order->point, in, out), in);
@@ -179,8 +179,8 @@ Vec2 MonitorAgent::allowed(const Vec2& place, const AgentInput& in, AgentOutput&
   return instead;
 }
 
-MonitorAgent::Wish MonitorAgent::circle_at(const Vec2& centre,
-                                           const NavEstimate& nav) const {
+MonitorAgent::Setpoint MonitorAgent::circle_at(const Vec2& centre,
+                                               const NavEstimate& nav) const {
   const double radius =
       kPathReserve *
       model::ground_turn_radius(limits_.turn_radius, limits_.airspeed, nav.wind_N.norm());
@@ -191,7 +191,7 @@ MonitorAgent::Wish MonitorAgent::circle_at(const Vec2& centre,
   return {Circle{centre, radius, true}, course};
 }
 
-MonitorAgent::Wish MonitorAgent::fly_to(const Vec2& point, const AgentInput& in) {
+MonitorAgent::Setpoint MonitorAgent::fly_to(const Vec2& point, const AgentInput& in) {
   const NavEstimate& nav = *in.nav;
   const Vec2 position = geo::horizontal(nav.p_N);
   const Vec2 velocity = geo::horizontal(nav.v_N);
@@ -223,7 +223,7 @@ MonitorAgent::Wish MonitorAgent::fly_to(const Vec2& point, const AgentInput& in)
   return {FollowPath{path_}, geo::bearing(ahead)};
 }
 
-MonitorAgent::Wish MonitorAgent::follow_edge(const AgentInput& in, AgentOutput& out) {
+MonitorAgent::Setpoint MonitorAgent::follow_edge(const AgentInput& in, AgentOutput& out) {
   const double course = follower_->course(in.now, geo::horizontal(in.nav->p_N));
   if (follower_->lost() != lost_) {
     lost_ = !lost_;
@@ -234,8 +234,8 @@ MonitorAgent::Wish MonitorAgent::follow_edge(const AgentInput& in, AgentOutput& 
   return {HoldCourse{course}, course};
 }
 
-MonitorAgent::Wish MonitorAgent::follow_line(const FollowLine& order,
-                                             const AgentInput& in) {
+MonitorAgent::Setpoint MonitorAgent::follow_line(const FollowLine& order,
+                                                 const AgentInput& in) {
   const NavEstimate& nav = *in.nav;
   const Vec2 position = geo::horizontal(nav.p_N);
   if (order.points.empty()) {

@@ -7,8 +7,8 @@
 #include "skein/layer/reasoning/agent/edge_follower.h"
 #include "skein/layer/reasoning/agent/execution_monitor.h"
 #include "skein/layer/reasoning/agent/launch.h"
-#include "skein/layer/reasoning/agent/return_keeper.h"
-#include "skein/layer/reasoning/agent/zone_watch.h"
+#include "skein/layer/reasoning/agent/return_planner.h"
+#include "skein/layer/reasoning/agent/zone_monitor.h"
 #include "skein/role/agent.h"
 #include "skein/role/terrain.h"
 
@@ -22,7 +22,7 @@ struct MonitorAgentOptions {
   EdgeFollowerOptions edge;
   /// Between course and edge, whatever the order says [rad]; none: the order's.
   std::optional<double> edge_angle;
-  ZoneGuardOptions guard;
+  ZoneAvoidanceOptions avoidance;
   SafetyZone safety_zone;
 };
 
@@ -51,7 +51,7 @@ class MonitorAgent final : public Agent {
 
  private:
   // What the task wants flown, and its course over ground just ahead.
-  struct Wish {
+  struct Setpoint {
     decltype(AutopilotCommand::guidance) guidance;
     double course = 0;
   };
@@ -60,19 +60,19 @@ class MonitorAgent final : public Agent {
   void take_samples(const AgentInput& in, AgentOutput& out);
   void report(const AgentInput& in, AgentOutput& out);
 
-  Wish wish(const AgentInput& in, AgentOutput& out);
-  Wish fly_to(const Vec2& point, const AgentInput& in);
-  Wish follow_edge(const AgentInput& in, AgentOutput& out);
-  Wish follow_line(const FollowLine& order, const AgentInput& in);
-  Wish circle_at(const Vec2& centre, const NavEstimate& nav) const;
+  Setpoint setpoint(const AgentInput& in, AgentOutput& out);
+  Setpoint fly_to(const Vec2& point, const AgentInput& in);
+  Setpoint follow_edge(const AgentInput& in, AgentOutput& out);
+  Setpoint follow_line(const FollowLine& order, const AgentInput& in);
+  Setpoint circle_at(const Vec2& centre, const NavEstimate& nav) const;
   Vec2 allowed(const Vec2& place, const AgentInput& in, AgentOutput& out);
 
   MonitorAgentOptions options_;
   EntityId self_, coordinator_;
   FlightLimits limits_;
   const Terrain& map_;
-  ZoneWatch zones_;
-  ReturnKeeper returns_;
+  ZoneMonitor zones_;
+  ReturnPlanner returns_;
   ExecutionMonitor execution_;
   Launch launch_;
 

@@ -12,14 +12,14 @@ constexpr double kOnePoint = 0.5;  // corners nearer than this are one [m]
 std::optional<double> meets(const Vec2& a, const Vec2& b, const geo::Ring& ring) {
   if (geo::contains(ring, a)) return 0.0;
   std::optional<double> first;
-  const Vec2 way = b - a;
+  const Vec2 leg = b - a;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2& c = ring[i];
     const Vec2 side = ring[(i + 1) % ring.size()] - c;
-    const double both = geo::cross(way, side);
+    const double both = geo::cross(leg, side);
     if (both == 0) continue;  // along the side: its neighbours are met
     const double share = geo::cross(c - a, side) / both;
-    const double on_side = geo::cross(c - a, way) / both;
+    const double on_side = geo::cross(c - a, leg) / both;
     if (share < 0 || share > 1 || on_side < 0 || on_side > 1) continue;
     first = std::min(first.value_or(share), share);
   }
@@ -27,24 +27,24 @@ std::optional<double> meets(const Vec2& a, const Vec2& b, const geo::Ring& ring)
 }
 
 double to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 way = b - a;
-  const double square = way.squaredNorm();
-  const double share = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-  return (a + share * way - p).norm();
+  const Vec2 leg = b - a;
+  const double square = leg.squaredNorm();
+  const double share = square > 0 ? std::clamp((p - a).dot(leg) / square, 0.0, 1.0) : 0.0;
+  return (a + share * leg - p).norm();
 }
 
 }  // namespace
 
 FlyWaypoints round_trip(const std::vector<Vec2>& points, int laps, double altitude_msl) {
-  FlyWaypoints way;
+  FlyWaypoints route;
   for (const Vec2& point : points)
-    if (way.points.empty() || (point - way.points.back().point).norm() >= kOnePoint)
-      way.points.push_back({point, altitude_msl});
-  while (way.points.size() > 1 &&
-         (way.points.back().point - way.points.front().point).norm() < kOnePoint)
-    way.points.pop_back();
-  way.laps = way.points.size() > 1 ? laps : 1;
-  return way;
+    if (route.points.empty() || (point - route.points.back().point).norm() >= kOnePoint)
+      route.points.push_back({point, altitude_msl});
+  while (route.points.size() > 1 &&
+         (route.points.back().point - route.points.front().point).norm() < kOnePoint)
+    route.points.pop_back();
+  route.laps = route.points.size() > 1 ? laps : 1;
+  return route;
 }
 
 std::optional<Vec2> into_zone(std::span<const Vec2> points, bool closed,

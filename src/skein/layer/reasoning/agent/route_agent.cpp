@@ -32,8 +32,8 @@ RouteAgent::RouteAgent(const RouteAgentOptions& options, EntityId self, EntityId
       map_(map),
       altitude_msl_(highest_along(map, options.points) + options.altitude_agl),
       execution_(options.safety_zone),
-      zones_(options.guard, limits, zones, self),
-      returns_(options.guard, limits, self, map),
+      zones_(options.avoidance, limits, zones, self),
+      returns_(options.avoidance, limits, self, map),
       flight_(flight_options(options, altitude_msl_), {limits, &map_, std::move(planner)},
               self),
       report_(station, options.report_period) {}
@@ -48,7 +48,7 @@ void RouteAgent::step(const AgentInput& in, AgentOutput& out) {
   land_again_ = land_again_ || news;
   returns_.step(in, *start_, zones_.zones(), news, out);
   if (!zones_.keeps_on_ground(in, altitude_msl_) &&
-      !launch_.under_way(in, altitude_msl_, out))
+      !launch_.takes_off(in, altitude_msl_, out))
     fly(in, out);
   zones_.look(in, out);
   if (auto event = execution_.check(in.now, self_, in.autopilot))
@@ -67,12 +67,12 @@ void RouteAgent::fly(const AgentInput& in, AgentOutput& out) {
 
 // At home, or at the nearest place that no zone forbids; anew when zones have changed.
 void RouteAgent::land(const AgentInput& in, AgentOutput& out) {
-  if (lands_now_ && !std::exchange(land_again_, false)) return;
+  if (landing_point_ && !std::exchange(land_again_, false)) return;
   const Vec2 place = returns_.allowed(home_);
   const double ground = map_.elevation_msl(place);
   const bool nearly_down = -in.nav->p_N.z() - ground < kNearlyDown;
-  if (lands_now_ && (place == *lands_now_ || nearly_down)) return;
-  lands_now_ = place;
+  if (landing_point_ && (place == *landing_point_ || nearly_down)) return;
+  landing_point_ = place;
   if (place != home_)
     out.events.push_back({in.now, self_, "return-moved",
                           fmt::format("lands at {:.0f} m north, {:.0f} m east, out of a "

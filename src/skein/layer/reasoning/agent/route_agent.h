@@ -8,9 +8,9 @@
 #include "skein/layer/reasoning/agent/execution_monitor.h"
 #include "skein/layer/reasoning/agent/launch.h"
 #include "skein/layer/reasoning/agent/position_report.h"
-#include "skein/layer/reasoning/agent/return_keeper.h"
+#include "skein/layer/reasoning/agent/return_planner.h"
 #include "skein/layer/reasoning/agent/route_flight.h"
-#include "skein/layer/reasoning/agent/zone_watch.h"
+#include "skein/layer/reasoning/agent/zone_monitor.h"
 #include "skein/role/agent.h"
 #include "skein/role/terrain.h"
 
@@ -23,7 +23,7 @@ struct RouteAgentOptions {
   double report_period = 1;   ///< between reports to the station [s]
   bool lands = false;         ///< after the last lap
   SafetyZone safety_zone;
-  ZoneGuardOptions guard;
+  ZoneAvoidanceOptions avoidance;
 };
 
 /// Flies given points round and round, then stays at the last of them, or lands: where it
@@ -52,13 +52,13 @@ class RouteAgent final : public Agent {
   const Terrain& map_;
   double altitude_msl_;
   ExecutionMonitor execution_;
-  ZoneWatch zones_;
-  ReturnKeeper returns_;
+  ZoneMonitor zones_;
+  ReturnPlanner returns_;
   RouteFlight flight_;
   Launch launch_;
-  std::optional<Vec2> start_;      // home of the autopilot
-  Vec2 home_ = Vec2::Zero();       // where it lands
-  std::optional<Vec2> lands_now_;  // where it has been told to
+  std::optional<Vec2> start_;          // home of the autopilot
+  Vec2 home_ = Vec2::Zero();           // where it lands
+  std::optional<Vec2> landing_point_;  // where it has been told to
   bool done_ = false, land_again_ = false;
   PositionReport report_;
 };

@@ -71,7 +71,7 @@ bool RouteFlight::passed(const Vec2& position) const {
   return off.dot(through) > 0;
 }
 
-void RouteFlight::keep_count(const AgentInput& in, ZoneWatch& zones) {
+void RouteFlight::keep_count(const AgentInput& in, ZoneMonitor& zones) {
   const Vec2 here = geo::horizontal(in.nav->p_N);
   const bool done = in.autopilot.done && obeys_orders(in.autopilot);
   const auto go_on = [&](std::int64_t to) {
@@ -85,7 +85,7 @@ void RouteFlight::keep_count(const AgentInput& in, ZoneWatch& zones) {
     go_on(next_ + 1);
     stage_ = Stage::kNew;
   } else if (stage_ == Stage::kGuarded) {
-    const Vec2 end = zones.ways(*in.nav).nearest_allowed(point(next_));
+    const Vec2 end = zones.detours(*in.nav).nearest_allowed(point(next_));
     if ((here - end).norm() > reach(world_.limits)) return;
     const double miss = (here - point(next_)).norm();
     const bool missed = zones.distance(point(next_)) < 0 || miss > reach(world_.limits);
@@ -95,14 +95,14 @@ void RouteFlight::keep_count(const AgentInput& in, ZoneWatch& zones) {
   }
 }
 
-void RouteFlight::step(const AgentInput& in, ZoneWatch& zones, bool off_plan,
+void RouteFlight::step(const AgentInput& in, ZoneMonitor& zones, bool off_plan,
                        AgentOutput& out) {
   zones.regard(*in.nav, options_.altitude_msl);
   const bool changed = zones.take_change();
   if (stage_ == Stage::kDone) return stay(in, zones, out);
   const bool first = stage_ == Stage::kNew;
   if (first) from_ = geo::horizontal(in.nav->p_N);
-  if (changed) told_ = -1;
+  if (changed) reported_ = -1;
   // A refused plan is not flown: the old guidance goes on, through the zone perhaps.
   if (stage_ == Stage::kPlanned && in.autopilot.refusals > refusals_)
     stage_ = Stage::kGuarded;
@@ -111,7 +111,7 @@ void RouteFlight::step(const AgentInput& in, ZoneWatch& zones, bool off_plan,
   if (stage_ == Stage::kGuarded) fly_guarded(in, zones, out);
 }
 
-bool RouteFlight::must_choose(const AgentInput& in, const ZoneWatch& zones,
+bool RouteFlight::must_choose(const AgentInput& in, const ZoneMonitor& zones,
                               bool off_plan) const {
   const Vec2 here = geo::horizontal(in.nav->p_N);
   const bool inside = zones.distance(here) < 0;
@@ -132,17 +132,17 @@ bool RouteFlight::must_choose(const AgentInput& in, const ZoneWatch& zones,
 
 // Points in zones are left out, but for the last one: near there it stays. Where all
 // points between are left out, the same point is not flown to twice in place.
-void RouteFlight::leave_out(const AgentInput& in, const ZoneWatch& zones,
+void RouteFlight::leave_out(const AgentInput& in, const ZoneMonitor& zones,
                             AgentOutput& out) {
   for (; next_ < total_; ++next_) {
     const bool forbidden = zones.distance(point(next_)) < 0;
     const bool there = next_ > 0 && point(next_) == from_;
     if (forbidden ? next_ + 1 == total_ : !there) return;
-    if (forbidden) tell_left_out(in.now, out);
+    if (forbidden) report_left_out(in.now, out);
   }
 }
 
-void RouteFlight::tell_left_out(Time now, AgentOutput& out) const {
+void RouteFlight::report_left_out(Time now, AgentOutput& out) const {
   const Vec2& p = point(next_);
   out.events.push_back({now, self_, "point-left-out",
                         fmt::format("{:.0f} m north, {:.0f} m east lies in a no-flight "
@@ -150,7 +150,7 @@ void RouteFlight::tell_left_out(Time now, AgentOutput& out) const {
                                     p.x(), p.y())});
 }
 
-void RouteFlight::choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
+void RouteFlight::choose(const AgentInput& in, ZoneMonitor& zones, AgentOutput& out) {
   aim_again_ = in.now;
   const Vec2 here = geo::horizontal(in.nav->p_N);
   leave_out(in, zones, out);
@@ -174,7 +174,7 @@ void RouteFlight::choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& ou
   plan_again_ = in.now + Time::from_seconds(kPlanAgain);
   if (zones.distance(point(next_)) < 0) {
     // The last point: no way leads there.
-    if (std::exchange(told_, next_) != next_) tell_left_out(in.now, out);
+    if (std::exchange(reported_, next_) != next_) report_left_out(in.now, out);
   } else if (fly_planned(in, zones, out)) {
     return;
   }
@@ -183,25 +183,25 @@ void RouteFlight::choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& ou
 
 void RouteFlight::fly_route(const Vec2& here, std::int64_t free, AgentOutput& out) {
   const auto lap = static_cast<std::int64_t>(route_.points.size());
-  FlyWaypoints way;
+  FlyWaypoints route;
   if (next_ % lap == 0 && free == total_) {
-    way = route_;
-    way.laps = static_cast<int>((total_ - next_) / lap);
+    route = route_;
+    route.laps = static_cast<int>((total_ - next_) / lap);
     until_ = total_;
   } else {
     until_ = std::min(free, next_ + kMaxPoints);
     for (std::int64_t k = next_; k < until_; ++k)
-      way.points.push_back({point(k), options_.altitude_msl});
+      route.points.push_back({point(k), options_.altitude_msl});
   }
   // Autopilots take the same waypoints for a repetition, and go on with what they fly or
   // have flown. Another time round begins with a further point on the way to its first.
-  if (begins_ != next_ && same(given_, way.points))
-    way.points.insert(way.points.begin(),
-                      {(here + point(next_)) / 2, options_.altitude_msl});
+  if (begins_ != next_ && same(given_, route.points))
+    route.points.insert(route.points.begin(),
+                        {(here + point(next_)) / 2, options_.altitude_msl});
   begins_ = next_;
   stage_ = Stage::kRoute;
-  auto points = way.points;
-  give(std::move(way), out);
+  auto points = route.points;
+  give(std::move(route), out);
   given_ = std::move(points);
 }
 
@@ -213,7 +213,7 @@ std::string RouteFlight::ending() const {
       missed_by_);
 }
 
-bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
+bool RouteFlight::fly_planned(const AgentInput& in, const ZoneMonitor& zones,
                               AgentOutput& out) {
   if (!world_.planner) return false;
   const NavEstimate& nav = *in.nav;
@@ -238,13 +238,13 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
   query.budget.states = options_.planning_states;
   PlannedPath path = world_.planner->plan(query);
   if (path.plan.empty()) {
-    if (std::exchange(told_, next_) != next_)
+    if (std::exchange(reported_, next_) != next_)
       out.events.push_back({in.now, self_, "no-path",
                             fmt::format("{}: {}; goes round by sight",
                                         name_of(path.outcome), path.reason)});
     return false;
   }
-  told_ = -1;
+  reported_ = -1;
   out.events.push_back({in.now, self_, "planned",
                         fmt::format("a way of {:.0f} s around no-flight zones",
                                     model::duration(path.plan))});
@@ -254,10 +254,11 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneWatch& zones,
   return true;
 }
 
-void RouteFlight::fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
+void RouteFlight::fly_guarded(const AgentInput& in, ZoneMonitor& zones,
+                              AgentOutput& out) {
   const Vec2 here = geo::horizontal(in.nav->p_N);
   if (in.now >= aim_again_) {
-    aim_ = zones.ways(*in.nav).way(here, point(next_)).front();
+    aim_ = zones.detours(*in.nav).detour(here, point(next_)).front();
     aim_again_ = in.now + Time::from_seconds(kAimFor);
   }
   const double course = geo::bearing(aim_ - here);
@@ -265,7 +266,7 @@ void RouteFlight::fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutpu
   by_sight_ = true;
 }
 
-void RouteFlight::stay(const AgentInput& in, ZoneWatch& zones, AgentOutput& out) {
+void RouteFlight::stay(const AgentInput& in, ZoneMonitor& zones, AgentOutput& out) {
   if (zones.zones().empty() && !stays_ && !by_sight_) return;
   const Vec2 here = geo::horizontal(in.nav->p_N);
   const Vec2 place = zones.allowed(point(total_ - 1), *in.nav, options_.altitude_msl);

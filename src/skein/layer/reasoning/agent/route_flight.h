@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "skein/data/agent_step.h"
-#include "skein/layer/reasoning/agent/zone_watch.h"
+#include "skein/layer/reasoning/agent/zone_monitor.h"
 #include "skein/role/path_planner.h"
 
 namespace skein::reasoning {
@@ -52,7 +52,7 @@ class RouteFlight {
   /// To be called at each step in which the route may be flown, after `zones` have
   /// listened. Needs in.nav. May command.
   /// @param off_plan  the flight of the last plan has left its safety zone.
-  void step(const AgentInput& in, ZoneWatch& zones, bool off_plan, AgentOutput& out);
+  void step(const AgentInput& in, ZoneMonitor& zones, bool off_plan, AgentOutput& out);
 
   /// The last point has been passed, or left out.
   bool done() const { return stage_ == Stage::kDone; }
@@ -64,16 +64,16 @@ class RouteFlight {
   enum class Stage { kNew, kRoute, kPlanned, kGuarded, kDone };
 
   const Vec2& point(std::int64_t index) const;
-  void keep_count(const AgentInput& in, ZoneWatch& zones);
+  void keep_count(const AgentInput& in, ZoneMonitor& zones);
   bool passed(const Vec2& position) const;
-  bool must_choose(const AgentInput& in, const ZoneWatch& zones, bool off_plan) const;
-  void choose(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
-  void leave_out(const AgentInput& in, const ZoneWatch& zones, AgentOutput& out);
-  void tell_left_out(Time now, AgentOutput& out) const;
+  bool must_choose(const AgentInput& in, const ZoneMonitor& zones, bool off_plan) const;
+  void choose(const AgentInput& in, ZoneMonitor& zones, AgentOutput& out);
+  void leave_out(const AgentInput& in, const ZoneMonitor& zones, AgentOutput& out);
+  void report_left_out(Time now, AgentOutput& out) const;
   void fly_route(const Vec2& here, std::int64_t free, AgentOutput& out);
-  bool fly_planned(const AgentInput& in, const ZoneWatch& zones, AgentOutput& out);
-  void fly_guarded(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
-  void stay(const AgentInput& in, ZoneWatch& zones, AgentOutput& out);
+  bool fly_planned(const AgentInput& in, const ZoneMonitor& zones, AgentOutput& out);
+  void fly_guarded(const AgentInput& in, ZoneMonitor& zones, AgentOutput& out);
+  void stay(const AgentInput& in, ZoneMonitor& zones, AgentOutput& out);
   void give(decltype(AutopilotCommand::guidance) guidance, AgentOutput& out);
 
   RouteFlightOptions options_;
@@ -90,11 +90,11 @@ class RouteFlight {
   Vec2 from_ = Vec2::Zero();  // where the leg to the next point begins
   int refusals_ = 0;          // of the autopilot, before the plan was given
   Time plan_again_, aim_again_;
-  Vec2 aim_ = Vec2::Zero();    // of a guarded flight
-  bool by_sight_ = false;      // the command in force is of one: it does not end
-  std::int64_t told_ = -1;     // the point whose trouble has been told since a change
-  double missed_by_ = 0;       // the last point, where it was left out [m]
-  std::optional<Vec2> stays_;  // none: where the route's command leads
+  Vec2 aim_ = Vec2::Zero();     // of a guarded flight
+  bool by_sight_ = false;       // the command in force is of one: it does not end
+  std::int64_t reported_ = -1;  // the point whose trouble has been told since a change
+  double missed_by_ = 0;        // the last point, where it was left out [m]
+  std::optional<Vec2> stays_;   // none: where the route's command leads
 };
 
 }  // namespace skein::reasoning

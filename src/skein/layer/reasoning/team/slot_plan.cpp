@@ -45,11 +45,11 @@ class Follower {
     if (hovers() && geo::horizontal(own.v_N).norm() < 1) air_ = -wind_;
     const double speed = air_.norm();
     air_ *= std::clamp(speed, slowest_, fastest_) / std::max(speed, 1e-9);
-    most_lateral_ = kTurnReserve * limits.airspeed * limits.airspeed /
-                    std::max(limits.turn_radius, 1.0);
+    max_lateral_ = kTurnReserve * limits.airspeed * limits.airspeed /
+                   std::max(limits.turn_radius, 1.0);
     climb_ = bounded_climb(climb_);
     deceleration_ = kIdle * limits.sink_rate * kGravity / std::max(limits.airspeed, 1.0);
-    const double most = most_lateral_ / std::max(air_.norm(), 1.0);
+    const double most = max_lateral_ / std::max(air_.norm(), 1.0);
     const double roll = std::clamp(own.roll, -1.0, 1.0);
     rate_ =
         std::clamp(kGravity * math::tan(roll) / std::max(air_.norm(), 1.0), -most, most);
@@ -100,11 +100,11 @@ class Follower {
     const Vec2 forward = v.normalized(), right = geo::turned_right(forward);
     const double most = kMaxAcross * v.norm();
     // Beyond what the speeds allow there is no more to ask for.
-    const double way = off.dot(forward);
+    const double along = off.dot(forward);
     const double closing =
-        std::min(kAheadGain * std::abs(way),
-                 std::sqrt(2 * kSlowsEarly * deceleration_ * std::abs(way)));
-    const double ahead = std::copysign(std::min(closing, fastest_ - slowest_), way);
+        std::min(kAheadGain * std::abs(along),
+                 std::sqrt(2 * kSlowsEarly * deceleration_ * std::abs(along)));
+    const double ahead = std::copysign(std::min(closing, fastest_ - slowest_), along);
     const double across = std::clamp(kRightGain * off.dot(right), -most, most);
     return v - wind_ + ahead * forward + across * right;
   }
@@ -119,7 +119,7 @@ class Follower {
 
   void turn(const Vec2& wanted) {
     const double speed = air_.norm(), heading = geo::bearing(air_);
-    const double most = most_lateral_ / std::max(speed, 1.0);
+    const double most = max_lateral_ / std::max(speed, 1.0);
     const double rate = std::clamp(
         kCourseGain * geo::wrap_pi(geo::bearing(wanted) - heading), -most, most);
     const double roll_in = most * kStep / kRollIn;
@@ -141,7 +141,7 @@ class Follower {
   Vec2 wind_, air_;
   Vec3 p_;
   double climb_, rate_ = 0;
-  double slowest_, fastest_, most_lateral_, deceleration_;
+  double slowest_, fastest_, max_lateral_, deceleration_;
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ void Wingman::step(const AgentInput& in, AgentOutput& out) {
   if (!home_) home_ = here;
   returns_.step(in, *home_, zones_.zones(), news, out);
   const double up = map_.elevation_msl(here) + options_.altitude_agl;
-  if (!zones_.keeps_on_ground(in, up) && !launch_.under_way(in, up, out)) fly(in, out);
+  if (!zones_.keeps_on_ground(in, up) && !launch_.takes_off(in, up, out)) fly(in, out);
   zones_.look(in, out);
   if (auto event = execution_.check(in.now, self_, in.autopilot))
     out.events.push_back(*std::move(event));

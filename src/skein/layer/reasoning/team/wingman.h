@@ -6,9 +6,9 @@
 
 #include "skein/layer/reasoning/agent/execution_monitor.h"
 #include "skein/layer/reasoning/agent/launch.h"
-#include "skein/layer/reasoning/agent/return_keeper.h"
+#include "skein/layer/reasoning/agent/return_planner.h"
 #include "skein/layer/reasoning/agent/route_flight.h"
-#include "skein/layer/reasoning/agent/zone_watch.h"
+#include "skein/layer/reasoning/agent/zone_monitor.h"
 #include "skein/layer/reasoning/team/slot_plan.h"
 #include "skein/model/path/plan_curve.h"
 #include "skein/role/agent.h"
@@ -20,7 +20,7 @@ struct WingmanOptions {
   double altitude_agl = 120;  ///< flown above the highest ground of the route [m]
   double report_period = 1;   ///< between reports to the station [s]
   double horizon = 8;         ///< the way to the slot is planned for this long [s]
-  ZoneGuardOptions guard;
+  ZoneAvoidanceOptions guard;
   SafetyZone safety_zone;
 };
 
@@ -53,8 +53,8 @@ class Wingman final : public Agent {
   FlightLimits limits_;
   const Terrain& map_;
   ExecutionMonitor execution_;
-  ZoneWatch zones_;
-  ReturnKeeper returns_;
+  ZoneMonitor zones_;
+  ReturnPlanner returns_;
   std::shared_ptr<const PathPlanner> planner_;
   Launch launch_;
   std::optional<Vec2> home_;

@@ -33,7 +33,7 @@ TourAgent::TourAgent(const TourAgentOptions& options, EntityId self, EntityId st
 
 void TourAgent::step(const AgentInput& in, AgentOutput& out) {
   if (!in.nav) return;
-  if (!launch_.under_way(in, altitude_msl_, out)) fly(in, out);
+  if (!launch_.takes_off(in, altitude_msl_, out)) fly(in, out);
   if (auto event = execution_.check(in.now, self_, in.autopilot)) {
     out.events.push_back(*std::move(event));
     if (execution_.off_plan() && options_.replans && !done_)

@@ -34,8 +34,8 @@ TEST(Connection, NeverFailsWhileTheWindIsWeakerThanTheAirspeed) {
     const Connection c = connect(q.from, q.to, q.air);
     ASSERT_EQ(c.status, ConnectionStatus::kFound) << i;
     // Rounding grows with the way flown through the air.
-    const double way = c.time * q.air.airspeed / q.air.turn_radius;
-    ASSERT_LT(test::end_error(q, c), 1e-10 * (1 + way)) << i << " " << name_of(c.word);
+    const double offset = c.time * q.air.airspeed / q.air.turn_radius;
+    ASSERT_LT(test::end_error(q, c), 1e-10 * (1 + offset)) << i << " " << name_of(c.word);
   }
 }
 

@@ -195,10 +195,10 @@ ConnectionQuery extreme_case(std::uint32_t number) {
   q.air = {magnitude(-1, 2.5), magnitude(-1, 4), Vec2::Zero()};
   q.air.wind = q.air.airspeed * ratio * geo::unit(downwind);
   q.from.course = random.uniform(-10, 10);
-  const double way = number % 7 == 0   ? q.from.course
-                     : number % 7 == 1 ? downwind
-                                       : random.uniform(0, kTurn);
-  q.to.position = magnitude(-9, 4) * q.air.turn_radius * geo::unit(way);
+  const double offset = number % 7 == 0   ? q.from.course
+                        : number % 7 == 1 ? downwind
+                                          : random.uniform(0, kTurn);
+  q.to.position = magnitude(-9, 4) * q.air.turn_radius * geo::unit(offset);
   q.to.course = number % 6 == 0   ? q.from.course
                 : number % 6 == 1 ? q.from.course + geo::kPi
                                   : random.uniform(0, kTurn);

@@ -178,7 +178,7 @@ class Arrival {
                                               : 1e12);
       }
     for (int round = 0; round < 6; ++round)
-      for (int way = 0; way < 4; ++way) sweep(way & 1, way & 2);
+      for (int order = 0; order < 4; ++order) sweep(order & 1, order & 2);
   }
   int size() const { return n_; }
   std::size_t index(int i, int j) const {

@@ -157,7 +157,7 @@ TEST(TruncatedNormal, RefusesWhatIsNoInterval) {
   EXPECT_EQ(whole.mass, 1);
 }
 
-TEST(DoubtfulHalfLine, IsTheMixtureOfBothHalves) {
+TEST(UncertainHalfLine, IsTheMixtureOfBothHalves) {
   for (double bound : {-3.0, 0.0, 2.5, 9.0})
     for (double eps : {0.0, 1e-9, 0.02, 0.5, 1.0}) {
       const double mean = 1, sd = 2;
@@ -168,25 +168,25 @@ TEST(DoubtfulHalfLine, IsTheMixtureOfBothHalves) {
       const double m = w * up.mean + v * down.mean;
       const double second = w * (up.variance + (up.mean - m) * (up.mean - m)) +
                             v * (down.variance + (down.mean - m) * (down.mean - m));
-      const MixtureMoments got = doubtful_half_line(mean, sd, bound, 1 - eps, eps);
+      const MixtureMoments got = uncertain_half_line(mean, sd, bound, 1 - eps, eps);
       EXPECT_NEAR(got.likelihood / likelihood, 1, 1e-12);
       EXPECT_NEAR(got.mean, m, 1e-11);
       EXPECT_NEAR(got.variance / second, 1, 1e-10);
     }
 }
 
-TEST(DoubtfulHalfLine, AnUninformativeReadingTeachesNothing) {
-  const MixtureMoments got = doubtful_half_line(1, 2, 4, 0.5, 0.5);
+TEST(UncertainHalfLine, AnUninformativeReadingTeachesNothing) {
+  const MixtureMoments got = uncertain_half_line(1, 2, 4, 0.5, 0.5);
   EXPECT_NEAR(got.mean, 1, 1e-14);
   EXPECT_NEAR(got.variance, 4, 1e-13);
 }
 
-TEST(DoubtfulHalfLine, AnImpossibleReadingIsTakenForAnError) {
+TEST(UncertainHalfLine, AnImpossibleReadingIsTakenForAnError) {
   // 60 sigma away the reading is certainly false, if it can be false at all.
-  const MixtureMoments doubted = doubtful_half_line(0, 1, 60, 0.99, 0.01);
+  const MixtureMoments doubted = uncertain_half_line(0, 1, 60, 0.99, 0.01);
   EXPECT_NEAR(doubted.mean, 0, 1e-12);
   EXPECT_NEAR(doubted.variance, 1, 1e-12);
-  const MixtureMoments trusted = doubtful_half_line(0, 1, 60, 1, 0);
+  const MixtureMoments trusted = uncertain_half_line(0, 1, 60, 1, 0);
   EXPECT_NEAR(trusted.mean, 60 + 1.0 / 60, 1e-4);
   EXPECT_EQ(trusted.likelihood, 0) << "underflow; the moments do not";
 }

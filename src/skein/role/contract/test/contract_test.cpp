@@ -147,16 +147,16 @@ class Copier final : public Radio {
  public:
   explicit Copier(int copies) : copies_(copies) {}
   void send(const Message& message) override {
-    for (int k = 0; k < copies_; ++k) under_way_.push_back(message);
+    for (int k = 0; k < copies_; ++k) in_transit_.push_back(message);
   }
   void deliver(Time, std::vector<Message>& arrived, std::vector<Message>&) override {
-    arrived.insert(arrived.end(), under_way_.begin(), under_way_.end());
-    under_way_.clear();
+    arrived.insert(arrived.end(), in_transit_.begin(), in_transit_.end());
+    in_transit_.clear();
   }
 
  private:
   int copies_;
-  std::vector<Message> under_way_;
+  std::vector<Message> in_transit_;
 };
 
 TEST(RadioContract, FindsMessagesThatVanishOrDouble) {
@@ -273,7 +273,7 @@ class FullThrottle final : public Autopilot {
   void begin(const NavEstimate& start, bool) override { nav_ = start; }
   void sense(const SensorSample&) override {}
   void command(const AutopilotCommand&) override {}
-  void set_return(const ReturnWay&) override {}
+  void set_return(const ReturnRoute&) override {}
   Control control(Time, double) override {
     Actuators all;
     all.channel.fill(1.5);

@@ -85,7 +85,7 @@ TEST(Battery, GivesNoMoreThanItsCutOffAllows) {
   const double share = battery.draw(energy, {}, 1e6, 1e-3);
   EXPECT_NEAR(energy.voltage, 3 * p.cutoff, 1e-12);
   EXPECT_NEAR(share * 1e6, energy.power, 1e-6);
-  EXPECT_NEAR(battery.most_power(1), energy.power, 1e-9);
+  EXPECT_NEAR(battery.max_power(1), energy.power, 1e-9);
 }
 
 TEST(Battery, GivesNoMoreThanItsLargestPower) {
@@ -131,13 +131,13 @@ TEST(Battery, FaultsOfParametersNameTheirKeys) {
   p.cells = 2.5;
   p.capacity_Ah = -1;
   p.open_circuit[4] = 5;
-  const auto found = faults(p);
+  const auto found = errors(p);
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found[0].key, "cells");
   EXPECT_EQ(found[1].key, "capacity_Ah");
   EXPECT_EQ(found[1].message, "-1 must be above 0");
   EXPECT_EQ(found[2].key, "open_circuit[5]");
-  EXPECT_TRUE(faults(BatteryParameters{}).empty());
+  EXPECT_TRUE(errors(BatteryParameters{}).empty());
 }
 
 TEST(FuelTank, BurnsByWorkAndTime) {

@@ -232,7 +232,7 @@ TEST(FixedWingPlant, FliesLevelDownToItsLeastDensity) {
       return false;
     };
     // The ceiling is found to 8 m, by three airspeeds only: 3 % of it for the others.
-    const double ceiling = model::standard_altitude(plant.limits().least_density);
+    const double ceiling = model::standard_altitude(plant.limits().min_density);
     EXPECT_GT(ceiling, 2000);
     EXPECT_TRUE(flies(ceiling - 10));
     EXPECT_FALSE(flies(1.03 * ceiling + 10));
@@ -270,7 +270,7 @@ TEST(FixedWingPlant, ClimbsAndSinksAsItSays) {
 TEST(FixedWingPlant, GliderWithoutMotorGlides) {
   FixedWingParameters p = glider();
   p.propulsion = std::monostate{};
-  ASSERT_TRUE(faults(p).empty());
+  ASSERT_TRUE(errors(p).empty());
   const FixedWingPlant plant(p);
   const auto frame = std::get<FixedWingAirframe>(plant.airframe());
   EXPECT_FALSE(frame.motor);
@@ -307,7 +307,7 @@ TEST(FixedWingPlant, TumblesThroughAnythingWithoutBlowingUp) {
   };
   const FixedWingPlant plants[] = {FixedWingPlant(aerosonde()), FixedWingPlant(glider()),
                                    FixedWingPlant(light_sport())};
-  double most_gain = -1;
+  double max_gain = -1;
   for (int k = 0; k < 10'000; ++k) {
     const FixedWingPlant& plant = plants[k % 3];
     VehicleState state = plant.start({{0, 0, -1000}, 0, Vec3::Zero(), false});
@@ -332,11 +332,11 @@ TEST(FixedWingPlant, TumblesThroughAnythingWithoutBlowingUp) {
       // In the frame of the wind, which carries the heights along.
       const double gain =
           energy(plant.model(), state, air.wind_N) - before + 5 * air.wind_N.z() * weight;
-      most_gain = std::max(most_gain, gain / (before - 1000 * weight));
+      max_gain = std::max(max_gain, gain / (before - 1000 * weight));
     }
   }
   // Of the kinetic energy at the start; drag has taken a part from each.
-  EXPECT_LT(most_gain, 0);
+  EXPECT_LT(max_gain, 0);
 }
 
 TEST(FixedWingPlant, StepsWithoutAllocating) {

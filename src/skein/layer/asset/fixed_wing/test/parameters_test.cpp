@@ -16,8 +16,8 @@ namespace {
 
 TEST(FixedWingParameters, ThoseOfTheDocumentsAreWithoutFault) {
   for (const FixedWingParameters& p : {aerosonde(), glider(), light_sport()})
-    for (const ParameterFault& fault : faults(p))
-      ADD_FAILURE() << fault.key << " " << fault.message;
+    for (const ParameterError& error : errors(p))
+      ADD_FAILURE() << error.key << " " << error.message;
 }
 
 TEST(FixedWingParameters, WhatCannotFlyIsNamed) {
@@ -52,11 +52,11 @@ TEST(FixedWingParameters, WhatCannotFlyIsNamed) {
   for (const Case& c : cases) {
     FixedWingParameters p = glider();
     c.change(p);
-    const auto found = faults(p);
+    const auto found = errors(p);
     const bool named = std::any_of(found.begin(), found.end(),
                                    [&](const auto& f) { return f.key == c.key; });
     std::string all;
-    for (const ParameterFault& f : found) all += f.key + " " + f.message + "; ";
+    for (const ParameterError& f : found) all += f.key + " " + f.message + "; ";
     EXPECT_TRUE(named) << c.key << " is not among: " << all;
     EXPECT_THROW(FixedWingPlant{p}, Bug) << c.key;
   }

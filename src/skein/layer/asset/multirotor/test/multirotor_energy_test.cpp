@@ -115,7 +115,7 @@ TEST(MultirotorPlant, AWeakBatterySlowsItsRotors) {
     s.v_N.setZero();  // on a test stand
   }
   EXPECT_LT(s.actuators[0], 0.99 * p.fastest_rotor);
-  EXPECT_NEAR(s.energy.power, Battery(p.battery).most_power(s.energy.charge),
+  EXPECT_NEAR(s.energy.power, Battery(p.battery).max_power(s.energy.charge),
               0.01 * s.energy.power);
   EXPECT_NEAR(s.energy.voltage, p.battery.cutoff * 4, 0.05);
 }

@@ -47,7 +47,7 @@ VehicleState tumbling() {
 TEST(MultirotorPlant, KeepsAReserveOfThrustAtItsLeastDensity) {
   for (const MultirotorParameters& p : {MultirotorParameters{}, hexarotor()}) {
     const MultirotorPlant plant(p);
-    const MultirotorTrim hover = plant.trim({0, 0, 0}, 0, plant.limits().least_density);
+    const MultirotorTrim hover = plant.trim({0, 0, 0}, 0, plant.limits().min_density);
     double most = 0;
     for (const double speed : hover.rotors) most = std::max(most, speed);
     // A tenth more thrust than hovering takes; it grows with the square of the speed.
@@ -341,14 +341,14 @@ TEST(MultirotorPlant, FallingOnTheGroundBreaksIt) {
 }
 
 TEST(MultirotorParameters, FaultsNameTheirKeys) {
-  EXPECT_TRUE(faults(MultirotorParameters{}).empty());
-  EXPECT_TRUE(faults(hexarotor()).empty());
+  EXPECT_TRUE(errors(MultirotorParameters{}).empty());
+  EXPECT_TRUE(errors(hexarotor()).empty());
   MultirotorParameters p;
   p.mass = -1;
   p.inertia.zz = 1;
   p.rotors[2].spin = 0.5;
   p.battery.cells = 0;
-  const auto found = faults(p);
+  const auto found = errors(p);
   ASSERT_EQ(found.size(), 4u);
   EXPECT_EQ(found[0].key, "mass");
   EXPECT_EQ(found[1].key, "inertia");
@@ -357,25 +357,25 @@ TEST(MultirotorParameters, FaultsNameTheirKeys) {
 }
 
 TEST(MultirotorParameters, WhatCannotFlyIsRefused) {
-  const auto only_fault = [](const MultirotorParameters& p) {
-    const auto found = faults(p);
+  const auto only_error = [](const MultirotorParameters& p) {
+    const auto found = errors(p);
     return found.size() == 1 ? found[0].key : "";
   };
   MultirotorParameters p;
   p.fastest_rotor = 500;
-  EXPECT_EQ(only_fault(p), "fastest_rotor");
+  EXPECT_EQ(only_error(p), "fastest_rotor");
   p = {};
   p.fastest = 60;
-  EXPECT_EQ(only_fault(p), "fastest");
+  EXPECT_EQ(only_error(p), "fastest");
   p = {};
   p.torque_factor = 1e-7;
-  EXPECT_EQ(only_fault(p), "torque_factor");
+  EXPECT_EQ(only_error(p), "torque_factor");
   p = {};
   for (RotorPlace& rotor : p.rotors) rotor.spin = 1;  // cannot turn about down
-  EXPECT_EQ(only_fault(p), "rotors");
+  EXPECT_EQ(only_error(p), "rotors");
   p = {};
   for (RotorPlace& rotor : p.rotors) rotor.position.x() += 0.2;
-  EXPECT_EQ(only_fault(p), "rotors");
+  EXPECT_EQ(only_error(p), "rotors");
 }
 
 TEST(MultirotorPlant, TellsWhatItsAutopilotMustKnow) {

@@ -44,7 +44,7 @@ TEST(PerformancePlant, HoldsItsHeightDownToItsLeastDensity) {
     }
     return best;
   };
-  const double least = plant.limits().least_density;
+  const double least = plant.limits().min_density;
   EXPECT_LT(least, 1);
   // Where its power just holds it, 3 % of density are 4 % of power: some 0.1 m/s.
   EXPECT_NEAR(climb_in(1.03 * least), 0, 1e-3);
@@ -293,31 +293,31 @@ TEST(PerformancePlant, StaysFiniteUnderAnyCommand) {
 }
 
 TEST(PerformanceParameters, FaultsNameTheirKeys) {
-  EXPECT_TRUE(faults(PerformanceParameters{}).empty());
-  const auto only_fault = [](const PerformanceParameters& p) {
-    const auto found = faults(p);
+  EXPECT_TRUE(errors(PerformanceParameters{}).empty());
+  const auto only_error = [](const PerformanceParameters& p) {
+    const auto found = errors(p);
     return found.size() == 1 ? found[0].key : "";
   };
   PerformanceParameters p;
   p.mass = -1;
-  EXPECT_EQ(only_fault(p), "mass");
+  EXPECT_EQ(only_error(p), "mass");
   p = {};
   p.slowest = 25;  // stall is at 24 m/s, its reserve 15 %
-  EXPECT_EQ(only_fault(p), "slowest");
+  EXPECT_EQ(only_error(p), "slowest");
   p = {};
   p.power = 30000;
-  EXPECT_EQ(only_fault(p), "cruise");
+  EXPECT_EQ(only_error(p), "cruise");
   p = {};
   p.tank.fuel = 0;
-  EXPECT_EQ(only_fault(p), "tank.fuel");
+  EXPECT_EQ(only_error(p), "tank.fuel");
 }
 
 TEST(PerformanceParameters, OneThatFliesBadlyFliesAllTheSame) {
   PerformanceParameters p;
   p.mass = 900;  // cannot hold cruise, and stalls at its slowest airspeed
   p.power = 30000;
-  EXPECT_FALSE(faults(p).empty());
-  ASSERT_TRUE(number_faults(p).empty());
+  EXPECT_FALSE(errors(p).empty());
+  ASSERT_TRUE(number_errors(p).empty());
   const PerformancePlant plant(p);
   const FlightLimits limits = plant.limits();
   EXPECT_EQ(limits.climb_rate, 0);

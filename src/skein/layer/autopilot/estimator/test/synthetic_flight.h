@@ -180,11 +180,11 @@ class SyntheticFlight {
     const Vec3 across(-std::sin(course_), std::cos(course_), 0);
     const Vec3 gust =
         gust_along_.step(normal_) * along + gust_across_.step(normal_) * across;
-    given_way_ += kDt / 2 * (gust - given_way_);
+    gust_speed_ += kDt / 2 * (gust - gust_speed_);
     const double north = normal_(), east = normal_();
     truth_.wind_N += options_.wind_walk * std::sqrt(kDt) * Vec2(north, east);
     const Vec3 wind(truth_.wind_N.x(), truth_.wind_N.y(), 0);
-    const Vec3 v = speed_ * along + wind + given_way_;
+    const Vec3 v = speed_ * along + wind + gust_speed_;
     truth_.p_N += 0.5 * kDt * (truth_.v_N + v);
     truth_.v_N = v;
     airspeed_ = (v - wind - gust).norm();
@@ -245,7 +245,7 @@ class SyntheticFlight {
   std::array<Wander, 9> slow_{none(), none(), none(), none(), none(),
                               none(), none(), none(), none()};
   Wander none() { return Wander(0, 1, 1, normal_); }
-  Vec3 accel_bias_, usual_f_ = Vec3::Zero(), accel_scale_, given_way_ = Vec3::Zero();
+  Vec3 accel_bias_, usual_f_ = Vec3::Zero(), accel_scale_, gust_speed_ = Vec3::Zero();
   double baro_constant_ = 0, course_ = 0, phase_ = 0, airspeed_ = 0;
   double bank_ = 0, smooth_bank_ = 0, climb_ = 0, speed_ = 20;
   std::deque<GnssFix> fixes_;

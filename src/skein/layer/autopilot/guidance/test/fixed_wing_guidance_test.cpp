@@ -296,13 +296,13 @@ TEST(FixedWingGuidance, FliesStraightToCirclesFarAway) {
     const double radius = flight.guidance.loiter_radius(0);
     const double straight = std::sqrt(1830 * 1830 - radius * radius);
     flight.fly(PointWing::kStep);
-    double way = 0;
+    double travelled = 0;
     for (int i = 0; i < 20000 && flight.guidance.status().remaining >= 1; ++i) {
       flight.fly(PointWing::kStep);
-      way += flight.wing.airspeed * PointWing::kStep;
+      travelled += flight.wing.airspeed * PointWing::kStep;
     }
-    EXPECT_LT(way, 1.03 * straight);
-    EXPECT_GT(way, 0.97 * straight);
+    EXPECT_LT(travelled, 1.03 * straight);
+    EXPECT_GT(travelled, 0.97 * straight);
   }
 }
 
@@ -385,14 +385,15 @@ TEST(RollOut, IsTheWayThatFrictionAndDragLeave) {
   for (const double wind : {0.0, 4.0, -3.0})
     for (const double lift_off : {15.0, 26.0}) {
       constexpr double kDt = 1e-3;
-      double speed = 20 - wind, way = 0;
+      double speed = 20 - wind, travelled = 0;
       while (speed > 0) {
         const double air = speed + wind;
         const double pressed = std::max(1 - air * air / (lift_off * lift_off), 0.0);
-        way += speed * kDt;
+        travelled += speed * kDt;
         speed -= kGravity * (0.2 * pressed + 0.08 * air * air / 400) * kDt;
       }
-      EXPECT_NEAR(roll_out(20, wind, {0.2, 0.08, lift_off}), way, 0.002 * way + 0.02);
+      EXPECT_NEAR(roll_out(20, wind, {0.2, 0.08, lift_off}), travelled,
+                  0.002 * travelled + 0.02);
     }
 }
 

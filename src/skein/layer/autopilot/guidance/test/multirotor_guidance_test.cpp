@@ -127,7 +127,7 @@ TEST(MultirotorGuidance, FollowsAPathAndStopsAtItsEnd) {
   EXPECT_LT((flight.position() - Vec2(10, 16)).norm(), 0.05);
 }
 
-TEST(MultirotorGuidance, CirclesBothWays) {
+TEST(MultirotorGuidance, CirclesBothDirections) {
   for (const bool clockwise : {true, false})
     for (const double wind : {0.0, 6.0}) {
       Flight flight({0, wind});
@@ -255,7 +255,7 @@ TEST(MultirotorGuidance, TheReferenceWaitsForAVehicleThatCannotFollow) {
   ASSERT_FALSE(flight.tell({HoldPosition{{300, 0}}, 50, {}}));
   for (int i = 0; i < 2000; ++i)  // held fast
     flight.demand = flight.guidance.step(flight.rotor.nav(), PointRotor::kStep);
-  // Twice most_lag, and the way to brake from 10 m/s: 17 m, of which the first slows it.
+  // Twice max_lag, and the way to brake from 10 m/s: 17 m, of which the first slows it.
   EXPECT_LT(flight.demand.position.x(), 20);
   EXPECT_LT(flight.demand.velocity.norm(), 0.01);
 }

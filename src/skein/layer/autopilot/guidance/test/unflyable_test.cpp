@@ -55,7 +55,7 @@ TEST(Unflyable, TheAirAtAnAltitudeMustCarry) {
   FlightLimits wing = kWing;
   // The slowest airspeed, 15 m/s at sea level, is the fastest, 25 m/s, where the density
   // is 1.225 (15/25)^2 = 0.441 kg/m^3: at 9,475 m of the standard atmosphere.
-  wing.least_density = 1.225 * 0.36;
+  wing.min_density = 1.225 * 0.36;
   EXPECT_TRUE(says({HoldCourse{0}, 20000, 24.0}, "9475 m is the most", kCalm, wing));
   EXPECT_TRUE(says({HoldCourse{0}, 9480, 25.0}, "commanded altitude", kCalm, wing));
   EXPECT_FALSE(unflyable({HoldCourse{0}, 9470, 25.0}, wing, kCalm));
@@ -71,7 +71,7 @@ TEST(Unflyable, TheAirAtAnAltitudeMustCarry) {
       says({FollowPlan{high}, 0, {}}, "altitude of the plan at 0.0 s", kCalm, wing));
 
   FlightLimits rotor = kRotor;
-  rotor.least_density = 0.6;
+  rotor.min_density = 0.6;
   EXPECT_TRUE(says({HoldPosition{{0, 0}}, 20000, {}}, "too thin", kCalm, rotor));
   EXPECT_FALSE(unflyable({HoldPosition{{0, 0}}, 5000, {}}, rotor, kCalm));
   // What needs no air to fly has no ceiling.

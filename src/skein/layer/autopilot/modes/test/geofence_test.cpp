@@ -52,16 +52,16 @@ TEST(Geofence, MarginMovesTheFenceInwards) {
 }
 
 TEST(Geofence, OptionsSayWhatIsWrongWithThem) {
-  EXPECT_FALSE(fault_in(square_with_hole()));
+  EXPECT_FALSE(error_in(square_with_hole()));
   GeofenceOptions options = square_with_hole();
   options.ceiling_msl = 50;
-  EXPECT_EQ(fault_in(options).value_or("").find("ceiling_msl"), 0u);
+  EXPECT_EQ(error_in(options).value_or("").find("ceiling_msl"), 0u);
   options = square_with_hole();
   options.area.push_back({{0, 0}, {1, 1}});
-  EXPECT_EQ(fault_in(options).value_or("").find("area"), 0u);
+  EXPECT_EQ(error_in(options).value_or("").find("area"), 0u);
   options = square_with_hole();
   options.hysteresis = -1;
-  EXPECT_EQ(fault_in(options).value_or("").find("hysteresis"), 0u);
+  EXPECT_EQ(error_in(options).value_or("").find("hysteresis"), 0u);
 }
 
 TEST(FenceWatch, ComesBackOnlyByTheHysteresis) {

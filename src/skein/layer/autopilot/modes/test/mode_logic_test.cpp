@@ -30,7 +30,7 @@ TEST(ModeLogic, WhatIsNotFittedIsNotMissed) {
 TEST(ModeLogic, HoldsInTheAirUntilTheFirstCommand) {
   Cockpit c;
   EXPECT_EQ(c.now().order, Order::kHold);
-  EXPECT_EQ(c.now().state, FlightState::kFlying);
+  EXPECT_EQ(c.now().state, ArmingState::kFlying);
   EXPECT_EQ(c.command(CommandKind::kGuided).order, Order::kAgent);
   EXPECT_EQ(c.now().mode, FlightMode::kGuided);
   EXPECT_EQ(c.command(CommandKind::kMission).mode, FlightMode::kAuto);
@@ -57,7 +57,7 @@ TEST(ModeLogic, KindsOfCommands) {
 
 TEST(ModeLogic, FliesFromGroundToGround) {
   Cockpit c(true);
-  EXPECT_EQ(c.now().state, FlightState::kReady);
+  EXPECT_EQ(c.now().state, ArmingState::kReady);
   EXPECT_EQ(c.command(CommandKind::kMission).order, Order::kStand);
   EXPECT_EQ(c.command(CommandKind::kTakeOff).order, Order::kTakeOff);
   EXPECT_TRUE(c.now().events.has(ModeEvent::kTookOff));
@@ -70,9 +70,9 @@ TEST(ModeLogic, FliesFromGroundToGround) {
   c.in.done = false;
   EXPECT_EQ(c.command(CommandKind::kLand).order, Order::kAgent);
   c.in.on_ground = true;
-  EXPECT_EQ(c.step().state, FlightState::kFlying);  // rolls out
+  EXPECT_EQ(c.step().state, ArmingState::kFlying);  // rolls out
   c.in.landed = true;
-  EXPECT_EQ(c.step().state, FlightState::kLanded);
+  EXPECT_EQ(c.step().state, ArmingState::kLanded);
   EXPECT_EQ(c.now().order, Order::kStand);
   EXPECT_TRUE(c.now().events.has(ModeEvent::kLanded));
   c.in.landed = false;
@@ -85,22 +85,22 @@ TEST(ModeLogic, ATouchOfTheGroundIsNoLanding) {
   c.command(CommandKind::kMission);
   for (int bounce = 0; bounce < 20; ++bounce) {
     c.in.on_ground = true;
-    EXPECT_EQ(c.run(0.4).state, FlightState::kFlying);
+    EXPECT_EQ(c.run(0.4).state, ArmingState::kFlying);
     c.in.on_ground = false;
-    EXPECT_EQ(c.run(0.2).state, FlightState::kFlying);
+    EXPECT_EQ(c.run(0.2).state, ArmingState::kFlying);
   }
   c.in.on_ground = true;
-  EXPECT_EQ(c.run(0.6).state, FlightState::kLanded);
+  EXPECT_EQ(c.run(0.6).state, ArmingState::kLanded);
 }
 
 TEST(ModeLogic, DoesNotTakeOffUnderAFailsafe) {
   Cockpit c(true);
   c.in.outside_fence = true;
-  EXPECT_EQ(c.run(1).state, FlightState::kDisarmed);
+  EXPECT_EQ(c.run(1).state, ArmingState::kDisarmed);
   EXPECT_TRUE(c.command(CommandKind::kTakeOff).events.has(ModeEvent::kTakeOffRefused));
   EXPECT_EQ(c.now().order, Order::kStand);
   c.in.outside_fence = false;
-  EXPECT_EQ(c.run(3).state, FlightState::kReady);  // but it does not start by itself
+  EXPECT_EQ(c.run(3).state, ArmingState::kReady);  // but it does not start by itself
   EXPECT_EQ(c.command(CommandKind::kTakeOff).order, Order::kTakeOff);
 }
 
@@ -110,7 +110,7 @@ TEST(ModeLogic, AFailsafeBreaksOffATakeOffRun) {
   c.run(1);
   c.in.motor_failed = true;
   EXPECT_EQ(c.step().order, Order::kStand);
-  EXPECT_EQ(c.now().state, FlightState::kDisarmed);
+  EXPECT_EQ(c.now().state, ArmingState::kDisarmed);
   EXPECT_TRUE(c.now().events.has(ModeEvent::kTakeOffRefused));
 }
 
@@ -155,7 +155,7 @@ TEST(ModeLogic, AFenceThatIsLeftAgainAndAgainIsNotForgivenForEver) {
     EXPECT_EQ(c.run(5).order, Order::kReturn);
     back += c.command(CommandKind::kMission).order == Order::kAgent;
   }
-  EXPECT_EQ(back, FailsafeOptions{}.most_clears);
+  EXPECT_EQ(back, FailsafeOptions{}.max_clears);
 }
 
 TEST(ModeLogic, BatteryGoesFromBadToWorse) {
@@ -358,30 +358,30 @@ TEST(ModeLogic, ThePilotMayFlyFromTheGroundAndBackToIt) {
   c.pilot(true);
   c.in.on_ground = true;
   c.run(1);
-  EXPECT_EQ(c.pilot(false).state, FlightState::kLanded);
+  EXPECT_EQ(c.pilot(false).state, ArmingState::kLanded);
 }
 
 TEST(FailsafeOptions, SayWhatIsWrongWithThem) {
-  EXPECT_FALSE(fault_in(FailsafeOptions{}));
-  const auto fault_of = [](auto change) {
+  EXPECT_FALSE(error_in(FailsafeOptions{}));
+  const auto error_of = [](auto change) {
     FailsafeOptions options;
     change(options);
-    return fault_in(options).value_or("");
+    return error_in(options).value_or("");
   };
   using O = FailsafeOptions;
   const auto names = [](const std::string& fault, const char* field) {
     return fault.find(field) == 0;
   };
-  EXPECT_TRUE(names(fault_of([](O& o) { o.gnss.delay = -1; }), "gnss.delay"));
-  EXPECT_TRUE(names(fault_of([](O& o) {
+  EXPECT_TRUE(names(error_of([](O& o) { o.gnss.delay = -1; }), "gnss.delay"));
+  EXPECT_TRUE(names(error_of([](O& o) {
                       o.link.escalates_after = 5;
                       o.link.escalates_to = FailsafeReaction::kHold;
                     }),
                     "link.escalates_to"));
-  EXPECT_TRUE(names(fault_of([](O& o) { o.recovery = 1e9; }), "recovery"));
-  EXPECT_TRUE(names(fault_of([](O& o) { o.battery_reserve = 1.1; }), "battery_reserve"));
-  EXPECT_TRUE(names(fault_of([](O& o) { o.most_clears = -1; }), "most_clears"));
-  EXPECT_TRUE(names(fault_of([](O& o) {
+  EXPECT_TRUE(names(error_of([](O& o) { o.recovery = 1e9; }), "recovery"));
+  EXPECT_TRUE(names(error_of([](O& o) { o.battery_reserve = 1.1; }), "battery_reserve"));
+  EXPECT_TRUE(names(error_of([](O& o) { o.max_clears = -1; }), "max_clears"));
+  EXPECT_TRUE(names(error_of([](O& o) {
                       o.motor.escalates_after = std::numeric_limits<double>::quiet_NaN();
                     }),
                     "motor.escalates_after"));

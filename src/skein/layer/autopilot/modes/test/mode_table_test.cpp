@@ -107,7 +107,7 @@ TEST_P(EveryCase, LeadsToItsReactionInTime) {
       }
       EXPECT_EQ(c.now().order, reaction);
       EXPECT_EQ(c.now().state,
-                situation.on_ground ? FlightState::kDisarmed : FlightState::kFlying);
+                situation.on_ground ? ArmingState::kDisarmed : ArmingState::kFlying);
       // From here, too, the pilot takes over within the step.
       EXPECT_EQ(c.pilot(true).order, Order::kPilot);
       EXPECT_EQ(c.pilot(false).order, reaction);

@@ -51,7 +51,7 @@ FailsafeOptions random_options(Dice& dice) {
         &options.battery_critical, &options.motor, &options.imu})
     *rule = random_rule(dice);
   options.recovery = dice.ms(1500);
-  options.most_clears = static_cast<int>(dice.below(5));
+  options.max_clears = static_cast<int>(dice.below(5));
   options.pilot_silence = dice.ms(600);
   options.ground_time = dice.ms(500);
   return options;
@@ -226,7 +226,7 @@ class Flight {
 
   // Somebody always flies, by something that is known.
   void complete(const Decision& d) const {
-    EXPECT_EQ(d.order == Order::kStand, d.state != FlightState::kFlying) << where();
+    EXPECT_EQ(d.order == Order::kStand, d.state != ArmingState::kFlying) << where();
     if (d.order == Order::kAgent) {
       EXPECT_NE(logic_.agent_command(), CommandKind::kNone) << where();
     }
@@ -286,7 +286,7 @@ class Flight {
     for (std::size_t i = 0; i < kFailsafes; ++i) {
       if (before.order == Order::kStand || !d.cleared_now.has(static_cast<Failsafe>(i)))
         continue;
-      EXPECT_LE(++clears_[i], options_.most_clears) << where();
+      EXPECT_LE(++clears_[i], options_.max_clears) << where();
     }
     // With the same thing to react to, and the same things wrong, the reaction never gets
     // weaker. (A landing too far on is the exception: its end may be a go-around.)

@@ -74,7 +74,7 @@ void ReferenceModel::count(Row& row, bool silent, bool bad, bool released) {
              !row.forever) {
     if (body_ == kStands) {
       row.raised_ms = -1;
-    } else if (row.clears < options_.most_clears && (row.rule.resumes || released)) {
+    } else if (row.clears < options_.max_clears && (row.rule.resumes || released)) {
       row.raised_ms = -1;
       ++row.clears;
     }
@@ -166,9 +166,9 @@ ReferenceModel::Answer ReferenceModel::step(const ModeInput& in) {
                                        kGnss, kBattery, kMotor,   kImu};
   answer.trigger = names[told + 1];
 
-  constexpr FlightState standing[2] = {FlightState::kReady, FlightState::kLanded};
-  answer.state = body_ != kStands ? FlightState::kFlying
-                 : acts >= 0      ? FlightState::kDisarmed
+  constexpr ArmingState standing[2] = {ArmingState::kReady, ArmingState::kLanded};
+  answer.state = body_ != kStands ? ArmingState::kFlying
+                 : acts >= 0      ? ArmingState::kDisarmed
                                   : standing[flown_];
   const auto say = [&](Order order, FlightMode mode, FailsafeReaction reaction) {
     answer.order = order_ = order;

@@ -15,7 +15,7 @@ class ReferenceModel {
   struct Answer {
     FlightMode mode;
     Order order;
-    FlightState state;
+    ArmingState state;
     FailsafeTrigger trigger;
     FailsafeReaction reaction;
     std::array<bool, kFailsafes> raised;

@@ -454,9 +454,9 @@ TEST(SkeinAutopilot, LandsWhereReturnsLeadAndKeepsThatWhenItBeginsAnew) {
 }
 
 TEST(SkeinAutopilot, CountsTheWholeWayOfAReturn) {
-  const auto reserve = [](const ReturnWay& way) {
+  const auto reserve = [](const ReturnRoute& route) {
     PointFlight flight;
-    flight.autopilot().set_return(way);
+    flight.autopilot().set_return(route);
     for (int k = 0; k < 100; ++k) {
       PowerSample power;
       power.time = flight.now;

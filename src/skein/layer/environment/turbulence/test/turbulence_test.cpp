@@ -390,11 +390,12 @@ TEST(DiscreteGusts, HaveTheCosineShape) {
 
 TEST(DiscreteGusts, SlopeIsTheDerivativeOfTheShare) {
   const DiscreteGust gust{.length = 40, .hold = 10};
-  for (double way = 0.5; way < 100; way += 1.3) {
+  for (double distance = 0.5; distance < 100; distance += 1.3) {
     const double h = 1e-5;
-    EXPECT_NEAR(gust_slope(gust, way),
-                (gust_share(gust, way + h) - gust_share(gust, way - h)) / (2 * h), 1e-8)
-        << way;
+    EXPECT_NEAR(
+        gust_slope(gust, distance),
+        (gust_share(gust, distance + h) - gust_share(gust, distance - h)) / (2 * h), 1e-8)
+        << distance;
   }
 }
 
@@ -425,9 +426,10 @@ TEST(DiscreteGusts, AreMetAlongTheWayFromTheirStart) {
     const double t = 0.01 * i;
     const Vec3 felt =
         gusts.advance(flight.at(Time::from_ns(10'000'000LL * i)), 0.01).velocity_N;
-    const auto share = [](double way, double length) {
-      return way <= 0 || way >= 2 * length ? 0.0
-                                           : (1 - std::cos(geo::kPi * way / length)) / 2;
+    const auto share = [](double distance, double length) {
+      return distance <= 0 || distance >= 2 * length
+                 ? 0.0
+                 : (1 - std::cos(geo::kPi * distance / length)) / 2;
     };
     const double expected = 6 * share(15 * (t - 1), 30) - 2 * share(15 * (t - 1.5), 10);
     EXPECT_NEAR(felt.y(), expected, 1e-9) << t;

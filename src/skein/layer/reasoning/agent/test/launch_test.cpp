@@ -14,7 +14,7 @@ struct Told {
     in.autopilot.on_ground = on_ground;
     in.autopilot.done = done;
     out = {};
-    return launch.under_way(in, 80, out);
+    return launch.takes_off(in, 80, out);
   }
   Launch launch;
   NavEstimate nav;

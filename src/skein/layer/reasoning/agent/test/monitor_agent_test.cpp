@@ -240,12 +240,12 @@ TEST(MonitorAgent, NeverEntersAZoneWhateverItsTask) {
       Mission mission(zones, 8 * geo::unit(i * geo::kPi / 2 + 0.3));
       mission.aircraft.p = {-1000, 20, -220};
       mission.send(1, tasks[k]);
-      const ZoneGuard guard({}, FlightLimits{}, zones);
+      const ZoneAvoidance avoidance({}, FlightLimits{}, zones);
       double nearest = 1e9;
       for (int t = 0; t < 240; ++t) {
         mission.second(
             {FireSample{mission.now, 0, mission.aircraft.position().norm() < 500}});
-        nearest = std::min(nearest, guard.distance(mission.aircraft.position()));
+        nearest = std::min(nearest, avoidance.distance(mission.aircraft.position()));
       }
       EXPECT_GT(nearest, 0) << "task " << k << ", wind " << i;
     }

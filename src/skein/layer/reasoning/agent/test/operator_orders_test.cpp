@@ -40,7 +40,7 @@ class OperatorOrdersTest : public testing::Test {
   OperatorOrdersTest() {
     auto mission = std::make_unique<Mission>(reports_);
     mission_ = mission.get();
-    desk_ = std::make_unique<OperatorOrders>(
+    server_ = std::make_unique<OperatorOrders>(
         std::vector<NamedAircraft>{{kFirst, "a"}, {kSecond, "b"}}, std::move(mission));
   }
 
@@ -57,7 +57,7 @@ class OperatorOrdersTest : public testing::Test {
     in.inbox = inbox;
     in.commands = commands;
     AgentOutput out;
-    desk_->step(in, out);
+    server_->step(in, out);
     if (!radio) return;
     for (const Message& message : out.outbox)
       aircraft_[message.to.value - 1].take(message);
@@ -65,7 +65,7 @@ class OperatorOrdersTest : public testing::Test {
 
   std::vector<AircraftReport> reports_;
   Mission* mission_ = nullptr;
-  std::unique_ptr<OperatorOrders> desk_;
+  std::unique_ptr<OperatorOrders> server_;
   Aircraft aircraft_[2];
   Time now_;
 };

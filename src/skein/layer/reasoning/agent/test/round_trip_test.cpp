@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "skein/layer/reasoning/agent/zone_watch.h"
+#include "skein/layer/reasoning/agent/zone_monitor.h"
 
 namespace skein::reasoning {
 namespace {
 
 TEST(RoundTrip, PointsOnOneAnotherAreOne) {
-  const FlyWaypoints way =
+  const FlyWaypoints route =
       round_trip({{0, 0}, {0, 0}, {100, 0}, {100, 0.1}, {100, 80}, {0, 0}}, 7, 120);
-  ASSERT_EQ(way.points.size(), 3u);
-  EXPECT_EQ(way.points[1].point, Vec2(100, 0));
-  EXPECT_EQ(way.points[2].altitude_msl, 120);
-  EXPECT_EQ(way.laps, 7);
+  ASSERT_EQ(route.points.size(), 3u);
+  EXPECT_EQ(route.points[1].point, Vec2(100, 0));
+  EXPECT_EQ(route.points[2].altitude_msl, 120);
+  EXPECT_EQ(route.laps, 7);
   const FlyWaypoints place = round_trip({{5, 5}, {5, 5}}, 1000, 120);
   ASSERT_EQ(place.points.size(), 1u);
   EXPECT_EQ(place.laps, 1);
@@ -35,14 +35,14 @@ TEST(IntoZone, SaysWhereALineFirstEnters) {
 }
 
 TEST(IntoZone, CountsTheWayBackOnlyWhenItIsFlown) {
-  const std::vector<Vec2> way = {{0, 0}, {0, 200}, {500, 200}, {500, 0}};
-  EXPECT_FALSE(into_zone(way, false, zone()));
-  EXPECT_EQ(into_zone(way, true, zone()), Vec2(300, 0));
-  EXPECT_FALSE(into_zone(way, true, {}));
+  const std::vector<Vec2> route = {{0, 0}, {0, 200}, {500, 200}, {500, 0}};
+  EXPECT_FALSE(into_zone(route, false, zone()));
+  EXPECT_EQ(into_zone(route, true, zone()), Vec2(300, 0));
+  EXPECT_FALSE(into_zone(route, true, {}));
 }
 
-TEST(ZoneWatch, TellsOnceWhenTheAircraftComesInAndWhenItLeaves) {
-  ZoneWatch watch({}, {}, zone(), EntityId{3});
+TEST(ZoneMonitor, TellsOnceWhenTheAircraftComesInAndWhenItLeaves) {
+  ZoneMonitor watch({}, {}, zone(), EntityId{3});
   std::vector<std::string> told;
   NavEstimate nav;
   for (const double north : {0.0, 150.0, 200.0, 290.0, 350.0, 400.0}) {

@@ -48,11 +48,11 @@ TEST(RouteAgent, OrdersItsRouteOnceAboveTheHighestGroundOfIt) {
   Told told(triangle());
   const AgentOutput first = told.at(0);
   ASSERT_TRUE(first.command);
-  const auto& way = std::get<FlyWaypoints>(first.command->guidance);
-  EXPECT_EQ(way.laps, 5);
-  ASSERT_EQ(way.points.size(), 3u);
-  EXPECT_EQ(way.points[1].point, Vec2(400, 0));
-  for (const auto& point : way.points) EXPECT_DOUBLE_EQ(point.altitude_msl, 180);
+  const auto& route = std::get<FlyWaypoints>(first.command->guidance);
+  EXPECT_EQ(route.laps, 5);
+  ASSERT_EQ(route.points.size(), 3u);
+  EXPECT_EQ(route.points[1].point, Vec2(400, 0));
+  for (const auto& point : route.points) EXPECT_DOUBLE_EQ(point.altitude_msl, 180);
   EXPECT_FALSE(told.at(0.5).command);
 }
 

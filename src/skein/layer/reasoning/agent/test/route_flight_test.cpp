@@ -55,7 +55,7 @@ class CornerPlanner final : public PathPlanner {
   Vec2 corner_;
 };
 
-bool same_way(const AutopilotCommand& a, const AutopilotCommand& b) {
+bool same_route(const AutopilotCommand& a, const AutopilotCommand& b) {
   const auto* now = std::get_if<FlyWaypoints>(&a.guidance);
   const auto* next = std::get_if<FlyWaypoints>(&b.guidance);
   return now && next && now->laps == next->laps &&
@@ -108,7 +108,7 @@ class Flight {
   }
 
   test::TestAircraft aircraft;
-  ZoneWatch zones;
+  ZoneMonitor zones;
   RouteFlight route;
   AutopilotCommand command;
   int commands = 0;
@@ -140,7 +140,7 @@ class Flight {
       ++refusals;
       return;
     }
-    const bool goes_on = same_way(command, *out.command);
+    const bool goes_on = same_route(command, *out.command);
     command = *out.command;
     if (goes_on) return;
     leg_ = 0;
@@ -153,13 +153,13 @@ class Flight {
     const auto towards = [&](const Vec2& to) {
       simple.guidance = HoldCourse{geo::bearing(to - aircraft.position())};
     };
-    if (const auto* way = std::get_if<FlyWaypoints>(&command.guidance)) {
-      const std::size_t count = way->points.size();
-      const std::size_t all = count * static_cast<std::size_t>(way->laps);
-      if ((aircraft.position() - way->points[leg_ % count].point).norm() < 40)
+    if (const auto* route = std::get_if<FlyWaypoints>(&command.guidance)) {
+      const std::size_t count = route->points.size();
+      const std::size_t all = count * static_cast<std::size_t>(route->laps);
+      if ((aircraft.position() - route->points[leg_ % count].point).norm() < 40)
         done_ = ++leg_ >= all;
       if (done_) leg_ = all - 1;
-      towards(way->points[leg_ % count].point);
+      towards(route->points[leg_ % count].point);
     } else if (const auto* follow = std::get_if<FollowPlan>(&command.guidance)) {
       model::PlanCurve curve;
       curve.assign(follow->plan);
@@ -193,9 +193,9 @@ TEST(RouteFlight, IsOneCommandWithoutZones) {
   Flight flight(options);
   flight.fly(100);
   EXPECT_EQ(flight.commands, 1);
-  const auto& way = std::get<FlyWaypoints>(flight.command.guidance);
-  EXPECT_EQ(way.laps, 3);
-  EXPECT_EQ(way.points.size(), 3u);
+  const auto& route = std::get<FlyWaypoints>(flight.command.guidance);
+  EXPECT_EQ(route.laps, 3);
+  EXPECT_EQ(route.points.size(), 3u);
   EXPECT_TRUE(flight.events.empty());
 }
 

@@ -173,7 +173,7 @@ void Coordinator::deploy(Time now, AgentOutput& out) {
 
 void Coordinator::force_crossings(Time now, AgentOutput& out) {
   if (options_.forced_crossing <= 0) return;
-  const std::vector<Zone> zones = zones_in_the_way(now);
+  const std::vector<Zone> zones = zones_in_force(now);
   for (Member& member : roster_.members()) {
     if (!member.available || member.deploying) continue;
     if (member.forced) {
@@ -194,7 +194,7 @@ void Coordinator::force_crossings(Time now, AgentOutput& out) {
   }
 }
 
-std::vector<Zone> Coordinator::zones_in_the_way(Time now) const {
+std::vector<Zone> Coordinator::zones_in_force(Time now) const {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Member& member : roster_.members()) {
     if (!member.available) continue;
@@ -218,7 +218,7 @@ void Coordinator::allocate(Time now, AgentOutput& out) {
       nav.time = now;
     }
   if (ready.empty()) return;
-  const std::vector<Zone> zones = zones_in_the_way(now);
+  const std::vector<Zone> zones = zones_in_force(now);
   const MonitoringSituation situation{now, &boundary_, ready, options_.origin, zones};
   for (Assignment& assignment : strategy_->assign(situation))
     if (Member* member = roster_.find(assignment.aircraft))

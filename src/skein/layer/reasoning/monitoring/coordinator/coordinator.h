@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/zone_book.h"
+#include "skein/data/zone_set.h"
 #include "skein/layer/reasoning/monitoring/coordinator/belief.h"
 #include "skein/layer/reasoning/monitoring/coordinator/confidence_monitor.h"
 #include "skein/layer/reasoning/monitoring/coordinator/roster.h"
@@ -67,13 +67,13 @@ class Coordinator : public Agent {
   void record_belief(Time now, AgentOutput& out);
   void note_crossing(const Crossing& crossing, AgentOutput& out);
   void judge(const Crossing& crossing, AgentOutput& out);
-  std::vector<Zone> zones_in_the_way(Time now) const;
+  std::vector<Zone> zones_in_force(Time now) const;
 
   CoordinatorOptions options_;
   Belief belief_;
   std::unique_ptr<MonitoringStrategy> strategy_;
   Roster roster_;
-  ZoneBook zones_;
+  ZoneSet zones_;
   BoundaryEstimate boundary_;
   ConfidenceMonitor confidence_;
   Tally outliers_, dropped_;

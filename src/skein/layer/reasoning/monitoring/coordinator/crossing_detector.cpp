@@ -12,10 +12,10 @@ std::optional<Crossing> CrossingDetector::take(const FireReading& reading) {
   Last& last = place->second;
   const FireReading before = std::exchange(last.reading, reading);
   const double gap = (reading.time - before.time).seconds();
-  if (gap > 0 && (last.least_interval == 0 || gap < last.least_interval))
-    last.least_interval = gap;
+  if (gap > 0 && (last.min_interval == 0 || gap < last.min_interval))
+    last.min_interval = gap;
   const double longest =
-      std::max(longest_gap_, 1.5 * std::min(last.least_interval, kSlowest));
+      std::max(longest_gap_, 1.5 * std::min(last.min_interval, kSlowest));
   if (before.inside == reading.inside || gap > longest) return std::nullopt;
   Crossing crossing;
   crossing.time = reading.time;

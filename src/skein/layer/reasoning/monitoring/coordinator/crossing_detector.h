@@ -24,7 +24,7 @@ class CrossingDetector {
   double longest_gap_;
   struct Last {
     FireReading reading;
-    double least_interval = 0;  // between two readings; 0 = only one so far [s]
+    double min_interval = 0;  // between two readings; 0 = only one so far [s]
   };
   std::map<EntityId, Last> last_;
 };

@@ -68,7 +68,7 @@ void EnsembleEstimator::observe(const FireReading& reading) {
   const double eps = doubtful ? 0 : options_.false_rate;
   const double if_above = reading.inside ? eps : 1 - eps;
   const model::MixtureMoments after =
-      model::doubtful_half_line(distance.mean, sd, 0, if_above, 1 - if_above);
+      model::uncertain_half_line(distance.mean, sd, 0, if_above, 1 - if_above);
   // From the noisy distance to the distance itself: x + K (m - z), P - K (S - C) K'.
   const double gain = distance.variance / (sd * sd);
   const double shift = gain * (after.mean - distance.mean);

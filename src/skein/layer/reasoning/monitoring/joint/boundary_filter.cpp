@@ -160,7 +160,7 @@ void BoundaryFilter::growth(const Eigen::Ref<const Eigen::VectorXd>& c, double m
   const Vec2 w = wind();
   // Near the origin a wind would turn points by many knots within one step of the
   // covariance, and the differences would no longer be stable.
-  const double most_angular = 0.5 * spline_.step() / kLongestLag;
+  const double max_angular = 0.5 * spline_.step() / kLongestLag;
   for (int j = 0; j < n_; ++j) {
     const double* around = padded_.data() + j + 2;
     const double radius =
@@ -169,7 +169,7 @@ void BoundaryFilter::growth(const Eigen::Ref<const Eigen::VectorXd>& c, double m
         (8 * (around[1] - around[-1]) - (around[2] - around[-2])) * inverse_step;
     const Vec2& e_r = e_r_[static_cast<std::size_t>(j)];
     const Vec2 e_t = geo::turned_right(e_r);
-    const double angular = std::clamp(e_t.dot(w) / radius, -most_angular, most_angular);
+    const double angular = std::clamp(e_t.dot(w) / radius, -max_angular, max_angular);
     const double tilt = std::clamp(slope / radius, -kMaxTilt, kMaxTilt);
     drift_[j] = x_[v(j)] + e_r.dot(w) * inverse_response - tilt * e_t.dot(w);
     if (moved > 0) {

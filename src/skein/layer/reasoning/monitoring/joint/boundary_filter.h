@@ -135,8 +135,8 @@ class BoundaryFilter {
   Functional radius_at(const PeriodicSpline::Tap& tap) const;
   Functional aged_radius_at(double bearing, double age) const;
   static Vec2 wind_effect(double bearing, double slope_over_radius);
-  void soften(const PolarReading& reading, const Local& local, const Limits& l);
-  void open_up(double bearing, double extra);
+  void inflate(const PolarReading& reading, const Local& local, const Limits& l);
+  void inflate_covariance(double bearing, double extra);
   double slope_variance(const PeriodicSpline::Tap& tap) const;
   double apply(const Functional& h, Eigen::VectorXd& Ph) const;
   static double dot(const Functional& h, const Eigen::VectorXd& x);

@@ -198,12 +198,12 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
       margin > kObvious * std::sqrt(local.spline_variance + l.noise + grounds()[1].noise))
     return right;
 
-  if (reading.crossing) soften(reading, local, l);
+  if (reading.crossing) inflate(reading, local, l);
   settle();
   const Functional h = radius_at(spline_.at(reading.bearing));
   double s = apply(h, Ph_), m = local.radius;
   if (s < kMinVariance) {
-    open_up(reading.bearing, kMinVariance - s);
+    inflate_covariance(reading.bearing, kMinVariance - s);
     s = apply(h, Ph_);
   }
   Site& site = sites_[static_cast<std::size_t>(slot)];
@@ -257,26 +257,27 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
 
 // A crossing that is a surprise shows that the model is wrong near there: the rates have
 // changed, or the boundary has a feature that the spline or the linearisation misses.
-void BoundaryFilter::soften(const PolarReading& reading, const Local& local,
-                            const Limits& l) {
+void BoundaryFilter::inflate(const PolarReading& reading, const Local& local,
+                             const Limits& l) {
   const double off = 0.5 * (l.low + l.high) - local.radius;
   const double half = 0.5 * (l.high - l.low);
   const double expected =
       local.spline_variance + l.noise + half * half / 3 + grounds()[1].noise;
   const double surplus = off * off / (kSurprise * kSurprise) - expected;
-  if (surplus > 0) open_up(reading.bearing, std::min(surplus, kSoftening * expected));
+  if (surplus > 0)
+    inflate_covariance(reading.bearing, std::min(surplus, kSoftening * expected));
 }
 
 void BoundaryFilter::widen(double bearing, double distance, double surprise) {
   const Local local = at(bearing);
   const double off = distance - local.radius;
   const double extra = off * off / (surprise * surprise) - local.variance;
-  if (extra > 0) open_up(bearing, extra);
+  if (extra > 0) inflate_covariance(bearing, extra);
 }
 
 // Adds variance to the radius near a bearing, and to the rate as if it had built up since
 // the start. What is known elsewhere stays.
-void BoundaryFilter::open_up(double bearing, double extra) {
+void BoundaryFilter::inflate_covariance(double bearing, double extra) {
   settle();
   Ph_.setZero();
   for (int j = 0; j < n_; ++j) {

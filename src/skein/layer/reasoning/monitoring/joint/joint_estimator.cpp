@@ -57,11 +57,11 @@ void JointEstimator::predict(Time time) {
   SKEIN_CHECK(dt >= 0, dt);
   time_ = time;
   for (BoundaryFilter& filter : filters_) filter.predict(dt);
-  restart_unsound();
+  restart_invalid();
 }
 
 // A filter whose numbers have run away starts again from what was told at the beginning.
-void JointEstimator::restart_unsound() {
+void JointEstimator::restart_invalid() {
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     if (filters_[i].sound()) continue;
     filters_[i] = BoundaryFilter(prior_, hypotheses_[i], options_.knots,
@@ -150,7 +150,7 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     weights_[i] = (1 - kForget) * weights_[i] / total + kForget * prior_weights_[i];
   }
-  restart_unsound();
+  restart_invalid();
 }
 
 BoundaryFilter::Local JointEstimator::at(double bearing) const {

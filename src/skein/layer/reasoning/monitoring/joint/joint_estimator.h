@@ -65,7 +65,7 @@ class JointEstimator : public PerimeterEstimator {
     int suspects = 0;  // outliers in a row
   };
   int slot(EntityId id);
-  void restart_unsound();
+  void restart_invalid();
   void learn(EntityId id, PolarReading reading);
   BoundaryPoint point_at(double bearing) const;
   std::vector<double> spaced_bearings(double spacing) const;

@@ -6,7 +6,7 @@ namespace skein::monitoring {
 
 void ResetRule::crossing(std::size_t, model::ControlPoint& point, const Vec2& where,
                          double sd) {
-  const double kept = std::max(sd, least_sd_);
+  const double kept = std::max(sd, min_sd_);
   point.mean.head<2>() = where;
   point.covariance.topLeftCorner<2, 2>() = kept * kept * Eigen::Matrix2d::Identity();
   // What is left of the error has nothing to do with the rate any more.

@@ -38,8 +38,8 @@ class GaussianRule final : public PointRule {
 /// puts the point there, with a small covariance; rates are never learned.
 class ResetRule final : public PointRule {
  public:
-  /// @param least_sd  floor of the standard deviation after a crossing, per axis [m].
-  explicit ResetRule(double least_sd) : least_sd_(least_sd) {}
+  /// @param min_sd  floor of the standard deviation after a crossing, per axis [m].
+  explicit ResetRule(double min_sd) : min_sd_(min_sd) {}
 
   void half_space(std::size_t, model::ControlPoint&, const HalfSpace&) override {}
   void crossing(std::size_t index, model::ControlPoint& point, const Vec2& where,
@@ -49,7 +49,7 @@ class ResetRule final : public PointRule {
   }
 
  private:
-  double least_sd_;
+  double min_sd_;
 };
 
 }  // namespace skein::monitoring

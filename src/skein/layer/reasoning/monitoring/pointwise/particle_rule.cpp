@@ -144,7 +144,7 @@ void ParticleRule::half_space(std::size_t index, model::ControlPoint& point,
   }
   if (weigh(cloud, likelihood_, point)) return;
   const double above = sign > 0 ? 1 - false_rate_ : false_rate_;
-  const model::MixtureMoments range = model::doubtful_half_line(
+  const model::MixtureMoments range = model::uncertain_half_line(
       reading.seen.range, std::sqrt(reading.seen.variance), 0, above, 1 - above);
   correct_point(point, reading.seen, {range.mean, range.variance});
   draw(cloud, point);

@@ -29,8 +29,7 @@ PointwiseEstimator::PointwiseEstimator(const PointwiseOptions& options,
   SKEIN_CHECK(
       options.gate_sigmas > 0 && options.process_noise >= 0 && options.sensor_sd > 0,
       options.gate_sigmas, options.process_noise, options.sensor_sd);
-  SKEIN_CHECK(options.sigma_v > 0 && options.least_sd > 0, options.sigma_v,
-              options.least_sd);
+  SKEIN_CHECK(options.sigma_v > 0 && options.min_sd > 0, options.sigma_v, options.min_sd);
   SKEIN_CHECK(prior.radius > 0 && prior.radius_sd > 0 && prior.rate_sd >= 0, prior.radius,
               prior.radius_sd, prior.rate_sd);
   const auto count = static_cast<std::size_t>(options.control_points);

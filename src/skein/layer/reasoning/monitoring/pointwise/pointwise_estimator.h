@@ -22,7 +22,7 @@ struct PointwiseOptions {
   double sigma_v = 10;          ///< `mle`, `map`: standard deviation of the bound [m]
   int particles = 500;          ///< `particle`: samples per point, at least 20
   double false_rate = 0.01;     ///< `particle`: probability that a reading is false [-]
-  double least_sd = 5;          ///< `point-reset`: floor after a crossing, per axis [m]
+  double min_sd = 5;            ///< `point-reset`: floor after a crossing, per axis [m]
 };
 
 /// The thesis's belief: N control points of the boundary, each with a position and

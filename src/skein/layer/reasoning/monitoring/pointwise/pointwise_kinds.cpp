@@ -20,7 +20,7 @@ std::unique_ptr<PointRule> make_particle(const PointwiseOptions& options,
 }
 
 std::unique_ptr<PointRule> make_reset(const PointwiseOptions& options, std::uint64_t) {
-  return std::make_unique<ResetRule>(options.least_sd);
+  return std::make_unique<ResetRule>(options.min_sd);
 }
 
 constexpr PointwiseKind kKinds[] = {

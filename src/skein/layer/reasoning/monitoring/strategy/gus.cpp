@@ -15,7 +15,7 @@ double target_value(const Meeting& meeting, std::optional<double> settle_time) {
 FlyTo order_across(const AircraftStatus& aircraft, const Meeting& meeting,
                    const GusOptions& options) {
   const double reach =
-      std::max(options.aim_sigmas * meeting.point.sigma, options.least_reach);
+      std::max(options.aim_sigmas * meeting.point.sigma, options.min_reach);
   return FlyTo{crossing_aim(meeting.point, geo::horizontal(aircraft.nav.p_N), reach)};
 }
 

@@ -11,7 +11,7 @@ struct GusOptions {
   /// Aim at this many standard deviations beyond the boundary: 0.6745 for the 50 %
   /// interval on the normal, 1.1774 for the 50 % ellipse along its axis.
   double aim_sigmas = 0.6745;
-  double least_reach = 30;  ///< aim at least this far beyond the boundary [m]
+  double min_reach = 30;    ///< aim at least this far beyond the boundary [m]
   double separation = 150;  ///< between the targets of two aircraft, at least [m]
   double patience = 120;    ///< an order not done after this time is renewed [s]
   double settle_time = 15;  ///< gus-rate: the constant in J / (t_go + constant) [s]

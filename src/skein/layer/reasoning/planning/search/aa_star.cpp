@@ -8,11 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include "skein/layer/reasoning/planning/search/detour_trajectory.h"
 #include "skein/layer/reasoning/planning/search/levels.h"
 #include "skein/layer/reasoning/planning/search/lower_bound.h"
 #include "skein/layer/reasoning/planning/search/manoeuvre_search.h"
 #include "skein/layer/reasoning/planning/search/query_check.h"
-#include "skein/layer/reasoning/planning/search/way_chain.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -22,17 +22,17 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Ways keep this far from discs and corners, so that rounding is no conflict [m].
 constexpr double kMargin = 0.02;
 struct Try {
-  int ways;
-  double greed;
+  int detours;
+  double heuristic_weight;
 };
 constexpr std::array<Try, 4> kTries = {{{1, 1}, {1, 1.1}, {1, 1.5}, {3, 1}}};
-constexpr std::int64_t kOfWays = 6;  // each may use this part of the states left
+constexpr std::int64_t kOfDetours = 6;  // each may use this part of the states left
 // By which part of the best path's time other ways may seem longer at first.
-constexpr double kOtherWays = 0.05;
+constexpr double kOtherDetours = 0.05;
 
 // Finer and less greedy from round to round; each may use a part of what is left.
 struct Pass {
-  double finest, greed, share;
+  double finest, heuristic_weight, share;
 };
 constexpr std::array<Pass, 6> kPasses = {{{1, 2.5, 0.25},
                                           {0.5, 1.7, 0.3},
@@ -44,7 +44,7 @@ constexpr std::array<Pass, 6> kPasses = {{{1, 2.5, 0.25},
 class Planning {
  public:
   Planning(const PathQuery& query, AirspaceMap& map, const AaStar::Options& options)
-      : query_(query), map_(map), options_(options), effort_(query.budget) {}
+      : query_(query), map_(map), options_(options), budget_(query.budget) {}
 
   PlannedPath run();
 
@@ -53,22 +53,22 @@ class Planning {
     return best_.duration <= best_.bound * (1 + options_.gap) ||
            (query_.budget.first && !best_.plan.empty());
   }
-  bool done() const { return effort_.ended() || good() || shortest_; }
+  bool done() const { return budget_.ended() || good() || shortest_; }
   void take(FlightPlan plan);
-  void take(std::optional<Chain> chain);
+  void take(std::optional<Trajectory> trajectory);
   void take_direct();
-  void take_ways();
+  void take_detours();
   void take_levels();
   void take_waits();
-  void follow(const Way& way, bool quickest);
-  bool fly_exactly(const Way& way);
+  void follow(const Detour& detour, bool quickest);
+  bool fly_exactly(const Detour& detour);
   void search();
   PlannedPath answer();
 
   const PathQuery& query_;
   AirspaceMap& map_;
   AaStar::Options options_;
-  Effort effort_;
+  SearchBudget budget_;
   PlannedPath best_;
   bool shortest_ = false, exhausted_ = false, followed_ = false;
 };
@@ -78,39 +78,39 @@ void Planning::take(FlightPlan plan) {
   if (time >= best_.duration || !map_.is_free(plan)) return;
   best_.plan = std::move(plan);
   best_.duration = time;
-  effort_.has_path();
+  budget_.has_path();
 }
 
-void Planning::take(std::optional<Chain> chain) {
-  if (!chain) return;
-  take(to_flight_plan(*chain, query_));
+void Planning::take(std::optional<Trajectory> trajectory) {
+  if (!trajectory) return;
+  take(to_flight_plan(*trajectory, query_));
   if (query_.budget.first) return;
-  improve(*chain, map_, effort_);
-  take(to_flight_plan(*chain, query_));
+  improve(*trajectory, map_, budget_);
+  take(to_flight_plan(*trajectory, query_));
 }
 
 void Planning::take_direct() {
-  const auto direct = make_chain({{query_.start}, {query_.goal}}, query_);
-  effort_.spend();
+  const auto direct = make_trajectory({{query_.start}, {query_.goal}}, query_);
+  budget_.spend();
   if (!direct) return;
   FlightPlan plan = to_flight_plan(*direct, query_);
   if (map_.is_free(plan)) {
     best_.duration = direct->duration();
     best_.plan = std::move(plan);
-    effort_.has_path();
+    budget_.has_path();
     if (done()) return;
   }
-  take(swerve(*direct, map_, effort_));
+  take(swerve(*direct, map_, budget_));
 }
 
 // Exact where turns along all arcs can be flown. The whole way then is the shortest of
 // its kind.
-bool Planning::fly_exactly(const Way& way) {
+bool Planning::fly_exactly(const Detour& detour) {
   if (!query_.wind.isZero()) return false;
-  for (const Way::Arc& arc : way.arcs)
-    if (arc.turned > 0 && arc.round.radius < query_.limits.turn_radius * (1 - 1e-12))
+  for (const Detour::Arc& arc : detour.arcs)
+    if (arc.turned > 0 && arc.obstacle.radius < query_.limits.turn_radius * (1 - 1e-12))
       return false;
-  FlightPlan plan = fly_way(way, query_);
+  FlightPlan plan = fly_detour(detour, query_);
   for (const FlightElement& e : plan)
     if (e.climb_rate > query_.limits.climb_rate * (1 + 1e-9) ||
         -e.climb_rate > query_.limits.sink_rate * (1 + 1e-9))
@@ -120,7 +120,7 @@ bool Planning::fly_exactly(const Way& way) {
   return true;
 }
 
-void Planning::take_ways() {
+void Planning::take_detours() {
   if (query_.airspace == nullptr || query_.airspace->zones.empty()) return;
   const double a = -query_.start.p_N.z(), b = -query_.goal.p_N.z();
   std::vector<Zone> zones;
@@ -130,7 +130,7 @@ void Planning::take_ways() {
     if (met) zones.push_back(z);
   }
   const GroundSpeed speed(query_.limits.airspeed, query_.wind);
-  WayRequest request;
+  DetourRequest request;
   request.start = geo::horizontal(query_.start.p_N);
   request.goal = geo::horizontal(query_.goal.p_N);
   const auto course = [&](double heading) {
@@ -145,31 +145,32 @@ void Planning::take_ways() {
   // One to have a path, the quickest if that is not too much work; then others.
   for (const Try& t : kTries) {
     if (done()) return;
-    if (t.greed > 1 && !best_.plan.empty() && followed_) continue;
-    request.ways = t.ways;
-    request.greed = t.greed;
-    request.most_time = best_.duration * (1 + kOtherWays);
-    const Ways found = ways_around(zones, query_, speed, request, {kMargin, kMargin},
-                                   effort_.part(kOfWays));
-    effort_.spend(found.states);
-    const bool quickest = t.greed == 1 && a == b && !map_.is_timed();
-    for (std::size_t i = followed_ && t.ways > 1 ? 1 : 0;
-         i < found.ways.size() && !done(); ++i)
-      follow(found.ways[i], quickest && i == 0);
+    if (t.heuristic_weight > 1 && !best_.plan.empty() && followed_) continue;
+    request.detours = t.detours;
+    request.heuristic_weight = t.heuristic_weight;
+    request.max_time = best_.duration * (1 + kOtherDetours);
+    const Detours found = detours_around(zones, query_, speed, request,
+                                         {kMargin, kMargin}, budget_.part(kOfDetours));
+    budget_.spend(found.states);
+    const bool quickest = t.heuristic_weight == 1 && a == b && !map_.is_timed();
+    for (std::size_t i = followed_ && t.detours > 1 ? 1 : 0;
+         i < found.detours.size() && !done(); ++i)
+      follow(found.detours[i], quickest && i == 0);
     if (query_.budget.first && !best_.plan.empty()) return;
   }
 }
 
-void Planning::follow(const Way& way, bool quickest) {
+void Planning::follow(const Detour& detour, bool quickest) {
   followed_ = true;
-  if (fly_exactly(way)) {
+  if (fly_exactly(detour)) {
     shortest_ = quickest;
     return;
   }
   // A way that cannot be flown as it is still tells where to pass.
-  auto chain = follow_way(way, map_, effort_, Detail::kCoarse);
-  if (!chain && !done()) chain = follow_way(way, map_, effort_, Detail::kFine);
-  take(std::move(chain));
+  auto trajectory = follow_detour(detour, map_, budget_, Detail::kCoarse);
+  if (!trajectory && !done())
+    trajectory = follow_detour(detour, map_, budget_, Detail::kFine);
+  take(std::move(trajectory));
 }
 
 // Up or down to what lies over and under zones and the ground, across, and back.
@@ -179,19 +180,19 @@ void Planning::take_levels() {
     // Up at the start and down at the goal, or on the way.
     for (const double part : {0.5, 0.25, 0.0}) {
       FlightState begin = query_.start, end = query_.goal;
-      const Vec3 way = query_.goal.p_N - query_.start.p_N;
-      begin.p_N += part * way;
-      end.p_N -= part * way;
+      const Vec3 straight = query_.goal.p_N - query_.start.p_N;
+      begin.p_N += part * straight;
+      end.p_N -= part * straight;
       begin.p_N.z() = end.p_N.z() = -level;
-      if (part > 0) begin.heading = end.heading = geo::bearing(geo::horizontal(way));
-      std::vector<Via> vias = {{query_.start}, {begin}, {end}, {query_.goal}};
+      if (part > 0) begin.heading = end.heading = geo::bearing(geo::horizontal(straight));
+      std::vector<Waypoint> vias = {{query_.start}, {begin}, {end}, {query_.goal}};
       if (part == 0.5) vias.erase(vias.begin() + 2);
-      auto chain = make_chain(std::move(vias), query_);
-      effort_.spend();
-      if (!chain || chain->duration() >= best_.duration) continue;
-      if (!map_.is_free(to_flight_plan(*chain, query_)))
-        chain = swerve(std::move(*chain), map_, effort_, 3);
-      take(std::move(chain));
+      auto trajectory = make_trajectory(std::move(vias), query_);
+      budget_.spend();
+      if (!trajectory || trajectory->duration() >= best_.duration) continue;
+      if (!map_.is_free(to_flight_plan(*trajectory, query_)))
+        trajectory = swerve(std::move(*trajectory), map_, budget_, 3);
+      take(std::move(trajectory));
     }
   }
 }
@@ -204,20 +205,20 @@ void Planning::take_waits() {
   double before = 0, wait = turn;
   for (int i = 0; i < kSteps && !done(); ++i, wait *= kGrowth) {
     if (best_.duration <= before + best_.bound) return;
-    effort_.spend();
-    auto chain = make_chain({{query_.start, wait}, {query_.goal}}, query_);
-    if (!chain || !map_.is_free(to_flight_plan(*chain, query_))) {
+    budget_.spend();
+    auto trajectory = make_trajectory({{query_.start, wait}, {query_.goal}}, query_);
+    if (!trajectory || !map_.is_free(to_flight_plan(*trajectory, query_))) {
       before = wait;
       continue;
     }
     for (int k = 0; k < 12 && before > 0 && wait - before > 0.1; ++k) {
       const double half = (before + wait) / 2;
-      auto sooner = make_chain({{query_.start, half}, {query_.goal}}, query_);
+      auto sooner = make_trajectory({{query_.start, half}, {query_.goal}}, query_);
       const bool free = sooner && map_.is_free(to_flight_plan(*sooner, query_));
       (free ? wait : before) = half;
-      if (free) chain = std::move(sooner);
+      if (free) trajectory = std::move(sooner);
     }
-    take(std::move(chain));
+    take(std::move(trajectory));
     return;
   }
 }
@@ -225,28 +226,28 @@ void Planning::take_waits() {
 void Planning::search() {
   for (const Pass& r : kPasses) {
     if (done()) return;
-    SearchRound round;
-    round.finest = r.finest;
-    round.greed = r.greed;
-    round.better = best_.duration;
-    round.first = query_.budget.first || best_.plan.empty();
-    round.states =
-        static_cast<std::int64_t>(r.share * static_cast<double>(effort_.left()));
-    SearchResult result = search_manoeuvres(map_, round, effort_);
-    take(std::move(result.chain));
+    SearchRound obstacle;
+    obstacle.finest = r.finest;
+    obstacle.heuristic_weight = r.heuristic_weight;
+    obstacle.better = best_.duration;
+    obstacle.first = query_.budget.first || best_.plan.empty();
+    obstacle.states =
+        static_cast<std::int64_t>(r.share * static_cast<double>(budget_.left()));
+    SearchResult result = search_manoeuvres(map_, obstacle, budget_);
+    take(std::move(result.trajectory));
     exhausted_ = result.exhausted && &r == &kPasses.back();
   }
 }
 
 PlannedPath Planning::answer() {
-  best_.states = effort_.states();
+  best_.states = budget_.states();
   if (!best_.plan.empty()) {
     best_.bound = std::min(best_.bound, best_.duration);
     const bool found = good() || shortest_ || exhausted_ || !options_.manoeuvres;
     best_.outcome = found ? PlanningOutcome::kFound : PlanningOutcome::kBudgetEnded;
     return std::move(best_);
   }
-  const bool all = !effort_.ended() && (exhausted_ || !options_.manoeuvres);
+  const bool all = !budget_.ended() && (exhausted_ || !options_.manoeuvres);
   best_.outcome = all ? PlanningOutcome::kNoPath : PlanningOutcome::kNothingFound;
   best_.reason =
       all ? "no path was found among the manoeuvres of this planner; all were looked at"
@@ -257,7 +258,7 @@ PlannedPath Planning::answer() {
 
 PlannedPath Planning::run() {
   const Link direct = link(query_.start, query_.goal, query_);
-  const double least = least_time(direct, query_.start, query_.goal, query_);
+  const double least = min_time(direct, query_.start, query_.goal, query_);
   if (auto refused = refuse_blocked(map_, query_.start_time + least)) return *refused;
   best_.bound = least;
   if (query_.start.p_N == query_.goal.p_N && direct.duration == 0) {
@@ -268,17 +269,17 @@ PlannedPath Planning::run() {
   }
   take_direct();
   if (done()) return answer();
-  const LowerBound bound = lower_bound(query_, effort_);
+  const LowerBound bound = lower_bound(query_, budget_);
   best_.bound = std::max(best_.bound, bound.time);
   if (bound.time == kInfinity) {
     best_.bound = 0;
     best_.outcome = PlanningOutcome::kNoPath;
     best_.reason =
         "zones that hold at all times and altitudes part the goal from the start";
-    best_.states = effort_.states();
+    best_.states = budget_.states();
     return best_;
   }
-  if (options_.ways && !done()) take_ways();
+  if (options_.detours && !done()) take_detours();
   if (!done()) take_levels();
   if (map_.is_timed() && !done()) take_waits();
   if (options_.manoeuvres) search();

@@ -26,7 +26,7 @@ class AirspaceMap;
 class AaStar final : public PathPlanner {
  public:
   struct Options {
-    bool ways = true;        ///< begin with ways around zones
+    bool detours = true;     ///< begin with ways around zones
     bool manoeuvres = true;  ///< search over manoeuvres
     double gap = 0.001;      ///< to the bound, at which nothing better is looked for
   };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // How exactly the time of a conflict is told, with words and without [s].
-constexpr double kTold = 0.01, kMet = 0.2;
+constexpr double kReported = 0.01, kMet = 0.2;
 // Depth is looked for during this time after a conflict begins [s].
 constexpr double kDepthTime = 2;
 
@@ -131,7 +131,7 @@ std::optional<Conflict> AirspaceMap::look(const FlightPlan& plan, double told,
 }
 
 std::optional<Conflict> AirspaceMap::first_conflict(const FlightPlan& plan) const {
-  return look(plan, kTold, true);
+  return look(plan, kReported, true);
 }
 
 std::optional<Conflict> AirspaceMap::first_meeting(const FlightPlan& plan) const {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "skein/layer/reasoning/planning/search/aa_star.h"
-#include "skein/layer/reasoning/planning/search/chain.h"
 #include "skein/layer/reasoning/planning/search/query_check.h"
+#include "skein/layer/reasoning/planning/search/trajectory.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -70,7 +70,7 @@ void Fleet::search(const FleetMember& member, PlannedPath& best) {
   for (double t = member.earliest_start; t <= member.latest_start; t += kSearchStep) {
     const PathQuery q = query_of(member, t);
     const Link l = link(q.start, q.goal, q);
-    if (!best.plan.empty() && t + least_time(l, q.start, q.goal, q) >= arrival(best))
+    if (!best.plan.empty() && t + min_time(l, q.start, q.goal, q) >= arrival(best))
       return;
     PlannedPath path = AaStar().plan(q, map_);
     best.states += path.states;

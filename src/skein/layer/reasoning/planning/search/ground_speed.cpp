@@ -29,10 +29,10 @@ double GroundSpeed::along(const Vec2& unit) const {
   return unit.dot(wind_) + std::sqrt(airspeed_ * airspeed_ - across * across);
 }
 
-double GroundSpeed::straight(const Vec2& way) const {
-  const double length = way.norm();
+double GroundSpeed::straight(const Vec2& leg) const {
+  const double length = leg.norm();
   if (length == 0) return 0;
-  return table_.empty() ? length / airspeed_ : length / along(way / length);
+  return table_.empty() ? length / airspeed_ : length / along(leg / length);
 }
 
 double GroundSpeed::slowness(double course) const {

@@ -16,7 +16,7 @@ class GroundSpeed {
 
   double along(const Vec2& unit) const;
   /// Time of a straight way [s].
-  double straight(const Vec2& way) const;
+  double straight(const Vec2& leg) const;
   /// Time of a way along a circle over ground [s], from a course on.
   /// @param turned  by how much the course changes [rad], positive right.
   double arc(double radius, double course, double turned) const;

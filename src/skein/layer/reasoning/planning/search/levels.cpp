@@ -12,7 +12,7 @@ constexpr double kMargin = 1;  // over and under [m]
 constexpr double kLook = 20;   // between looks at the ground [m]
 constexpr double kMaxLooks = 5000;
 
-double ground_on_the_way(const PathQuery& q) {
+double ground_below(const PathQuery& q) {
   const Vec2 a = geo::horizontal(q.start.p_N), b = geo::horizontal(q.goal.p_N);
   const double looks = std::clamp(std::ceil((b - a).norm() / kLook), 1.0, kMaxLooks);
   double highest = q.terrain->elevation_msl(a);
@@ -32,7 +32,7 @@ std::vector<double> levels_between(const AirspaceMap& map) {
       if (std::isfinite(zone.ceiling_msl)) levels.push_back(zone.ceiling_msl + kMargin);
     }
   if (q.terrain != nullptr)
-    levels.push_back(ground_on_the_way(q) + q.ground_clearance + kMargin);
+    levels.push_back(ground_below(q) + q.ground_clearance + kMargin);
   const double a = -q.start.p_N.z(), b = -q.goal.p_N.z();
   std::sort(levels.begin(), levels.end(), [&](double x, double y) {
     const double dx = std::abs(x - a) + std::abs(x - b);

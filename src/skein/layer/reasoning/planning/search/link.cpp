@@ -100,8 +100,8 @@ bool is_exact(const Link& link) {
   return !link.connection.irregular && link.wait == 0;
 }
 
-double least_time(const Link& link, const FlightState& from, const FlightState& to,
-                  const PathQuery& query) {
+double min_time(const Link& link, const FlightState& from, const FlightState& to,
+                const PathQuery& query) {
   const double height = from.p_N.z() - to.p_N.z();
   const double climb = height == 0 ? 0 : climb_time(height, query.limits);
   const bool exact = is_exact(link);

@@ -38,8 +38,8 @@ bool is_exact(const Link& link);
 /// A time that no flight from one state to the other can be quicker than [s], whatever is
 /// in the way: the connection's; where that is irregular, distance / (V + |w|). At least
 /// what climbing takes.
-double least_time(const Link& link, const FlightState& from, const FlightState& to,
-                  const PathQuery& query);
+double min_time(const Link& link, const FlightState& from, const FlightState& to,
+                const PathQuery& query);
 
 /// The state at the end of a plan. Fails: Bug when it is empty.
 FlightState state_after(const FlightPlan& plan);

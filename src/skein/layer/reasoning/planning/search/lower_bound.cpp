@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "skein/layer/reasoning/planning/search/ways.h"
+#include "skein/layer/reasoning/planning/search/detours.h"
 
 namespace skein::planning {
 namespace {
@@ -19,24 +19,24 @@ bool always(const Zone& z) {
 
 }  // namespace
 
-LowerBound lower_bound(const PathQuery& query, Effort& effort) {
+LowerBound lower_bound(const PathQuery& query, SearchBudget& budget) {
   std::vector<Zone> zones;
   if (query.airspace != nullptr)
     for (const Zone& zone : query.airspace->zones)
       if (always(zone)) zones.push_back(zone);
   if (zones.empty()) return {};
   const GroundSpeed speed(query.limits.airspeed, query.wind);
-  WayRequest request;
+  DetourRequest request;
   request.start = geo::horizontal(query.start.p_N);
   request.goal = geo::horizontal(query.goal.p_N);
-  const Ways found =
-      ways_around(zones, {}, speed, request, {0, kMargin}, effort.part(kShare));
-  effort.spend(found.states);
-  if (found.ways.empty()) return {found.complete ? kInfinity : 0};
+  const Detours found =
+      detours_around(zones, {}, speed, request, {0, kMargin}, budget.part(kShare));
+  budget.spend(found.states);
+  if (found.detours.empty()) return {found.complete ? kInfinity : 0};
   double more = 0;  // what the margin adds [m]
-  for (const Way::Arc& arc : found.ways.front().arcs)
-    if (arc.round.corner) more += kMargin * arc.turned;
-  return {found.ways.front().time - more / speed.slowest()};
+  for (const Detour::Arc& arc : found.detours.front().arcs)
+    if (arc.obstacle.corner) more += kMargin * arc.turned;
+  return {found.detours.front().time - more / speed.slowest()};
 }
 
 }  // namespace skein::planning

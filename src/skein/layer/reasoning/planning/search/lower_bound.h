@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/layer/reasoning/planning/search/chain.h"
+#include "skein/layer/reasoning/planning/search/trajectory.h"
 
 namespace skein::planning {
 
@@ -13,6 +13,6 @@ struct LowerBound {
 /// at all times and altitudes: straights at the speed over ground along them, and arcs.
 ///
 /// Corners are passed 0.02 m away, which is taken off again.
-LowerBound lower_bound(const PathQuery& query, Effort& effort);
+LowerBound lower_bound(const PathQuery& query, SearchBudget& budget);
 
 }  // namespace skein::planning

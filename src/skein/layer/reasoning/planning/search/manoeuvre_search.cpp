@@ -52,7 +52,7 @@ struct CellHash {
 
 class Search {
  public:
-  Search(const AirspaceMap& map, const SearchRound& round, Effort& effort);
+  Search(const AirspaceMap& map, const SearchRound& obstacle, SearchBudget& budget);
   SearchResult run();
 
  private:
@@ -62,12 +62,12 @@ class Search {
   void consider(const FlightElement& manoeuvre, std::int32_t parent, double wait);
   void smooth(State& state) const;
   void finish(std::int32_t index, const Link& to_goal);
-  Chain chain_to(std::int32_t index) const;
+  Trajectory trajectory_to(std::int32_t index) const;
 
   const AirspaceMap& map_;
   const PathQuery& query_;
   const SearchRound& round_;
-  Effort& effort_;
+  SearchBudget& budget_;
   bool vertical_;
   Reach reach_;
   std::vector<State> states_;
@@ -88,15 +88,15 @@ bool needs_altitude(const PathQuery& q) {
                      });
 }
 
-Search::Search(const AirspaceMap& map, const SearchRound& round, Effort& effort)
+Search::Search(const AirspaceMap& map, const SearchRound& obstacle, SearchBudget& budget)
     : map_(map),
       query_(map.query()),
-      round_(round),
-      effort_(effort),
+      round_(obstacle),
+      budget_(budget),
       vertical_(needs_altitude(map.query())),
       reach_{query_.limits.airspeed + query_.wind.norm(),
              std::max(query_.limits.climb_rate, query_.limits.sink_rate)},
-      best_(query_.start_time + round.better) {}
+      best_(query_.start_time + obstacle.better) {}
 
 double Search::step_at(const FlightState& s, double time) const {
   const double rho = query_.limits.turn_radius;
@@ -133,7 +133,7 @@ void Search::smooth(State& state) const {
     if (older < 0) return;
     const State& from = states_[static_cast<std::size_t>(older)];
     const Link l = link(from.at, state.at, query_);
-    effort_.spend();
+    budget_.spend();
     const double time = from.time + l.duration;
     if (time > state.time + 1e-9) return;
     if (!map_.is_free(to_flight_plan(l, from.at, from.time, query_))) return;
@@ -147,15 +147,15 @@ void Search::smooth(State& state) const {
 void Search::finish(std::int32_t index, const Link& to_goal) {
   const double arrival = states_[static_cast<std::size_t>(index)].time + to_goal.duration;
   if (arrival >= best_) return;
-  Chain chain = chain_to(index);
+  Trajectory trajectory = trajectory_to(index);
   // Links may be quicker than the manoeuvres between the same states, and elsewhere.
-  if (!map_.is_free(to_flight_plan(chain, query_))) return;
-  best_ = std::min(arrival, chain.times.back());
-  result_.chain = std::move(chain);
+  if (!map_.is_free(to_flight_plan(trajectory, query_))) return;
+  best_ = std::min(arrival, trajectory.times.back());
+  result_.trajectory = std::move(trajectory);
 }
 
-Chain Search::chain_to(std::int32_t index) const {
-  std::vector<Via> states = {{query_.goal}};
+Trajectory Search::trajectory_to(std::int32_t index) const {
+  std::vector<Waypoint> states = {{query_.goal}};
   double wait = 0;
   while (index >= 0) {
     const State& s = states_[static_cast<std::size_t>(index)];
@@ -164,15 +164,15 @@ Chain Search::chain_to(std::int32_t index) const {
     index = s.parent;
   }
   std::reverse(states.begin(), states.end());
-  return *make_chain(std::move(states), query_);
+  return *make_trajectory(std::move(states), query_);
 }
 
 void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, double wait) {
-  effort_.spend();
+  budget_.spend();
   State next{state_after(manoeuvre), manoeuvre.start + manoeuvre.duration, 0, parent,
              wait};
   Link to_goal = link(next.at, query_.goal, query_);
-  double least = least_time(to_goal, next.at, query_.goal, query_);
+  double least = min_time(to_goal, next.at, query_.goal, query_);
   if (next.time + least >= best_ * kPrune) return;
   if (!map_.is_free(manoeuvre)) return;
   smooth(next);
@@ -190,7 +190,7 @@ void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, doubl
     finish(index, to_goal);
     if (is_exact(to_goal)) return;
   }
-  open_.push({next.time + round_.greed * least, index});
+  open_.push({next.time + round_.heuristic_weight * least, index});
 }
 
 void Search::expand(std::int32_t index) {
@@ -227,9 +227,9 @@ SearchResult Search::run() {
   states_.front().step = step_at(query_.start, query_.start_time);
   const Link direct = link(query_.start, query_.goal, query_);
   open_.push({query_.start_time + direct.duration, 0});
-  const std::int64_t until = effort_.states() + round_.states;
-  while (!open_.empty() && !effort_.ended() && effort_.states() < until) {
-    if (round_.first && result_.chain) return std::move(result_);
+  const std::int64_t until = budget_.states() + round_.states;
+  while (!open_.empty() && !budget_.ended() && budget_.states() < until) {
+    if (round_.first && result_.trajectory) return std::move(result_);
     const Open next = open_.top();
     open_.pop();
     const State& s = states_[static_cast<std::size_t>(next.state)];
@@ -245,9 +245,9 @@ SearchResult Search::run() {
 
 }  // namespace
 
-SearchResult search_manoeuvres(const AirspaceMap& map, const SearchRound& round,
-                               Effort& effort) {
-  return Search(map, round, effort).run();
+SearchResult search_manoeuvres(const AirspaceMap& map, const SearchRound& obstacle,
+                               SearchBudget& budget) {
+  return Search(map, obstacle, budget).run();
 }
 
 }  // namespace skein::planning

@@ -168,14 +168,14 @@ RepairedPath Repairer::run() {
     out_.reason = "the aircraft is not on its plan";
   }
   const Link direct = link(query_.start, query_.goal, query_);
-  const double least = least_time(direct, query_.start, query_.goal, query_);
+  const double least = min_time(direct, query_.start, query_.goal, query_);
   if (auto refused = refuse_blocked(map_, now + least)) {
     out_.path = std::move(*refused);
     return out_;
   }
   const double good = 1 + options_.worse;
-  Effort effort(query_.budget);
-  out_.path.bound = std::max(least, lower_bound(query_, effort).time);
+  SearchBudget budget(query_.budget);
+  out_.path.bound = std::max(least, lower_bound(query_, budget).time);
   if (!old_.empty() && model::end_time_of(old_) > now)
     for (const Joint& joint : joints(conflict, on)) {
       if (out_.path.states >= kTries * options_.states) break;

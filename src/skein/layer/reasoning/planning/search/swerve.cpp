@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "skein/layer/reasoning/planning/search/chain.h"
+#include "skein/layer/reasoning/planning/search/trajectory.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -18,24 +18,24 @@ constexpr int kUps = 4;
 
 // How a chain fares: until when it is free, and how long it takes.
 struct Fare {
-  Chain chain;
+  Trajectory trajectory;
   double free_until = 0;
   bool free = false;
   std::optional<Conflict> conflict = std::nullopt;
 
   bool better_than(const Fare& other) const {
     if (free != other.free) return free;
-    if (free) return chain.duration() < other.chain.duration();
+    if (free) return trajectory.duration() < other.trajectory.duration();
     return free_until > other.free_until;
   }
 };
 
-Fare fare(Chain chain, const AirspaceMap& map) {
+Fare cost(Trajectory trajectory, const AirspaceMap& map) {
   Fare out;
-  out.conflict = map.first_meeting(to_flight_plan(chain, map.query()));
+  out.conflict = map.first_meeting(to_flight_plan(trajectory, map.query()));
   out.free = !out.conflict;
-  out.free_until = out.free ? chain.times.back() : out.conflict->time;
-  out.chain = std::move(chain);
+  out.free_until = out.free ? trajectory.times.back() : out.conflict->time;
+  out.trajectory = std::move(trajectory);
   return out;
 }
 
@@ -64,33 +64,34 @@ std::vector<FlightState> beside(const Conflict& conflict, const FlightState& at,
 
 }  // namespace
 
-std::optional<Chain> swerve(Chain chain, const AirspaceMap& map, Effort& effort,
-                            int most) {
+std::optional<Trajectory> swerve(Trajectory trajectory, const AirspaceMap& map,
+                                 SearchBudget& budget, int most) {
   const PathQuery& query = map.query();
-  Fare now = fare(std::move(chain), map);
-  for (int i = 0; i < most && !now.free && !effort.ended(); ++i) {
+  Fare now = cost(std::move(trajectory), map);
+  for (int i = 0; i < most && !now.free && !budget.ended(); ++i) {
     const double time = now.conflict->time;
-    const auto& times = now.chain.times;
+    const auto& times = now.trajectory.times;
     const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
-    const FlightPlan plan = to_flight_plan(now.chain, query);
+    const FlightPlan plan = to_flight_plan(now.trajectory, query);
     const FlightState at{now.conflict->p_N, model::moment_at(plan, time).heading};
     std::optional<Fare> best;
     for (const FlightState& s : beside(*now.conflict, at, query.limits.turn_radius,
                                        query.limits.climb_rate > 0)) {
-      if (!effort.spend(2)) break;
-      std::vector<Via> states = now.chain.states;
-      states.insert(states.begin() + (after - times.begin()), Via{s});
-      std::optional<Chain> next = make_chain(std::move(states), query);
-      if (!next || (best && best->free && next->duration() >= best->chain.duration()))
+      if (!budget.spend(2)) break;
+      std::vector<Waypoint> states = now.trajectory.states;
+      states.insert(states.begin() + (after - times.begin()), Waypoint{s});
+      std::optional<Trajectory> next = make_trajectory(std::move(states), query);
+      if (!next ||
+          (best && best->free && next->duration() >= best->trajectory.duration()))
         continue;
-      Fare trial = fare(std::move(*next), map);
+      Fare trial = cost(std::move(*next), map);
       if (!best || trial.better_than(*best)) best = std::move(trial);
     }
     if (!best || (!best->free && best->free_until <= now.free_until)) return std::nullopt;
     now = std::move(*best);
   }
   if (!now.free) return std::nullopt;
-  return std::move(now.chain);
+  return std::move(now.trajectory);
 }
 
 }  // namespace skein::planning

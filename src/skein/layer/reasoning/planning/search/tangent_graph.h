@@ -10,16 +10,16 @@
 namespace skein::planning {
 
 /// Something to go around: a disc, or a convex corner as a tiny one.
-struct Round {
+struct CircularObstacle {
   Vec2 centre = Vec2::Zero();  ///< [m]
   double radius = 0;           ///< [m]
   bool corner = false;
 };
 
 /// A way of arcs along rounds with straights between. An arc may have no length.
-struct Way {
+struct Detour {
   struct Arc {
-    Round round;
+    CircularObstacle obstacle;
     int side = 1;       ///< +1 right, -1 left
     double course = 0;  ///< at its begin [rad]
     double turned = 0;  ///< 0 or above [rad]
@@ -29,7 +29,7 @@ struct Way {
 };
 
 /// What a way around discs and corners has to be.
-struct WayRequest {
+struct DetourRequest {
   Vec2 start = Vec2::Zero(), goal = Vec2::Zero();  ///< [m]
   double start_course = 0, goal_course = 0;        ///< [rad]
   /// Of the circles on which it leaves the start and comes to the goal [m]; 0: courses
@@ -37,18 +37,18 @@ struct WayRequest {
   double turn_radius = 0;
   double start_time = 0;                         ///< [s]
   double start_altitude = 0, goal_altitude = 0;  ///< [m]
-  double most_time = 1e300;  ///< ways that take longer are not looked for [s]
-  int ways = 1;              ///< how many to look for
+  double max_time = 1e300;  ///< ways that take longer are not looked for [s]
+  int detours = 1;          ///< how many to look for
   /// Weight of the time left: 1 finds the quickest first, more finds one sooner that
   /// takes at most so many times longer.
-  double greed = 1;
+  double heuristic_weight = 1;
 };
 
 /// How a search for ways ended.
-struct Ways {
-  std::vector<Way> ways;    ///< the quickest first
-  bool complete = false;    ///< all was looked at: there is no other way of this kind
-  std::int64_t states = 0;  ///< eight tangents, which are quickly looked at, are one
+struct Detours {
+  std::vector<Detour> detours;  ///< the quickest first
+  bool complete = false;        ///< all was looked at: there is no other way of this kind
+  std::int64_t states = 0;      ///< eight tangents, which are quickly looked at, are one
 };
 
 /// Ways of least time that consist of straights and arcs along rounds: A* over the common
@@ -70,8 +70,9 @@ struct Ways {
 /// Cost:     of N rounds at most N^2 tangents at each of at most 4 N^2 states; in
 /// practice
 ///           a small part. Looks at no more than `budget.states`.
-Ways find_ways(const AirspaceMap& map, std::span<const Round> rounds,
-               const GroundSpeed& speed, const WayRequest& request,
-               const PlanningBudget& budget);
+Detours find_tangent_paths(const AirspaceMap& map,
+                           std::span<const CircularObstacle> obstacles,
+                           const GroundSpeed& speed, const DetourRequest& request,
+                           const PlanningBudget& budget);
 
 }  // namespace skein::planning

@@ -9,7 +9,7 @@ namespace skein::planning {
 
 /// Several timed flights.
 struct Arrivals {
-  TimedStatus status = TimedStatus::kNoWay;
+  TimedStatus status = TimedStatus::kNoConnection;
   std::vector<TimedFlight> flights;  ///< in the order of the legs
   std::vector<double> times;         ///< of their arrivals [s]
   double earliest = 0;               ///< see RendezvousResult

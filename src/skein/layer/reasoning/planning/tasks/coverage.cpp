@@ -50,8 +50,8 @@ SweepTask task_of(const CoverageQuery& query, geo::Region area,
 void add_connection(const CoverageQuery& query, const FlightState& from,
                     const FlightState& to, FlightPlan& plan) {
   const double start = plan.empty() ? query.start_time : model::end_time_of(plan);
-  FlightPlan way = join(from, to, query.limits, query.wind, start);
-  if (query.planner != nullptr && time_within(way, query.zones) > 0) {
+  FlightPlan connection = join(from, to, query.limits, query.wind, start);
+  if (query.planner != nullptr && time_within(connection, query.zones) > 0) {
     Airspace airspace;
     airspace.zones = query.zones;
     PathQuery ask;
@@ -65,11 +65,11 @@ void add_connection(const CoverageQuery& query, const FlightState& from,
       ask.budget.states = states;
       PlannedPath path = query.planner->plan(ask);
       if (path.plan.empty()) continue;
-      way = std::move(path.plan);
+      connection = std::move(path.plan);
       break;
     }
   }
-  plan.insert(plan.end(), way.begin(), way.end());
+  plan.insert(plan.end(), connection.begin(), connection.end());
 }
 
 FlightState state_of(const model::Pose& pose, double down) {

@@ -25,7 +25,7 @@ CoverageResult refused(CoverageOutcome outcome, std::string reason) {
 }
 
 // What is wrong with a ring; empty when nothing is.
-std::string fault_of(const geo::Ring& ring, const std::string& what) {
+std::string error_of(const geo::Ring& ring, const std::string& what) {
   if (ring.size() < 3)
     return fmt::format("{} has {} points; at least 3 make an area", what, ring.size());
   if (ring.size() > kMaxCorners)
@@ -44,17 +44,17 @@ std::string fault_of(const geo::Ring& ring, const std::string& what) {
   return {};
 }
 
-std::string fault_of(const Zone& zone, const std::string& what) {
+std::string error_of(const Zone& zone, const std::string& what) {
   if (const auto* disc = std::get_if<Disc>(&zone.area)) {
     const bool fine =
         on_map(disc->centre) && disc->radius > 0 && disc->radius <= kMaxCoordinate;
     return fine ? "" : what + " is a disc without a place or a radius above 0";
   }
   const geo::Ring& ring = std::get<geo::Ring>(zone.area);
-  std::string fault = fault_of(ring, what);
-  if (fault.empty() && geo::signed_area(ring) < 0)
-    fault = what + " runs anticlockwise on the map; turned around it is fine";
-  return fault;
+  std::string error = error_of(ring, what);
+  if (error.empty() && geo::signed_area(ring) < 0)
+    error = what + " runs anticlockwise on the map; turned around it is fine";
+  return error;
 }
 
 std::optional<CoverageResult> check_aircraft(const CoverageQuery& query) {
@@ -65,17 +65,17 @@ std::optional<CoverageResult> check_aircraft(const CoverageQuery& query) {
   if (query.aircraft.size() > 64) return refuse("more than 64 aircraft");
   if (!(std::abs(query.altitude_msl) <= kMaxCoordinate) || !usable_time(query.start_time))
     return refuse("altitude and start time must be numbers, and not absurd");
-  if (std::string fault = limits_fault(query.limits); !fault.empty())
-    return refuse(std::move(fault));
+  if (std::string error = limits_error(query.limits); !error.empty())
+    return refuse(std::move(error));
   for (std::size_t k = 0; k < query.aircraft.size(); ++k)
     for (const auto& state : {query.aircraft[k].start, query.aircraft[k].end}) {
       if (!state) continue;
-      if (std::string fault = state_fault(*state); !fault.empty())
-        return refuse(fmt::format("start or end of aircraft {}: {}", k, fault));
+      if (std::string error = state_error(*state); !error.empty())
+        return refuse(fmt::format("start or end of aircraft {}: {}", k, error));
       const double climb = query.altitude_msl + state->p_N.z();
-      for (const double way : {climb, -climb})
-        if (std::string fault = climb_fault(way, query.limits); !fault.empty())
-          return refuse(fmt::format("aircraft {}: {}", k, fault));
+      for (const double rate : {climb, -climb})
+        if (std::string error = climb_error(rate, query.limits); !error.empty())
+          return refuse(fmt::format("aircraft {}: {}", k, error));
     }
   return std::nullopt;
 }
@@ -86,10 +86,10 @@ std::optional<Vec2> free_place(const Zone& around, const Vec2& p,
   constexpr double kBehind = 1;  // [m]
   const geo::NearestPoint border =
       geo::BoundaryIndex(geo::Region{outline(around)}).nearest(p);
-  const Vec2 way = border.point - p;
-  const double distance = way.norm();
+  const Vec2 outwards = border.point - p;
+  const double distance = outwards.norm();
   if (distance == 0) return std::nullopt;
-  const Vec2 free = p + way * ((distance + kBehind) / distance);
+  const Vec2 free = p + outwards * ((distance + kBehind) / distance);
   const bool clear = std::none_of(zones.begin(), zones.end(),
                                   [&](const Zone& zone) { return covers(zone, free); });
   return clear ? std::optional(free) : std::nullopt;
@@ -133,8 +133,8 @@ std::optional<CoverageResult> check_blocked(const CoverageQuery& query) {
 }  // namespace
 
 std::optional<CoverageResult> check(const CoverageQuery& query) {
-  if (std::string fault = fault_of(query.area, "the area"); !fault.empty()) {
-    CoverageResult result = refused(CoverageOutcome::kBadArea, std::move(fault));
+  if (std::string error = error_of(query.area, "the area"); !error.empty()) {
+    CoverageResult result = refused(CoverageOutcome::kBadArea, std::move(error));
     const bool crosses = query.area.size() >= 3 && query.area.size() <= kMaxCorners &&
                          std::all_of(query.area.begin(), query.area.end(), on_map);
     if (crosses) result.alternative = geo::clean({query.area}, geo::FillRule::kEvenOdd);
@@ -142,11 +142,11 @@ std::optional<CoverageResult> check(const CoverageQuery& query) {
     return result;
   }
   for (std::size_t k = 0; k < query.holes.size(); ++k)
-    if (auto fault = fault_of(query.holes[k], fmt::format("hole {}", k)); !fault.empty())
-      return refused(CoverageOutcome::kBadZone, std::move(fault));
+    if (auto error = error_of(query.holes[k], fmt::format("hole {}", k)); !error.empty())
+      return refused(CoverageOutcome::kBadZone, std::move(error));
   for (std::size_t k = 0; k < query.zones.size(); ++k)
-    if (auto fault = fault_of(query.zones[k], fmt::format("zone {}", k)); !fault.empty())
-      return refused(CoverageOutcome::kBadZone, std::move(fault));
+    if (auto error = error_of(query.zones[k], fmt::format("zone {}", k)); !error.empty())
+      return refused(CoverageOutcome::kBadZone, std::move(error));
   const bool swath_fine =
       std::isfinite(query.swath) && query.swath > 0 && query.overlap >= 0 &&
       query.overlap < 1 && query.overshoot >= 0 && query.overshoot <= kMaxCoordinate &&

@@ -103,7 +103,7 @@ struct Choice {
 // Those lines at a bearing that see enough of a group for what they cost.
 // @param shift  of the lines to the right [m]
 Choice choice_at(const GapTask& task, const geo::Region& group, double bearing,
-                 double shift, double least_worth) {
+                 double shift, double min_worth) {
   constexpr double kShare = 0.6;  // of what the best line is worth
   std::vector<SweepLine> lines =
       sweep_lines(group, bearing, task.spacing, CellRule::kSplit, task.turn_length / 2);
@@ -114,7 +114,7 @@ Choice choice_at(const GapTask& task, const geo::Region& group, double bearing,
   }
   lines = clear_of(lines, task.zones, task.room);
   std::vector<double> seen, flown;
-  double best = least_worth / kShare;
+  double best = min_worth / kShare;
   for (const SweepLine& line : lines) {
     seen.push_back(geo::shared_area(group, beside({line}, task.spacing / 2),
                                     geo::FillRule::kNonZero));
@@ -134,7 +134,7 @@ Choice choice_at(const GapTask& task, const geo::Region& group, double bearing,
 }
 
 std::vector<SweepLine> best_lines(const GapTask& task, const geo::BoundaryIndex& borders,
-                                  const geo::Region& group, double least_worth) {
+                                  const geo::Region& group, double min_worth) {
   Choice best;
   for (const double bearing : bearings_for(task, borders, group)) {
     if (task.stop && task.stop()) break;
@@ -143,7 +143,7 @@ std::vector<SweepLine> best_lines(const GapTask& task, const geo::BoundaryIndex&
     const double slack = (task.spacing - width_across(group, bearing)) / 2;
     for (const double shift : {0.0, slack, -slack}) {
       if (shift != 0 && slack < kMinShift) break;
-      Choice next = choice_at(task, group, bearing, shift, least_worth);
+      Choice next = choice_at(task, group, bearing, shift, min_worth);
       if (next.worth > best.worth + 1e-9) best = std::move(next);
     }
   }
@@ -182,13 +182,13 @@ GapLines gap_lines(const GapTask& task, const std::vector<SweepLine>& lines) {
   // Of a line that sees only what is new. Where a distance to zones hides what is near
   // them, no more lines come ever nearer to the limit.
   const double share = task.room.distance > half ? 0.05 : 0.001;
-  const double least_worth = share * task.spacing;
+  const double min_worth = share * task.spacing;
   geo::Region left = geo::subtract(visible(task), beside(lines, half));
   for (int round = 0; round < kMaxRounds && !left.empty(); ++round) {
     std::vector<SweepLine> found;
     geo::Region rest;
     const auto take = [&](const geo::Region& group) {
-      const auto best = best_lines(task, borders, group, least_worth);
+      const auto best = best_lines(task, borders, group, min_worth);
       if (best.empty()) return false;
       found.insert(found.end(), best.begin(), best.end());
       rest.insert(rest.end(), group.begin(), group.end());

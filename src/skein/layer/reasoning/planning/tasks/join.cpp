@@ -32,13 +32,13 @@ FlightPlan join(const FlightState& from, const FlightState& to,
 
 FlightElement straight(const Vec2& from, const Vec2& to, double down,
                        const model::AirMotion& air, double start) {
-  const Vec2 way = to - from;
+  const Vec2 leg = to - from;
   const auto heading =
-      model::heading_for_course(geo::bearing(way), air.airspeed, air.wind);
+      model::heading_for_course(geo::bearing(leg), air.airspeed, air.wind);
   SKEIN_CHECK(heading.has_value(), air.airspeed, air.wind.norm());
   const double speed = (air.airspeed * geo::unit(*heading) + air.wind).norm();
   return {start,
-          way.norm() / speed,
+          leg.norm() / speed,
           {from.x(), from.y(), down},
           *heading,
           air.airspeed,

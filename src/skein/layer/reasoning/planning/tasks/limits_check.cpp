@@ -10,7 +10,7 @@ bool on_map(const Vec2& p) {
   return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxCoordinate;
 }
 
-std::string state_fault(const FlightState& state) {
+std::string state_error(const FlightState& state) {
   // Whole turns are fine, but not so many that nothing is left of the heading.
   const bool fine = on_map(geo::horizontal(state.p_N)) &&
                     std::abs(state.p_N.z()) <= kMaxCoordinate &&
@@ -22,7 +22,7 @@ bool usable_time(double time) {
   return std::abs(time) <= kMaxTime;
 }
 
-std::string limits_fault(const FlightLimits& limits) {
+std::string limits_error(const FlightLimits& limits) {
   if (!(limits.airspeed >= 0.1 && limits.airspeed <= 1000))
     return fmt::format("airspeed {} m/s must be from 0.1 to 1000", limits.airspeed);
   if (!(limits.turn_radius >= 0.1 && limits.turn_radius <= 1e5))
@@ -33,7 +33,7 @@ std::string limits_fault(const FlightLimits& limits) {
   return {};
 }
 
-std::string speeds_fault(const FlightLimits& limits) {
+std::string speeds_error(const FlightLimits& limits) {
   if (limits.slowest >= 0 && limits.slowest <= limits.airspeed &&
       limits.airspeed <= limits.fastest && limits.fastest <= 10 * limits.airspeed)
     return {};
@@ -42,7 +42,7 @@ std::string speeds_fault(const FlightLimits& limits) {
       limits.airspeed, limits.slowest, limits.fastest);
 }
 
-std::string climb_fault(double climb, const FlightLimits& limits) {
+std::string climb_error(double climb, const FlightLimits& limits) {
   if (std::abs(climb) < 1e-9) return {};
   const double rate = climb > 0 ? limits.climb_rate : limits.sink_rate;
   if (rate > 0 && std::abs(climb) / rate <= kLongestFlight) return {};

@@ -20,8 +20,8 @@ LineCosts::LineCosts(std::vector<SweepLine> lines, const model::AirMotion& air,
   for (const SweepLine& line : lines_)
     for (const bool back : {false, true}) {
       const Vec2 from = back ? line.b : line.a, to = back ? line.a : line.b;
-      const Vec2 way = to - from;
-      const double course = geo::bearing(way), length = way.norm();
+      const Vec2 leg = to - from;
+      const double course = geo::bearing(leg), length = leg.norm();
       const auto heading = model::heading_for_course(course, air.airspeed, air.wind);
       SKEIN_CHECK(heading.has_value(), air.airspeed, air.wind.norm());
       const double speed = (air.airspeed * geo::unit(*heading) + air.wind).norm();
@@ -64,7 +64,7 @@ double LineCosts::cost(int from, int to) {
   return memo;
 }
 
-double LineCosts::least_cost(int from, int to) const {
+double LineCosts::min_cost(int from, int to) const {
   if (open(from) || open(to)) return along(to);
   return (exit(from).position - entry(to).position).norm() / fastest_ + along(to);
 }

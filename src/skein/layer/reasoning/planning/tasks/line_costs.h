@@ -56,7 +56,7 @@ class LineCosts {
   /// time along that one [s]. 0 from or to an open start or end, but for the time along.
   double cost(int from, int to);
   /// Never more than `cost`, and quick.
-  double least_cost(int from, int to) const;
+  double min_cost(int from, int to) const;
 
   /// Poses at which a node begins and ends. Only for starts and ends that are given.
   model::Pose entry(int node) const;

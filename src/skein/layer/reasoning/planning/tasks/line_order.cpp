@@ -139,7 +139,7 @@ class Improver {
 
   // Whether the joints from a to b and from c to d are quicker than `most`.
   double joints(int a, int b, int c, int d, double most) {
-    const double least = costs_.least_cost(a, b) + costs_.least_cost(c, d);
+    const double least = costs_.min_cost(a, b) + costs_.min_cost(c, d);
     if (least >= most) return least;
     return costs_.cost(a, b) + costs_.cost(c, d);
   }
@@ -234,13 +234,13 @@ double route_time(LineCosts& costs, int aircraft, const Route& route) {
   return time + costs.cost(here, costs.end_of(aircraft));
 }
 
-Route quickest_pattern(LineCosts& costs, int aircraft, int most_skip) {
+Route quickest_pattern(LineCosts& costs, int aircraft, int max_skip) {
   const auto cells = cells_of(costs);
   const auto& start = costs.ends(aircraft).start;
   const Vec2 from = start ? start->position : costs.line(0).a;
   Route best;
   double least = 1e300;
-  for (int skip = 1; skip <= most_skip; ++skip)
+  for (int skip = 1; skip <= max_skip; ++skip)
     for (const bool last_first : {false, true}) {
       Route route =
           directed(costs, aircraft, pattern(costs, cells, from, last_first, skip));
@@ -270,10 +270,10 @@ Route improved(LineCosts& costs, int aircraft, Route route, int kicks) {
   return route;
 }
 
-Route order_lines(LineCosts& costs, const OrderEffort& effort) {
-  Route route = quickest_pattern(costs, 0, effort.most_skip);
-  if (costs.lines() <= effort.exact_up_to) return quickest_order(costs, 0, route);
-  return improved(costs, 0, std::move(route), effort.kicks);
+Route order_lines(LineCosts& costs, const OrderBudget& budget) {
+  Route route = quickest_pattern(costs, 0, budget.max_skip);
+  if (costs.lines() <= budget.exact_up_to) return quickest_order(costs, 0, route);
+  return improved(costs, 0, std::move(route), budget.kicks);
 }
 
 }  // namespace skein::planning

@@ -14,9 +14,9 @@ double route_time(LineCosts& costs, int aircraft, const Route& route);
 
 /// Orders to begin with: cell by cell, nearest cell next; within a cell next line by next
 /// line, or skipping so that turns are as wide as several lines (k forward, k - 1 back,
-/// up to `most_skip`). The direction of each line is the best for that order (dynamic
+/// up to `max_skip`). The direction of each line is the best for that order (dynamic
 /// programme). The quickest for one aircraft.
-Route quickest_pattern(LineCosts& costs, int aircraft, int most_skip);
+Route quickest_pattern(LineCosts& costs, int aircraft, int max_skip);
 
 /// Makes a route quicker by reversing and moving parts of it until none of these steps
 /// helps, then `kicks` times from a disturbed order. Never makes it slower.
@@ -29,13 +29,13 @@ Route improved(LineCosts& costs, int aircraft, Route route, int kicks);
 Route quickest_order(LineCosts& costs, int aircraft, const Route& route);
 
 /// How much work goes into an order.
-struct OrderEffort {
-  int most_skip = 6;
+struct OrderBudget {
+  int max_skip = 6;
   int kicks = 20;
   int exact_up_to = 10;  ///< lines for which all orders are tried
 };
 
 /// All lines by one aircraft.
-Route order_lines(LineCosts& costs, const OrderEffort& effort);
+Route order_lines(LineCosts& costs, const OrderBudget& budget);
 
 }  // namespace skein::planning

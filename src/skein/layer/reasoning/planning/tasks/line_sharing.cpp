@@ -158,8 +158,8 @@ class Balancer {
       const int after = p == route.size() ? costs_.end_of(aircraft) : route[p];
       // An empty route takes no time, not that from its start to its end.
       const double now = route.empty() ? 0 : costs_.cost(before, after);
-      const double least = costs_.least_cost(before, part.front()) +
-                           costs_.least_cost(part.back(), after) + inside - now;
+      const double least = costs_.min_cost(before, part.front()) +
+                           costs_.min_cost(part.back(), after) + inside - now;
       if (least >= best.more) continue;
       const double more = costs_.cost(before, part.front()) +
                           costs_.cost(part.back(), after) + inside - now;
@@ -218,8 +218,8 @@ class Balancer {
 
 }  // namespace
 
-double rough_longest(LineCosts& costs, const OrderEffort& effort, bool improve) {
-  Route whole = quickest_pattern(costs, 0, effort.most_skip);
+double rough_longest(LineCosts& costs, const OrderBudget& budget, bool improve) {
+  Route whole = quickest_pattern(costs, 0, budget.max_skip);
   const bool one = costs.aircraft() == 1;
   if (improve && one && costs.lines() <= 8)
     whole = quickest_order(costs, 0, whole);
@@ -228,14 +228,14 @@ double rough_longest(LineCosts& costs, const OrderEffort& effort, bool improve) 
   return one ? route_time(costs, 0, whole) : best_cut(costs, whole).longest;
 }
 
-std::vector<Route> share_lines(LineCosts& costs, const OrderEffort& effort) {
+std::vector<Route> share_lines(LineCosts& costs, const OrderBudget& budget) {
   if (costs.lines() == 0) return Routes(index(costs.aircraft()));
-  if (costs.aircraft() == 1) return {order_lines(costs, effort)};
+  if (costs.aircraft() == 1) return {order_lines(costs, budget)};
   const Route whole =
-      improved(costs, 0, quickest_pattern(costs, 0, effort.most_skip), effort.kicks / 4);
+      improved(costs, 0, quickest_pattern(costs, 0, budget.max_skip), budget.kicks / 4);
   Routes routes = best_cut(costs, whole).routes;
   for (int a = 0; a < costs.aircraft(); ++a)
-    routes[index(a)] = improved(costs, a, std::move(routes[index(a)]), effort.kicks);
+    routes[index(a)] = improved(costs, a, std::move(routes[index(a)]), budget.kicks);
   return Balancer(costs, std::move(routes)).run();
 }
 

@@ -13,10 +13,10 @@ namespace skein::planning {
 /// lines are moved from the longest route to others, and ends of routes exchanged, while
 /// that helps.
 /// @returns  one route for each aircraft; some may be empty.
-std::vector<Route> share_lines(LineCosts& costs, const OrderEffort& effort);
+std::vector<Route> share_lines(LineCosts& costs, const OrderBudget& budget);
 
 /// The longest route when a simple order of all lines, or a better one, is only cut [s]:
 /// an estimate of what share_lines finds.
-double rough_longest(LineCosts& costs, const OrderEffort& effort, bool improve);
+double rough_longest(LineCosts& costs, const OrderBudget& budget, bool improve);
 
 }  // namespace skein::planning

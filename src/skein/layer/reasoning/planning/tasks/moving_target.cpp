@@ -27,7 +27,7 @@ bool moves_evenly(const MovingTarget& target) {
 
 }  // namespace
 
-std::string fault_of(const MovingTarget& target) {
+std::string error_of(const MovingTarget& target) {
   if (moves_evenly(target)) {
     const bool fine = usable_time(target.at.time) && on_map(target.at.position) &&
                       target.velocity.norm() <= kMaxSpeed;

@@ -23,7 +23,7 @@ struct MovingTarget {
 };
 
 /// What is wrong with a target; empty when nothing is.
-std::string fault_of(const MovingTarget& target);
+std::string error_of(const MovingTarget& target);
 
 Vec2 position_at(const MovingTarget& target, double time);  ///< [m]
 /// [m/s]; at a corner of the track that after it.

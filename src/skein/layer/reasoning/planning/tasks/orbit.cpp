@@ -28,27 +28,27 @@ OrbitResult refused(OrbitOutcome outcome, std::string reason) {
 
 OrbitResult checked(const OrbitQuery& q) {
   const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
-  if (std::string fault = fault_of(q.target); !fault.empty())
-    return refused(OrbitOutcome::kBadTarget, std::move(fault));
+  if (std::string error = error_of(q.target); !error.empty())
+    return refused(OrbitOutcome::kBadTarget, std::move(error));
   if (!positive(q.radius) || q.radius > kMaxCoordinate || !positive(q.tolerance) ||
       !positive(q.duration) || q.duration > kLongestFlight)
     return refused(
         OrbitOutcome::kBadOrbit,
         "radius, tolerance and duration must be above 0, the radius at most 1e6 m, "
         "the duration at most 1e6 s");
-  if (std::string fault = limits_fault(q.limits); !fault.empty())
-    return refused(OrbitOutcome::kBadAircraft, std::move(fault));
-  if (std::string fault = speeds_fault(q.limits); !fault.empty())
-    return refused(OrbitOutcome::kBadAircraft, std::move(fault));
-  if (std::string fault = state_fault(q.start); !fault.empty())
-    return refused(OrbitOutcome::kBadAircraft, "start: " + fault);
+  if (std::string error = limits_error(q.limits); !error.empty())
+    return refused(OrbitOutcome::kBadAircraft, std::move(error));
+  if (std::string error = speeds_error(q.limits); !error.empty())
+    return refused(OrbitOutcome::kBadAircraft, std::move(error));
+  if (std::string error = state_error(q.start); !error.empty())
+    return refused(OrbitOutcome::kBadAircraft, "start: " + error);
   if (!usable_time(q.start_time) || !(std::abs(q.altitude_msl) <= kMaxCoordinate) ||
       !q.wind.allFinite())
     return refused(OrbitOutcome::kBadAircraft,
                    "altitude, time and wind must be numbers, and not absurd");
-  if (std::string fault = climb_fault(q.altitude_msl + q.start.p_N.z(), q.limits);
-      !fault.empty())
-    return refused(OrbitOutcome::kBadAircraft, std::move(fault));
+  if (std::string error = climb_error(q.altitude_msl + q.start.p_N.z(), q.limits);
+      !error.empty())
+    return refused(OrbitOutcome::kBadAircraft, std::move(error));
   if (too_windy(q.wind.norm(), q.limits.fastest))
     return refused(OrbitOutcome::kWindTooStrong,
                    too_strong(q.wind.norm(), q.limits.fastest));
@@ -76,12 +76,12 @@ OrbitResult too_long(const OrbitQuery& q, double most) {
 FlightPlan way_to_circle(Standoff& s, const OrbitQuery& q) {
   constexpr int kPlaces = 120;
   const model::AirMotion air{s.speed.airspeed, s.speed.turn_radius, q.wind};
-  const auto way = [&](double bearing) {
-    return way_to([&](double t) { return pose_on(s, bearing, t); }, s.target,
-                  pose_of(q.start), air, q.start_time, q.start.p_N.z());
+  const auto entry_at = [&](double bearing) {
+    return connection_to([&](double t) { return pose_on(s, bearing, t); }, s.target,
+                         pose_of(q.start), air, q.start_time, q.start.p_N.z());
   };
   const auto time = [&](double bearing) {
-    const FlightPlan plan = way(bearing);
+    const FlightPlan plan = entry_at(bearing);
     return plan.empty() ? 1e300 : model::duration(plan);
   };
   struct Best {
@@ -102,20 +102,20 @@ FlightPlan way_to_circle(Standoff& s, const OrbitQuery& q) {
   for (double step = geo::kPi / kPlaces; step > 1e-7; step /= 2)
     for (const double bearing : {best.bearing - step, best.bearing + step})
       if (const double t = time(bearing); t < best.time) best = {t, bearing, best.side};
-  return best.time < 1e300 ? way(best.bearing) : FlightPlan{};
+  return best.time < 1e300 ? entry_at(best.bearing) : FlightPlan{};
 }
 
 OrbitResult circle(const OrbitQuery& q, double felt) {
   OrbitResult result;
-  result.least_radius = least_standoff(q.limits, felt, q.wind.norm());
+  result.min_radius = min_standoff(q.limits, felt, q.wind.norm());
   const auto speed = speed_for_circle(q.radius, q.limits, felt, q.wind.norm());
-  if (!std::isfinite(result.least_radius)) return too_fast(felt, q.limits.fastest);
+  if (!std::isfinite(result.min_radius)) return too_fast(felt, q.limits.fastest);
   if (!speed) {
     result.outcome = OrbitOutcome::kRadiusTooSmall;
     result.reason = fmt::format(
         "a circle of {:.1f} m around the target is too tight; from {:.1f} m on "
         "it can be flown",
-        q.radius, result.least_radius);
+        q.radius, result.min_radius);
     return result;
   }
   Standoff s{q.target, q.radius, 1, q.wind, *speed};

@@ -38,7 +38,7 @@ enum class OrbitOutcome : std::uint8_t {
   kPlanned,
   kOutsideTolerance,  ///< planned, but the error is larger: the target turns too sharply
   kTargetTooFast,     ///< faster through the air than the aircraft
-  kRadiusTooSmall,    ///< see `least_radius`
+  kRadiusTooSmall,    ///< see `min_radius`
   kNotReached,        ///< no way to the target was found
   kWindTooStrong,     ///< at or above the fastest airspeed
   kBadTarget,
@@ -56,7 +56,7 @@ struct OrbitResult {
   FlightPlan plan;           ///< the way to the target and the orbit
   double airspeed = 0;       ///< of the plan [m/s]
   double entry_time = 0;     ///< when the orbit begins [s]
-  double least_radius = 0;   ///< of a circle at any allowed airspeed [m]
+  double min_radius = 0;     ///< of a circle at any allowed airspeed [m]
   double largest_error = 0;  ///< of the distance to the target, on a circle [m]
   double nearest = 0;        ///< distance to the target after the entry [m]
   double farthest = 0;       ///< [m]

@@ -28,9 +28,9 @@ FlightPlan meeting(const MovingPose& pose, const model::Pose& from,
   return {};
 }
 
-FlightPlan way_to(const MovingPose& pose, const MovingTarget& target,
-                  const model::Pose& from, const model::AirMotion& air, double start,
-                  double down) {
+FlightPlan connection_to(const MovingPose& pose, const MovingTarget& target,
+                         const model::Pose& from, const model::AirMotion& air,
+                         double start, double down) {
   const Vec2 velocity = velocity_at(target, start);
   model::AirMotion felt = air;
   felt.wind -= velocity;

@@ -19,9 +19,9 @@ using MovingPose = std::function<model::Pose(double time)>;
 /// apart that can be met exactly by a detour (model/connection/arrival.h).
 /// @param pose  moves with the target.
 /// Needs |wind| and the wind felt by the target below the airspeed.
-FlightPlan way_to(const MovingPose& pose, const MovingTarget& target,
-                  const model::Pose& from, const model::AirMotion& air, double start,
-                  double down);
+FlightPlan connection_to(const MovingPose& pose, const MovingTarget& target,
+                         const model::Pose& from, const model::AirMotion& air,
+                         double start, double down);
 
 /// The first of the times from `earliest` to `latest`, one second apart, at which the
 /// pose can be met exactly by a flight that begins at `start`

@@ -26,7 +26,7 @@ PatrolResult refused(PatrolOutcome outcome, std::string reason) {
   return result;
 }
 
-std::string line_fault(const PatrolQuery& q) {
+std::string line_error(const PatrolQuery& q) {
   const std::size_t least = q.closed ? 3 : 2;
   if (q.line.size() < least || q.line.size() > kMaxPoints)
     return fmt::format("the line has {} points; {} to {} are allowed", q.line.size(),
@@ -42,7 +42,7 @@ std::string line_fault(const PatrolQuery& q) {
   return {};
 }
 
-std::string patrol_fault(const PatrolQuery& q) {
+std::string patrol_error(const PatrolQuery& q) {
   if (!(std::abs(q.offset) <= kMaxCoordinate)) return "the offset is not a usable number";
   if (!(q.tolerance > 0) || !std::isfinite(q.tolerance))
     return "the tolerance must be above 0";
@@ -54,29 +54,29 @@ std::string patrol_fault(const PatrolQuery& q) {
   return {};
 }
 
-std::string aircraft_fault(const PatrolQuery& q) {
+std::string aircraft_error(const PatrolQuery& q) {
   if (q.starts.empty() || q.starts.size() > 64) return "1 to 64 aircraft are allowed";
-  if (std::string fault = limits_fault(q.limits); !fault.empty()) return fault;
-  if (std::string fault = speeds_fault(q.limits); !fault.empty()) return fault;
+  if (std::string error = limits_error(q.limits); !error.empty()) return error;
+  if (std::string error = speeds_error(q.limits); !error.empty()) return error;
   if (!q.wind.allFinite()) return "the wind is not a number";
   for (std::size_t k = 0; k < q.starts.size(); ++k) {
     const FlightState& s = q.starts[k];
-    if (std::string fault = state_fault(s); !fault.empty())
-      return fmt::format("start {}: {}", k, fault);
-    if (std::string fault = climb_fault(s.p_N.z() + q.altitude_msl, q.limits);
-        !fault.empty())
-      return fmt::format("start {}: {}", k, fault);
+    if (std::string error = state_error(s); !error.empty())
+      return fmt::format("start {}: {}", k, error);
+    if (std::string error = climb_error(s.p_N.z() + q.altitude_msl, q.limits);
+        !error.empty())
+      return fmt::format("start {}: {}", k, error);
   }
   return {};
 }
 
 std::optional<PatrolResult> checked(const PatrolQuery& q) {
-  if (auto fault = line_fault(q); !fault.empty())
-    return refused(PatrolOutcome::kBadLine, std::move(fault));
-  if (auto fault = patrol_fault(q); !fault.empty())
-    return refused(PatrolOutcome::kBadPatrol, std::move(fault));
-  if (auto fault = aircraft_fault(q); !fault.empty())
-    return refused(PatrolOutcome::kBadAircraft, std::move(fault));
+  if (auto error = line_error(q); !error.empty())
+    return refused(PatrolOutcome::kBadLine, std::move(error));
+  if (auto error = patrol_error(q); !error.empty())
+    return refused(PatrolOutcome::kBadPatrol, std::move(error));
+  if (auto error = aircraft_error(q); !error.empty())
+    return refused(PatrolOutcome::kBadAircraft, std::move(error));
   if (too_windy(q.wind.norm(), q.limits.airspeed))
     return refused(PatrolOutcome::kWindTooStrong,
                    too_strong(q.wind.norm(), q.limits.airspeed));
@@ -98,7 +98,7 @@ Begin begun(const PatrolQuery& q, const std::vector<Vec2>& line, double offset) 
   // There and back, and the turn that closes the round.
   if (!q.closed)
     b.round_time =
-        model::duration(along(b.course, 2, air, 0, 0)) + b.course.ways.back().time;
+        model::duration(along(b.course, 2, air, 0, 0)) + b.course.turns.back().time;
   b.interval = b.round_time / static_cast<double>(q.starts.size());
   const model::Pose pose = begin_of(b.course, air);
   const FlightState goal{{pose.position.x(), pose.position.y(), -q.altitude_msl},

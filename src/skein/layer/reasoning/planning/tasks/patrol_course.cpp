@@ -22,10 +22,10 @@ model::Pose pose_at(const PatrolLeg& leg, const Vec2& p, const model::AirMotion&
 }
 
 double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 way = b - a;
+  const Vec2 leg = b - a;
   const double s =
-      std::clamp(way.dot(p - a) / std::max(way.squaredNorm(), 1e-12), 0.0, 1.0);
-  return (p - a - s * way).norm();
+      std::clamp(leg.dot(p - a) / std::max(leg.squaredNorm(), 1e-12), 0.0, 1.0);
+  return (p - a - s * leg).norm();
 }
 
 // Legs of an open or closed line, moved to the right; neighbours meet where the moved
@@ -56,7 +56,7 @@ std::vector<PatrolLeg> moved(const std::vector<Vec2>& line, bool closed, double 
 
 struct Corner {
   double d = 0;  // the turn begins and ends this far from the corner [m]
-  model::Connection way;
+  model::Connection turn;
   double deviation = 0;
 };
 
@@ -65,7 +65,8 @@ double deviation_of(const PatrolLeg& in, const PatrolLeg& out, const Corner& cor
                     const model::AirMotion& air) {
   const Vec2 u = along_of(in), v = along_of(out);
   const Vec2 begin = in.b - corner.d * u, end = out.a + corner.d * v;
-  const FlightPlan plan = model::to_flight_plan(corner.way, pose_at(in, begin, air), air);
+  const FlightPlan plan =
+      model::to_flight_plan(corner.turn, pose_at(in, begin, air), air);
   constexpr int kSamples = 16;
   const auto off = [&](const FlightElement& e, double t) {
     const Vec2 p = geo::horizontal(model::position(e, t));
@@ -102,8 +103,8 @@ Corner rounded(const PatrolLeg& in, const PatrolLeg& out, const PatrolQuery& que
   const auto at = [&](double d) {
     Corner c;
     c.d = d;
-    c.way = model::connect(pose_at(in, in.b - d * along_of(in), air),
-                           pose_at(out, out.a + d * along_of(out), air), air);
+    c.turn = model::connect(pose_at(in, in.b - d * along_of(in), air),
+                            pose_at(out, out.a + d * along_of(out), air), air);
     return c;
   };
   Corner found = at(0);
@@ -120,7 +121,7 @@ Corner rounded(const PatrolLeg& in, const PatrolLeg& out, const PatrolQuery& que
   double least = 1e300;
   for (int k = 1; k <= kTries; ++k) {
     Corner c = at(most * k / kTries);
-    const double time = c.way.time - c.d * saved;
+    const double time = c.turn.time - c.d * saved;
     if (time >= least) continue;
     c.deviation = deviation_of(in, out, c, air);
     if (c.deviation > query.tolerance) continue;
@@ -142,7 +143,7 @@ PatrolCourse course_of(const PatrolQuery& query, const std::vector<Vec2>& line,
     for (std::size_t k = course.legs.size(); k-- > 0;)
       course.legs.push_back({course.legs[k].b, course.legs[k].a});
   const std::size_t n = course.legs.size();
-  course.ways.resize(n);
+  course.turns.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     PatrolLeg& in = course.legs[k];
     PatrolLeg& out = course.legs[(k + 1) % n];
@@ -151,7 +152,7 @@ PatrolCourse course_of(const PatrolQuery& query, const std::vector<Vec2>& line,
     PatrolQuery rule = query;
     if (turns_back) rule.corners = PatrolCorners::kFlownOver;
     const Corner corner = rounded(in, out, rule, air);
-    course.ways[k] = corner.way;
+    course.turns[k] = corner.turn;
     in.early = corner.d;
     out.late = corner.d;
     course.deviation = std::max(course.deviation, corner.deviation);
@@ -187,7 +188,7 @@ FlightPlan along(const PatrolCourse& course, int passes, const model::AirMotion&
     // Around, the last corner closes the round.
     if (last && course.legs_of_pass != static_cast<int>(n)) break;
     for (const FlightElement& e : model::to_flight_plan(
-             course.ways[k % n], pose_at(leg, end, air), air, now, down))
+             course.turns[k % n], pose_at(leg, end, air), air, now, down))
       add(e);
   }
   return plan;

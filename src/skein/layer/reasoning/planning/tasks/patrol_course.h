@@ -20,7 +20,7 @@ struct PatrolLeg {
 struct PatrolCourse {
   std::vector<PatrolLeg> legs;
   std::vector<model::Connection>
-      ways;              ///< from the end of leg k to the begin of the next
+      turns;             ///< from the end of leg k to the begin of the next
   int legs_of_pass = 0;  ///< 2 passes make a round there and back
   double deviation = 0;  ///< largest, at corners that are rounded [m]
   int flown_over = 0;    ///< corners that could not be rounded

@@ -20,16 +20,16 @@ RendezvousResult refused(RendezvousOutcome outcome, std::string reason) {
   return result;
 }
 
-std::string fault_of(const RendezvousAircraft& a) {
-  if (std::string fault = limits_fault(a.limits); !fault.empty()) return fault;
-  if (std::string fault = speeds_fault(a.limits); !fault.empty()) return fault;
+std::string error_of(const RendezvousAircraft& a) {
+  if (std::string error = limits_error(a.limits); !error.empty()) return error;
+  if (std::string error = speeds_error(a.limits); !error.empty()) return error;
   for (const FlightState& state : {a.start, a.goal})
-    if (std::string fault = state_fault(state); !fault.empty())
-      return "start or goal: " + fault;
+    if (std::string error = state_error(state); !error.empty())
+      return "start or goal: " + error;
   if (!usable_time(a.start_time)) return "the start time is not a usable number";
-  if (std::string fault = climb_fault(a.start.p_N.z() - a.goal.p_N.z(), a.limits);
-      !fault.empty())
-    return fault;
+  if (std::string error = climb_error(a.start.p_N.z() - a.goal.p_N.z(), a.limits);
+      !error.empty())
+    return error;
   return {};
 }
 
@@ -51,8 +51,8 @@ RendezvousResult plan_rendezvous(const RendezvousQuery& query) {
   std::vector<TimedLeg> legs;
   for (std::size_t k = 0; k < query.aircraft.size(); ++k) {
     const RendezvousAircraft& a = query.aircraft[k];
-    if (std::string fault = fault_of(a); !fault.empty())
-      return refused(Outcome::kBadAircraft, fmt::format("aircraft {}: {}", k, fault));
+    if (std::string error = error_of(a); !error.empty())
+      return refused(Outcome::kBadAircraft, fmt::format("aircraft {}: {}", k, error));
     legs.push_back(
         {a.start, a.goal, a.start_time, a.limits, query.wind, query.any_airspeed});
     if (query.time && *query.time - a.start_time > kLongestFlight)

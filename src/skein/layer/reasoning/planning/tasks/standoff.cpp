@@ -61,7 +61,7 @@ double turn_radius_at(double airspeed, const FlightLimits& limits) {
   return limits.turn_radius * ratio * ratio;
 }
 
-double least_standoff(double airspeed, const FlightLimits& limits, double felt) {
+double min_standoff(double airspeed, const FlightLimits& limits, double felt) {
   if (felt >= airspeed) return std::numeric_limits<double>::infinity();
   return model::ground_turn_radius(turn_radius_at(airspeed, limits), airspeed, felt);
 }
@@ -69,7 +69,7 @@ double least_standoff(double airspeed, const FlightLimits& limits, double felt) 
 std::optional<FlyingSpeed> speed_for_circle(double radius, const FlightLimits& limits,
                                             double felt, double wind) {
   const SpeedRange range = range_of(limits, felt, wind);
-  // least_standoff solved for the airspeed.
+  // min_standoff solved for the airspeed.
   const double most = std::min(
       range.most, std::sqrt(radius / limits.turn_radius) * limits.airspeed - felt);
   if (most < range.least) return std::nullopt;
@@ -77,10 +77,10 @@ std::optional<FlyingSpeed> speed_for_circle(double radius, const FlightLimits& l
   return FlyingSpeed{airspeed, turn_radius_at(airspeed, limits)};
 }
 
-double least_standoff(const FlightLimits& limits, double felt, double wind) {
+double min_standoff(const FlightLimits& limits, double felt, double wind) {
   const SpeedRange range = range_of(limits, felt, wind);
   if (range.least > range.most) return std::numeric_limits<double>::infinity();
-  return least_standoff(range.least, limits, felt);
+  return min_standoff(range.least, limits, felt);
 }
 
 model::Pose pose_on(const Standoff& s, double bearing, double time) {

@@ -26,7 +26,7 @@ double turn_radius_at(double airspeed, const FlightLimits& limits);
 /// heading chi - asin(W_n / V) turns at s^2 / (R q), most when the relative wind W is
 /// from behind. Infinite when W >= V.
 /// @param felt  W, the wind that somebody who moves with the target feels [m/s].
-double least_standoff(double airspeed, const FlightLimits& limits, double felt);
+double min_standoff(double airspeed, const FlightLimits& limits, double felt);
 
 /// The airspeed nearest to cruise at which a circle can be flown, from `slowest` to
 /// `fastest`; nothing when there is none. It is kept 5 % above the wind over ground and
@@ -35,7 +35,7 @@ std::optional<FlyingSpeed> speed_for_circle(double radius, const FlightLimits& l
                                             double felt, double wind);
 
 /// The smallest circle that any allowed airspeed can fly [m]; infinite when none can.
-double least_standoff(const FlightLimits& limits, double felt, double wind);
+double min_standoff(const FlightLimits& limits, double felt, double wind);
 
 /// A circle around a moving target.
 struct Standoff {

@@ -111,7 +111,7 @@ DetourTime detour_of(const SweepTask& task) {
 }
 
 Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int pieces,
-                      const OrderEffort& effort) {
+                      const OrderBudget& budget) {
   Sweep sweep;
   sweep.bearing = bearing;
   GapLines all = all_lines(task, bearing, rule, pieces);
@@ -120,7 +120,7 @@ Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int 
   sweep.too_many = sweep.lines.size() > kMaxLines;
   if (sweep.lines.empty() || sweep.too_many) return sweep;
   LineCosts costs(sweep.lines, task.air, task.ends, detour_of(task), task.watch.stop);
-  sweep.routes = share_lines(costs, effort);
+  sweep.routes = share_lines(costs, budget);
   sweep.longest = sweep.total = 0;
   for (int a = 0; a < costs.aircraft(); ++a) {
     const double time = route_time(costs, a, sweep.routes[static_cast<std::size_t>(a)]);
@@ -133,10 +133,10 @@ Sweep swept_in_pieces(const SweepTask& task, double bearing, CellRule rule, int 
 
 // The best of whole lines and, when there are few for each aircraft, pieces of them.
 Sweep swept(const SweepTask& task, double bearing, CellRule rule,
-            const OrderEffort& effort) {
+            const OrderBudget& budget) {
   Sweep best;
   for (const int k : pieces_for(task, lines_at(task, bearing, rule).size())) {
-    Sweep next = swept_in_pieces(task, bearing, rule, k, effort);
+    Sweep next = swept_in_pieces(task, bearing, rule, k, budget);
     if (better(next, best) || best.lines.empty()) best = std::move(next);
   }
   return best;
@@ -172,23 +172,23 @@ constexpr Part kAllBearings{0, 0.05}, kSimply{0.05, 0.15}, kBetter{0.15, 0.45},
 double simple_time(const SweepTask& task, const Candidate& c) {
   LineCosts costs(lines_at(task, c.bearing, c.rule), task.air, task.ends, {},
                   task.watch.stop);
-  OrderEffort effort;
-  effort.most_skip = skip_of(task);
-  return rough_longest(costs, effort, false);
+  OrderBudget budget;
+  budget.max_skip = skip_of(task);
+  return rough_longest(costs, budget, false);
 }
 
 // In a better order. For several aircraft lines are shared as in the end, but in haste:
 // where these start is not seen in one order of all lines.
 double better_time(const SweepTask& task, const Candidate& c) {
-  OrderEffort effort;
-  effort.most_skip = skip_of(task);
-  effort.kicks = 0;
-  if (task.ends.size() > 1) return swept(task, c.bearing, c.rule, effort).cost;
+  OrderBudget budget;
+  budget.max_skip = skip_of(task);
+  budget.kicks = 0;
+  if (task.ends.size() > 1) return swept(task, c.bearing, c.rule, budget).cost;
   GapLines all = all_lines(task, c.bearing, c.rule, 1);
   if (all.lines.size() > kMaxLines) return 1e300;
   LineCosts costs(std::move(all.lines), task.air, task.ends, detour_of(task),
                   task.watch.stop);
-  return rough_longest(costs, effort, true) + cost_of(task, all.unseen);
+  return rough_longest(costs, budget, true) + cost_of(task, all.unseen);
 }
 
 // The first `count` of the list with their times in a simple order, or in a better one,
@@ -217,11 +217,11 @@ bool has_like(const std::vector<Candidate>& list, const Candidate& c) {
   });
 }
 
-OrderEffort effort_for(const SweepTask& task, std::size_t lines) {
-  OrderEffort effort;
-  effort.most_skip = skip_of(task);
-  effort.kicks = static_cast<int>(std::clamp<std::size_t>(1000 / lines, 2, 40));
-  return effort;
+OrderBudget effort_for(const SweepTask& task, std::size_t lines) {
+  OrderBudget budget;
+  budget.max_skip = skip_of(task);
+  budget.kicks = static_cast<int>(std::clamp<std::size_t>(1000 / lines, 2, 40));
+  return budget;
 }
 
 Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
@@ -291,10 +291,10 @@ std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule 
   return clear_of(cut, task.zones, task.room);
 }
 
-Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort) {
+Sweep sweep_at(const SweepTask& task, double bearing, const OrderBudget& budget) {
   Sweep best;
   for (const CellRule rule : kRules) {
-    Sweep next = swept(task, bearing, rule, effort);
+    Sweep next = swept(task, bearing, rule, budget);
     if (better(next, best) || (next.too_many && best.lines.empty()))
       best = std::move(next);
     if (convex(task.area)) break;

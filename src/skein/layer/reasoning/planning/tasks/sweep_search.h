@@ -42,7 +42,7 @@ std::vector<SweepLine> lines_at(const SweepTask& task, double bearing, CellRule 
 
 /// The best sweep at a bearing, of all rules of division. A few lines for several
 /// aircraft are also cut into pieces, so that they can be shared evenly.
-Sweep sweep_at(const SweepTask& task, double bearing, const OrderEffort& effort);
+Sweep sweep_at(const SweepTask& task, double bearing, const OrderBudget& budget);
 
 /// The best sweep found over all bearings. `longest` is infinite when there are no lines.
 /// Stopped by the task's watch it ends with the best so far, which is always one.

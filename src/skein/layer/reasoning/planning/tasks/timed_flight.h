@@ -20,14 +20,14 @@ struct TimedLeg {
 
 enum class TimedStatus : std::uint8_t {
   kFound,
-  kTooEarly,  ///< before the earliest time
-  kGap,       ///< between two times that can be met
-  kNoWay,     ///< wind too strong for all airspeeds, or no climb rate
+  kTooEarly,      ///< before the earliest time
+  kGap,           ///< between two times that can be met
+  kNoConnection,  ///< wind too strong for all airspeeds, or no climb rate
 };
 
 /// A flight that arrives at a time.
 struct TimedFlight {
-  TimedStatus status = TimedStatus::kNoWay;
+  TimedStatus status = TimedStatus::kNoConnection;
   FlightPlan plan;      ///< empty unless found
   double airspeed = 0;  ///< [m/s]
   double earliest = 0;  ///< time of the first arrival that is possible [s]

@@ -34,11 +34,11 @@ model::Pose begin_at(const MovingTarget& target, const model::AirMotion& air, do
 }
 
 // The quicker way to a first turn; `side` is set to its direction.
-template <class Way>
-FlightPlan quicker(const Way& way, int& side) {
+template <class Connect>
+FlightPlan quicker(const Connect& connect, int& side) {
   FlightPlan best;
   for (const int s : {1, -1}) {
-    FlightPlan plan = way(s);
+    FlightPlan plan = connect(s);
     if (plan.empty()) continue;
     if (!best.empty() && model::end_time_of(plan) >= model::end_time_of(best)) continue;
     best = std::move(plan);
@@ -66,10 +66,10 @@ FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
   FlightPlan plan = quicker(
       [&](int s) {
         const auto begin = [&](double t) { return begin_at(target, air, t, s); };
-        FlightPlan way = way_to(begin, target, from, air, start, down);
-        if (way.empty())
-          way = meeting(begin, from, air, start, start + 1, start + kLongest, down);
-        return way;
+        FlightPlan entry = connection_to(begin, target, from, air, start, down);
+        if (entry.empty())
+          entry = meeting(begin, from, air, start, start + 1, start + kLongest, down);
+        return entry;
       },
       side);
   model::Pose here = from;
@@ -94,14 +94,14 @@ FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
     const double turn = 2 * std::max(s.half, kStraight) * air.turn_radius / air.airspeed;
     if (now + turn > change + 1e-6) {
       // The next turn would not end over the target: meet it after the change.
-      const FlightPlan way = quicker(
+      const FlightPlan entry = quicker(
           [&](int k) {
             return meeting([&](double t) { return begin_at(target, air, t, k); }, here,
                            air, now, change, change + kLongest, down);
           },
           side);
-      if (way.empty()) return plan;
-      plan.insert(plan.end(), way.begin(), way.end());
+      if (entry.empty()) return plan;
+      plan.insert(plan.end(), entry.begin(), entry.end());
       go_on_from_end();
       continue;
     }

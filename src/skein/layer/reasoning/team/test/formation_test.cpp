@@ -139,9 +139,9 @@ TEST_F(WingmanTest, LeadsAboveTheHighestGroundOfItsRouteAndTellsWhomItShall) {
   const AgentOutput out =
       step(0, {task(1, FlyRoute{{{0, 0}, {1000, 0}}, 3, {EntityId{5}}})});
   ASSERT_TRUE(out.command);
-  const auto& way = std::get<FlyWaypoints>(out.command->guidance);
-  EXPECT_EQ(way.laps, 3);
-  EXPECT_EQ(way.points.at(1).altitude_msl, 50 + 120);
+  const auto& route = std::get<FlyWaypoints>(out.command->guidance);
+  EXPECT_EQ(route.laps, 3);
+  EXPECT_EQ(route.points.at(1).altitude_msl, 50 + 120);
   ASSERT_EQ(out.outbox.size(), 2u);
   EXPECT_EQ(std::get<TeamPosition>(out.outbox[1].content).aircraft, EntityId{2});
   EXPECT_FALSE(step(0.5, {}).command) << "an order is given once";

@@ -59,7 +59,7 @@ FlightLimits small_plane() {
 // curve through the plan are those of the aircraft.
 TEST(SlotPlan, CanBeFlownWhereverTheFollowerAndItsLeaderAre) {
   const FlightLimits limits = small_plane();
-  const double most_lateral = limits.airspeed * limits.airspeed / limits.turn_radius;
+  const double max_lateral = limits.airspeed * limits.airspeed / limits.turn_radius;
   for (const double wind : {0.0, 4.0, 8.0})
     for (const double rate : {-0.6, -0.1, 0.0, 0.3, 0.6})
       for (const double course : {0.0, 1.0, 2.5, 3.1, -1.6})
@@ -88,7 +88,7 @@ TEST(SlotPlan, CanBeFlownWhereverTheFollowerAndItsLeaderAre) {
               const double lateral =
                   std::abs(geo::cross(ground, geo::horizontal(at.a_N))) / ground.norm();
               const double cosine = ground.dot(air) / ground.norm() / air.norm();
-              ASSERT_LE(lateral, most_lateral * cosine * 1.01) << t << " wind " << wind;
+              ASSERT_LE(lateral, max_lateral * cosine * 1.01) << t << " wind " << wind;
             }
           }
 }

@@ -82,7 +82,7 @@ struct Flight {
     for (const Event& e : out.events) told.push_back(e.kind);
     return out;
   }
-  bool has_told(const std::string& kind) const {
+  bool has_reported(const std::string& kind) const {
     return std::count(told.begin(), told.end(), kind) > 0;
   }
   Flat flat;
@@ -111,7 +111,7 @@ TEST(TourAgent, CirclesThenFliesAllLapsWithoutAGap) {
   int plans = 0;
   std::vector<double> nearest(3, 1e9);
   Vec3 last = flight.nav.p_N;
-  for (double time = 30; time < 600 && !flight.has_told("route-done"); time += 0.5) {
+  for (double time = 30; time < 600 && !flight.has_reported("route-done"); time += 0.5) {
     plans += flight.step(time).command.has_value();
     // 15 m/s of air, 5 of wind, half a second.
     EXPECT_LT((flight.nav.p_N - last).norm(), 10.1) << time;
@@ -119,7 +119,7 @@ TEST(TourAgent, CirclesThenFliesAllLapsWithoutAGap) {
     for (std::size_t i = 0; i < 3; ++i)
       nearest[i] = std::min(nearest[i], (geo::horizontal(last) - kTriangle[i]).norm());
   }
-  EXPECT_TRUE(flight.has_told("route-done"));
+  EXPECT_TRUE(flight.has_reported("route-done"));
   EXPECT_EQ(plans, 2);
   for (const double distance : nearest) EXPECT_LT(distance, 5);  // within half a second
 }
@@ -146,7 +146,7 @@ TEST(TourAgent, PlansAnewWhatIsLeftWhenItIsOffThePlan) {
   flight.in.autopilot.follows = true;
   flight.in.autopilot.cross_track = 1000;
   const AgentOutput off = flight.step(60.5);
-  EXPECT_TRUE(flight.has_told("off-plan"));
+  EXPECT_TRUE(flight.has_reported("off-plan"));
   const AgentOutput again = off.command ? off : flight.step(61);
   ASSERT_TRUE(again.command);
   const auto& plan = std::get<FollowPlan>(again.command->guidance).plan;
@@ -170,7 +170,7 @@ TEST(TourAgent, PlansAgainWhenItsPlanIsRefused) {
   ASSERT_TRUE(again.command);
   const auto& plan = std::get<FollowPlan>(again.command->guidance).plan;
   EXPECT_EQ(plan.front().time.seconds(), 10.5);
-  EXPECT_FALSE(flight.has_told("route-done"));
+  EXPECT_FALSE(flight.has_reported("route-done"));
 }
 
 TEST(TourAgent, TellsOnceThatTheWindIsTooStrongAndTriesAgain) {

@@ -84,7 +84,7 @@ TEST(ParticleRule, DoubtsAReadingThatMayBeFalse) {
   const Vec2 aircraft(500 + 2.5 * 104, 0);
   rule.half_space(0, got, half_space(got, aircraft, model::Side::kBelow));
   const model::MixtureMoments want =
-      model::doubtful_half_line(260, std::sqrt(10817.0), 0, 0.05, 0.95);
+      model::uncertain_half_line(260, std::sqrt(10817.0), 0, 0.05, 0.95);
   // The mixture is wide: 104/sqrt(4000) = 1.6 m a standard error, and more for its tail.
   EXPECT_NEAR(got.mean(0) - aircraft.x(), -want.mean, 12);
 }

@@ -33,7 +33,7 @@ class Plain final : public Terrain {
 };
 
 // What every path has to be, by a check that shares nothing with the planner.
-void expect_sound(const PathQuery& q, const PlannedPath& path) {
+void expect_valid(const PathQuery& q, const PlannedPath& path) {
   ASSERT_FALSE(path.plan.empty()) << name_of(path.outcome) << " " << path.reason;
   EXPECT_LT(test::gaps(path.plan), 1e-6);
   const FlightElement& first = path.plan.front();
@@ -82,14 +82,14 @@ TEST(AaStar, IsAsShortAsTheBestKnownPathsOfTheScenes) {
     s.link();
     const Known known = kScenes.at(s.name);
     const PlannedPath path = AaStar().plan(s.query);
-    expect_sound(s.query, path);
+    expect_valid(s.query, path);
     EXPECT_EQ(path.outcome, PlanningOutcome::kFound);
     const double length = path.duration * s.query.limits.airspeed;
     // Margins of 0.02 m around discs, and the last digit of the known lengths.
     EXPECT_NEAR(length, known.best, 0.05) << s.name;
     EXPECT_LE(path.bound * s.query.limits.airspeed, known.best + 0.01);
     s.query.budget.first = true;
-    expect_sound(s.query, AaStar().plan(s.query));
+    expect_valid(s.query, AaStar().plan(s.query));
   }
 }
 
@@ -100,8 +100,8 @@ TEST(AaStar, ManoeuvresAloneComeNearTheTangents) {
   for (test::Scene& s : scenes) {
     s.link();
     s.query.budget.states = 30'000;
-    const PlannedPath path = AaStar({.ways = false}).plan(s.query);
-    expect_sound(s.query, path);
+    const PlannedPath path = AaStar({.detours = false}).plan(s.query);
+    expect_valid(s.query, path);
     EXPECT_LE(path.duration * s.query.limits.airspeed, kScenes.at(s.name).sampling);
     EXPECT_GE(path.duration * s.query.limits.airspeed, kScenes.at(s.name).best - 0.2);
   }
@@ -116,7 +116,7 @@ TEST(AaStar, FindsSoundPathsOfTheScenesInWind) {
       s.query.wind = wind;
       s.query.budget.states = 20'000;
       const PlannedPath path = AaStar().plan(s.query);
-      expect_sound(s.query, path);
+      expect_valid(s.query, path);
       // The bound is of a point that turns at once; turning costs little here.
       EXPECT_LE(path.duration, 1.03 * path.bound) << s.name << " " << wind.transpose();
     }
@@ -131,7 +131,7 @@ TEST(AaStar, GivesTheSameAnswerAgain) {
   q.airspace = &airspace;
   q.wind = Vec2(3, -6);
   const PlannedPath a = AaStar().plan(q), b = AaStar().plan(q);
-  expect_sound(q, a);
+  expect_valid(q, a);
   EXPECT_EQ(a.states, b.states);
   ASSERT_EQ(a.plan.size(), b.plan.size());
   for (std::size_t i = 0; i < a.plan.size(); ++i) {
@@ -144,7 +144,7 @@ TEST(AaStar, TakesTheFreeConnectionWhereNothingIsInTheWay) {
   PathQuery q = query_over(800);
   q.wind = Vec2(-4, 8);
   const PlannedPath path = AaStar().plan(q);
-  expect_sound(q, path);
+  expect_valid(q, path);
   EXPECT_EQ(path.outcome, PlanningOutcome::kFound);
   const model::Connection c =
       model::connect({Vec2(0, 0), 0}, {Vec2(800, 0), 0}, {20, 60, q.wind});
@@ -159,7 +159,7 @@ TEST(AaStar, GoesAroundPolygonsAndSmallDiscs) {
   PathQuery q = query_over(2000);
   q.airspace = &airspace;
   const PlannedPath path = AaStar().plan(q);
-  expect_sound(q, path);
+  expect_valid(q, path);
   EXPECT_LE(path.duration, 1.01 * path.bound);
 }
 
@@ -169,7 +169,7 @@ TEST(AaStar, FliesOverARidgeWithinItsClimb) {
   q.terrain = &ridge;
   q.ground_clearance = 50;
   const PlannedPath path = AaStar().plan(q);
-  expect_sound(q, path);
+  expect_valid(q, path);
   // Up to 450 m at 3 m/s and down again.
   EXPECT_GE(path.duration, 2 * 350 / 3.0 - 1);
   EXPECT_LE(path.duration, 1.15 * 2 * 350 / 3.0);
@@ -183,7 +183,7 @@ TEST(AaStar, PassesUnderAZoneWithAFloor) {
   PathQuery q = query_over(2000);
   q.airspace = &airspace;
   const PlannedPath path = AaStar().plan(q);
-  expect_sound(q, path);
+  expect_valid(q, path);
   EXPECT_LE(path.duration, 101);  // 100 s straight on, sinking costs nothing
 }
 
@@ -196,13 +196,13 @@ TEST(AaStar, WaitsForAZoneToEndOrGoesAround) {
   PathQuery q = query_over(2000);
   q.airspace = &airspace;
   const PlannedPath path = AaStar().plan(q);
-  expect_sound(q, path);
+  expect_valid(q, path);
   EXPECT_GE(path.duration, 255 - 0.1);  // 1100 m before the goal at 200 s, at the best
   EXPECT_LE(path.duration, 262);
   // A small one is passed sooner than it ends.
   airspace.zones.front().area = Disc{Vec2(1000, 0), 150};
   const PlannedPath around = AaStar().plan(q);
-  expect_sound(q, around);
+  expect_valid(q, around);
   EXPECT_LE(around.duration, 105);
 }
 
@@ -220,7 +220,7 @@ TEST(AaStar, LetsWhatMovesAndFliesPass) {
   PathQuery q = query_over(2000);
   q.airspace = &airspace;
   const PlannedPath path = AaStar().plan(q);
-  expect_sound(q, path);
+  expect_valid(q, path);
   EXPECT_LE(path.duration, 110);
 }
 
@@ -231,7 +231,7 @@ TEST(AaStar, ReachesAGoalThatIsFreeLater) {
   PathQuery q = query_over(2000);
   q.airspace = &airspace;
   const PlannedPath path = AaStar().plan(q);
-  expect_sound(q, path);
+  expect_valid(q, path);
   EXPECT_GE(path.duration, 300);
   EXPECT_LE(path.duration, 315);
 }
@@ -370,7 +370,7 @@ TEST(AaStar, ALimitOfTimeNeverCostsTheFirstPath) {
     q.budget.enough = [] { return true; };  // the time has passed already
     const PlannedPath path = AaStar().plan(q);
     SCOPED_TRACE(k);
-    expect_sound(q, path);
+    expect_valid(q, path);
     EXPECT_EQ(path.outcome, PlanningOutcome::kBudgetEnded);
     EXPECT_LT(path.states, 20'000);
     // Whoever does not want an answer any more gets none.

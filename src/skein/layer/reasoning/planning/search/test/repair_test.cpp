@@ -18,7 +18,7 @@ PathQuery at_time(PathQuery q, const FlightPlan& plan, double time) {
   return q;
 }
 
-void expect_sound(const PathQuery& q, const RepairedPath& r) {
+void expect_valid(const PathQuery& q, const RepairedPath& r) {
   ASSERT_FALSE(r.path.plan.empty()) << r.path.reason;
   EXPECT_LT(test::gaps(r.path.plan), 1e-6);
   EXPECT_LE(test::depth(*q.airspace, r.path.plan, 0.05), 0.1);
@@ -49,7 +49,7 @@ TEST(Repair, KeepsAPlanThatIsFree) {
   const PathQuery q = at_time(f.query, f.plan, 30);
   const RepairedPath r = repair(f.plan, q);
   EXPECT_EQ(r.how, Repair::kKept);
-  expect_sound(q, r);
+  expect_valid(q, r);
   EXPECT_NEAR(30 + r.path.duration, model::end_time_of(f.plan), 1e-9);
 }
 
@@ -63,7 +63,7 @@ TEST(Repair, RejoinsBehindANewZone) {
     const RepairedPath r = repair(f.plan, q);
     EXPECT_EQ(r.how, Repair::kRejoined) << r.reason;
     EXPECT_NE(r.reason.find("zone 1"), std::string::npos) << r.reason;
-    expect_sound(q, r);
+    expect_valid(q, r);
     EXPECT_LE(r.path.duration, 1.05 * r.path.bound);
     EXPECT_LT(r.left_at, r.joined_at);
   }
@@ -78,7 +78,7 @@ TEST(Repair, LeadsAnAircraftBackThatLeftItsPlan) {
   const RepairedPath r = repair(f.plan, q);
   EXPECT_NE(r.how, Repair::kFailed);
   EXPECT_NE(r.how, Repair::kKept);
-  expect_sound(q, r);
+  expect_valid(q, r);
 }
 
 TEST(Repair, PlansAnewWhereRejoiningIsFarWorse) {
@@ -97,7 +97,7 @@ TEST(Repair, PlansAnewWhereRejoiningIsFarWorse) {
       {geo::Ring{Vec2(1000, -100), Vec2(1100, -100), Vec2(1100, 100), Vec2(1000, 100)}});
   const PathQuery q = at_time(f.query, f.plan, 1);
   const RepairedPath r = repair(f.plan, q);
-  expect_sound(q, r);
+  expect_valid(q, r);
   EXPECT_LE(r.path.duration, 1.05 * r.path.bound);
 }
 
@@ -134,7 +134,7 @@ TEST(Repair, FindsAWayAroundANewZoneInTheScenes) {
     s.airspace.zones.push_back({Disc{geo::horizontal(at), 70}});
     const PathQuery q = at_time(s.query, path.plan, 5);
     const RepairedPath r = repair(path.plan, q);
-    expect_sound(q, r);
+    expect_valid(q, r);
     EXPECT_LE(r.path.duration, 1.05 * r.path.bound) << s.name;
   }
 }

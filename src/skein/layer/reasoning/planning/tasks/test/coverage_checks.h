@@ -26,12 +26,12 @@ inline bool beside_a_line(const std::vector<FlightPlan>& plans, const Vec2& p,
     for (const FlightElement& e : plan) {
       if (e.turn_rate != 0) continue;
       const Vec2 a = geo::horizontal(e.p_N);
-      const Vec2 way = geo::horizontal(model::end_of(e).p_N) - a;
-      const double length = way.norm();
+      const Vec2 leg = geo::horizontal(model::end_of(e).p_N) - a;
+      const double length = leg.norm();
       if (length <= 0) continue;
-      const double along = way.dot(p - a) / length;
+      const double along = leg.dot(p - a) / length;
       if (along < -1e-3 || along > length + 1e-3) continue;
-      if (std::abs(geo::cross(way, p - a)) <= half * length) return true;
+      if (std::abs(geo::cross(leg, p - a)) <= half * length) return true;
     }
   return false;
 }
@@ -41,9 +41,9 @@ inline double distance_from(const geo::Ring& ring, const Vec2& p) {
   double near = 1e300;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2& a = ring[i];
-    const Vec2 way = ring[(i + 1) % ring.size()] - a;
-    const double s = std::clamp(way.dot(p - a) / way.squaredNorm(), 0.0, 1.0);
-    near = std::min(near, (p - a - s * way).norm());
+    const Vec2 leg = ring[(i + 1) % ring.size()] - a;
+    const double s = std::clamp(leg.dot(p - a) / leg.squaredNorm(), 0.0, 1.0);
+    near = std::min(near, (p - a - s * leg).norm());
   }
   return geo::contains(ring, p) ? -near : near;
 }

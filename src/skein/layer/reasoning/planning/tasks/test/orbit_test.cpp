@@ -54,7 +54,7 @@ TEST(Orbit, StaysOnTheCircleAroundAMovingTarget) {
     q.tolerance = random.uniform(0.05, 2);
     q.altitude_msl = random.uniform(80, 130);
     const double felt = (q.wind - q.target.velocity).norm();
-    q.radius = random.uniform(1.01, 3) * least_standoff(15, kLimits, felt);
+    q.radius = random.uniform(1.01, 3) * min_standoff(15, kLimits, felt);
     const OrbitResult r = plan_orbit(q);
     ASSERT_EQ(r.outcome, OrbitOutcome::kPlanned) << r.reason << " " << i;
     EXPECT_EQ(r.airspeed, 15);
@@ -80,7 +80,7 @@ TEST(Orbit, LeastRadiusIsWhereTheTurnIsTightest) {
       const double turned = (heading(chi + 1e-5) - heading(chi - 1e-5)) / 2e-5;
       fastest = std::max(fastest, std::abs(turned) * speed);
     }
-    EXPECT_NEAR(least_standoff(15, kLimits, felt), fastest * 40 / 15, 1e-3 * fastest);
+    EXPECT_NEAR(min_standoff(15, kLimits, felt), fastest * 40 / 15, 1e-3 * fastest);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(Orbit, FliesSlowerForATightCircleAndSaysWhatCanBeFlown) {
   r = plan_orbit(q);
   EXPECT_EQ(r.outcome, OrbitOutcome::kRadiusTooSmall);
   EXPECT_TRUE(r.plan.empty());
-  q.radius = 1.0001 * r.least_radius;
+  q.radius = 1.0001 * r.min_radius;
   r = plan_orbit(q);
   EXPECT_EQ(r.outcome, OrbitOutcome::kPlanned) << r.reason;
 }

@@ -22,9 +22,9 @@ PatrolQuery along_a_bend() {
 }
 
 double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 way = b - a;
-  const double s = std::clamp(way.dot(p - a) / way.squaredNorm(), 0.0, 1.0);
-  return (p - a - s * way).norm();
+  const Vec2 leg = b - a;
+  const double s = std::clamp(leg.dot(p - a) / leg.squaredNorm(), 0.0, 1.0);
+  return (p - a - s * leg).norm();
 }
 
 std::vector<Vec2> track(const FlightPlan& plan, double from) {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/zone_book.h"
+#include "skein/data/zone_set.h"
 #include "skein/role/agent.h"
 
 namespace skein::reasoning {
 
-struct ZoneDeskOptions {
+struct ZoneServerOptions {
   std::vector<EntityId> team;  ///< who has to know
   std::vector<Zone> known;     ///< in force, and known to all, from the start
   /// Zones that an operator can put into force by name; those known are among them.
@@ -29,10 +29,10 @@ struct ZoneDeskOptions {
 ///
 /// Events: "zone-on" and "zone-off", "zone-refused" with the reason, and "zones-known"
 /// when all that are heard know the last change.
-class ZoneDesk final : public Agent {
+class ZoneServer final : public Agent {
  public:
   /// @param station  what reasons on the ground.
-  ZoneDesk(const ZoneDeskOptions& options, std::unique_ptr<Agent> station);
+  ZoneServer(const ZoneServerOptions& options, std::unique_ptr<Agent> station);
 
   void step(const AgentInput& in, AgentOutput& out) override;
 
@@ -46,12 +46,12 @@ class ZoneDesk final : public Agent {
   void take_report(const Message& message, Time now);
   void issue(ZoneChange change, Time now, AgentOutput& out);
   void send_missing(Time now, AgentOutput& out);
-  void tell_when_known(Time now, AgentOutput& out);
+  void report_when_known(Time now, AgentOutput& out);
 
-  ZoneDeskOptions options_;
+  ZoneServerOptions options_;
   std::unique_ptr<Agent> station_;
   std::map<std::string, Zone> drawn_;
-  ZoneBook book_;
+  ZoneSet known_;
   std::vector<ZoneChange> changes_;  // number k at k - 1
   std::vector<Listener> team_;
   bool all_know_ = true;

@@ -11,10 +11,10 @@ namespace skein::reasoning {
 
 /// The places that are at least `clearance` away, a few metres more at arcs, from some
 /// zones, and the short ways between them.
-class WaysAround {
+class DetourPlanner {
  public:
   /// @param clearance  from the border of every zone [m], above 0.
-  WaysAround(std::span<const Zone> zones, double clearance);
+  DetourPlanner(std::span<const Zone> zones, double clearance);
 
   /// Whether a place may be flown to.
   bool allows(const Vec2& p) const { return border_.empty() || !border_.contains(p); }
@@ -30,7 +30,7 @@ class WaysAround {
   /// with the nearest allowed place when the start is not allowed, and ends with that
   /// when `to` is not. When zones surround one of the two, and not the other, it is
   /// straight. Cost: a search over the corners of the zones; each looks along all sides.
-  std::vector<Vec2> way(const Vec2& from, const Vec2& to) const;
+  std::vector<Vec2> detour(const Vec2& from, const Vec2& to) const;
 
  private:
   geo::Region area_;                        // not allowed

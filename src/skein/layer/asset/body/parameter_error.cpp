@@ -1,4 +1,4 @@
-#include "skein/layer/asset/body/parameter_fault.h"
+#include "skein/layer/asset/body/parameter_error.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 namespace skein::asset {
 
 void ParameterCheck::add(std::string_view key, std::string message) {
-  faults_.push_back({std::string(key), std::move(message)});
+  errors_.push_back({std::string(key), std::move(message)});
 }
 
 void ParameterCheck::above(std::string_view key, double value, double low) {
@@ -41,9 +41,9 @@ void ParameterCheck::inertia(std::string_view key, const Inertia& inertia) {
 }
 
 void ParameterCheck::part(std::string_view key,
-                          const std::vector<ParameterFault>& faults) {
-  for (const ParameterFault& fault : faults)
-    faults_.push_back({fmt::format("{}.{}", key, fault.key), fault.message});
+                          const std::vector<ParameterError>& errors) {
+  for (const ParameterError& error : errors)
+    errors_.push_back({fmt::format("{}.{}", key, error.key), error.message});
 }
 
 }  // namespace skein::asset

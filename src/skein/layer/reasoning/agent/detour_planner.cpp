@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/ways_around.h"
+#include "skein/layer/reasoning/agent/detour_planner.h"
 
 #include <algorithm>
 #include <limits>
@@ -45,7 +45,7 @@ geo::Region without_holes(const geo::Region& region) {
 
 }  // namespace
 
-WaysAround::WaysAround(std::span<const Zone> zones, double clearance)
+DetourPlanner::DetourPlanner(std::span<const Zone> zones, double clearance)
     : area_(geo::grown(outlines(zones), clearance, kTolerance)),
       border_(area_),
       outer_(without_holes(area_)) {
@@ -58,11 +58,11 @@ WaysAround::WaysAround(std::span<const Zone> zones, double clearance)
     add_bends(ring, corners_);
 }
 
-bool WaysAround::allows(const Vec2& from, const Vec2& to) const {
+bool DetourPlanner::allows(const Vec2& from, const Vec2& to) const {
   if (!allows((from + to) / 2)) return false;
-  const Eigen::AlignedBox2d way = Eigen::AlignedBox2d(from).extend(to);
+  const Eigen::AlignedBox2d box = Eigen::AlignedBox2d(from).extend(to);
   for (std::size_t k = 0; k < area_.size(); ++k) {
-    if (!way.intersects(boxes_[k])) continue;
+    if (!box.intersects(boxes_[k])) continue;
     const geo::Ring& ring = area_[k];
     for (std::size_t i = 0; i < ring.size(); ++i)
       if (cross(from, to, ring[i], ring[(i + 1) % ring.size()])) return false;
@@ -70,20 +70,20 @@ bool WaysAround::allows(const Vec2& from, const Vec2& to) const {
   return true;
 }
 
-Vec2 WaysAround::nearest_allowed(const Vec2& p) const {
+Vec2 DetourPlanner::nearest_allowed(const Vec2& p) const {
   if (outer_.empty() || !outer_.contains(p)) return p;
   const Vec2 edge = outer_.nearest(p).point;
   const Vec2 out = edge - p;
   return out.norm() > 0 ? Vec2(edge + kTolerance * out.normalized()) : edge;
 }
 
-std::vector<Vec2> WaysAround::way(const Vec2& from, const Vec2& to) const {
-  std::vector<Vec2> way;
+std::vector<Vec2> DetourPlanner::detour(const Vec2& from, const Vec2& to) const {
+  std::vector<Vec2> path;
   const Vec2 start = nearest_allowed(from), goal = nearest_allowed(to);
-  if (start != from) way.push_back(start);
+  if (start != from) path.push_back(start);
   if (allows(start, goal)) {
-    way.push_back(goal);
-    return way;
+    path.push_back(goal);
+    return path;
   }
   // A* over the corners; what each sees is found out when its turn comes.
   std::vector<Vec2> places = corners_;
@@ -114,10 +114,10 @@ std::vector<Vec2> WaysAround::way(const Vec2& from, const Vec2& to) const {
     std::vector<Vec2> bends;
     for (std::size_t i = before[to_place]; i != from_place; i = before[i])
       bends.push_back(places[i]);
-    way.insert(way.end(), bends.rbegin(), bends.rend());
+    path.insert(path.end(), bends.rbegin(), bends.rend());
   }
-  way.push_back(goal);
-  return way;
+  path.push_back(goal);
+  return path;
 }
 
 }  // namespace skein::reasoning

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_watch.h"
+#include "skein/layer/reasoning/agent/zone_monitor.h"
 
 #include <fmt/format.h>
 
@@ -18,49 +18,49 @@ constexpr double kMinRoom = 3;           // from a grown zone to the ends of a w
 
 }  // namespace
 
-bool ZoneWatch::listen(const AgentInput& in, AgentOutput& out) {
+bool ZoneMonitor::listen(const AgentInput& in, AgentOutput& out) {
   bool changed = false;
   for (const Message& message : in.inbox) {
     const auto* change = std::get_if<ZoneChange>(&message.content);
-    if (!change || !book_.take(*change)) continue;
+    if (!change || !known_.take(*change)) continue;
     changed = true;
     out.events.push_back({in.now, self_, change->on ? "zone-on" : "zone-off",
                           fmt::format("{} {}", change->on ? "keeps out of" : "may fly in",
                                       change->zone.name)});
   }
   if (!changed) return false;
-  guard_.set_zones(book_.zones());
-  ways_.reset();
+  avoidance_.set_zones(known_.zones());
+  detours_.reset();
   changed_ = true;
   return true;
 }
 
-void ZoneWatch::regard(const NavEstimate& nav, double altitude_msl) {
-  if (!guard_.regard(nav, altitude_msl)) return;
-  ways_.reset();
+void ZoneMonitor::regard(const NavEstimate& nav, double altitude_msl) {
+  if (!avoidance_.regard(nav, altitude_msl)) return;
+  detours_.reset();
   changed_ = true;
 }
 
-bool ZoneWatch::take_change() {
+bool ZoneMonitor::take_change() {
   return std::exchange(changed_, false);
 }
 
-bool ZoneWatch::keeps_on_ground(const AgentInput& in, double altitude_msl) {
+bool ZoneMonitor::keeps_on_ground(const AgentInput& in, double altitude_msl) {
   if (!in.autopilot.on_ground) return false;
   regard(*in.nav, altitude_msl);
-  return guard_.distance(geo::horizontal(in.nav->p_N)) < 0;
+  return avoidance_.distance(geo::horizontal(in.nav->p_N)) < 0;
 }
 
-bool ZoneWatch::blocks(const Vec2& a, const Vec2& b) const {
-  const std::vector<Zone> zones = guard_.counting();
+bool ZoneMonitor::blocks(const Vec2& a, const Vec2& b) const {
+  const std::vector<Zone> zones = avoidance_.counting();
   return std::any_of(zones.begin(), zones.end(), [&](const Zone& zone) {
     const double between = distance_between(a, b, outline(zone));
-    return between <= (book_.heard(zone.name) ? options_.margin : 0);
+    return between <= (known_.heard(zone.name) ? options_.margin : 0);
   });
 }
 
-std::vector<Zone> ZoneWatch::obstacles(const Vec2& from, const Vec2& to) const {
-  std::vector<Zone> grown = guard_.counting();
+std::vector<Zone> ZoneMonitor::obstacles(const Vec2& from, const Vec2& to) const {
+  std::vector<Zone> grown = avoidance_.counting();
   for (Zone& zone : grown) {
     const geo::Ring around = outline(zone);
     const double room =
@@ -82,32 +82,33 @@ std::vector<Zone> ZoneWatch::obstacles(const Vec2& from, const Vec2& to) const {
   return grown;
 }
 
-const WaysAround& ZoneWatch::ways(const NavEstimate& nav) {
-  const double needed = options_.margin + guard_.circle_radius(nav);
-  if (!ways_ || std::abs(needed - clearance_) > kClearanceSlack * clearance_) {
+const DetourPlanner& ZoneMonitor::detours(const NavEstimate& nav) {
+  const double needed = options_.margin + avoidance_.circle_radius(nav);
+  if (!detours_ || std::abs(needed - clearance_) > kClearanceSlack * clearance_) {
     clearance_ = needed;
-    ways_.emplace(guard_.counting(), clearance_);
+    detours_.emplace(avoidance_.counting(), clearance_);
   }
-  return *ways_;
+  return *detours_;
 }
 
-Vec2 ZoneWatch::allowed(const Vec2& place, const NavEstimate& nav, double altitude_msl) {
-  if (guard_.empty()) return place;
+Vec2 ZoneMonitor::allowed(const Vec2& place, const NavEstimate& nav,
+                          double altitude_msl) {
+  if (avoidance_.empty()) return place;
   regard(nav, altitude_msl);
-  if (guard_.distance(place) >= 0) return place;
-  return ways(nav).nearest_allowed(place);
+  if (avoidance_.distance(place) >= 0) return place;
+  return detours(nav).nearest_allowed(place);
 }
 
-void ZoneWatch::look(const AgentInput& in, AgentOutput& out) {
-  if (guard_.empty() && !inside_) return;
-  const bool inside = guard_.distance(geo::horizontal(in.nav->p_N)) < 0;
+void ZoneMonitor::look(const AgentInput& in, AgentOutput& out) {
+  if (avoidance_.empty() && !inside_) return;
+  const bool inside = avoidance_.distance(geo::horizontal(in.nav->p_N)) < 0;
   if (inside != inside_)
     out.events.push_back({in.now, self_, "zone",
                           inside ? "is inside a no-flight zone" : "has left the zone"});
-  else if (guard_.deflecting() && !deflects_ && !inside)
+  else if (avoidance_.deflecting() && !deflects_ && !inside)
     out.events.push_back({in.now, self_, "zone", "turns away from a no-flight zone"});
   inside_ = inside;
-  deflects_ = guard_.deflecting();
+  deflects_ = avoidance_.deflecting();
 }
 
 }  // namespace skein::reasoning

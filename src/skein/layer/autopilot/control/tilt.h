@@ -9,8 +9,8 @@
 namespace skein::autopilot {
 
 /// Attitude to the horizon, without the heading.
-struct Posture {
-  explicit Posture(const Quat& q_NB) {
+struct Tilt {
+  explicit Tilt(const Quat& q_NB) {
     const Vec3 down = geo::down_in_body(q_NB);
     sin_pitch = std::clamp(-down.x(), -1.0, 1.0);
     cos_pitch = std::max(0.05, std::sqrt(down.y() * down.y() + down.z() * down.z()));

@@ -11,7 +11,7 @@
 
 namespace skein::reasoning {
 
-struct ZoneGuardOptions {
+struct ZoneAvoidanceOptions {
   double margin = 30;    ///< kept from the border, for errors of position and control [m]
   double preview = 2.5;  ///< flight that is looked at before the way out must be open [s]
   double vertical_margin = 20;  ///< kept from floors and ceilings [m]
@@ -32,10 +32,10 @@ struct ZoneGuardOptions {
 /// commanded one, `vertical_margin` above and below included, at a time from now to
 /// `lead` later. Under a floor that the commanded altitude does not keep, it turns away
 /// sideways.
-class ZoneGuard {
+class ZoneAvoidance {
  public:
-  ZoneGuard(const ZoneGuardOptions& options, const FlightLimits& limits,
-            std::span<const Zone> zones);
+  ZoneAvoidance(const ZoneAvoidanceOptions& options, const FlightLimits& limits,
+                std::span<const Zone> zones);
 
   /// Other zones from now on.
   void set_zones(std::span<const Zone> zones);
@@ -81,7 +81,7 @@ class ZoneGuard {
   double slack(const NavEstimate& nav, double course) const;
   void draw_border();
 
-  ZoneGuardOptions options_;
+  ZoneAvoidanceOptions options_;
   FlightLimits limits_;
   std::vector<Zone> zones_;
   std::vector<bool> counts_;   // of zones_

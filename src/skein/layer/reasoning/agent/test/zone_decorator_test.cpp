@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_shield.h"
+#include "skein/layer/reasoning/agent/zone_decorator.h"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,13 @@ namespace {
 class Straight final : public Agent {
  public:
   void step(const AgentInput&, AgentOutput& out) override {
-    if (!told_) out.command = AutopilotCommand{HoldCourse{0}, 220, {}};
-    told_ = true;
+    if (!reported_) out.command = AutopilotCommand{HoldCourse{0}, 220, {}};
+    reported_ = true;
     out.outbox.emplace_back().content = AircraftReport{};
   }
 
  private:
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 struct Shielded {
@@ -36,8 +36,8 @@ struct Shielded {
   test::FlatGround ground;
   test::TestAircraft aircraft;
   bool on_ground = false;
-  ZoneShield agent{{},     EntityId{1}, FlightLimits{},
-                   ground, {},          std::make_unique<Straight>()};
+  ZoneDecorator agent{{},     EntityId{1}, FlightLimits{},
+                      ground, {},          std::make_unique<Straight>()};
 };
 
 Message zone_on(const Vec2& centre, double radius) {
@@ -46,7 +46,7 @@ Message zone_on(const Vec2& centre, double radius) {
   return message;
 }
 
-TEST(ZoneShield, KeepsItsPilotOutAndLetsItGoOn) {
+TEST(ZoneDecorator, KeepsItsPilotOutAndLetsItGoOn) {
   Shielded flight;
   flight.step(0);
   double nearest = 1e9;
@@ -66,7 +66,7 @@ TEST(ZoneShield, KeepsItsPilotOutAndLetsItGoOn) {
   EXPECT_EQ(std::get<HoldCourse>(flight.aircraft.command.guidance).course, 0);
 }
 
-TEST(ZoneShield, DoesNotTakeOffIntoAZone) {
+TEST(ZoneDecorator, DoesNotTakeOffIntoAZone) {
   Shielded flight;
   flight.on_ground = true;
   EXPECT_FALSE(flight.step(0, {zone_on({0, 0}, 300)}).command);

@@ -20,10 +20,9 @@ constexpr double kWindow = 20;         // of paths, behind; five times as far ah
 }  // namespace
 
 // Along a path at the reference's place, with a stop ahead.
-MultirotorGuidance::Wish MultirotorGuidance::along(const model::PathCursor& path,
-                                                   const model::PathCursor::Place& place,
-                                                   const Stop& stop,
-                                                   const NavState& now) {
+MultirotorGuidance::Setpoint MultirotorGuidance::along(
+    const model::PathCursor& path, const model::PathCursor::Place& place,
+    const Stop& stop, const NavState& now) {
   const Vec2 p = now.p_N.head<2>();
   const model::TrackPoint& at = place.point;
   const double back = (p - position_).dot(at.tangent);
@@ -41,16 +40,17 @@ MultirotorGuidance::Wish MultirotorGuidance::along(const model::PathCursor& path
       path.speed_limit(place.along, turns, options_.braking * options_.acceleration,
                        std::min({stop.speed, faster, ground_speed(at.tangent, now)}));
   const Vec2 right = geo::turned_right(at.tangent);
-  Wish wish;
-  wish.altitude = altitude_;
+  Setpoint setpoint;
+  setpoint.altitude = altitude_;
   const double across = std::min(stop_at(std::abs(place.cross_track)).speed, speed);
-  wish.velocity = speed * at.tangent - std::copysign(across, place.cross_track) * right;
-  wish.acceleration = at.curvature * flown * flown * right;
-  if (stop.speed <= speed) wish.acceleration -= stop.braking * at.tangent;
-  return wish;
+  setpoint.velocity =
+      speed * at.tangent - std::copysign(across, place.cross_track) * right;
+  setpoint.acceleration = at.curvature * flown * flown * right;
+  if (stop.speed <= speed) setpoint.acceleration -= stop.braking * at.tangent;
+  return setpoint;
 }
 
-MultirotorGuidance::Wish MultirotorGuidance::follow_path(const NavState& now) {
+MultirotorGuidance::Setpoint MultirotorGuidance::follow_path(const NavState& now) {
   const model::PathCursor::Place place =
       path_.project(position_, along_ - kWindow, along_ + 5 * kWindow);
   along_ = place.along;
@@ -62,7 +62,7 @@ MultirotorGuidance::Wish MultirotorGuidance::follow_path(const NavState& now) {
   return along(path_, place, stop_at(place.remaining), now);
 }
 
-MultirotorGuidance::Wish MultirotorGuidance::fly_waypoints(const NavState& now) {
+MultirotorGuidance::Setpoint MultirotorGuidance::fly_waypoints(const NavState& now) {
   const WaypointRoute::Place place = route_.project(position_, kWindow);
   const double to_stop = route_.stop_at() - place.on_path.along;
   if (place.done || (route_.on_last_leg() && to_stop < kCloseEnough)) {
@@ -79,13 +79,13 @@ MultirotorGuidance::Wish MultirotorGuidance::fly_waypoints(const NavState& now) 
   if (place.slope > 0) steepest = limits_.climb_rate / place.slope;
   if (place.slope < 0) steepest = limits_.sink_rate / -place.slope;
   if (steepest < stop.speed) stop = {steepest, 0};
-  Wish wish = along(route_.cursor(), place.on_path, stop, now);
-  wish.altitude = place.altitude_msl;
-  wish.climb_rate = place.slope * velocity_.dot(place.on_path.point.tangent);
-  return wish;
+  Setpoint setpoint = along(route_.cursor(), place.on_path, stop, now);
+  setpoint.altitude = place.altitude_msl;
+  setpoint.climb_rate = place.slope * velocity_.dot(place.on_path.point.tangent);
+  return setpoint;
 }
 
-MultirotorGuidance::Wish MultirotorGuidance::follow_plan(const NavState& now) {
+MultirotorGuidance::Setpoint MultirotorGuidance::follow_plan(const NavState& now) {
   const double time = now.time.seconds();
   if (time >= plan_.end()) {
     const Vec3 end = plan_.at(plan_.end()).p_N;
@@ -98,15 +98,16 @@ MultirotorGuidance::Wish MultirotorGuidance::follow_plan(const NavState& now) {
     at.v_N.setZero();
     at.a_N.setZero();
   }
-  const Vec2 v = at.v_N.head<2>(), way = at.p_N.head<2>() - position_;
-  const double distance = way.norm();
-  Wish wish;
-  wish.velocity = v;
-  if (distance > 1e-6) wish.velocity += stop_at(distance).speed / distance * way;
-  wish.velocity = bounded(wish.velocity, limits_.fastest + now.wind_N.head<2>().norm());
-  wish.acceleration = bounded(at.a_N.head<2>(), options_.acceleration);
-  wish.altitude = -at.p_N.z();
-  wish.climb_rate = -at.v_N.z();
+  const Vec2 v = at.v_N.head<2>(), leg = at.p_N.head<2>() - position_;
+  const double distance = leg.norm();
+  Setpoint setpoint;
+  setpoint.velocity = v;
+  if (distance > 1e-6) setpoint.velocity += stop_at(distance).speed / distance * leg;
+  setpoint.velocity =
+      bounded(setpoint.velocity, limits_.fastest + now.wind_N.head<2>().norm());
+  setpoint.acceleration = bounded(at.a_N.head<2>(), options_.acceleration);
+  setpoint.altitude = -at.p_N.z();
+  setpoint.climb_rate = -at.v_N.z();
 
   const Vec2 behind = at.p_N.head<2>() - now.p_N.head<2>();
   const double speed = v.norm();
@@ -114,10 +115,10 @@ MultirotorGuidance::Wish MultirotorGuidance::follow_plan(const NavState& now) {
   status_.follows = true;
   status_.time_error = speed > kMinPace ? behind.dot(v) / (speed * speed) : 0;
   status_.cross_track = speed > kMinPace ? geo::cross(v, -behind) / speed : 0;
-  return wish;
+  return setpoint;
 }
 
-MultirotorGuidance::Wish MultirotorGuidance::circle(const NavState& now) {
+MultirotorGuidance::Setpoint MultirotorGuidance::circle(const NavState& now) {
   const CircleLine line = CircleLine::nearest_to(position_, circle_.centre,
                                                  circle_.radius, circle_.clockwise);
   const model::TrackPoint at = line.nearest();
@@ -128,18 +129,18 @@ MultirotorGuidance::Wish MultirotorGuidance::circle(const NavState& now) {
   const double across = std::min(stop_at(std::abs(off)).speed, speed);
   const double round = std::sqrt(std::max(speed * speed - across * across, 0.0));
   const Vec2 right = geo::turned_right(at.tangent);
-  Wish wish;
-  wish.altitude = altitude_;
-  wish.velocity = round * at.tangent - std::copysign(across, off) * right;
+  Setpoint setpoint;
+  setpoint.altitude = altitude_;
+  setpoint.velocity = round * at.tangent - std::copysign(across, off) * right;
   const double flown = velocity_.dot(at.tangent);
   const double away = (position_ - circle_.centre).norm();
-  wish.acceleration =
+  setpoint.acceleration =
       line.side * flown * flown / std::max(away, circle_.radius / 2) * right;
   const Vec2 p = now.p_N.head<2>();
   status_.cross_track = -line.side * ((p - circle_.centre).norm() - circle_.radius);
   status_.follows =
       status_.follows || std::abs(status_.cross_track) < kOnCircle * circle_.radius;
-  return wish;
+  return setpoint;
 }
 
 }  // namespace skein::autopilot

@@ -1,11 +1,11 @@
-#include "skein/data/zone_book.h"
+#include "skein/data/zone_set.h"
 
 #include <algorithm>
 
 namespace skein {
 
-bool ZoneBook::take(const ZoneChange& change) {
-  if (change.number == 0 || (change.on && fault_in(change.zone))) return false;
+bool ZoneSet::take(const ZoneChange& change) {
+  if (change.number == 0 || (change.on && error_in(change.zone))) return false;
   if (change.number > complete_to_) beyond_.insert(change.number);
   while (!beyond_.empty() && *beyond_.begin() == complete_to_ + 1) {
     ++complete_to_;

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_desk.h"
+#include "skein/layer/reasoning/agent/zone_server.h"
 
 #include <fmt/format.h>
 
@@ -17,13 +17,13 @@ bool has_shape(const Zone& zone) {
 
 }  // namespace
 
-ZoneDesk::ZoneDesk(const ZoneDeskOptions& options, std::unique_ptr<Agent> station)
-    : options_(options), station_(std::move(station)), book_(options.known) {
+ZoneServer::ZoneServer(const ZoneServerOptions& options, std::unique_ptr<Agent> station)
+    : options_(options), station_(std::move(station)), known_(options.known) {
   for (const Zone& zone : options_.drawn) drawn_[zone.name] = zone;
   for (const EntityId id : options_.team) team_.push_back({.id = id});
 }
 
-void ZoneDesk::step(const AgentInput& in, AgentOutput& out) {
+void ZoneServer::step(const AgentInput& in, AgentOutput& out) {
   const std::size_t before = changes_.size();
   for (const Message& message : in.inbox) take_report(message, in.now);
   for (const Command& command : in.commands)
@@ -39,10 +39,10 @@ void ZoneDesk::step(const AgentInput& in, AgentOutput& out) {
   told.inbox = inbox;
   station_->step(told, out);
   send_missing(in.now, out);
-  tell_when_known(in.now, out);
+  report_when_known(in.now, out);
 }
 
-void ZoneDesk::take_report(const Message& message, Time now) {
+void ZoneServer::take_report(const Message& message, Time now) {
   const auto* report = std::get_if<AircraftReport>(&message.content);
   if (!report) return;
   const auto who = std::find_if(team_.begin(), team_.end(),
@@ -53,7 +53,7 @@ void ZoneDesk::take_report(const Message& message, Time now) {
   who->was_heard = true;
 }
 
-void ZoneDesk::issue(ZoneChange change, Time now, AgentOutput& out) {
+void ZoneServer::issue(ZoneChange change, Time now, AgentOutput& out) {
   Zone& zone = change.zone;
   const auto refuse = [&](const std::string& why) {
     out.events.push_back(
@@ -61,7 +61,7 @@ void ZoneDesk::issue(ZoneChange change, Time now, AgentOutput& out) {
   };
   if (zone.name.empty()) return refuse("a zone needs a name.");
   const auto known = drawn_.find(zone.name);
-  const auto zones = book_.zones();
+  const auto zones = known_.zones();
   const bool in_force = std::any_of(zones.begin(), zones.end(),
                                     [&](const Zone& z) { return z.name == zone.name; });
   if (change.on && !has_shape(zone)) {
@@ -71,13 +71,13 @@ void ZoneDesk::issue(ZoneChange change, Time now, AgentOutput& out) {
   if (!change.on && !in_force) return refuse("no zone of this name is in force.");
   if (change.on) {
     if (auto* ring = std::get_if<geo::Ring>(&zone.area)) *ring = made_positive(*ring);
-    if (const auto fault = fault_in(zone)) return refuse(*fault);
+    if (const auto fault = error_in(zone)) return refuse(*fault);
     drawn_[zone.name] = zone;
   } else {
     zone = {.name = zone.name};
   }
   change.number = static_cast<std::uint32_t>(changes_.size()) + 1;
-  book_.take(change);
+  known_.take(change);
   out.events.push_back({now, EntityId{}, change.on ? "zone-on" : "zone-off",
                         fmt::format("change {}: {} is {}", change.number, zone.name,
                                     change.on ? "in force" : "taken back")});
@@ -90,7 +90,7 @@ void ZoneDesk::issue(ZoneChange change, Time now, AgentOutput& out) {
   }
 }
 
-void ZoneDesk::send_missing(Time now, AgentOutput& out) {
+void ZoneServer::send_missing(Time now, AgentOutput& out) {
   for (Listener& listener : team_) {
     if (listener.knows >= changes_.size()) continue;
     // A report since the last sending says that it has not been heard.
@@ -104,7 +104,7 @@ void ZoneDesk::send_missing(Time now, AgentOutput& out) {
   }
 }
 
-void ZoneDesk::tell_when_known(Time now, AgentOutput& out) {
+void ZoneServer::report_when_known(Time now, AgentOutput& out) {
   if (all_know_) return;
   std::size_t heard = 0;
   for (const Listener& listener : team_) {

@@ -10,13 +10,13 @@
 namespace skein::asset {
 
 /// A parameter that no such aircraft can have.
-struct ParameterFault {
+struct ParameterError {
   std::string key;      ///< the member's name, with dots and [i] for members of members
   std::string message;  ///< what was found and the rule, without the key
 };
 
 /// Gathers what is wrong with the parameters of one model: every struct XParameters of
-/// this layer has a function `std::vector<ParameterFault> faults(const XParameters&)`.
+/// this layer has a function `std::vector<ParameterError> faults(const XParameters&)`.
 /// No number that is not finite passes any of the rules.
 class ParameterCheck {
  public:
@@ -31,21 +31,21 @@ class ParameterCheck {
   void inertia(std::string_view key, const Inertia& inertia);
 
   /// Takes over what is wrong with a part; its keys get `key` and a dot in front.
-  void part(std::string_view key, const std::vector<ParameterFault>& faults);
+  void part(std::string_view key, const std::vector<ParameterError>& errors);
 
-  std::vector<ParameterFault> take() { return std::move(faults_); }
+  std::vector<ParameterError> take() { return std::move(errors_); }
 
  private:
   void add(std::string_view key, std::string message);
 
-  std::vector<ParameterFault> faults_;
+  std::vector<ParameterError> errors_;
 };
 
 /// What checks `void(ParameterCheck&, const Parameters&)` find, one after the other: a
 /// check may rely on what those before it have found nothing wrong with.
 template <class Parameters, class... Check>
-std::vector<ParameterFault> found_by(const Parameters& parameters, Check... checks) {
-  std::vector<ParameterFault> found;
+std::vector<ParameterError> found_by(const Parameters& parameters, Check... checks) {
+  std::vector<ParameterError> found;
   const auto make = [&](auto check) {
     if (!found.empty()) return;
     ParameterCheck gathered;

@@ -7,8 +7,8 @@
 #include "skein/base/id.h"
 #include "skein/data/agent_step.h"
 #include "skein/data/zone.h"
-#include "skein/layer/reasoning/agent/ways_around.h"
-#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/layer/reasoning/agent/detour_planner.h"
+#include "skein/layer/reasoning/agent/zone_avoidance.h"
 #include "skein/role/terrain.h"
 
 namespace skein::reasoning {
@@ -22,12 +22,12 @@ namespace skein::reasoning {
 /// that of the flight, for the way those at the altitude of the flight, 60 m above home
 /// at least; both until ten minutes from now. Ways bend so far from zones that the
 /// aircraft can circle there.
-class ReturnKeeper {
+class ReturnPlanner {
  public:
   /// @param map  the ground as it is believed to be; outlives this.
-  ReturnKeeper(const ZoneGuardOptions& options, const FlightLimits& limits, EntityId self,
-               const Terrain& map)
-      : options_(options), guard_(options, limits, {}), self_(self), map_(map) {}
+  ReturnPlanner(const ZoneAvoidanceOptions& options, const FlightLimits& limits,
+                EntityId self, const Terrain& map)
+      : options_(options), avoidance_(options, limits, {}), self_(self), map_(map) {}
 
   /// To be called at each step; works once a second, and at once when zones come and go.
   /// Needs in.nav.
@@ -45,7 +45,7 @@ class ReturnKeeper {
 
  private:
   struct Counting {
-    std::vector<bool> place, way;  // of the zones
+    std::vector<bool> place, route;  // of the zones
     bool operator==(const Counting&) const = default;
   };
   Counting count(const AgentInput& in, const Vec2& home,
@@ -55,16 +55,17 @@ class ReturnKeeper {
   bool still_good(const Vec2& here, const Vec2& goal) const;
   bool is_behind(const Vec2& here, const Vec2& corner, const Vec2& next) const;
 
-  ZoneGuardOptions options_;
-  ZoneGuard guard_;
+  ZoneAvoidanceOptions options_;
+  ZoneAvoidance avoidance_;
   EntityId self_;
   const Terrain& map_;
   Time next_;
   Counting counting_;
   double clearance_ = 0;
-  std::optional<WaysAround> places_, ways_, narrow_;  // narrow: with the margin only
+  std::optional<DetourPlanner> places_, detours_,
+      narrow_;  // narrow: with the margin only
   std::optional<Vec2> moved_;
-  ReturnWay told_;
+  ReturnRoute reported_;
 };
 
 }  // namespace skein::reasoning

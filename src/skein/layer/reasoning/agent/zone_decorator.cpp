@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_shield.h"
+#include "skein/layer/reasoning/agent/zone_decorator.h"
 
 #include <utility>
 
@@ -24,14 +24,14 @@ double course_of(const AutopilotCommand& command, const NavEstimate& nav) {
 
 }  // namespace
 
-ZoneShield::ZoneShield(const ZoneGuardOptions& options, EntityId self,
-                       const FlightLimits& limits, const Terrain& map,
-                       std::span<const Zone> zones, std::unique_ptr<Agent> pilot)
+ZoneDecorator::ZoneDecorator(const ZoneAvoidanceOptions& options, EntityId self,
+                             const FlightLimits& limits, const Terrain& map,
+                             std::span<const Zone> zones, std::unique_ptr<Agent> pilot)
     : zones_(options, limits, zones, self),
       returns_(options, limits, self, map),
       pilot_(std::move(pilot)) {}
 
-void ZoneShield::step(const AgentInput& in, AgentOutput& out) {
+void ZoneDecorator::step(const AgentInput& in, AgentOutput& out) {
   const bool news = zones_.listen(in, out);
   const std::size_t written = out.outbox.size();
   pilot_->step(in, out);
@@ -44,7 +44,7 @@ void ZoneShield::step(const AgentInput& in, AgentOutput& out) {
   shield(in, out);
 }
 
-void ZoneShield::shield(const AgentInput& in, AgentOutput& out) {
+void ZoneDecorator::shield(const AgentInput& in, AgentOutput& out) {
   if (out.command) wanted_ = out.command;
   if (!wanted_) return;
   const double altitude = wanted_->altitude_msl;

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_desk.h"
+#include "skein/layer/reasoning/agent/zone_server.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ Zone square(const std::string& name) {
   return zone;
 }
 
-ZoneChange wish(bool on, const Zone& zone) {
+ZoneChange requested(bool on, const Zone& zone) {
   return {0, on, zone};
 }
 
@@ -38,11 +38,11 @@ class Ear final : public Agent {
   std::vector<Message>& heard_;
 };
 
-struct Desk {
-  explicit Desk(ZoneDeskOptions options = {})
+struct Server {
+  explicit Server(ZoneServerOptions options = {})
       : agent(with_team(std::move(options)), std::make_unique<Ear>(heard)) {}
 
-  static ZoneDeskOptions with_team(ZoneDeskOptions options) {
+  static ZoneServerOptions with_team(ZoneServerOptions options) {
     options.team = {EntityId{1}, EntityId{2}};
     return options;
   }
@@ -64,7 +64,7 @@ struct Desk {
     inbox.back().content = report;
   }
   std::vector<Message> heard, inbox;
-  ZoneDesk agent;
+  ZoneServer agent;
 };
 
 // "number>to" of all zone messages.
@@ -89,99 +89,100 @@ std::string kinds(const AgentOutput& out) {
   return all;
 }
 
-TEST(ZoneDesk, NumbersWishesAndTellsAll) {
-  Desk desk;
-  const AgentOutput out = desk.at(1, {wish(true, square("a")), wish(true, square("b"))});
+TEST(ZoneServer, NumbersWishesAndTellsAll) {
+  Server server;
+  const AgentOutput out =
+      server.at(1, {requested(true, square("a")), requested(true, square("b"))});
   EXPECT_EQ(sent(out), "1>1 1>2 2>1 2>2 ");
   EXPECT_EQ(kinds(out), "zone-on zone-on ");
   ASSERT_EQ(recorded(out).size(), 2u);
   EXPECT_EQ(recorded(out)[1].number, 2u);
   // The station's own agent hears the numbered ones in the same step, and no wish.
-  ASSERT_EQ(desk.heard.size(), 2u);
-  EXPECT_EQ(std::get<ZoneChange>(desk.heard[0].content).number, 1u);
-  const AgentOutput off = desk.at(2, {by_name(false, "a")});
+  ASSERT_EQ(server.heard.size(), 2u);
+  EXPECT_EQ(std::get<ZoneChange>(server.heard[0].content).number, 1u);
+  const AgentOutput off = server.at(2, {by_name(false, "a")});
   EXPECT_EQ(sent(off), "3>1 3>2 ");
   EXPECT_FALSE(recorded(off).at(0).on);
 }
 
-TEST(ZoneDesk, SendsAgainWhatIsNotKnown) {
-  Desk desk;
-  desk.at(0, {wish(true, square("a"))});
-  desk.report(1, 0);
-  desk.report(2, 1);
-  EXPECT_EQ(sent(desk.at(1)), "");
-  desk.report(1, 0);
-  EXPECT_EQ(sent(desk.at(2)), "1>1 ");
-  desk.at(2.5, {wish(true, square("b"))});
-  desk.report(1, 0);
-  desk.report(2, 2);
-  EXPECT_EQ(sent(desk.at(4.5)), "1>1 2>1 ");
-  desk.report(1, 2);
-  const AgentOutput all = desk.at(5);
+TEST(ZoneServer, SendsAgainWhatIsNotKnown) {
+  Server server;
+  server.at(0, {requested(true, square("a"))});
+  server.report(1, 0);
+  server.report(2, 1);
+  EXPECT_EQ(sent(server.at(1)), "");
+  server.report(1, 0);
+  EXPECT_EQ(sent(server.at(2)), "1>1 ");
+  server.at(2.5, {requested(true, square("b"))});
+  server.report(1, 0);
+  server.report(2, 2);
+  EXPECT_EQ(sent(server.at(4.5)), "1>1 2>1 ");
+  server.report(1, 2);
+  const AgentOutput all = server.at(5);
   EXPECT_EQ(sent(all), "");
   EXPECT_EQ(kinds(all), "zones-known ");
-  for (double t = 6; t < 60; ++t) EXPECT_EQ(sent(desk.at(t)), "");
+  for (double t = 6; t < 60; ++t) EXPECT_EQ(sent(server.at(t)), "");
 }
 
-TEST(ZoneDesk, TriesThoseThatAreNotHeardNowAndThen) {
-  Desk desk;
-  desk.at(0, {wish(true, square("a"))});
+TEST(ZoneServer, TriesThoseThatAreNotHeardNowAndThen) {
+  Server server;
+  server.at(0, {requested(true, square("a"))});
   int tries = 0;
-  for (double t = 1; t <= 60; ++t) tries += sent(desk.at(t)) == "1>1 1>2 ";
+  for (double t = 1; t <= 60; ++t) tries += sent(server.at(t)) == "1>1 1>2 ";
   EXPECT_EQ(tries, 6);
 }
 
-TEST(ZoneDesk, RefusesWhatCannotBeUsed) {
-  Desk desk;
+TEST(ZoneServer, RefusesWhatCannotBeUsed) {
+  Server server;
   Zone bad = square("bad");
   bad.area = geo::Ring{{0, 0}, {10, 10}, {10, 0}, {0, 10}};
   Zone nan = square("nan");
   nan.floor_msl = std::numeric_limits<double>::quiet_NaN();
   for (const ZoneChange& change :
-       {wish(true, square("")), wish(true, bad), wish(true, nan),
+       {requested(true, square("")), requested(true, bad), requested(true, nan),
         by_name(true, "never drawn"), by_name(false, "never drawn")}) {
-    const AgentOutput out = desk.at(1, {change});
+    const AgentOutput out = server.at(1, {change});
     EXPECT_EQ(kinds(out), "zone-refused ") << change.zone.name;
     EXPECT_EQ(sent(out), "");
   }
 }
 
-TEST(ZoneDesk, KnowsZonesByName) {
-  ZoneDeskOptions options;
+TEST(ZoneServer, KnowsZonesByName) {
+  ZoneServerOptions options;
   options.known = {square("first")};
   options.drawn = {square("first"), square("later")};
-  Desk desk(options);
-  EXPECT_EQ(kinds(desk.at(1, {by_name(false, "first")})), "zone-off ");
-  const AgentOutput on = desk.at(2, {by_name(true, "later")});
+  Server server(options);
+  EXPECT_EQ(kinds(server.at(1, {by_name(false, "first")})), "zone-off ");
+  const AgentOutput on = server.at(2, {by_name(true, "later")});
   ASSERT_EQ(recorded(on).size(), 1u);
   EXPECT_EQ(std::get<geo::Ring>(recorded(on)[0].zone.area).size(), 4u);
   // Turned: rings are told positive.
   Zone turned = square("turned");
   std::reverse(std::get<geo::Ring>(turned.area).begin(),
                std::get<geo::Ring>(turned.area).end());
-  const AgentOutput out = desk.at(3, {wish(true, turned)});
+  const AgentOutput out = server.at(3, {requested(true, turned)});
   EXPECT_GT(geo::signed_area(std::get<geo::Ring>(recorded(out)[0].zone.area)), 0);
 }
 
 // Whatever is lost, in the end both know the same zones as the desk.
-TEST(ZoneDesk, ALinkThatLosesMostLeavesNobodyBehind) {
-  Desk desk;
-  ZoneBook books[2];
+TEST(ZoneServer, ALinkThatLosesMostLeavesNobodyBehind) {
+  Server server;
+  ZoneSet books[2];
   RandomStream random(1, 1, Purpose::kTest);
   for (int step = 0; step < 400; ++step) {
     std::vector<ZoneChange> requests;
     if (step % 40 == 0 && step < 200)
       requests.push_back(
-          wish(true, square(std::string(1, static_cast<char>('a' + step / 40)))));
+          requested(true, square(std::string(1, static_cast<char>('a' + step / 40)))));
     for (std::uint32_t who : {0u, 1u})
-      if (random.uniform() < 0.2) desk.report(who + 1, books[who].complete_to());
-    for (const Message& message : desk.at(step, requests).outbox)
+      if (random.uniform() < 0.2) server.report(who + 1, books[who].complete_to());
+    for (const Message& message : server.at(step, requests).outbox)
       if (random.uniform() < 0.2)
         books[message.to.value - 1].take(std::get<ZoneChange>(message.content));
   }
-  for (const ZoneBook& book : books) {
-    EXPECT_EQ(book.complete_to(), 5u);
-    EXPECT_EQ(book.zones().size(), 5u);
+  for (const ZoneSet& known : books) {
+    EXPECT_EQ(known.complete_to(), 5u);
+    EXPECT_EQ(known.zones().size(), 5u);
   }
 }
 

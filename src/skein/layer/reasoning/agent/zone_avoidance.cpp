@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/layer/reasoning/agent/zone_avoidance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,25 +18,25 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-ZoneGuard::ZoneGuard(const ZoneGuardOptions& options, const FlightLimits& limits,
-                     std::span<const Zone> zones)
+ZoneAvoidance::ZoneAvoidance(const ZoneAvoidanceOptions& options,
+                             const FlightLimits& limits, std::span<const Zone> zones)
     : options_(options), limits_(limits), border_(geo::Region{}) {
   set_zones(zones);
 }
 
-void ZoneGuard::set_zones(std::span<const Zone> zones) {
+void ZoneAvoidance::set_zones(std::span<const Zone> zones) {
   zones_.assign(zones.begin(), zones.end());
   counts_.assign(zones_.size(), true);
   draw_border();
 }
 
-void ZoneGuard::draw_border() {
+void ZoneAvoidance::draw_border() {
   geo::Region rings;
   for (const Zone& zone : counting()) rings.push_back(outline(zone));
   border_ = geo::BoundaryIndex(geo::clean_touching(rings, geo::FillRule::kNonZero));
 }
 
-bool ZoneGuard::regard(const NavEstimate& nav, std::optional<double> altitude_msl) {
+bool ZoneAvoidance::regard(const NavEstimate& nav, std::optional<double> altitude_msl) {
   const double here = -nav.p_N.z(), there = altitude_msl.value_or(here);
   const double low = std::min(here, there) - options_.vertical_margin;
   const double high = std::max(here, there) + options_.vertical_margin;
@@ -51,26 +51,26 @@ bool ZoneGuard::regard(const NavEstimate& nav, std::optional<double> altitude_ms
   return changed;
 }
 
-std::vector<Zone> ZoneGuard::counting() const {
+std::vector<Zone> ZoneAvoidance::counting() const {
   std::vector<Zone> all;
   for (std::size_t k = 0; k < zones_.size(); ++k)
     if (counts_[k]) all.push_back(zones_[k]);
   return all;
 }
 
-double ZoneGuard::circle_radius(const NavEstimate& nav) const {
+double ZoneAvoidance::circle_radius(const NavEstimate& nav) const {
   return kRadiusReserve * model::ground_turn_radius(limits_.turn_radius, limits_.airspeed,
                                                     nav.wind_N.norm());
 }
 
-double ZoneGuard::distance(const Vec2& p) const {
+double ZoneAvoidance::distance(const Vec2& p) const {
   return border_.empty() ? kInfinity : border_.signed_distance(p);
 }
 
 // The state after the preview when turning to `course` now; `nearest` becomes the
 // smallest distance to a zone on the way.
-ZoneGuard::State ZoneGuard::fly(const NavEstimate& nav, double course,
-                                double& nearest) const {
+ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
+                                        double& nearest) const {
   const double airspeed = limits_.airspeed;
   const double fastest = airspeed / limits_.turn_radius;
   const double wanted =
@@ -89,7 +89,7 @@ ZoneGuard::State ZoneGuard::fly(const NavEstimate& nav, double course,
   return {p, geo::bearing(airspeed * geo::unit(heading) + nav.wind_N)};
 }
 
-ZoneGuard::Escape ZoneGuard::best_escape(const State& state) const {
+ZoneAvoidance::Escape ZoneAvoidance::best_escape(const State& state) const {
   Escape best;
   best.clearance = -kInfinity;
   for (const bool clockwise : {true, false}) {
@@ -102,13 +102,13 @@ ZoneGuard::Escape ZoneGuard::best_escape(const State& state) const {
   return best;
 }
 
-double ZoneGuard::slack(const NavEstimate& nav, double course) const {
+double ZoneAvoidance::slack(const NavEstimate& nav, double course) const {
   double nearest = kInfinity;
   const State end = fly(nav, course, nearest);
   return std::min(nearest - options_.margin, best_escape(end).clearance);
 }
 
-decltype(AutopilotCommand::guidance) ZoneGuard::check(
+decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
     const decltype(AutopilotCommand::guidance)& wanted, double course,
     const NavEstimate& nav, std::optional<double> altitude_msl) {
   deflecting_ = false;

@@ -16,12 +16,12 @@ namespace skein {
 ///
 /// Changes may come late, twice and in any order: of one name the change with the highest
 /// number counts, so that all who have heard the same changes know the same zones.
-class ZoneBook {
+class ZoneSet {
  public:
-  explicit ZoneBook(std::span<const Zone> known = {})
+  explicit ZoneSet(std::span<const Zone> known = {})
       : zones_(known.begin(), known.end()) {}
 
-  /// Takes in a numbered change. One without number, or with a zone that fault_in() finds
+  /// Takes in a numbered change. One without number, or with a zone that error_in() finds
   /// fault with, is passed over.
   /// @returns  whether zones() has changed.
   bool take(const ZoneChange& change);

@@ -9,9 +9,9 @@
 namespace skein::planning {
 
 /// Counts what a planner looks at against its budget.
-class Effort {
+class SearchBudget {
  public:
-  explicit Effort(const PlanningBudget& budget) : budget_(&budget) {}
+  explicit SearchBudget(const PlanningBudget& budget) : budget_(&budget) {}
 
   /// Counts states; false when the budget has ended.
   bool spend(std::int64_t states = 1);
@@ -32,35 +32,37 @@ class Effort {
 };
 
 /// A state on the way, and how long to circle from there before going on.
-struct Via {
+struct Waypoint {
   FlightState at;
   double wait = 0;  ///< 0, or a full turn or more [s]
 };
 
 /// Flight states that are joined by links, flown from a time on.
-struct Chain {
-  std::vector<Via> states;    ///< at least two
-  std::vector<double> times;  ///< at which each is reached [s]
+struct Trajectory {
+  std::vector<Waypoint> states;  ///< at least two
+  std::vector<double> times;     ///< at which each is reached [s]
   double duration() const { return times.back() - times.front(); }
 };
 
 /// The chain of given states; nothing where a link does not exist.
-std::optional<Chain> make_chain(std::vector<Via> states, const PathQuery& query);
+std::optional<Trajectory> make_trajectory(std::vector<Waypoint> states,
+                                          const PathQuery& query);
 
 /// All elements of a chain.
-FlightPlan to_flight_plan(const Chain& chain, const PathQuery& query);
+FlightPlan to_flight_plan(const Trajectory& trajectory, const PathQuery& query);
 
 /// Makes a free chain quicker while it stays free: leaves out states and waits, and moves
 /// states along, across, up and down and in heading in steps that are halved until
 /// `finest`, as long as anything gets better.
 /// @param finest  least step [m]; headings change by it over the turn radius.
-void improve(Chain& chain, const AirspaceMap& map, Effort& effort, double finest = 0.5);
+void improve(Trajectory& trajectory, const AirspaceMap& map, SearchBudget& budget,
+             double finest = 0.5);
 
 /// Leads a chain around its conflicts: where it comes into something, a state is put
 /// beside, above or below, whichever gets further or is quicker.
 /// @param most  how many states are put in.
 /// @returns  a free chain, or nothing.
-std::optional<Chain> swerve(Chain chain, const AirspaceMap& map, Effort& effort,
-                            int most = 6);
+std::optional<Trajectory> swerve(Trajectory trajectory, const AirspaceMap& map,
+                                 SearchBudget& budget, int most = 6);
 
 }  // namespace skein::planning

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/planning/search/ways.h"
+#include "skein/layer/reasoning/planning/search/detours.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,9 +8,10 @@
 namespace skein::planning {
 namespace {
 
-void add_rounds(const Zone& zone, const WayMargins& margins, std::vector<Round>& rounds) {
+void add_rounds(const Zone& zone, const DetourMargins& margins,
+                std::vector<CircularObstacle>& obstacles) {
   if (const auto* disc = std::get_if<Disc>(&zone.area)) {
-    rounds.push_back({disc->centre, disc->radius + margins.disc});
+    obstacles.push_back({disc->centre, disc->radius + margins.disc});
     return;
   }
   const auto& ring = std::get<geo::Ring>(zone.area);
@@ -18,18 +19,20 @@ void add_rounds(const Zone& zone, const WayMargins& margins, std::vector<Round>&
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 before = ring[i] - ring[(i + n - 1) % n];
     const Vec2 after = ring[(i + 1) % n] - ring[i];
-    if (geo::cross(before, after) > 0) rounds.push_back({ring[i], margins.corner, true});
+    if (geo::cross(before, after) > 0)
+      obstacles.push_back({ring[i], margins.corner, true});
   }
 }
 
 // The pieces of a way over ground, as if flown without wind, in time and altitude.
-FlightPlan geometry_of(const Way& way, const GroundSpeed& speed,
-                       const WayRequest& request) {
+FlightPlan geometry_of(const Detour& detour, const GroundSpeed& speed,
+                       const DetourRequest& request) {
   FlightPlan plan;
   FlightElement e;
   e.start = request.start_time;
   const double climb =
-      way.time > 0 ? (request.goal_altitude - request.start_altitude) / way.time : 0;
+      detour.time > 0 ? (request.goal_altitude - request.start_altitude) / detour.time
+                      : 0;
   const auto add = [&](const Vec2& p, double course, double length, double turn,
                        double time) {
     if (time <= 0) return;
@@ -43,17 +46,17 @@ FlightPlan geometry_of(const Way& way, const GroundSpeed& speed,
     plan.push_back(e);
     e.start += time;
   };
-  for (std::size_t i = 0; i < way.arcs.size(); ++i) {
-    const Way::Arc& arc = way.arcs[i];
-    const double r = arc.round.radius, turn = arc.side * arc.turned;
-    const auto at = [&](const Way::Arc& a, double course) -> Vec2 {
-      return a.round.centre -
-             a.side * a.round.radius * geo::turned_right(geo::unit(course));
+  for (std::size_t i = 0; i < detour.arcs.size(); ++i) {
+    const Detour::Arc& arc = detour.arcs[i];
+    const double r = arc.obstacle.radius, turn = arc.side * arc.turned;
+    const auto at = [&](const Detour::Arc& a, double course) -> Vec2 {
+      return a.obstacle.centre -
+             a.side * a.obstacle.radius * geo::turned_right(geo::unit(course));
     };
     add(at(arc, arc.course), arc.course, r * arc.turned, turn,
         speed.arc(r, arc.course, turn));
-    if (i + 1 == way.arcs.size()) break;
-    const Way::Arc& next = way.arcs[i + 1];
+    if (i + 1 == detour.arcs.size()) break;
+    const Detour::Arc& next = detour.arcs[i + 1];
     const Vec2 from = at(arc, next.course), to = at(next, next.course);
     add(from, next.course, (to - from).norm(), 0, speed.straight(to - from));
   }
@@ -62,9 +65,9 @@ FlightPlan geometry_of(const Way& way, const GroundSpeed& speed,
 
 }  // namespace
 
-Ways ways_around(const std::vector<Zone>& zones, const PathQuery& query,
-                 const GroundSpeed& speed, const WayRequest& request,
-                 const WayMargins& margins, const PlanningBudget& budget) {
+Detours detours_around(const std::vector<Zone>& zones, const PathQuery& query,
+                       const GroundSpeed& speed, const DetourRequest& request,
+                       const DetourMargins& margins, const PlanningBudget& budget) {
   Airspace all;
   all.zones = zones;
   PathQuery alone = query;
@@ -72,34 +75,35 @@ Ways ways_around(const std::vector<Zone>& zones, const PathQuery& query,
   const AirspaceMap map(alone);
   Airspace some;
   std::vector<bool> taken(zones.size(), false);
-  std::vector<Round> rounds;
+  std::vector<CircularObstacle> obstacles;
   alone.airspace = &some;
   std::int64_t states = 0;
   while (true) {
     PlanningBudget rest = budget;
     rest.states -= states;
     rest.first_states -= states;
-    Ways found = find_ways(AirspaceMap(alone), rounds, speed, request, rest);
+    Detours found =
+        find_tangent_paths(AirspaceMap(alone), obstacles, speed, request, rest);
     found.states += states;
     states = found.states;
     bool more = false;
-    for (const Way& way : found.ways)
-      for (const std::size_t i : map.zones_met(geometry_of(way, speed, request))) {
+    for (const Detour& detour : found.detours)
+      for (const std::size_t i : map.zones_met(geometry_of(detour, speed, request))) {
         if (taken[i]) continue;
         taken[i] = more = true;
         some.zones.push_back(zones[i]);
-        add_rounds(zones[i], margins, rounds);
+        add_rounds(zones[i], margins, obstacles);
       }
     if (!more) return found;
     if (states >= budget.states || budget.ends_at(states)) {
-      found.ways.clear();
+      found.detours.clear();
       found.complete = false;
       return found;
     }
   }
 }
 
-FlightPlan fly_way(const Way& way, const PathQuery& query) {
+FlightPlan fly_detour(const Detour& detour, const PathQuery& query) {
   FlightPlan plan;
   FlightElement e;
   e.start = query.start_time;
@@ -116,15 +120,15 @@ FlightPlan fly_way(const Way& way, const PathQuery& query) {
     e.p_N = end.p_N;
     e.heading = end.heading;
   };
-  for (std::size_t i = 0; i < way.arcs.size(); ++i) {
-    const Way::Arc& arc = way.arcs[i];
-    const double r = arc.round.radius;
+  for (std::size_t i = 0; i < detour.arcs.size(); ++i) {
+    const Detour::Arc& arc = detour.arcs[i];
+    const double r = arc.obstacle.radius;
     if (r > 0) add(r * arc.turned / e.airspeed, arc.side * e.airspeed / r);
-    if (i + 1 == way.arcs.size()) break;
-    const Way::Arc& next = way.arcs[i + 1];
+    if (i + 1 == detour.arcs.size()) break;
+    const Detour::Arc& next = detour.arcs[i + 1];
     const Vec2 out = geo::turned_right(geo::unit(next.course));
-    const Vec2 straight = next.round.centre - next.side * next.round.radius * out -
-                          arc.round.centre + arc.side * r * out;
+    const Vec2 straight = next.obstacle.centre - next.side * next.obstacle.radius * out -
+                          arc.obstacle.centre + arc.side * r * out;
     add(straight.norm() / e.airspeed, 0);
   }
   const double whole = model::duration(plan);

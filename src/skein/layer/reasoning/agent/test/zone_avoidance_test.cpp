@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_guard.h"
+#include "skein/layer/reasoning/agent/zone_avoidance.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Zone bay() {
 template <class Wanted>
 double closest(const std::vector<Zone>& zones, test::TestAircraft& aircraft,
                double seconds, const Wanted& wanted) {
-  ZoneGuard guard({}, FlightLimits{}, zones);
+  ZoneAvoidance avoidance({}, FlightLimits{}, zones);
   double nearest = 1e9;
   const double dt = 0.05;
   const int steps = static_cast<int>(std::lround(seconds / dt));
@@ -43,10 +43,11 @@ double closest(const std::vector<Zone>& zones, test::TestAircraft& aircraft,
     if (i % 20 == 0) {
       const Time now = Time::from_ns(i * 50'000'000LL);
       const double course = wanted(aircraft);
-      aircraft.obey({guard.check(HoldCourse{course}, course, aircraft.nav(now)), 220});
+      aircraft.obey(
+          {avoidance.check(HoldCourse{course}, course, aircraft.nav(now)), 220});
     }
     aircraft.step(dt);
-    nearest = std::min(nearest, guard.distance(aircraft.position()));
+    nearest = std::min(nearest, avoidance.distance(aircraft.position()));
   }
   return nearest;
 }
@@ -56,18 +57,18 @@ auto to(const Vec2& goal) {
       [goal](const test::TestAircraft& a) { return geo::bearing(goal - a.position()); };
 }
 
-TEST(ZoneGuard, LeavesFlightsAloneThatKeepClear) {
+TEST(ZoneAvoidance, LeavesFlightsAloneThatKeepClear) {
   const std::vector<Zone> zones{hexagon({0, 0}, 300)};
-  ZoneGuard guard({}, FlightLimits{}, zones);
+  ZoneAvoidance avoidance({}, FlightLimits{}, zones);
   test::TestAircraft aircraft;
   aircraft.p = {-2000, 0, -220};
-  const auto command = guard.check(FollowPath{}, 0, aircraft.nav(Time()));
+  const auto command = avoidance.check(FollowPath{}, 0, aircraft.nav(Time()));
   EXPECT_TRUE(std::holds_alternative<FollowPath>(command));
-  EXPECT_FALSE(guard.deflecting());
-  EXPECT_TRUE(std::isinf(ZoneGuard({}, FlightLimits{}, {}).distance({0, 0})));
+  EXPECT_FALSE(avoidance.deflecting());
+  EXPECT_TRUE(std::isinf(ZoneAvoidance({}, FlightLimits{}, {}).distance({0, 0})));
 }
 
-TEST(ZoneGuard, GoesRoundAConvexZoneInEveryWind) {
+TEST(ZoneAvoidance, GoesRoundAConvexZoneInEveryWind) {
   const std::vector<Zone> zones{hexagon({0, 0}, 400), hexagon({300, 1200}, 250)};
   for (int i = 0; i < 12; ++i) {
     test::TestAircraft aircraft;
@@ -78,7 +79,7 @@ TEST(ZoneGuard, GoesRoundAConvexZoneInEveryWind) {
   }
 }
 
-TEST(ZoneGuard, ArrivesBehindAConvexZone) {
+TEST(ZoneAvoidance, ArrivesBehindAConvexZone) {
   const std::vector<Zone> zones{hexagon({0, 0}, 400)};
   test::TestAircraft aircraft;
   aircraft.p = {-1500, 30, -220};
@@ -92,7 +93,7 @@ TEST(ZoneGuard, ArrivesBehindAConvexZone) {
   EXPECT_LT(nearest_goal, 200);  // circles it: the course law has no better
 }
 
-TEST(ZoneGuard, TurnsRoundInABay) {
+TEST(ZoneAvoidance, TurnsRoundInABay) {
   for (int i = 0; i < 12; ++i) {
     test::TestAircraft aircraft;
     aircraft.wind = 8 * geo::unit(i * geo::kPi / 6);
@@ -102,7 +103,7 @@ TEST(ZoneGuard, TurnsRoundInABay) {
   }
 }
 
-TEST(ZoneGuard, StaysOutWhateverIsAsked) {
+TEST(ZoneAvoidance, StaysOutWhateverIsAsked) {
   const std::vector<Zone> zones{bay(), hexagon({-900, 900}, 300),
                                 hexagon({-900, -900}, 300)};
   for (std::uint32_t run = 0; run < 12; ++run) {
@@ -125,14 +126,14 @@ TEST(ZoneGuard, StaysOutWhateverIsAsked) {
   }
 }
 
-TEST(ZoneGuard, LeavesAZoneThatItStartsIn) {
+TEST(ZoneAvoidance, LeavesAZoneThatItStartsIn) {
   const std::vector<Zone> zones{hexagon({0, 0}, 400)};
   test::TestAircraft aircraft;
   aircraft.p = {250, 0, -220};
   aircraft.heading = geo::kPi;
   closest(zones, aircraft, 60, to({0, 0}));
-  ZoneGuard guard({}, FlightLimits{}, zones);
-  EXPECT_GT(guard.distance(aircraft.position()), 0);
+  ZoneAvoidance avoidance({}, FlightLimits{}, zones);
+  EXPECT_GT(avoidance.distance(aircraft.position()), 0);
 }
 
 }  // namespace

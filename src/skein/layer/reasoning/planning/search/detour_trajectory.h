@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "skein/layer/reasoning/planning/search/chain.h"
-#include "skein/layer/reasoning/planning/search/ways.h"
+#include "skein/layer/reasoning/planning/search/detours.h"
+#include "skein/layer/reasoning/planning/search/trajectory.h"
 
 namespace skein::planning {
 
@@ -18,7 +18,7 @@ enum class Detail { kCoarse, kFine };
 /// - Fine: the first that a best-first search finds, which weighs the time left by 3.
 /// @returns  a free chain, or nothing.
 /// Cost: of n states per place at most 2 n^2 links per place; fine mostly a small part.
-std::optional<Chain> follow_way(const Way& way, const AirspaceMap& map, Effort& effort,
-                                Detail detail);
+std::optional<Trajectory> follow_detour(const Detour& detour, const AirspaceMap& map,
+                                        SearchBudget& budget, Detail detail);
 
 }  // namespace skein::planning

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/return_keeper.h"
+#include "skein/layer/reasoning/agent/return_planner.h"
 
 #include <fmt/format.h>
 
@@ -23,28 +23,28 @@ std::vector<Zone> those(std::span<const Zone> zones, const std::vector<bool>& co
 
 }  // namespace
 
-ReturnKeeper::Counting ReturnKeeper::count(const AgentInput& in, const Vec2& home,
-                                           std::span<const Zone> zones) const {
+ReturnPlanner::Counting ReturnPlanner::count(const AgentInput& in, const Vec2& home,
+                                             std::span<const Zone> zones) const {
   const double ground = map_.elevation_msl(home), now = in.now.seconds();
   const double high = std::max(-in.nav->p_N.z(), ground + kReturnHeight);
   const double margin = options_.vertical_margin;
   Counting counting;
   for (const Zone& zone : zones) {
     counting.place.push_back(concerns(zone, ground, high + margin, now, now + kHorizon));
-    counting.way.push_back(
+    counting.route.push_back(
         concerns(zone, high - margin, high + margin, now, now + kHorizon));
   }
   return counting;
 }
 
-void ReturnKeeper::draw(std::span<const Zone> zones, double clearance) {
+void ReturnPlanner::draw(std::span<const Zone> zones, double clearance) {
   clearance_ = clearance;
   places_.emplace(those(zones, counting_.place), clearance);
-  ways_.emplace(those(zones, counting_.way), clearance);
-  narrow_.emplace(those(zones, counting_.way), options_.margin);
+  detours_.emplace(those(zones, counting_.route), clearance);
+  narrow_.emplace(those(zones, counting_.route), options_.margin);
 }
 
-void ReturnKeeper::move_home(const AgentInput& in, const Vec2& home, AgentOutput& out) {
+void ReturnPlanner::move_home(const AgentInput& in, const Vec2& home, AgentOutput& out) {
   const Vec2 place = places_->nearest_allowed(home);
   // A place that will do is kept: the nearest one moves with the wind.
   if (moved_ && place != home && places_->allows(*moved_)) return;
@@ -65,24 +65,24 @@ void ReturnKeeper::move_home(const AgentInput& in, const Vec2& home, AgentOutput
 
 // The way that was told is kept while it leads past the zones: a landing is not to be
 // broken off because the approach passes one within its circle.
-bool ReturnKeeper::still_good(const Vec2& here, const Vec2& goal) const {
-  if (told_.points.empty() || told_.points.back() != goal) return false;
-  return narrow_->allows(here, told_.points.front());
+bool ReturnPlanner::still_good(const Vec2& here, const Vec2& goal) const {
+  if (reported_.points.empty() || reported_.points.back() != goal) return false;
+  return narrow_->allows(here, reported_.points.front());
 }
 
 // Whether a corner of the way need not be flown to any more.
-bool ReturnKeeper::is_behind(const Vec2& here, const Vec2& corner,
-                             const Vec2& next) const {
-  return ways_->allows(here, next) ||
+bool ReturnPlanner::is_behind(const Vec2& here, const Vec2& corner,
+                              const Vec2& next) const {
+  return detours_->allows(here, next) ||
          ((here - corner).norm() < clearance_ && narrow_->allows(here, next));
 }
 
-void ReturnKeeper::step(const AgentInput& in, const Vec2& home,
-                        std::span<const Zone> zones, bool changed, AgentOutput& out) {
+void ReturnPlanner::step(const AgentInput& in, const Vec2& home,
+                         std::span<const Zone> zones, bool changed, AgentOutput& out) {
   if ((zones.empty() && counting_.place.empty()) || (!changed && in.now < next_)) return;
   next_ = in.now + Time::from_seconds(kPeriod);
   const Counting counting = count(in, home, zones);
-  const double needed = options_.margin + guard_.circle_radius(*in.nav);
+  const double needed = options_.margin + avoidance_.circle_radius(*in.nav);
   const bool anew = changed || !places_ || counting != counting_ ||
                     std::abs(needed - clearance_) > kClearanceSlack * clearance_;
   if (anew) {
@@ -91,18 +91,18 @@ void ReturnKeeper::step(const AgentInput& in, const Vec2& home,
     move_home(in, home, out);
   }
   const Vec2 here = geo::horizontal(in.nav->p_N), goal = moved_.value_or(home);
-  ReturnWay way = told_;
+  ReturnRoute route = reported_;
   if (!anew && still_good(here, goal)) {
-    while (way.points.size() > 1 && is_behind(here, way.points[0], way.points[1]))
-      way.points.erase(way.points.begin());
+    while (route.points.size() > 1 && is_behind(here, route.points[0], route.points[1]))
+      route.points.erase(route.points.begin());
   } else {
-    way.points = ways_->way(here, goal);
+    route.points = detours_->detour(here, goal);
   }
-  if (way.points.size() == 1 && !moved_) way.points.clear();  // as without zones
-  way.ground_msl = way.points.empty() ? 0 : map_.elevation_msl(way.points.back());
-  if (way == told_) return;
-  told_ = way;
-  out.return_way = std::move(way);
+  if (route.points.size() == 1 && !moved_) route.points.clear();  // as without zones
+  route.ground_msl = route.points.empty() ? 0 : map_.elevation_msl(route.points.back());
+  if (route == reported_) return;
+  reported_ = route;
+  out.return_route = std::move(route);
 }
 
 }  // namespace skein::reasoning

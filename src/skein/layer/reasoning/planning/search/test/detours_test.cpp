@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/planning/search/ways.h"
+#include "skein/layer/reasoning/planning/search/detours.h"
 
 #include <gtest/gtest.h>
 
@@ -14,76 +14,77 @@ namespace {
 
 const GroundSpeed kStill(20, Vec2(0, 0));
 
-WayRequest request(const Vec2& start, const Vec2& goal) {
-  WayRequest r;
+DetourRequest request(const Vec2& start, const Vec2& goal) {
+  DetourRequest r;
   r.start = start;
   r.goal = goal;
   return r;
 }
 
-Ways around(const std::vector<Zone>& zones, const WayRequest& r,
-            const GroundSpeed& speed = kStill) {
-  return ways_around(zones, {}, speed, r, {0, 0.02}, {});
+Detours around(const std::vector<Zone>& zones, const DetourRequest& r,
+               const GroundSpeed& speed = kStill) {
+  return detours_around(zones, {}, speed, r, {0, 0.02}, {});
 }
 
 // A taut string around a disc: two tangents and the arc between them.
-TEST(Ways, OfAPointAroundADiscAreAsInTheTextbook) {
+TEST(Detours, OfAPointAroundADiscAreAsInTheTextbook) {
   const double d = 500, r = 200;
-  const Ways ways = around({{Disc{Vec2(d, 0), r}}}, request(Vec2(0, 0), Vec2(2 * d, 0)));
-  ASSERT_EQ(ways.ways.size(), 1u);
+  const Detours detours =
+      around({{Disc{Vec2(d, 0), r}}}, request(Vec2(0, 0), Vec2(2 * d, 0)));
+  ASSERT_EQ(detours.detours.size(), 1u);
   const double length = 2 * std::sqrt(d * d - r * r) + r * 2 * std::asin(r / d);
-  EXPECT_NEAR(ways.ways.front().time * 20, length, 1e-6);
+  EXPECT_NEAR(detours.detours.front().time * 20, length, 1e-6);
 }
 
-TEST(Ways, OfAPointAroundASquarePassItsCorners) {
+TEST(Detours, OfAPointAroundASquarePassItsCorners) {
   const geo::Ring square = {Vec2(400, -100), Vec2(600, -100), Vec2(600, 300),
                             Vec2(400, 300)};
-  const Ways ways = around({{square}}, request(Vec2(0, 0), Vec2(1000, 0)));
-  ASSERT_EQ(ways.ways.size(), 1u);
+  const Detours detours = around({{square}}, request(Vec2(0, 0), Vec2(1000, 0)));
+  ASSERT_EQ(detours.detours.size(), 1u);
   const double length = 2 * std::hypot(400, 100) + 200;
   // Two corners are passed 0.02 m away.
-  EXPECT_NEAR(ways.ways.front().time * 20, length, 0.05);
+  EXPECT_NEAR(detours.detours.front().time * 20, length, 0.05);
 }
 
 // Without zones a curved way is the best of the four Dubins words with a straight.
-TEST(Ways, OfAnAircraftAloneAreDubinsPaths) {
+TEST(Detours, OfAnAircraftAloneAreDubinsPaths) {
   RandomStream draw(4, 0, Purpose::kTest);
   for (int i = 0; i < 200; ++i) {
-    WayRequest r =
+    DetourRequest r =
         request(Vec2(0, 0), Vec2(draw.uniform(300, 900), draw.uniform(-5, 900)));
     r.start_course = draw.uniform(-4, 4);
     r.goal_course = draw.uniform(-4, 4);
     r.turn_radius = 60;
-    const Ways ways = around({}, r);
-    ASSERT_EQ(ways.ways.size(), 1u);
+    const Detours detours = around({}, r);
+    ASSERT_EQ(detours.detours.size(), 1u);
     const model::DubinsPath best =
         model::dubins({r.start, r.start_course}, {r.goal, r.goal_course}, 60);
-    EXPECT_NEAR(ways.ways.front().time * 20, best.length(), 1e-6) << i;
+    EXPECT_NEAR(detours.detours.front().time * 20, best.length(), 1e-6) << i;
   }
 }
 
-TEST(Ways, AreNotLongerWithFewerZonesAndShorterOnesAreFoundFirst) {
+TEST(Detours, AreNotLongerWithFewerZonesAndShorterOnesAreFoundFirst) {
   RandomStream draw(5, 0, Purpose::kTest);
   std::vector<Zone> zones;
   double before = 0;
   for (int i = 0; i < 40; ++i) {
     const Vec2 p(draw.uniform(200, 1800), draw.uniform(-600, 600));
     zones.push_back({Disc{p, draw.uniform(20, 90)}});
-    WayRequest r = request(Vec2(0, 0), Vec2(2000, 0));
-    r.ways = 2;
-    const Ways ways = around(zones, r);
-    ASSERT_FALSE(ways.ways.empty());
-    EXPECT_GE(ways.ways.front().time, before - 1e-9);
-    before = ways.ways.front().time;
-    if (ways.ways.size() > 1) {
-      EXPECT_GE(ways.ways[1].time, before);
+    DetourRequest r = request(Vec2(0, 0), Vec2(2000, 0));
+    r.detours = 2;
+    const Detours detours = around(zones, r);
+    ASSERT_FALSE(detours.detours.empty());
+    EXPECT_GE(detours.detours.front().time, before - 1e-9);
+    before = detours.detours.front().time;
+    if (detours.detours.size() > 1) {
+      EXPECT_GE(detours.detours[1].time, before);
     }
   }
   EXPECT_GT(before, 100);  // they are in the way
 }
 
 // A point's time in wind is never above that of any flight, whatever way that takes.
-TEST(Ways, BoundFlightsInWind) {
+TEST(Detours, BoundFlightsInWind) {
   RandomStream draw(6, 0, Purpose::kTest);
   for (int i = 0; i < 40; ++i) {
     Airspace airspace;
@@ -93,15 +94,15 @@ TEST(Ways, BoundFlightsInWind) {
     q.start = {Vec3(0, 0, 0), draw.uniform(-3, 3)};
     q.goal = {Vec3(2000, 0, 0), draw.uniform(-3, 3)};
     q.wind = Vec2(draw.uniform(-9, 9), draw.uniform(-9, 9));
-    Effort effort(q.budget);
-    const double bound = lower_bound(q, effort).time;
+    SearchBudget budget(q.budget);
+    const double bound = lower_bound(q, budget).time;
     for (int k = 0; k < 50; ++k) {
       const FlightState via{Vec3(draw.uniform(700, 1300), draw.uniform(-500, 500), 0),
                             draw.uniform(-3, 3)};
-      const auto chain = make_chain({{q.start}, {via}, {q.goal}}, q);
-      ASSERT_TRUE(chain);
-      if (test::depth(airspace, to_flight_plan(*chain, q), 0.05) > 0) continue;
-      EXPECT_LE(bound, chain->duration());
+      const auto trajectory = make_trajectory({{q.start}, {via}, {q.goal}}, q);
+      ASSERT_TRUE(trajectory);
+      if (test::depth(airspace, to_flight_plan(*trajectory, q), 0.05) > 0) continue;
+      EXPECT_LE(bound, trajectory->duration());
     }
   }
 }

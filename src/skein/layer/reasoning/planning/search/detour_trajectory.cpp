@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/planning/search/way_chain.h"
+#include "skein/layer/reasoning/planning/search/detour_trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ struct Offer {
 using Layer = std::vector<Offer>;
 
 // The states beside a place on an arc: further out and turned.
-void offer(const Way::Arc& arc, double turned, const PathQuery& query, double altitude,
+void offer(const Detour::Arc& arc, double turned, const PathQuery& query, double altitude,
            Detail detail, Layer& layer) {
   const bool fine = detail == Detail::kFine;
   const double rho = query.limits.turn_radius;
@@ -41,18 +41,19 @@ void offer(const Way::Arc& arc, double turned, const PathQuery& query, double al
   const Vec2 out = -arc.side * geo::turned_right(geo::unit(course));
   for (const double o : outs)
     for (const double turn : turns) {
-      const Vec2 p = arc.round.centre + (arc.round.radius + o * rho) * out;
+      const Vec2 p = arc.obstacle.centre + (arc.obstacle.radius + o * rho) * out;
       layer.push_back({{Vec3(p.x(), p.y(), -altitude), *heading + turn}});
     }
 }
 
-std::vector<Layer> layers_of(const Way& way, const PathQuery& query, Detail detail) {
+std::vector<Layer> layers_of(const Detour& detour, const PathQuery& query,
+                             Detail detail) {
   std::vector<Layer> layers;
   layers.push_back({{query.start, query.start_time}});
   const double a = -query.start.p_N.z(), b = -query.goal.p_N.z();
-  const std::size_t n = way.arcs.size();
+  const std::size_t n = detour.arcs.size();
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    const Way::Arc& arc = way.arcs[i];
+    const Detour::Arc& arc = detour.arcs[i];
     if (arc.turned < kNoPlace) continue;
     const int count = static_cast<int>(std::ceil(arc.turned / kPerPlace));
     const double part = static_cast<double>(i) / static_cast<double>(n - 1);
@@ -68,7 +69,7 @@ std::vector<Layer> layers_of(const Way& way, const PathQuery& query, Detail deta
 
 // The earliest free arrival at an offer from one or two layers before.
 void arrive(std::vector<Layer>& layers, std::size_t layer, Offer& to,
-            const AirspaceMap& map, Effort& effort) {
+            const AirspaceMap& map, SearchBudget& budget) {
   struct Trial {
     double time;
     std::size_t layer, index;
@@ -78,7 +79,7 @@ void arrive(std::vector<Layer>& layers, std::size_t layer, Offer& to,
   for (std::size_t back = 1; back <= std::min<std::size_t>(2, layer); ++back) {
     const Layer& from = layers[layer - back];
     for (std::size_t i = 0; i < from.size(); ++i) {
-      if (from[i].time == kInfinity || !effort.spend()) continue;
+      if (from[i].time == kInfinity || !budget.spend()) continue;
       const Link l = link(from[i].state, to.state, map.query());
       trials.push_back({from[i].time + l.duration, layer - back, i, l});
     }
@@ -99,9 +100,10 @@ void arrive(std::vector<Layer>& layers, std::size_t layer, Offer& to,
   }
 }
 
-void arrive_earliest(std::vector<Layer>& layers, const AirspaceMap& map, Effort& effort) {
+void arrive_earliest(std::vector<Layer>& layers, const AirspaceMap& map,
+                     SearchBudget& budget) {
   for (std::size_t i = 1; i < layers.size(); ++i)
-    for (Offer& to : layers[i]) arrive(layers, i, to, map, effort);
+    for (Offer& to : layers[i]) arrive(layers, i, to, map, budget);
 }
 
 // Best-first from offer to offer, each link looked at only when its turn comes: one with
@@ -109,8 +111,8 @@ void arrive_earliest(std::vector<Layer>& layers, const AirspaceMap& map, Effort&
 // arrives soon, not at the earliest time.
 class GreedyArrival {
  public:
-  GreedyArrival(std::vector<Layer>& layers, const AirspaceMap& map, Effort& effort)
-      : layers_(layers), map_(map), effort_(effort), left_(layers.size(), 0.0) {
+  GreedyArrival(std::vector<Layer>& layers, const AirspaceMap& map, SearchBudget& budget)
+      : layers_(layers), map_(map), budget_(budget), left_(layers.size(), 0.0) {
     for (std::size_t i = layers.size() - 1; i > 0; --i) {
       left_[i - 1] = left_[i];
       if (layers[i].empty() || layers[i - 1].empty()) continue;
@@ -121,7 +123,7 @@ class GreedyArrival {
 
   void run() {
     expand(0, 0);
-    while (!open_.empty() && !effort_.ended()) {
+    while (!open_.empty() && !budget_.ended()) {
       const Trial t = open_.top();
       open_.pop();
       Offer& to = layers_[t.layer][t.index];
@@ -155,7 +157,7 @@ class GreedyArrival {
     const std::size_t last = std::min(layer + 2, layers_.size() - 1);
     for (std::size_t next = layer + 1; next <= last; ++next)
       for (std::size_t i = 0; i < layers_[next].size(); ++i) {
-        if (layers_[next][i].time < kInfinity || !effort_.spend()) continue;
+        if (layers_[next][i].time < kInfinity || !budget_.spend()) continue;
         const Link l = link(from.state, layers_[next][i].state, map_.query());
         const double arrival = from.time + l.duration;
         if (arrival < kInfinity)
@@ -165,22 +167,22 @@ class GreedyArrival {
 
   std::vector<Layer>& layers_;
   const AirspaceMap& map_;
-  Effort& effort_;
+  SearchBudget& budget_;
   std::vector<double> left_;  // from each layer to the goal along the way [s]
   std::priority_queue<Trial> open_;
 };
 
 }  // namespace
 
-std::optional<Chain> follow_way(const Way& way, const AirspaceMap& map, Effort& effort,
-                                Detail detail) {
-  std::vector<Layer> layers = layers_of(way, map.query(), detail);
+std::optional<Trajectory> follow_detour(const Detour& detour, const AirspaceMap& map,
+                                        SearchBudget& budget, Detail detail) {
+  std::vector<Layer> layers = layers_of(detour, map.query(), detail);
   if (detail == Detail::kFine)
-    GreedyArrival(layers, map, effort).run();
+    GreedyArrival(layers, map, budget).run();
   else
-    arrive_earliest(layers, map, effort);
+    arrive_earliest(layers, map, budget);
   if (layers.back().front().time == kInfinity) return std::nullopt;
-  std::vector<Via> states;
+  std::vector<Waypoint> states;
   std::size_t layer = layers.size() - 1, index = 0;
   while (true) {
     const Offer& o = layers[layer][index];
@@ -190,7 +192,7 @@ std::optional<Chain> follow_way(const Way& way, const AirspaceMap& map, Effort& 
     index = o.before;
   }
   std::reverse(states.begin(), states.end());
-  return make_chain(std::move(states), map.query());
+  return make_trajectory(std::move(states), map.query());
 }
 
 }  // namespace skein::planning

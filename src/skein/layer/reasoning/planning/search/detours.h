@@ -7,7 +7,7 @@
 namespace skein::planning {
 
 /// How far ways stay from zones, so that rounding is no conflict.
-struct WayMargins {
+struct DetourMargins {
   double disc = 0;    ///< [m]
   double corner = 0;  ///< [m], above 0
 };
@@ -20,12 +20,12 @@ struct WayMargins {
 /// @param query   for the area and the ground; its airspace is not used.
 /// Cost: of k zones that matter at most k searches among k zones, besides one look at the
 ///       map of all zones per piece of each way.
-Ways ways_around(const std::vector<Zone>& zones, const PathQuery& query,
-                 const GroundSpeed& speed, const WayRequest& request,
-                 const WayMargins& margins, const PlanningBudget& budget);
+Detours detours_around(const std::vector<Zone>& zones, const PathQuery& query,
+                       const GroundSpeed& speed, const DetourRequest& request,
+                       const DetourMargins& margins, const PlanningBudget& budget);
 
 /// A way as flown without wind: straights and turns at constant altitude rate.
 /// Valid: no wind; arcs no tighter than the aircraft can fly.
-FlightPlan fly_way(const Way& way, const PathQuery& query);
+FlightPlan fly_detour(const Detour& detour, const PathQuery& query);
 
 }  // namespace skein::planning

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/return_keeper.h"
+#include "skein/layer/reasoning/agent/return_planner.h"
 
 #include <gtest/gtest.h>
 
@@ -27,42 +27,42 @@ struct Told {
   test::FlatGround ground;
   test::TestAircraft aircraft;
   NavEstimate nav;
-  ReturnKeeper keeper{{}, FlightLimits{}, EntityId{1}, ground};
+  ReturnPlanner keeper{{}, FlightLimits{}, EntityId{1}, ground};
 };
 
-TEST(ReturnKeeper, SaysNothingWithoutNeed) {
+TEST(ReturnPlanner, SaysNothingWithoutNeed) {
   Told told;
-  EXPECT_FALSE(told.at(0, {500, 0}, {}, false).return_way);
+  EXPECT_FALSE(told.at(0, {500, 0}, {}, false).return_route);
   const AgentOutput out = told.at(1, {500, 0}, {disc({5000, 5000}, 300)}, true);
-  EXPECT_FALSE(out.return_way);
+  EXPECT_FALSE(out.return_route);
   EXPECT_TRUE(out.events.empty());
 }
 
-TEST(ReturnKeeper, MovesHomeOutOfAZoneAndBack) {
+TEST(ReturnPlanner, MovesHomeOutOfAZoneAndBack) {
   Told told;
   const std::vector<Zone> zones{disc({-50, 0}, 300)};
   const AgentOutput out = told.at(1, {2000, 0}, zones, true);
-  ASSERT_TRUE(out.return_way);
-  ASSERT_EQ(out.return_way->points.size(), 1u);
+  ASSERT_TRUE(out.return_route);
+  ASSERT_EQ(out.return_route->points.size(), 1u);
   // Radius, margin of 30 m and a circle of 1.15 times 60 m.
-  const Vec2 place = out.return_way->points[0];
+  const Vec2 place = out.return_route->points[0];
   EXPECT_NEAR((place - Vec2(-50, 0)).norm(), 300 + 30 + 69 + 6, 6);
   EXPECT_GT(place.x(), 300);  // to the side that is nearest
-  EXPECT_DOUBLE_EQ(out.return_way->ground_msl, 100);
+  EXPECT_DOUBLE_EQ(out.return_route->ground_msl, 100);
   ASSERT_EQ(out.events.size(), 1u);
   EXPECT_EQ(out.events[0].kind, "return-moved");
   EXPECT_EQ(told.keeper.allowed({0, 0}), place);
-  EXPECT_FALSE(told.at(2.5, {1900, 0}, zones, false).return_way);
+  EXPECT_FALSE(told.at(2.5, {1900, 0}, zones, false).return_route);
   const AgentOutput back = told.at(3, {1800, 0}, {}, true);
-  ASSERT_TRUE(back.return_way);
-  EXPECT_TRUE(back.return_way->points.empty());
+  ASSERT_TRUE(back.return_route);
+  EXPECT_TRUE(back.return_route->points.empty());
   EXPECT_EQ(back.events.at(0).text, "returns lead home again");
 }
 
-TEST(ReturnKeeper, CountsZonesBetweenTheGroundAndTheFlight) {
+TEST(ReturnPlanner, CountsZonesBetweenTheGroundAndTheFlight) {
   const auto moved = [](Zone zone) {
     Told told;
-    return told.at(1, {2000, 0}, {zone}, true).return_way.has_value();
+    return told.at(1, {2000, 0}, {zone}, true).return_route.has_value();
   };
   Zone high = disc({0, 0}, 300);
   high.floor_msl = 241;  // 20 m of margin above the flight at 220 m
@@ -81,27 +81,28 @@ TEST(ReturnKeeper, CountsZonesBetweenTheGroundAndTheFlight) {
   EXPECT_TRUE(moved(later));
 }
 
-TEST(ReturnKeeper, LeadsAroundAZoneAndDropsCornersThatLieBehind) {
+TEST(ReturnPlanner, LeadsAroundAZoneAndDropsCornersThatLieBehind) {
   Told told;
   const Zone wall{.area = geo::Ring{{500, -400}, {700, -400}, {700, 300}, {500, 300}}};
   const std::vector<Zone> zones{wall};
   const AgentOutput out = told.at(1, {1500, 0}, zones, true);
-  ASSERT_TRUE(out.return_way);
+  ASSERT_TRUE(out.return_route);
   EXPECT_TRUE(out.events.empty());  // home is where it was
-  std::vector<Vec2> way = out.return_way->points;
-  ASSERT_GE(way.size(), 2u);
-  EXPECT_EQ(way.back(), Vec2(0, 0));
-  EXPECT_GT(way[0].y(), 300 + 30);  // the shorter side
+  std::vector<Vec2> route = out.return_route->points;
+  ASSERT_GE(route.size(), 2u);
+  EXPECT_EQ(route.back(), Vec2(0, 0));
+  EXPECT_GT(route[0].y(), 300 + 30);  // the shorter side
   // Flown, it becomes shorter, and in the end straight.
   double time = 1;
   Vec2 p(1500, 0);
-  for (int step = 0; step < 400 && !way.empty(); ++step) {
-    p += 10 * (way.front() - p).normalized();
+  for (int step = 0; step < 400 && !route.empty(); ++step) {
+    p += 10 * (route.front() - p).normalized();
     time += 0.5;
-    if (const auto next = told.at(time, p, zones, false).return_way) way = next->points;
+    if (const auto next = told.at(time, p, zones, false).return_route)
+      route = next->points;
     EXPECT_FALSE(covers(wall, p));
   }
-  EXPECT_TRUE(way.empty());
+  EXPECT_TRUE(route.empty());
   EXPECT_LT(p.x(), 520);
 }
 
