@@ -15,6 +15,7 @@
 #include "skein/layer/environment/turbulence/discrete_gusts.h"
 #include "skein/layer/environment/turbulence/gusts.h"
 #include "skein/layer/sensory/sensor_suite.h"
+#include "skein/role/agent.h"
 
 namespace skein::assemble {
 namespace {

@@ -16,7 +16,9 @@
 #include "skein/layer/reasoning/agent/heartbeat.h"
 #include "skein/layer/reasoning/agent/operator_orders.h"
 #include "skein/layer/reasoning/agent/zone_server.h"
+#include "skein/role/radio.h"
 #include "skein/scenario/zones.h"
+#include "skein/simulation/commanded_wind.h"
 
 namespace skein::assemble {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "skein/base/check.h"
 #include "skein/model/atmosphere/atmosphere.h"
+#include "skein/simulation/world.h"
 
 namespace skein::simulation {
 namespace {

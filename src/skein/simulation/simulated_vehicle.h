@@ -12,9 +12,10 @@
 #include "skein/role/turbulence.h"
 #include "skein/role/vehicle.h"
 #include "skein/simulation/working_set.h"
-#include "skein/simulation/world.h"
 
 namespace skein::simulation {
+
+struct Entity;
 
 /// What a simulated vehicle is made of.
 struct VehicleParts {

@@ -8,6 +8,11 @@
 #include <utility>
 
 #include "skein/base/log.h"
+#include "skein/role/agent.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/radio.h"
+#include "skein/role/terrain.h"
+#include "skein/simulation/commanded_wind.h"
 #include "skein/simulation/fork_join.h"
 #include "skein/simulation/payload_log.h"
 
@@ -81,7 +86,8 @@ std::string Stepper::headline() const {
   return sigma_ ? fmt::format("sigma {:.1f} m", *sigma_) : std::string();
 }
 
-void Stepper::for_each(const std::function<void(std::size_t)>& body) {
+template <class Body>
+void Stepper::for_each(Body body) {
   constexpr std::size_t kGrain = 16;  // below this, starting tasks costs more than work
   const std::size_t count = states_.size();
   if (options_.threads <= 1 || count < 2 * kGrain) {

@@ -2,13 +2,14 @@
 
 #include <oneapi/tbb/task_arena.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/base/result.h"
+#include "skein/data/agent_step.h"
 #include "skein/role/recorder.h"
+#include "skein/role/vehicle.h"
 #include "skein/simulation/refusals.h"
 #include "skein/simulation/run.h"
 #include "skein/simulation/world.h"
@@ -76,7 +77,8 @@ class Stepper {
   std::optional<std::size_t> find(const std::string& aircraft) const;
   void obey(Time now, const Command& command);
   void refuse(Time now, const std::string& why);
-  void for_each(const std::function<void(std::size_t)>& body);
+  template <class Body>
+  void for_each(Body body);  // body(i) for every entity
   Surroundings surroundings() const;
 
   World& world_;

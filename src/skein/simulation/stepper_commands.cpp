@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "skein/simulation/commanded_wind.h"
 #include "skein/simulation/stepper.h"
 
 namespace skein::simulation {

@@ -8,14 +8,18 @@
 #include "skein/base/time.h"
 #include "skein/data/object.h"
 #include "skein/data/zone.h"
-#include "skein/role/agent.h"
-#include "skein/role/phenomenon.h"
-#include "skein/role/radio.h"
-#include "skein/role/terrain.h"
-#include "skein/role/vehicle.h"
-#include "skein/simulation/commanded_wind.h"
+
+namespace skein {
+class Agent;
+class Phenomenon;
+class Radio;
+class Terrain;
+class Vehicle;
+}  // namespace skein
 
 namespace skein::simulation {
+
+class CommandedWind;
 
 /// A span of time in which an entity takes part; `until` is exclusive.
 struct ActiveSpan {
@@ -25,6 +29,11 @@ struct ActiveSpan {
 
 /// An aircraft or a ground station: an agent and, for an aircraft, what it flies with.
 struct Entity {
+  Entity();
+  Entity(Entity&&) noexcept;
+  Entity& operator=(Entity&&) noexcept;
+  ~Entity();
+
   std::string name;
   std::string kind;                  ///< "aircraft" or "station"
   std::unique_ptr<Agent> agent;      ///< never null
@@ -35,13 +44,18 @@ struct Entity {
 
 /// Everything that exists in a run. Entity k has EntityId k.
 struct World {
+  World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
   std::unique_ptr<Terrain> terrain;
   std::unique_ptr<CommandedWind> wind;
   std::unique_ptr<Phenomenon> fire;
   std::unique_ptr<Radio> radio;
   std::vector<Entity> entities;
   std::vector<GroundObject> objects;
-  std::vector<Zone> zones;  ///< known to all from the start; for the records
+  std::vector<Zone> zones;  ///< in force from the start; for the records
 };
 
 }  // namespace skein::simulation

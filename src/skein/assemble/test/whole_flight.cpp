@@ -1,0 +1,100 @@
+#include "skein/assemble/test/whole_flight.h"
+
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "skein/assemble/build.h"
+#include "skein/record/content_hash.h"
+#include "skein/role/agent.h"
+#include "skein/role/operator_console.h"
+#include "skein/role/vehicle.h"
+#include "skein/scenario/scenario_file.h"
+#include "skein/simulation/run.h"
+
+namespace skein::assemble {
+namespace {
+
+class ScriptedAgent final : public Agent {
+ public:
+  explicit ScriptedAgent(std::vector<ScriptLine> lines) : lines_(std::move(lines)) {}
+
+  void step(const AgentInput& in, AgentOutput& out) override {
+    if (next_ >= lines_.size()) return;
+    const ScriptLine& line = lines_[next_];
+    // The step after a command shows the status of that command.
+    if (in.now.seconds() < line.at || (line.when_done && !in.autopilot.done)) return;
+    out.command = line.command;
+    ++next_;
+  }
+
+ private:
+  std::vector<ScriptLine> lines_;
+  std::size_t next_ = 0;
+};
+
+class NoConsole final : public OperatorConsole {
+ public:
+  void show(const RunProgress&) override {}
+  bool stop_requested() const override { return false; }
+};
+
+}  // namespace
+
+FlightLog::FlightLog() : hash_(std::make_unique<record::ContentHash>()) {}
+FlightLog::FlightLog(FlightLog&&) noexcept = default;
+FlightLog::~FlightLog() = default;
+
+void FlightLog::record(const Record& record) {
+  hash_->add(record);
+  if (const auto* t = std::get_if<TruthRecord>(&record))
+    rows[t->id.value].push_back({t->time, t->state, {}, {}});
+  if (const auto* e = std::get_if<EstimateRecord>(&record)) {
+    FlightRow& row = rows[e->id.value].back();
+    row.nav = e->nav;
+    row.status = e->status;
+    row.status.refused = {};  // good until the next one only
+  }
+  if (const auto* e = std::get_if<Event>(&record)) events.push_back(*e);
+  if (const auto* d = std::get_if<Detection>(&record)) detections.push_back(*d);
+  if (const auto* s = std::get_if<RangeScan>(&record)) scans.push_back(*s);
+}
+
+std::string FlightLog::hash() const {
+  return hash_->hex();
+}
+
+const Event* FlightLog::find(const std::string& kind, const std::string& text) const {
+  for (const Event& event : events)
+    if (event.kind == kind && (text.empty() || event.text == text)) return &event;
+  return nullptr;
+}
+
+std::string FlightLog::story() const {
+  std::string all;
+  for (const Event& e : events)
+    all += std::to_string(e.time.seconds()) + " s, " + std::to_string(e.entity.value) +
+           ": " + e.kind + ": " + e.text + "\n";
+  return all;
+}
+
+FlightLog fly(const std::string& text, const Flown& how) {
+  const auto read =
+      scenario::read_scenario_text(text, "flight", SKEIN_SOURCE_DIR, kind_table());
+  if (!read.ok()) throw std::runtime_error(read.report());
+  auto built = build(*read.scenario, KindRegistry());
+  if (!built) throw std::runtime_error(built.error().text());
+  if (!how.script.empty())
+    for (simulation::Entity& entity : built.value().world.entities)
+      if (entity.vehicle) entity.agent = std::make_unique<ScriptedAgent>(how.script);
+  built.value().options.threads = how.threads;
+  built.value().options.speed = how.speed;
+  FlightLog log;
+  NoConsole console;
+  const auto outcome =
+      simulation::run(built.value().world, built.value().options, log, console);
+  if (!outcome) throw std::runtime_error(outcome.error().text());
+  return log;
+}
+
+}  // namespace skein::assemble

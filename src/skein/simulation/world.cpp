@@ -1,0 +1,23 @@
+#include "skein/simulation/world.h"
+
+#include "skein/role/agent.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/radio.h"
+#include "skein/role/terrain.h"
+#include "skein/role/vehicle.h"
+#include "skein/simulation/commanded_wind.h"
+
+namespace skein::simulation {
+
+// Here, so that who includes world.h need not know the roles.
+Entity::Entity() = default;
+Entity::Entity(Entity&&) noexcept = default;
+Entity& Entity::operator=(Entity&&) noexcept = default;
+Entity::~Entity() = default;
+
+World::World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+}  // namespace skein::simulation
