@@ -77,7 +77,7 @@ void add_target(exchange::Document& document, const planning::MovingTarget& targ
                             {begin.x(), begin.y(), down},
                             std::nullopt});
   if ((end - begin).norm() > 0)
-    document.shapes.push_back({"way of the target", false, false, {begin, end}});
+    document.shapes.push_back({"track of the target", false, false, {begin, end}});
 }
 
 }  // namespace

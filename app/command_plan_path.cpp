@@ -206,7 +206,7 @@ int plan_path(const PlanPathArguments& arguments, const std::atomic<bool>& stop,
                        arguments.output, status_of(path.outcome));
   if (path.plan.empty()) complain("note: {}; the plan is empty.\n", path.reason);
   exchange::Document document =
-      document_of("Path around what is in the way", setting, ends.has_altitude, shown);
+      document_of("Path around obstacles", setting, ends.has_altitude, shown);
   add_flights(document, {path.plan});
   if (path.plan.empty()) document.plans.push_back({"flight", "", {}});
   document.marks.push_back(

@@ -195,7 +195,7 @@ const std::vector<StudyKind>& study_kinds() {
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
         "--plugin"}},
       {"keeping",
-       "how closely a glider and a quadrotor keep to what they are told, by receiver",
+       "how closely a glider and a quadrotor track their commands, by receiver",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
         "--plugin"}},
       {"tuning",

@@ -66,7 +66,7 @@ LapGains with_values(LapGains gains, const std::vector<assemble::TuningKnob>& kn
   return gains;
 }
 
-// The search over the study's seeds, told as it goes.
+// The search over the study's seeds, reported as it goes.
 campaign::TuningSearch make_search(const campaign::TuningStudy& study, int tries,
                                    const LapGains& base, bool terminal) {
   campaign::TuningSearch search;
@@ -82,9 +82,9 @@ campaign::TuningSearch make_search(const campaign::TuningStudy& study, int tries
   };
   search.progress = [terminal, tries](int tried, double best) {
     if (terminal)
-      complain("\r{} of {} gains tried, least cost {:.3f} ", tried, tries, best);
+      complain("\r{} of {} gains tried, minimum cost {:.3f} ", tried, tries, best);
     else
-      log_info("{} of {} gains tried, least cost {:.3f}", tried, tries, best);
+      log_info("{} of {} gains tried, minimum cost {:.3f}", tried, tries, best);
   };
   return search;
 }

@@ -329,7 +329,7 @@ int run_program(int argc, char** argv) {
   return completion_command(shell);
 }
 
-// Nothing that goes wrong ends in std::terminate: every fault has a message and a status.
+// Nothing that goes wrong ends in std::terminate: every error has a message and a status.
 int run_guarded(int argc, char** argv) {
   using namespace skein::app;
   try {

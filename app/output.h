@@ -16,7 +16,7 @@ void put_out(std::string_view text);
 /// @returns false when output is lost or nobody reads any more, so that more is in vain.
 bool put_out_now(std::string_view text);
 /// Puts text on standard error, as shown() has it. Never throws: there is nobody left to
-/// tell.
+/// read it.
 void put_err(std::string_view text);
 
 /// Puts lines for people on standard output, as shown() has them: names and words of
@@ -34,7 +34,7 @@ void complain(fmt::format_string<Values...> format, Values&&... values) {
 /// Writes out what standard output still holds. Call once, at the end of the program.
 ///
 /// @returns `status`; kFailed instead of kDone when output was lost, after saying so. A
-///          reader that has gone (`| head`) has all it wanted: no failure.
+///          reader that has gone (`| head`) has all it needs: no failure.
 int finish_output(int status);
 
 }  // namespace skein::app

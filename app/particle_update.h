@@ -5,7 +5,7 @@
 namespace skein::app {
 
 /// What the shipped particle estimator (1,000 samples, no false readings) makes of a
-/// range N(mean, variance) that is told to be on one side of a bound.
+/// range N(mean, variance) that is reported to be on one side of a bound.
 /// @param sigma_v  standard deviation of the bound [m], positive.
 model::Moments particle_update(double mean, double variance, double bound,
                                model::Side side, double sigma_v);

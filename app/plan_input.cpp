@@ -114,14 +114,14 @@ Result<std::vector<double>> numbers_of(const std::string& option, const std::str
     const auto value = exchange::number_in(*cell);
     if (!value || !std::isfinite(*value))
       return wrong(option, fmt::format("\"{}\" is not a finite number.", *cell),
-                   fmt::format("Wanted: {}.", form));
+                   fmt::format("Needed: {}.", form));
     numbers.push_back(*value);
   }
   if (numbers.size() < least || numbers.size() > most)
     return wrong(
         option,
         fmt::format("{} number{} given.", numbers.size(), numbers.size() == 1 ? "" : "s"),
-        fmt::format("Wanted: {}.", form));
+        fmt::format("Needed: {}.", form));
   return numbers;
 }
 

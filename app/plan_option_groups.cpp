@@ -53,7 +53,8 @@ void add_limits(CLI::App& command, PlanLimits& limits) {
 }
 
 void add_speeds(CLI::App& command, PlanLimits& limits) {
-  command.add_option("--slowest", limits.slowest, "Least airspeed; default: --airspeed.")
+  command
+      .add_option("--slowest", limits.slowest, "Minimum airspeed; default: --airspeed.")
       ->check(number_in(0.01, 1000.0));
   command
       .add_option("--fastest", limits.fastest, "Largest airspeed; default: --airspeed.")
@@ -73,7 +74,7 @@ void add_metres(CLI::App& command, PlanMaps& maps) {
 
 void add_zones(CLI::App& command, PlanMaps& maps) {
   add_repeated(command, "--zones", maps.zones,
-               "GeoJSON or KML: no-flight zones. Several are allowed.");
+               "GeoJSON or KML: no-fly zones. Several are allowed.");
 }
 
 void add_obstacles(CLI::App& command, PlanMaps& maps) {

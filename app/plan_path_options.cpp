@@ -82,7 +82,7 @@ CLI::App* add_path(CLI::App& plan, PlanPathArguments& given) {
   command.add_option("--clearance-m", given.clearance, "Above the ground; default 0.")
       ->check(number_in(0.0, 10000.0))
       ->needs("--terrain");
-  command.add_option("--floor-m", given.floor, "Least altitude.")
+  command.add_option("--floor-m", given.floor, "Minimum altitude.")
       ->check(number_in(-20000.0, 20000.0));
   command.add_option("--ceiling-m", given.ceiling, "Largest altitude.")
       ->check(number_in(-20000.0, 20000.0));
@@ -95,7 +95,7 @@ CLI::App* add_path(CLI::App& plan, PlanPathArguments& given) {
       ->check(number_in(0.0, 1e9));
   command
       .add_option("--states", given.states,
-                  "End after so many states were looked at; default 100000, without end "
+                  "End after so many expansions; default 100000, without end "
                   "with --time-limit-ms.")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60));
   command.add_flag("--first", given.first, "End with the first path.");

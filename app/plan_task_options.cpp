@@ -44,7 +44,7 @@ void add_flight(CLI::App& command, Arguments& given) {
   add_limits(command, given.limits);
 }
 
-// For tasks that do not look at what is in the way: it is only told.
+// For tasks that do not look at obstacles: they are only reported.
 void add_checked(CLI::App& command, PlanMaps& maps) {
   add_zones(command, maps);
   add_obstacles(command, maps);

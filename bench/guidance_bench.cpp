@@ -1,5 +1,5 @@
 // Cost of guidance: one step of each command for fixed wings and multirotors, and the
-// `path` autopilot on a path of ten elements. The vehicle moves as it is told, without
+// `path` autopilot on a path of ten elements. The vehicle moves as commanded, without
 // lags, so that what is timed is guidance.
 
 #include <benchmark/benchmark.h>
@@ -145,7 +145,7 @@ void multirotor(benchmark::State& state) {
 }
 BENCHMARK(multirotor)->ArgName("command")->DenseRange(kPath, kCircle);
 
-// The `path` autopilot alone at 100 Hz, with a plant that banks as told.
+// The `path` autopilot alone at 100 Hz, with a plant that banks as commanded.
 void path_autopilot(benchmark::State& state) {
   NavEstimate at;
   at.p_N = {0, 0, -100};

@@ -50,7 +50,7 @@ void predict_and_two_crossings(benchmark::State& state) {
 }
 BENCHMARK(predict_and_two_crossings)->Arg(60)->Arg(90)->Arg(120);
 
-// The usual second: no reading tells anything new.
+// The usual second: no reading says anything new.
 void predict_and_two_expected_readings(benchmark::State& state) {
   JointEstimator estimator(windy(), JointOptions{});
   int second = 0;

@@ -1,7 +1,7 @@
-// Paths around what is in the way: cost of the scenes' paths after a time, without wind
-// and in wind, repair after a new zone on the path, a fleet of 1,000 aircraft in each
-// other's presence. Costs are in metres of air flown; `conflicts` of the fleet are pairs
-// that a check by sampling finds in each other's rooms.
+// Paths around obstacles: cost of the scenes' paths after a time, without wind and in
+// wind, repair after a new zone on the path, a fleet of 1,000 aircraft in each other's
+// presence. Costs are in metres of air flown; `conflicts` of the fleet are pairs that a
+// check by sampling finds in each other's rooms.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -70,7 +70,7 @@ void report(benchmark::State& state, const Scene& scene, const PlannedPath& path
   state.counters["states"] = static_cast<double>(path.states);
 }
 
-// Scene, wind, limit of time in ms; 0: the first path. Third: with ways or without.
+// Scene, wind, limit of time in ms; 0: the first path. Third: with routes or without.
 void plan_scene(benchmark::State& state) {
   Scene scene;
   if (!read_scene(state.range(0), scene)) return state.SkipWithError("no scenes");
@@ -103,7 +103,7 @@ BENCHMARK(plan_scene)
     ->ArgsProduct({{0, 1, 2}, {0}, {0, 50, 500}, {0}})
     ->Unit(benchmark::kMillisecond);
 
-// Walls across the way, each with one gap; drawn.
+// Walls across the path, each with one gap; drawn.
 Scene walls_of(std::int64_t count, double gap, std::uint64_t seed) {
   RandomStream draw(seed, 0, Purpose::kTest);
   Scene scene;

@@ -1,4 +1,4 @@
-// What no-flight zones cost an agent: finding out which count, ways around them, and a
+// What no-fly zones cost an agent: finding out which count, detours around them, and a
 // leg that is planned anew.
 
 #include <benchmark/benchmark.h>
@@ -63,8 +63,8 @@ void find_detour(benchmark::State& state) {
 }
 BENCHMARK(find_detour)->Arg(2)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
 
-// A leg as RouteFlight has it planned; the second argument is the states looked at. The
-// time that the way takes is a counter.
+// A leg as RouteFlight has it planned; the second argument is the expansions. The time
+// that the path takes is a counter.
 void plan_leg(benchmark::State& state) {
   Airspace airspace;
   airspace.zones = scene(state.range(0));

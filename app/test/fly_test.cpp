@@ -213,7 +213,7 @@ TEST_F(Fly, RefusesBadTablesWithTheirPlace) {
                 .find("in.csv:4:t: found 59; must be above 60, that of the row before."),
             std::string::npos);
   EXPECT_EQ(rows_of(read_file(folder_ / "out.csv")).size(), 2u)
-      << "what stands before the fault is flown";
+      << "what stands before the error is flown";
   EXPECT_NE(message(table + "61,0,0,0,0,0,0,fresh\n")
                 .find("in.csv:4:wind_d_mps: found \"fresh\"; needs a number."),
             std::string::npos);
@@ -222,7 +222,7 @@ TEST_F(Fly, RefusesBadTablesWithTheirPlace) {
   EXPECT_NE(message("").find("the table is empty"), std::string::npos);
 }
 
-TEST_F(Fly, TellsTheStateBeforeNumbersEnd) {
+TEST_F(Fly, GivesTheStateBeforeNumbersEnd) {
   // An elevator at its end, steps of a second: the integration explodes.
   std::string table = trimmed("25", "1");
   for (int i = 2; i < 200; ++i) table += fmt::format("{},1.5,1.5,0,900,0,0,0\n", i);

@@ -320,7 +320,7 @@ TEST_F(PlanTask, PatrolsWithoutTimeForAPassAreNone) {
   EXPECT_FALSE(fs::exists(folder_ / "p.csv"));
   const auto about = nlohmann::json::parse(none.out, nullptr, false);
   ASSERT_GT(double(about["first_end_s"]), 1);
-  // The least time that it says is enough.
+  // The minimum time that it says is enough.
   const auto enough =
       json_of_task("patrol", {"--line", line, "--from", "0,0,0", "--until-s",
                               fmt::format("{}", double(about["first_end_s"]) + 0.01)});

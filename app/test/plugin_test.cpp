@@ -61,7 +61,7 @@ TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {
   EXPECT_EQ(hash_of(folder_ / "given"), hash_of(folder_ / "replay"));
 }
 
-TEST_F(PluginProgram, WrongKeysAndKindsAreToldLikeOurs) {
+TEST_F(PluginProgram, WrongKeysAndKindsAreReportedLikeOurs) {
   const Finished range = run({"check", scenario().string(), "--set",
                               "aircraft[0].sensors[2]={kind: radiometer, share: 2}"});
   EXPECT_EQ(range.status, 2);

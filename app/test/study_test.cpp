@@ -26,7 +26,7 @@ TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
   EXPECT_EQ(run({"study", "monitoring", "--estimators", "elephant"}).status, 2);
 }
 
-TEST_F(Program, AStudyTellsOfEachRun) {
+TEST_F(Program, AStudyReportsEachRun) {
   const Finished told =
       run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
            "--estimators", "qkf", "--strategies", "gus", "--set", "duration_s=10",

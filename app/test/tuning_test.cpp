@@ -58,7 +58,7 @@ TEST_F(TuningProgram, GainsComeFromFilesAndKeepWhatTheseDoNotSay) {
   EXPECT_NEAR(figures.at("same/cross_track_rms_m"), normal, 0.5 * normal);
 }
 
-TEST_F(TuningProgram, FaultsAreSaidBeforeAnythingIsFlown) {
+TEST_F(TuningProgram, ErrorsAreReportedBeforeAnythingIsFlown) {
   write("bad.yaml", "lateral: {l2_time_s: -1}\nfixed_wing_gains: {rol_gain_per_s: 3}\n");
   const Finished bad = run({"study", "tuning", "--gains", "bad.yaml"});
   EXPECT_EQ(bad.status, 2);

@@ -21,7 +21,7 @@ TEST_F(Program, SaysHowItIsUsed) {
   const Finished wrong = run({"run", "x.yaml", "--sped", "3"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 2)
-      << "the fault does not scroll away above the help:\n"
+      << "the error does not scroll away above the help:\n"
       << wrong.err;
   EXPECT_EQ(run({}).status, 2);
   EXPECT_EQ(run({"fly"}).status, 2);

@@ -30,7 +30,8 @@ void CircleEstimator::observe(const skein::FireReading&) {
 
 void CircleEstimator::observe(const skein::Crossing& crossing) {
   ++health_.observations;
-  // The boundary lies anywhere between the two readings: a twelfth of the way squared.
+  // The boundary lies anywhere between the two readings: a twelfth of the distance
+  // squared.
   const double r = squared(options_.shape_sd) + squared(crossing.point_sd) +
                    crossing.track.squaredNorm() / 12;
   const double innovation = (crossing.point - origin_).norm() - radius_;

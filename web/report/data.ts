@@ -98,7 +98,7 @@ export interface StudyDots {
   dots: [number | null, number | null, number | null][][];
 }
 
-/** Ways over ground: x east, y north [m]. */
+/** Tracks over ground: x east, y north [m]. */
 export interface StudyMap {
   title: string;
   caption: string;

@@ -33,7 +33,7 @@ interface Row {
 
 const kMetrics: Metric[] = [
   { name: "perf", unit: "m", label: "Perf", help: "error and stated deviation together", best: "low" },
-  { name: "boundary_rms", unit: "m", label: "Boundary RMS", help: "between the boundaries, both ways", best: "low" },
+  { name: "boundary_rms", unit: "m", label: "Boundary RMS", help: "between the boundaries, in both directions", best: "low" },
   { name: "boundary_hausdorff", unit: "m", label: "Hausdorff", help: "largest distance between them", best: "low" },
   { name: "iou", unit: "", label: "IoU", help: "intersection over union of the areas", best: "high" },
   { name: "coverage_95", unit: "", label: "95 % coverage", help: "points inside their band", best: { near: 0.95 } },
@@ -81,7 +81,7 @@ const kWhenAny = ["Missed deadlines", "Accidents", "Failsafes", "Observations", 
 
 const known = (value: number | undefined): value is number => value != null && Number.isFinite(value);
 
-/** Which values are the best ones, as far as the printed digits tell them apart. */
+/** Which values are the best ones, as far as the printed digits distinguish them. */
 function bestOf(values: (number | undefined)[], texts: string[], best?: Best): boolean[] {
   const cost = values.map((v) =>
     !known(v) ? Infinity

@@ -67,7 +67,7 @@ export interface Estimate {
   lap: number; // laps of its waypoints that have been completed
   demanded_altitude_msl_m: number | null; // of fixed-wing guidance
   demanded_airspeed_mps: number | null; // of fixed-wing guidance
-  on_ground: boolean; // as far as it can tell
+  on_ground: boolean; // as far as it knows
   mode: "manual" | "stabilized" | "auto" | "guided"; // who flies
   failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu"; // what has gone wrong
   reaction: "none" | "hold" | "return" | "land" | "descend"; // what is done about it
@@ -165,10 +165,10 @@ export interface FlyCourse {
   course_deg: number | null; // over ground
 }
 
-/** Fly through points, round and round. */
+/** Fly through points, lap after lap. */
 export interface FlyRoute {
   points: [number, number][]; // of the route
-  laps: number; // times round
+  laps: number; // times around
   tell: number[]; // who gets the own position directly, each second
 }
 
@@ -216,7 +216,7 @@ export interface Disc {
 
 /** A no-fly zone that is put into force or taken back. */
 export interface ZoneChange {
-  number: number; // of the ground station's changes; 0: known to all from the start
+  number: number; // of the ground station's changes; 0: in force from the start
   in_force: boolean; // else it is taken back, and only its name counts
   name: string; // for people
   area: { kind: "ring"; points: [number, number][] } | ({ kind: "disc" } & Disc); // a ring of corners or a disc
@@ -266,7 +266,7 @@ export interface Perimeter {
   belief_rings: BoundaryPoint[][]; // closed; outer ones run clockwise on the map
 }
 
-/** Something worth telling. */
+/** Something worth reporting. */
 export interface Event {
   time_s: number; // when
   entity_id: number; // to whom it happened
@@ -277,7 +277,7 @@ export interface Event {
 /** A no-fly zone put into force or taken back. */
 export interface ZoneRecord {
   time_s: number; // when
-  number: number; // of the ground station's changes; 0: known to all from the start
+  number: number; // of the ground station's changes; 0: in force from the start
   in_force: boolean; // else it is taken back, and only its name counts
   name: string; // for people
   area: { kind: "ring"; points: [number, number][] } | ({ kind: "disc" } & Disc); // a ring of corners or a disc

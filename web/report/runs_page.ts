@@ -89,7 +89,7 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
       lines: lines(runs, [["perf_m", "Perf"]]) }),
     make({ title: "Error and stated deviation", unit: "m", note: "alike when the estimator knows how good it is",
       lines: lines(runs, [["rmse_m", "RMS error"], ["sigma_m", "sigma"]]) }),
-    make({ title: "Distance between the boundaries", unit: "m", note: "both ways",
+    make({ title: "Distance between the boundaries", unit: "m", note: "in both directions",
       lines: lines(runs, [["boundary_rms_m", "RMS"], ["boundary_hausdorff_m", "largest"]]) }),
     make({ title: "Intersection over union", note: "of the true and the believed area", range: [null, 1],
       lines: lines(runs, [["iou", "IoU"]]) }),

@@ -1,4 +1,4 @@
-/** Ways over ground, north up, both axes to the same scale. Drawn as SVG. */
+/** Tracks over ground, north up, both axes to the same scale. Drawn as SVG. */
 import { h, tick } from "./dom";
 import type { StudyMap } from "./data";
 import { linearTicks, svg } from "./dots";

@@ -42,7 +42,7 @@ Fields<reasoning::MonitorAgentOptions> scout_fields() {
                  {.above = 0, .at_most = 90})
       .number(
           "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
-          "Kept from the border of no-flight zones.", kNotNegative)
+          "Kept from the border of no-fly zones.", kNotNegative)
       .object("safety_zone", &T::safety_zone, safety_zone_fields(),
               "How far the flight of a path or plan may be off.");
 }
@@ -53,11 +53,11 @@ Fields<reasoning::WingmanOptions> wingman_fields() {
       .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
                   {.above = 0})
       .duration_s("horizon_s", &T::horizon,
-                  "Following: the way to the place is planned for this long.",
+                  "Following: the path to the place is planned for this long.",
                   {.above = 0, .at_most = 120})
       .number(
           "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
-          "Following: kept from the border of no-flight zones.", kNotNegative)
+          "Following: kept from the border of no-fly zones.", kNotNegative)
       .object("safety_zone", &T::safety_zone, safety_zone_fields(),
               "How far the flight of a path or plan may be off.");
 }
@@ -71,13 +71,13 @@ Fields<RouteChoice> route_fields() {
   return Fields<T>()
       .point("points_m", &T::points, "Flown to one after the other, by straight legs.")
       .items({.at_least = 1, .at_most = 10000})
-      .integer("laps", &T::laps, "Times round; it then stays at the last point.",
+      .integer("laps", &T::laps, "Laps flown; it then stays at the last point.",
                {.at_least = 1, .at_most = 1000000})
       .boolean("lands", &T::lands,
                "After the last lap it lands where it took off; when it began in the air, "
                "at the first point.")
       .boolean("around_zones", &T::around_zones,
-               "It flies around no-flight zones that lie on the route from the start; "
+               "It flies around no-fly zones that lie on the route from the start; "
                "else such a route is refused. Zones that come later it always flies "
                "around.")
       .number(
@@ -108,15 +108,15 @@ Fields<reasoning::TourAgentOptions> tour_fields() {
              "Flown through one after the other, across the bisector of each corner.")
       .items({.at_least = 2, .at_most = 10000})
       .rule("points_m", [](const T& t) { return repeated_point(t.points); })
-      .integer("laps", &T::laps, "Times round; it then circles the last point.",
+      .integer("laps", &T::laps, "Laps flown; it then circles the last point.",
                {.at_least = 1, .at_most = 1000000})
-      .word("curves", &T::curves, "What the way is planned with.",
+      .word("curves", &T::curves, "What the path is planned with.",
             {{"trochoids", TourCurves::kTrochoids,
               "turns and straights in the wind as it is believed to be"},
              {"dubins", TourCurves::kDubins,
               "turns and straights over ground, as if there were no wind"}})
       .number("radius_factor", &T::radius_factor,
-              "Radius of planned turns over the least of the aircraft.",
+              "Radius of planned turns over the minimum of the aircraft.",
               {.at_least = 1, .at_most = 100})
       .duration_s("settling_s", &T::settling,
                   "Circling before it plans, to learn of the wind.", {.at_least = 0})
@@ -147,17 +147,17 @@ Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
   std::vector<Zone> zones;
   if (!options.around_zones)
     zones = lasting(c.zones, std::min(start, altitude), std::max(start, altitude));
-  // From the start to the first point, then round.
+  // From the start to the first point, then the lap.
   std::vector<Vec2> leg = {geo::horizontal(c.initial.p_N), options.points.front()};
   auto crossed = reasoning::into_zone(leg, false, zones);
   if (!crossed) crossed = reasoning::into_zone(options.points, options.laps > 1, zones);
   if (crossed)
     return Error{
         ErrorCode::kBadInput, "aircraft.agent.points_m",
-        fmt::format("the route leads into a no-flight zone at {:.0f} m north, {:.0f} m "
+        fmt::format("the route leads into a no-fly zone at {:.0f} m north, {:.0f} m "
                     "east.",
                     crossed->x(), crossed->y()),
-        "Lead it round the zone (the way from the start to the first point counts too), "
+        "Lead it around the zone (the leg from the start to the first point counts too), "
         "or set around_zones."};
   reasoning::RouteAgentOptions all = options;
   all.altitude_agl = c.altitude_agl;
@@ -169,7 +169,7 @@ Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
 
 Kinds<Agent, AircraftContext> agent_kinds() {
   Kinds<Agent, AircraftContext> kinds("agent");
-  kinds.add("scout", "Reads the fire sensor, tells the station, flies its orders.",
+  kinds.add("scout", "Reads the fire sensor, reports to the station, flies its orders.",
             scout_fields(),
             [](const reasoning::MonitorAgentOptions& o, const AircraftContext& c) {
               reasoning::MonitorAgentOptions all = o;

@@ -67,7 +67,7 @@ Error at(const std::string& name, Error error) {
   return error;
 }
 
-// Whether whoever puts it on the ground turns it into the wind: a wing that is not told a
+// Whether whoever puts it on the ground turns it into the wind: a wing that is given no
 // heading, where there is wind to feel.
 bool faces_wind(const scenario::Start& start, const Airframe& airframe,
                 const Vec3& wind_N) {
@@ -219,7 +219,7 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
     if (covers(zone, place.position) && holds_at(zone, altitude, group.join.seconds()))
       return Error{
           ErrorCode::kBadInput, name,
-          fmt::format("starts inside the no-flight zone {}, at {:.0f} m north, "
+          fmt::format("starts inside the no-fly zone {}, at {:.0f} m north, "
                       "{:.0f} m east, {:.0f} m above mean sea level.",
                       zone.name, place.position.x(), place.position.y(), altitude),
           "Move its start or the zone."};

@@ -41,7 +41,7 @@ class AircraftBuilder {
         names_(aircraft_names(scenario)) {}
 
   /// Aircraft `index` of `group`, which becomes entity `self`.
-  /// Fails: what a part cannot be made from; a start inside terrain or a no-flight zone;
+  /// Fails: what a part cannot be made from; a start inside terrain or a no-fly zone;
   ///        parts that do not fit together, or that cannot fail because they are not
   ///        there.
   Result<simulation::Entity> make(const scenario::AircraftGroup& group, int index,

@@ -88,7 +88,7 @@ void check_delays(const SkeinChoice& choice, const Scenario& scenario,
   if (beat > Time())
     check_delay("link", choice.options.failsafe.link.delay,
                 std::max({beat.seconds(), step, scenario.station.agent_period.seconds()}),
-                "the ground station is heard again (station.heartbeat_s)", found);
+                "the ground station is received again (station.heartbeat_s)", found);
   double oldest = 0;
   for (const scenario::Choice& sensor : group.sensors) {
     const auto age = position_age(sensor, vehicle.step.seconds());
@@ -203,7 +203,7 @@ std::vector<std::string> warnings(const Scenario& scenario, const AircraftGroup&
   const autopilot::FailsafeRule& link = choice.options.failsafe.link;
   if (heartbeat(scenario) <= Time() && link.reaction != FailsafeReaction::kNone)
     found.push_back(fmt::format(
-        "station.heartbeat_s: the station gives no signs of life. Where {:.6g} s pass "
+        "station.heartbeat_s: the station sends no heartbeats. Where {:.6g} s pass "
         "without an order the failsafe link of {} acts.",
         link.delay, aircraft.name));
   warn_about_rotors(choice, group, aircraft, found);

@@ -9,8 +9,8 @@
 
 namespace skein::assemble {
 
-/// Between the station's signs of life, as the scenario says or as its autopilots need;
-/// 0 = none.
+/// Between the station's heartbeats, as the scenario says or as its autopilots need; 0 =
+/// none.
 Time heartbeat(const scenario::Scenario& scenario);
 
 /// What of a ready aircraft does not go together, all of it: an altitude where the air

@@ -54,7 +54,7 @@ simulation::RunOptions run_options(const Scenario& scenario,
   return options;
 }
 
-// All faults as one.
+// All errors as one.
 Error together(const std::vector<Error>& errors) {
   if (errors.size() == 1) return errors.front();
   Error all{errors.front().code, "", fmt::format("{} problems:", errors.size()), ""};
@@ -63,7 +63,7 @@ Error together(const std::vector<Error>& errors) {
 }
 
 // Builds the parts of a world one after the other. What fails is replaced by something
-// plain until the end, so that all faults are found at once.
+// plain until the end, so that all errors are found at once.
 class Builder {
  public:
   Builder(const Scenario& scenario, const KindRegistry& kinds, geo::LocalFrame frame)

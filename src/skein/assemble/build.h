@@ -25,7 +25,7 @@ struct Build {
 /// ground station, then the aircraft in the order of their groups.
 /// @param kinds  that the scenario was read with; the world does not need them any more.
 /// Fails: what terrain, wind or fire cannot be made from; an aircraft that starts inside
-///        terrain or a no-flight zone.
+///        terrain or a no-fly zone.
 Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kinds);
 
 /// Heights of the ground for a map: `count` x `count` points about `centre`.

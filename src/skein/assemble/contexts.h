@@ -51,13 +51,13 @@ struct AircraftContext {
   double altitude_agl = 0;                     ///< flight altitude above ground [m]
   std::shared_ptr<const Terrain> map;          ///< the terrain as the agent knows it
   std::vector<Zone> zones;                     ///< in force from the start
-  std::shared_ptr<const PathPlanner> planner;  ///< of ways around zones; null: none
+  std::shared_ptr<const PathPlanner> planner;  ///< of routes around zones; null: none
   FlightLimits limits;                         ///< of the plant
   Airframe airframe;                           ///< of the plant
   NavEstimate initial;                         ///< where and how it flies at the start
   bool on_ground = false;                      ///< at the start
   AircraftGains gains;                         ///< of the plant's file
-  bool hears_station = false;                  ///< the station gives signs of life
+  bool hears_station = false;                  ///< the station sends heartbeats
   bool has_position = false;                   ///< a sensor says where it is
   std::uint8_t fitted = 0;                     ///< bit k: FlightSensor k is on board
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common

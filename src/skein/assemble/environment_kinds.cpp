@@ -54,8 +54,8 @@ Fields<CanyonTerrainOptions> canyon_fields() {
       .number("depth_m", &T::depth, "From the river to the plateau.", kNotNegative)
       .number("width_m", &T::width, "From the river to where the walls are steepest.",
               kLength)
-      .angle_deg("bearing_deg", &T::bearing, "The river flows this way.", kBearing)
-      .number("fall", &T::fall, "Of the river, per metre of way.",
+      .angle_deg("bearing_deg", &T::bearing, "Towards where the river flows.", kBearing)
+      .number("fall", &T::fall, "Of the river, per metre of its course.",
               {.at_least = -0.5, .at_most = 0.5})
       .number("meander_m", &T::meander, "Of the river to either side.", kNotNegative)
       .number("meander_length_m", &T::meander_length, "Between two bends to one side.",
@@ -147,7 +147,7 @@ std::vector<RuleViolation> thesis_errors(const ThesisFireOptions& o,
     errors.push_back(
         {"wind_mps",
          fmt::format(
-             "a drift of {:.6g} m/s must be below the least spread, {:.6g} m/s "
+             "a drift of {:.6g} m/s must be below the minimum spread, {:.6g} m/s "
              "(rate_mps - rate_error_mps): a stronger one drives the boundary over "
              "its own origin.",
              o.wind.norm(), least),
@@ -179,7 +179,8 @@ Fields<ThesisFireOptions> thesis_fields() {
                {.at_least = 0, .at_most = 3600})
       .number("harmonic_decay", &T::harmonic_decay,
               "Sizes of harmonics fall as order^-decay.", {.at_least = 0, .at_most = 10})
-      .point("wind_mps", &T::wind, "Drift of every boundary point, the way it moves.",
+      .point("wind_mps", &T::wind,
+             "Drift of every boundary point, towards where it moves.",
              {.at_least = -50, .at_most = 50})
       .number("slope_weight", &T::slope_weight,
               "Effect of slope: 1 makes 30 % of rise 30 % of rate.",

@@ -50,7 +50,7 @@ Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
               kPositive);
   if (kind == "point-reset")
     fields.number("min_sd_m", &T::min_sd,
-                  "Least standard deviation after a crossing, per axis.", kPositive);
+                  "Minimum standard deviation after a crossing, per axis.", kPositive);
   else
     fields
         .number("gate_sigmas", &T::gate_sigmas,
@@ -88,7 +88,7 @@ Fields<JointOptions> joint_fields() {
       .number("outlier", &T::outlier, "Readings less probable than this are set aside.",
               {.at_least = 0, .at_most = 0.1})
       .integer("patience", &T::patience,
-               "Outliers in a row before the belief gives way instead.",
+               "Outliers in a row before the belief is corrected instead.",
                {.at_least = 1, .at_most = 1000})
       .duration_s("position_correlation_s", &T::position_correlation,
                   "Correlation time of the aircraft's position errors.")
@@ -177,7 +177,7 @@ Fields<TrackingOptions> tracking_fields() {
   return Fields<T>()
       .boolean("predicted", &T::predicted,
                "Follow the predicted edge instead of the real one.")
-      .boolean("clockwise", &T::clockwise, "Way round, on the map.")
+      .boolean("clockwise", &T::clockwise, "Sense of rotation, on the map.")
       .angle_deg("edge_angle_deg", &T::edge_angle,
                  "Real edge: between course and edge, to cross it again.", kEdgeAngle)
       .number("look_ahead_m", &T::look_ahead, "Predicted: length of the line ordered.",

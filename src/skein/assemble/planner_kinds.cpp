@@ -16,7 +16,7 @@ struct TangentKind {};
 Fields<AaStar::Options> aa_star_fields() {
   using T = AaStar::Options;
   return Fields<T>()
-      .boolean("ways", &T::detours, "Begin with ways of tangents around zones.")
+      .boolean("ways", &T::detours, "Begin with routes of tangents around zones.")
       .boolean("manoeuvres", &T::manoeuvres, "Search over manoeuvres.")
       .number("gap", &T::gap, "Nothing better is looked for within so much of the bound.",
               {.at_least = 0, .at_most = 10});
@@ -26,7 +26,7 @@ Fields<AaStar::Options> aa_star_fields() {
 
 Kinds<PathPlanner, PlannerContext> planner_kinds() {
   Kinds<PathPlanner, PlannerContext> kinds("planner");
-  kinds.add("aastar", "Accelerated A* over manoeuvres, begun with ways around zones.",
+  kinds.add("aastar", "Accelerated A* over manoeuvres, begun with routes around zones.",
             aa_star_fields(), [](const AaStar::Options& o, const PlannerContext&) {
               return std::make_unique<AaStar>(o);
             });

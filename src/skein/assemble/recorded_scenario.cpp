@@ -37,7 +37,7 @@ Result<std::vector<std::string>> fit_recorded_scenario(const fs::path& data) {
   const fs::path source = fs::is_directory(whole) ? source_in(whole) : whole;
   if (source.empty() || !fs::exists(source))
     return Error{ErrorCode::kNotFound, data.string(), "holds no recorded fire.",
-                 "Wanted: perimeters.csv, a vector file with times, or an arrival-time "
+                 "Needed: perimeters.csv, a vector file with times, or an arrival-time "
                  "raster."};
   environment::RecordedFireOptions options;
   options.path = source.string();

@@ -18,7 +18,7 @@ struct QuietRun {
   double speed = 0;     ///< simulated seconds per wall second; 0 = as fast as possible
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< asks for an early end; may be null
-  Recorder* listener = nullptr;             ///< is told all that is recorded; may be null
+  Recorder* listener = nullptr;  ///< receives all that is recorded; may be null
 };
 
 /// Builds a scenario, runs it and gives its key figures; writes nothing.

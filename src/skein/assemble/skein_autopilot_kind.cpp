@@ -25,7 +25,7 @@ Fields<FailsafeRule> rule_fields() {
   const auto reactions = [](Fields<T>& fields, const char* key, auto member,
                             const char* help) {
     fields.word(key, member, help,
-                {{"none", kNone, "it is told, nothing more"},
+                {{"none", kNone, "it is reported, nothing more"},
                  {"hold", kHold, "stay here"},
                  {"return", kReturn, "fly home, stay above"},
                  {"land", kLand, "fly home and land"},
@@ -34,7 +34,7 @@ Fields<FailsafeRule> rule_fields() {
   Fields<T> fields;
   fields.duration_s("delay_s", &T::delay,
                     "For which it must last; silence of link or gnss for longer than "
-                    "between two signs of life or positions.",
+                    "between two heartbeats or positions.",
                     {.at_least = 0, .at_most = 1e6});
   reactions(fields, "reaction", &T::reaction, "What is done.");
   fields.duration_s("escalates_after_s", &T::escalates_after,
@@ -51,7 +51,7 @@ Fields<FailsafeRule> rule_fields() {
 Fields<autopilot::FailsafeOptions> failsafe_fields() {
   using T = autopilot::FailsafeOptions;
   return Fields<T>()
-      .object("link", &T::link, rule_fields(), "Nothing is heard from the ground.")
+      .object("link", &T::link, rule_fields(), "Nothing is received from the ground.")
       .object("battery_low", &T::battery_low, rule_fields(),
               "The charge less what it takes to get home is below battery_reserve.")
       .object("battery_critical", &T::battery_critical, rule_fields(),
@@ -60,9 +60,10 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
               "The aircraft is outside the fence.")
       .object("gnss", &T::gnss, rule_fields(), "No position from satellites.")
       .object("motor", &T::motor, rule_fields(), "A motor stands under throttle.")
-      .object("imu", &T::imu, rule_fields(),
-              "No inertial unit is heard: nothing shows the attitude. The only reaction "
-              "that can be flown is descend, with motors off and surfaces at trim.")
+      .object(
+          "imu", &T::imu, rule_fields(),
+          "No inertial unit is received: nothing shows the attitude. The only reaction "
+          "that can be flown is descend, with motors off and surfaces at trim.")
       .number("battery_reserve", &T::battery_reserve, "Of a full charge.", kShare)
       .number("battery_critical_charge", &T::battery_critical_at, "Of a full charge.",
               kShare)
@@ -75,8 +76,8 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
       .rule("", [](const T& t) { return error_in(t).value_or(std::string()); });
 }
 
-// Where a ring crosses itself, in words; nothing when none does. It would be doubtful
-// what is inside.
+// Where a ring crosses itself, in words; nothing when none does. It would be unclear what
+// is inside.
 std::string crossing_in(const std::vector<geo::Ring>& rings) {
   for (std::size_t r = 0; r < rings.size(); ++r)
     if (const auto at = geo::self_crossing(rings[r]))
@@ -187,7 +188,7 @@ Fields<autopilot::LateralOptions> lateral_fields() {
                   "l2plus: flight time to the point aimed at.",
                   {.above = 0, .at_most = 1000})
       .number("l2_min_m", [](T & t) -> auto& { return t.l2.least; },
-              "l2plus: least distance of that point.", {.above = 0, .at_most = 1e5})
+              "l2plus: minimum distance of that point.", {.above = 0, .at_most = 1e5})
       .duration_s("roll_lag_s", &T::roll_lag,
                   "From a change of the demand to the acceleration.",
                   {.at_least = 0, .at_most = 10});
@@ -223,7 +224,7 @@ Fields<SkeinChoice> skein_fields() {
       .boolean(
           "rounds_corners",
           [](T & t) -> auto& { return t.options.wing_guidance.rounds_corners; },
-          "Fixed wings round the corners of a route; else they fly over them.")
+          "Fixed wings round off the corners of a route; else they fly over them.")
       .boolean(
           "refuses", [](T & t) -> auto& { return t.options.wing_guidance.refuses; },
           "Fixed wings refuse commands that they cannot fly; else they fly them as near "

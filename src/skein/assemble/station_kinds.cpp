@@ -67,16 +67,17 @@ Fields<FormationChoice> formation_fields() {
   return Fields<T>()
       .point("route_m", &T::route, "Corners of the leader's route.")
       .items({.at_least = 1, .at_most = 10000})
-      .integer("laps", &T::laps, "Times round the route.",
+      .integer("laps", &T::laps, "Laps of the route.",
                {.at_least = 1, .at_most = 1000000})
       .point("slots_m", &T::slots,
              "Places of the followers: ahead of the leader, to its right.")
       .items({.at_most = 10000})
       .object("leaders", &T::leaders, leader_fields(), "Who leads, in order of time.")
       .items({.at_least = 1, .at_most = 10000})
-      .boolean("direct", &T::direct,
-               "The leader tells its followers itself where it is; else the station "
-               "passes it on.")
+      .boolean(
+          "direct", &T::direct,
+          "The leader reports its position to its followers itself; else the station "
+          "passes it on.")
       .rule("leaders", [](const T& t) {
         for (std::size_t k = 1; k < t.leaders.size(); ++k)
           if (t.leaders[k].at <= t.leaders[k - 1].at)
@@ -104,10 +105,10 @@ Result<std::unique_ptr<Agent>> make_formation(const FormationChoice& choice,
            std::isfinite(zone.ceiling_msl);
   });
   if (const auto at = reasoning::into_zone(choice.route, choice.laps > 1, zones))
-    return refuse(fmt::format("route_m leads into a no-flight zone at {:.0f} m north, "
+    return refuse(fmt::format("route_m leads into a no-fly zone at {:.0f} m north, "
                               "{:.0f} m east.",
                               at->x(), at->y()),
-                  "Lead it round the zone.");
+                  "Lead it around the zone.");
   reasoning::FormationOptions options;
   options.team = c.team;
   options.route = choice.route;

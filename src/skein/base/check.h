@@ -7,7 +7,7 @@
 
 namespace skein {
 
-/// A fault in Skein's own code: thrown by SKEIN_CHECK, caught only by the run loop and
+/// A bug in Skein's own code: thrown by SKEIN_CHECK, caught only by the run loop and
 /// `main`. Never used for input; see Result.
 class Bug : public std::logic_error {
  public:

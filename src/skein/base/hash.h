@@ -9,7 +9,7 @@
 namespace skein {
 
 /// A running 128-bit fingerprint (XXH3) of what was put in, in that order. Not
-/// cryptographic: it tells equal runs from different ones.
+/// cryptographic: it distinguishes equal runs from different ones.
 class Hasher {
  public:
   Hasher();

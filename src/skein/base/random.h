@@ -46,7 +46,7 @@ enum class Purpose : std::uint32_t {
 /// order streams are used. Generator: Philox4x32-10 (Salmon et al. 2011), 2^64 blocks.
 class RandomStream {
  public:
-  /// @param instance  tells several of one purpose apart, such as two equal sensors of
+  /// @param instance  distinguishes several of one purpose, such as two equal sensors of
   /// one
   ///                  aircraft; below 65,536. The first one is 0, so that another one
   ///                  does not change its numbers.

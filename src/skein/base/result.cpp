@@ -15,7 +15,7 @@ std::string Error::text() const {
 
 Error internal_error(const std::string& what) {
   return {ErrorCode::kInternal, "internal error", what,
-          "This is a fault in Skein, please report it."};
+          "This is a bug in Skein, please report it."};
 }
 
 }  // namespace skein

@@ -8,13 +8,13 @@
 
 namespace skein {
 
-/// What kind of fault an Error reports.
+/// What kind of error an Error reports.
 enum class ErrorCode {
   kBadInput,     ///< the content of a file, argument or message is wrong
   kNotFound,     ///< a file or name does not exist
   kUnavailable,  ///< the world failed: disk full, unwritable folder, socket closed
   kInterrupted,  ///< somebody asked to stop
-  kInternal,     ///< Skein's own code is at fault: see internal_error()
+  kInternal,     ///< a bug in Skein's own code: see internal_error()
 };
 
 /// What prevented a result, in words for the user.

@@ -119,7 +119,7 @@ rlim_t size_now() {
 }
 
 // Waits for a request; false when the owner is gone. Other copies may hold the other end
-// of this socket too, so that alone does not tell.
+// of this socket too, so that alone is no proof.
 bool request_comes(int socket, pid_t owner) {
   constexpr int kBetweenLooks = 1000;  // [ms]
   pollfd ready{socket, POLLIN, 0};

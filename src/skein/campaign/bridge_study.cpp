@@ -54,7 +54,7 @@ record::StudyReport bridge_report(const BridgeStudy& study, const StudyPlan& pla
   report.intro = {fmt::format(
       "A real fire as truth: dated perimeters, interpolated in time. {} seeds from {} "
       "on; means over the allocation phase, ± the 95 % confidence interval over the "
-      "seeds. The aircraft are told where the fire is and how large, roughly; neither "
+      "seeds. The aircraft are given roughly where the fire is and how large; neither "
       "wind, fuel nor rates.",
       study.seeds, study.first_seed)};
   record::StudyTable table;

@@ -9,7 +9,7 @@
 
 namespace skein::campaign {
 
-/// A real fire as truth, watched by a few aircraft that are told neither wind nor fuel
+/// A real fire as truth, watched by a few aircraft that are given neither wind nor fuel
 /// nor rates.
 struct BridgeStudy {
   std::filesystem::path base;           ///< bridge-fire.yaml

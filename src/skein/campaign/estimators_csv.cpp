@@ -188,7 +188,7 @@ std::optional<Update> read_update(CsvRow& row) {
     row.report("R", fmt::format("{} must not be negative", update.noise));
     return std::nullopt;
   }
-  // Relative to the largest: rounding of the printed numbers is no fault.
+  // Relative to the largest: rounding of the printed numbers is no error.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(update.point.covariance,
                                                              Eigen::EigenvaluesOnly);
   if (!(eigen.eigenvalues().minCoeff() >=

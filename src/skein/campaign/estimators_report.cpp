@@ -75,9 +75,10 @@ record::StudyReport estimators_report(const std::vector<StudyTable>& tables,
   report.title = "Study: estimators";
   report.intro = {
       fmt::format(
-          "What one in/out reading teaches: a range with prior N(0, ({:g} m)²) is told "
-          "to be above, or below, a bound. Mean and variance after that, against the "
-          "bound, for every measurement update (figures 2.6 to 2.9 of the thesis).",
+          "What one in/out reading teaches: a range with prior N(0, ({:g} m)²) is "
+          "reported to be above, or below, a bound. Mean and variance after that, "
+          "against the bound, for every measurement update (figures 2.6 to 2.9 of the "
+          "thesis).",
           sigma),
       "exact: by numerical integration. The variance of an approximation is its second "
       "moment about the value that it chose: never below the exact one. particle: the "

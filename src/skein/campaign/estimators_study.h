@@ -26,7 +26,7 @@ struct StudyTable {
 void write_csv(const StudyTable& table, std::ostream& out);
 
 /// A measurement update that is given from outside, because it is more than a formula:
-/// mean and variance of a range N(mean, variance) that is told to be on one side of a
+/// mean and variance of a range N(mean, variance) that is reported to be on one side of a
 /// bound with standard deviation sigma_v.
 struct NamedUpdate {
   std::string name;
@@ -44,8 +44,8 @@ struct EstimatorsStudyOptions {
   std::vector<NamedUpdate> more;  ///< further columns
 };
 
-/// Mean and variance of a range that is told to be above or below a bound, against the
-/// bound, as each estimator has them (thesis figures 2.6-2.9).
+/// Mean and variance of a range that is reported to be above or below a bound, against
+/// the bound, as each estimator has them (thesis figures 2.6-2.9).
 ///
 /// Tables `mean_above`, `variance_above`, `mean_below`, `variance_below`: column bound_m,
 /// then exact (by numerical integration), qkf, mle, map, ukf, qkf_a15 and `more`. The

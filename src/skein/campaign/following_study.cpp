@@ -211,7 +211,7 @@ record::StudyReport following_report(const FollowingStudy& study, const StudyPla
   record::StudyReport report;
   report.title = "Study: wind-following";
   report.intro = {fmt::format(
-      "One aircraft flies through three waypoints, four times round, on plans of turns "
+      "One aircraft flies through three waypoints, four laps, on plans of turns "
       "and "
       "straights: Dubins curves over ground, made as if there were no wind, and "
       "trochoids, "

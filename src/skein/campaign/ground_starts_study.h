@@ -23,7 +23,7 @@ struct GroundStartsStudy {
 /// One run per seed. Drawn evenly, by the seed alone: the aircraft; turbulence, up to the
 /// strongest that it is started in; mean wind from 0 to 8 m/s from any direction; whether
 /// a crew faces it into the wind or it stands with any heading. A cell has the runs of
-/// one aircraft, turbulence and way to stand.
+/// one aircraft, turbulence and attitude on the ground.
 /// Fails: kBadInput for an aircraft that does not exist or an override that does not fit.
 Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
                                            const scenario::KindTable& kinds);

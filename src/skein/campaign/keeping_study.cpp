@@ -135,10 +135,10 @@ KeepingWatch keeping_watch_of(const BatchItem& item) {
 record::StudyReport keeping_report(const StudyPlan& plan,
                                    const std::vector<BatchOutcome>& outcomes) {
   record::StudyReport report;
-  report.title = "Keeping to what is told";
+  report.title = "Tracking of commands";
   report.alert = partial_text(outcomes);
   report.intro = {
-      "A glider flies round a square in 5 m/s of wind, a quadrotor hovers in 6 m/s: how "
+      "A glider flies around a square in 5 m/s of wind, a quadrotor hovers in 6 m/s: how "
       "far they truly are from their line, height, airspeed and place. A receiver's "
       "error "
       "is in that; what the autopilot believes shows control alone.",

@@ -8,7 +8,7 @@
 
 namespace skein::campaign {
 
-/// What one aircraft is told to keep to.
+/// What one aircraft is commanded to track.
 struct Keeping {
   EntityId aircraft;
   double altitude_msl = 0;        ///< [m]
@@ -17,7 +17,7 @@ struct Keeping {
   double settling = 20;           ///< after the start, not counted [s]
 };
 
-/// Measures how far one aircraft truly is from what it is told to keep to.
+/// Measures how far one aircraft truly is from what it is commanded to track.
 ///
 /// Across its route: the cross-track distance that its autopilot believes, corrected by
 /// the error of its believed position across the leg. A turn is where the leg's direction

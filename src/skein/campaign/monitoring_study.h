@@ -20,7 +20,7 @@ struct Variant {
 /// thesis-no-wind.yaml.
 std::vector<Variant> monitoring_cases();
 
-/// The strategies with the readings of the benchmark told apart: `tracking-predicted`,
+/// The strategies with the readings of the benchmark distinguished: `tracking-predicted`,
 /// `tracking-binary`, `tracking-ideal`.
 std::vector<Variant> monitoring_strategies();
 

@@ -8,7 +8,7 @@ namespace skein::campaign {
 
 struct SimplexOptions {
   double step = 0.3;     ///< from the start to the other corners of the first simplex
-  int evaluations = 60;  ///< most
+  int evaluations = 60;  ///< maximum
   double least = 0.01;   ///< ends when the simplex is smaller along each axis
 };
 

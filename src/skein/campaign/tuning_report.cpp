@@ -32,7 +32,7 @@ class SetsTable {
     }
   }
 
-  // The least mean is highlighted when `lower_is_better`.
+  // The minimum mean is highlighted when `lower_is_better`.
   void figure(const LapFigure& figure, bool lower_is_better) {
     table_.columns.push_back(figure.heading);
     double least = std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ std::vector<record::StudyTable> sets_tables(const TuningStudy& study,
   for (std::size_t k = kCrossTrack; k < std::size(kLapFigures); ++k)
     others.figure(kLapFigures[k], k < kCrossTrack + kOthers);
   return {across.finish("Means over the flights, ± the 95 % confidence interval: true, "
-                        "and as the autopilot believes it. Highlighted: the least."),
+                        "and as the autopilot believes it. Highlighted: the minimum."),
           others.finish("Height and airspeed: true ones less the demanded ones. Effort: "
                         "RMS of all surface rates together. Cost: see the notes.")};
 }
@@ -181,7 +181,7 @@ std::string unfinished_text(const TuningStudy& study, const TuningPlan& plan,
   if (completed == planned) return {};
   return fmt::format(
       "{} of {} laps were not completed: the route was refused, an accident happened or "
-      "duration_s is too short; --log info tells.",
+      "duration_s is too short; see --log info.",
       planned - completed, planned);
 }
 
@@ -194,7 +194,7 @@ record::StudyReport tuning_report(const TuningStudy& study, const TuningPlan& pl
   report.title = "Study: tuning";
   const bool changes = plan.flights.front().changes();
   report.intro = {fmt::format(
-      "A route of waypoints, {} times round. {}. Seeds {} to {}.",
+      "A route of waypoints, {} laps. {}. Seeds {} to {}.",
       plan.flights.front().sets.size(),
       changes ? "Each lap is flown with other gains, and from one flight to the next the "
                 "gains move on by a lap, so that each set is flown first, second and so "
@@ -255,14 +255,14 @@ record::StudyTable found_table(const TuningSearch& search, const TuningFound& fo
 record::StudyPlot search_plot(const std::vector<SimplexTry>& tries) {
   record::StudyPlot plot;
   plot.title = "Search";
-  plot.caption = "Cost of each set of gains tried, and the least so far.";
+  plot.caption = "Cost of each set of gains tried, and the best so far.";
   plot.x_label = "gains tried";
   plot.y_label = "cost";
   plot.log_y = true;
   record::StudySeries each, least;
   each.name = "tried";
   each.points = true;
-  least.name = "least so far";
+  least.name = "best so far";
   double best = tries.front().cost;
   for (std::size_t k = 0; k < tries.size(); ++k) {
     best = std::min(best, tries[k].cost);

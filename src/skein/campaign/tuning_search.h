@@ -17,7 +17,7 @@ struct TuningSearch {
   std::vector<double> start;      ///< their values, above 0
   /// The gains with these values, as an entry of `lap_gains`.
   std::function<std::string(const std::vector<double>& values)> lap_gains;
-  int evaluations = 60;  ///< most gains to try
+  int evaluations = 60;  ///< maximum number of gains to try
   /// Called after each; may be empty.
   std::function<void(int tried, double best_cost)> progress;
 };

@@ -17,7 +17,7 @@ struct GainSet {
   std::string lap_gains;  ///< an entry of the autopilot's `lap_gains`, on one line
 };
 
-/// A route flown several times round with several sets of gains.
+/// A route flown for several laps with several sets of gains.
 struct TuningStudy {
   std::filesystem::path base;  ///< first aircraft: a fixed wing with an agent `route`
   std::vector<GainSet> sets;   ///< at least one
@@ -31,7 +31,7 @@ struct TuningFlight {
   std::size_t item = 0;
   std::vector<std::size_t> sets;
 
-  /// Whether the gains changed on the way.
+  /// Whether the gains changed meanwhile.
   bool changes() const;
 };
 

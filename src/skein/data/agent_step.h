@@ -19,6 +19,7 @@ struct AgentInput {
   Time now;
   const NavEstimate* nav = nullptr;
   AutopilotStatus autopilot;
+  CommandFate command_fate;               ///< of the last AgentOutput::command
   std::span<const SensorSample> samples;  ///< since the last step
   std::span<const Message> inbox;         ///< since the last step
   std::span<const Command> commands;      ///< to a ground station, since the last step

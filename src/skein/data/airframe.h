@@ -16,12 +16,12 @@ struct SelfStabilised {
 struct FixedWingAirframe {
   double mass = 0;        ///< [kg]
   double span = 0;        ///< of the wing [m]; 0 = not known
-  double slowest = 0;     ///< least airspeed to fly at: stall with its reserve [m/s]
+  double slowest = 0;     ///< minimum airspeed to fly at: stall with its reserve [m/s]
   double cruise = 0;      ///< airspeed [m/s]
   double fastest = 0;     ///< [m/s]
   double bank_limit = 0;  ///< [rad]
   double pitch_up = 0;    ///< largest pitch angle [rad]
-  double pitch_down = 0;  ///< least pitch angle, negative [rad]
+  double pitch_down = 0;  ///< minimum pitch angle, negative [rad]
   double climb_rate = 0;  ///< largest, at cruise and full throttle, with reserve [m/s]
   double sink_rate = 0;   ///< largest, motor idle at cruise, with reserve [m/s]
   // Level flight at cruise, sea level:
@@ -32,7 +32,7 @@ struct FixedWingAirframe {
   bool motor = true;         ///< has one
   double roll_friction = 0;  ///< of the ground along the body, over weight; 0 = not known
   double rest_pitch = 0;     ///< at which it stands on the ground [rad]
-  double steering = 0;       ///< turn per way of its wheels at full rudder [rad/m]
+  double steering = 0;       ///< turn per distance of its wheels at full rudder [rad/m]
   double brake_friction = 0;  ///< on top at full brake; 0 = it has no brakes
   // How it answers in that flight, for gains of its own. 0 = not known.
   double aileron_power = 0;    ///< roll acceleration at full aileron [rad/s^2]
@@ -48,7 +48,7 @@ struct FixedWingAirframe {
 struct RotorPlace {
   Vec2 position = Vec2::Zero();  ///< forward, right of the centre of gravity [m]
   double spin =
-      1;  ///< +1: its drag torque yaws the airframe clockwise, -1: the other way
+      1;  ///< +1: its drag torque yaws the airframe clockwise, -1: counter-clockwise
 };
 
 /// A multirotor that takes Actuators: channel k is rotor k.
@@ -61,7 +61,7 @@ struct MultirotorAirframe {
   /// Thrust of a rotor is thrust_max throttle^exponent in steady state.
   double thrust_exponent = 2;
   double tilt_limit = 0;  ///< [rad]
-  double cruise = 0;      ///< horizontal speed in the air on the way [m/s]
+  double cruise = 0;      ///< horizontal airspeed en route [m/s]
   double fastest = 0;     ///< [m/s]
   double climb_rate = 0;  ///< [m/s]
   double sink_rate = 0;   ///< [m/s]

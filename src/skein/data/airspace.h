@@ -10,8 +10,8 @@
 
 namespace skein {
 
-/// Something in the way that moves evenly: a balloon, a crane's load, traffic that has
-/// told nothing but where it is and how it moves. An upright cylinder.
+/// An obstacle that moves evenly: a balloon, a crane's load, traffic that has reported
+/// nothing but where it is and how it moves. An upright cylinder.
 struct MovingObstacle {
   double time = 0;          ///< at which it is at `p_N` [s]
   Vec3 p_N = Vec3::Zero();  ///< its middle then [m]

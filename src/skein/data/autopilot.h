@@ -52,7 +52,7 @@ struct FlyWaypoints {
     double altitude_msl = 0;  ///< [m]
   };
   std::vector<Waypoint> points;
-  int laps = 1;  ///< times round; after the last point comes the first again
+  int laps = 1;  ///< times around; after the last point comes the first again
 };
 
 /// From the ground to the commanded altitude.
@@ -81,7 +81,7 @@ struct AutopilotCommand {
   std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise
 };
 
-/// Where returns lead from now on, those of failsafes too, and by what way: around what
+/// Where returns lead from now on, those of failsafes too, and by what route: around what
 /// is forbidden.
 struct ReturnRoute {
   /// One after the other, each straight from the last; at the last one it stays or lands
@@ -95,7 +95,7 @@ struct ReturnRoute {
 /// What has gone wrong, most severe last.
 enum class FailsafeTrigger : std::uint8_t {
   kNone,
-  kLink,      ///< nothing heard from the ground
+  kLink,      ///< nothing received from the ground
   kBattery,   ///< what is left is needed to get home
   kGeofence,  ///< outside the area or above the ceiling
   kGnss,      ///< no fix
@@ -123,7 +123,7 @@ inline constexpr std::size_t kFlightSensors = 5;
 
 /// What is done about it.
 enum class FailsafeReaction : std::uint8_t {
-  kNone,     ///< told, nothing more
+  kNone,     ///< reported, nothing more
   kHold,     ///< stay here
   kReturn,   ///< fly home, stay above
   kLand,     ///< fly home and land
@@ -133,7 +133,20 @@ constexpr auto names_of(const FailsafeReaction*) {
   return std::to_array<std::string_view>({"none", "hold", "return", "land", "descend"});
 }
 
-/// How far the autopilot is with what it was told, and how it flies.
+/// What has become of the last command to an autopilot.
+struct CommandFate {
+  enum class State : std::uint8_t {
+    kNone,      ///< there was none
+    kPending,   ///< given, not yet answered
+    kAccepted,  ///< it is flown, or was
+    kRefused,   ///< it cannot be flown; what was flown before goes on
+  };
+  std::uint32_t number = 0;  ///< counts the commands, from 1
+  State state = State::kNone;
+  std::string_view reason = {};  ///< of a refusal; good until the next command
+};
+
+/// How far the autopilot is with its command, and how it flies.
 struct AutopilotStatus {
   double remaining = 0;    ///< along the path [m]; 0 when there is none
   double cross_track = 0;  ///< distance to the path [m], right positive
@@ -144,7 +157,7 @@ struct AutopilotStatus {
   int lap = 0;                ///< laps of FlyWaypoints that have been completed
   double altitude_msl = 0;    ///< demanded now [m]; of Skein's fixed-wing guidance only
   double airspeed = 0;        ///< demanded now [m/s]; of the same
-  bool on_ground = false;     ///< it stands, as far as the autopilot can tell
+  bool on_ground = false;     ///< it stands, as far as the autopilot knows
   FlightMode mode = FlightMode::kGuided;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FailsafeReaction reaction = FailsafeReaction::kNone;
@@ -153,7 +166,7 @@ struct AutopilotStatus {
       {};              ///< why the last of them could not; good until the next one
   double charge = 1;   ///< left, from 0 to 1
   double reserve = 1;  ///< of it, when what it takes to get home is taken off
-  /// Bit k: of FlightSensor k, which is fitted, nothing is heard any more.
+  /// Bit k: of FlightSensor k, which is fitted, nothing is received any more.
   std::uint8_t lost_sensors = 0;
   std::array<std::uint8_t, kFlightSensors> units{};  ///< of each, the one flown by
   std::optional<double> endurance =
@@ -179,7 +192,7 @@ constexpr auto describe(const AutopilotStatus*) {
                      "of fixed-wing guidance")),
       untabled(field("demanded_airspeed", &T::airspeed, unit::kMetrePerSecond,
                      "of fixed-wing guidance")),
-      field("on_ground", &T::on_ground, "as far as it can tell"),
+      field("on_ground", &T::on_ground, "as far as it knows"),
       field("mode", &T::mode, "who flies"),
       field("failsafe", &T::trigger, "what has gone wrong"),
       field("reaction", &T::reaction, "what is done about it"),

@@ -271,7 +271,7 @@ void put(const T& value, Sink& sink) {
 }
 
 /// Takes the values of a row from `source`: `take(double&)`, and so on, say whether there
-/// was one; `skip()` passes one over; `check(bool)` hears whether a value made sense.
+/// was one; `skip()` passes one over; `check(bool)` is given whether a value made sense.
 template <Described T, class Source>
 void take(T& value, Source& source) {
   detail::take_fields(value, source);

@@ -13,10 +13,10 @@ struct FlightCommand {
   double climb_rate = 0;  ///< [m/s], up positive
 };
 
-/// What an autopilot tells the actuators of an airframe, one number a channel: surfaces
-/// from -1 to 1 of their largest deflection, motors from 0 to 1. What a channel moves is
-/// the airframe's business; see Channel for fixed wings. Channel k of a multirotor is its
-/// rotor k.
+/// What an autopilot commands the actuators of an airframe, one number a channel:
+/// surfaces from -1 to 1 of their largest deflection, motors from 0 to 1. What a channel
+/// moves is the airframe's business; see Channel for fixed wings. Channel k of a
+/// multirotor is its rotor k.
 struct Actuators {
   static constexpr std::size_t kMaxChannels = 8;
   std::array<double, kMaxChannels> channel{};

@@ -8,7 +8,7 @@
 
 namespace skein {
 
-/// Something worth telling the user that happened at one moment of a run.
+/// Something worth reporting to the user that happened at one moment of a run.
 struct Event {
   Time time;
   EntityId entity;
@@ -19,7 +19,7 @@ struct Event {
 
 constexpr auto describe(const Event*) {
   using T = Event;
-  return described<T>({"event", "events"}, "Something worth telling.",
+  return described<T>({"event", "events"}, "Something worth reporting.",
                       field("time", &T::time, "when"),
                       field("entity_id", &T::entity, "to whom it happened"),
                       field("kind", &T::kind, "short and stable, for scripts"),

@@ -17,7 +17,7 @@
 
 namespace skein {
 
-/// What an aircraft tells the team about itself, once a second.
+/// What an aircraft reports to the team about itself, once a second.
 struct AircraftReport {
   NavEstimate nav;
   FlightLimits limits;
@@ -25,7 +25,7 @@ struct AircraftReport {
   bool task_done = false;
   /// False while a pilot or a failsafe flies: then orders wait.
   bool obeys = true;
-  /// It knows all changes of no-flight zones up to this number.
+  /// It has received all changes of no-fly zones up to this number.
   std::uint32_t zone_changes = 0;
 };
 
@@ -41,7 +41,7 @@ constexpr auto describe(const AircraftReport*) {
       field("zone_changes", &T::zone_changes, "it knows all changes up to this number"));
 }
 
-/// Where an aircraft of the team is, told on by the ground station or by itself.
+/// Where an aircraft of the team is, reported by the ground station or by itself.
 struct TeamPosition {
   EntityId aircraft;
   NavEstimate nav;

@@ -32,7 +32,7 @@ struct MonitoringSituation {
   const BoundaryEstimate* boundary = nullptr;  ///< never null
   std::span<const AircraftStatus> aircraft;    ///< only those that can fly now
   Vec2 origin = Vec2::Zero();                  ///< believed origin of the fire [m]
-  std::span<const Zone> zones;                 ///< no-flight zones
+  std::span<const Zone> zones;                 ///< no-fly zones
 };
 
 /// A new order for one aircraft; aircraft without one keep what they have.

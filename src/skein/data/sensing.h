@@ -141,7 +141,7 @@ struct TruthSample {
   Vec3 wind_N = Vec3::Zero();
 };
 
-/// Something was heard from the ground.
+/// Something was received from the ground.
 struct LinkSample {
   Time time;
 };

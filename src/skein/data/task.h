@@ -26,7 +26,7 @@ constexpr auto describe(const FlyTo*) {
 struct FollowEdge {
   bool clockwise = true;      ///< around the fire, on the map
   Vec2 start = Vec2::Zero();  ///< where to look for the edge first [m]
-  /// Believed direction of the edge there, fire on its right whichever way round; 0 =
+  /// Believed direction of the edge there, fire on its right in either sense; 0 =
   /// unknown.
   Vec2 tangent = Vec2::Zero();
   double angle = 0;  ///< between course and edge [rad]; 0 = the agent's own
@@ -66,7 +66,7 @@ constexpr auto describe(const FlyCourse*) {
                       field("course", &T::course, unit::kDegree, "over ground"));
 }
 
-/// Circle a point until told otherwise.
+/// Circle a point until further notice.
 struct Loiter {
   Vec2 centre = Vec2::Zero();
 };
@@ -77,18 +77,18 @@ constexpr auto describe(const Loiter*) {
                       field("", &T::centre, axes::kPlace, "the point"));
 }
 
-/// Fly through points, round and round.
+/// Fly through points, lap after lap.
 struct FlyRoute {
   std::vector<Vec2> points;  ///< [m]
   int laps = 1;
-  std::vector<EntityId> tell;  ///< whom to tell the own position directly, each second
+  std::vector<EntityId> tell;  ///< who gets the own position directly, each second
 };
 
 constexpr auto describe(const FlyRoute*) {
   using T = FlyRoute;
-  return described<T>({"fly_route"}, "Fly through points, round and round.",
+  return described<T>({"fly_route"}, "Fly through points, lap after lap.",
                       field("points", &T::points, Storage::kJson, "of the route"),
-                      field("laps", &T::laps, "times round"),
+                      field("laps", &T::laps, "times around"),
                       field("tell", &T::tell, Storage::kJson,
                             "who gets the own position directly, each second"));
 }

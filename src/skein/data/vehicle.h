@@ -82,7 +82,7 @@ struct FlightLimits {
   double airspeed = 20;     ///< cruise [m/s]
   double turn_radius = 60;  ///< smallest, in the air mass at cruise airspeed [m]
   double climb_rate = 3;    ///< largest [m/s]
-  double slowest = 15;      ///< least airspeed in level flight [m/s]; 0 = it can hover
+  double slowest = 15;      ///< minimum airspeed in level flight [m/s]; 0 = it can hover
   double fastest = 25;      ///< [m/s]
   double sink_rate = 3;     ///< largest [m/s]
   /// Thinnest air that it can fly level in [kg/m^3]; 0 = it flies in any.
@@ -129,7 +129,7 @@ constexpr auto describe(const NavEstimate*) {
       field("pitch", &T::pitch, unit::kDegree, "nose up positive"));
 }
 
-/// The true motion as an estimate without errors: what an operator tells an autopilot at
+/// The true motion as an estimate without errors: what an operator gives an autopilot at
 /// the start. The wind is not known.
 inline NavEstimate as_estimate(const VehicleState& state, Time time) {
   const geo::Euler attitude = geo::to_euler(state.q_NB);

@@ -23,7 +23,7 @@ constexpr auto describe(const Disc*) {
                       field("radius", &T::radius, unit::kMetre, "its radius"));
 }
 
-/// A no-flight zone: what lies above an area, in a range of altitudes and of times.
+/// A no-fly zone: what lies above an area, in a range of altitudes and of times.
 struct Zone {
   std::variant<geo::Ring, Disc> area =
       {};  ///< a ring is positive and does not cross itself
@@ -70,10 +70,10 @@ inline constexpr std::size_t kMaxCorners = 2000;
 /// that are not finite (floor, ceiling and times may be infinite), fewer than 3 or more
 /// than kMaxCorners corners, no area, sides that cross (and where), a radius of 0 or
 /// less, a floor that is not below the ceiling, an end that is not after the start.
-/// A ring that runs the other way round is none of these: see made_positive().
+/// A ring that runs in the opposite sense is none of these: see made_positive().
 std::optional<std::string> error_in(const Zone& zone);
 
-/// The same ring, run through the other way when it is negative.
+/// The same ring, reversed when it is negative.
 geo::Ring made_positive(geo::Ring ring);
 
 /// The zone's area as a positive ring. A disc becomes a polygon around it, nowhere more

@@ -7,7 +7,7 @@
 
 namespace skein {
 
-/// A no-flight zone that is put into force or taken back in flight.
+/// A no-fly zone that is put into force or taken back in flight.
 struct ZoneChange {
   /// Counts the ground station's changes from 1; 0 = a command that no station has taken
   /// up yet.
@@ -24,7 +24,7 @@ constexpr auto describe(const ZoneChange*) {
   return described<T>(
       {"zone"}, "A no-fly zone that is put into force or taken back.",
       field("number", &T::number,
-            "of the ground station's changes; 0: known to all from the start"),
+            "of the ground station's changes; 0: in force from the start"),
       field("in_force", &T::on, "else it is taken back, and only its name counts"),
       field("", &T::zone, "which"));
 }

@@ -7,7 +7,7 @@
 
 namespace skein {
 
-/// An operator's line about a no-flight zone, as a change without number:
+/// An operator's line about a no-fly zone, as a change without number:
 ///
 ///   zone on NAME circle NORTH,EAST RADIUS [LIMITS]
 ///   zone on NAME ring NORTH,EAST NORTH,EAST NORTH,EAST ... [LIMITS]
@@ -18,8 +18,8 @@ namespace skein {
 /// order. Metres in the local frame, seconds of the run; words are parted by blanks, so
 /// that names have none.
 ///
-/// Fails: kBadInput when the line is none of these, or when error_in() finds fault with
-/// the zone that it draws.
+/// Fails: kBadInput when the line is none of these, or when error_in() rejects the zone
+/// that it draws.
 Result<ZoneChange> parse_zone_command(std::string_view line);
 
 }  // namespace skein

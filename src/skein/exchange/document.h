@@ -27,7 +27,7 @@ struct Mark {
   std::optional<double> heading;  ///< of the air-relative velocity [rad]
 };
 
-/// What a flight is for: an area to cover, a line to patrol, a target's way.
+/// What a flight is for: an area to cover, a line to patrol, a target's track.
 struct Shape {
   std::string name;
   bool closed = false;       ///< an area

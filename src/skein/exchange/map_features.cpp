@@ -42,7 +42,7 @@ std::string looks_like(const std::string& name) {
   return {};
 }
 
-// GDAL's words, whose full stop depends on the fault.
+// GDAL's words, whose full stop depends on the error.
 std::string words_of(const geo::GdalGuard& guard) {
   std::string text = guard.failure();
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();

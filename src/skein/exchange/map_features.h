@@ -31,7 +31,7 @@ const std::vector<std::string>& known_properties();
 
 /// Reads all features of all layers of a map file: GeoJSON, KML, or any vector format
 /// that GDAL reads. What has several parts becomes several features with one place. Rings
-/// may run either way; points that repeat the one before are left out.
+/// may run in either sense; points that repeat the one before are left out.
 ///
 /// @param frame     the plane; null: coordinates are metres to east and north already
 ///                  (not in KML).

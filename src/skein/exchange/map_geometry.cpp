@@ -138,7 +138,7 @@ Result<std::vector<Vec2>> GeometryReader::points_of(void* line) {
   points_ += static_cast<std::size_t>(count);
   if (points_ > kMaxPoints)
     return error(
-        fmt::format("takes the file over {} points, the most allowed.", kMaxPoints));
+        fmt::format("takes the file over {} points, the maximum allowed.", kMaxPoints));
   std::vector<Vec2> points;
   for (int i = 0; i < count; ++i) {
     const auto p = in_plane(OGR_G_GetX(line, i), OGR_G_GetY(line, i), i);

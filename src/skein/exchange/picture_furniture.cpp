@@ -123,13 +123,12 @@ std::pair<std::string, double> legend(const Document& document, double width) {
         "class=\"core\" r=\"2.5\"/></g>",
         "goal");
   if (!document.zones.empty())
-    rows.add("<rect class=\"zone\" y=\"-8\" width=\"26\" height=\"16\"/>",
-             "no-flight zone");
+    rows.add("<rect class=\"zone\" y=\"-8\" width=\"26\" height=\"16\"/>", "no-fly zone");
   if (!document.movers.empty())
     rows.add(
         "<circle class=\"mover\" cx=\"9\" r=\"7\"/><path class=\"mover-way\" d=\"M9 "
         "0H28\"/>",
-        "moving obstacle, 30 s of its way");
+        "moving obstacle, 30 s of its track");
   for (const Shape& shape : document.shapes)
     if (!shape.left_out)
       rows.add(shape.closed ? "<rect class=\"area\" y=\"-8\" width=\"26\" height=\"16\"/>"

@@ -152,7 +152,7 @@ class Painter {
     }
   }
 
-  // Times at round moments along the way.
+  // Times at round moments along the flight.
   void paint_clocks(std::size_t index) {
     const FlightPlan& plan = document_.plans[index].plan;
     if (plan.empty() || document_.plans.size() > 4) return;
@@ -162,7 +162,7 @@ class Painter {
          t += step) {
       const model::FlightMoment m = model::moment_at(plan, t);
       const Vec2 at = view_.px(m.p_N.head<2>());
-      // To the right of the way.
+      // To the right of the path.
       const Vec2 side = geo::turned_right(geo::unit(geo::bearing(m.v_N.head<2>())));
       put("<g class=\"fixed\" transform=\"translate({:.2f} {:.2f})\"><circle "
           "class=\"clock-dot\" r=\"2\"/></g>\n",

@@ -16,8 +16,8 @@ struct WritingOptions {
 };
 
 /// GeoJSON (RFC 7946): a line for each element with its times and headings, a polygon for
-/// each zone, points for marks and moving obstacles. The property `what` tells them
-/// apart: element, zone, area, hole, line, start, goal, place, obstacle.
+/// each zone, points for marks and moving obstacles. The property `what` distinguishes
+/// them: element, zone, area, hole, line, start, goal, place, obstacle.
 /// Fails: kBadInput without a frame.
 Result<std::string> to_geojson(const Document& document, const WritingOptions& options);
 

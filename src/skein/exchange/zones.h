@@ -9,7 +9,7 @@
 
 namespace skein::exchange {
 
-/// The no-flight zones of a map: areas, and points with `radius_m`, which are discs;
+/// The no-fly zones of a map: areas, and points with `radius_m`, which are discs;
 /// floor_m, ceiling_m, from_s, until_s limit them. A zone with holes becomes several that
 /// overlap by 0.2 m. Features that a file of Skein's calls something else are left out.
 ///

@@ -9,7 +9,7 @@ namespace skein::geo {
 
 /// A closed line: the last point joins the first, which is not repeated. Positive rings
 /// (outer boundaries) run clockwise on the map, that is with growing bearing; holes run
-/// the other way.
+/// counter-clockwise.
 using Ring = std::vector<Vec2>;
 
 /// A part of the plane: outer rings positive, holes negative, no two crossing.

@@ -39,7 +39,7 @@ inline double yaw(const Quat& q_NB) {
   return math::atan2(2 * (x * y + w * z), w * w + x * x - y * y - z * z);
 }
 
-/// Angles of q_NB. At pitch +-pi/2 roll and yaw are not told apart: only their
+/// Angles of q_NB. At pitch +-pi/2 roll and yaw are not distinguished: only their
 /// difference (sum) is right.
 inline Euler to_euler(const Quat& q_NB) {
   const double w = q_NB.w(), x = q_NB.x(), y = q_NB.y(), z = q_NB.z();

@@ -11,7 +11,7 @@ namespace skein::record {
 
 /// The fingerprint of everything a recorder is given, in that order: of the canonical
 /// wire form of each record, so that every described field counts. Numbers count by
-/// value; nothing of the machine, the wall clock or the way of storing enters.
+/// value; nothing of the machine, the wall clock or the form of storage enters.
 class ContentHash {
  public:
   void add(const Record& record);

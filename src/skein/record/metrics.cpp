@@ -119,8 +119,8 @@ geo::Region believed_rings(const BoundaryEstimate& belief) {
   return region;
 }
 
-// A belief that ran away, as far as areas can still be told: clipping has its limits, and
-// a fire larger than the Earth is wrong enough.
+// A belief that ran away, as far as areas can still be computed: clipping has its limits,
+// and a fire larger than the Earth is wrong enough.
 geo::Region within_earth(geo::Region rings) {
   constexpr double kFarthest = 3.9e7;  // [m]; geo/clip.h allows 4e7
   for (geo::Ring& ring : rings)

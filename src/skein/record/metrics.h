@@ -19,7 +19,8 @@ struct PerimeterMetrics {
   std::optional<double> rmse;          ///< sqrt(mean err^2) of the believed points [m]
   std::optional<double> sigma;         ///< sqrt(mean sigma^2) of the believed points [m]
   std::optional<double> boundary_rms;  ///< symmetric distance of the boundaries, RMS [m]
-  std::optional<double> boundary_hausdorff;  ///< the largest distance, both ways [m]
+  std::optional<double>
+      boundary_hausdorff;              ///< the largest distance, in both directions [m]
   std::optional<double> iou;           ///< intersection over union of the areas, 0..1
   std::optional<double> coverage_95;   ///< share of points with |err| <= 1.96 sigma
   std::optional<double> nees;          ///< mean(err^2 / sigma^2); 1 when consistent

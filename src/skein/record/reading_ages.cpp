@@ -6,7 +6,7 @@
 namespace skein::record {
 namespace {
 
-constexpr double kReach = 100;       // a crossing tells about this much boundary [m]
+constexpr double kReach = 100;       // a crossing informs about this much boundary [m]
 constexpr double kSpacing = 25;      // of the markers, unless they get too many [m]
 constexpr double kMaxMarkers = 200;  // about
 constexpr double kSameFront = 300;   // no front moves further between two calls [m]

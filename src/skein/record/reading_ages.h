@@ -12,7 +12,7 @@ namespace skein::record {
 ///
 /// Markers on the true boundary remember when it was last crossed there. They move with
 /// the front (each to the nearest point of the newest boundary), because the place of an
-/// old crossing has long burnt: what stays is the part of the front it told about. New
+/// old crossing has long burnt: what stays is the part of the front that it observed. New
 /// markers fill the gaps of a growing front and remember what their neighbour does. A
 /// crossing counts for the 100 m around it; what was never crossed, or has sprung up away
 /// from the rest, counts from the start of the run.

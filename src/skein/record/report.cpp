@@ -96,7 +96,7 @@ Json run_json(const StoredRun& run, const std::string& label, const fs::path& di
           {"map", map_json(run)}};
 }
 
-// The last part of each path, with as many parts before it as tell the runs apart.
+// The last part of each path, with as many parts before it as distinguish the runs.
 std::vector<std::string> labels(std::span<const fs::path> directories) {
   for (int parts = 1;; ++parts) {
     std::vector<std::string> names;

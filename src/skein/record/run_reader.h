@@ -12,7 +12,7 @@
 
 namespace skein::record {
 
-/// One entity's way, at equal steps of time.
+/// One entity's track, at equal steps of time.
 struct StoredTrack {
   EntityId id;
   double start = 0, step = 0;                ///< [s]

@@ -35,7 +35,7 @@ class RunStatistics {
   void crossing(const Crossing& crossing);
   void message(bool lost);
   /// An event of the kind "allocation" starts the allocation phase; those between
-  /// "over-confident" and "trusted" bound the time in which the belief is doubted.
+  /// "over-confident" and "trusted" bound the time in which the belief is distrusted.
   void event(const Event& event);
   /// Compares, gathers and returns the metrics with their latencies. The summary is of
   /// the believer that came first.

@@ -62,8 +62,8 @@ struct StudyPlot {
   static constexpr double kFree = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Ways over ground, x = east and y = north [m], drawn north up with equal axes. What is
-/// dashed is what the others are compared with.
+/// Tracks over ground, x = east and y = north [m], drawn north up with equal axes. What
+/// is dashed is what the others are compared with.
 struct StudyMap {
   std::string title, caption;
   std::vector<StudySeries> series;

@@ -12,8 +12,8 @@ class MonitoringStrategy {
   virtual ~MonitoringStrategy() = default;
 
   /// New orders, at most one per aircraft, in the order of `situation.aircraft`; no two
-  /// aircraft get the same place. Called about once a second; what an aircraft was told
-  /// before stays in force until a new order.
+  /// aircraft get the same place. Called about once a second; an order stays in force
+  /// until a new one.
   virtual std::vector<Assignment> assign(const MonitoringSituation& situation) = 0;
 };
 

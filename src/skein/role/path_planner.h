@@ -17,22 +17,21 @@ struct Airspace;
 
 /// How much work a planner may do.
 struct PlanningBudget {
-  /// States it may look at. What is simulated uses this limit only: it does not depend on
-  /// the machine.
+  /// Expansions it may make. What is simulated uses this limit only: it does not depend
+  /// on the machine.
   std::int64_t states = 100'000;
   /// Asked now and then; true ends the search, with or without a path: nobody waits for
   /// it any more.
   std::function<bool()> stop = {};
-  /// Asked now and then; true ends the search as soon as there is a path, or once
-  /// `first_states` were looked at without one. For a limit of time: a machine under load
+  /// Asked now and then; true ends the search as soon as there is a path, or after
+  /// `first_states` expansions without one. For a limit of time: a machine under load
   /// gives a worse path then, never none.
   std::function<bool()> enough = {};
   std::int64_t first_states = 100'000;
   /// End with the first path found, without bettering it.
   bool first = false;
 
-  /// Whether `stop` or `enough` end a search without a path that has looked at so many
-  /// states.
+  /// Whether `stop` or `enough` end a search without a path after so many expansions.
   bool ends_at(std::int64_t looked_at) const {
     return (stop && stop()) || (enough && looked_at >= first_states && enough());
   }
@@ -45,7 +44,7 @@ struct PathQuery {
   FlightLimits limits;          ///< airspeed, turn radius, climb and sink rate count
   Vec2 wind = Vec2::Zero();     ///< velocity of the air over ground [m/s]
   double ground_clearance = 0;  ///< to keep above the ground [m]
-  const Airspace* airspace = nullptr;  ///< none: nothing in the way
+  const Airspace* airspace = nullptr;  ///< none: no obstacles
   const Terrain* terrain = nullptr;    ///< none: no ground
   /// The area that may be flown over, as corners south-west and north-east; outside of it
   /// nothing is known.
@@ -83,12 +82,12 @@ struct PlannedPath {
   double duration = std::numeric_limits<double>::infinity();  ///< of the plan [s]
   /// No path of bounded curvature is quicker than this [s].
   double bound = 0;
-  std::int64_t states = 0;  ///< looked at
+  std::int64_t states = 0;  ///< expansions
   /// Near a blocked start or goal, the nearest place found that is not.
   std::optional<FlightState> alternative = std::nullopt;
 };
 
-/// Finds paths from one flight state to another, around what is in the way.
+/// Finds paths from one flight state to another, around obstacles.
 ///
 /// Holds options only: one planner may serve many aircraft and threads.
 class PathPlanner {

@@ -13,8 +13,8 @@ class Recorder {
   virtual ~Recorder() = default;
 
   /// Something happened. EntityRecords come before anything else about their entities,
-  /// GroundObjects and zones that are known to all before the first step; Crossings may
-  /// come later than they happened.
+  /// GroundObjects, and zones in force from the start, before the first step; Crossings
+  /// may come later than they happened.
   virtual void record(const Record& record) = 0;
 
   /// Called at the end of every step; may write out what has gathered.

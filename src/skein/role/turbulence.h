@@ -14,7 +14,7 @@ struct TurbulenceView {
   Vec3 wind_N = Vec3::Zero();  ///< mean wind there [m/s]
 };
 
-/// The gusts that one vehicle meets on its way: its own, so that vehicles move in
+/// The gusts that one vehicle meets on its path: its own, so that vehicles move in
 /// parallel.
 class Turbulence {
  public:

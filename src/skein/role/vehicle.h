@@ -26,19 +26,6 @@ struct Surroundings {
   std::span<const GroundObject> objects = {};
 };
 
-/// What has become of the last command.
-struct CommandFate {
-  enum class State : std::uint8_t {
-    kNone,      ///< there was none
-    kPending,   ///< given, not yet answered
-    kAccepted,  ///< it is flown, or was
-    kRefused,   ///< it cannot be flown; what was flown before goes on
-  };
-  std::uint32_t number = 0;  ///< counts the commands, from 1
-  State state = State::kNone;
-  std::string_view reason = {};  ///< of a refusal; good until the next command
-};
-
 /// Something that happened to a vehicle, for the records.
 struct VehicleEvent {
   std::string kind;
@@ -52,7 +39,7 @@ struct PayloadSamples {
 };
 
 /// A vehicle with its autopilot, as the simulation and its agent see it: simulated,
-/// behind a link, or in another process; nobody above can tell which.
+/// behind a link, or in another process; nobody above knows which.
 ///
 /// Threads: one at a time; vehicles move in parallel, and each writes only itself.
 class Vehicle {
@@ -85,6 +72,7 @@ class Vehicle {
 
   /// Replaces what to do next.
   virtual void command(const AutopilotCommand& command) = 0;
+  /// What has become of the last of them.
   virtual CommandFate command_fate() const = 0;
   /// Replaces where returns lead from now on.
   virtual void set_return(const ReturnRoute& route) = 0;

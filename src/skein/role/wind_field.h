@@ -10,7 +10,7 @@ class WindField {
  public:
   virtual ~WindField() = default;
 
-  /// Velocity of the air over ground in N [m/s] (the way it blows to) at `p_N` and
+  /// Velocity of the air over ground in N [m/s] (towards where it blows) at `p_N` and
   /// `time`.
   virtual Vec3 wind(const Vec3& p_N, Time time) const = 0;
 };

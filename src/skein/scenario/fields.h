@@ -258,7 +258,7 @@ class Fields : public detail::FieldsBase {
     return *this;
   }
 
-  /// A condition on the whole struct, asked when all its keys are sound: `fault` returns
+  /// A condition on the whole struct, asked when all its keys are valid: `fault` returns
   /// what is wrong, as text for the user, or nothing. `key` is where it is reported.
   Fields& rule(std::string key, std::function<std::string(const T&)> error) {
     return rules([key = std::move(key), error = std::move(error)](const T& object) {
@@ -269,7 +269,7 @@ class Fields : public detail::FieldsBase {
     });
   }
 
-  /// Conditions that may be broken in several places, asked when all keys are sound.
+  /// Conditions that may be broken in several places, asked when all keys are valid.
   Fields& rules(std::function<std::vector<RuleViolation>(const T&)> errors) {
     return rules_of_valid(
         [errors = std::move(errors)](const T& object, const ValidValues& valid) {

@@ -99,7 +99,7 @@ class TreeBuilder : public YAML::EventHandler {
     YAML::anchor_t anchor = 0;
     YAML::Mark mark;
     bool has_key = false;    // of a map: a key waits for its value
-    bool drop_next = false;  // of a map: the waiting key is at fault
+    bool drop_next = false;  // of a map: the waiting key is not valid
   };
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {

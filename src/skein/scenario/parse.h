@@ -23,8 +23,8 @@ struct ParseLimits {
 ///
 /// @param source  number of the source in `problems`.
 /// @param name    what it is, with its article, for messages: "a scenario".
-/// @returns  the tree; none after a fault of syntax, or when the text holds no value.
-///           Keys given twice are reported and the first is kept.
+/// @returns  the tree; none after a syntax error, or when the text holds no value. Keys
+///           given twice are reported and the first is kept.
 /// Fails:    through `problems`: not UTF-8, control characters, syntax, limits, tags,
 ///           several documents, keys that are not text.
 std::optional<Node> parse_yaml(std::string_view text, std::int32_t source,

@@ -15,7 +15,7 @@ struct Place {
   friend auto operator<=>(const Place&, const Place&) = default;
 };
 
-/// One fault of a scenario, in words for the user.
+/// One validation error of a scenario, in words for the user.
 struct Problem {
   Place place;
   std::string source;   ///< name of the file, or the override as `--set a.b=c`

@@ -152,7 +152,7 @@ Place place_of(const Node& node, const std::string& path, bool& found) {
   return place;
 }
 
-// Where a fault is best mended: its own key, else another one that the file gives.
+// Where an error is best mended: its own key, else another one that the file gives.
 Place place_of(const Node& node, const RuleViolation& error) {
   bool found = false;
   const Place own = place_of(node, error.key, found);

@@ -18,14 +18,15 @@ struct Folders {
   std::filesystem::path override;  ///< for paths in overrides
 };
 
-/// Turns trees into values, by their description, and reports every fault that it meets.
+/// Turns trees into values, by their description, and reports every validation error that
+/// it meets.
 class Reader {
  public:
   Reader(const KindTable& kinds, Folders folders, Problems& problems)
       : kinds_(kinds), folders_(std::move(folders)), problems_(problems) {}
 
   /// Reads `node` into `target`, whose content counts as the default: what the tree does
-  /// not say stays. Where faults are reported, the target holds something harmless.
+  /// not say stays. Where errors are reported, the target holds something harmless.
   void read(const Type& type, const Node& node, void* target);
 
   /// What read() does to a value that the file does not mention: fills in the options of

@@ -171,10 +171,10 @@ void Reader::read_leaf(const FileType& type, const Node& node, void* target) {
     return;
   }
   const auto& folder = node.place.source == 0 ? folders_.file : folders_.override;
-  std::error_code error;
+  std::error_code failure;
   const auto path =
-      std::filesystem::absolute(folder / node.text, error).lexically_normal();
-  const std::string reason = error ? error.message() : file_error(path, type.folder);
+      std::filesystem::absolute(folder / node.text, failure).lexically_normal();
+  const std::string reason = failure ? failure.message() : file_error(path, type.folder);
   if (!reason.empty()) {
     return error(node.place, fmt::format("{} {}.", quote(path.string()), reason));
   }

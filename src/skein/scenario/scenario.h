@@ -27,8 +27,8 @@ struct GustEvent {
   Vec2 velocity = Vec2::Zero();  ///< where it is strongest; see in_body [m/s]
   double up = 0;                 ///< [m/s]
   bool in_body = false;          ///< the velocity is forward and right of the aircraft
-  double length = 50;  ///< way through the air from nothing to full strength [m]
-  double hold = 0;     ///< way at full strength [m]
+  double length = 50;  ///< distance through the air from nothing to full strength [m]
+  double hold = 0;     ///< distance at full strength [m]
 };
 
 /// The ground station puts a zone into force, or takes it back.
@@ -37,7 +37,7 @@ struct ZoneSwitch {
   bool on = true;
 };
 
-/// A no-flight zone: a ring, or a disc.
+/// A no-fly zone: a ring, or a disc.
 struct NoFlightZone {
   std::string name;
   std::optional<geo::Ring> ring;                 ///< [m]
@@ -45,7 +45,7 @@ struct NoFlightZone {
   std::optional<double> radius;                  ///< of a disc [m]
   std::optional<double> floor_msl, ceiling_msl;  ///< [m]; none: no limit
   std::optional<Time> from, until;               ///< forbidden then; none: no limit
-  bool active = true;                            ///< known to all from the start
+  bool active = true;                            ///< in force from the start
   std::vector<ZoneSwitch> switches;
 };
 
@@ -57,7 +57,7 @@ struct Environment {
   std::vector<GustEvent> gusts;
   Choice fire{"thesis"};
   std::optional<Time> period;  ///< of moving the fire; none: as the fire sensors need
-  std::vector<geo::Ring> zone_rings;  ///< no-flight zones, at all altitudes and times [m]
+  std::vector<geo::Ring> zone_rings;  ///< no-fly zones, at all altitudes and times [m]
   std::vector<NoFlightZone> zones;
   std::vector<PlacedObject> objects;
 };
@@ -136,7 +136,7 @@ struct Station {
   double antenna_agl = 5;        ///< height above the ground [m]
   Choice agent{"coordinator"};
   Time agent_period = Time::from_seconds(0.5);
-  std::optional<Time> heartbeat;  ///< between signs of life; none: as autopilots need
+  std::optional<Time> heartbeat;  ///< between heartbeats; none: as autopilots need
 };
 
 /// From the start until an aircraft first crosses the perimeter.

@@ -44,8 +44,9 @@ Fields<GustEvent> gust_fields() {
       .boolean("in_body", &T::in_body,
                "The velocity is forward and right of the aircraft, not north and east.")
       .number("length_m", &T::length,
-              "Way through the air from nothing to full strength.", kLength)
-      .number("hold_m", &T::hold, "Way at full strength, before it falls as it rose.",
+              "Distance through the air from nothing to full strength.", kLength)
+      .number("hold_m", &T::hold,
+              "Distance at full strength, before it falls as it rose.",
               {.at_least = 0, .at_most = 1e6});
 }
 
@@ -75,7 +76,7 @@ Fields<NoFlightZone> zone_fields() {
       .duration_s("from_s", &T::from, "Forbidden from then on. Null: no limit.")
       .duration_s("until_s", &T::until, "Forbidden until then. Null: no limit.")
       .boolean("active", &T::active,
-               "In force, and known to all, from the start. Else it comes with the first "
+               "In force from the start. Else it comes with the first "
                "switch, or when the operator names it.")
       .object("switches", &T::switches, switch_fields(),
               "When the ground station puts it into force and takes it back, by radio.")
@@ -107,10 +108,10 @@ Fields<Environment> environment_fields() {
                   "as a sensor looks at the fire and metrics are taken.",
                   kPeriod)
       .polygon("zones_m", &T::zone_rings,
-               "No-flight zones at all altitudes and times, each a list of its corners.")
+               "No-fly zones at all altitudes and times, each a list of its corners.")
       .items({.at_most = 1000})
       .object("zones", &T::zones, zone_fields(),
-              "No-flight zones with names, floors, ceilings, times and switches.")
+              "No-fly zones with names, floors, ceilings, times and switches.")
       .items({.at_most = 1000})
       .rules_of_valid(zone_list_errors)
       .object("objects", &T::objects, object_fields(),
@@ -285,7 +286,7 @@ Fields<Station> station_fields() {
       .duration_s("agent_period_s", &T::agent_period, "Time between two decisions.",
                   kPeriod)
       .duration_s("heartbeat_s", &T::heartbeat,
-                  "Time between two signs of life to each aircraft; 0: none. Null: 1 s "
+                  "Time between two heartbeats to each aircraft; 0: none. Null: 1 s "
                   "where an autopilot watches the link, else none.",
                   {.at_least = 0, .at_most = 3600});
 }
@@ -301,7 +302,8 @@ Fields<PerimeterPrior> prior_fields() {
               {.at_least = 0, .at_most = 100})
       .number("rate_sd_mps", &T::rate_sd, "Its standard deviation.",
               {.at_least = 0, .at_most = 100})
-      .point("wind_mps", &T::wind, "Believed drift of the perimeter, the way it moves.",
+      .point("wind_mps", &T::wind,
+             "Believed drift of the perimeter, towards where it moves.",
              {.at_least = -100, .at_most = 100})
       .number("wind_sd_mps", &T::wind_sd,
               "Standard deviation of the drift that is not known, per axis.",
@@ -334,7 +336,7 @@ Fields<Monitoring> monitoring_fields() {
                   "never.",
                   kNotNegative)
       .duration_s("lost_after_s", &T::lost_after,
-                  "An aircraft not heard for this long counts as lost.", kPositive)
+                  "An aircraft silent for this long counts as lost.", kPositive)
       .duration_s("late_window_s", &T::late_window, "Readings this late still count.",
                   kNotNegative);
 }

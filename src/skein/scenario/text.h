@@ -8,11 +8,11 @@
 
 namespace skein::scenario {
 
-/// The byte offset of the first fault: not UTF-8, or a control character other than tab,
-/// line feed and carriage return. None when the text is sound.
+/// The byte offset of the first error: not UTF-8, or a control character other than tab,
+/// line feed and carriage return. None when the text is valid.
 std::optional<std::size_t> first_bad_byte(std::string_view text);
 
-/// Least number of insertions, deletions, changes and swaps of neighbours that turn one
+/// Minimum number of insertions, deletions, changes and swaps of neighbours that turn one
 /// word into the other (optimal string alignment).
 int edit_distance(std::string_view a, std::string_view b);
 

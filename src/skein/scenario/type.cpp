@@ -68,7 +68,7 @@ bool Range::holds(double value) const {
   return value > above && value >= at_least && value < below && value <= at_most;
 }
 
-// An infinite `above` would refuse nothing, as wanted: see holds().
+// An infinite `above` would refuse nothing, as intended: see holds().
 std::string Range::text() const {
   const double kInf = std::numeric_limits<double>::infinity();
   std::string low, high;

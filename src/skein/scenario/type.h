@@ -177,8 +177,8 @@ class ValidValues {
   Ask ask_;
 };
 
-/// A condition between several keys of a struct: the faults that it finds among values
-/// that are sound by themselves.
+/// A condition between several keys of a struct: the errors that it finds among values
+/// that are valid by themselves.
 using Rule = std::function<std::vector<RuleViolation>(const void*, const ValidValues&)>;
 
 /// A struct and its keys.

@@ -21,7 +21,7 @@ constexpr std::array kUnits = {
     Unit{"kg_per_j", "kg/J", "consumption", 1},
     Unit{"kg_per_s", "kg/s", "mass flow", 1},
     Unit{"nm_per_a", "N m/A", "torque constant", 1},
-    Unit{"rad_per_m", "rad/m", "turn per way", 1},
+    Unit{"rad_per_m", "rad/m", "turn per distance", 1},
     Unit{"per_rad", "1/rad", "derivative", 1},
     Unit{"m_s2", "m/s^2", "acceleration", 1},
     Unit{"mps2", "m/s^2", "acceleration", 1},

@@ -99,7 +99,7 @@ std::vector<std::string> zone_warnings(const Environment& environment) {
   const auto look = [&](const std::string& name, const geo::Ring& ring) {
     if (geo::signed_area(ring) < 0)
       warnings.push_back(
-          fmt::format("the no-flight zone {} runs counter-clockwise on the map; it means "
+          fmt::format("the no-fly zone {} runs counter-clockwise on the map; it means "
                       "the same area, not what lies around it.",
                       name));
   };

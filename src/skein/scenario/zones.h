@@ -23,7 +23,7 @@ std::vector<RuleViolation> zone_list_errors(const Environment& environment,
                                             const ValidValues& valid);
 
 /// Rings that run counter-clockwise on the map. They mean the same area; one sentence for
-/// each, so that whoever meant a hole hears of it.
+/// each, so that whoever meant a hole learns of it.
 std::vector<std::string> zone_warnings(const Environment& environment);
 
 }  // namespace skein::scenario

@@ -8,7 +8,7 @@
 
 namespace skein::simulation {
 
-/// Tells a recorder what one payload sensor says in one step.
+/// Records what one payload sensor says in one step.
 ///
 /// Places are those that the aircraft believes: what its autopilot estimates, moved back
 /// at its velocity to when the sample was taken. Samples that follow one another and are

@@ -5,7 +5,7 @@
 namespace skein::simulation {
 namespace {
 
-constexpr double kQuiet = 60;  // between two tellings of one reason [s]
+constexpr double kQuiet = 60;  // between two reports of one reason [s]
 
 std::string without_numbers(std::string_view reason) {
   std::string words;

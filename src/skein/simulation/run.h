@@ -46,7 +46,7 @@ struct RunOutcome {
 /// are merged in entity order. So the records depend on neither `threads` nor `speed`.
 ///
 /// Fails: kUnavailable when the recorder can no longer write or memory runs out;
-/// kInternal when a step finds a fault in Skein. The message says the simulated time. An
+/// kInternal when a step finds a bug in Skein. The message says the simulated time. An
 /// aircraft that hits the ground, or whose motion stops being finite, ends with an event
 /// "accident"; the run goes on.
 Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& recorder,

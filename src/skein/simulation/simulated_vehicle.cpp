@@ -36,7 +36,7 @@ std::string text_of(const VehicleState& s) {
       s.w_NB_B.y(), s.w_NB_B.z());
 }
 
-// How fast the ground comes up because of the way over it [m/s].
+// How fast the ground comes up because of the motion over it [m/s].
 double rise_of_ground(const Terrain& terrain, const VehicleState& s) {
   return geo::horizontal(s.v_N).dot(terrain.gradient(geo::horizontal(s.p_N)));
 }

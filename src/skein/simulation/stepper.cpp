@@ -179,6 +179,7 @@ void Stepper::think(Time now, Entity& entity, EntityState& state) {
     nav = entity.vehicle->estimate();
     in.nav = &nav;
     in.autopilot = entity.vehicle->status();
+    in.command_fate = entity.vehicle->command_fate();
   }
   in.samples = state.payload.samples;
   in.inbox = state.inbox;

@@ -1,4 +1,4 @@
-// What all aircraft files share: faults at the keys of the file, inertia, battery,
+// What all aircraft files share: errors at the keys of the file, inertia, battery,
 // ground.
 #include "skein/assemble/aircraft/aircraft_fields.h"
 
@@ -186,7 +186,7 @@ Fields<asset::GroundContactParameters> ground_fields() {
               "Turn rate that the ground stops per vertical speed that it stops.",
               {.at_least = 0, .at_most = 1e6})
       .number("steering_rad_per_m", &T::steering,
-              "Turn per way that wheels make at full rudder; 0: they do not steer.",
+              "Turn per distance that wheels make at full rudder; 0: they do not steer.",
               {.at_least = 0, .at_most = 10})
       .rules([](const T& ground) {
         return at_file_keys(*ground_fields().description(), errors(ground));

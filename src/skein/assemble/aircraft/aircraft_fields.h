@@ -11,7 +11,7 @@
 #include "skein/scenario/fields.h"
 
 // How the parameters of aircraft are written in files: one set of keys per struct. Where
-// a struct of the asset layer holds what a file says in another way (a choice of motors,
+// a struct of the asset layer holds what a file says in another form (a choice of motors,
 // a table, a sense of rotation), a struct of the file's own stands between.
 
 namespace skein::assemble {
@@ -79,10 +79,10 @@ scenario::Fields<BatteryFile> battery_fields();
 scenario::Fields<asset::FuelTankParameters> tank_fields();
 scenario::Fields<asset::GroundContactParameters> ground_fields();
 
-/// Faults that the asset layer finds, at the keys of the file. They are asked when every
-/// key of the part is sound by itself.
+/// Errors that the asset layer finds, at the keys of the file. They are asked when every
+/// key of the part is valid by itself.
 ///
-/// @param keys  of the part that the faults are about.
+/// @param keys  of the part that the errors are about.
 std::vector<scenario::RuleViolation> at_file_keys(
     const scenario::Object& keys, const std::vector<asset::ParameterError>& errors);
 

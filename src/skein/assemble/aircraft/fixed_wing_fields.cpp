@@ -34,7 +34,7 @@ struct Coefficient {
   Range range = kCoefficient;
 };
 
-// A part's faults are told even where others cannot be read.
+// A part's errors are reported even where others cannot be read.
 template <class Part>
 Fields<Part> with_faults(Fields<Part> fields) {
   fields.rules([keys = fields.description()](const Part& part) {
@@ -163,14 +163,14 @@ Fields<asset::Servos> servo_fields() {
   constexpr Range kDeflection{.above = 0, .at_most = 90};
   return with_faults(
       Fields<T>()
-          .angle_deg("aileron_max_deg", &T::aileron_max, "Largest deflection, both ways.",
-                     kDeflection)
+          .angle_deg("aileron_max_deg", &T::aileron_max,
+                     "Largest deflection, in both directions.", kDeflection)
           .required()
           .angle_deg("elevator_max_deg", &T::elevator_max,
-                     "Largest deflection, both ways.", kDeflection)
+                     "Largest deflection, in both directions.", kDeflection)
           .required()
           .angle_deg("rudder_max_deg", &T::rudder_max,
-                     "Largest deflection, both ways; 0: it has no rudder.",
+                     "Largest deflection, in both directions; 0: it has no rudder.",
                      {.at_least = 0, .at_most = 90})
           .required()
           .angle_deg("rate_deg_per_s", &T::rate, "Largest.", {.above = 0, .at_most = 1e5})
@@ -183,7 +183,7 @@ Fields<asset::Envelope> envelope_fields() {
                          .number("cruise_mps", &T::cruise, "Airspeed.", kSpeed)
                          .required()
                          .number("slowest_mps", &T::slowest,
-                                 "Least airspeed to fly at: the stall with a reserve.",
+                                 "Minimum airspeed to fly at: the stall with a reserve.",
                                  kSpeed)
                          .required()
                          .number("fastest_mps", &T::fastest, "Airspeed.", kSpeed)
@@ -193,7 +193,7 @@ Fields<asset::Envelope> envelope_fields() {
                          .angle_deg("pitch_up_deg", &T::pitch_up, "Largest pitch angle.",
                                     {.above = 0, .below = 90})
                          .angle_deg("pitch_down_deg", &T::pitch_down,
-                                    "Least pitch angle.", {.above = -90, .below = 0}));
+                                    "Minimum pitch angle.", {.above = -90, .below = 0}));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Fields<autopilot::FixedWingGains> fixed_wing_gains_fields() {
       .number("load_limit", &T::load_limit, "Largest load factor asked for.",
               {.above = 1, .at_most = 50})
       .number("lift_reserve", &T::lift_reserve,
-              "Most lift asked for, over the weight at the least airspeed.",
+              "Maximum lift demanded, over the weight at the minimum airspeed.",
               {.at_least = 1, .at_most = 50})
       .number("flare_reserve", &T::flare_reserve, "The same, touching down.",
               {.at_least = 1, .at_most = 50})
@@ -70,7 +70,7 @@ Fields<autopilot::FixedWingGains> fixed_wing_gains_fields() {
               kIntegral)
       .number(
           "gust_filter_rad_per_s", &T::gust_filter,
-          "Gusts along the way slower than this count as airspeed; at 15 m/s of cruise, "
+          "Gusts along the path slower than this count as airspeed; at 15 m/s of cruise, "
           "less the faster it is.",
           kGain)
       .number("airspeed_filter_rad_per_s", &T::airspeed_filter,

@@ -18,9 +18,9 @@ Fields<RotorFile> rotor_fields() {
       .word("yaws", &T::spin,
             "Where its drag torque turns the airframe, seen from above.",
             {{"clockwise", T::Spin::kClockwise,
-              "to the right; the rotor turns the other way"},
+              "to the right; the rotor turns the opposite way"},
              {"counterclockwise", T::Spin::kCounterclockwise,
-              "to the left; the rotor turns the other way"}})
+              "to the left; the rotor turns the opposite way"}})
       .required();
 }
 

@@ -52,7 +52,7 @@ Fields<PerformanceFile> performance_fields() {
       .number("lift_max", in(&P::lift_max), "Largest lift coefficient.", kCoefficient)
       .required()
       .number("stall_reserve", in(&P::stall_reserve),
-              "Least airspeed over the stall speed, at any bank.",
+              "Minimum airspeed over the stall speed, at any bank.",
               {.at_least = 1, .at_most = 10})
       .number("power_w", in(&P::power), "At the shaft, at sea level.",
               {.above = 0, .at_most = 1e8})
@@ -86,12 +86,13 @@ Fields<PerformanceFile> performance_fields() {
       .angle_deg("roll_rate_deg_per_s", in(&P::roll_rate), "Largest.",
                  {.above = 0, .at_most = 1e4})
       .number("acceleration_mps2", in(&P::acceleration),
-              "Largest along the path, both ways.", {.above = 0, .at_most = 1000})
+              "Largest along the path, in both directions.",
+              {.above = 0, .at_most = 1000})
       .duration_s("airspeed_lag_s", in(&P::airspeed_lag),
                   "Time constant of the airspeed.", {.above = 0})
-      .number("climb_rate_mps", in(&P::climb_rate), "Most that is asked for.", kSpeed)
+      .number("climb_rate_mps", in(&P::climb_rate), "Maximum demanded.", kSpeed)
       .required()
-      .number("sink_rate_mps", in(&P::sink_rate), "Most that is asked for.", kSpeed)
+      .number("sink_rate_mps", in(&P::sink_rate), "Maximum demanded.", kSpeed)
       .required()
       .rule("battery", [](const T& file) -> std::string {
         if (file.tank && file.battery) return "stands beside tank; give one of the two.";

@@ -68,7 +68,7 @@ TEST(AircraftFit, FailsafesWaitForLongerThanTheirSensorsAreSilent) {
       "rate_hz: 0.25, latency_s: 0}]";
   expect_said(slow, "delay_s: 2 must be above 4");
   EXPECT_EQ(said_of(skein("failsafe: {link: {delay_s: 1.5}, gnss: {delay_s: 0.5}}")), "");
-  // Without signs of life nothing is known of how often the station is heard.
+  // Without heartbeats nothing is known of how often the station is received.
   EXPECT_EQ(
       said_of(skein("failsafe: {link: {delay_s: 0.5}}"), "station: {heartbeat_s: 0}"),
       "");
@@ -108,7 +108,7 @@ TEST(AircraftFit, TheAirAtItsAltitudeCarriesIt) {
   EXPECT_EQ(said_of("plant: kinematic, altitude_agl_m: 15000"), "");
 }
 
-TEST(AircraftFit, AllThatDoesNotFitIsToldAtOnce) {
+TEST(AircraftFit, AllIncompatibilitiesAreReportedAtOnce) {
   const std::string said = said_of(
       skein("rotor_gains: {}, failsafe: {gnss: {delay_s: 0}, link: {delay_s: 0}}"));
   EXPECT_NE(said.find("3 problems"), std::string::npos) << said;
@@ -157,7 +157,7 @@ std::vector<std::string> doubts_of(const std::string& aircraft,
   return build(*read.scenario, KindRegistry()).value().warnings;
 }
 
-TEST(AircraftFit, SlowRotorsAreDoubted) {
+TEST(AircraftFit, SlowRotorsGiveAWarning) {
   // The quadrotor's motors let it tilt with a gain of 5 /s.
   EXPECT_TRUE(doubts_of(skein("rotor_gains: {}", "multirotor")).empty());
   const auto said =
@@ -166,7 +166,7 @@ TEST(AircraftFit, SlowRotorsAreDoubted) {
   EXPECT_NE(said[0].find("it will swing"), std::string::npos) << said[0];
 }
 
-TEST(AircraftFit, AStationWithoutSignsOfLifeIsDoubted) {
+TEST(AircraftFit, AStationWithoutHeartbeatsGivesAWarning) {
   const auto silent =
       doubts_of(skein("rounds_corners: true"), "station: {heartbeat_s: 0}");
   ASSERT_EQ(silent.size(), 1u);

@@ -78,10 +78,10 @@ TEST(Build, RefusesAnAircraftInsideTerrainOrInAZone) {
                                "[1000, 100], [800, 100]]]}"),
                           KindRegistry());
   ASSERT_FALSE(zone.ok());
-  EXPECT_NE(zone.error().text().find("no-flight zone"), std::string::npos);
+  EXPECT_NE(zone.error().text().find("no-fly zone"), std::string::npos);
 }
 
-TEST(Build, TellsOfAllFaultsInDataAtOnce) {
+TEST(Build, ReportsAllErrorsInDataAtOnce) {
   const std::string wind = testing::TempDir() + "wind_without_numbers.csv";
   std::ofstream(wind) << "t_s,speed_mps,from_deg\n0,fast,200\n";
   const auto built = build(
@@ -116,7 +116,7 @@ std::string problems_of(const std::string& text) {
   return lines;
 }
 
-TEST(Kinds, TellWhatDoesNotGoTogetherWithItsPlace) {
+TEST(Kinds, ReportIncompatibilitiesWithTheirPlace) {
   EXPECT_EQ(
       problems_of("environment:\n"
                   "  fire:\n"
@@ -131,7 +131,7 @@ TEST(Kinds, TellWhatDoesNotGoTogetherWithItsPlace) {
       "test:5:5 environment.fire.displacement_m: 500 must be below start_radius_m, "
       "400.\n"
       "test:7:5 environment.fire.wind_mps: a drift of 2.82843 m/s must be below the "
-      "least spread, 2.5 m/s (rate_mps - rate_error_mps): a stronger one drives the "
+      "minimum spread, 2.5 m/s (rate_mps - rate_error_mps): a stronger one drives the "
       "boundary over its own origin.\n"
       "test:9:30 aircraft[0].plant.climb_rate_mps: 3 must be below the slowest "
       "airspeed, 0.75 (airspeed_mps times 1 - airspeed_range).\n"
@@ -293,7 +293,7 @@ TEST(Run, WhatIsStoredChangesNoFigure) {
   EXPECT_EQ(without.value().content_hash, with.value().content_hash);
 }
 
-TEST(Build, EachSensorOfAnAircraftErrsInItsOwnWay) {
+TEST(Build, EachSensorOfAnAircraftHasItsOwnErrors) {
   const auto readings = [&](const std::string& sensors) {
     auto built = build(read("aircraft: [{sensors: [" + sensors + "]}]"), KindRegistry());
     EXPECT_TRUE(built.ok());

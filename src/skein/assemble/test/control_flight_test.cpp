@@ -246,7 +246,7 @@ TEST(FixedWingFlight, GivesUpHeightBeforeAirspeedWhereTheMotorIsTooWeak) {
     flight.step(control.control({0, 500, 0, airframe.cruise}, flight.nav(), kStep));
     least = std::min(least, flight.state.airspeed);
   }
-  // At 0.88 of the least airspeed, which has a reserve to the stall, pitch serves it
+  // At 0.88 of the minimum airspeed, which has a reserve to the stall, pitch serves it
   // alone.
   EXPECT_GT(least, 0.88 * airframe.slowest);
 }
@@ -348,8 +348,8 @@ TEST(FixedWingFlight, TakesOff) {
 struct Landed {
   double sink = -1;  // at the first touch [m/s]
   double at = 0;     // north, at the first touch [m]
-  double crab = 0;   // nose off the way over ground there, clockwise [rad]
-  double aside = 0;  // most, from the touch on [m]
+  double crab = 0;   // nose off the course over ground there, clockwise [rad]
+  double aside = 0;  // maximum, from the touch on [m]
   bool crashed = false;
   VehicleState end;
 };

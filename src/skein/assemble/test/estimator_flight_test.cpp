@@ -203,7 +203,7 @@ void fly_wing(const Case& c, std::uint64_t seed, Outcome& out) {
       out);
 }
 
-// Hovers, then flies round a square of 30 m, 12 s for each side.
+// Hovers, then flies around a square of 30 m, 12 s for each side.
 void fly_rotors(const Case& c, std::uint64_t seed, Outcome& out) {
   const asset::MultirotorPlant plant(asset::MultirotorParameters{});
   Aircraft aircraft(

@@ -17,7 +17,7 @@ constexpr char kQuad[] = "multirotor";
 
 // The pilot takes over before the fault and hands back after it.
 constexpr double kFault = 20, kTakesOver = 19, kHandsBack = 32;
-// Events are told at the end of a step of the run.
+// Events are reported at the end of a step of the run.
 constexpr double kStep = 0.1;
 
 struct Trouble {
@@ -28,8 +28,8 @@ struct Trouble {
 };
 
 // Delays: the failsafe's own, and the period and latency of the sensor that shows it
-// (signs of life: 1 s; fixes: 0.2 s; motors: 0.2 s until it is known, 0.1 s a sample,
-// 0.3 s of watching).
+// (heartbeats: 1 s; fixes: 0.2 s; motors: 0.2 s until it is known, 0.1 s a sample, 0.3 s
+// of watching).
 const Trouble kTroubles[] = {
     {"link", "{kind: link, at_s: 20}", "", 5, FailsafeReaction::kReturn,
      FailsafeReaction::kReturn},
@@ -120,7 +120,7 @@ TEST(Failsafe, ReactsInTimeInEveryModeAndEndsWell) {
       }
 }
 
-TEST(Failsafe, WhatWasNeverHeardIsMissedToo) {
+TEST(Failsafe, WhatWasNeverReceivedIsMissedToo) {
   const Trouble troubles[] = {{"link", "{kind: link, at_s: 0}", "", 5,
                                FailsafeReaction::kReturn, FailsafeReaction::kReturn},
                               {"gnss", "{kind: sensor, part: gnss-receiver, at_s: 0}", "",

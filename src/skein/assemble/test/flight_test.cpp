@@ -1,4 +1,4 @@
-// How closely whole aircraft keep to what they are told: scenario, sensors, estimator,
+// How closely whole aircraft track their commands: scenario, sensors, estimator,
 // guidance, control, plant and wind together.
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ struct Keeping {
 };
 
 Keeping keep_to_path(const Setting& setting) {
-  // Least radius of a Bixler as its plant states it: 0.8 of a bank limit of 40 degrees.
+  // Minimum radius of a Bixler as its plant states it: 0.8 of a bank limit of 40 degrees.
   const double least = 15 * 15 / (kGravity * std::tan(geo::radians(32)));
   const Path path = laps(1.1 * model::ground_turn_radius(least, 15, setting.wind));
   AutopilotCommand command{FollowPath{path}, kHeight, {}};
@@ -144,9 +144,9 @@ TEST(WholeWing, KeepsToItsPathHeightAndAirspeedInWind) {
       }
 }
 
-TEST(WholeWing, KeepsToItsPathAsFarAsASingleReceiverTells) {
+TEST(WholeWing, KeepsToItsPathAsFarAsASingleReceiverShows) {
   // Its error wanders by 4 m over half an hour, 8 m in height, and nothing on board can
-  // tell: control is judged by what the autopilot believes.
+  // sense it: control is judged by what the autopilot believes.
   for (const char* turbulence : {"none", "dryden"})
     for (int seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(fmt::format("{} {}", turbulence, seed));

@@ -96,7 +96,7 @@ TEST(WholeRoute, ThroughANoFlightZoneIsRefusedWithItsPlace) {
                     ", zones_m: [[[100, -50], [200, -50], [200, 50], [100, 50]]]"));
     FAIL() << "was flown";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("no-flight zone at 100 m north, 0 m east"),
+    EXPECT_NE(std::string(error.what()).find("no-fly zone at 100 m north, 0 m east"),
               std::string::npos)
         << error.what();
   }

@@ -63,7 +63,7 @@ double height_off(const FlightLog& log, double from) {
   return most;
 }
 
-TEST(SensorLoss, OfWhatCanBeDoneWithoutIsToldAndFlownWithout) {
+TEST(SensorLoss, OfWhatCanBeDoneWithoutIsReportedAndFlownWithout) {
   RandomStream random(41, 0, Purpose::kTest);
   constexpr std::array kSensors = {"barometer", "magnetometer", "airspeed", "power"};
   for (int trial = 0; trial < 24; ++trial) {

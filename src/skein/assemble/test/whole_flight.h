@@ -1,7 +1,7 @@
 #pragma once
 
 // Whole aircraft fly in a scenario, from plant to autopilot, and everything that a run
-// tells its recorder is kept in memory.
+// records is kept in memory.
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
-// No-flight zones that come and go in flight, through the whole stack: drawn at the
-// ground station, told by radio, kept out of by agents and by the failsafes of
-// autopilots.
+// No-fly zones that come and go in flight, through the whole stack: drawn at the ground
+// station, reported by radio, kept out of by agents and by the failsafes of autopilots.
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -61,7 +60,7 @@ const Event* event_of(const FlightLog& log, std::uint32_t who, const std::string
   return nullptr;
 }
 
-TEST(ZoneFlight, DrawnOverTheWayItIsFlownAround) {
+TEST(ZoneFlight, DrawnOverTheRouteItIsFlownAround) {
   const FlightLog log = fly(scenario_of(disc("active: false, switches: [{at_s: 30}]")));
   const Event* told = event_of(log, 0, "zone-on");
   const Event* heard = event_of(log, 1, "zone-on");
@@ -72,10 +71,10 @@ TEST(ZoneFlight, DrawnOverTheWayItIsFlownAround) {
   EXPECT_NE(log.find("zones-known"), nullptr) << log.story();
   EXPECT_LT(deepest(log, kCentre, kRadius, 0), 0) << log.story();
   EXPECT_NE(log.find("route-done"), nullptr) << log.story();
-  EXPECT_EQ(log.find("zone", "is inside a no-flight zone"), nullptr) << log.story();
+  EXPECT_EQ(log.find("zone", "is inside a no-fly zone"), nullptr) << log.story();
 }
 
-// From the ground, with sensors that err, in gusts; the zone comes onto the way and,
+// From the ground, with sensors that err, in gusts; the zone comes onto the route and,
 // later, over the place where it shall land.
 TEST(ZoneFlight, WholeAircraftFlyAroundAndLandElsewhere) {
   for (const char* plant : {"multirotor", "{kind: fixed-wing, aircraft: bixler}",
@@ -114,7 +113,7 @@ aircraft:
   }
 }
 
-// Both autopilots take the same waypoints, told again, for a repetition.
+// Both autopilots take the same waypoints, sent again, for a repetition.
 TEST(ZoneFlight, EveryLapIsFlownWithoutThePointThatIsLeftOut) {
   for (const char* how : {"",
                           "plant: {kind: fixed-wing, aircraft: bixler}\n    "
@@ -152,7 +151,7 @@ aircraft:
   }
 }
 
-TEST(ZoneFlight, ALastPointInAZoneIsToldToBeLeftOutOnce) {
+TEST(ZoneFlight, ALastPointInAZoneIsReportedAsLeftOutOnce) {
   const FlightLog log =
       fly(scenario_of("{name: goal, centre_m: [1500, 0], radius_m: 200, active: false, "
                       "switches: [{at_s: 20}]}",
@@ -191,14 +190,14 @@ TEST(ZoneFlight, FlightsBelowTheFloorOrAboveTheCeilingAreNotConcerned) {
   }
 }
 
-TEST(ZoneFlight, AZoneThatComesOverAnAircraftIsLeftTheShortestWay) {
+TEST(ZoneFlight, AZoneThatComesOverAnAircraftIsLeftByTheShortestPath) {
   for (const char* agent : {"{kind: route, points_m: [[2000, 0], [0, 0]]}", "scout"}) {
     SCOPED_TRACE(agent);
     const FlightLog log = fly(scenario_of(
         "{name: above, centre_m: [600, 60], radius_m: 900, active: false, switches: "
         "[{at_s: 30}]}",
         "", agent));
-    EXPECT_NE(log.find("zone", "is inside a no-flight zone"), nullptr) << log.story();
+    EXPECT_NE(log.find("zone", "is inside a no-fly zone"), nullptr) << log.story();
     // At 20 m/s in 4 m/s of wind, 960 m at most after a turn of 60 m.
     EXPECT_LT(deepest(log, {600, 60}, 900, 30 + 75), 0) << log.story();
   }
@@ -208,7 +207,7 @@ constexpr const char* kSkein =
     "\n    plant: {kind: fixed-wing, aircraft: aerosonde-stall}\n    autopilot: skein\n"
     "    sensors: [flight]\n    failures: [{kind: link, at_s: 60}]\n";
 
-// A zone over home, told before the link fails: the autopilot returns by itself.
+// A zone over home, reported before the link fails: the autopilot returns by itself.
 TEST(ZoneFlight, AFailsafeDoesNotReturnIntoAZoneThatLiesOverHome) {
   const std::string route = "{kind: route, points_m: [[4000, 0], [4000, 2000]], laps: 9}";
   const std::string zone =
@@ -231,7 +230,7 @@ TEST(ZoneFlight, AFailsafeDoesNotReturnIntoAZoneThatLiesOverHome) {
   EXPECT_LT(end.norm(), 1200) << log.story();
 }
 
-TEST(ZoneFlight, AFailsafeReturnsAroundAZoneOnTheWayHome) {
+TEST(ZoneFlight, AFailsafeReturnsAroundAZoneOnTheRouteHome) {
   const std::string route = "{kind: route, points_m: [[4000, 0], [4000, 2000]], laps: 9}";
   const std::string zone =
       "{name: between, ring_m: [[300, -500], [800, -500], [800, 500], [300, 500]], "

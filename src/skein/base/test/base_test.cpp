@@ -136,7 +136,7 @@ TEST(Log, DropsWhatIsBelowItsLevel) {
   EXPECT_EQ(written(LogLevel::kError), "");
 }
 
-TEST(Hasher, TellsOrderAndContentApart) {
+TEST(Hasher, DistinguishesOrderAndContent) {
   const auto hash = [](auto... values) {
     Hasher hasher;
     (hasher.add(values), ...);

@@ -78,7 +78,7 @@ TEST_F(BatchTest, RunsAgainWhatChanged) {
   EXPECT_EQ(runs_, 22);
 }
 
-TEST_F(BatchTest, KeepsGoingAfterAFault) {
+TEST_F(BatchTest, KeepsGoingAfterAnError) {
   const auto outcomes = run_batch(
       items_,
       [&](const BatchItem& item) -> Result<record::RunSummary> {

@@ -46,7 +46,7 @@ TEST(KeepingWatch, MeasuresTheTrueDistanceAcrossALegOfAnyCourse) {
   }
 }
 
-TEST(KeepingWatch, TellsTurnsFromStraightsAndWatchesAHover) {
+TEST(KeepingWatch, DistinguishesTurnsFromStraightsAndWatchesAHover) {
   KeepingWatch turning({kAircraft, 100, 15, std::nullopt, 1});
   AutopilotStatus status;
   status.follows = true;

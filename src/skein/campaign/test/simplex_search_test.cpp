@@ -38,7 +38,7 @@ TEST(SimplexSearch, ComesDownInEightDimensions) {
   options.evaluations = 2000;
   options.least = 1e-4;
   const SimplexResult result = simplex_search(bowl, Point(8, 0.0), options);
-  // From 1 + sum of (1 + i) (i / 10)^2 = 10.24 down to within 1 % of the least.
+  // From 1 + sum of (1 + i) (i / 10)^2 = 10.24 down to within 1 % of the minimum.
   EXPECT_NEAR(result.tries.front().cost, 10.24, 1e-9);
   EXPECT_LT(result.best.cost, 1.01);
 }

@@ -71,7 +71,7 @@ TEST(TuningStudy, FiguresFollowTheGainsThroughTheLaps) {
   EXPECT_NE(csv.find("8,1,stiff,abc,3,1.5,"), std::string::npos) << csv;
 }
 
-// Two sets, each flown three times round with seeds 7 and 8.
+// Two sets, each flown for three laps with seeds 7 and 8.
 struct Compared : Two {
   Compared() {
     plan.flights = {{0, {0, 0, 0}}, {1, {0, 0, 0}}, {2, {1, 1, 1}}, {3, {1, 1, 1}}};

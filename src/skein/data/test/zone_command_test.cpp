@@ -38,7 +38,7 @@ TEST(ZoneCommand, DrawsACircle) {
   EXPECT_EQ(change.zone.until, 200);
 }
 
-TEST(ZoneCommand, DrawsARingEitherWayRound) {
+TEST(ZoneCommand, DrawsARingInEitherSense) {
   for (const char* line : {"zone on a ring 0,0 100,0 100,100\r",
                            "  zone\ton a ring 100,100 100,0 0,0 floor 50"}) {
     const geo::Ring ring = std::get<geo::Ring>(good(line).zone.area);

@@ -27,7 +27,7 @@ std::string error_of(const geo::Ring& ring) {
 
 TEST(Zone, SaysWhatIsWrongWithARing) {
   EXPECT_EQ(error_of({{0, 0}, {10, 0}, {10, 10}}), "");
-  EXPECT_EQ(error_of({{0, 0}, {10, 10}, {10, 0}}), "");  // the other way round
+  EXPECT_EQ(error_of({{0, 0}, {10, 10}, {10, 0}}), "");  // in the opposite sense
   EXPECT_NE(error_of({{0, 0}, {10, 0}}).find("fewer than 3"), std::string::npos);
   EXPECT_NE(error_of({{0, 0}, {10, 0}, {20, 0}}).find("no area"), std::string::npos);
   EXPECT_NE(error_of({{5, 5}, {5, 5}, {5, 5}}).find("no area"), std::string::npos);
@@ -96,7 +96,7 @@ TEST(ZoneSet, TakesZonesInAndBack) {
   EXPECT_EQ(names(book), "ab");
   EXPECT_TRUE(book.take(change(2, false, "a")));
   EXPECT_EQ(names(book), "b");
-  EXPECT_FALSE(book.take(change(2, false, "a")));  // told twice
+  EXPECT_FALSE(book.take(change(2, false, "a")));  // given twice
   EXPECT_TRUE(book.take(change(3, true, "b", 50)));
   ASSERT_EQ(names(book), "b");
   EXPECT_EQ(std::get<geo::Ring>(book.zones()[0].area)[0], Vec2(-50, -50));
@@ -114,7 +114,7 @@ TEST(ZoneSet, PassesOverWhatCannotBe) {
   EXPECT_EQ(book.complete_to(), 0u);
 }
 
-TEST(ZoneSet, ToldInAnyOrderAndTwiceTheZonesAreTheSame) {
+TEST(ZoneSet, ReceivedInAnyOrderAndTwiceTheZonesAreTheSame) {
   for (std::uint32_t run = 0; run < 200; ++run) {
     RandomStream random(1, run, Purpose::kTest);
     std::vector<ZoneChange> told;

@@ -92,7 +92,7 @@ TEST(Map, ZonesHaveAreaLimitsAndName) {
   EXPECT_EQ(disc.centre, Vec2(-200, 500)) << "x is east";
 }
 
-TEST(Map, RingsMayRunEitherWay) {
+TEST(Map, RingsMayRunInEitherSense) {
   const auto there = read(feature("Polygon", "[" + kSquare + "]"));
   const auto back = read(feature("Polygon", "[[[0,0],[0,100],[100,100],[100,0],[0,0]]]"));
   ASSERT_TRUE(there.features.ok() && back.features.ok());
@@ -281,7 +281,7 @@ TEST(Map, ObstaclesAmongZonesAreCounted) {
   EXPECT_EQ(movers_among_zones(got.features.value()), 1);
 }
 
-TEST(Map, FaultsEndWithOneFullStop) {
+TEST(Map, ErrorsEndWithOneFullStop) {
   EXPECT_EQ(error_of_map("hello").find(".."), std::string::npos) << error_of_map("hello");
 }
 

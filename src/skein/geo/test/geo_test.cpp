@@ -189,7 +189,7 @@ TEST(Clip, GrownRegionsKeepTheDistanceAndLittleMore) {
     for (double angle = 0; angle < 6; angle += 0.1)
       ASSERT_TRUE(wide.contains(Vec2(100, 100) + (distance - 1e-3) * unit(angle)));
   }
-  // What overlaps becomes one, the other way round as well.
+  // What overlaps becomes one, in the opposite sense as well.
   const Region two = {{{0, 0}, {10, 0}, {10, 10}}, {{30, 0}, {20, 10}, {30, 10}}};
   EXPECT_EQ(grown(two, 3, 0.5).size(), 2u);
   EXPECT_EQ(grown(two, 30, 0.5).size(), 1u);

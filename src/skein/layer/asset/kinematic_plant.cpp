@@ -12,7 +12,7 @@ namespace skein::asset {
 namespace {
 
 constexpr double kLongestStep = 0.1;  // of the quadrature [s]
-constexpr double kNoTime = 1e-15;     // no rate can be told over less [s]
+constexpr double kNoTime = 1e-15;     // no rate can be computed over less [s]
 
 }  // namespace
 

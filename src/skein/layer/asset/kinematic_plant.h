@@ -5,7 +5,7 @@
 namespace skein::asset {
 
 struct KinematicOptions {
-  /// The slowest that the aircraft is told to fly [m/s].
+  /// The slowest airspeed that the aircraft is commanded to fly [m/s].
   double slowest() const { return airspeed * (1 - airspeed_range); }
 
   double airspeed = 20;          ///< cruise [m/s]

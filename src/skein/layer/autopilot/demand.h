@@ -27,7 +27,7 @@ struct FixedWingDemand {
   double airspeed = 0;    ///< [m/s]
   FlightPhase phase = FlightPhase::kFlight;
   /// Unit vector that the nose is to point along just before the touch, with idle motor,
-  /// and in the roll-out; zero: along the way through the air.
+  /// and in the roll-out; zero: along the velocity through the air.
   Vec2 heading = Vec2::Zero();
   double braking = 0;  ///< deceleration of the roll-out over ground [m/s^2]
 };

@@ -15,7 +15,7 @@ struct SimpleAutopilotOptions {
   GuidanceOptions guidance;
   double altitude_gain = 0.3;  ///< climb rate per altitude error [1/s]
   double wind_lag = 15;        ///< time constant of the reported wind [s]
-  double slowest = 0.8;  ///< least airspeed, in cruise, for turns that are too tight
+  double slowest = 0.8;  ///< minimum airspeed, in cruise, for turns that are too tight
 };
 
 /// Flies paths, courses and circles over ground in wind, and holds altitude.
@@ -48,7 +48,7 @@ class SimpleAutopilot final : public Autopilot {
   void begin(const NavEstimate& start, bool on_ground) override;
   void sense(const SensorSample& sample) override;
   void command(const AutopilotCommand& command) override;
-  /// It has no failsafes: the last place of the way is where a commanded return leads,
+  /// It has no failsafes: the last place of the route is where a commanded return leads,
   /// straight.
   void set_return(const ReturnRoute& route) override;
   /// A FlightCommand.

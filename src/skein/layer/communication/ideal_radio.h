@@ -27,7 +27,7 @@ using PositionLookup = std::function<std::optional<Vec3>(EntityId)>;
 class IdealRadio final : public Radio {
  public:
   /// @param position  needed with a range only; asked when a message is sent.
-  /// Entities without a position hear and are heard everywhere.
+  /// Entities without a position send and receive everywhere.
   IdealRadio(const IdealRadioOptions& options, std::uint64_t seed,
              PositionLookup position = {});
 

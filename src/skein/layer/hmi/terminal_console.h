@@ -16,7 +16,7 @@ std::string progress_line(const RunProgress& progress, int width);
 
 /// Shows a run's progress in one line of a terminal, redrawn in place. When the output is
 /// no terminal it stays silent. Reads commands of the operator (data/command_text.h) line
-/// by line, when it is given an input; what is wrong with one is told at once.
+/// by line, when it is given an input; what is wrong with one is reported at once.
 ///
 /// Thread safety: used by one thread; only `stop` may be set from others or from a signal
 /// handler (the atomic must then be lock-free, as it is on every supported machine).
@@ -27,7 +27,7 @@ class TerminalConsole final : public OperatorConsole {
   /// @param input  descriptor to read commands from; negative: none.
   explicit TerminalConsole(const std::atomic<bool>& stop, std::FILE* out = stderr,
                            int input = -1);
-  /// As above, told whether `out` is a terminal and how wide: for tests and odd
+  /// As above, given whether `out` is a terminal and how wide: for tests and odd
   /// terminals.
   TerminalConsole(const std::atomic<bool>& stop, std::FILE* out, bool is_terminal,
                   int width, int input = -1);

@@ -26,7 +26,7 @@ void EdgeFinder::sample(const SensorView& view, std::vector<SensorSample>& out) 
       best = offset.squaredNorm();
       seen = true;
       sample.offset = offset;
-      // Outer rings run clockwise, holes the other way: the fire is right of both.
+      // Outer rings run clockwise, holes counter-clockwise: the fire is right of both.
       sample.tangent = edge / std::sqrt(length2);
     }
   }

@@ -48,7 +48,7 @@ struct GnssSource {
 ///   noise           1 s             1         1            0.01
 ///
 /// Satellite errors change as their messages are renewed and satellites come and go; the
-/// atmosphere with the way through it; multipath with the place of a moving antenna; the
+/// atmosphere with the path through it; multipath with the place of a moving antenna; the
 /// noise is smoothed by the carrier. What a reference station leaves over is for one
 /// within some 20 km (differential) or 5 km (RTK); RTK measures by the carrier's phase,
 /// whose multipath and noise are a hundred times smaller.

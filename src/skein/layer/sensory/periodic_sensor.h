@@ -6,7 +6,7 @@
 
 namespace skein::sensory {
 
-/// A sensor that measures at an even rate and tells what it measured after a latency.
+/// A sensor that measures at an even rate and reports what it measured after a latency.
 /// `Derived` has
 ///
 ///   bool measure(const SensorView& view, Sample& sample);

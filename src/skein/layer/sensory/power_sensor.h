@@ -49,7 +49,7 @@ class PowerSensor final : public Sensor {
   Time first_time_;
   Time standing_since_;        // when the motors that stand last changed
   std::uint8_t standing_ = 0;  // truth
-  std::uint8_t known_ = 0;     // told
+  std::uint8_t known_ = 0;     // reported
 };
 
 }  // namespace skein::sensory

@@ -7,7 +7,7 @@
 
 namespace skein::sensory {
 
-/// Tells when a sensor's next sample is due: at whole multiples of its period since the
+/// Says when a sensor's next sample is due: at whole multiples of its period since the
 /// run's start, or at the first moment asked after that.
 class SampleClock {
  public:

@@ -15,7 +15,7 @@ struct ClimbLimits {
 
 /// How the altitude decides about a connection in space ([Chitsaz07]).
 enum class AltitudeCase : std::uint8_t {
-  kLow,     ///< the shortest way over ground is long enough to change altitude on
+  kLow,     ///< the shortest path over ground is long enough to change altitude on
   kMedium,  ///< it is lengthened by less than a circle
   kHigh,    ///< whole circles, helices in space, come before it
 };
@@ -29,11 +29,10 @@ struct SpaceConnection {
 };
 
 /// The quickest connection of the horizontal `connect` that has time to climb or sink:
-/// with constant horizontal airspeed and an even climb rate all the way. When the
-/// altitude takes longer than the way, the way is lengthened to just that time
-/// (connect_at); where that cannot be flown exactly, to the next time found that can: a
-/// time that could be met only within less than a sixteenth of a circle may be passed
-/// over.
+/// with constant horizontal airspeed and an even climb rate throughout. When the altitude
+/// takes longer than the path, the path is lengthened to just that time (connect_at);
+/// where that cannot be flown exactly, to the next time found that can: a time that could
+/// be met only within less than a sixteenth of a circle may be passed over.
 ///
 /// @param from, to  headings are of the air-relative velocity.
 /// Fails:    kBadInput also for rates that are not above 0 and for flights of

@@ -68,9 +68,9 @@ Extra left_first(const Task& task, double p) {
   return {p * kTurn * task.radius, -1 / task.radius, 0};
 }
 
-// Where a family's length crosses the wanted one between two parameters: false position,
-// with the weight of an end that stays halved (Illinois). Nothing where the shortest
-// length jumps.
+// Where a family's length crosses the requested one between two parameters: false
+// position, with the weight of an end that stays halved (Illinois). Nothing where the
+// shortest length jumps.
 std::optional<Extra> crossing(const Task& task, Family family, double length, double a,
                               double at_a, double b, double at_b) {
   const double exact = exact_of(task, length);

@@ -27,11 +27,10 @@ struct Arrival {
 /// A flight from one pose to another that takes exactly `time`: the path is lengthened.
 ///
 /// At that time the goal is at a fixed place of the air mass, and a path of one length to
-/// it is wanted. Whole circles are flown at the start. What remains is made by one
+/// it is sought. Whole circles are flown at the start. What remains is made by one
 /// parameter: going on straight before the connection, coming in straight for longer, or
 /// turning left or right first. Each such length grows continuously with its parameter
-/// between the jumps of the shortest length, so that it is found by
-/// false position.
+/// between the jumps of the shortest length, so that it is found by false position.
 ///
 /// @param from, to  positions over ground and headings of the air-relative velocity.
 /// @param time      of the flight [s].

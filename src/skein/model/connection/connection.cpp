@@ -14,7 +14,7 @@ namespace {
 
 using words::kNever;
 
-// The centres' distance below which the goal's way counts as irregular, in turn radii.
+// The centres' distance below which the goal's path counts as irregular, in turn radii.
 constexpr double kIrregular = 4;
 
 bool finite(const Pose& pose) {

@@ -21,7 +21,7 @@ struct PointConnection {
 /// The earliest time at which one of the words LS, RS, LR, RL meets a point in a constant
 /// wind, each solved on its own: see `connect`. LS and RS are exact. LR and RL matter
 /// only while the point is near the turning circles; there meetings are looked for at 64
-/// moments of its way past each, and two within one such step may be missed.
+/// moments of its path past each, and two within one such step may be missed.
 ///
 /// @param from   position over ground and *heading* of the air-relative velocity.
 /// @param point  over ground [m].

@@ -34,7 +34,7 @@ struct Problem {
 
   /// The same for the turns exchanged.
   Problem mirrored() const;
-  /// The way from the first turn's centre (positive turn) to the last one's at time 0.
+  /// The vector from the first turn's centre (positive turn) to the last one's at time 0.
   Vec2 same_turns() const { return {goal.x() - sin_phi, goal.y() + cos_phi - 1}; }
   Vec2 opposite_turns() const { return {goal.x() + sin_phi, goal.y() - cos_phi - 1}; }
 };

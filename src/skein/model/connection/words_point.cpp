@@ -8,7 +8,7 @@
 namespace skein::model::words {
 namespace {
 
-constexpr int kMarch = 64;  // looks at the way through each ring
+constexpr int kMarch = 64;  // looks at the path through each ring
 constexpr int kHalvings = 60;
 constexpr double kMet = 1e-9;  // spare time that is none; a jump leaves more
 

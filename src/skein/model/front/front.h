@@ -10,7 +10,7 @@ namespace skein::model {
 
 struct FrontOptions {
   double spacing = 10;       ///< between neighbouring markers [m]
-  double courant = 0.25;     ///< way of the fastest marker in one step, in spacings
+  double courant = 0.25;     ///< distance of the fastest marker in one step, in spacings
   double max_step = 10;      ///< longest step [s]
   int max_markers = 200000;  ///< above this the spacing doubles, see Front::spacing()
 };

@@ -66,7 +66,7 @@ double length_to_breadth(double wind);
 ///   HB    = (LB + sqrt(LB^2 - 1)) / (LB - sqrt(LB^2 - 1)),   LB at U = |phi| / k
 ///   length = (head + back) / 2,  width = length / LB,  drift = (head - back) / 2
 ///
-/// @param wind      of the field over ground [m/s], the way it blows to; u =
+/// @param wind      of the field over ground [m/s], towards where it blows; u =
 /// wind_reduction wind.
 /// @param gradient  of the ground, d elevation / d(north, east); theta its angle, at most
 /// 45 deg.

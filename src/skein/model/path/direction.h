@@ -16,7 +16,7 @@ constexpr double nearest_whole(double value) {
 
 /// The angle of (x, y) in [-pi, pi], 0 for (0, 0): as atan2(y, x), within 5e-16 rad.
 ///
-/// It takes the same way through the code wherever the point lies. Where one unlike case
+/// It takes the same branch of the code wherever the point lies. Where one unlike case
 /// follows the other, atan2 mostly waits for branches that were guessed wrong.
 ///
 ///   atan t = atan c + atan u,  u = (t - c) / (1 + t c),  c = k / 8 next to t <= 1

@@ -50,7 +50,7 @@ Centres opposite_centres(const Reduced& g) {
 }
 
 // Two equal turns turn by phi, or by a full turn more when the straight's direction is
-// not passed on the way. Asked without an angle function.
+// not passed in between. Asked without an angle function.
 double equal_length(const Reduced& g, const Centres& c, double straight) {
   if (straight < kSameCircle) return straight + g.phi;
   const double slack = -kFullTurnSnap * straight;

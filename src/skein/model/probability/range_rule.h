@@ -4,7 +4,7 @@
 
 namespace skein::model {
 
-/// The ways to turn "the range is on this side of the bound" into a corrected range.
+/// The rules that turn "the range is on this side of the bound" into a corrected range.
 /// To add one: a row here, a case in correct_range(), a name in range_rule_name().
 enum class RangeRule {
   kExact,    ///< truncated moments: the QKF of the thesis
@@ -20,8 +20,8 @@ inline constexpr RangeRule kRangeRules[] = {RangeRule::kExact, RangeRule::kMle,
 /// "qkf", "mle", "map", "ukf", "qkf-a15".
 const char* range_rule_name(RangeRule rule);
 
-/// What a scalar prior N(mean, variance) becomes under `rule` when it is told to be on
-/// one side of `bound`.
+/// What a scalar prior N(mean, variance) becomes under `rule` when it is reported to be
+/// on one side of `bound`.
 ///
 /// For the approximations the variance is the second moment about the value they choose,
 /// by the identity  var[z|A] + (z* - E[z|A])^2: never below the exact one.

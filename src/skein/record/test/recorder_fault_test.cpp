@@ -129,7 +129,7 @@ TEST(RunRecorderFaults, NeverReplacesARunUnasked) {
 }
 
 // Each row's time is the wall time since the start: what is missing at the end of a
-// killed run can be told in seconds.
+// killed run can be given in seconds.
 void record_wall_time(RunRecorder& recorder, Clock::time_point start, bool fast) {
   for (std::int64_t i = 0;; ++i) {
     const Time now = Time::from_ns((Clock::now() - start).count());

@@ -135,7 +135,7 @@ TEST(SummaryRecorder, TheHashIsOfWhatHappenedNotOfTheProgram) {
   EXPECT_EQ(hash("0.1.0+g1", "seed: 1"), hash("0.1.0+g2.dirty", "seed: 1 # the same"));
 }
 
-TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasDoubted) {
+TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasOverConfident) {
   const auto doubted = [](const std::vector<std::pair<double, std::string>>& events) {
     SummaryRecorder recorder(kInfo);
     for (const auto& [time, kind] : events)

@@ -47,12 +47,12 @@ Violations phenomenon_violations(const Make<Phenomenon>& make);
 /// Finite gusts, the same for equal ones.
 Violations turbulence_violations(const Make<Turbulence>& make);
 
-/// Starts where it is told; stays finite under any control; remembers nothing but the
+/// Starts at the given state; stays finite under any control; remembers nothing but the
 /// state; limits in order; on the ground after it has touched.
 Violations plant_violations(const Make<Plant>& make);
 
 /// Controls are finite, in range and what the airframe takes, with samples of any kind
-/// and with none; begins where it is told; equal ones fly alike.
+/// and with none; begins at the given state; equal ones fly alike.
 /// @param airframe, limits  of the plant that it was made for.
 Violations autopilot_violations(const Make<Autopilot>& make, const Airframe& airframe,
                                 const FlightLimits& limits);

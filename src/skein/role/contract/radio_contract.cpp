@@ -62,7 +62,7 @@ Outcome pass(Radio& radio, const std::vector<Message>& messages, Checks& checks)
         checks.expect(message.to == sent->second->to &&
                           message.sent == sent->second->sent &&
                           message.content.index() == sent->second->content.index(),
-                      "a message is changed on the way");
+                      "a message is changed in transit");
         in_transit.erase(sent);
         (list == &arrived ? outcome.arrived : outcome.lost).push_back(name_of(message));
       }

@@ -12,7 +12,7 @@
 namespace skein::scenario::test {
 namespace {
 
-TEST(Description, HasSoundDefaults) {
+TEST(Description, HasValidDefaults) {
   EXPECT_NO_THROW(check_defaults("scenario", *scenario_fields().description()));
 }
 

@@ -126,7 +126,7 @@ struct Case {
   const char* problem;
 };
 
-TEST(Read, ConditionsBetweenKeysAreToldWithEverythingElse) {
+TEST(Read, ConditionsBetweenKeysAreReportedWithEverythingElse) {
   // The key where it is written, else the one it does not go with; nothing that rests on
   // a value which is wrong itself.
   EXPECT_EQ(

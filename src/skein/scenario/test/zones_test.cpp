@@ -86,7 +86,7 @@ TEST(Zones, OfTheShortKindAreRefusedWhenTheyCrossThemselves) {
       << found;
 }
 
-TEST(Zones, ThatRunTheOtherWayRoundAreDoubtedNotRefused) {
+TEST(Zones, ThatRunCounterClockwiseGiveAWarningAndAreNotRefused) {
   const Scenario s = read_good(
       "environment:\n"
       "  zones_m: [[[0, 0], [0, 9], [9, 9]], [[0, 0], [9, 0], [9, 9]]]\n"

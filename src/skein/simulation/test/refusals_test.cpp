@@ -5,7 +5,7 @@
 namespace skein::simulation {
 namespace {
 
-TEST(Refusals, AreToldAtOnceThenOnceAMinuteWithTheirNumber) {
+TEST(Refusals, AreReportedAtOnceThenOnceAMinuteWithTheirNumber) {
   Refusals refusals;
   const auto at = [&](double s, std::string_view why, int count = 1) {
     return refusals.told(Time::from_seconds(s), count, why);
@@ -17,7 +17,7 @@ TEST(Refusals, AreToldAtOnceThenOnceAMinuteWithTheirNumber) {
   EXPECT_EQ(at(121, "needs 5 m/s", 2), "needs 5 m/s (and 4 times before)");
 }
 
-TEST(Refusals, OtherReasonsAreToldBesides) {
+TEST(Refusals, OtherReasonsAreReportedBesides) {
   Refusals refusals;
   EXPECT_TRUE(refusals.told(Time::from_seconds(1), 1, "too fast"));
   EXPECT_TRUE(refusals.told(Time::from_seconds(2), 1, "too steep"));

@@ -1,5 +1,9 @@
 #include "skein/simulation/run.h"
 
+#include "skein/role/agent.h"
+#include "skein/role/radio.h"
+#include "skein/simulation/commanded_wind.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -89,7 +93,7 @@ class Hands : public Autopilot {
   NavEstimate estimate_;
 };
 
-// Sends one message a step to `to`, and notes what it hears.
+// Sends one message a step to `to`, and notes what it receives.
 class Talker : public Agent {
  public:
   explicit Talker(EntityId to) : to_(to) {}
@@ -349,7 +353,7 @@ class Beam : public Sensor {
   double range_;
 };
 
-TEST(Run, TellsOfEachPayloadSampleOnceAndByWhichSensor) {
+TEST(Run, RecordsEachPayloadSampleOnceAndByWhichSensor) {
   World world = make_world(1, Time(), 0, [](std::size_t, VehicleParts& parts) {
     parts.payload.push_back(std::make_unique<Beam>(10));
     parts.payload.push_back(std::make_unique<Beam>(20));
@@ -375,7 +379,7 @@ TEST(Run, TellsOfEachPayloadSampleOnceAndByWhichSensor) {
   EXPECT_EQ(first, 31 - 10);
 }
 
-TEST(Run, AFailedLinkLosesMessagesBothWays) {
+TEST(Run, AFailedLinkLosesMessagesInBothDirections) {
   World world = make_world(2, Time(), 0, [](std::size_t i, VehicleParts& parts) {
     if (i == 0)
       parts.faults = {{VehicleFault::Kind::kLink, 0, Time(), Time::from_seconds(100)}};
@@ -432,7 +436,7 @@ class Faulty : public NoFire {
   }
 };
 
-TEST(Run, SaysWhenSkeinItselfIsAtFault) {
+TEST(Run, SaysWhenSkeinItselfHasABug) {
   World world = make_world(1);
   world.fire = std::make_unique<Faulty>();
   Notes notes;
@@ -442,7 +446,7 @@ TEST(Run, SaysWhenSkeinItselfIsAtFault) {
   EXPECT_EQ(outcome.error().code, ErrorCode::kInternal);
   const std::string text = outcome.error().text();
   EXPECT_TRUE(text.starts_with("internal error: ")) << text;
-  EXPECT_NE(text.find("front 7 (at 3.000 s of simulated time). This is a fault in Skein, "
+  EXPECT_NE(text.find("front 7 (at 3.000 s of simulated time). This is a bug in Skein, "
                       "please report it."),
             std::string::npos)
       << text;

@@ -151,7 +151,7 @@ TEST(AircraftFile, FilesAreFoundFromTheFolderOfWhoeverNamesThem) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(AircraftFile, UnknownNamesAreToldTheNearest) {
+TEST(AircraftFile, UnknownNamesAreAnsweredWithTheNearest) {
   const auto none = load_aircraft("aerosond", {});
   ASSERT_FALSE(none.ok());
   EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
@@ -233,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"quad", "multirotor:", "fixed_wing_gains: {}\nmultirotor:",
              "fixed_wing_gains: is of no use without fixed_wing."}));
 
-TEST(AircraftFileReader, NeedsAWayToFly) {
+TEST(AircraftFileReader, NeedsAFlightModel) {
   const auto file = read_aircraft("name: stone", "x.yaml");
   ASSERT_FALSE(file.ok());
   EXPECT_NE(file.error().text().find("does not say how it flies"), std::string::npos);
@@ -249,7 +249,7 @@ TEST(AircraftFileReader, SpeaksOfAnAircraftNotOfAScenario) {
   }
 }
 
-TEST(AircraftFileReader, TellsAllProblemsAtOnce) {
+TEST(AircraftFileReader, ReportsAllProblemsAtOnce) {
   std::string text = text_of("aerosonde");
   for (const auto& [piece, instead] :
        {std::pair{"mass_kg: 11", "mass_kg: -1"}, std::pair{"Cmq: -38.21", "Cmq: 1"},

@@ -28,10 +28,10 @@ std::vector<ParameterError> errors(const BatteryParameters& parameters);
 ///   P = U I,  U = U0(charge) - R I   =>   I = (U0 - sqrt(U0^2 - 4 R P)) / (2 R)
 ///   charge' = -I / capacity
 ///
-/// The most that it gives is the least of: the power at the cut-off voltage, the power at
-/// half the open-circuit voltage (the largest there is), and what empties it within the
-/// step. In every step U0 I dt is exactly what the load takes and what heats the battery
-/// (P dt + R I^2 dt); U0 is that of the step's beginning.
+/// The maximum that it gives is the least of: the power at the cut-off voltage, the power
+/// at half the open-circuit voltage (the largest there is), and what empties it within
+/// the step. In every step U0 I dt is exactly what the load takes and what heats the
+/// battery (P dt + R I^2 dt); U0 is that of the step's beginning.
 /// Valid: no temperature, no slow recovery of the voltage, no ageing.
 class Battery {
  public:
@@ -51,7 +51,7 @@ class Battery {
   /// Voltage without load [V].
   double open_circuit(double charge) const;
 
-  /// The most that it gives at this charge [W].
+  /// The maximum that it gives at this charge [W].
   double max_power(double charge) const;
 
   /// How long it gives the power drawn now [s], until empty or at its cut-off; infinity

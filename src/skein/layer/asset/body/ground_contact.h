@@ -24,7 +24,7 @@ struct GroundContactParameters {
   /// Turn rate that the ground stops per vertical speed that it stops [rad/m]: friction
   /// times the distance of the feet from the middle times mass over inertia about down.
   double yaw_grip = 10;
-  double steering = 0;  ///< turn per way that wheels make at full rudder [rad/m]
+  double steering = 0;  ///< turn per distance that wheels make at full rudder [rad/m]
 };
 
 /// What must hold for these.
@@ -36,13 +36,14 @@ std::vector<ParameterError> errors(const GroundContactParameters& parameters);
 /// of s per mass; friction gives at most `friction` times as much against the horizontal
 /// motion, along and across the body each (Coulomb). So a vehicle that gravity presses
 /// down by (g - lift / mass) dt in each step is braked by friction (g - lift / mass), and
-/// what still carries half its weight with the wings is braked half as much. In the same
-/// way the wheels' impulse turns the nose down (nose_fall) and stops turning (yaw_grip).
-/// Roll goes to 0, and a pitch below rest to rest, in the time `levelling`.
+/// what still carries half its weight with the wings is braked half as much. Likewise the
+/// wheels' impulse turns the nose down (nose_fall) and stops turning (yaw_grip). Roll
+/// goes to 0, and a pitch below rest to rest, in the time `levelling`.
 ///
 /// @param brake  how far the brakes are on, from 0 to 1.
-/// @param steer  turn per way that the wheels are set to [rad/m], clockwise positive; the
-///               yaw rate is pulled towards steer times the speed along the body.
+/// @param steer  turn per distance that the wheels are set to [rad/m], clockwise
+///               positive; the yaw rate is pulled towards steer times the speed along the
+///               body.
 /// @returns      kCrash when a limit is passed at the touch, with the state as it hit;
 /// the
 ///               speed limit counts only when it comes from the air.

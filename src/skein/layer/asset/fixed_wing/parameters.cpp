@@ -73,7 +73,7 @@ void check_envelope(ParameterCheck& check, const Envelope& e) {
   check.within("pitch_down", e.pitch_down, -1.5, -0.01);
 }
 
-// What only flying tells; the numbers by themselves are in order.
+// What only flying shows; the numbers by themselves are in order.
 void check_flight(ParameterCheck& check, const FixedWingParameters& p) {
   const FixedWingModel model(p);
   const double most = model.aero.peak().lift_coefficient;

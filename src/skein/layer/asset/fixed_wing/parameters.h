@@ -95,7 +95,7 @@ using Propulsion = std::variant<std::monostate, ElectricMotor, PistonEngine>;
 
 /// What moves the surfaces: a first-order lag with a largest rate.
 struct Servos {
-  double aileron_max = 0.349;   ///< largest deflection, both ways [rad]
+  double aileron_max = 0.349;   ///< largest deflection, in both directions [rad]
   double elevator_max = 0.349;  ///< [rad]
   double rudder_max = 0.436;    ///< [rad]; 0: it has none
   double rate = 6;              ///< largest [rad/s]
@@ -105,11 +105,11 @@ struct Servos {
 /// Where it may be flown.
 struct Envelope {
   double cruise = 15;        ///< airspeed [m/s]
-  double slowest = 11;       ///< least airspeed to fly at: stall with a reserve [m/s]
+  double slowest = 11;       ///< minimum airspeed to fly at: stall with a reserve [m/s]
   double fastest = 18;       ///< [m/s]
   double bank_limit = 0.7;   ///< [rad]
   double pitch_up = 0.45;    ///< largest pitch angle [rad]
-  double pitch_down = -0.4;  ///< least pitch angle, negative [rad]
+  double pitch_down = -0.4;  ///< minimum pitch angle, negative [rad]
 };
 
 /// A fixed-wing aircraft.

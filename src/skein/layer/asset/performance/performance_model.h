@@ -41,7 +41,7 @@ class PerformanceModel {
     return part > 0 ? part * parameters_.power : 0;
   }
 
-  /// Thrust of a shaft power [N], and the other way round [W].
+  /// Thrust of a shaft power [N], and the inverse [W].
   double thrust(double power, double airspeed) const {
     return parameters_.propeller_efficiency * power /
            (airspeed + parameters_.propeller_speed);

@@ -6,7 +6,7 @@
 
 namespace skein::asset {
 
-/// An aeroplane as its performance figures tell it. The defaults are a light-sport
+/// An aeroplane as its performance figures describe it. The defaults are a light-sport
 /// two-seater of Tecnam P2002 class with two on board.
 struct PerformanceParameters {
   double mass = 528;  ///< without fuel [kg]
@@ -16,7 +16,7 @@ struct PerformanceParameters {
   double zero_lift_drag = 0.0272;  ///< C_D0
   double induced_drag = 0.0635;    ///< K in C_D = C_D0 + K C_L^2
   double lift_max = 1.45;          ///< largest C_L
-  double stall_reserve = 1.15;     ///< least airspeed over stall speed, at any bank
+  double stall_reserve = 1.15;     ///< minimum airspeed over stall speed, at any bank
 
   // Engine and propeller
   double power = 73500;  ///< at the shaft, sea level [W]
@@ -42,10 +42,10 @@ struct PerformanceParameters {
   double fastest = 64;        ///< [m/s]
   double bank_limit = 0.7;    ///< [rad]
   double roll_rate = 0.35;    ///< largest [rad/s]
-  double acceleration = 1.5;  ///< largest along the path, both ways [m/s^2]
+  double acceleration = 1.5;  ///< largest along the path, in both directions [m/s^2]
   double airspeed_lag = 4;    ///< time constant of the airspeed [s]
-  double climb_rate = 6;      ///< most that is asked for [m/s]
-  double sink_rate = 6;       ///< most that is asked for [m/s]
+  double climb_rate = 6;      ///< maximum demanded [m/s]
+  double sink_rate = 6;       ///< maximum demanded [m/s]
 };
 
 /// What must hold for these. Among others: `slowest` is above the stall speed with its

@@ -71,7 +71,7 @@ FlightLimits PerformancePlant::limits() const {
           min_density()};
 }
 
-// K = 1 / (pi e b^2 / S): the induced drag tells the span.
+// K = 1 / (pi e b^2 / S): the induced drag gives the span.
 Airframe PerformancePlant::airframe() const {
   const PerformanceParameters& p = parameters_;
   if (p.induced_drag <= 0) return SelfStabilised{};
@@ -156,7 +156,7 @@ PerformancePlant::Rate PerformancePlant::rate(const Point& point, double roll,
   const PerformanceParameters& p = parameters_;
   const double v = point.airspeed, weight = phase.mass * kGravity;
   const double drag = model_.drag(v, weight / math::cos(roll), phase.density);
-  // Everything as climb rates [m/s]: what there is, and what is wanted.
+  // Everything as climb rates [m/s]: what is available, and what is commanded.
   const double most = (model_.thrust(phase.max_power, v) - drag) * v / weight;
   const double least = (model_.thrust(phase.min_power, v) - drag) * v / weight;
   const double wanted_acceleration =

@@ -12,12 +12,12 @@ namespace skein::asset {
 ///   D = q S (C_D0 + K C_L^2),  q S C_L = m g / cos(roll)
 ///   heading' = g tan(roll) / V,  |roll'| <= roll_rate,  p' = V (...) + wind
 ///
-/// It is told climb rate and airspeed; V' wanted is (commanded - V) / airspeed_lag within
-/// `acceleration`. When the thrust that both take is more than there is, climbing and
-/// accelerating are cut in the same proportion; when even level flight at this speed
-/// takes more, it sinks at this speed, or slows down as it was told to. When it is less
-/// than idle thrust, sinking and slowing down are cut in the same way. So there is a
-/// ceiling, and a glide with L/D, and neither comes from a limit of its own.
+/// Its commands are climb rate and airspeed; the demanded V' is (commanded - V) /
+/// airspeed_lag within `acceleration`. When the thrust that both take is more than there
+/// is, climbing and accelerating are cut in the same proportion; when even level flight
+/// at this speed takes more, it sinks at this speed, or slows down as commanded. When it
+/// is less than idle thrust, sinking and slowing down are cut in the same way. So there
+/// is a ceiling, and a glide with L/D, and neither comes from a limit of its own.
 ///
 /// Level and descending flight uses at most `cruise_power`; climbs use all power from 1
 /// m/s on, less in proportion below. Airspeed is kept `stall_reserve` above the stall at

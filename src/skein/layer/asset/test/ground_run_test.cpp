@@ -137,7 +137,7 @@ TEST(GroundRun, TouchesDownSlidesAndStops) {
   }
 }
 
-// From 15 m/s along the heading, on its wheels: way, and turn, until it stands.
+// From 15 m/s along the heading, on its wheels: distance, and turn, until it stands.
 struct Stop {
   double distance = 0, turn = 0;
 };
@@ -179,7 +179,7 @@ TEST(GroundRun, WheelsSteerWithTheRudder) {
     a[channel::kBrake] = 0.3;
     a[channel::kRudder] = rudder;
     const Stop stopped = stop(run, a);
-    // Turn per way times way; where the wheels slip it is less.
+    // Turn per distance times distance; where the wheels slip it is less.
     const double asked = -rudder * run.parameters().ground.steering * stopped.distance;
     EXPECT_GT(stopped.turn / asked, 0.7);
     EXPECT_LT(stopped.turn / asked, 1.3);

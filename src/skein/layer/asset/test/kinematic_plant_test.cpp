@@ -113,7 +113,7 @@ bool finite(const VehicleState& s) {
          s.q_NB.coeffs().allFinite() && s.w_NB_B.allFinite();
 }
 
-TEST(KinematicPlant, StaysFiniteWhateverItIsTold) {
+TEST(KinematicPlant, StaysFiniteWhateverTheCommand) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
   RandomStream random(1, 0, Purpose::kTest);

@@ -50,7 +50,7 @@ bool finite(const VehicleState& s) {
          std::isfinite(s.energy.charge) && std::isfinite(s.energy.power);
 }
 
-TEST_P(AnyPlant, StartsWhereItIsTold) {
+TEST_P(AnyPlant, StartsAtTheGivenState) {
   const VehicleStart start{{100, -50, -400}, 2, {4, -3, 0}, false};
   const VehicleState s = plant_->start(start);
   EXPECT_EQ(s.p_N, start.p_N);
@@ -78,7 +78,7 @@ TEST_P(AnyPlant, StepDoesNotAllocate) {
   VehicleState s = plant_->start({{0, 0, -300}, 0, Vec3::Zero(), false});
   const Control control = control_of([] { return 0.6; });
   const auto before = allocations();
-  if (!before) GTEST_SKIP() << "the sanitizer's own malloc is in the way";
+  if (!before) GTEST_SKIP() << "the sanitizer's own malloc prevents it";
   ASSERT_GT(before, 0);
   for (int i = 0; i < 100; ++i) plant_->step(s, control, {}, 0.01);
   plant_->touch(s, 0, 0.01);

@@ -13,7 +13,8 @@ constexpr double kFilterDamping = 0.9;
 constexpr double kFlareGain = 1.5;   // path angle times airspeed per sink rate error
 constexpr double kFlareDive = 0.12;  // pitch down, still with motor [rad]
 constexpr double kSoftSink = 0.2;    // of a touch-down with level nose [m/s]
-constexpr double kSlowFrom = 1.03;   // times the least airspeed pitch begins to serve it,
+// Pitch begins to serve airspeed below so many times the minimum airspeed,
+constexpr double kSlowFrom = 1.03;
 constexpr double kSlowMargin = 0.15;  // and this much below serves nothing else
 constexpr double kSteepPath = 0.17;   // [rad]
 constexpr double kOverspeedMargin = 0.05;
@@ -26,7 +27,7 @@ double throttle_for(const FixedWingSetup& setup, double power) {
 }
 
 // Angle of attack that carries the load factor at this airspeed.
-// `reserve`: most lift, over the weight at the least airspeed.
+// `reserve`: maximum lift, over the weight at the minimum airspeed.
 double angle_of_attack(const FixedWingSetup& setup, double load, double speed,
                        double reserve) {
   const FixedWingAirframe& a = setup.airframe;
@@ -79,7 +80,7 @@ EnergyControl::Rates EnergyControl::rates(const FixedWingSetup& setup,
                                           const EnergyView& view, double speed) const {
   const FixedWingGains& g = setup.gains;
   const FixedWingAirframe& a = setup.airframe;
-  // Lift grows with the square of airspeed, so the least airspeed with the load's root.
+  // Lift grows with the square of airspeed, so the minimum airspeed with the load's root.
   const double slowest = std::min(a.slowest * std::sqrt(view.load), a.fastest);
   Rates r;
   r.too_slow = slowness(speed_, slowest);

@@ -24,7 +24,7 @@ struct FixedWingGains {
   double pitch_rate_limit = 0.8;   ///< [rad/s]
   double load_limit = 3;           ///< largest load factor asked for
   double lift_reserve =
-      1.3;  ///< most lift asked for, over the weight at the least airspeed
+      1.3;  ///< maximum lift demanded, over the weight at the minimum airspeed
   double flare_reserve = 1.6;  ///< the same, touching down
   // Yaw.
   double yaw_rate_gain = 2;     ///< yaw acceleration per rate error [1/s]
@@ -41,9 +41,9 @@ struct FixedWingGains {
   double balance_gain = 0.5;      ///< path angle per error of the balance of energies, in
                                   ///< units of the angle that makes up for it
   double balance_integral = 0.4;  ///< and per its integral [1/s]
-  double gust_filter = 1.2;    ///< gusts along the way slower than this count as airspeed
-                               ///< [rad/s]; at 15 m/s of cruise, less the faster it is
-  double airspeed_filter = 5;  ///< bandwidth of airspeed and its rate [rad/s]
+  double gust_filter = 1.2;  ///< gusts along the path slower than this count as airspeed
+                             ///< [rad/s]; at 15 m/s of cruise, less the faster it is
+  double airspeed_filter = 5;        ///< bandwidth of airspeed and its rate [rad/s]
   double vertical_acceleration = 7;  ///< bounds the rate of the demanded pitch [m/s^2]
   double throttle_rate = 1.5;        ///< largest change of throttle [1/s]
   double turn_drag = 0.35;  ///< induced drag over drag in level flight at cruise, for the

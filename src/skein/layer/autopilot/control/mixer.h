@@ -39,7 +39,7 @@ class Mixer {
 
   std::size_t rotors() const { return rotors_; }
   /// Whether hover without turning leaves thrust on every rotor that turns. Else tilt can
-  /// be steered one way only, and the airframe must spin to be steered at all.
+  /// be steered in one direction only, and the airframe must spin to be steered at all.
   bool holds_still() const;
   /// Of all rotors that turn [N].
   double max_thrust() const { return max_thrust_; }

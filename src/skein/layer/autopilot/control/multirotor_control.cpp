@@ -18,7 +18,7 @@ constexpr double kLearnsAbove = 0.8;     // cosine of the tilt
 constexpr double kSinkMargin = 0.7;      // faster than demanded that costs no tilt [m/s]
 constexpr double kTiltPerSink = 0.6;     // share of the tilt lost per speed beyond [s/m]
 constexpr double kMinTilt = 0.2;         // share that is always left
-constexpr double kIntegratesWithin = 1;  // speed errors beyond are on the way [m/s]
+constexpr double kIntegratesWithin = 1;  // speed errors beyond belong to a transit [m/s]
 constexpr double kSameAir = 50;          // of altitude: density changes by 0.5 % [m]
 
 bool finite(const NavState& n) {
@@ -98,7 +98,7 @@ Vec3 MultirotorControl::acceleration_for(const MultirotorDemand& demand,
       bounded(1 - kTiltPerSink * (-sink_error - kSinkMargin), kMinTilt, 1);
   const double most = spared * (kGravity - down) * setup_->tilt_tangent;
   const Vec2 across = shortened(wanted, most);
-  // Frozen where the tilt is at its limit, and on the way to a far point.
+  // Frozen where the tilt is at its limit, and in transit to a far point.
   const bool full = wanted.squaredNorm() > most * most && wanted.dot(error) > 0;
   if (!full && error.squaredNorm() < kIntegratesWithin * kIntegratesWithin)
     velocity_sum_.head<2>() = shortened(sum + g.velocity_integral * error * dt, kMaxPush);
@@ -223,8 +223,8 @@ Actuators MultirotorControl::stabilize(const AttitudeDemand& demand, const NavSt
   const MultirotorGains& g = setup_->gains;
   const double limit = setup_->airframe.tilt_limit;
   const double roll = bounded(demand.roll, limit), pitch = bounded(demand.pitch, limit);
-  // The rotors' axis as wanted, in axes turned by the present heading only; then in the
-  // body.
+  // The rotors' axis as commanded, in axes turned by the present heading only; then in
+  // the body.
   const Vec3 wanted(-math::sin(pitch) * math::cos(roll), math::sin(roll),
                     -math::cos(pitch) * math::cos(roll));
   const Quat level = geo::from_euler({0, 0, geo::yaw(nav.q_NB)});

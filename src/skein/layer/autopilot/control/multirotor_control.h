@@ -27,8 +27,8 @@ namespace skein::autopilot {
 ///
 /// Rotors that stand are left out of the mixer (set_standing): six or more rotors fly on
 /// with less authority. With one of four standing the heading is given up: the airframe
-/// spins, which brings the direction that can be steered round to everywhere, and torques
-/// are turned ahead by the way it spins while rotors and rates follow (angle r (1/k_w +
+/// spins, which brings the direction that can be steered to everywhere, and torques are
+/// turned ahead by the angle it spins while rotors and rates follow (angle r (1/k_w +
 /// lag/2)).
 ///
 /// Outputs are finite and in range whatever the demand and the state are. If one of them

@@ -15,7 +15,7 @@ struct SurfaceDemand {
   double roll_rate = 0;     ///< at which that changes [rad/s]
   double pitch = 0;         ///< [rad]
   double airspeed = 0;      ///< without noise, for the effect of surfaces [m/s]
-  double lift_reserve = 1;  ///< most lift, over the weight at the least airspeed
+  double lift_reserve = 1;  ///< maximum lift, over the weight at the minimum airspeed
   double extra_turn = 0;    ///< turn rate beyond that of a turn without sideslip [rad/s]
   /// Instead of without sideslip the nose is held along a course, from which it is off by
   /// this [rad], clockwise positive.

@@ -90,10 +90,10 @@ class ErrorCovariance {
   /// the others.
   void restart(std::size_t i, double variance);
 
-  /// More doubt about state i.
+  /// Adds variance to state i.
   void add(std::size_t i, double variance) { p_[row_start(i) + i] += variance; }
 
-  /// More doubt about states i and j, with what they have in common.
+  /// Adds covariance to states i and j.
   void add(std::size_t i, std::size_t j, double covariance) {
     p_[i >= j ? row_start(i) + j : row_start(j) + i] += covariance;
   }

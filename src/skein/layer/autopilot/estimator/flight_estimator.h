@@ -77,8 +77,8 @@ class FlightEstimator {
   /// nose points elsewhere. At first: unless it starts at rest.
   void set_coordinated(bool coordinated) { coordinated_ = coordinated; }
 
-  /// Another unit of this kind is heard from now on: what has been learnt of the errors
-  /// of the old one is forgotten. Of no meaning for what has no such errors.
+  /// Another unit of this kind is received from now on: what has been learnt of the
+  /// errors of the old one is forgotten. Of no meaning for what has no such errors.
   void replaced(FlightSensor sensor);
 
   /// State at the last inertial sample (or truth).
@@ -121,9 +121,9 @@ class FlightEstimator {
     }
     Value mean() const { return sum / count; }
   };
-  // Errors that are alike from one measurement to the next tell a constant as much as
-  // white ones of variance sd^2 (1 + phi) / (1 - phi), phi = exp(-dt / tau), and the
-  // first of them as much as itself.
+  // Errors that are alike from one measurement to the next inform about a constant as
+  // much as white ones of variance sd^2 (1 + phi) / (1 - phi), phi = exp(-dt / tau), and
+  // the first of them as much as itself.
   struct Coloured {
     Time last;
     bool any = false;

@@ -137,7 +137,7 @@ void FlightEstimator::fuse_bearing(ErrorVector& error) {
           covariance_.variance(error::kAttitude + 1) >
       kWildTilt * kWildTilt)
     return;
-  // An attitude in doubt would teach a wrong dip.
+  // An uncertain attitude would teach a wrong dip.
   if (innovation_ratio_ < kDoubtful || field_seconds_ <= 0) {
     field_seconds_ = std::min(field_seconds_ + options_->period, kFieldMemory);
     const double share = options_->period / field_seconds_;
@@ -150,8 +150,8 @@ void FlightEstimator::fuse_bearing(ErrorVector& error) {
       geo::wrap_pi(math::atan2(m_N.y(), m_N.x()) - options_->declination);
   const double white = options_->magnetic_noise * options_->magnetic_noise /
                        (field_level_ * field_level_ * field_N_.count);
-  // Many bearings in straight flight tell heading and bias together far better than their
-  // product is small: it is an error that lasts.
+  // Many bearings in straight flight determine heading and bias together far better than
+  // their product is small: it is an error that lasts.
   const double lasting = last_bearing_.variance(bearing_curvature(), kLeg, nav_.time);
   last_bearing_.used(nav_.time);
   const bool accepted =

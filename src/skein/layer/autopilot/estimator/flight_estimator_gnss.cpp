@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMinFixSd = 0.002;        // of position [m] and velocity [m/s]
 constexpr double kCarrier = 0.01;          // errors of its phase to those of the code
-constexpr double kSlowShare = 0.05;        // least share of a fix's variance [-]
+constexpr double kSlowShare = 0.05;        // minimum share of a fix's variance [-]
 constexpr double kChangedPrecision = 1.5;  // of a receiver that begins anew
 
 // A filter that is right has innovations of mean square 1.
@@ -100,7 +100,7 @@ void FlightEstimator::fuse_fix(ErrorVector& error) {
   begin_again(fix_, past);
 }
 
-// Smooths the squares of the fixes' innovations, and tells whether a search for the
+// Smooths the squares of the fixes' innovations, and says whether a search for the
 // attitude is at its end with this fix.
 bool FlightEstimator::contradicted(double mean_square) {
   const double since = has_judged_ ? (fix_.time - judged_).seconds() : kInnovationTime;

@@ -14,7 +14,7 @@
 namespace skein::autopilot {
 namespace {
 
-// A circle is followed from when it is this near, in radii: the way to it is no error.
+// A circle is followed from when it is this near, in radii: the path to it is no error.
 constexpr double kOnCircle = 0.2;
 
 constexpr double kFarOff = 2;         // look-aheads from which a circle is far away

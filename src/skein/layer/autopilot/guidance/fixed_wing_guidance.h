@@ -19,7 +19,7 @@ struct FixedWingGuidanceOptions {
   LateralOptions lateral;
   LandingOptions landing;
   bool rounds_corners = true;    ///< of waypoints; false: flown over, then turned
-  double radius_margin = 1.1;    ///< corners and loiter circles, over the least radius
+  double radius_margin = 1.1;    ///< corners and loiter circles, over the minimum radius
   double slow_down = 6;          ///< flight before a tight turn in which to slow down [s]
   double time_gain = 0.1;        ///< share of ground speed per second behind a plan [1/s]
   double time_reach = 0.3;       ///< largest such share
@@ -27,7 +27,7 @@ struct FixedWingGuidanceOptions {
   double take_off_speed = 1.1;   ///< leaving the ground, over the slowest airspeed
   double climb_out_height = 40;  ///< straight climb after take-off [m]
   double arrival = 5;            ///< of an altitude, counted as reached [m]
-  double return_height = 60;     ///< least, above where the flight began [m]
+  double return_height = 60;     ///< minimum, above where the flight began [m]
   /// Commands that cannot be flown are refused; false: flown as near as it can.
   bool refuses = true;
 };
@@ -91,7 +91,8 @@ class FixedWingGuidance {
   /// Fields of guidance only.
   const AutopilotStatus& status() const { return status_; }
   const AutopilotCommand& current() const { return command_; }
-  /// Where it would circle a point now: least radius at cruise in this wind, with margin.
+  /// Where it would circle a point now: minimum radius at cruise in this wind, with
+  /// margin.
   double loiter_radius(double wind_speed) const;
 
  private:
@@ -116,7 +117,7 @@ class FixedWingGuidance {
   Vec3 home_N_;
   Sight sight_;
   double max_lateral_;   // acceleration at the bank limit [m/s^2]
-  double turn_slowest_;  // least airspeed in a turn at the bank limit [m/s]
+  double turn_slowest_;  // minimum airspeed in a turn at the bank limit [m/s]
 
   AutopilotCommand command_;
   AutopilotStatus status_;

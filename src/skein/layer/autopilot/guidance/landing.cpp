@@ -84,7 +84,7 @@ void Landing::begin(const Land& command, const model::Pose& from, const Vec2& wi
   stop_distance_ = 0;
   if (options.touches_down) {
     // The flare, with a sink that falls evenly with the height, takes longer than the
-    // straight way down; motor idle the aircraft slows down meanwhile.
+    // straight path down; motor idle the aircraft slows down meanwhile.
     const double sink = std::max(pace * tangent_, options.touch_down_sink);
     const double ratio = sink / options.touch_down_sink;
     const double longer = ratio > 1.01 ? math::log(ratio) / (1 - 1 / ratio) : 1;
@@ -116,8 +116,8 @@ void Landing::line_up(const Path& before) {
 }
 
 double Landing::height_of(const View& now) const {
-  // Altitudes are off by metres, the height by centimetres: but that over other ground on
-  // the way says nothing.
+  // Altitudes are off by metres, the height by centimetres: but that over other ground in
+  // between says nothing.
   const double height = now.altitude_msl - command_.ground_msl;
   if (!now.height_agl) return height;
   const double share = std::clamp(2 - 2 * *now.height_agl / kMeasuredBelow, 0.0, 1.0);
@@ -149,7 +149,7 @@ Landing::Step Landing::step(const View& now, double dt) {
   const double height = height_of(now);
   if (phase_ == FlightPhase::kFlight && along_ >= joined_at_) {
     if (height > options_.height + options_.too_high) {
-      // Once round in line with the approach.
+      // One circle in line with the approach.
       line_up({{fix_, course_, 2 * geo::kPi * radius_, 1 / radius_}});
       out.place = path_.project(now.p, 0, window);
       along_ = out.place.along;

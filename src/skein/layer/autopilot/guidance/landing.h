@@ -48,7 +48,7 @@ struct Stopping {
   double lift_off = 15;   ///< V_l, airspeed at which the wings carry all, standing [m/s]
 };
 
-/// Way over ground [m] from the touch to rest:
+/// Distance over ground [m] from the touch to rest:
 ///
 ///   V' = -g (mu max(1 - (V + w)^2 / V_l^2, 0) + r (V + w)^2 / V_a^2)
 ///

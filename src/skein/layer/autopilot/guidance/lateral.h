@@ -32,7 +32,7 @@ struct L1Options {
 
 struct L2PlusOptions {
   double time = 2.5;       ///< T*: flight time to the point aimed at [s]
-  double least = 10;       ///< least distance of that point [m]
+  double least = 10;       ///< minimum distance of that point [m]
   double intercept = 1.1;  ///< angle towards the line from further away than it [rad]
 };
 
@@ -80,7 +80,7 @@ struct Sight {
   double time = 1;   ///< L = max(time V, least): distance to the point aimed at
   double least = 1;  ///< [m]
   double gain = 2;   ///< K: a = K V^2 / L sin(eta)
-  double leads = 0;  ///< M: how much of a turn of the line is told, not seen; 0 to K
+  double leads = 0;  ///< M: how much of a turn of the line is given, not seen; 0 to K
   double cosine = 0, sine = 1;  ///< of the intercept angle
 
   double distance(double ground_speed) const {
@@ -144,19 +144,19 @@ double sight_law(const Sight& sight, const Line& line, const model::TrackPoint& 
   return a + (sight.leads - sight.gain + 2) / 2 * nearest.curvature * speed * speed;
 }
 
-/// A circle as a line to follow, seen from outside or inside. From far outside the way
+/// A circle as a line to follow, seen from outside or inside. From far outside the path
 /// leads straight to where the tangent touches it, not at an angle to the nearest
 /// tangent.
 struct CircleLine {
   Vec2 centre = Vec2::Zero();
   double radius = 1;      ///< [m]
-  double side = 1;        ///< +1 clockwise on the map, -1 the other way
+  double side = 1;        ///< +1 clockwise on the map, -1 counter-clockwise
   Vec2 out = Vec2(1, 0);  ///< unit vector from the centre to the nearest point
 
   /// The circle with its point nearest to `p`.
   static CircleLine nearest_to(const Vec2& p, const Vec2& centre, double radius,
                                bool clockwise);
-  /// The point `ahead` metres round the circle from the nearest one.
+  /// The point `ahead` metres along the circle from the nearest one.
   model::TrackPoint at(double ahead) const;
   /// The nearest point itself.
   model::TrackPoint nearest() const;

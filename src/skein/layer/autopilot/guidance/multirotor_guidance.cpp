@@ -170,7 +170,7 @@ MultirotorDemand MultirotorGuidance::step(const NavState& now, double dt,
 MultirotorGuidance::Setpoint MultirotorGuidance::hold(const NavState& now) {
   const auto* returns = std::get_if<Return>(&command_.guidance);
   if (returns) {
-    // Up first, so that nothing is in the way.
+    // Up first, clear of obstacles.
     climbs_first_ = climbs_first_ && -now.p_N.z() < altitude_ - options_.arrival;
     if (!climbs_first_) point_ = returns->point.value_or(home_N_.head<2>());
   }

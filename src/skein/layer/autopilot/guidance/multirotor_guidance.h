@@ -27,15 +27,15 @@ struct MultirotorGuidanceOptions {
   double arrival = 1;             ///< from a point or altitude, counted as there [m]
   double slow_height = 8;         ///< of the last part of a landing [m]
   double touch_down_sink = 0.5;   ///< there [m/s]
-  double return_height = 30;      ///< least, above where the flight began [m]
+  double return_height = 30;      ///< minimum, above where the flight began [m]
 };
 
 /// Flies commands with a multirotor: a reference that moves in space and that a control
 /// loop can follow without overshoot.
 ///
-/// The reference (position, velocity, acceleration) takes up a wanted velocity v_d with
+/// The reference (position, velocity, acceleration) takes up a velocity setpoint v_d with
 /// a = a_f + 4/s (v_d - v), bounded in size (`acceleration`) and change (`jerk`); a_f is
-/// the centripetal acceleration of a turn and the braking before a stop. Wanted speeds
+/// the centripetal acceleration of a turn and the braking before a stop. Speed setpoints
 /// are those of the command, at most
 ///
 ///   sqrt(0.7 acceleration / curvature)      in turns,

@@ -10,7 +10,7 @@
 namespace skein::autopilot {
 namespace {
 
-// A circle is followed from when it is this near, in radii: the way to it is no error.
+// A circle is followed from when it is this near, in radii: the path to it is no error.
 constexpr double kOnCircle = 0.2;
 constexpr double kTurnShare = 0.7;     // of the acceleration, for turns
 constexpr double kAlongShare = 0.8;    // of the acceleration, for speeding up

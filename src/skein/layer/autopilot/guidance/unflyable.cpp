@@ -88,20 +88,19 @@ struct Judge {
     const double least = most / max_lateral();
     if (radius >= least * (1 - kTurnSlack)) return {};
     return fmt::format(
-        "{} has a radius of {:.0f} m: {:.0f} m is the least at {:.1f} m/s in {:.1f} m/s "
-        "of "
-        "wind",
+        "{} has a radius of {:.0f} m: {:.0f} m is the minimum at {:.1f} m/s in {:.1f} "
+        "m/s of wind",
         what(), radius, std::ceil(least), limits.slowest, wind.norm());
   }
 
   template <class What>
   Reason climb(double rate, const What& what) const {
     if (rate > limits.climb_rate * (1 + kClimbSlack))
-      return fmt::format("{} climbs at {:.1f} m/s: {:.1f} m/s is the most", what(), rate,
-                         limits.climb_rate);
+      return fmt::format("{} climbs at {:.1f} m/s: {:.1f} m/s is the maximum", what(),
+                         rate, limits.climb_rate);
     if (-rate > limits.sink_rate * (1 + kClimbSlack))
-      return fmt::format("{} sinks at {:.1f} m/s: {:.1f} m/s is the most", what(), -rate,
-                         limits.sink_rate);
+      return fmt::format("{} sinks at {:.1f} m/s: {:.1f} m/s is the maximum", what(),
+                         -rate, limits.sink_rate);
     return {};
   }
 
@@ -114,7 +113,7 @@ struct Judge {
       return fmt::format(
           "{} is {:.0f} m, where the air is too thin to fly level at any airspeed: "
           "{:.0f} "
-          "m is the most",
+          "m is the maximum",
           what(), altitude_msl, std::floor(model::standard_altitude(limits.min_density)));
     const double slowest = limits.slowest * std::sqrt(model::kSeaLevelDensity / density);
     if (at >= slowest * (1 - kSpeedSlack)) return {};
@@ -207,7 +206,7 @@ struct Judge {
     if (lateral <= max_lateral() * cosine * (1 + kTurnSlack)) return {};
     return fmt::format(
         "the plan at {:.1f} s turns with a radius of {:.0f} m at {:.1f} m/s over ground: "
-        "{:.0f} m is the least",
+        "{:.0f} m is the minimum",
         time, speed * speed / lateral, speed, speed * speed / (max_lateral() * cosine));
   }
 

@@ -13,7 +13,7 @@ namespace skein::autopilot {
 /// Asked of every command: numbers finite; airspeed within [slowest, fastest]; the
 /// standard air at its altitude, at that of every waypoint and instant of a plan, at
 /// least as dense as `min_density`, and dense enough for its airspeed (else cruise):
-/// slowest sqrt(1.225 kg/m^3 / density) is the least there, give or take 3 %. Then
+/// slowest sqrt(1.225 kg/m^3 / density) is the minimum there, give or take 3 %. Then
 ///
 /// - turns of a path, circles: the lateral acceleration that the turn needs over ground
 /// at

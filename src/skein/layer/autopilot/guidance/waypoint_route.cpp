@@ -53,7 +53,7 @@ WaypointRoute::Corner WaypointRoute::corner_after(long leg) const {
   const double angle = math::atan2(geo::cross(in, out), in.dot(out));
   const double half = std::abs(angle) / 2;
   const double room = std::min(in.norm(), out.norm()) / 2;
-  // Nearly back the way it came: no arc of any use.
+  // Nearly straight back: no arc of any use.
   if (half < kNoTurn || half > 0.49 * geo::kPi) return corner;
   const double tangent = math::tan(half);
   corner.radius = rule_.radius > 0 ? rule_.radius : rule_.cut / (1 / math::cos(half) - 1);
@@ -90,7 +90,7 @@ void WaypointRoute::lay_out() {
     const double with_arcs = from.length / 2 + straight + to.length / 2;
     (i == 0 ? leg_length_ : leg_length_next_) = with_arcs;
     if (i == 0) straight_ = straight;
-    if (to.length <= 0) break;  // a sharp corner is flown up to, not round
+    if (to.length <= 0) break;  // a sharp corner is flown up to, not around
     const model::Pose at = model::end_of(layout_.back());
     layout_.push_back({at.position, course, to.length, to.side / to.radius});
     from = to;

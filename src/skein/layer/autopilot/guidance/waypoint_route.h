@@ -20,7 +20,7 @@ struct CornerRule {
 /// new rule (another wind) holds from the next corner on that is still ahead. With turn
 /// angle D the arc of a corner begins radius tan(D/2) before it; a cut c gives radius = c
 /// / (1/cos(D/2) - 1). An arc that would take more than half of a leg is left out (with
-/// `cut`: made smaller). Altitude changes evenly with the way from the middle of one
+/// `cut`: made smaller). Altitude changes evenly with the distance from the middle of one
 /// corner to the next.
 class WaypointRoute {
  public:
@@ -35,7 +35,7 @@ class WaypointRoute {
   struct Place {
     model::PathCursor::Place on_path;
     double altitude_msl = 0;  ///< of the route there [m]
-    double slope = 0;         ///< of the altitude: rise over way
+    double slope = 0;         ///< of the altitude: rise over distance
     double remaining = 0;     ///< to the last point [m]
     bool done = false;        ///< the last point has been passed
   };

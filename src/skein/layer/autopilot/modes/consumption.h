@@ -35,7 +35,7 @@ class Consumption {
 
   /// Puts powers into `flight` so that home_need() counts in charge. Level flight is
   /// taken to use the present rate or the mean since the first sample, whichever is more:
-  /// after a glide the way home still needs the motor.
+  /// after a glide the path home still needs the motor.
   void set_powers(HomeFlight& flight) const;
 
  private:

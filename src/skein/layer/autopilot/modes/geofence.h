@@ -27,7 +27,7 @@ std::optional<std::string> error_in(const GeofenceOptions& options);
 /// Where a vehicle may fly. Const; what one vehicle keeps of it is in FenceWatch.
 class Geofence {
  public:
-  /// `options` without fault, see error_in().
+  /// `options` that are valid, see error_in().
   explicit Geofence(GeofenceOptions options);
 
   /// How far `p_N` is inside the fence: distance to the nearest edge, ceiling or floor,
@@ -45,8 +45,8 @@ class Geofence {
   GeofenceOptions options_;
 };
 
-/// Watches one vehicle. Clearance changes by no more than the way flown, so that far from
-/// the fence a step costs two distances.
+/// Watches one vehicle. Clearance changes by no more than the distance flown, so that far
+/// from the fence a step costs two distances.
 class FenceWatch {
  public:
   /// `fence` must outlive this.
@@ -68,7 +68,8 @@ class FenceWatch {
 
   const Geofence* fence_;
   Vec3 anchor_ = Vec3::Zero();
-  double calm_ = 0;  // square of the way from the anchor in which nothing changes [m^2]
+  double calm_ =
+      0;  // square of the distance from the anchor in which nothing changes [m^2]
   bool outside_ = false;
   bool floor_counted_ = true;
 };

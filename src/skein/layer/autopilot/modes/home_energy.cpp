@@ -7,7 +7,7 @@
 namespace skein::autopilot {
 namespace {
 
-// Closer than this there is no way to go [m].
+// Closer than this there is no distance to go [m].
 constexpr double kAtHome = 1e-3;
 
 }  // namespace

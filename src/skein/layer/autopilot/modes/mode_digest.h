@@ -18,7 +18,7 @@ inline constexpr unsigned kDone = 13;
 inline constexpr unsigned kLanded = 14;
 inline constexpr unsigned kCommitted = 15;
 inline constexpr unsigned kHomeOutOfReach = 16;
-inline constexpr unsigned kTaken = 17;  ///< tells a digest from none
+inline constexpr unsigned kTaken = 17;  ///< distinguishes a digest from none
 
 constexpr std::uint32_t bit(bool value, unsigned place) {
   return static_cast<std::uint32_t>(value) << place;

@@ -22,7 +22,7 @@ enum class CommandKind : std::uint8_t {
 };
 CommandKind kind_of(const AutopilotCommand& command);
 
-/// A time of last hearing for what is not fitted and so never missed.
+/// A time of last reception for what is not fitted and so never missed.
 inline constexpr Time kNotFitted =
     Time::from_ns(std::numeric_limits<std::int64_t>::max());
 
@@ -30,7 +30,7 @@ inline constexpr Time kNotFitted =
 /// piece; only `command` is of one step.
 struct ModeInput {
   Time now;                                        ///< not before 0, never going back
-  std::optional<PilotInput> pilot = std::nullopt;  ///< the last one heard
+  std::optional<PilotInput> pilot = std::nullopt;  ///< the last one received
   CommandKind command = CommandKind::kNone;        ///< came since the last step
   Time link_heard = kNotFitted;  ///< last; with a link fitted, at first the start
   Time gnss_fix = kNotFitted;    ///< last that was of use; with a receiver, as above
@@ -118,7 +118,7 @@ struct Decision {
 /// FailsafeOptions made ready for the step; shared by all vehicles that have them.
 class ModeRules {
  public:
-  /// `options` without fault, see error_in().
+  /// `options` that are valid, see error_in().
   ModeRules(const FailsafeOptions& options, AirframeKind airframe);
 
  private:

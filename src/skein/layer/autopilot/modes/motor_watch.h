@@ -13,13 +13,13 @@ struct MotorWatchOptions {
   double delay = 0.3;  ///< for which it must stand to have failed [s]
 };
 
-/// Tells motors that have failed from motors that were told to stand.
+/// Distinguishes motors that have failed from motors that were commanded to stand.
 class MotorWatch {
  public:
   explicit MotorWatch(const MotorWatchOptions& options);
 
   /// @param standing  PowerSample::motors_standing, the last known.
-  /// @param told      what the actuators were last told.
+  /// @param told      what the actuators were last commanded.
   /// @returns  bit k: motor k has stood under throttle for longer than the delay.
   std::uint8_t step(Time now, std::uint8_t standing, const Actuators& told) {
     if (standing == 0) [[likely]] {

@@ -7,9 +7,9 @@ namespace {
 
 constexpr double kStill = 0.3;            // of a multirotor, up and down [m/s]
 constexpr double kLittleThrust = 0.4;     // of hover
-constexpr double kFlyingShare = 1.0 / 3;  // of the least airspeed
+constexpr double kFlyingShare = 1.0 / 3;  // of the minimum airspeed
 constexpr double kStillTime = 1;          // [s]
-constexpr double kTooSlow = 0.9;   // of the least airspeed, for what stands in a wind
+constexpr double kTooSlow = 0.9;   // of the minimum airspeed, for what stands in a wind
 constexpr double kStands = 1;      // over ground, of a fixed wing at most [m/s]
 constexpr double kStandsTime = 3;  // [s]
 constexpr double kClimb = 1;       // that a vehicle on the ground cannot have [m/s]

@@ -8,12 +8,12 @@
 
 namespace skein::autopilot {
 
-/// Tells from the own motion whether the vehicle stands on the ground.
+/// Decides from the own motion whether the vehicle stands on the ground.
 ///
 /// In the air it is on the ground when it has moved so slowly for a second that it cannot
-/// fly: a fixed wing both over ground and through the air below a third of its least
+/// fly: a fixed wing both over ground and through the air below a third of its minimum
 /// airspeed; a multirotor that neither climbs nor sinks by 0.3 m/s while its motors are
-/// told less than 0.4 of what it hovers with. A fixed wing that stands in a wind has
+/// commanded less than 0.4 of what it hovers with. A fixed wing that stands in a wind has
 /// airspeed: then it has to be slower than 1 m/s over ground for three seconds, and too
 /// slow in the air by a tenth. On the ground it is in the air when it climbs, stands
 /// higher than where it was by more than the estimate's error may be, or moves and is
@@ -23,7 +23,7 @@ class LandDetector {
   /// @param hover  mean throttle in hover; 0 for what cannot hover.
   LandDetector(const FlightLimits& limits, double hover, bool on_ground);
 
-  /// @param throttle  mean of what the motors were last told.
+  /// @param throttle  mean of what the motors were last commanded.
   bool step(const NavState& nav, double throttle);
 
   bool on_ground() const { return on_ground_; }

@@ -7,7 +7,7 @@ namespace {
 
 // In the order of FlightSensor [s].
 constexpr std::array<double, kFlightSensors> kPatience = {0.2, 1, 1, 1, 3};
-constexpr double kSwitchAfter = 2.5;  // intervals of silence, when a spare is heard
+constexpr double kSwitchAfter = 2.5;  // intervals of silence, when a spare is received
 constexpr double kLostAfter = 5;      // intervals of silence, at least
 constexpr double kRateUnknown = 10;   // patience after the very first sample [s]
 

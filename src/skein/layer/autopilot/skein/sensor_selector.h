@@ -10,10 +10,10 @@ namespace skein::autopilot {
 
 /// Chooses among several sensors of one kind, and knows which kinds have fallen silent.
 ///
-/// The first unit that is heard is flown by. When it has been silent for some of its own
-/// intervals and another one is heard, that one is taken, and kept. A kind is lost when
-/// none of its units has been heard for longer than its patience, or five intervals, if
-/// that is more.
+/// The first unit that is received is flown by. When it has been silent for some of its
+/// own intervals and another one is received, that one is taken, and kept. A kind is lost
+/// when none of its units has been received for longer than its patience, or five
+/// intervals, if that is more.
 class SensorSelector {
  public:
   enum class Use : std::uint8_t {
@@ -22,7 +22,7 @@ class SensorSelector {
     kAnew,  ///< it counts, and is another unit than before, with errors of its own
   };
 
-  /// @param fitted  bit k: FlightSensor k is missed from `start` on, heard or not;
+  /// @param fitted  bit k: FlightSensor k is missed from `start` on, received or not;
   ///                others from their first sample on.
   SensorSelector(Time start, std::uint8_t fitted);
 
@@ -36,7 +36,7 @@ class SensorSelector {
 
  private:
   struct Kind {
-    Time last;            // heard from the unit flown by
+    Time last;            // received from the unit flown by
     double interval = 0;  // between its last two samples [s]
     std::uint8_t unit = 0;
     bool heard = false;

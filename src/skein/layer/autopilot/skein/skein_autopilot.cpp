@@ -15,7 +15,7 @@ constexpr double kStaleState = 0.5;   // an estimate this old is none [s]
 constexpr double kDisbelief = 10;     // of fixes, longer than it takes to begin anew [s]
 constexpr double kSilentMonitor = 5;  // then the charge is counted on [s]
 constexpr double kCommittedHeight = 10;  // below it a landing is finished [m]
-constexpr double kNearCorner = 2;        // of the way home, passed within [turn radii]
+constexpr double kNearCorner = 2;        // of the route home, passed within [turn radii]
 constexpr double kMinNear = 10;          // and within this at least [m]
 
 EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
@@ -26,7 +26,7 @@ EstimatorStart start_of(const NavEstimate& initial, bool on_ground) {
   start.q_NB = geo::from_euler({initial.roll, initial.pitch, initial.heading});
   start.wind_N = initial.wind_N;
   start.at_rest = on_ground;
-  // Where it is, the first fix says: to be told would tell the receiver's error too.
+  // Where it is, the first fix says: to be given it would give the receiver's error too.
   start.sd.position = start.sd.altitude = kUnknownPlace;
   start.sd.wind = kUnknownWind;
   return start;
@@ -214,7 +214,8 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   const bool floor_counts = !input_.on_ground && !landing && order_ != Order::kTakeOff;
   input_.outside_fence = fence_.step(nav.p_N, nav.v_N, floor_counts);
   if (const auto* told = std::get_if<Actuators>(&last_)) {
-    // For good: a rotor that is no longer told to turn looks like one that may stand.
+    // For good: a rotor that is no longer commanded to turn looks like one that may
+    // stand.
     failed_ |= motors_.step(now, standing_, *told);
     input_.motor_failed = failed_ != 0;
     if (auto* rotors = std::get_if<RotorFlier>(&flier_)) rotors->set_standing(failed_);
@@ -281,7 +282,7 @@ bool SkeinAutopilot::returns() const {
           std::holds_alternative<Return>(agent_command_.guidance));
 }
 
-// Another way home, or the next piece of it.
+// Another route home, or the next piece of it.
 void SkeinAutopilot::lead_home(const FlierView& now) {
   std::vector<Vec2>& points = return_.points;
   if (returns() && points.size() > 1) {

@@ -28,7 +28,7 @@ namespace skein::autopilot {
 /// flown goes on. Until the first command it holds where it is; on the ground it stands.
 ///
 /// Returns and landings of failsafes, and returns that the agent commands, lead along the
-/// way of set_return(), which holds until another is set; so does what it takes to get
+/// route of set_return(), which holds until another is set; so does what it takes to get
 /// home.
 class SkeinAutopilot final : public Autopilot {
  public:
@@ -89,13 +89,13 @@ class SkeinAutopilot final : public Autopilot {
   AutopilotCommand take_off_;
   ReturnRoute return_;
   bool return_changed_ = false;
-  bool powered_ = false;  // a battery monitor has been heard
+  bool powered_ = false;  // a battery monitor has been received
   Time power_time_;
   double power_charge_ = 1;
   std::uint8_t lost_ = 0;      // bit k: FlightSensor k
   std::uint8_t standing_ = 0;  // motors, as the battery monitor says
   std::uint8_t failed_ = 0;    // motors that have stood under throttle
-  double throttle_ = 0;        // mean of what the motors were told
+  double throttle_ = 0;        // mean of what the motors were commanded
   Control last_;
   std::size_t lap_ = 0;  // whose gains are flown
   std::string refused_;

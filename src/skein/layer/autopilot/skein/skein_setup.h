@@ -41,7 +41,7 @@ struct SkeinOptions {
   PointGains point_gains;
   FailsafeOptions failsafe;
   GeofenceOptions fence;
-  /// Signs of life and positions are to come: their silence counts from the start on.
+  /// Heartbeats and positions are to come: their silence counts from the start on.
   bool watches_link = false, watches_gnss = false;
   std::uint8_t watches_sensors = 0;  ///< likewise, bit k: FlightSensor k
   MotorWatchOptions motor_watch;

@@ -177,7 +177,7 @@ TEST(SimpleAutopilot, HoldsACourseOverGround) {
   }
 }
 
-TEST(SimpleAutopilot, CirclesBothDirections) {
+TEST(SimpleAutopilot, CirclesInBothSenses) {
   for (const bool clockwise : {true, false}) {
     Flight flight({6, 3});
     flight.fly(20);
@@ -406,7 +406,7 @@ TEST(SimpleAutopilot, RefusesAPlanItCannotFlyAndGoesOn) {
   EXPECT_EQ(flight.autopilot->status().refusals, 1);
 }
 
-TEST(SimpleAutopilot, ReturnsToWhereItWasTold) {
+TEST(SimpleAutopilot, ReturnsToThePlaceThatWasSet) {
   NavEstimate start;
   start.p_N = {0, 0, -300};
   start.v_N = {20, 0, 0};

@@ -56,11 +56,11 @@ Result<void> check(const ThesisFireOptions& o) {
   if (!o.wind.allFinite()) return bad("wind", o.wind.norm(), "finite");
   const double least = o.rate - o.rate_error;
   if (o.wind.norm() > 0 && !(o.wind.norm() < least))
-    return bad(
-        "wind", o.wind.norm(),
-        fmt::format("below the least spread, {} m/s: a stronger one drives the boundary "
-                    "over its own origin",
-                    least));
+    return bad("wind", o.wind.norm(),
+               fmt::format(
+                   "below the minimum spread, {} m/s: a stronger one drives the boundary "
+                   "over its own origin",
+                   least));
   if (!(std::abs(o.slope_weight) <= 1))
     return bad("slope_weight", o.slope_weight, "-1 to 1");
   if (!(o.step >= 0.01 && o.step <= 60)) return bad("step", o.step, "0.01 to 60 s");

@@ -4,8 +4,8 @@
 
 namespace skein::environment {
 
-/// What an open GDAL dataset tells about a band: names, unit, and the time and height it
-/// belongs to, from GRIB or CF metadata.
+/// What an open GDAL dataset reports about a band: names, unit, and the time and height
+/// it belongs to, from GRIB or CF metadata.
 /// @param dataset  a GDALDatasetH.
 BandInfo describe_band(void* dataset, int number);
 

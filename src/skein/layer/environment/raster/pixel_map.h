@@ -10,7 +10,7 @@
 
 namespace skein::environment {
 
-/// What to do with nodes of the wanted grid for which the raster has no value.
+/// What to do with nodes of the requested grid for which the raster has no value.
 enum class Missing {
   kError,    ///< refuse
   kNearest,  ///< take the value of the nearest node that has one
@@ -21,7 +21,7 @@ enum class Missing {
 /// declares that there is no value.
 struct PixelWindow {
   int first_column = 0, first_row = 0;  ///< in the raster
-  int columns = 0, rows = 0;            ///< may be 0: nothing of the raster is wanted
+  int columns = 0, rows = 0;            ///< may be 0: nothing of the raster is requested
   std::vector<double> values;           ///< index row * columns + column
 };
 
@@ -30,7 +30,7 @@ struct PixelWindow {
 /// apart, and bilinear within: the curvature left out is below 2 mm.
 class PixelMap {
  public:
-  /// The grid on which results are wanted.
+  /// The grid on which results are requested.
   const GridShape& shape() const { return shape_; }
   /// The pixels that bilinear sampling of the grid needs, within the raster.
   const PixelWindow& window() const { return window_; }

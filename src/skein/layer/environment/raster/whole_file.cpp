@@ -65,7 +65,7 @@ class NetcdfHeader {
   NetcdfHeader(Bytes& bytes, int version)
       : bytes_(bytes), count_(version == 5 ? 8 : 4), offset_(version == 1 ? 4 : 8) {}
 
-  // The least length of a sound file; none when the header makes no sense.
+  // The minimum length of a valid file; none when the header makes no sense.
   std::optional<std::uint64_t> min_length() {
     const std::uint64_t records = bytes_.number(count_);
     const bool streaming =

@@ -35,7 +35,7 @@ class Distances {
 
   std::vector<double> run() {
     for (std::size_t e = 0; e < edges_.size(); ++e) seed(static_cast<int>(e));
-    // Two rounds: the second mends the few nodes that the first gave a second-best edge.
+    // Two passes: the second mends the few nodes that the first gave a second-best edge.
     for (int round = 0; round < 2; ++round) {
       sweep(true);
       sweep(false);
@@ -84,7 +84,8 @@ class Distances {
     }
   }
 
-  // Hands nearest edges on to the neighbours ahead, row by row and in each row both ways.
+  // Hands nearest edges on to the neighbours ahead, row by row and in each row in both
+  // directions.
   void sweep(bool north) {
     const int step = north ? -1 : 1;  // to the row done before
     for (int k = 0; k < shape_.rows; ++k) {

@@ -28,7 +28,7 @@ struct RawSeries {
 ///   `<table without .csv>/<n, two digits>_<object_id>.shp`;
 /// - a folder that holds perimeters.csv, or else exactly one vector file.
 ///
-/// Geometry that is no area and no line is left out and told in `warnings`.
+/// Geometry that is no area and no line is left out and reported in `warnings`.
 /// Fails: kNotFound for what is missing; kBadInput: not readable, no coordinate system,
 /// no
 ///        time, coordinates that are not finite or no latitude and longitude, over five

@@ -43,7 +43,7 @@ class PerimeterFire final : public Phenomenon {
  private:
   struct Moment {
     std::size_t before = 0, after = 0;  // perimeters around the time
-    double part = 0;                    // of the way from one to the other
+    double part = 0;                    // of the interval from one to the other
   };
 
   std::vector<double> times_;

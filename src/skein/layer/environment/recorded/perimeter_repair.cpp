@@ -30,7 +30,7 @@ void append(Region& rings, const Region& more) {
   rings.insert(rings.end(), more.begin(), more.end());
 }
 
-// Joins lines end to end, in the order given, turning them round where that helps.
+// Joins lines end to end, in the order given, reversing them where that helps.
 std::vector<std::vector<Vec2>> joined_lines(std::vector<std::vector<Vec2>> lines) {
   std::erase_if(lines, [](const auto& line) { return line.empty(); });
   std::vector<std::vector<Vec2>> result;
@@ -124,7 +124,7 @@ class Repair {
   std::vector<std::string>& warnings_;
 };
 
-// One perimeter of the series on its way.
+// One perimeter of the series under repair.
 struct Entry {
   double time;
   std::string place;
@@ -211,7 +211,7 @@ Result<RawPerimeter> projected(const RawPerimeter& degrees,
   const auto project = [&](std::vector<Vec2>& points) {
     for (Vec2& p : points) {
       const Vec2 q = frame.to_plane(p.x(), p.y());
-      // Beyond the horizon the plane folds back: the straight distance tells.
+      // Beyond the horizon the plane folds back: the straight distance decides.
       const geo::Geodetic g{p.x(), p.y(), 0};
       farthest = std::max(farthest, frame.to_local(g).norm());
       p = q;

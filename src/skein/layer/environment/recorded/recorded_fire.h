@@ -26,7 +26,7 @@ struct RecordedFireOptions {
                             ///< after the raster's time 0) [s]
   double spacing = 0;       ///< of the grid in memory [m]; 0: about 200,000 nodes, no
                             ///< finer than 5 m
-  RepairOptions repair;     ///< what to do with faulty perimeters
+  RepairOptions repair;     ///< what to do with invalid perimeters
   int arrival_band = 1;     ///< band of the arrival-time raster
   double arrival_unit = 1;  ///< of the raster's times [s]: 1, 60 or 3600
 };

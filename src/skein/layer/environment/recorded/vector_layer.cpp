@@ -108,7 +108,7 @@ class Collector {
     const int count = line == nullptr ? 0 : OGR_G_GetPointCount(line);
     points_ += static_cast<std::size_t>(count);
     if (points_ > kMaxPoints)
-      return error(fmt::format("has over {} points, the most allowed", kMaxPoints));
+      return error(fmt::format("has over {} points, the maximum allowed", kMaxPoints));
     std::vector<double> x, y;
     for (int i = 0; i < count; ++i) {
       x.push_back(OGR_G_GetX(line, i));

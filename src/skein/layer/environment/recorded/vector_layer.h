@@ -28,7 +28,7 @@ class VectorReader {
   /// All features of all layers of a dataset.
   /// @param time_field  attribute with the time; empty: the first known one; see
   ///                    read_perimeters().
-  /// @param need_time   whether a feature without a time is a fault.
+  /// @param need_time   whether a feature without a time is an error.
   /// Fails: as read_perimeters().
   Result<std::vector<VectorFeature>> read(const std::string& name,
                                           const std::string& time_field, bool need_time,

@@ -42,8 +42,8 @@ struct CanyonTerrainOptions {
   double floor = 250;  ///< of the river at the origin, above mean sea level [m]
   double depth = 320;  ///< from the river to the plateau [m]
   double width = 350;  ///< from the river to where the walls are steepest [m]
-  double bearing = geo::radians(57);  ///< the river flows this way [rad, from north]
-  double fall = 0.01;                 ///< of the river, per metre of way
+  double bearing = geo::radians(57);  ///< towards where the river flows [rad, from north]
+  double fall = 0.01;                 ///< of the river, per metre of its course
   double meander = 180;               ///< of the river to either side [m]
   double meander_length = 3500;       ///< between two bends to the same side [m]
   double ridge = 110;          ///< of the side ridges above the ravines between [m]

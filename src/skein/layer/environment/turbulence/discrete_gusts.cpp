@@ -49,7 +49,7 @@ Gust DiscreteGusts::advance(const TurbulenceView& view, double dt) {
     const bool in_body = met.gust.frame == GustFrame::kBody;
     const Quat& q_NB = view.vehicle.q_NB;
     felt.velocity_N += share * (in_body ? q_NB * met.gust.amplitude : met.gust.amplitude);
-    // The gust grows along the way, which is forward: the air there turns.
+    // The gust grows along the path, which is forward: the air there turns.
     const Vec3 gradient_B =
         slope * (in_body ? met.gust.amplitude : q_NB.conjugate() * met.gust.amplitude);
     felt.rates_B += Vec3(0, -gradient_B.z(), gradient_B.y());

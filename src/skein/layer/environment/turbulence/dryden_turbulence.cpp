@@ -17,8 +17,8 @@ bool changed(double now, double then) {
   return std::abs(now - then) > kTolerance * then;
 }
 
-// (u, v, w) with u along the horizontal part of the way through the mean air. A vehicle
-// that has none is taken along its heading.
+// (u, v, w) with u along the horizontal part of the velocity through the mean air. A
+// vehicle that has none is taken along its heading.
 Vec3 along_airspeed(const TurbulenceView& view, const Vec3& gust) {
   const Vec2 distance = geo::horizontal(view.vehicle.v_N - view.wind_N);
   const double speed = distance.norm();

@@ -18,11 +18,11 @@ namespace skein::environment {
 ///   q  w Omega^2 / (1 + (4 b Omega/pi)^2)
 ///   r  v Omega^2 / (1 + (3 b Omega/pi)^2)
 ///
-/// As the air is taken for frozen, everything is a function of the way through the air:
-/// steps of V dt, exact in distribution for any V and dt, from the steady state. Signs
-/// are those of the air turning as a rigid body: q = -dw/dx, r = dv/dx.
+/// As the air is taken for frozen, everything is a function of the distance through the
+/// air: steps of V dt, exact in distribution for any V and dt, from the steady state.
+/// Signs are those of the air turning as a rigid body: q = -dw/dx, r = dv/dx.
 ///
-/// Axes: up to 1,000 ft u is along the horizontal way through the mean air, v to its
+/// Axes: up to 1,000 ft u is along the horizontal velocity through the mean air, v to its
 /// right, w down; above 2,000 ft they are the body's; between, the gust goes over
 /// linearly. The rates are about the body's axes everywhere.
 ///

@@ -4,9 +4,9 @@
 
 namespace skein::environment {
 
-/// Forming filter of a transverse gust (v or w) and of its gradient along the way, as a
-/// function of the way s flown through the air. In the way's Laplace variable p, from
-/// white noise to
+/// Forming filter of a transverse gust (v or w) and of its gradient along the path, as a
+/// function of the distance s flown through the air. In the distance's Laplace variable
+/// p, from white noise to
 ///
 ///   gust      y = K (1 + sqrt(3) L p) / (1 + L p)^2,     of unit variance
 ///   gradient  g = p / (1 + R p) y,                       [1/m] per unit of the gust

@@ -5,7 +5,8 @@
 namespace skein::environment {
 namespace {
 
-// Where a value lies among growing knots: between `low` and the next, `part` of the way.
+// Where a value lies among growing knots: between `low` and the next, `part` of the
+// interval.
 struct Bracket {
   std::size_t low;
   double part;

@@ -84,7 +84,7 @@ TEST(TerminalConsole, IsSilentWithoutATerminal) {
   EXPECT_EQ(file.text(), "");
 }
 
-TEST(TerminalConsole, PassesOnTheWishToStop) {
+TEST(TerminalConsole, PassesOnTheRequestToStop) {
   std::atomic<bool> stop = false;
   const TerminalConsole console(stop);
   EXPECT_FALSE(console.stop_requested());

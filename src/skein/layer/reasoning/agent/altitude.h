@@ -15,7 +15,7 @@ namespace skein::reasoning {
 ///
 /// @param position    of the aircraft.
 /// @param velocity    over ground [m/s].
-/// @param height      wanted above ground [m].
+/// @param height      commanded above ground [m].
 /// @param climb_rate  largest [m/s].
 double altitude_over(const Terrain& ground, const Vec2& position, const Vec2& velocity,
                      double height, double climb_rate);

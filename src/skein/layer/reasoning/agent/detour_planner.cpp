@@ -8,7 +8,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kOutside = 1;  // corners of ways are this much further out [m]
+constexpr double kOutside = 1;  // corners of detours are this much further out [m]
 // Of discs and of arcs around corners [m]: finer would cost more than it saves.
 constexpr double kTolerance = 3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

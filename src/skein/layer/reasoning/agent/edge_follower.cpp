@@ -28,7 +28,7 @@ constexpr double kPlausible = 60;  // distance of a crossing from the believed e
 constexpr double kFinderAge = 3;   // what an edge finder saw is valid for [s]
 constexpr double kFinderLookAhead = 60;  // distance in which an offset is taken out [m]
 constexpr double kSpiralStart = 120;     // radius [m]
-constexpr double kSpiralGrowth = 3;      // of the radius [m/s]: about 120 m a round
+constexpr double kSpiralGrowth = 3;      // of the radius [m/s]: about 120 m a turn
 
 }  // namespace
 
@@ -158,7 +158,7 @@ double EdgeFollower::follow_course(Time now, const Vec2& position) {
                        overdue_angle(belief_.overdue);
   if (angle < options_.give_up) return turn_in(edge.course_at(position), angle);
 
-  // What has burnt goes on burning, so the way back into the fire is known; the way out
+  // What has burnt goes on burning, so the path back into the fire is known; the path out
   // is only believed.
   goal_ = last_inside_ ? last_inside_->point : edge.point;
   goal_ += kBeyond * (goal_ - position).normalized();
@@ -168,7 +168,7 @@ double EdgeFollower::follow_course(Time now, const Vec2& position) {
 }
 
 // The turn after an edge that should have been crossed: across the believed edge,
-// straight on there for a while, then all the way round.
+// straight on there for a while, then a full circle.
 double EdgeFollower::overdue_angle(double overdue) const {
   const double across = kAcross - options_.angle;
   const double turned = options_.escalation * overdue;

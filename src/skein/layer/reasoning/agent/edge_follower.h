@@ -11,7 +11,7 @@
 namespace skein::reasoning {
 
 struct EdgeFollowerOptions {
-  double angle = geo::radians(35);  ///< least angle between course and edge [rad]
+  double angle = geo::radians(35);  ///< minimum angle between course and edge [rad]
   double escalation = 0.2;  ///< growth of that angle while a crossing is overdue [rad/s]
   double give_up = 4.2;     ///< angle at which the edge counts as lost [rad]
   double near = 250;        ///< crossings this near to the start begin the following [m]

@@ -9,9 +9,9 @@
 
 namespace skein::reasoning {
 
-/// Watches how a plan or path is carried out: tells when the errors leave the safety
-/// zone, and when they are back within half of it, so that an error at the border is told
-/// once.
+/// Watches how a plan or path is carried out: reports when the errors leave the safety
+/// zone, and when they are back within half of it, so that an error at the border is
+/// reported once.
 class ExecutionMonitor {
  public:
   explicit ExecutionMonitor(const SafetyZone& zone) : zone_(zone) {}

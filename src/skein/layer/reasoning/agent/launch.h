@@ -11,9 +11,9 @@ class Launch {
  public:
   /// Call at every step, before any other command.
   ///
-  /// An aircraft that stands on the ground at the first step is told to take off along
-  /// its heading after five seconds of rest, again while it still stands (a failsafe may
-  /// have forbidden it), and is under way until it has reached the altitude.
+  /// An aircraft that stands on the ground at the first step is commanded to take off
+  /// along its heading after five seconds of rest, again while it still stands (a
+  /// failsafe may have forbidden it), and is under way until it has reached the altitude.
   ///
   /// @param altitude  to climb to [m above mean sea level].
   /// @returns         whether it is still being done; then nothing else may be commanded.

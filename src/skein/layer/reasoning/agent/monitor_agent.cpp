@@ -172,10 +172,9 @@ Vec2 MonitorAgent::allowed(const Vec2& place, const AgentInput& in, AgentOutput&
       {in.now, self_, "task-moved",
        instead == place
            ? std::string("no zone forbids the place of the task any more")
-           : fmt::format(
-                 "the place of the task lies in a no-flight zone: {:.0f} m north, "
-                 "{:.0f} m east instead",
-                 instead.x(), instead.y())});
+           : fmt::format("the place of the task lies in a no-fly zone: {:.0f} m north, "
+                         "{:.0f} m east instead",
+                         instead.x(), instead.y())});
   return instead;
 }
 

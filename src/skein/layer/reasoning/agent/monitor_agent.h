@@ -29,17 +29,17 @@ struct MonitorAgentOptions {
 /// The agent on board of an aircraft that watches a fire.
 ///
 /// It sends every fire reading, placed by the estimated position, and a report each
-/// second to the coordinator, and flies the newest task it has heard of; without messages
-/// it goes on with the last. Whatever it flies stays out of the no-flight zones and above
+/// second to the coordinator, and flies the newest task it has received; without messages
+/// it goes on with the last. Whatever it flies stays out of the no-fly zones and above
 /// the ground of its map. On the ground it takes off first, as long as no zone forbids
 /// it; before the first task it circles where it is. When the place of a task, to fly to
 /// or to circle, lies in a zone, the nearest place where it can circle takes its place,
 /// named in an event "task-moved".
 class MonitorAgent final : public Agent {
  public:
-  /// @param coordinator  whom to tell.
+  /// @param coordinator  who gets its reports.
   /// @param map          what it believes the ground to be; outlives the agent.
-  /// @param zones        no-flight zones in force from the start, copied.
+  /// @param zones        no-fly zones in force from the start, copied.
   MonitorAgent(const MonitorAgentOptions& options, EntityId self, EntityId coordinator,
                const FlightLimits& limits, const Terrain& map,
                std::span<const Zone> zones);
@@ -87,7 +87,7 @@ class MonitorAgent final : public Agent {
   Vec2 path_wind_ = Vec2::Zero();  // that it was planned for
   double along_ = 0;
   bool joined_ = false;     // FollowLine: its first point has been reached
-  bool deflected_ = false;  // by the guard, at the last step
+  bool deflected_ = false;  // by the zone avoidance, at the last step
   std::optional<EdgeFollower> follower_;
   bool lost_ = false;
 };

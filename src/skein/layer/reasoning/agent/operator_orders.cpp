@@ -85,7 +85,7 @@ void OperatorOrders::give_back(Member& member) {
   member.offset = member.highest + 1 - member.mission_order;
 }
 
-// What the mission is told of an aircraft, in its own numbers.
+// What the mission is given of an aircraft, in its own numbers.
 void OperatorOrders::renumber(Member& member, AircraftReport& report) const {
   if (member.taken) report.obeys = false;
   const bool missions = !member.taken && report.task_number > member.offset;

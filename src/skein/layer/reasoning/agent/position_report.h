@@ -5,7 +5,8 @@
 
 namespace skein::reasoning {
 
-/// Tells the ground station of an aircraft without orders where it is, evenly in time.
+/// Reports the position of an aircraft without orders to the ground station, evenly in
+/// time.
 class PositionReport {
  public:
   /// @param period  between two reports [s].
@@ -13,7 +14,7 @@ class PositionReport {
 
   /// To be called at each step; needs in.nav.
   /// @param done          what it flies is over.
-  /// @param zone_changes  it knows all changes of zones up to this number.
+  /// @param zone_changes  it acknowledges the changes of zones up to this number.
   void step(const AgentInput& in, const FlightLimits& limits, bool done,
             std::uint32_t zone_changes, AgentOutput& out);
 

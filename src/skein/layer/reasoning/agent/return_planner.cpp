@@ -8,7 +8,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kPeriod = 1;            // between looks at the way [s]
+constexpr double kPeriod = 1;            // between looks at the route [s]
 constexpr double kHorizon = 600;         // zones of the next time that count [s]
 constexpr double kReturnHeight = 60;     // autopilots return this high at least [m]
 constexpr double kClearanceSlack = 0.1;  // change of the clearance that is not looked at
@@ -56,21 +56,20 @@ void ReturnPlanner::move_home(const AgentInput& in, const Vec2& home, AgentOutpu
   moved_ = moved;
   out.events.push_back(
       {in.now, self_, "return-moved",
-       moved
-           ? fmt::format("home lies in or at a no-flight zone: returns lead to {:.0f} m "
-                         "north, {:.0f} m east",
-                         moved->x(), moved->y())
-           : std::string("returns lead home again")});
+       moved ? fmt::format("home lies in or at a no-fly zone: returns lead to {:.0f} m "
+                           "north, {:.0f} m east",
+                           moved->x(), moved->y())
+             : std::string("returns lead home again")});
 }
 
-// The way that was told is kept while it leads past the zones: a landing is not to be
+// The route that was given is kept while it leads past the zones: a landing is not to be
 // broken off because the approach passes one within its circle.
 bool ReturnPlanner::still_good(const Vec2& here, const Vec2& goal) const {
   if (reported_.points.empty() || reported_.points.back() != goal) return false;
   return narrow_->allows(here, reported_.points.front());
 }
 
-// Whether a corner of the way need not be flown to any more.
+// Whether a corner of the route need not be flown to any more.
 bool ReturnPlanner::is_behind(const Vec2& here, const Vec2& corner,
                               const Vec2& next) const {
   return detours_->allows(here, next) ||

@@ -13,14 +13,14 @@
 
 namespace skein::reasoning {
 
-/// Keeps returns out of no-flight zones: the autopilot's failsafes fly home without
-/// asking the agent, so it is told beforehand where to, and by what way.
+/// Plans returns out of no-fly zones: the autopilot's failsafes fly home without asking
+/// the agent, so it is given beforehand where to, and by what route.
 ///
 /// Home stays where it is while a circle around it, with the margin, touches no zone;
 /// else the nearest place with such a circle takes its place, named in an event
 /// "return-moved". For the place zones count that forbid any altitude from the ground to
-/// that of the flight, for the way those at the altitude of the flight, 60 m above home
-/// at least; both until ten minutes from now. Ways bend so far from zones that the
+/// that of the flight, for the route those at the altitude of the flight, 60 m above home
+/// at least; both until ten minutes from now. Routes bend so far from zones that the
 /// aircraft can circle there.
 class ReturnPlanner {
  public:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kOnePoint = 0.5;  // corners nearer than this are one [m]
 
-// The share of the way from a to b at which it meets the ring first.
+// The share of the leg from a to b at which it meets the ring first.
 std::optional<double> meets(const Vec2& a, const Vec2& b, const geo::Ring& ring) {
   if (geo::contains(ring, a)) return 0.0;
   std::optional<double> first;

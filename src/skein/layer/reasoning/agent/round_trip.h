@@ -9,7 +9,7 @@
 
 namespace skein::reasoning {
 
-/// Points flown one after the other, round and round, at one altitude [m]. Points that
+/// Points flown one after the other, lap after lap, at one altitude [m]. Points that
 /// follow one another at the same place are one point.
 ///
 /// @param points  at least one.

@@ -76,7 +76,7 @@ void RouteAgent::land(const AgentInput& in, AgentOutput& out) {
   if (place != home_)
     out.events.push_back({in.now, self_, "return-moved",
                           fmt::format("lands at {:.0f} m north, {:.0f} m east, out of a "
-                                      "no-flight zone",
+                                      "no-fly zone",
                                       place.x(), place.y())});
   AutopilotCommand command;
   command.altitude_msl = altitude_msl_;

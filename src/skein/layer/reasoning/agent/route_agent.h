@@ -18,7 +18,7 @@ namespace skein::reasoning {
 
 struct RouteAgentOptions {
   std::vector<Vec2> points = {{0, 0}, {400, 0}, {400, 400}, {0, 400}};  ///< [m]
-  int laps = 3;                                                         ///< times round
+  int laps = 3;                                                         ///< times around
   double altitude_agl = 120;  ///< flown above the highest ground of the route [m]
   double report_period = 1;   ///< between reports to the station [s]
   bool lands = false;         ///< after the last lap
@@ -26,16 +26,16 @@ struct RouteAgentOptions {
   ZoneAvoidanceOptions avoidance;
 };
 
-/// Flies given points round and round, then stays at the last of them, or lands: where it
+/// Flies given points lap after lap, then stays at the last of them, or lands: where it
 /// took off or, when it began in the air, at the first of them. It takes no orders, and
 /// reports to the station where it is. On the ground it takes off first, as long as no
-/// no-flight zone forbids it. It flies around zones (RouteFlight), and tells when it is
-/// in one.
+/// no-fly zone forbids it. It flies around zones (RouteFlight), and reports when it is in
+/// one.
 class RouteAgent final : public Agent {
  public:
   /// @param map    what it believes the ground to be; outlives the agent.
-  /// @param zones    no-flight zones in force from the start, copied.
-  /// @param planner  of ways around zones; null: none.
+  /// @param zones    no-fly zones in force from the start, copied.
+  /// @param planner  of routes around zones; null: none.
   RouteAgent(const RouteAgentOptions& options, EntityId self, EntityId station,
              const FlightLimits& limits, const Terrain& map, std::span<const Zone> zones,
              std::shared_ptr<const PathPlanner> planner = nullptr);
@@ -58,12 +58,12 @@ class RouteAgent final : public Agent {
   Launch launch_;
   std::optional<Vec2> start_;          // home of the autopilot
   Vec2 home_ = Vec2::Zero();           // where it lands
-  std::optional<Vec2> landing_point_;  // where it has been told to
+  std::optional<Vec2> landing_point_;  // where it has been commanded to
   bool done_ = false, land_again_ = false;
   PositionReport report_;
 };
 
-/// A ground station's agent that takes in what it is told and does nothing.
+/// A ground station's agent that takes in what it receives and does nothing.
 class Listener final : public Agent {
  public:
   void step(const AgentInput&, AgentOutput&) override {}

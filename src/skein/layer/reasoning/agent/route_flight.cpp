@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t kMaxPoints = 500;  // of one command, but for whole laps
 constexpr double kPlanAgain = 10;         // after the last try, at the earliest [s]
-constexpr double kAimFor = 2;             // a way around is flown, then asked anew [s]
+constexpr double kAimFor = 2;             // a detour is flown, then asked anew [s]
 constexpr double kPlanRadius = 1.1;       // of the turn radius: room to correct
 constexpr double kReached = 2;            // a point is, this near to it [turn radii]
 constexpr double kMinReached = 20;        // and this near at least [m]
@@ -66,7 +66,7 @@ bool RouteFlight::passed(const Vec2& position) const {
   const Vec2 in = (corner - from_).normalized();
   const Vec2 on = (point(next_ + 1) - corner).normalized();
   const Vec2 through = in + on;
-  // Straight back: the way on begins when it has turned.
+  // Straight back: the onward leg begins when it has turned.
   if (through.norm() < 0.1) return off.norm() < reach(world_.limits);
   return off.dot(through) > 0;
 }
@@ -104,7 +104,7 @@ void RouteFlight::step(const AgentInput& in, ZoneMonitor& zones, bool off_plan,
   if (first) from_ = geo::horizontal(in.nav->p_N);
   if (changed) reported_ = -1;
   // A refused plan is not flown: the old guidance goes on, through the zone perhaps.
-  if (stage_ == Stage::kPlanned && in.autopilot.refusals > refusals_)
+  if (stage_ == Stage::kPlanned && in.command_fate.state == CommandFate::State::kRefused)
     stage_ = Stage::kGuarded;
   keep_count(in, zones);
   if (changed || must_choose(in, zones, off_plan)) choose(in, zones, out);
@@ -145,7 +145,7 @@ void RouteFlight::leave_out(const AgentInput& in, const ZoneMonitor& zones,
 void RouteFlight::report_left_out(Time now, AgentOutput& out) const {
   const Vec2& p = point(next_);
   out.events.push_back({now, self_, "point-left-out",
-                        fmt::format("{:.0f} m north, {:.0f} m east lies in a no-flight "
+                        fmt::format("{:.0f} m north, {:.0f} m east lies in a no-fly "
                                     "zone",
                                     p.x(), p.y())});
 }
@@ -173,7 +173,7 @@ void RouteFlight::choose(const AgentInput& in, ZoneMonitor& zones, AgentOutput& 
   if (free > next_) return fly_route(here, free, out);
   plan_again_ = in.now + Time::from_seconds(kPlanAgain);
   if (zones.distance(point(next_)) < 0) {
-    // The last point: no way leads there.
+    // The last point: no route leads there.
     if (std::exchange(reported_, next_) != next_) report_left_out(in.now, out);
   } else if (fly_planned(in, zones, out)) {
     return;
@@ -194,7 +194,7 @@ void RouteFlight::fly_route(const Vec2& here, std::int64_t free, AgentOutput& ou
       route.points.push_back({point(k), options_.altitude_msl});
   }
   // Autopilots take the same waypoints for a repetition, and go on with what they fly or
-  // have flown. Another time round begins with a further point on the way to its first.
+  // have flown. Another lap begins with a further point on the leg to its first.
   if (begins_ != next_ && same(given_, route.points))
     route.points.insert(route.points.begin(),
                         {(here + point(next_)) / 2, options_.altitude_msl});
@@ -208,7 +208,7 @@ void RouteFlight::fly_route(const Vec2& here, std::int64_t free, AgentOutput& ou
 std::string RouteFlight::ending() const {
   if (missed_by_ == 0) return "the last point has been passed";
   return fmt::format(
-      "the last point was left out, {:.0f} m from it: no-flight zones leave "
+      "the last point was left out, {:.0f} m from it: no-fly zones leave "
       "no room there",
       missed_by_);
 }
@@ -240,16 +240,15 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneMonitor& zones,
   if (path.plan.empty()) {
     if (std::exchange(reported_, next_) != next_)
       out.events.push_back({in.now, self_, "no-path",
-                            fmt::format("{}: {}; goes round by sight",
+                            fmt::format("{}: {}; flies around by sight",
                                         name_of(path.outcome), path.reason)});
     return false;
   }
   reported_ = -1;
   out.events.push_back({in.now, self_, "planned",
-                        fmt::format("a way of {:.0f} s around no-flight zones",
+                        fmt::format("a path of {:.0f} s around no-fly zones",
                                     model::duration(path.plan))});
   stage_ = Stage::kPlanned;
-  refusals_ = in.autopilot.refusals;
   give(FollowPlan{model::sample(path.plan)}, out);
   return true;
 }

@@ -14,7 +14,7 @@ namespace skein::reasoning {
 
 struct RouteFlightOptions {
   std::vector<Vec2> points;                       ///< at least one [m]
-  int laps = 1;                                   ///< times round
+  int laps = 1;                                   ///< times around
   double altitude_msl = 0;                        ///< [m]
   std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise
   /// Kept above the ground where a planner leads it [m].
@@ -29,7 +29,7 @@ struct RouteWorld {
   std::shared_ptr<const PathPlanner> planner;  ///< null: none
 };
 
-/// Flies points round and round, then stays at the last of them; around no-flight zones.
+/// Flies points lap after lap, then stays at the last of them; around no-fly zones.
 ///
 /// While no zone that counts lies on it, the route is one command to the autopilot. What
 /// remains of it is looked at when zones begin or cease to count:
@@ -37,9 +37,9 @@ struct RouteWorld {
 /// - a leg that is free is flown as it is;
 /// - a leg that a zone blocks is planned anew from where the aircraft is, and flown as a
 ///   plan; planned again when the flight of it is off plan;
-/// - without planner, when it finds no way, or when the autopilot refuses the plan, the
-///   aircraft flies the short way around the zones by the guard, and asks again ten
-///   seconds later;
+/// - without planner, when it finds no path, or when the autopilot refuses the plan, the
+///   aircraft flies the short detour around the zones by the zone avoidance, and asks
+///   again ten seconds later;
 /// - a point within a zone is left out, with the event "point-left-out"; instead of the
 ///   last one it flies to the nearest place where it can circle;
 /// - an aircraft within a zone leaves it first;
@@ -88,13 +88,13 @@ class RouteFlight {
   std::int64_t begins_ = 0;
   Stage stage_ = Stage::kNew;
   Vec2 from_ = Vec2::Zero();  // where the leg to the next point begins
-  int refusals_ = 0;          // of the autopilot, before the plan was given
   Time plan_again_, aim_again_;
-  Vec2 aim_ = Vec2::Zero();     // of a guarded flight
-  bool by_sight_ = false;       // the command in force is of one: it does not end
-  std::int64_t reported_ = -1;  // the point whose trouble has been told since a change
-  double missed_by_ = 0;        // the last point, where it was left out [m]
-  std::optional<Vec2> stays_;   // none: where the route's command leads
+  Vec2 aim_ = Vec2::Zero();  // of a flight by the zone avoidance
+  bool by_sight_ = false;    // the command in force is of one: it does not end
+  std::int64_t reported_ =
+      -1;                      // the point whose trouble has been reported since a change
+  double missed_by_ = 0;       // the last point, where it was left out [m]
+  std::optional<Vec2> stays_;  // none: where the route's command leads
 };
 
 }  // namespace skein::reasoning

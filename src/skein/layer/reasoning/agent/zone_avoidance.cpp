@@ -68,7 +68,7 @@ double ZoneAvoidance::distance(const Vec2& p) const {
 }
 
 // The state after the preview when turning to `course` now; `nearest` becomes the
-// smallest distance to a zone on the way.
+// smallest distance to a zone in between.
 ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
                                         double& nearest) const {
   const double airspeed = limits_.airspeed;
@@ -134,7 +134,7 @@ decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
   deflecting_ = true;
   double best_slack = -kInfinity, best_course = course;
   for (int k = 1; k < kCourses; ++k) {
-    // The chosen side first all the way round; before the choice, both sides in turn.
+    // The chosen side first, a full circle; before the choice, both sides in turn.
     const int side = side_ != 0 ? side_ : (k % 2 == 1 ? 1 : -1);
     const int steps = side_ != 0 ? k : (k + 1) / 2;
     const double tried = geo::wrap_pi(course + side * steps * 2 * geo::kPi / kCourses);

@@ -13,19 +13,19 @@ namespace skein::reasoning {
 
 struct ZoneAvoidanceOptions {
   double margin = 30;    ///< kept from the border, for errors of position and control [m]
-  double preview = 2.5;  ///< flight that is looked at before the way out must be open [s]
+  double preview = 2.5;  ///< flight that is looked at before the escape must be open [s]
   double vertical_margin = 20;  ///< kept from floors and ceilings [m]
   double lead = 60;             ///< kept out of this long before a zone's time begins [s]
 };
 
-/// Keeps an aircraft out of no-flight zones.
+/// Keeps an aircraft out of no-fly zones.
 ///
 /// Invariant: a full circle over ground, left or right of the aircraft and wide enough to
 /// be flown in the wind, touches no zone (nor its margin). A course is allowed when the
 /// flight of the next seconds ends with such a circle; otherwise the nearest allowed
 /// course is taken, on the same side as long as the conflict lasts, so that the aircraft
 /// follows the border; when there is none, it flies the circle. In an aircraft that
-/// starts within the margin, the way out comes first. Valid: wind changes during one
+/// starts within the margin, leaving it comes first. Valid: wind changes during one
 /// circle are covered by `margin` only.
 ///
 /// Only zones count that forbid an altitude between that of the aircraft and the
@@ -53,7 +53,7 @@ class ZoneAvoidance {
       const decltype(AutopilotCommand::guidance)& wanted, double course,
       const NavEstimate& nav, std::optional<double> altitude_msl = std::nullopt);
 
-  /// Whether the last check changed what was wanted.
+  /// Whether the last check changed the request.
   bool deflecting() const { return deflecting_; }
 
   /// Distance to the nearest zone that counted when last regarded, at first any [m];

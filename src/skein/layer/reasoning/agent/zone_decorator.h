@@ -11,9 +11,10 @@
 
 namespace skein::reasoning {
 
-/// Keeps an agent that knows nothing of no-flight zones out of them: where its commands
-/// would lead into one, the guard flies instead, and afterwards its last command is given
-/// again. It does not take off into one. Its reports say which changes are known.
+/// Keeps an agent that knows nothing of no-fly zones out of them: where its commands
+/// would lead into one, the zone avoidance flies instead, and afterwards its last command
+/// is given again. It does not take off into one. Its reports say which changes are
+/// known.
 class ZoneDecorator final : public Agent {
  public:
   /// @param zones  in force from the start, copied.

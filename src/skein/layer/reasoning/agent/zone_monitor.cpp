@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kClearanceSlack = 0.1;  // of the clearance: change that is not looked at
 constexpr double kGrownTolerance = 1;    // of the arcs around grown corners [m]
-constexpr double kMinRoom = 3;           // from a grown zone to the ends of a way [m]
+constexpr double kMinRoom = 3;           // from a grown zone to the ends of a path [m]
 
 }  // namespace
 
@@ -104,9 +104,9 @@ void ZoneMonitor::look(const AgentInput& in, AgentOutput& out) {
   const bool inside = avoidance_.distance(geo::horizontal(in.nav->p_N)) < 0;
   if (inside != inside_)
     out.events.push_back({in.now, self_, "zone",
-                          inside ? "is inside a no-flight zone" : "has left the zone"});
+                          inside ? "is inside a no-fly zone" : "has left the zone"});
   else if (avoidance_.deflecting() && !deflects_ && !inside)
-    out.events.push_back({in.now, self_, "zone", "turns away from a no-flight zone"});
+    out.events.push_back({in.now, self_, "zone", "turns away from a no-fly zone"});
   inside_ = inside;
   deflects_ = avoidance_.deflecting();
 }

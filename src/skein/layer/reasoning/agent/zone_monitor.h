@@ -12,8 +12,8 @@
 
 namespace skein::reasoning {
 
-/// What one aircraft knows of no-flight zones: hears which come and go, keeps what its
-/// agent commands out of them, and tells when the aircraft turns away from one or is
+/// What one aircraft knows of no-fly zones: receives which come and go, keeps what its
+/// agent commands out of them, and reports when the aircraft turns away from one or is
 /// inside.
 class ZoneMonitor {
  public:
@@ -25,7 +25,7 @@ class ZoneMonitor {
         avoidance_(options, limits, zones),
         self_(self) {}
 
-  /// Takes in the changes that have been heard of, with events "zone-on" and "zone-off".
+  /// Takes in the changes that have been received, with events "zone-on" and "zone-off".
   /// They count from this step on.
   /// @returns  whether zones() has changed.
   bool listen(const AgentInput& in, AgentOutput& out);
@@ -53,17 +53,17 @@ class ZoneMonitor {
   /// lead into a zone. Regards them first.
   bool keeps_on_ground(const AgentInput& in, double altitude_msl);
 
-  /// Whether the straight way from `a` to `b` leads into a zone that counts, as last
-  /// regarded; nearer than the margin to those that were heard of in flight. A route that
+  /// Whether the straight path from `a` to `b` leads into a zone that counts, as last
+  /// regarded; nearer than the margin to those that were received in flight. A route that
   /// was laid beside a known zone is flown as it was laid.
   bool blocks(const Vec2& a, const Vec2& b) const;
 
-  /// The zones that count, as last regarded, grown by the margin: for a planner of a way
+  /// The zones that count, as last regarded, grown by the margin: for a planner of a path
   /// between two places. Neither is within a grown zone unless it is in the zone itself:
   /// beside them the margin is smaller.
   std::vector<Zone> obstacles(const Vec2& from, const Vec2& to) const;
 
-  /// Short ways around the zones that count, for an aircraft that can circle at each
+  /// Short detours around the zones that count, for an aircraft that can circle at each
   /// corner, as last regarded.
   const DetourPlanner& detours(const NavEstimate& nav);
 
@@ -74,13 +74,13 @@ class ZoneMonitor {
   /// the aircraft can circle, with the margin. Regards the zones first.
   Vec2 allowed(const Vec2& place, const NavEstimate& nav, double altitude_msl);
 
-  /// Whether the last keep_out changed what was wanted.
+  /// Whether the last keep_out changed the request.
   bool deflecting() const { return avoidance_.deflecting(); }
 
   /// Distance to the nearest zone that counts [m], negative inside; infinite without.
   double distance(const Vec2& p) const { return avoidance_.distance(p); }
 
-  /// Tells what has changed since the last call. Needs in.nav.
+  /// Reports what has changed since the last call. Needs in.nav.
   void look(const AgentInput& in, AgentOutput& out);
 
  private:
@@ -90,7 +90,7 @@ class ZoneMonitor {
   EntityId self_;
   bool changed_ = false;  // which zones count
   bool inside_ = false, deflects_ = false;
-  // Ways around the zones that count, and the clearance they were worked out for.
+  // Detours around the zones that count, and the clearance they were worked out for.
   std::optional<DetourPlanner> detours_;
   double clearance_ = 0;
 };

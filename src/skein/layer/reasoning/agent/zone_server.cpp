@@ -7,7 +7,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kHeardWithin = 5;      // a report this old says that it can be heard [s]
+constexpr double kHeardWithin = 5;      // a report this old says that its link is up [s]
 constexpr std::size_t kMaxAtOnce = 20;  // changes sent again to one aircraft in a step
 
 bool has_shape(const Zone& zone) {
@@ -93,7 +93,7 @@ void ZoneServer::issue(ZoneChange change, Time now, AgentOutput& out) {
 void ZoneServer::send_missing(Time now, AgentOutput& out) {
   for (Listener& listener : team_) {
     if (listener.knows >= changes_.size()) continue;
-    // A report since the last sending says that it has not been heard.
+    // A report since the last sending says that it has not been received.
     const bool heard = listener.was_heard && listener.heard > listener.sent;
     const double wait = heard ? options_.resend_after : options_.resend_slow;
     if ((now - listener.sent).seconds() < wait) continue;
@@ -115,7 +115,7 @@ void ZoneServer::report_when_known(Time now, AgentOutput& out) {
   if (heard == 0) return;
   all_know_ = true;
   out.events.push_back({now, EntityId{}, "zones-known",
-                        fmt::format("change {}: known to all of the {} that are heard",
+                        fmt::format("change {}: acknowledged by all of the {} in contact",
                                     changes_.size(), heard)});
 }
 

@@ -11,24 +11,24 @@
 namespace skein::reasoning {
 
 struct ZoneServerOptions {
-  std::vector<EntityId> team;  ///< who has to know
-  std::vector<Zone> known;     ///< in force, and known to all, from the start
+  std::vector<EntityId> team;  ///< who has to acknowledge
+  std::vector<Zone> known;     ///< in force from the start
   /// Zones that an operator can put into force by name; those known are among them.
   std::vector<Zone> drawn;
-  double resend_after = 2;  ///< to an aircraft that is heard but does not know [s]
-  double resend_slow = 10;  ///< to one that is not heard [s]
+  double resend_after = 2;  ///< to an aircraft in contact that has not acknowledged [s]
+  double resend_slow = 10;  ///< to one whose link is down [s]
 };
 
-/// A ground station's agent that also says which no-flight zones are in force.
+/// A ground station's agent that also says which no-fly zones are in force.
 ///
 /// Commands (ZoneChange without number) become numbered changes, which go to each
-/// aircraft of the team at once. Each AircraftReport says up to which number its sender
-/// knows them all; what it does not know is sent again. So a message that is lost delays
-/// a change, and leaves nobody without it. The station's own agent hears of a change in
-/// the same step, as a message.
+/// aircraft of the team at once. Each AircraftReport acknowledges them up to a number;
+/// what is not acknowledged is sent again. So a message that is lost delays a change, and
+/// leaves nobody without it. The station's own agent receives a change in the same step,
+/// as a message.
 ///
 /// Events: "zone-on" and "zone-off", "zone-refused" with the reason, and "zones-known"
-/// when all that are heard know the last change.
+/// when all in contact have acknowledged the last change.
 class ZoneServer final : public Agent {
  public:
   /// @param station  what reasons on the ground.

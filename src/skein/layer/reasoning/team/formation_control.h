@@ -22,7 +22,7 @@ struct FormationOptions {
   /// of the team.
   std::vector<Vec2> slots;
   std::vector<Leadership> leaders;  ///< in order of time; the first at 0
-  /// The leader tells its followers where it is; else the station passes it on.
+  /// The leader reports its position to its followers; else the station passes it on.
   bool direct = false;
 };
 

@@ -18,9 +18,9 @@ constexpr double kAheadGain = 0.15;  // speed per distance to the slot [1/s]
 // Idle, a wing slows down by what it would sink otherwise; autopilots keep half of that
 // for the height.
 constexpr double kIdle = 0.4;
-constexpr double kSlowsEarly = 0.6;  // of the deceleration, on the way into the slot
+constexpr double kSlowsEarly = 0.6;  // of the deceleration, on the path into the slot
 constexpr double kRightGain = 0.2;   // [1/s]
-constexpr double kMaxAcross = 0.35;  // of the speed: the steepest way to the slot's line
+constexpr double kMaxAcross = 0.35;  // of the speed: the steepest path to the slot's line
 constexpr double kCourseGain = 0.8;  // turn rate per error of the course [1/s]
 constexpr double kAcceleration = 1.2;   // of a fixed wing along its path [m/s^2]
 constexpr double kHoverMoves = 2;       // of what can hover, to any side [m/s^2]
@@ -28,7 +28,7 @@ constexpr double kClimbGain = 0.3;      // climb rate per height to the slot [1/
 constexpr double kClimbChange = 1;      // [m/s^2]
 constexpr double kClimbReserve = 0.8;   // of climb and sink rates
 constexpr double kTurnReserve = 0.65;   // of the bank limit
-constexpr double kTurns = 0.25;         // off the wanted course: it turns [rad]
+constexpr double kTurns = 0.25;         // off the commanded course: it turns [rad]
 constexpr double kRollIn = 0.8;         // from level flight to that [s]
 constexpr double kSpeedReserve = 0.05;  // of the range of speeds, at both ends
 

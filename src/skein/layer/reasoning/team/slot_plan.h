@@ -7,7 +7,7 @@ namespace skein::reasoning {
 
 /// What a follower knows of the motion of its leader.
 struct LeaderMotion {
-  NavEstimate at;        ///< last heard
+  NavEstimate at;        ///< last received
   double turn_rate = 0;  ///< of its course [rad/s]
 };
 
@@ -23,7 +23,7 @@ struct LeaderMotion {
 ///                two seconds: longer, gusts would be taken for climbs.
 PlanPoint slot_at(const LeaderMotion& leader, const Vec2& offset, double after);
 
-/// The way of a follower from where it is to its slot, as an aircraft with these limits
+/// The path of a follower from where it is to its slot, as an aircraft with these limits
 /// can fly it.
 ///
 /// A point with the follower's place and speed is carried on for `horizon` seconds by
@@ -31,7 +31,7 @@ PlanPoint slot_at(const LeaderMotion& leader, const Vec2& offset, double after);
 ///   v_wanted = v_slot + ahead c(e_ahead) + right clamp(k_r e_right),
 ///   c(e) = sign(e) min(k_a |e|, sqrt(2 a |e|))
 ///
-/// where e is the way to the slot along the leader's course and across it, and a a
+/// where e is the distance to the slot along the leader's course and across it, and a a
 /// deceleration that slow aircraft have too; its airspeed
 /// keeps within [slowest, fastest] and changes slowly, its lateral acceleration keeps
 /// below the bank limit. So what cannot be kept (the slot outside of a turn may be faster

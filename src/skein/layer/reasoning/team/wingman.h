@@ -19,21 +19,21 @@ namespace skein::reasoning {
 struct WingmanOptions {
   double altitude_agl = 120;  ///< flown above the highest ground of the route [m]
   double report_period = 1;   ///< between reports to the station [s]
-  double horizon = 8;         ///< the way to the slot is planned for this long [s]
+  double horizon = 8;         ///< the path to the slot is planned for this long [s]
   ZoneAvoidanceOptions guard;
   SafetyZone safety_zone;
 };
 
 /// The agent of an aircraft that flies in formation: it leads along a route, or keeps its
-/// slot beside another aircraft, whichever task it heard of last. So roles can be swapped
-/// in flight. It reports to the station once a second, and as leader to whom it is told.
-/// On the ground it takes off first, as long as no no-flight zone forbids it. It stays
-/// out of zones: as leader it flies around those on its route (RouteFlight).
+/// slot beside another aircraft, whichever task it received last. So roles can be swapped
+/// in flight. It reports to the station once a second, and as leader to those named in
+/// its task. On the ground it takes off first, as long as no no-fly zone forbids it. It
+/// stays out of zones: as leader it flies around those on its route (RouteFlight).
 class Wingman final : public Agent {
  public:
   /// @param map    what it believes the ground to be; outlives the agent.
-  /// @param zones    no-flight zones in force from the start, copied.
-  /// @param planner  of ways around zones; null: none.
+  /// @param zones    no-fly zones in force from the start, copied.
+  /// @param planner  of routes around zones; null: none.
   Wingman(const WingmanOptions& options, EntityId self, EntityId station,
           const FlightLimits& limits, const Terrain& map, std::span<const Zone> zones,
           std::shared_ptr<const PathPlanner> planner = nullptr);

@@ -53,9 +53,8 @@ void TourAgent::fly(const AgentInput& in, AgentOutput& out) {
   }
   if (in.now < *begin_) return;
   const double now = in.now.seconds();
-  if (!plan_.empty() && in.autopilot.refusals > refusals_) {
-    // The autopilot has told why; it goes on with what it flew before.
-    refusals_ = in.autopilot.refusals;
+  if (!plan_.empty() && in.command_fate.state == CommandFate::State::kRefused) {
+    // The autopilot has reported why; it goes on with what it flew before.
     forget_plan(now);
     begin_ = in.now + Time::from_seconds(kPlanAgain);
     return;
@@ -108,7 +107,6 @@ void TourAgent::plan_on(const AgentInput& in, const FlightState& from, double st
   if (stuck) return;
   plan_.insert(plan_.end(), next.plan.begin(), next.plan.end());
   passes_.insert(passes_.end(), next.passes.begin(), next.passes.end());
-  refusals_ = in.autopilot.refusals;
   AutopilotCommand command;
   command.guidance = FollowPlan{model::sample(plan_)};
   command.altitude_msl = altitude_msl_;

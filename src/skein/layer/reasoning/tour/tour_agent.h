@@ -14,9 +14,9 @@ namespace skein::reasoning {
 
 struct TourAgentOptions {
   std::vector<Vec2> points = {{0, 0}, {400, 0}, {200, 350}};  ///< [m]
-  int laps = 3;                                               ///< times round
+  int laps = 3;                                               ///< times around
   TourCurves curves = TourCurves::kTrochoids;
-  double radius_factor = 1.2;  ///< planned turns, over the least radius of the aircraft
+  double radius_factor = 1.2;  ///< planned turns, over the minimum radius of the aircraft
   double settling = 30;        ///< circling before planning, to learn of the wind [s]
   bool keeps_times = true;     ///< flies the plan in time; else at cruise airspeed
   bool replans = true;         ///< when the execution leaves the safety zone
@@ -30,7 +30,7 @@ struct TourAgentOptions {
 /// no orders, and reports to the station where it is. On the ground it takes off first.
 ///
 /// When the wind is as strong as its airspeed there is no plan: it goes on circling,
-/// tells so, and tries again; so it does when its autopilot refuses a plan.
+/// reports so, and tries again; so it does when its autopilot refuses a plan.
 class TourAgent final : public Agent {
  public:
   /// @param map  what it believes the ground to be; used now only.
@@ -56,7 +56,6 @@ class TourAgent final : public Agent {
   std::optional<Time> begin_;   // of planning
   FlightPlan plan_;             // what is being flown
   std::vector<double> passes_;  // of all points so far, as planned [s]
-  int refusals_ = 0;            // of the autopilot, before the plan was given
   bool done_ = false, stuck_ = false;
   PositionReport report_;
 };

@@ -16,7 +16,7 @@ enum class TourCurves {
 
 /// Courses over ground [rad] at which the points of a round trip are passed: across the
 /// bisector of the corner, from the point before to the point behind. Of two points, or
-/// where a corner turns back, the course of the way to it.
+/// where a corner turns back, the course of the path to it.
 ///
 /// @param points  at least two, neighbours (last and first too) at different places.
 std::vector<double> corner_courses(std::span<const Vec2> points);

@@ -240,7 +240,7 @@ TEST(AirspeedSensor, HasBiasScaleNoiseAndFloor) {
   EXPECT_EQ(only<AirspeedSample>(world.run(floor, ms(10), 1)).at(0).airspeed, 0);
 }
 
-TEST(IdealNavigation, TellsTheTruth) {
+TEST(IdealNavigation, GivesTheTruth) {
   TestWorld world;
   world.vehicle = tumbling(3);
   world.vehicle.w_NB_B = {1, 2, 3};

@@ -132,7 +132,7 @@ TEST(GnssReceiver, FixArrivesAfterItsLatencyWithItsOwnTime) {
   EXPECT_EQ(seen, 49);  // measured at 0, 0.1, ..., 4.8 s; out by 4.99 s
 }
 
-TEST(GnssReceiver, LosesItsFixWhenToldAndReacquires) {
+TEST(GnssReceiver, LosesItsFixOnCommandAndReacquires) {
   const TestWorld world;
   GnssReceiver sensor({.latency = 0,
                        .outages = {.spans = {{20, 25}, {10, 12}, {11, 14}}},

@@ -165,7 +165,7 @@ TEST(Lidar, FansItsBeamsOut) {
   }
 }
 
-TEST(HeightSensor, TellsTheHeightWithinItsRange) {
+TEST(HeightSensor, GivesTheHeightWithinItsRange) {
   TestWorld world;
   world.vehicle.p_N = {0, 0, -140};
   HeightSensor sensor({.noise_sd = 0.3, .relative_sd = 0.01}, 1, {1});

@@ -186,7 +186,7 @@ TEST(EdgeFinder, SeesNothingOutOfRange) {
   EXPECT_TRUE(world.run(sensor, ms(1000), 2).empty());
 }
 
-TEST(Sensors, TwoOfOneKindErrEachInItsOwnWay) {
+TEST(Sensors, TwoOfOneKindHaveErrorsOfTheirOwn) {
   World world;
   world.vehicle.p_N = {0, 500, -200};  // outside
   FireSensorOptions options;

@@ -71,7 +71,7 @@ TEST(Arrival, SaysWhenItIsTooEarly) {
   EXPECT_EQ(connect_at(from, to, air, 1e300).status, ArrivalStatus::kNotConnected);
 }
 
-TEST(Airplane, ClimbsOnTheWayOnADetourOrInCircles) {
+TEST(Airplane, ClimbsOnThePathOnADetourOrInCircles) {
   const AirMotion air{15, 60, {3, -4}};
   const ClimbLimits limits{2, 3};
   const FlightState from{{0, 0, -100}, 0.3};

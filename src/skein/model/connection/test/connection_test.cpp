@@ -33,7 +33,7 @@ TEST(Connection, NeverFailsWhileTheWindIsWeakerThanTheAirspeed) {
     const ConnectionQuery q = test::extreme_case(i);
     const Connection c = connect(q.from, q.to, q.air);
     ASSERT_EQ(c.status, ConnectionStatus::kFound) << i;
-    // Rounding grows with the way flown through the air.
+    // Rounding grows with the distance flown through the air.
     const double offset = c.time * q.air.airspeed / q.air.turn_radius;
     ASSERT_LT(test::end_error(q, c), 1e-10 * (1 + offset)) << i << " " << name_of(c.word);
   }
@@ -59,7 +59,7 @@ TEST(Connection, RefusesWhatHasNoAnswer) {
   EXPECT_TRUE(to_flight_plan(connect(from, to, {15, -1, {0, 0}}), from, {}).empty());
 }
 
-TEST(Connection, TellsOfTheIrregularZone) {
+TEST(Connection, ReportsTheIrregularZone) {
   const AirMotion air{15, 60, {0, 5}};
   // Across the wind the goal drifts towards the start, or stays more than 240 m away.
   EXPECT_TRUE(connect({{0, 0}, 0}, {{0, 200}, 0}, air).irregular);

@@ -39,7 +39,7 @@ TEST(Field, ExtensionKeepsOldNodesAndIsADistanceBoundBeyond) {
       if (p.cwiseAbs().maxCoeff() <= 50) {
         EXPECT_NEAR(static_cast<double>(wide.at(r, c)), circle(p), 1e-4);
       } else {
-        // A path to the circle by way of the grid's edge is never shorter.
+        // A path to the circle along the grid's edge is never shorter.
         EXPECT_GE(static_cast<double>(wide.at(r, c)), circle(p) - 1e-4);
       }
     }

@@ -15,7 +15,7 @@ TEST(Reinitialise, DistortedCircleBecomesADistance) {
   });
   reinitialise(phi);
   // The contour was moved by interpolating a bent function: a tenth of a cell. Away from
-  // the centre, first-order sweeping is good to a few percent of the way.
+  // the centre, first-order sweeping is good to a few percent of the distance.
   EXPECT_LT(circle_error(phi, 100), 1.5);
   for (int r = 1; r + 1 < phi.grid.rows; ++r)
     for (int c = 1; c + 1 < phi.grid.columns; ++c) {

@@ -32,7 +32,7 @@ void expect_reaches(const DubinsPath& path, const Pose& from, const Pose& to) {
 }
 
 // Length of the best path turn(a), middle, turn(c) with these sides, found by trying
-// first turns densely: an independent (slow) way that knows no closed form.
+// first turns densely: an independent (slow) method that knows no closed form.
 double searched_length(const Pose& from, const Pose& to, double r) {
   double best = std::numeric_limits<double>::infinity();
   for (const double s1 : {-1.0, 1.0}) {

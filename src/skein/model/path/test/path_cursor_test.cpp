@@ -33,7 +33,7 @@ TEST(PathCursor, AgreesWithTheSearchOfAllElements) {
       const double to = from + random.uniform(0, 300);
       const PathProjection slow = project(path, p, from, to);
       const PathCursor::Place fast = cursor.project(p, from, to);
-      // Two points equally near up to rounding may be told apart differently.
+      // Two points equally near up to rounding may be ordered differently.
       const double gap = (p - pose_at(path, slow.along).position).norm() -
                          (p - fast.point.position).norm();
       EXPECT_NEAR(gap, 0, 1e-9);

@@ -77,7 +77,7 @@ TEST(PathGeometry, CrossTrackIsRightPositive) {
   EXPECT_NEAR(project(circle, {0, 210}, 100, 500).cross_track, -10, 1e-9);
 }
 
-TEST(PathGeometry, TwoRoundsAreToldApartByTheBounds) {
+TEST(PathGeometry, TwoTurnsAreDistinguishedByTheBounds) {
   const double turn = 2 * geo::kPi * 100;
   const Path circle{{{0, 0}, 0, 2 * turn, 0.01}};
   const Vec2 p = pose_at(circle, 150).position;

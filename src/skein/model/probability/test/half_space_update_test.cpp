@@ -121,7 +121,7 @@ TEST(HalfSpaceUpdate, GivesTheExactMomentsOfTheState) {
   }
 }
 
-// The seed's fault: one constraint counted again and again.
+// An early bug: one constraint counted again and again.
 TEST(HalfSpaceUpdate, RepeatedOnOneBoundShrinksFarBelowTheTruth) {
   double mean = 0, variance = 1;
   double sd_1 = 0, sd_10 = 0;

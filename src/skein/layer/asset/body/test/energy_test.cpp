@@ -126,7 +126,7 @@ TEST(Battery, NonsenseTakesNothing) {
   }
 }
 
-TEST(Battery, FaultsOfParametersNameTheirKeys) {
+TEST(Battery, ParameterErrorsNameTheirKeys) {
   BatteryParameters p;
   p.cells = 2.5;
   p.capacity_Ah = -1;

@@ -138,7 +138,7 @@ TEST(RigidBody, AttitudeStaysARotation) {
   EXPECT_LT((rotation(longer) - R).norm(), 1e-15);
 }
 
-TEST(Inertia, TellsWhatNoBodyHas) {
+TEST(Inertia, RefusesWhatNoBodyHas) {
   EXPECT_TRUE(kSkewed.possible());
   EXPECT_TRUE((Inertia{1, 1, 2}).possible());  // a flat plate
   EXPECT_FALSE((Inertia{1, 1, 2.01}).possible());

@@ -219,7 +219,7 @@ TEST(FixedWingPlant, BatteryLastsAsLongAsItsEnergy) {
   EXPECT_NEAR(1 - state.energy.charge, power * 60 / (2.2 * 3600 * 12.4), 0.1 * 0.034);
 }
 
-TEST(FixedWingPlant, FliesLevelDownToItsLeastDensity) {
+TEST(FixedWingPlant, FliesLevelDownToItsMinimumDensity) {
   for (const FixedWingParameters& p : {aerosonde(), glider(), light_sport()}) {
     const FixedWingPlant plant(p);
     EXPECT_EQ(span_of(plant.airframe()), p.geometry.span);
@@ -344,7 +344,7 @@ TEST(FixedWingPlant, StepsWithoutAllocating) {
   VehicleState state = plant.start({{0, 0, -300}, 0, Vec3::Zero(), false});
   const Control control = cruise_channels(plant, 300);
   const auto before = allocations();
-  if (!before) GTEST_SKIP() << "the sanitizer's own malloc is in the way";
+  if (!before) GTEST_SKIP() << "the sanitizer's own malloc prevents it";
   for (int i = 0; i < 100; ++i) plant.step(state, control, {}, 0.01);
   EXPECT_EQ(allocations(), before);
   EXPECT_NE(std::make_unique<FixedWingPlant>(glider()), nullptr);

@@ -130,7 +130,7 @@ Plain plain_flight(const FixedWingParameters& a, const Motion& start,
       const PlainRate a2 =
           plain_rate(a, moved(s, a1, h), input(share + 1.0 / steps), wind_rate);
       s = moved(moved(s, a1, h / 2), a2, h / 2);
-      // Back to a rotation: the nearest one, by one round of Newton's iteration.
+      // Back to a rotation: the nearest one, by one step of Newton's iteration.
       s.R = 0.5 * (s.R + s.R.inverse().transpose().eval());
     }
   }

@@ -14,7 +14,7 @@
 namespace skein::asset {
 namespace {
 
-TEST(FixedWingParameters, ThoseOfTheDocumentsAreWithoutFault) {
+TEST(FixedWingParameters, ThoseOfTheDocumentsAreValid) {
   for (const FixedWingParameters& p : {aerosonde(), glider(), light_sport()})
     for (const ParameterError& error : errors(p))
       ADD_FAILURE() << error.key << " " << error.message;
@@ -43,7 +43,7 @@ TEST(FixedWingParameters, WhatCannotFlyIsNamed) {
       {"envelope.cruise", [](auto& p) { p.envelope.cruise = 10; }},
       {"envelope.fastest", [](auto& p) { p.envelope.fastest = 14; }},
       {"ground.sink_limit", [](auto& p) { p.ground.sink_limit = 0; }},
-      // What only flying tells.
+      // What only flying shows.
       {"envelope.slowest", [](auto& p) { p.envelope.slowest = 6; }},
       {"envelope.fastest", [](auto& p) { p.envelope.fastest = 40; }},
       {"envelope.slowest", [](auto& p) { p.servos.elevator_max = 0.02; }},

@@ -44,7 +44,7 @@ VehicleState tumbling() {
   return s;
 }
 
-TEST(MultirotorPlant, KeepsAReserveOfThrustAtItsLeastDensity) {
+TEST(MultirotorPlant, KeepsAReserveOfThrustAtItsMinimumDensity) {
   for (const MultirotorParameters& p : {MultirotorParameters{}, hexarotor()}) {
     const MultirotorPlant plant(p);
     const MultirotorTrim hover = plant.trim({0, 0, 0}, 0, plant.limits().min_density);
@@ -175,7 +175,7 @@ TEST(MultirotorPlant, TurnsByDragTorque) {
   EXPECT_NEAR(s.w_NB_B.z(), by_hand, 0.15 * by_hand);
 }
 
-TEST(MultirotorPlant, RollsAndPitchesTheRightWay) {
+TEST(MultirotorPlant, RollsAndPitchesInTheRightSense) {
   const MultirotorParameters p;
   const MultirotorPlant plant(p);
   const VehicleState begin = plant.start({});
@@ -340,7 +340,7 @@ TEST(MultirotorPlant, FallingOnTheGroundBreaksIt) {
   EXPECT_EQ(contact, Contact::kCrash);
 }
 
-TEST(MultirotorParameters, FaultsNameTheirKeys) {
+TEST(MultirotorParameters, ErrorsNameTheirKeys) {
   EXPECT_TRUE(errors(MultirotorParameters{}).empty());
   EXPECT_TRUE(errors(hexarotor()).empty());
   MultirotorParameters p;
@@ -378,12 +378,12 @@ TEST(MultirotorParameters, WhatCannotFlyIsRefused) {
   EXPECT_EQ(only_error(p), "rotors");
 }
 
-TEST(MultirotorPlant, TellsWhatItsAutopilotMustKnow) {
+TEST(MultirotorPlant, DescribesWhatItsAutopilotMustKnow) {
   const MultirotorParameters p;
   const MultirotorPlant plant(p);
   const auto airframe = std::get<MultirotorAirframe>(plant.airframe());
   ASSERT_EQ(airframe.rotors.size(), 4u);
-  // Thrust and torque at half throttle, as told and as flown.
+  // Thrust and torque at half throttle, as given and as flown.
   VehicleState s = plant.start({});
   s.actuators.fill(p.fastest_rotor / 2);
   s.actuators[1] = s.actuators[2] = s.actuators[3] = 0;

@@ -33,7 +33,7 @@ VehicleState fly(const PerformancePlant& plant, VehicleState s,
   return s;
 }
 
-TEST(PerformancePlant, HoldsItsHeightDownToItsLeastDensity) {
+TEST(PerformancePlant, HoldsItsHeightDownToItsMinimumDensity) {
   const PerformancePlant plant{PerformanceParameters{}};
   const auto climb_in = [&](double density) {
     double best = -1e9;
@@ -51,7 +51,7 @@ TEST(PerformancePlant, HoldsItsHeightDownToItsLeastDensity) {
   EXPECT_LT(climb_in(0.97 * least), -0.01);
 }
 
-TEST(PerformancePlant, ItsSpanIsWhatItsInducedDragTells) {
+TEST(PerformancePlant, ItsSpanIsWhatItsInducedDragImplies) {
   // The P2002 has 8.6 m; the rule's efficiency of 0.8 is good to a tenth.
   EXPECT_NEAR(span_of(PerformancePlant{PerformanceParameters{}}.airframe()), 8.6, 0.4);
 }
@@ -292,7 +292,7 @@ TEST(PerformancePlant, StaysFiniteUnderAnyCommand) {
   }
 }
 
-TEST(PerformanceParameters, FaultsNameTheirKeys) {
+TEST(PerformanceParameters, ErrorsNameTheirKeys) {
   EXPECT_TRUE(errors(PerformanceParameters{}).empty());
   const auto only_error = [](const PerformanceParameters& p) {
     const auto found = errors(p);

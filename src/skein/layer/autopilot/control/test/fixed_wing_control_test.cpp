@@ -56,7 +56,7 @@ TEST(FixedWingControl, HoldsTrimInTrim) {
   EXPECT_NEAR(u[channel::kThrottle], 0.5, 1e-2);
 }
 
-TEST(FixedWingControl, MovesEverySurfaceTheRightWay) {
+TEST(FixedWingControl, MovesEverySurfaceInTheRightSense) {
   const auto first = [](const FixedWingDemand& demand, const NavState& nav, int steps) {
     FixedWingControl control(airframe(), {});
     control.reset(cruising());
@@ -81,7 +81,7 @@ TEST(FixedWingControl, MovesEverySurfaceTheRightWay) {
   NavState swinging = cruising();
   swinging.w_NB_B.z() = 0.2;
   EXPECT_GT(first(level(), swinging, 1)[channel::kRudder], 0.01);
-  // In a steady right turn the nose has to be pulled round.
+  // In a steady right turn the nose has to be pulled into the turn.
   EXPECT_LT(first(level(), cruising(0.6), 1)[channel::kElevator], -0.25);
 }
 

@@ -86,7 +86,7 @@ TEST(EstimatorConsistency, ThroughHalfAMinuteWithoutSatellites) {
   plan.outage_until = 130;
   const Consistency c = fly(plan);
   expect_consistent(c, kAllHigh);
-  EXPECT_GT(c.worst_position_sd, 4) << "the doubt grows without fixes";
+  EXPECT_GT(c.worst_position_sd, 4) << "the variance grows without fixes";
 }
 
 TEST(EstimatorConsistency, InWindWithTurbulence) {

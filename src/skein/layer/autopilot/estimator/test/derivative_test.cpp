@@ -162,7 +162,7 @@ TEST(Observations, MatchFiniteDifferences) {
         x);
 }
 
-TEST(Observations, OfThePastMatchFiniteDifferencesOfTheWayBack) {
+TEST(Observations, OfThePastMatchFiniteDifferencesOfTheBackwardMotion) {
   // A true state now, flown back by what the sensors said: where was it then?
   const Navigated x = some_state();
   const double d = 0.15;

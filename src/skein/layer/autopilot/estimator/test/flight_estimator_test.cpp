@@ -55,7 +55,7 @@ TEST(FlightEstimator, FindsTheHeadingFromThirtyDegreesOff) {
 }
 
 TEST(FlightEstimator, FindsTheHeadingThatItWasSureOf) {
-  // Thirty degrees off, with a stated doubt of three: the gate must not shut it out.
+  // Thirty degrees off, with a stated deviation of three: the gate must not shut it out.
   SyntheticFlight flight({}, {}, 3);
   EstimatorStart start = flight.start(kStart);
   start.q_NB = geo::exp_so3({0, 0, geo::radians(30)}) * flight.truth().q_NB;
@@ -364,7 +364,7 @@ TEST(FlightEstimator, FindsAnAttitudeThatHasNothingToDoWithWhatItBelieved) {
   }
 }
 
-TEST(FlightEstimator, DoesNotDoubtItselfInAGoodFlight) {
+TEST(FlightEstimator, StaysHealthyInAGoodFlight) {
   RandomStream random(33, 0, Purpose::kTest);
   for (int trial = 0; trial < 40; ++trial) {
     FlightPlan plan;

@@ -42,7 +42,7 @@ struct FlightPlan {
 /// drawn from the models that EstimatorOptions assumes, or finer ones.
 ///
 /// Air velocity V u(course, climb angle); ground velocity adds the wind and the gusts
-/// that the aircraft has given way to (lag 2 s). Angle of attack 0.05 rad, side-slip
+/// that the aircraft has yielded to (lag 2 s). Angle of attack 0.05 rad, side-slip
 /// wanders with 0.01 rad.
 class SyntheticFlight {
  public:
@@ -112,7 +112,7 @@ class SyntheticFlight {
     return s;
   }
 
-  /// Flies one step of 0.01 s and tells `take` what the sensors say.
+  /// Flies one step of 0.01 s and gives `take` what the sensors say.
   template <class Take>
   void step(Take&& take) {
     const Quat q = truth_.q_NB;

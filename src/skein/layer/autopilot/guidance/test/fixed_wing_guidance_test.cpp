@@ -218,8 +218,8 @@ TEST(FixedWingGuidance, FliesLapsOfWaypoints) {
           nearest[k] =
               std::min(nearest[k], (flight.position() - square()[k].point).norm());
         if (status.done) break;
-        // Where a corner is cut by its arc the way left falls faster: by 2 (tan - angle)
-        // radii at most, 0.43 R at a right angle.
+        // Where a corner is cut by its arc the distance left falls faster: by 2 (tan -
+        // angle) radii at most, 0.43 R at a right angle.
         if (last < 1e8)
           worst_jump = std::max(worst_jump, std::abs(last - status.remaining));
         last = status.remaining;
@@ -377,7 +377,7 @@ TEST(WaypointRoute, RoundsTheCornerAheadAsTheWindThatIsKnownNowAsks) {
   EXPECT_DOUBLE_EQ(tightest(), 1 / 90.0) << "too near";
 }
 
-TEST(RollOut, IsTheWayThatFrictionAndDragLeave) {
+TEST(RollOut, IsTheDistanceThatFrictionAndDragLeave) {
   // Where the wings carry it at the touch, without wind, in closed form.
   const double closed = 20 * 20 / (2 * kGravity) * std::log(0.08 / 0.2) / (0.08 - 0.2);
   EXPECT_NEAR(roll_out(20, 0, {0.2, 0.08, 20}), closed, 0.01);
@@ -488,7 +488,7 @@ TEST(FixedWingGuidance, SlowsDownForTightTurns) {
   }
 }
 
-TEST(FixedWingGuidance, TheWayToACircleCountsAsNoErrorOfIt) {
+TEST(FixedWingGuidance, ThePathToACircleCountsAsNoErrorOfIt) {
   FixedWingGuidance guidance({}, FlightLimits{}, Vec3::Zero());
   FixedWingMotion motion;
   motion.v_N = {20, 0, 0};

@@ -68,7 +68,8 @@ TEST(Lateral, LeadsBackFromEitherSideAndAnyCourse) {
   for (const LateralLaw law : kLaws)
     for (const double off : {-500.0, -20.0, -1.0, 1.0, 20.0, 500.0}) {
       EXPECT_LT(on_straight(law, off, {15, 0}) * off, 0);
-      // Flying away from the line or the wrong way along it, the turn is not weaker.
+      // Flying away from the line or along it in the wrong direction, the turn is not
+      // weaker.
       const double away = on_straight(law, off, {0, std::copysign(15, off)});
       EXPECT_LT(away * off, 0);
       EXPECT_NE(on_straight(law, off, {-15, 0}), 0);

@@ -39,7 +39,7 @@ struct Flight {
     return guidance.command(command, rotor.nav());
   }
   Vec2 position() const { return rotor.p.head<2>(); }
-  // Flies until done; the time it took, or the most.
+  // Flies until done; the time it took, or the maximum.
   double fly_until_done(double most, const std::function<void()>& watch = {}) {
     double time = 0;
     for (; time < most && !guidance.status().done; time += PointRotor::kStep)
@@ -78,7 +78,7 @@ TEST(MultirotorGuidance, GoesToAPointWithoutOvershoot) {
   }
 }
 
-TEST(MultirotorGuidance, StopsAtCornersAndFliesRoundThemWhenItMay) {
+TEST(MultirotorGuidance, StopsAtCornersAndFliesAroundThemWhenItMay) {
   const std::vector<FlyWaypoints::Waypoint> points = {
       {{60, 0}, 50}, {{60, 60}, 56}, {{0, 60}, 56}, {{0, 0}, 50}};
   double stopping = 0;
@@ -127,7 +127,7 @@ TEST(MultirotorGuidance, FollowsAPathAndStopsAtItsEnd) {
   EXPECT_LT((flight.position() - Vec2(10, 16)).norm(), 0.05);
 }
 
-TEST(MultirotorGuidance, CirclesBothDirections) {
+TEST(MultirotorGuidance, CirclesInBothSenses) {
   for (const bool clockwise : {true, false})
     for (const double wind : {0.0, 6.0}) {
       Flight flight({0, wind});
@@ -255,7 +255,8 @@ TEST(MultirotorGuidance, TheReferenceWaitsForAVehicleThatCannotFollow) {
   ASSERT_FALSE(flight.tell({HoldPosition{{300, 0}}, 50, {}}));
   for (int i = 0; i < 2000; ++i)  // held fast
     flight.demand = flight.guidance.step(flight.rotor.nav(), PointRotor::kStep);
-  // Twice max_lag, and the way to brake from 10 m/s: 17 m, of which the first slows it.
+  // Twice max_lag, and the distance to brake from 10 m/s: 17 m, of which the first slows
+  // it.
   EXPECT_LT(flight.demand.position.x(), 20);
   EXPECT_LT(flight.demand.velocity.norm(), 0.01);
 }

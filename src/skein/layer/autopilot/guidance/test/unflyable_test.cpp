@@ -56,7 +56,7 @@ TEST(Unflyable, TheAirAtAnAltitudeMustCarry) {
   // The slowest airspeed, 15 m/s at sea level, is the fastest, 25 m/s, where the density
   // is 1.225 (15/25)^2 = 0.441 kg/m^3: at 9,475 m of the standard atmosphere.
   wing.min_density = 1.225 * 0.36;
-  EXPECT_TRUE(says({HoldCourse{0}, 20000, 24.0}, "9475 m is the most", kCalm, wing));
+  EXPECT_TRUE(says({HoldCourse{0}, 20000, 24.0}, "9475 m is the maximum", kCalm, wing));
   EXPECT_TRUE(says({HoldCourse{0}, 9480, 25.0}, "commanded altitude", kCalm, wing));
   EXPECT_FALSE(unflyable({HoldCourse{0}, 9470, 25.0}, wing, kCalm));
   // At 8,000 m 15 m/s are 22.9 m/s, more than cruise.
@@ -81,18 +81,18 @@ TEST(Unflyable, TheAirAtAnAltitudeMustCarry) {
 TEST(Unflyable, TurnsAreHeldAgainstTheSlowestAirspeedInTheWind) {
   // a_max = 20^2 / 60; calm: 15^2 / a_max = 33.75 m.
   EXPECT_FALSE(unflyable({FollowPath{turn(0, 1, 34)}, 100, {}}, kWing, kCalm));
-  EXPECT_TRUE(says({FollowPath{turn(0, 1, 33)}, 100, {}}, "34 m is the least"));
+  EXPECT_TRUE(says({FollowPath{turn(0, 1, 33)}, 100, {}}, "34 m is the minimum"));
   // A half turn that ends downwind in 5 m/s: 20^2 / a_max = 60 m.
   EXPECT_FALSE(
       unflyable({FollowPath{turn(geo::kPi, geo::kPi, 61)}, 100, {}}, kWing, {5, 0}));
   EXPECT_TRUE(says({FollowPath{turn(geo::kPi, geo::kPi, 59)}, 100, {}},
-                   "60 m is the least", {5, 0}));
+                   "60 m is the minimum", {5, 0}));
   // A short turn about upwind: 10^2 / a_max = 15 m, left or right.
   for (const double angle : {-0.2, 0.2})
     EXPECT_FALSE(unflyable({FollowPath{turn(geo::kPi - angle / 2, angle, 17)}, 100, {}},
                            kWing, {5, 0}));
   EXPECT_FALSE(unflyable({Circle{{0, 0}, 61, false}, 100, {}}, kWing, {0, 5}));
-  EXPECT_TRUE(says({Circle{{0, 0}, 59, false}, 100, {}}, "60 m is the least", {0, 5}));
+  EXPECT_TRUE(says({Circle{{0, 0}, 59, false}, 100, {}}, "60 m is the minimum", {0, 5}));
   EXPECT_TRUE(says({Circle{{0, 0}, 0, false}, 100, {}}, "no radius"));
   EXPECT_TRUE(says({Circle{{0, 0}, -50, false}, 100, {}}, "no radius"));
 }
@@ -130,7 +130,7 @@ TEST(Unflyable, PlansMustFitTheAircraft) {
 
 TEST(Unflyable, PlansMustNotTurnTooTightly) {
   // Circles of 16 points at 16 m/s over ground, whose Hermite curve is a circle within
-  // 0.1 % in curvature at the points: 16^2 / a_max = 38.4 m is the least.
+  // 0.1 % in curvature at the points: 16^2 / a_max = 38.4 m is the minimum.
   const auto round = [](double radius) {
     Plan out;
     for (int i = 0; i <= 16; ++i) {
@@ -142,7 +142,7 @@ TEST(Unflyable, PlansMustNotTurnTooTightly) {
     }
     return out;
   };
-  EXPECT_TRUE(says({FollowPlan{round(36)}, 0, {}}, "38 m is the least"));
+  EXPECT_TRUE(says({FollowPlan{round(36)}, 0, {}}, "38 m is the minimum"));
   EXPECT_FALSE(unflyable({FollowPlan{round(40)}, 0, {}}, kWing, kCalm));
 }
 
@@ -157,7 +157,7 @@ TEST(Unflyable, WaypointsMustNotBeTooSteep) {
   EXPECT_FALSE(unflyable(legs(21, 1), kWing, kCalm));
   EXPECT_TRUE(says(legs(25, 1), "the leg to waypoint 2 climbs"));
   EXPECT_TRUE(says(legs(-25, 1), "sinks"));
-  // With laps there is a way back too.
+  // With laps there is a leg back too.
   EXPECT_FALSE(unflyable(legs(-21, 2), kWing, kCalm));
   EXPECT_TRUE(
       says({FlyWaypoints{{{{0, 0}, 0}, {{500, 0}, 60}, {{100, 0}, 60}}, 2}, 0, {}},

@@ -6,8 +6,8 @@
 
 namespace skein::autopilot {
 
-/// Steps mode logic at 100 Hz for tests, and keeps link, satellites and transmitter heard
-/// unless told otherwise.
+/// Steps mode logic at 100 Hz for tests, and keeps link, satellites and transmitter up
+/// unless set otherwise.
 class Cockpit {
  public:
   explicit Cockpit(bool on_ground = false, const FailsafeOptions& options = {},

@@ -48,7 +48,7 @@ TEST(Consumption, FollowsAChangeWithItsLag) {
   EXPECT_NEAR(consumption.rate(), 1e-3 * (2 - std::exp(-1.0)), 1e-5);
 }
 
-TEST(Consumption, AGlideDoesNotMakeTheWayHomeFree) {
+TEST(Consumption, AGlideDoesNotMakeThePathHomeFree) {
   Consumption consumption({});
   double charge = 1;
   for (int k = 0; k <= 600; ++k) {

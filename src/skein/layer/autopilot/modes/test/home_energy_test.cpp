@@ -42,7 +42,7 @@ TEST(GroundSpeedAlong, IsZeroWhereTheWindDoesNotLetIt) {
   EXPECT_EQ(ground_speed_along({1, 0}, 15, {5, 0}), 20);
 }
 
-TEST(HomeNeed, AddsUpTheWay) {
+TEST(HomeNeed, AddsUpThePath) {
   const HomeNeed calm = home_need({0, 1500}, 300, Vec2::Zero(), flight());
   EXPECT_DOUBLE_EQ(calm.time, 100 + 30 + 100);
   EXPECT_DOUBLE_EQ(calm.energy, 60 * 130 + 10 * 100);

@@ -197,7 +197,7 @@ TEST(ModeLogic, ALandingAtHomeBecomesADescentWhenHomeIsOutOfReach) {
   EXPECT_EQ(c.now().trigger, FailsafeTrigger::kBattery);
 }
 
-TEST(ModeLogic, ALowBatteryAloneDoesNotGiveUpTheWayHome) {
+TEST(ModeLogic, ALowBatteryAloneDoesNotGiveUpTheReturn) {
   FailsafeOptions options;
   options.battery_low.reaction = FailsafeReaction::kLand;
   Cockpit c(false, options);
@@ -247,13 +247,13 @@ TEST(ModeLogic, TheMoreSevereTriggerDecides) {
   EXPECT_EQ(c.now().order, Order::kHold);
   c.in.charge = 0.05;
   EXPECT_EQ(c.run(4).trigger, FailsafeTrigger::kBattery);
-  EXPECT_EQ(c.now().order, Order::kDescend);  // no way home without a position
+  EXPECT_EQ(c.now().order, Order::kDescend);  // no return without a position
   c.in.motor_failed = true;
   EXPECT_EQ(c.step().trigger, FailsafeTrigger::kMotor);
   EXPECT_TRUE(c.now().without_motor);
 }
 
-TEST(ModeLogic, WhatIsOnlyToldDoesNotHideALesserFailsafe) {
+TEST(ModeLogic, WhatIsOnlyReportedDoesNotHideALesserFailsafe) {
   FailsafeOptions options;
   options.geofence.reaction = FailsafeReaction::kNone;
   Cockpit c(false, options);

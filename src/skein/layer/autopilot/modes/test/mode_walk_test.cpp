@@ -65,7 +65,7 @@ struct Surroundings {
   void advance(Dice& dice) {
     in.now += Time::from_ns(kStepMs * 1'000'000);
     in.command = CommandKind::kNone;
-    // Neither is heard at every step.
+    // Neither is received at every step.
     if (link && dice.chance(0.3)) in.link_heard = in.now;
     if (gnss && dice.chance(0.3)) in.gnss_fix = in.now;
     if (transmitter && (!in.pilot || dice.chance(0.5))) {
@@ -363,8 +363,9 @@ TEST(ModeWalk, AgreesWithTheReferenceOverAHundredThousandTransitions) {
     EXPECT_TRUE(std::any_of(seen.orders.begin(), seen.orders.end(), leaves)) << order;
   }
   // Every reaction to every trigger that an airframe can fly, and no other. Link,
-  // battery, geofence: all five. Motor, inertial unit: told or down. No position: told or
-  // down, a fixed wing also holds, or finishes its landing. And nothing to nothing.
+  // battery, geofence: all five. Motor, inertial unit: reported or down. No position:
+  // reported or down, a fixed wing also holds, or finishes its landing. And nothing to
+  // nothing.
   EXPECT_EQ(seen.reactions.size(), (3u * 5 + 2 * 2 + 4 + 1) + (3u * 5 + 2 * 2 + 2 + 1));
 }
 

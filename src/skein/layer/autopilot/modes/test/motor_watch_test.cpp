@@ -22,7 +22,7 @@ TEST(MotorWatch, AMotorThatStandsUnderThrottleHasFailed) {
   EXPECT_EQ(watch.step(ms(310), 0b1000, throttles(0.5)), 0b1000);
 }
 
-TEST(MotorWatch, AMotorToldToIdleMayStand) {
+TEST(MotorWatch, AMotorCommandedToIdleMayStand) {
   MotorWatch watch({});
   for (int t = 0; t <= 5000; t += 10)
     EXPECT_EQ(watch.step(ms(t), 0b1000, throttles(0.1)), 0);

@@ -103,7 +103,7 @@ ReferenceModel::Answer ReferenceModel::step(const ModeInput& in) {
     for (Row& row : rows_) row.good_ms = -1;
   }
 
-  // Transmitter: 0 silent, 1 heard, 2 heard and takes over.
+  // Transmitter: 0 silent, 1 received, 2 received and takes over.
   const long quiet = in.pilot ? to_ms(in.now - in.pilot->time) : 0;
   const bool heard = in.pilot && quiet <= to_ms(options_.pilot_silence);
   const int transmitter = !heard ? 0 : in.pilot->takes_over ? 2 : 1;

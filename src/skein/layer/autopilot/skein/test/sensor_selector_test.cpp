@@ -47,7 +47,7 @@ TEST(SensorSelector, FliesByOneUnitUntilItIsSilentThenByTheOther) {
   }
 }
 
-TEST(SensorSelector, MissesWhatItHasHeardAtItsOwnRate) {
+TEST(SensorSelector, MissesWhatItHasReceivedAtItsOwnRate) {
   RandomStream random(9, 0, Purpose::kTest);
   for (int trial = 0; trial < 100; ++trial) {
     const double interval = random.uniform(0.01, 3);
@@ -62,11 +62,11 @@ TEST(SensorSelector, MissesWhatItHasHeardAtItsOwnRate) {
     EXPECT_EQ(sensors.lost(at(t + patience - 1e-3)), 0);
     EXPECT_EQ(sensors.lost(at(t + patience + 1e-3)), bit(FlightSensor::kAirspeed));
     sensors.take(FlightSensor::kAirspeed, 0, at(t + 30));
-    EXPECT_EQ(sensors.lost(at(t + 30)), 0) << "heard again";
+    EXPECT_EQ(sensors.lost(at(t + 30)), 0) << "received again";
   }
 }
 
-TEST(SensorSelector, MissesWhatIsFittedAndWasNeverHeard) {
+TEST(SensorSelector, MissesWhatIsFittedAndWasNeverReceived) {
   const SensorSelector sensors(at(10), bit(FlightSensor::kImu));
   EXPECT_EQ(sensors.lost(at(10.1)), 0);
   EXPECT_EQ(sensors.lost(at(10.3)), bit(FlightSensor::kImu));

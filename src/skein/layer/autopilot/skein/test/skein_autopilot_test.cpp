@@ -62,7 +62,7 @@ AutopilotCommand course(double angle, double altitude) {
   return {HoldCourse{angle}, altitude};
 }
 
-TEST(SkeinAutopilot, FliesWhatItIsTold) {
+TEST(SkeinAutopilot, FliesItsCommands) {
   PointFlight flight;
   flight.autopilot().command(course(1, 330));
   flight.fly(40);
@@ -136,7 +136,7 @@ TEST(SkeinAutopilot, TurnsBackAtTheFence) {
   EXPECT_LT(geo::horizontal(flight.p).norm(), 300);
 }
 
-TEST(SkeinAutopilot, TellsWhenItsEstimatorFallsSilent) {
+TEST(SkeinAutopilot, ReportsWhenItsEstimatorFallsSilent) {
   PointFlight flight;
   flight.autopilot().command(course(0, 300));
   flight.fly(10);
@@ -306,7 +306,7 @@ TEST(SkeinAutopilot, AnEmptyBatteryBringsItHome) {
   EXPECT_EQ(flight.autopilot().status().charge, 0.14);
 }
 
-// A fixed wing that is carried round a square, with wings level, whatever its autopilot
+// A fixed wing that is carried around a square, with wings level, whatever its autopilot
 // does.
 struct CarriedWing {
   explicit CarriedWing(std::vector<LapGains> laps) {
@@ -411,7 +411,7 @@ TEST(SkeinAutopilot, NothingJumpsWhenGainsChange) {
     EXPECT_NEAR(changing.told[k], before[k], 0.05) << k;
 }
 
-TEST(SkeinAutopilot, ReturnsByTheWayThatItWasTold) {
+TEST(SkeinAutopilot, ReturnsByTheRouteThatWasSet) {
   PointFlight flight;
   flight.autopilot().command(course(0, 300));
   flight.fly(60);
@@ -453,7 +453,7 @@ TEST(SkeinAutopilot, LandsWhereReturnsLeadAndKeepsThatWhenItBeginsAnew) {
   EXPECT_LT(-flight.p.z(), 285);
 }
 
-TEST(SkeinAutopilot, CountsTheWholeWayOfAReturn) {
+TEST(SkeinAutopilot, CountsTheWholeRouteOfAReturn) {
   const auto reserve = [](const ReturnRoute& route) {
     PointFlight flight;
     flight.autopilot().set_return(route);

@@ -234,7 +234,7 @@ TEST(RasterFile, NotANumberInTheAreaIsRefusedWithItsPlace) {
       << refused.error().text();
 }
 
-TEST(RasterFile, FaultyFilesGiveErrorsAndNothingOnStderr) {
+TEST(RasterFile, InvalidFilesGiveErrorsAndNothingOnStderr) {
   ::testing::internal::CaptureStderr();
   const auto message = [](const std::string& path, const std::string& name = "") {
     const auto field =

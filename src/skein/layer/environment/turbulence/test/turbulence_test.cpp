@@ -134,8 +134,8 @@ TEST(DrydenSpectrum, IsContinuousInHeight) {
   }
 }
 
-// Variances of all six against the integrals of the standard's spectra, for steps from
-// 2 cm to 60 m of way: the step does not matter.
+// Variances of all six against the integrals of the standard's spectra, for steps from 2
+// cm to 60 m of path: the step does not matter.
 TEST(DrydenTurbulence, VariancesAreTheStandardsAtAnyStep) {
   const double span = 2;
   const Standard standard = standard_at_30m(span);
@@ -256,12 +256,12 @@ TEST(DrydenTurbulence, ComponentsAreIndependentOfEachOther) {
   }
 }
 
-// The rates are slopes of the gusts along the way: with a span far below the scales,
+// The rates are slopes of the gusts along the path: with a span far below the scales,
 // their sums give the gusts back.
 TEST(DrydenTurbulence, RatesAreTheSlopesOfTheGusts) {
   const Flight flight;
   DrydenTurbulence turbulence({.wind20 = 10, .span = 0.05}, 2, {1});
-  const double dt = 1e-4;  // 2 mm of way, the smoothing reaches over 64 mm
+  const double dt = 1e-4;  // 2 mm of path, the smoothing reaches over 64 mm
   const Gust first = turbulence.advance(flight.at(), dt);
   double down = 0, right = 0;
   Gust gust;
@@ -315,7 +315,7 @@ TEST(DrydenTurbulence, WithoutIntensityThereIsNone) {
   }
 }
 
-TEST(DrydenTurbulence, LowGustsFollowTheWayAndHighOnesTheBody) {
+TEST(DrydenTurbulence, LowGustsFollowThePathAndHighOnesTheBody) {
   // The same stream under different attitudes: in components of the right axes the gusts
   // are the same.
   const auto first = [](const Flight& flight) {
@@ -327,7 +327,7 @@ TEST(DrydenTurbulence, LowGustsFollowTheWayAndHighOnesTheBody) {
   const Vec3 uvw = first(north);
   Flight east;
   east.vehicle.v_N = {3, 25, 1};
-  east.wind_N = {3, 5, 0};  // way through the air: due east
+  east.wind_N = {3, 5, 0};  // course through the air: due east
   const Vec3 turned = first(east);
   EXPECT_NEAR(turned.y(), uvw.x(), 1e-12);
   EXPECT_NEAR(turned.x(), -uvw.y(), 1e-12);
@@ -414,7 +414,7 @@ TEST(DiscreteGusts, TurnTheAirWhereTheyChange) {
   EXPECT_NEAR(felt.rates_B.z(), -6 * slope, 1e-12);
 }
 
-TEST(DiscreteGusts, AreMetAlongTheWayFromTheirStart) {
+TEST(DiscreteGusts, AreMetAlongThePathFromTheirStart) {
   DiscreteGusts gusts({.gusts = {{.start = 1, .amplitude = {0, 6, 0}, .length = 30},
                                  {.start = 1.5,
                                   .amplitude = {0, 0, 2},

@@ -126,7 +126,7 @@ TEST(GriddedWind, HeightsAreLinearOrTheNearestIsChosen) {
   EXPECT_DOUBLE_EQ(at(wind, Vec2::Zero(), 0, 500).x(), 6);
 }
 
-TEST(GriddedWind, RefusesFaultyData) {
+TEST(GriddedWind, RefusesInvalidData) {
   const std::string path = scratch("wind.tif");
   make_raster(path, constant_bands({-2, 90}));
   EXPECT_NE(refusal(options_for(path)).find("speed of -2"), std::string::npos);

@@ -53,7 +53,7 @@ TEST(DetourPlanner, OverlappingZonesAreLeftTogether) {
   EXPECT_NEAR(place.x(), 126, 3);
 }
 
-TEST(DetourPlanner, RoundADiscItIsTwoTangentsAndAnArc) {
+TEST(DetourPlanner, AroundADiscItIsTwoTangentsAndAnArc) {
   const std::vector<Zone> zones{disc({0, 0}, 300)};
   const DetourPlanner detours(zones, 100);
   const Vec2 from(-1000, 0), to(1000, 20);
@@ -112,9 +112,9 @@ TEST(DetourPlanner, WhoIsShutInIsLedStraight) {
   EXPECT_GT(route.front().cwiseAbs().maxCoeff(), 500);
 }
 
-// No way over any grid of places is shorter than the one that is found by more than the
+// No path over any grid of places is shorter than the one that is found by more than the
 // corners are outside, and all its legs are allowed.
-TEST(DetourPlanner, WaysAreAllowedAndNoneIsShorter) {
+TEST(DetourPlanner, PathsAreAllowedAndNoneIsShorter) {
   for (std::uint32_t run = 0; run < 60; ++run) {
     RandomStream random(1, run, Purpose::kTest);
     std::vector<Zone> zones;

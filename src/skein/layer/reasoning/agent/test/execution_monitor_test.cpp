@@ -23,7 +23,7 @@ TEST(SafetyZone, IsWiderBehindThanAhead) {
   EXPECT_FALSE(within(zone, {0, -20.1}));
 }
 
-TEST(ExecutionMonitor, TellsOnceWhenAnErrorLeavesItsRangeAndOnceWhenItIsBack) {
+TEST(ExecutionMonitor, ReportsOnceWhenAnErrorLeavesItsRangeAndOnceWhenItIsBack) {
   ExecutionMonitor monitor(SafetyZone{2, 8, 20});
   const EntityId self{3};
   EXPECT_FALSE(monitor.check({}, self, status(7, 0)));

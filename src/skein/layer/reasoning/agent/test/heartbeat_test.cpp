@@ -10,7 +10,7 @@ class Quiet final : public Agent {
   void step(const AgentInput&, AgentOutput&) override {}
 };
 
-TEST(HeartbeatSender, TellsEachAircraftOncePerPeriodHoweverLongTheSteps) {
+TEST(HeartbeatSender, ReachesEachAircraftOncePerPeriodHoweverLongTheSteps) {
   HeartbeatSender station(std::make_unique<Quiet>(), {EntityId{1}, EntityId{2}},
                           Time::from_seconds(1));
   AgentOutput out;

@@ -136,7 +136,7 @@ TEST(MonitorAgent, KeepsTheNewestTask) {
   mission.fly(30);
   EXPECT_EQ(mission.agent.task().number, 5U);
   EXPECT_NEAR(geo::bearing(mission.aircraft.velocity()), 1.0, 0.01);
-  mission.send(5, FlyCourse{2.0});  // heard twice
+  mission.send(5, FlyCourse{2.0});  // received twice
   mission.fly(30);                  // no messages: goes on
   EXPECT_NEAR(geo::bearing(mission.aircraft.velocity()), 1.0, 0.01);
 }
@@ -160,7 +160,7 @@ TEST(MonitorAgent, FollowsALineOnce) {
   EXPECT_LT(worst, 40);
 }
 
-TEST(MonitorAgent, LoitersWhereItIsTold) {
+TEST(MonitorAgent, LoitersAtItsTask) {
   Mission mission({}, {5, 0});
   mission.send(1, Loiter{{800, 800}});
   mission.fly(150);
@@ -252,7 +252,7 @@ TEST(MonitorAgent, NeverEntersAZoneWhateverItsTask) {
   }
 }
 
-TEST(MonitorAgent, PassesAZoneOnItsWay) {
+TEST(MonitorAgent, PassesAZoneOnItsPath) {
   const std::vector<Zone> zones{
       {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}}};
   Mission mission(zones, {0, 4});
@@ -304,7 +304,7 @@ bool says(const AgentOutput& out, const std::string& kind) {
                      [&](const Event& event) { return event.kind == kind; });
 }
 
-TEST(MonitorAgent, AZoneTakesEffectInTheStepInWhichItIsHeardOf) {
+TEST(MonitorAgent, AZoneTakesEffectInTheStepInWhichItIsReceived) {
   Mission mission;
   mission.send(1, FlyCourse{0});
   mission.fly(20);

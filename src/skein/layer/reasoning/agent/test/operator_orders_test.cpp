@@ -44,7 +44,7 @@ class OperatorOrdersTest : public testing::Test {
         std::vector<NamedAircraft>{{kFirst, "a"}, {kSecond, "b"}}, std::move(mission));
   }
 
-  // One second: the aircraft report, the desk thinks, its orders arrive.
+  // One second: the aircraft report, the server acts, its orders arrive.
   void second(const std::vector<Command>& commands = {}, bool radio = true) {
     std::vector<Message> inbox;
     for (const EntityId id : {kFirst, kSecond}) {

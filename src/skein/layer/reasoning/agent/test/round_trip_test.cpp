@@ -34,14 +34,14 @@ TEST(IntoZone, SaysWhereALineFirstEnters) {
             Vec2(150, 0));
 }
 
-TEST(IntoZone, CountsTheWayBackOnlyWhenItIsFlown) {
+TEST(IntoZone, CountsTheLegBackOnlyWhenItIsFlown) {
   const std::vector<Vec2> route = {{0, 0}, {0, 200}, {500, 200}, {500, 0}};
   EXPECT_FALSE(into_zone(route, false, zone()));
   EXPECT_EQ(into_zone(route, true, zone()), Vec2(300, 0));
   EXPECT_FALSE(into_zone(route, true, {}));
 }
 
-TEST(ZoneMonitor, TellsOnceWhenTheAircraftComesInAndWhenItLeaves) {
+TEST(ZoneMonitor, ReportsOnceWhenTheAircraftComesInAndWhenItLeaves) {
   ZoneMonitor watch({}, {}, zone(), EntityId{3});
   std::vector<std::string> told;
   NavEstimate nav;
@@ -56,8 +56,8 @@ TEST(ZoneMonitor, TellsOnceWhenTheAircraftComesInAndWhenItLeaves) {
       told.push_back(event.text);
     }
   }
-  EXPECT_EQ(told, (std::vector<std::string>{"is inside a no-flight zone",
-                                            "has left the zone"}));
+  EXPECT_EQ(told,
+            (std::vector<std::string>{"is inside a no-fly zone", "has left the zone"}));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace skein::reasoning {
 namespace {
 
-// A hill on the way from the last point back to the first.
+// A hill on the leg from the last point back to the first.
 class Hill final : public Terrain {
  public:
   double elevation_msl(const Vec2& p) const override {
@@ -56,7 +56,7 @@ TEST(RouteAgent, OrdersItsRouteOnceAboveTheHighestGroundOfIt) {
   EXPECT_FALSE(told.at(0.5).command);
 }
 
-TEST(RouteAgent, ReportsToTheStationAndTellsOnceThatTheRouteIsDone) {
+TEST(RouteAgent, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
   Told told(triangle());
   int reports = 0, events = 0;
   bool done = false;

@@ -68,7 +68,7 @@ TEST(ZoneAvoidance, LeavesFlightsAloneThatKeepClear) {
   EXPECT_TRUE(std::isinf(ZoneAvoidance({}, FlightLimits{}, {}).distance({0, 0})));
 }
 
-TEST(ZoneAvoidance, GoesRoundAConvexZoneInEveryWind) {
+TEST(ZoneAvoidance, GoesAroundAConvexZoneInEveryWind) {
   const std::vector<Zone> zones{hexagon({0, 0}, 400), hexagon({300, 1200}, 250)};
   for (int i = 0; i < 12; ++i) {
     test::TestAircraft aircraft;
@@ -93,7 +93,7 @@ TEST(ZoneAvoidance, ArrivesBehindAConvexZone) {
   EXPECT_LT(nearest_goal, 200);  // circles it: the course law has no better
 }
 
-TEST(ZoneAvoidance, TurnsRoundInABay) {
+TEST(ZoneAvoidance, TurnsBackInABay) {
   for (int i = 0; i < 12; ++i) {
     test::TestAircraft aircraft;
     aircraft.wind = 8 * geo::unit(i * geo::kPi / 6);

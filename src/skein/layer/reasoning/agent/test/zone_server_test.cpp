@@ -26,7 +26,7 @@ ZoneChange by_name(bool on, const std::string& name) {
   return {0, on, zone};
 }
 
-// Notes what it hears.
+// Notes what it receives.
 class Ear final : public Agent {
  public:
   explicit Ear(std::vector<Message>& heard) : heard_(heard) {}
@@ -89,7 +89,7 @@ std::string kinds(const AgentOutput& out) {
   return all;
 }
 
-TEST(ZoneServer, NumbersWishesAndTellsAll) {
+TEST(ZoneServer, NumbersRequestsAndSendsThemToAll) {
   Server server;
   const AgentOutput out =
       server.at(1, {requested(true, square("a")), requested(true, square("b"))});
@@ -97,7 +97,7 @@ TEST(ZoneServer, NumbersWishesAndTellsAll) {
   EXPECT_EQ(kinds(out), "zone-on zone-on ");
   ASSERT_EQ(recorded(out).size(), 2u);
   EXPECT_EQ(recorded(out)[1].number, 2u);
-  // The station's own agent hears the numbered ones in the same step, and no wish.
+  // The station's own agent receives the numbered ones in the same step, and no request.
   ASSERT_EQ(server.heard.size(), 2u);
   EXPECT_EQ(std::get<ZoneChange>(server.heard[0].content).number, 1u);
   const AgentOutput off = server.at(2, {by_name(false, "a")});
@@ -105,7 +105,7 @@ TEST(ZoneServer, NumbersWishesAndTellsAll) {
   EXPECT_FALSE(recorded(off).at(0).on);
 }
 
-TEST(ZoneServer, SendsAgainWhatIsNotKnown) {
+TEST(ZoneServer, SendsAgainWhatIsNotAcknowledged) {
   Server server;
   server.at(0, {requested(true, square("a"))});
   server.report(1, 0);
@@ -124,7 +124,7 @@ TEST(ZoneServer, SendsAgainWhatIsNotKnown) {
   for (double t = 6; t < 60; ++t) EXPECT_EQ(sent(server.at(t)), "");
 }
 
-TEST(ZoneServer, TriesThoseThatAreNotHeardNowAndThen) {
+TEST(ZoneServer, TriesThoseWhoseLinkIsDownNowAndThen) {
   Server server;
   server.at(0, {requested(true, square("a"))});
   int tries = 0;
@@ -156,7 +156,7 @@ TEST(ZoneServer, KnowsZonesByName) {
   const AgentOutput on = server.at(2, {by_name(true, "later")});
   ASSERT_EQ(recorded(on).size(), 1u);
   EXPECT_EQ(std::get<geo::Ring>(recorded(on)[0].zone.area).size(), 4u);
-  // Turned: rings are told positive.
+  // Turned: rings are sent positive.
   Zone turned = square("turned");
   std::reverse(std::get<geo::Ring>(turned.area).begin(),
                std::get<geo::Ring>(turned.area).end());
@@ -164,7 +164,7 @@ TEST(ZoneServer, KnowsZonesByName) {
   EXPECT_GT(geo::signed_area(std::get<geo::Ring>(recorded(out)[0].zone.area)), 0);
 }
 
-// Whatever is lost, in the end both know the same zones as the desk.
+// Whatever is lost, in the end both know the same zones as the server.
 TEST(ZoneServer, ALinkThatLosesMostLeavesNobodyBehind) {
   Server server;
   ZoneSet books[2];

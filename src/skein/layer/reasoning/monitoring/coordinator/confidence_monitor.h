@@ -13,8 +13,8 @@ namespace skein::monitoring {
 /// it, 19 times of 20.
 ///
 /// A crossing that the next readings of the same aircraft take back within 3 s counts
-/// neither way: it was a false reading, or a tip of the fire. So each is judged when the
-/// next one of its aircraft is known.
+/// neither for nor against: it was a false reading, or a tip of the fire. So each is
+/// judged when the next one of its aircraft is known.
 class ConfidenceMonitor {
  public:
   enum class Verdict { kTrusted, kOverConfident };

@@ -8,10 +8,11 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kStaleAfter = 5;  // nothing heard for this long: predict the belief [s]
-constexpr double kLevel = 50;      // zones this far above and below an aircraft count [m]
-constexpr double kSoon = 60;       // zones that come into force within this count [s]
-constexpr double kNewsEvery = 60;  // of one kind of doubt [s]
+constexpr double kStaleAfter =
+    5;                         // nothing received for this long: predict the belief [s]
+constexpr double kLevel = 50;  // zones this far above and below an aircraft count [m]
+constexpr double kSoon = 60;   // zones that come into force within this count [s]
+constexpr double kNewsEvery = 60;   // of one kind of warning [s]
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from

@@ -21,9 +21,9 @@ struct CoordinatorOptions {
   std::vector<double> entry_courses;
   double forced_crossing = 300;  ///< no crossing for this long: go and cross [s]; 0 = off
   double deployment_limit = 600;  ///< a transect without crossing ends after this [s]
-  double lost_after = 5;          ///< an aircraft not heard for this long is lost [s]
+  double lost_after = 5;          ///< an aircraft silent for this long is lost [s]
   double late_window = 60;        ///< readings this late still count [s]
-  std::vector<Zone> zones;        ///< no-flight zones in force from the start
+  std::vector<Zone> zones;        ///< no-fly zones in force from the start
   /// Between two beliefs that are given to be recorded.
   Time record_period = Time::from_seconds(5);
 };
@@ -32,13 +32,13 @@ struct CoordinatorOptions {
 /// runs the deployment phase, lets the strategy decide, and orders the aircraft about.
 ///
 /// Deployment: each aircraft flies its transect until its first crossing; then it is
-/// allocated. When all that are heard are allocated, the event "allocation" marks the
-/// start of that phase, even if some transects met nothing.
+/// allocated. When all in contact are allocated, the event "allocation" marks the start
+/// of that phase, even if some transects met nothing.
 ///
-/// No order leads into a no-flight zone in force, or soon in force, at the altitude of
-/// any aircraft.
+/// No order leads into a no-fly zone in force, or soon in force, at the altitude of any
+/// aircraft.
 ///
-/// Doubts about the belief become events: "outlier" (readings set aside), "too-late"
+/// Warnings about the belief become events: "outlier" (readings set aside), "too-late"
 /// (readings older than `late_window`), "over-confident" and "trusted" (see
 /// ConfidenceMonitor).
 class Coordinator : public Agent {
@@ -50,7 +50,7 @@ class Coordinator : public Agent {
   void step(const AgentInput& in, AgentOutput& out) override;
 
  private:
-  // A number that grows and is told now and then.
+  // A number that grows and is reported now and then.
   struct Tally {
     int told = 0;
     Time told_at;

@@ -24,14 +24,15 @@ struct Member {
 /// The team as its reports show it: who is there, where, doing what.
 class Roster {
  public:
-  /// @param lost_after  an aircraft not heard for this time is not counted on [s].
+  /// @param lost_after  an aircraft silent for this time is not counted on [s].
   Roster(std::span<const EntityId> members, double lost_after);
 
   /// Takes in a report; false when it is not from the team. Who flies by itself (a pilot,
   /// a failsafe) is not counted on until it obeys again.
   bool take(const AircraftReport& report, EntityId from, Time now);
 
-  /// Notes which aircraft are no longer heard; returns those that just went silent.
+  /// Notes from which aircraft nothing is received any more; returns those that just went
+  /// silent.
   std::vector<EntityId> update(Time now);
 
   Member* find(EntityId id);

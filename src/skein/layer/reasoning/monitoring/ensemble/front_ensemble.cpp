@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBandCells = 6;
 constexpr int kMinNodes = 10000;  // room for the margins around the smallest fire
-// Least spread of the common rate and drift, against their first one.
+// Minimum spread of the common rate and drift, against their first one.
 const Eigen::Vector3d kCommonFloor(0.3, 0.05, 0.05);
 constexpr double kLongestUntidy = 45;  // between redistancings [s]
 
@@ -195,7 +195,7 @@ void FrontEnsemble::coarsen() {
 void FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
   const auto most = static_cast<double>(options_.max_nodes);
   if (!growth_to(low, high).any()) return;
-  // Far away: fine cells all the way there would not fit into the memory.
+  // Far away: fine cells up to there would not fit into the memory.
   const auto nodes = [&] {
     const Vec2 size =
         (high.cwiseMax(grid_.high()) - low.cwiseMin(grid_.low)) / grid_.cell;

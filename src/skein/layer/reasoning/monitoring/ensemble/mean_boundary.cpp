@@ -44,7 +44,7 @@ BoundaryEstimate mean_boundary(const FrontEnsemble& ensemble, Time time,
   BoundaryEstimate out;
   out.time = time;
   const double floor = options.sigma_floor_cells * grid.cell;
-  // Much finer than the grid there is nothing to tell.
+  // Much finer than the grid there is nothing to say.
   const double spacing = std::max(options.control_spacing, 0.1 * grid.cell);
   for (const geo::Ring& ring : region) {
     const double area = geo::signed_area(ring);

@@ -43,9 +43,8 @@ void extend_member(Member& member, const Growth& growth, int rate_spacing_cells,
 void coarsen_member(Member& member, int rate_spacing_cells);
 
 /// Draws distances in to three standard deviations from the mean: a few members that have
-/// run away weigh little in any regression, and nothing tells their far fronts to come
-/// back. The standard deviation is that of a Gaussian with the same mean absolute
-/// deviation.
+/// run away weigh little in any regression, and nothing makes their far fronts come back.
+/// The standard deviation is that of a Gaussian with the same mean absolute deviation.
 void draw_in(std::vector<Member>& members);
 
 }  // namespace skein::monitoring

@@ -39,7 +39,7 @@ void spread(const model::Grid& grid, std::vector<std::size_t> open, Mask& marked
   }
 }
 
-// One round of growth of the nodes of `front` into nodes that may be entered.
+// One step of growth of the nodes of `front` into nodes that may be entered.
 template <class Enter>
 std::vector<std::size_t> grow(const model::Grid& grid,
                               const std::vector<std::size_t>& front, const Enter& enter) {

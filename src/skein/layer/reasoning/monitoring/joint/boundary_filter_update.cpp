@@ -18,11 +18,11 @@ constexpr int kSureCount = 4;        // so many agreeing readings are not all fa
 constexpr double kStepShare = 0.3;   // of the bearings that lie at steps of the boundary
 constexpr double kStepNoise = 3;     // texture there, of the mean one
 constexpr double kLevelNoise = 0.4;  // and elsewhere
-constexpr double kSurprise = 2.5;    // sigma from which a crossing softens the belief
-constexpr double kSoftening = 3;     // most it then adds, of the variance there was
-constexpr double kRateShare = 0.1;   // of the age, in which a rate has gone wrong
-constexpr double kBump = 0.25;       // width of what widen() opens [rad]
-constexpr double kObvious = 3.2;     // readings this many sigma off teach nothing
+constexpr double kSurprise = 2.5;   // sigma from which a crossing inflates the covariance
+constexpr double kSoftening = 3;    // maximum it then adds, of the variance there was
+constexpr double kRateShare = 0.1;  // of the age, in which a rate has gone wrong
+constexpr double kBump = 0.25;      // width of what widen() opens [rad]
+constexpr double kObvious = 3.2;    // readings this many sigma off teach nothing
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace skein::monitoring {
 namespace {
 
 constexpr double kForget = 1e-6;  // share of the weights returned per reading
-constexpr double kFloor = 1e-6;   // most that one reading takes from a weight
+constexpr double kFloor = 1e-6;   // maximum that one reading takes from a weight
 constexpr double kLost = 1e-3;    // weight below which a hypothesis counts for nothing
 constexpr double kSurprise = 3;   // sigma that a boundary may be off after widening
 constexpr double kMinRadius = 1;  // of a reported point [m]
@@ -60,7 +60,7 @@ void JointEstimator::predict(Time time) {
   restart_invalid();
 }
 
-// A filter whose numbers have run away starts again from what was told at the beginning.
+// A filter whose numbers have run away starts again from what was given at the beginning.
 void JointEstimator::restart_invalid() {
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     if (filters_[i].sound()) continue;

@@ -17,7 +17,7 @@ struct JointOptions {
       20;                    ///< time over which position errors wander; 0 = white [s]
   double false_rate = 1e-3;  ///< probability that a reading is wrong [-]
   double outlier = 1e-6;     ///< readings less probable than this are set aside [-]
-  int patience = 2;  ///< outliers in a row before the belief gives way instead [-]
+  int patience = 2;  ///< outliers in a row before the belief is corrected instead [-]
   double growth_horizon = 60;  ///< time over which sigma_growth is the mean [s]
 };
 

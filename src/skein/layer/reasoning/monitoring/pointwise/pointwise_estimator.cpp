@@ -130,7 +130,8 @@ std::size_t PointwiseEstimator::nearest_in_bearing(const Vec2& where) const {
 
 BoundaryEstimate PointwiseEstimator::boundary() const {
   const std::size_t count = points_.size();
-  const std::size_t reach = 3;  // neighbours each way that give the direction of the edge
+  const std::size_t reach =
+      3;  // neighbours on each side that give the direction of the edge
   BoundaryEstimate estimate{now_, {{}}};
   std::vector<BoundaryPoint>& ring = estimate.rings.front();
   ring.reserve(count);

@@ -40,7 +40,7 @@ class Orders {
   std::map<EntityId, Order> orders_;
 };
 
-/// Whether a place lies in a no-flight zone.
+/// Whether a place lies in a no-fly zone.
 bool in_zone(std::span<const Zone> zones, const Vec2& place);
 
 }  // namespace skein::monitoring

@@ -37,7 +37,7 @@ class SweepStrategy : public MonitoringStrategy {
     bool clockwise = true;
     Time begun;
     Time decided;
-    Time arrived_after;  ///< before this it is on its way to the arc
+    Time arrived_after;  ///< before this it is en route to the arc
     Vec2 start = Vec2::Zero();
   };
   struct Arc {
@@ -52,7 +52,7 @@ class SweepStrategy : public MonitoringStrategy {
     std::size_t aircraft = 0;
     double window_m = 0;  // looked ahead along the edge
     std::vector<int> by;  // how many will see each point
-    std::vector<int> at;  // how many are there now, or on their way there
+    std::vector<int> at;  // how many are there now, or en route there
   };
 
   double gain(const BoundaryLine& line, std::size_t start, bool clockwise, double t_go,

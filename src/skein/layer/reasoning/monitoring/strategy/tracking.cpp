@@ -72,7 +72,8 @@ std::vector<Assignment> TrackingStrategy::assign(const MonitoringSituation& situ
     const AircraftStatus& aircraft = situation.aircraft[k];
     const auto given = given_.find(aircraft.id);
     const bool fresh = given == given_.end();
-    if (!fresh && !options_.predicted) continue;  // follows the real edge until told else
+    if (!fresh && !options_.predicted)
+      continue;  // follows the real edge until a new order
     if (!fresh && !aircraft.task_done &&
         (situation.now - given->second).seconds() < options_.renew_period)
       continue;

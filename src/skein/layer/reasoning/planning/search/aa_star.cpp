@@ -19,18 +19,19 @@ namespace skein::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Ways keep this far from discs and corners, so that rounding is no conflict [m].
+// Routes keep this far from discs and corners, so that rounding is no conflict [m].
 constexpr double kMargin = 0.02;
 struct Try {
   int detours;
   double heuristic_weight;
 };
 constexpr std::array<Try, 4> kTries = {{{1, 1}, {1, 1.1}, {1, 1.5}, {3, 1}}};
-constexpr std::int64_t kOfDetours = 6;  // each may use this part of the states left
-// By which part of the best path's time other ways may seem longer at first.
+constexpr std::int64_t kOfDetours = 6;  // each may use this part of the expansions left
+// By which part of the best path's time other routes may seem longer at first.
 constexpr double kOtherDetours = 0.05;
 
-// Finer and less greedy from round to round; each may use a part of what is left.
+// Finer and with a smaller heuristic weight from pass to pass; each may use a part of
+// what is left.
 struct Pass {
   double finest, heuristic_weight, share;
 };
@@ -103,7 +104,7 @@ void Planning::take_direct() {
   take(swerve(*direct, map_, budget_));
 }
 
-// Exact where turns along all arcs can be flown. The whole way then is the shortest of
+// Exact where turns along all arcs can be flown. The whole route then is the shortest of
 // its kind.
 bool Planning::fly_exactly(const Detour& detour) {
   if (!query_.wind.isZero()) return false;
@@ -166,7 +167,7 @@ void Planning::follow(const Detour& detour, bool quickest) {
     shortest_ = quickest;
     return;
   }
-  // A way that cannot be flown as it is still tells where to pass.
+  // A route that cannot be flown as it is still shows where to pass.
   auto trajectory = follow_detour(detour, map_, budget_, Detail::kCoarse);
   if (!trajectory && !done())
     trajectory = follow_detour(detour, map_, budget_, Detail::kFine);
@@ -177,7 +178,7 @@ void Planning::follow(const Detour& detour, bool quickest) {
 void Planning::take_levels() {
   for (const double level : levels_between(map_)) {
     if (done()) return;
-    // Up at the start and down at the goal, or on the way.
+    // Up at the start and down at the goal, or in between.
     for (const double part : {0.5, 0.25, 0.0}) {
       FlightState begin = query_.start, end = query_.goal;
       const Vec3 straight = query_.goal.p_N - query_.start.p_N;
@@ -251,7 +252,7 @@ PlannedPath Planning::answer() {
   best_.outcome = all ? PlanningOutcome::kNoPath : PlanningOutcome::kNothingFound;
   best_.reason =
       all ? "no path was found among the manoeuvres of this planner; all were looked at"
-          : fmt::format("the budget ended after {} states, before the first path",
+          : fmt::format("the budget ended after {} expansions, before the first path",
                         best_.states);
   return std::move(best_);
 }

@@ -6,18 +6,18 @@ namespace skein::planning {
 
 class AirspaceMap;
 
-/// Paths of least time around what is in the way: accelerated A* over manoeuvres, begun
-/// with what a graph of tangents finds, bettered until the budget ends.
+/// Paths of minimum time around obstacles: accelerated A* over manoeuvres, begun with
+/// what a graph of tangents finds, bettered until the budget ends.
 ///
-/// 1. The link that nothing is in the way of; if it is free and regular, it is the best.
-/// 2. Ways around zones (TangentGraph), flown exactly without wind and discs no smaller
+/// 1. The direct link; if it is free and regular, it is the best.
+/// 2. Routes around zones (TangentGraph), flown exactly without wind and discs no smaller
 ///    than the turn radius, else followed by links; swerves around single conflicts;
 ///    circling until something has gone.
-/// 3. Rounds of accelerated A*, each with a finer step and a smaller weight of the time
-///    left, and only for paths quicker than the best so far; each path is improved.
+/// 3. Passes of accelerated A*, each with a finer step and a smaller heuristic weight,
+/// and only for paths quicker than the best so far; each path is improved.
 ///
 /// Ends as kFound when the path is at most `gap` slower than the bound, is the shortest
-/// of tangents and arcs where those can be flown, or when the finest round has nothing
+/// of tangents and arcs where those can be flown, or when the finest pass has nothing
 /// left to look at; as kBudgetEnded with the best path otherwise.
 ///
 /// No path is deeper than 0.1 m in a zone or another's room; see AirspaceMap for the
@@ -26,7 +26,7 @@ class AirspaceMap;
 class AaStar final : public PathPlanner {
  public:
   struct Options {
-    bool detours = true;     ///< begin with ways around zones
+    bool detours = true;     ///< begin with routes around zones
     bool manoeuvres = true;  ///< search over manoeuvres
     double gap = 0.001;      ///< to the bound, at which nothing better is looked for
   };

@@ -13,7 +13,7 @@ namespace skein::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// How exactly the time of a conflict is told, with words and without [s].
+// How exactly the time of a conflict is reported, with words and without [s].
 constexpr double kReported = 0.01, kMet = 0.2;
 // Depth is looked for during this time after a conflict begins [s].
 constexpr double kDepthTime = 2;

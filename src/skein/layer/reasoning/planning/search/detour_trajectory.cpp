@@ -24,7 +24,7 @@ struct Offer {
 };
 using Layer = std::vector<Offer>;
 
-// The states beside a place on an arc: further out and turned.
+// The waypoints beside a place on an arc: further out and turned.
 void offer(const Detour::Arc& arc, double turned, const PathQuery& query, double altitude,
            Detail detail, Layer& layer) {
   const bool fine = detail == Detail::kFine;
@@ -107,8 +107,8 @@ void arrive_earliest(std::vector<Layer>& layers, const AirspaceMap& map,
 }
 
 // Best-first from offer to offer, each link looked at only when its turn comes: one with
-// the least time so far and kGreed times the time that the way takes from there on. That
-// arrives soon, not at the earliest time.
+// the minimum time so far and kGreed times the time that the route takes from there on.
+// That arrives soon, not at the earliest time.
 class GreedyArrival {
  public:
   GreedyArrival(std::vector<Layer>& layers, const AirspaceMap& map, SearchBudget& budget)
@@ -168,7 +168,7 @@ class GreedyArrival {
   std::vector<Layer>& layers_;
   const AirspaceMap& map_;
   SearchBudget& budget_;
-  std::vector<double> left_;  // from each layer to the goal along the way [s]
+  std::vector<double> left_;  // from each layer to the goal along the route [s]
   std::priority_queue<Trial> open_;
 };
 

@@ -24,7 +24,7 @@ void add_rounds(const Zone& zone, const DetourMargins& margins,
   }
 }
 
-// The pieces of a way over ground, as if flown without wind, in time and altitude.
+// The pieces of a route over ground, as if flown without wind, in time and altitude.
 FlightPlan geometry_of(const Detour& detour, const GroundSpeed& speed,
                        const DetourRequest& request) {
   FlightPlan plan;

@@ -36,8 +36,8 @@ struct FleetPlan {
 /// Prioritised planning: each aircraft plans around the flights of those before it. Where
 /// some find no flight all is planned anew with these first, four times at most, and the
 /// plan with the most flights is taken. An aircraft takes the earliest arrival among
-/// going straight at once, starting later, and swerving or searching for a way at once or
-/// later.
+/// going straight at once, starting later, and swerving or searching for a path at once
+/// or later.
 ///
 /// No two planned flights come into each other's rooms, whichever was planned first: for
 /// those that plan later a room reaches in both directions of time as far as the longer

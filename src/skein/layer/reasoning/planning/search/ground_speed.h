@@ -15,9 +15,9 @@ class GroundSpeed {
   GroundSpeed(double airspeed, const Vec2& wind);
 
   double along(const Vec2& unit) const;
-  /// Time of a straight way [s].
+  /// Time of a straight path [s].
   double straight(const Vec2& leg) const;
-  /// Time of a way along a circle over ground [s], from a course on.
+  /// Time of an arc over ground [s], from a course on.
   /// @param turned  by how much the course changes [rad], positive right.
   double arc(double radius, double course, double turned) const;
   double slowest() const { return airspeed_ - wind_.norm(); }

@@ -5,9 +5,9 @@
 
 namespace skein::planning {
 
-/// The way from one flight state to another with nothing in between: the exact connection
-/// in wind, climbed or sunk evenly; where that is too steep, full turns come first, as
-/// wide as the time needed makes them.
+/// The path from one flight state to another with nothing in between: the exact
+/// connection in wind, climbed or sunk evenly; where that is too steep, full turns come
+/// first, as wide as the time needed makes them.
 struct Link {
   model::Connection connection;  ///< after the wait
   double wait = 0;               ///< of the full turns that come first [s]
@@ -16,7 +16,8 @@ struct Link {
 };
 
 /// The link, circling no longer than climbing needs.
-/// @param wait  to circle at least before the way is begun [s]: 0 or a full turn or more.
+/// @param wait  to circle at least before the path is begun [s]: 0 or a full turn or
+/// more.
 /// Cost: one connection; with circling in wind some more.
 Link link(const FlightState& from, const FlightState& to, const PathQuery& query,
           double wait = 0);
@@ -35,9 +36,9 @@ double full_turn(const PathQuery& query);
 /// Whether no flight between the two states is quicker than the link.
 bool is_exact(const Link& link);
 
-/// A time that no flight from one state to the other can be quicker than [s], whatever is
-/// in the way: the connection's; where that is irregular, distance / (V + |w|). At least
-/// what climbing takes.
+/// A time that no flight from one state to the other can be quicker than [s], whatever
+/// the obstacles: the connection's; where that is irregular, distance / (V + |w|). At
+/// least what climbing takes.
 double min_time(const Link& link, const FlightState& from, const FlightState& to,
                 const PathQuery& query);
 

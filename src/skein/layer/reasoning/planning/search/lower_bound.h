@@ -9,7 +9,7 @@ struct LowerBound {
   double time = 0;  ///< [s]; infinite when there is no flight at all
 };
 
-/// The least time of a point that may turn at once and keeps out of the zones that hold
+/// The minimum time of a point that may turn at once and keeps out of the zones that hold
 /// at all times and altitudes: straights at the speed over ground along them, and arcs.
 ///
 /// Corners are passed 0.02 m away, which is taken off again.

@@ -17,7 +17,7 @@ constexpr double kLargest = 8;       // step, in turn radii
 constexpr double kOfRoom = 0.6;      // step, of the room
 constexpr double kSame = 0.5;        // of the step: nearer states are the same
 constexpr double kMaxTurn = 1.2;     // of a manoeuvre [rad]
-constexpr double kPrune = 1 - 1e-4;  // what gains less is not wanted
+constexpr double kPrune = 1 - 1e-4;  // what gains less is discarded
 constexpr int kAncestors = 8;
 
 struct State {
@@ -25,7 +25,7 @@ struct State {
   double time;
   double step;          // [m]
   std::int32_t parent;  // -1: the start
-  double wait;          // on the way from the parent [s]
+  double wait;          // on the link from the parent [s]
 };
 
 struct Open {

@@ -6,13 +6,13 @@
 
 namespace skein::planning {
 
-/// One round of accelerated A*.
+/// One pass of accelerated A*.
 struct SearchRound {
-  double finest = 0.5;          ///< least step, in turn radii
-  double heuristic_weight = 1;  ///< weight of the time left: above 1 sooner, not the best
-  double better = 1e300;        ///< only paths that take less are wanted [s]
-  bool first = true;            ///< end with the first path
-  std::int64_t states = 1'000'000;  ///< to be looked at in this round
+  double finest = 0.5;              ///< minimum step, in turn radii
+  double heuristic_weight = 1;      ///< heuristic weight: above 1 sooner, not the best
+  double better = 1e300;            ///< only paths that take less are sought [s]
+  bool first = true;                ///< end with the first path
+  std::int64_t states = 1'000'000;  ///< expansions of this pass at most
 };
 
 /// How it ended.
@@ -27,7 +27,7 @@ struct SearchResult {
 /// - The step of a manoeuvre grows with the room around its begin, from `finest` turn
 ///   radii to eight.
 /// - The time left is estimated by the link to the goal (`min_time`). A state whose
-///   link is free ends its branch: no other way on from it is quicker.
+///   link is free ends its branch: no other path on from it is quicker.
 /// - A new state is linked with the ancestors of its parent as long as that is free.
 /// - States whose position and heading differ by less than a tolerance that is a part of
 ///   their step (and whose times do where something depends on it) are the same; the

@@ -13,7 +13,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Against planned flights, time is looked at in pieces no longer than this [s].
 constexpr double kFlightLeaf = 0.05;
 
-// Where a straight way between two points is at a part of it.
+// Where a straight path between two points is at a part of it.
 template <class T>
 T between(const T& a, const T& b, double part) {
   return a + part * (b - a);
@@ -26,7 +26,7 @@ double edges_gap(const Obstacle& o, const geo::Ring& ring, const Vec2& p, const 
     const auto k = static_cast<std::size_t>(i);
     least = std::min(least, distance(p, q, ring[k], ring[(k + 1) % n]));
   }
-  // On or across an edge: as deep as can be told from here.
+  // On or across an edge: as deep as can be known from here.
   return least > 0 ? least : -1;
 }
 

@@ -14,8 +14,8 @@ namespace skein::planning {
 /// that a path may follow a border. With the error of chords that is at most 0.08 m.
 inline constexpr double kDepth = 0.05;
 
-/// A piece of what is in the way: a disc, a few edges of a ring, what lies inside of a
-/// ring, something that moves, a piece of a planned flight.
+/// A piece of an obstacle: a disc, a few edges of a ring, what lies inside of a ring,
+/// something that moves, a piece of a planned flight.
 struct Obstacle {
   enum class Kind : std::uint8_t { kDisc, kEdges, kInside, kMover, kFlight };
   Kind kind = Kind::kDisc;
@@ -62,7 +62,7 @@ struct RingShape {
 ///   it is in the whole piece's range of times.
 ///
 /// @param ring  of the obstacle's zone, if it has one.
-/// @param leaf  how exactly the time is wanted [s]; infinite: only whether.
+/// @param leaf  how exactly the time is needed [s]; infinite: only whether.
 /// @returns     seconds after the element's start, at or shortly before the contact;
 ///              negative if there is none.
 double first_contact(const Obstacle& obstacle, const RingShape& ring,

@@ -140,7 +140,8 @@ std::string problem_of_limits(const PathQuery& q) {
   for (const std::string& problem : limits)
     if (!problem.empty()) return problem;
   if (q.budget.states <= 0)
-    return fmt::format("the budget is {} states; it must be above 0", q.budget.states);
+    return fmt::format("the budget is {} expansions; it must be above 0",
+                       q.budget.states);
   if (!(q.least.x() < q.most.x() && q.least.y() < q.most.y()))
     return "the map's corner in the south-west is not south-west of the other one";
   return "";

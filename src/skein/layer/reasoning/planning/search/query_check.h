@@ -10,8 +10,8 @@ namespace skein::planning {
 /// positive, wind too strong, places off the map. Nothing when it can be planned.
 std::optional<PlannedPath> refuse_flight(const PathQuery& query);
 
-/// What is wrong with the airspace of a query: zones that cross themselves or run the
-/// wrong way, no numbers. A map can be made of what is not refused.
+/// What is wrong with the airspace of a query: zones that cross themselves or run in the
+/// wrong sense, no numbers. A map can be made of what is not refused.
 /// Cost: quadratic in the corners of each ring.
 std::optional<PlannedPath> refuse_airspace(const PathQuery& query);
 

@@ -23,7 +23,7 @@ constexpr std::array kLeaves = {0.6, 0.0};
 // Where it is joined again, after the conflict: turning times.
 constexpr std::array kJoins = {0.5, 2.0, 5.0};
 
-// Tries that use up their states, before another path is planned.
+// Tries that use up their expansions, before another path is planned.
 constexpr std::int64_t kTries = 3;
 
 struct Joint {

@@ -28,17 +28,17 @@ struct RepairOptions {
   /// A repaired path that takes this much longer than what is possible at least is
   /// compared with one planned anew.
   double worse = 0.03;
-  std::int64_t states = 400;  ///< for each try to rejoin
-  std::int64_t anew = 800;    ///< states for planning anew, within the query's budget
+  std::int64_t states = 400;  ///< expansions for each try to rejoin
+  std::int64_t anew = 800;    ///< expansions for planning anew, within the query's budget
 };
 
-/// A path for an aircraft that follows a plan when something new is in the way, or when
-/// it has left its plan too far: what is still good of the plan is kept.
+/// A path for an aircraft that follows a plan when a new obstacle blocks it, or when it
+/// has left its plan too far: what is still good of the plan is kept.
 ///
 /// The old plan is left where the aircraft is, or later but before the conflict, and
 /// joined again behind it, at a few places each; between them a path is planned with few
-/// states. Planned anew when that fails or takes much longer than the least time, with
-/// the query's whole budget if it finds nothing with few states.
+/// expansions. Planned anew when that fails or takes much longer than the minimum time,
+/// with the query's whole budget if it finds nothing with few expansions.
 ///
 /// @param old    the plan so far, on the run's clock.
 /// @param query  start and start time are the aircraft's now; its goal is the plan's.

@@ -8,7 +8,7 @@
 namespace skein::planning {
 namespace {
 
-// How far beside a conflict states are tried: in steps that grow, from the turn radius
+// How far beside a conflict waypoints are tried: in steps that grow, from the turn radius
 // times the first.
 constexpr double kFirstOffset = 0.4, kOffsetGrowth = 1.7;
 constexpr int kOffsets = 7;
@@ -16,7 +16,7 @@ constexpr int kOffsets = 7;
 constexpr double kFirstUp = 12, kUpGrowth = 1.8;
 constexpr int kUps = 4;
 
-// How a chain fares: until when it is free, and how long it takes.
+// The cost of a trajectory: until when it is free, and how long it takes.
 struct Fare {
   Trajectory trajectory;
   double free_until = 0;
@@ -39,11 +39,11 @@ Fare cost(Trajectory trajectory, const AirspaceMap& map) {
   return out;
 }
 
-// The states that are tried in place of a conflict.
+// The waypoints that are tried in place of a conflict.
 std::vector<FlightState> beside(const Conflict& conflict, const FlightState& at,
                                 double turn_radius, bool vertical) {
   std::vector<FlightState> states;
-  // The middle of what is in the way is some way on.
+  // The middle of the obstacle is some distance on.
   const auto add = [&](double along, double across, double up) {
     FlightState s = at;
     s.p_N = conflict.p_N;

@@ -22,21 +22,21 @@ struct Tangent {
   Vec2 begin, end;
 };
 
-// A tangent's end: on a round, with the course of the tangent.
+// A tangent's end: on a circle, with the course of the tangent.
 struct Node {
   std::size_t obstacle;
   int side;
   double course, time;
   Vec2 p;
   std::int32_t parent;
-  double turned;         // on the parent's round before the tangent
+  double turned;         // on the parent's circle before the tangent
   double blocked = 1e9;  // an arc of this length from here is not free [rad]
 };
 
 struct Open {
   double bound, time;
   std::int32_t parent;   // node
-  std::int32_t tangent;  // of the parent's round and side; -1: along the goal's circle
+  std::int32_t tangent;  // of the parent's circle and side; -1: along the goal's circle
   double turned;
   bool operator<(const Open& other) const {
     return bound != other.bound ? bound > other.bound : parent > other.parent;
@@ -155,7 +155,7 @@ double Search::altitude(double time, const Vec2& p) const {
          part * (request_.goal_altitude - request_.start_altitude);
 }
 
-// A piece of the way, as if flown without wind.
+// A piece of the route, as if flown without wind.
 FlightElement Search::geometry(const Vec2& from, double course, double turn,
                                double length, double begin, double end,
                                const Vec2& to) const {
@@ -198,7 +198,7 @@ bool Search::straight_free(const Node& from, const Tangent& t, double begin) {
   return free;
 }
 
-// Whether one gets there no later along the round from where one has been on it.
+// Whether one gets there no later along the circle from where one has been on it.
 bool Search::dominated(std::size_t obstacle, int side, double course, double time) {
   if (map_.is_timed()) return false;
   for (const std::int32_t index : arrivals_[row(obstacle, side)]) {

@@ -9,14 +9,14 @@
 
 namespace skein::planning {
 
-/// Something to go around: a disc, or a convex corner as a tiny one.
+/// A circular obstacle: a disc, or a convex corner as a tiny one.
 struct CircularObstacle {
   Vec2 centre = Vec2::Zero();  ///< [m]
   double radius = 0;           ///< [m]
   bool corner = false;
 };
 
-/// A way of arcs along rounds with straights between. An arc may have no length.
+/// A route of arcs along circles with straights between. An arc may have no length.
 struct Detour {
   struct Arc {
     CircularObstacle obstacle;
@@ -28,7 +28,7 @@ struct Detour {
   double time = 0;        ///< at the speeds over ground along it [s]
 };
 
-/// What a way around discs and corners has to be.
+/// What a route around discs and corners has to be.
 struct DetourRequest {
   Vec2 start = Vec2::Zero(), goal = Vec2::Zero();  ///< [m]
   double start_course = 0, goal_course = 0;        ///< [rad]
@@ -37,27 +37,28 @@ struct DetourRequest {
   double turn_radius = 0;
   double start_time = 0;                         ///< [s]
   double start_altitude = 0, goal_altitude = 0;  ///< [m]
-  double max_time = 1e300;  ///< ways that take longer are not looked for [s]
+  double max_time = 1e300;  ///< routes that take longer are not looked for [s]
   int detours = 1;          ///< how many to look for
-  /// Weight of the time left: 1 finds the quickest first, more finds one sooner that
-  /// takes at most so many times longer.
+  /// Heuristic weight: 1 finds the quickest first, more finds one sooner that takes at
+  /// most so many times longer.
   double heuristic_weight = 1;
 };
 
-/// How a search for ways ended.
+/// How a search for routes ended.
 struct Detours {
   std::vector<Detour> detours;  ///< the quickest first
-  bool complete = false;        ///< all was looked at: there is no other way of this kind
-  std::int64_t states = 0;      ///< eight tangents, which are quickly looked at, are one
+  bool complete = false;  ///< all was looked at: there is no other route of this kind
+  std::int64_t states =
+      0;  ///< expansions; eight tangents, which are quickly looked at, are one
 };
 
-/// Ways of least time that consist of straights and arcs along rounds: A* over the common
-/// tangents, each looked at only when its turn comes.
+/// Routes of minimum time that consist of straights and arcs along circles: A* over the
+/// common tangents, each looked at only when its turn comes.
 ///
-/// For a point among discs (turn_radius 0) the way found is the shortest of all ways; for
-/// an aircraft without wind it is the shortest of those that turn at the start and the
-/// goal at turn_radius and along rounds between, which can be flown where no round is
-/// smaller than turn_radius.
+/// For a point among discs (turn_radius 0) the route found is the shortest of all routes;
+/// for an aircraft without wind it is the shortest of those that turn at the start and
+/// the goal at turn_radius and along circles between, which can be flown where no circle
+/// is smaller than turn_radius.
 ///
 /// The tangent from a circle (c, r, side s) to another (c', r', s') has the course
 ///
@@ -66,10 +67,9 @@ struct Detours {
 /// with s = +1 for right turns.
 ///
 /// @param map  what straights and arcs must keep out of, as flown without wind at the
-///             altitude that changes evenly over the way.
-/// Cost:     of N rounds at most N^2 tangents at each of at most 4 N^2 states; in
-/// practice
-///           a small part. Looks at no more than `budget.states`.
+///             altitude that changes evenly over the route.
+/// Cost:     of N circles at most N^2 tangents at each of at most 4 N^2 nodes;
+///           in practice a small part. Looks at no more than `budget.states`.
 Detours find_tangent_paths(const AirspaceMap& map,
                            std::span<const CircularObstacle> obstacles,
                            const GroundSpeed& speed, const DetourRequest& request,

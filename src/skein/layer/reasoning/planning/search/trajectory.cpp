@@ -10,13 +10,13 @@
 namespace skein::planning {
 namespace {
 
-// The budget's stop is asked once in so many states.
+// The budget's stop is asked once in so many expansions.
 constexpr std::int64_t kBetweenAsking = 64;
 // Gains below this are none [s].
 constexpr double kGain = 1e-6;
 constexpr int kMaxSweeps = 400;
 
-// A new piece of a chain in place of what is between states `first` and `last`.
+// A new piece of a trajectory in place of what is between states `first` and `last`.
 struct Change {
   std::size_t first, last;
   double wait;  // at the first

@@ -13,7 +13,7 @@ class SearchBudget {
  public:
   explicit SearchBudget(const PlanningBudget& budget) : budget_(&budget) {}
 
-  /// Counts states; false when the budget has ended.
+  /// Counts expansions; false when the budget has ended.
   bool spend(std::int64_t states = 1);
   bool ended() const { return ended_; }
   std::int64_t states() const { return states_; }
@@ -21,7 +21,7 @@ class SearchBudget {
 
   /// From now on there is a path: `enough` ends the search.
   void has_path() { has_path_ = true; }
-  /// The budget of a part of the search: of the states that are left, the `share`-th
+  /// The budget of a part of the search: of the expansions that are left, the `share`-th
   /// part.
   PlanningBudget part(std::int64_t share) const;
 
@@ -31,37 +31,37 @@ class SearchBudget {
   bool ended_ = false, has_path_ = false;
 };
 
-/// A state on the way, and how long to circle from there before going on.
+/// A waypoint: a flight state, and how long to circle from there before going on.
 struct Waypoint {
   FlightState at;
   double wait = 0;  ///< 0, or a full turn or more [s]
 };
 
-/// Flight states that are joined by links, flown from a time on.
+/// A trajectory: flight states that are joined by links, flown from a time on.
 struct Trajectory {
   std::vector<Waypoint> states;  ///< at least two
   std::vector<double> times;     ///< at which each is reached [s]
   double duration() const { return times.back() - times.front(); }
 };
 
-/// The chain of given states; nothing where a link does not exist.
+/// The trajectory through given waypoints; nothing where a link does not exist.
 std::optional<Trajectory> make_trajectory(std::vector<Waypoint> states,
                                           const PathQuery& query);
 
-/// All elements of a chain.
+/// All elements of a trajectory.
 FlightPlan to_flight_plan(const Trajectory& trajectory, const PathQuery& query);
 
-/// Makes a free chain quicker while it stays free: leaves out states and waits, and moves
-/// states along, across, up and down and in heading in steps that are halved until
-/// `finest`, as long as anything gets better.
-/// @param finest  least step [m]; headings change by it over the turn radius.
+/// Makes a free trajectory quicker while it stays free: leaves out waypoints and waits,
+/// and moves waypoints along, across, up and down and in heading in steps that are halved
+/// until `finest`, as long as anything gets better.
+/// @param finest  minimum step [m]; headings change by it over the turn radius.
 void improve(Trajectory& trajectory, const AirspaceMap& map, SearchBudget& budget,
              double finest = 0.5);
 
-/// Leads a chain around its conflicts: where it comes into something, a state is put
-/// beside, above or below, whichever gets further or is quicker.
-/// @param most  how many states are put in.
-/// @returns  a free chain, or nothing.
+/// Leads a trajectory around its conflicts: where it comes into something, a waypoint is
+/// put beside, above or below, whichever gets further or is quicker.
+/// @param most  how many waypoints are put in.
+/// @returns  a free trajectory, or nothing.
 std::optional<Trajectory> swerve(Trajectory trajectory, const AirspaceMap& map,
                                  SearchBudget& budget, int most = 6);
 

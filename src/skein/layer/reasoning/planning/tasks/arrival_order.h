@@ -16,7 +16,7 @@ struct Arrivals {
 };
 
 /// Flights that arrive `spacing` seconds after each other, the first at `first`, or as
-/// early as possible. Who can be there first comes first. Needs legs that have a way.
+/// early as possible. Who can be there first comes first. Needs legs that have a path.
 Arrivals arrive_in_order(const std::vector<TimedLeg>& legs, std::optional<double> first,
                          double spacing);
 

@@ -81,7 +81,7 @@ struct CoverageResult {
 /// Plans parallel sweeps over an area so that all aircraft are done as early as possible.
 ///
 /// Bearings 0.25 degrees apart, and besides those of the edges, of the wind and of the
-/// least width, are tried with a simple order of lines; the most promising ones, and
+/// minimum width, are tried with a simple order of lines; the most promising ones, and
 /// bearings in between, with the best order that is found (line_order.h). Over ground the
 /// lines are flown exactly, heading into the wind; connections are the quickest flights.
 ///

@@ -41,7 +41,7 @@ double bearing_of_edge(const geo::Ring& ring, std::size_t i) {
 }
 
 // Along the border of zones nearest to the group and slanted to it, along their long
-// edges nearby, across the way into a corner, and across the lines that there are.
+// edges nearby, across the path into a corner, and across the lines that there are.
 std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& borders,
                                  const geo::Region& group) {
   constexpr std::size_t kBins = 24, kEdges = 3;
@@ -60,8 +60,8 @@ std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& 
   const double along = bearing_of_edge(nearest, static_cast<std::size_t>(near.edge));
   std::vector<double> bearings = {task.bearing + geo::kPi / 2, along,
                                   along + geo::kPi / 4, along - geo::kPi / 4};
-  // Across the way into the nearest corner of what is to be seen; zones that overlap have
-  // corners between them that are none of theirs.
+  // Across the path into the nearest corner of what is to be seen; zones that overlap
+  // have corners between them that are none of theirs.
   Vec2 corner = task.area[0][0];
   for (const geo::Ring& ring : task.area)
     for (const Vec2& p : ring)

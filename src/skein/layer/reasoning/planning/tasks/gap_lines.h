@@ -36,9 +36,9 @@ struct GapLines {
 /// Lines through what the given ones leave unseen.
 ///
 /// Parts that are near to each other are swept at some bearings: along borders nearby,
-/// across the way into corners, across the given lines. Of each sweep the lines count
+/// across the path into corners, across the given lines. Of each sweep the lines count
 /// that see much for their length and a turn, and those at the bearing that sees most are
-/// kept. So on while more is seen that is worth a line, for at most 12 rounds.
+/// kept. So on while more is seen that is worth a line, for at most 12 iterations.
 GapLines gap_lines(const GapTask& task, const std::vector<SweepLine>& lines);
 
 }  // namespace skein::planning

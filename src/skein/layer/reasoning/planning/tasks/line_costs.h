@@ -16,8 +16,7 @@ struct RouteEnds {
   std::optional<model::Pose> start, end;
 };
 
-/// Time lost beyond the free connection between two poses [s], 0 when nothing is in the
-/// way.
+/// Time lost beyond the free connection between two poses [s], 0 when nothing blocks it.
 using DetourTime = std::function<double(const model::Pose& from, const model::Pose& to,
                                         const model::Connection& connection)>;
 

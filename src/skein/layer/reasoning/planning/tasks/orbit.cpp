@@ -72,7 +72,7 @@ OrbitResult too_long(const OrbitQuery& q, double most) {
                              q.duration, most));
 }
 
-// The quickest way to the circle, over all its places.
+// The quickest path to the circle, over all its places.
 FlightPlan way_to_circle(Standoff& s, const OrbitQuery& q) {
   constexpr int kPlaces = 120;
   const model::AirMotion air{s.speed.airspeed, s.speed.turn_radius, q.wind};
@@ -123,7 +123,7 @@ OrbitResult circle(const OrbitQuery& q, double felt) {
   FlightPlan entry = way_to_circle(s, q);
   if (entry.empty()) {
     result.outcome = OrbitOutcome::kNotReached;
-    result.reason = "no way to the circle was found";
+    result.reason = "no path to the circle was found";
     return result;
   }
   result.entry_time = model::end_time_of(entry);
@@ -164,14 +164,14 @@ OrbitResult weave(const OrbitQuery& q, double felt) {
   result.airspeed = std::max(q.limits.airspeed, least);
   const model::AirMotion air{result.airspeed, turn_radius_at(result.airspeed, q.limits),
                              q.wind};
-  // The least turn takes this long, with the target as fast as it may be.
+  // The minimum turn takes this long, with the target as fast as it may be.
   const double turn = 2 * weave_angle(1 / 1.05) * air.turn_radius / air.airspeed;
   if (q.duration / turn > kMaxElements) return too_long(q, turn * kMaxElements);
   result.plan = weave_along(q.target, pose_of(q.start), air, q.start_time, q.duration,
                             q.start.p_N.z(), result.entry_time);
   if (result.plan.empty()) {
     result.outcome = OrbitOutcome::kNotReached;
-    result.reason = "no way to the target was found";
+    result.reason = "no path to the target was found";
     return result;
   }
   result.outcome = OrbitOutcome::kPlanned;

@@ -14,7 +14,7 @@ namespace skein::planning {
 /// How an aircraft stays with a target that is slower than it can fly.
 enum class OrbitKind : std::uint8_t {
   kCircle,  ///< at one distance from it, around and around
-  kWeave,   ///< along its way, in S-turns that take as long as the target does
+  kWeave,   ///< along its track, in S-turns that take as long as the target does
 };
 
 enum class OrbitSide : std::uint8_t { kEither, kClockwise, kAnticlockwise };
@@ -26,7 +26,7 @@ struct OrbitQuery {
   double radius = 150;                  ///< of the circle [m]
   OrbitSide side = OrbitSide::kEither;  ///< seen on the map
   double tolerance = 1;       ///< largest error of the distance on the circle [m]
-  double duration = 300;      ///< with the target, after the way to it [s]
+  double duration = 300;      ///< with the target, after the path to it [s]
   double altitude_msl = 100;  ///< [m]
   double start_time = 0;      ///< [s]
   FlightState start;
@@ -39,7 +39,7 @@ enum class OrbitOutcome : std::uint8_t {
   kOutsideTolerance,  ///< planned, but the error is larger: the target turns too sharply
   kTargetTooFast,     ///< faster through the air than the aircraft
   kRadiusTooSmall,    ///< see `min_radius`
-  kNotReached,        ///< no way to the target was found
+  kNotReached,        ///< no path to the target was found
   kWindTooStrong,     ///< at or above the fastest airspeed
   kBadTarget,
   kBadOrbit,     ///< radius, tolerance or duration
@@ -53,7 +53,7 @@ std::string_view name_of(OrbitOutcome outcome);
 struct OrbitResult {
   OrbitOutcome outcome = OrbitOutcome::kBadOrbit;
   std::string reason = {};   ///< for people; empty when planned
-  FlightPlan plan;           ///< the way to the target and the orbit
+  FlightPlan plan;           ///< the path to the target and the orbit
   double airspeed = 0;       ///< of the plan [m/s]
   double entry_time = 0;     ///< when the orbit begins [s]
   double min_radius = 0;     ///< of a circle at any allowed airspeed [m]
@@ -62,13 +62,13 @@ struct OrbitResult {
   double farthest = 0;       ///< [m]
 };
 
-/// Plans the quickest way to an orbit around a target, and the orbit.
+/// Plans the quickest path to an orbit around a target, and the orbit.
 ///
 /// *Circle.* In the frame of the target the aircraft flies a circle in the relative wind
 /// w - v_target (standoff.h). It is made of turns at constant rate, shorter and shorter
 /// ones until the distance is within the tolerance. Where a track changes its velocity
-/// the circle is left, and found again. The way is the quickest one onto a tangent of the
-/// circle, over all places of it.
+/// the circle is left, and found again. The path is the quickest one onto a tangent of
+/// the circle, over all places of it.
 ///
 /// *Weave.* With c = v_target - w turns from heading c - A to c + A and back advance at
 ///

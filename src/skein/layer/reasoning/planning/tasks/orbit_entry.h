@@ -13,7 +13,7 @@ using MovingPose = std::function<model::Pose(double time)>;
 
 /// The quickest flight to a pose that moves, level at `down`; empty when none is found.
 ///
-/// For a target that moves evenly as long as the way takes this is the exact connection
+/// For a target that moves evenly as long as the path takes this is the exact connection
 /// in its frame, where the wind is w - v_target; else the time of arrival is a fixed
 /// point of "fly to where it will be then", and without one the first of times one second
 /// apart that can be met exactly by a detour (model/connection/arrival.h).

@@ -156,7 +156,7 @@ PatrolResult plan_patrol(const PatrolQuery& query) {
   result.flown_over = b.course.flown_over;
   result.begins = b.arrivals.times;
   if (b.arrivals.status != TimedStatus::kFound)
-    return refused(PatrolOutcome::kBadAircraft, "no way to the line was found");
+    return refused(PatrolOutcome::kBadAircraft, "no path to the line was found");
   result.first_end =
       *std::min_element(result.begins.begin(), result.begins.end()) + b.pass_time;
   int most = 0;

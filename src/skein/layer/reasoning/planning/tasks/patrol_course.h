@@ -15,7 +15,7 @@ struct PatrolLeg {
   double early = 0;  ///< and ends this far before b [m]
 };
 
-/// One round of a patrol: legs in order; behind each one the way to the next, behind the
+/// One round of a patrol: legs in order; behind each one the path to the next, behind the
 /// last one to the first.
 struct PatrolCourse {
   std::vector<PatrolLeg> legs;

@@ -57,7 +57,7 @@ struct RendezvousResult {
 /// Plans flights that are at their goals at one time, or one after the other.
 ///
 /// Each arrives exactly, by its airspeed as far as that goes, then by detours
-/// (timed_flight.h). Goals and ways are not kept apart: give goals that are.
+/// (timed_flight.h). Goals and paths are not kept apart: give goals that are.
 RendezvousResult plan_rendezvous(const RendezvousQuery& query);
 
 }  // namespace skein::planning

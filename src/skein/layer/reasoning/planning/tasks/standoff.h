@@ -41,7 +41,7 @@ double min_standoff(const FlightLimits& limits, double felt, double wind);
 struct Standoff {
   MovingTarget target;
   double radius = 100;       ///< [m]
-  int side = 1;              ///< 1 clockwise on the map, -1 the other way
+  int side = 1;              ///< 1 clockwise on the map, -1 counter-clockwise
   Vec2 wind = Vec2::Zero();  ///< over ground [m/s]
   FlyingSpeed speed;
 };

@@ -49,7 +49,7 @@ std::vector<int> pieces_for(const SweepTask& task, std::size_t lines) {
   return {1, 2, static_cast<int>(aircraft)};
 }
 
-// The quickest way from a line to one beside it, both ending at the same level [s].
+// The quickest path from a line to one beside it, both ending at the same level [s].
 double usual_turn(const SweepTask& task, double bearing) {
   double least = 1e300;
   const Vec2 across = geo::turned_right(geo::unit(bearing));
@@ -66,7 +66,8 @@ double usual_turn(const SweepTask& task, double bearing) {
   return least;
 }
 
-// Time on the lines, flown as often one way as the other, and usual turns between [s].
+// Time on the lines, flown as often in one direction as in the other, and usual turns
+// between [s].
 double rough_time(const SweepTask& task, const std::vector<SweepLine>& lines,
                   double bearing, double turn) {
   double slowness = 0;  // of both directions together [s/m]

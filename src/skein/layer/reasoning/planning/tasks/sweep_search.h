@@ -21,7 +21,7 @@ struct SweepTask {
   Watch watch = {};
 };
 
-/// One way to sweep it.
+/// One sweep of it.
 struct Sweep {
   double bearing = 0;  ///< [rad]
   std::vector<SweepLine> lines;
@@ -30,7 +30,7 @@ struct Sweep {
   double total = 1e300;    ///< of all routes [s]
   double unseen = 0;       ///< before zones, though some line might see it [m^2]
   double cost = 1e300;     ///< longest, and more for what is unseen [s]
-  bool too_many = false;   ///< no way: more than kMaxLines lines
+  bool too_many = false;   ///< no solution: more than kMaxLines lines
 };
 
 /// Whether a costs less than b, or as much with less flying.

@@ -54,7 +54,8 @@ std::vector<double> speeds_towards(const TimedLeg& leg, double end) {
   return speeds;
 }
 
-// The airspeed between two at which the quickest way takes `duration`; 0 when that jumps.
+// The airspeed between two at which the quickest path takes `duration`; 0 when that
+// jumps.
 double speed_between(const TimedLeg& leg, double a, double b, double duration) {
   const bool falls = quickest(leg, a) > quickest(leg, b);
   for (int i = 0; i < 100; ++i) {
@@ -71,7 +72,7 @@ struct Quickest {
   double airspeed = 0;   // [m/s]
 };
 
-// The quickest way over all airspeeds: those of the lists, then ever closer to the best.
+// The quickest path over all airspeeds: those of the lists, then ever closer to the best.
 Quickest quickest_of_all(const TimedLeg& leg) {
   Quickest best;
   const auto look = [&](double v) {

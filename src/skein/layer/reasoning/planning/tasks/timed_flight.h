@@ -34,7 +34,7 @@ struct TimedFlight {
   double next = 0;  ///< the first time from the asked one on that was found possible [s]
 };
 
-/// The earliest arrival over all allowed airspeeds [s]; infinite when there is no way.
+/// The earliest arrival over all allowed airspeeds [s]; infinite when there is no path.
 /// Slower flight turns in less room (same bank), so the fastest is not always first
 /// there.
 double earliest_arrival(const TimedLeg& leg);

@@ -10,7 +10,7 @@ using Stop = std::function<bool()>;
 /// Somebody who waits for a long search.
 struct Watch {
   Stop stop = {};
-  /// Told now and then which share of the work is done, 0 to 1, roughly.
+  /// Given now and then which share of the work is done, 0 to 1, roughly.
   std::function<void(double share)> progress = {};
 
   bool stopped() const { return stop && stop(); }

@@ -33,7 +33,7 @@ model::Pose begin_at(const MovingTarget& target, const model::AirMotion& air, do
   return {position_at(target, time), s.middle - side * s.half};
 }
 
-// The quicker way to a first turn; `side` is set to its direction.
+// The quicker path to a first turn; `side` is set to its direction.
 template <class Connect>
 FlightPlan quicker(const Connect& connect, int& side) {
   FlightPlan best;

@@ -6,7 +6,7 @@
 
 namespace skein::planning {
 
-/// The way to a target and S-turns along its way, until `duration` after the first
+/// The path to a target and S-turns along its track, until `duration` after the first
 /// meeting; see OrbitKind::kWeave. Level at `down`.
 /// @param entry  set to the time of the first meeting [s].
 /// @returns      empty when the target cannot be met.

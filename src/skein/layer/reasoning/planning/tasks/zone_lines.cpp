@@ -35,7 +35,7 @@ class TurnRoom {
  public:
   TurnRoom(const ZoneRings& zones, double radius) : zones_(zones), radius_(radius) {}
 
-  // How far before p, on the way along unit vector u, the last such place lies [m]; far
+  // How far before p, on the line along unit vector u, the last such place lies [m]; far
   // away when there is none within a few turns.
   double pull_back(const Vec2& p, const Vec2& u) const {
     constexpr int kSteps = 32, kHalvings = 8;

@@ -135,7 +135,7 @@ class WingmanTest : public testing::Test {
                                  zones};
 };
 
-TEST_F(WingmanTest, LeadsAboveTheHighestGroundOfItsRouteAndTellsWhomItShall) {
+TEST_F(WingmanTest, LeadsAboveTheHighestGroundOfItsRouteAndReportsToWhomItShall) {
   const AgentOutput out =
       step(0, {task(1, FlyRoute{{{0, 0}, {1000, 0}}, 3, {EntityId{5}}})});
   ASSERT_TRUE(out.command);
@@ -173,7 +173,7 @@ TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   const Plan& bent = std::get<FollowPlan>(turning.command->guidance).plan;
   EXPECT_GT(bent.back().p_N.y(), same.back().p_N.y() + 20);
   EXPECT_TRUE(step(6.9, {}).command);
-  EXPECT_FALSE(step(7.1, {}).command) << "nothing was heard for five seconds";
+  EXPECT_FALSE(step(7.1, {}).command) << "nothing was received for five seconds";
 }
 
 TEST_F(WingmanTest, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
@@ -203,7 +203,7 @@ TEST_F(WingmanTest, ReportsThatItDoesNotObeyWhereAFailsafeHasLandedIt) {
     return std::get<AircraftReport>(step(time, {}).outbox.at(0).content).obeys;
   };
   trigger = FailsafeTrigger::kBattery;
-  EXPECT_TRUE(obeys(0)) << "it is told of, and flies on";
+  EXPECT_TRUE(obeys(0)) << "it is reported, and flies on";
   on_ground = true;
   EXPECT_FALSE(obeys(2));
   trigger = FailsafeTrigger::kNone;

@@ -16,11 +16,11 @@ const model::AirMotion kAir{15, 40, {3, 4}};
 TEST(CornerCourses, CrossTheBisector) {
   const std::vector<Vec2> square = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
   const std::vector<double> courses = corner_courses(square);
-  // Clockwise round the square: at (0, 0) coming from the east, leaving to the north.
+  // Clockwise around the square: at (0, 0) coming from the east, leaving to the north.
   EXPECT_NEAR(courses[0], geo::radians(-45), 1e-12);
   EXPECT_NEAR(courses[1], geo::radians(45), 1e-12);
   EXPECT_NEAR(courses[2], geo::radians(135), 1e-12);
-  // There and back: the course of the way to it.
+  // There and back: the course of the path to it.
   const std::vector<double> line = corner_courses(std::vector<Vec2>{{0, 0}, {0, 500}});
   EXPECT_NEAR(line[1], geo::radians(90), 1e-12);
 }
@@ -163,7 +163,7 @@ TEST(TourAgent, PlansAgainWhenItsPlanIsRefused) {
   ASSERT_TRUE(flight.step(0).command);
   // The autopilot goes on with what it flew before, which it may have done.
   flight.curve = {};
-  flight.in.autopilot.refusals = 1;
+  flight.in.command_fate.state = CommandFate::State::kRefused;
   for (double time = 0.5; time < 10.5; time += 0.5)
     EXPECT_FALSE(flight.step(time).command) << time;
   const AgentOutput again = flight.step(10.5);
@@ -173,7 +173,7 @@ TEST(TourAgent, PlansAgainWhenItsPlanIsRefused) {
   EXPECT_FALSE(flight.has_reported("route-done"));
 }
 
-TEST(TourAgent, TellsOnceThatTheWindIsTooStrongAndTriesAgain) {
+TEST(TourAgent, ReportsOnceThatTheWindIsTooStrongAndTriesAgain) {
   TourAgentOptions options = two_laps();
   options.settling = 0;
   Flight flight(options);

@@ -78,7 +78,7 @@ class Flight {
 const std::vector<Verdict> kTrusted = {Verdict::kTrusted};
 const std::vector<Verdict> kOverConfident = {Verdict::kOverConfident};
 
-TEST(ConfidenceMonitor, AnHonestBeliefIsNeverDoubted) {
+TEST(ConfidenceMonitor, AnHonestBeliefIsNeverOverConfident) {
   Flight flight(edge());
   flight.set_lag(4);  // the boundary was believed 4 s ago and has moved 8 m since
   RandomStream random(7, 1, Purpose::kTest);
@@ -129,7 +129,7 @@ TEST(ConfidenceMonitor, AFewSurprisesAreNoProof) {
             kTrusted);
 }
 
-TEST(ConfidenceMonitor, WhatIsTakenBackAtOnceCountsNeitherWay) {
+TEST(ConfidenceMonitor, WhatIsTakenBackAtOnceDoesNotCount) {
   EXPECT_TRUE(Flight(edge(), 1).fly(400, [](int) { return Vec2(2000, 0); }).empty());
 }
 

@@ -9,7 +9,7 @@
 namespace skein::monitoring {
 namespace {
 
-// Records what it is told, in order: an estimator whose belief is its own history.
+// Records what it is given, in order: an estimator whose belief is its own history.
 class Diary : public PerimeterEstimator {
  public:
   /// @param furthest  the latest time that it or a copy was ever carried on to.
@@ -95,7 +95,7 @@ TEST(Belief, LateReadingsGiveTheSameAsPunctualOnes) {
   for (const auto& r : all) crossings += punctual.take({r}).size();
   const std::string expected = punctual_view->text();
 
-  // Aircraft 1 is heard 12 s late, in bunches.
+  // Aircraft 1 is received 12 s late, in bunches.
   Belief late(std::make_unique<Diary>(), 60);
   std::size_t late_crossings = 0;
   for (int t = 0; t < 62; ++t) {
@@ -231,7 +231,7 @@ TEST(Coordinator, ForcesACrossingAfterALongTimeWithout) {
   EXPECT_TRUE(has_event(out, "forced-crossing"));
   const auto tasks = tasks_for(out, 1);
   ASSERT_EQ(tasks.size(), 1u);
-  // It read "inside" last: the way to a sure crossing is outwards, beyond the boundary.
+  // It read "inside" last: a sure crossing is outwards, beyond the boundary.
   EXPECT_GT(std::get<FlyTo>(tasks[0].what).point.x(), 200);
 }
 
@@ -257,7 +257,7 @@ TEST(Coordinator, ALinkThatIsSlowDoesNotSendTheBeliefBackAndForth) {
   EXPECT_EQ(*station.furthest, at(79)) << "nothing comes any more: carried on";
 }
 
-// A zone around the boundary's only point, told as the station's desk tells it.
+// A zone around the boundary's only point, sent as the station's zone server sends it.
 Message zone_around(const Vec2& place, double floor, double from = 0) {
   ZoneChange change{1, true, {.area = Disc{place, 400}, .name = "a"}};
   change.zone.floor_msl = floor;
@@ -268,7 +268,7 @@ Message zone_around(const Vec2& place, double floor, double from = 0) {
 }
 
 TEST(Coordinator, SendsNobodyAcrossTheBoundaryIntoAZone) {
-  // The way to a sure crossing leads to 315 m north; the aircraft fly at 100 m.
+  // The path to a sure crossing leads to 315 m north; the aircraft fly at 100 m.
   for (const auto& [floor, from, forced] : {std::tuple{-10.0, 0.0, false},
                                             {149.0, 0.0, false},
                                             {151.0, 0.0, true},

@@ -30,7 +30,7 @@ TEST(Roster, DoesNotCountOnAnAircraftThatAFailsafeOrAPilotFlies) {
   EXPECT_EQ(roster.find(EntityId{1})->deployed, Time::from_seconds(10));
 }
 
-TEST(Roster, TellsWhoFallsSilentOnce) {
+TEST(Roster, ReportsWhoFallsSilentOnce) {
   const std::array team = {EntityId{1}};
   Roster roster(team, 5);
   roster.take(report(1), EntityId{1}, Time::from_seconds(1));

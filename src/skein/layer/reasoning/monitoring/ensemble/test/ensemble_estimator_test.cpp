@@ -79,7 +79,7 @@ TEST(Ensemble, AnImpossibleReadingIsSetAsideUntilOthersAgree) {
   e.observe(reading(0, spot, true));
   EXPECT_EQ(e.health().outliers, 1);
   EXPECT_EQ(e.ensemble().distance(spot).mean, before);
-  // Expected readings in between: the doubt is forgotten.
+  // Expected readings in between: the outliers are forgotten.
   e.observe(reading(0, Vec2(0, 0), true));
   e.observe(reading(0, spot, true));
   EXPECT_EQ(e.health().outliers, 2);
@@ -170,7 +170,7 @@ TEST(Ensemble, AFarWrongOriginIsForgottenOnceTheEdgeWasFlown) {
   const Vec2 middle(-150, 0);
   for (int t = 1; t <= 200; ++t) {
     e.predict(Time::from_seconds(t));
-    // Round the fire, 30 m to either side of its edge.
+    // Around the fire, 30 m to either side of its edge.
     const auto at = [&](int k) {
       return Vec2(middle + (150 + 30 * std::sin(0.5 * k)) * geo::unit(0.09 * k));
     };
@@ -217,7 +217,7 @@ TEST(Ensemble, SameInputsGiveTheSameBits) {
   EXPECT_EQ(numbers(flown().boundary()), numbers(flown().boundary()));
 }
 
-TEST(Ensemble, ACloneGoesItsOwnWay) {
+TEST(Ensemble, ACloneIsIndependent) {
   EnsembleEstimator e = flown();
   const std::unique_ptr<PerimeterEstimator> copy = e.clone();
   const auto before = numbers(e.boundary());
@@ -225,7 +225,7 @@ TEST(Ensemble, ACloneGoesItsOwnWay) {
   copy->predict(Time::from_seconds(300));
   copy->observe(crossing(300, Vec2(300, 0), Vec2(20, 0), false));
   EXPECT_EQ(numbers(e.boundary()), before);
-  // Both, told the same, stay the same: the random streams were copied too.
+  // Both, given the same, stay the same: the random streams were copied too.
   e.predict(Time::from_seconds(300));
   e.observe(crossing(300, Vec2(300, 0), Vec2(20, 0), false));
   EXPECT_EQ(numbers(e.boundary()), numbers(copy->boundary()));

@@ -113,7 +113,7 @@ TEST(JointEstimator, SetsAsideAReadingThatIsAllButImpossible) {
   EXPECT_TRUE(same(before, estimator.boundary()));
 }
 
-TEST(JointEstimator, GivesWayWhenImpossibleReadingsPersist) {
+TEST(JointEstimator, IsCorrectedWhenImpossibleReadingsPersist) {
   JointEstimator estimator(PerimeterPrior{}, JointOptions{});
   watch(estimator, Disc{}, 1, 300);
   const double radius = Disc{}.at(299);
@@ -250,8 +250,8 @@ TEST(JointEstimator, IsConsistentOnItsOwnModel) {
   EXPECT_GT(static_cast<double>(covered) / points, 0.88);
 }
 
-TEST(JointEstimator, KeepsFiniteNumbersWhereEverythingToldIsWrong) {
-  // Told 500 m and 3 m/s; there is no fire at all: every reading is outside, also at the
+TEST(JointEstimator, KeepsFiniteNumbersWhereTheWholePriorIsWrong) {
+  // Given 500 m and 3 m/s; there is no fire at all: every reading is outside, also at the
   // origin.
   PerimeterPrior prior;
   JointEstimator estimator(prior, {});

@@ -32,7 +32,7 @@ TEST(JointEstimator, LearnsWithoutAllocating) {
   };
   hour(1, 10);
   const auto before = allocations();
-  if (!before) GTEST_SKIP() << "the sanitizer's own malloc is in the way";
+  if (!before) GTEST_SKIP() << "the sanitizer's own malloc prevents it";
   hour(10, 100);
   EXPECT_EQ(allocations(), before);
   const auto copy = estimator.clone();

@@ -77,7 +77,7 @@ TEST(ParticleRule, SurvivesAConflictFarOut) {
   EXPECT_GT(got.covariance(0, 0), 100);
 }
 
-TEST(ParticleRule, DoubtsAReadingThatMayBeFalse) {
+TEST(ParticleRule, DiscountsAReadingThatMayBeFalse) {
   model::ControlPoint got = prior_point();
   ParticleRule rule(4000, 0.05, 5);
   rule.start(std::span(&got, 1));

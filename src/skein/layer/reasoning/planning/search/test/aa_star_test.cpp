@@ -93,7 +93,7 @@ TEST(AaStar, IsAsShortAsTheBestKnownPathsOfTheScenes) {
   }
 }
 
-// The same by manoeuvres alone, without the ways around discs.
+// The same by manoeuvres alone, without the routes around discs.
 TEST(AaStar, ManoeuvresAloneComeNearTheTangents) {
   auto scenes = test::read_scenes(test::scenes_file());
   if (scenes.empty()) GTEST_SKIP() << "no " << test::scenes_file();
@@ -107,7 +107,7 @@ TEST(AaStar, ManoeuvresAloneComeNearTheTangents) {
   }
 }
 
-TEST(AaStar, FindsSoundPathsOfTheScenesInWind) {
+TEST(AaStar, FindsValidPathsOfTheScenesInWind) {
   auto scenes = test::read_scenes(test::scenes_file());
   if (scenes.empty()) GTEST_SKIP() << "no " << test::scenes_file();
   for (test::Scene& s : scenes)
@@ -140,7 +140,7 @@ TEST(AaStar, GivesTheSameAnswerAgain) {
   }
 }
 
-TEST(AaStar, TakesTheFreeConnectionWhereNothingIsInTheWay) {
+TEST(AaStar, TakesTheFreeConnectionWhereThereAreNoObstacles) {
   PathQuery q = query_over(800);
   q.wind = Vec2(-4, 8);
   const PlannedPath path = AaStar().plan(q);
@@ -315,7 +315,7 @@ TEST(AaStar, KnowsThatAGoalIsWalledIn) {
   EXPECT_FALSE(path.reason.empty());
 }
 
-TEST(AaStar, FindsItsWayAmongThousandsOfZones) {
+TEST(AaStar, FindsAPathAmongThousandsOfZones) {
   constexpr int kRow = 50;
   Airspace airspace;
   for (int i = 0; i < kRow; ++i)
@@ -341,7 +341,7 @@ TEST(AaStar, FindsItsWayAmongThousandsOfZones) {
   EXPECT_LE(path.duration, 1.4 * path.bound);
 }
 
-// Five walls across the way, each with one gap at a drawn place.
+// Five walls across the path, each with one gap at a drawn place.
 Airspace walls_with_gaps(double gap, RandomStream& draw) {
   Airspace airspace;
   for (int i = 0; i < 5; ++i) {

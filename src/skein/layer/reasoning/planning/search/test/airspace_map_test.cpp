@@ -93,8 +93,8 @@ double deepest(const Airspace& airspace, const FlightElement& e, double step = 0
 }
 
 // What is called free is never deeper than 0.1 m; what is not is at most `slack` m off:
-// chords count 0.03 m near, other flights' pieces 0.5 m and 0.05 s of motion either way,
-// and samples of flights are 0.2 s apart.
+// chords count 0.03 m near, other flights' pieces 0.5 m and 0.05 s of motion in either
+// direction, and samples of flights are 0.2 s apart.
 void agrees_with_sampling(std::uint64_t seed, double slack,
                           const std::function<void(Draw&, Airspace&)>& fill) {
   Draw draw(seed);
@@ -169,7 +169,7 @@ TEST(AirspaceMap, FindsWhatSamplesFind) {
   EXPECT_GT(hit, 40);
 }
 
-TEST(AirspaceMap, TellsTheFirstConflictInTimeAndWords) {
+TEST(AirspaceMap, GivesTheFirstConflictInTimeAndWords) {
   Airspace airspace;
   airspace.zones.push_back({Disc{Vec2(500, 0), 100}});
   airspace.zones.push_back({Disc{Vec2(300, 0), 50}});
@@ -178,7 +178,7 @@ TEST(AirspaceMap, TellsTheFirstConflictInTimeAndWords) {
   const auto c = map_of(airspace).first_conflict({e});
   ASSERT_TRUE(c);
   EXPECT_EQ(c->index, 1u);
-  // 250 m at 20 m/s; told to 0.01 s.
+  // 250 m at 20 m/s; reported to 0.01 s.
   EXPECT_NEAR(c->time, 22.5, 0.02);
   EXPECT_NE(c->what.find("zone 'dam' at 250."), std::string::npos) << c->what;
   EXPECT_NE(c->what.find("by 40.0 m"), std::string::npos) << c->what;  // 2 s on

@@ -46,7 +46,7 @@ TEST(Detours, OfAPointAroundASquarePassItsCorners) {
   EXPECT_NEAR(detours.detours.front().time * 20, length, 0.05);
 }
 
-// Without zones a curved way is the best of the four Dubins words with a straight.
+// Without zones a curved route is the best of the four Dubins words with a straight.
 TEST(Detours, OfAnAircraftAloneAreDubinsPaths) {
   RandomStream draw(4, 0, Purpose::kTest);
   for (int i = 0; i < 200; ++i) {
@@ -80,10 +80,10 @@ TEST(Detours, AreNotLongerWithFewerZonesAndShorterOnesAreFoundFirst) {
       EXPECT_GE(detours.detours[1].time, before);
     }
   }
-  EXPECT_GT(before, 100);  // they are in the way
+  EXPECT_GT(before, 100);  // they block the route
 }
 
-// A point's time in wind is never above that of any flight, whatever way that takes.
+// A point's time in wind is never above that of any flight, whatever route that takes.
 TEST(Detours, BoundFlightsInWind) {
   RandomStream draw(6, 0, Purpose::kTest);
   for (int i = 0; i < 40; ++i) {

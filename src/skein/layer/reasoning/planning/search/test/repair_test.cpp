@@ -82,7 +82,7 @@ TEST(Repair, LeadsAnAircraftBackThatLeftItsPlan) {
 }
 
 TEST(Repair, PlansAnewWhereRejoiningIsFarWorse) {
-  // The old plan goes through a gap that is closed; the way around is elsewhere.
+  // The old plan goes through a gap that is closed; the detour is elsewhere.
   Flown f;
   f.airspace.zones.push_back(
       {geo::Ring{Vec2(1000, 100), Vec2(1100, 100), Vec2(1100, 900), Vec2(1000, 900)}});
@@ -123,7 +123,7 @@ TEST(Repair, CutsPlansExactly) {
 }
 
 // The scenes of the speed goal: a zone appears on the middle of the path.
-TEST(Repair, FindsAWayAroundANewZoneInTheScenes) {
+TEST(Repair, FindsAPathAroundANewZoneInTheScenes) {
   auto scenes = test::read_scenes(test::scenes_file());
   if (scenes.empty()) GTEST_SKIP() << "no " << test::scenes_file();
   for (test::Scene& s : scenes) {

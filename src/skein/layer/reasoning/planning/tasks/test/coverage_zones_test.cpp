@@ -21,7 +21,7 @@ CoverageQuery with_zones(int i) {
   return q;
 }
 
-// Time in zones, by another way than the planner's.
+// Time in zones, by another method than the planner's.
 double inside_zones(const CoverageQuery& q, const FlightPlan& plan) {
   double deepest = 0;
   for (double t = 0; t < model::end_time_of(plan); t += 0.1)
@@ -97,7 +97,7 @@ TEST(CoverageZones, RefusesAStartOrEndInsideOfOne) {
   EXPECT_LT((*r.free_place - inside).norm(), disc.radius / 2 + 2);
   q.aircraft[0] = {std::nullopt, blocked};
   EXPECT_EQ(plan_coverage(q).outcome, CoverageOutcome::kBlocked);
-  // Above the zone nothing is in the way, and one that comes later does not hold yet.
+  // Above the zone nothing blocks it, and one that comes later does not hold yet.
   q.zones[0].ceiling_msl = 50;
   EXPECT_NE(plan_coverage(q).outcome, CoverageOutcome::kBlocked);
   q.zones[0].ceiling_msl = 1e9;
@@ -106,7 +106,7 @@ TEST(CoverageZones, RefusesAStartOrEndInsideOfOne) {
   EXPECT_NE(plan_coverage(q).outcome, CoverageOutcome::kBlocked);
 }
 
-// A zone beside a strip to survey, on the way to it.
+// A zone beside a strip to survey, on the path to it.
 CoverageQuery with_zone_on_the_way(const Zone& zone) {
   CoverageQuery q;
   q.area = {{0, 0}, {0, 1000}, {800, 1000}, {800, 0}};
@@ -138,7 +138,7 @@ TEST(CoverageZones, ConnectionsKeepOutAtTheirOwnAltitudesAndTimes) {
           << k << ", " << t;
     }
   }
-  // Without a planner the first one is flown through, and that is told.
+  // Without a planner the first one is flown through, and that is reported.
   CoverageQuery q = with_zone_on_the_way(zones[0]);
   EXPECT_EQ(plan_coverage(q).outcome, CoverageOutcome::kZoneInTheWay);
 }

@@ -38,7 +38,7 @@ TEST(ZoneRoom, LinesBesideAWallKeepTheirEnds) {
 }
 
 TEST(ZoneRoom, NothingIsLeftWhereThereIsNoRoom) {
-  // Two walls closer than a turn: a line into the lane between them has no way out.
+  // Two walls closer than a turn: a line into the lane between them has no exit.
   const ZoneRings lane(std::vector<geo::Ring>{
       {{0, -500}, {500, -500}, {500, -10}, {0, -10}},
       {{0, 10}, {500, 10}, {500, 500}, {0, 500}},

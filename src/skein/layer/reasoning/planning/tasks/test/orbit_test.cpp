@@ -67,7 +67,7 @@ TEST(Orbit, StaysOnTheCircleAroundAMovingTarget) {
   }
 }
 
-TEST(Orbit, LeastRadiusIsWhereTheTurnIsTightest) {
+TEST(Orbit, MinimumRadiusIsWhereTheTurnIsTightest) {
   // Turn rate of the heading along circles of 1 m, by differences.
   for (const double felt : {0.0, 3.0, 9.0, 14.0}) {
     double fastest = 0;
@@ -172,7 +172,7 @@ TEST(Weave, MeetsTheTargetAgainAfterCornersOfATrack) {
   EXPECT_LT(r.farthest, 500);
 }
 
-TEST(Weave, AngleAdvancesAsWanted) {
+TEST(Weave, AngleAdvancesAsRequested) {
   for (const double ratio : {0.0, 0.1, 0.5, 0.9, 0.999, 1.0}) {
     const double a = weave_angle(ratio);
     EXPECT_NEAR(a < 1e-9 ? 1 : std::sin(a) / a, ratio, 1e-12) << ratio;

@@ -97,7 +97,7 @@ TEST(Patrol, FliesBesideTheLine) {
   q.wind = {0, 6};
   const PatrolResult r = plan_patrol(q);
   ASSERT_EQ(r.outcome, PatrolOutcome::kPlanned) << r.reason;
-  // In the middle of the first leg, both ways, 50 m to the west.
+  // In the middle of the first leg, in both directions, 50 m to the west.
   int seen = 0;
   for (const FlightElement& e : r.plans[0])
     if (e.turn_rate == 0 && e.start > r.begins[0] - 1e-9) {

@@ -94,7 +94,7 @@ TEST(Rendezvous, SaysTheEarliestTime) {
   EXPECT_TRUE(r.plans.empty());
   q.time = r.earliest;
   EXPECT_EQ(plan_rendezvous(q).outcome, RendezvousOutcome::kPlanned);
-  // A climb takes longer than the way.
+  // A climb takes longer than the path.
   q.aircraft[0].goal.p_N.z() = -400;
   r = plan_rendezvous(q);
   EXPECT_EQ(r.outcome, RendezvousOutcome::kTooEarly);
