@@ -162,6 +162,8 @@ struct StudyKind {
   const char* name;
   const char* help;
   std::vector<std::string> options;  // that it takes
+  int (*run)(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+             const fs::path& folder, const std::atomic<bool>& stop) = nullptr;
 };
 
 const std::vector<StudyKind>& study_kinds() {
@@ -172,49 +174,62 @@ const std::vector<StudyKind>& study_kinds() {
       {"monitoring",
        "every estimator x strategy x wind case, several seeds",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
-        "--estimators", "--strategies", "--set", "--plugin"}},
+        "--estimators", "--strategies", "--set", "--plugin"},
+       monitoring},
       {"bridge",
        "a real fire, not star-shaped",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--estimators",
-        "--strategies", "--set", "--data", "--plugin"}},
+        "--strategies", "--set", "--data", "--plugin"},
+       bridge},
       {"fidelity",
        "the default mission from kinematic points to aircraft in gusts",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"}},
+        "--plugin"},
+       fidelity},
       {"wind-following",
        "plans made for the wind against plans made without it: how closely they are "
        "flown",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"}},
+        "--plugin"},
+       following_study},
       {"robustness",
        "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"}},
+        "--plugin"},
+       robustness},
       {"ground-starts",
        "starts from the ground in random wind and turbulence (500 runs): is any lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"}},
+        "--plugin"},
+       ground_starts_study},
       {"keeping",
        "how closely a glider and a quadrotor track their commands, by receiver",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"}},
+        "--plugin"},
+       keeping_study},
       {"tuning",
        "laps of waypoints, each with other gains; can search for gains",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
-        "--set", "--plugin"}}};
+        "--set", "--plugin"},
+       tuning_study}};
   return kinds;
+}
+
+// Null when there is none of this name.
+const StudyKind* find_study(const std::string& name) {
+  for (const StudyKind& kind : study_kinds())
+    if (kind.name == name) return &kind;
+  return nullptr;
 }
 
 // What is wrong with the options of the command line; empty when nothing is.
 std::string not_for(const StudyArguments& arguments) {
-  const StudyKind* study = nullptr;
-  std::string names;
-  for (const StudyKind& kind : study_kinds()) {
-    if (kind.name == arguments.name) study = &kind;
-    names += fmt::format(" {}", kind.name);
-  }
-  if (!study)
+  const StudyKind* study = find_study(arguments.name);
+  if (!study) {
+    std::string names;
+    for (const StudyKind& kind : study_kinds()) names += fmt::format(" {}", kind.name);
     return fmt::format("there is no study \"{}\". There are:{}.", arguments.name, names);
+  }
   const auto given = [&](const char* option) {
     return std::count(arguments.given.begin(), arguments.given.end(), option) > 0;
   };
@@ -249,9 +264,16 @@ StudyArguments with_plugins(const StudyArguments& arguments) {
 
 }  // namespace
 
+std::string list_of_studies() {
+  std::string list;
+  for (const StudyKind& kind : study_kinds())
+    list += fmt::format("{:<15}{}\n", kind.name, kind.help);
+  return list;
+}
+
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop) {
   if (arguments.name.empty()) {
-    for (const StudyKind& kind : study_kinds()) print("{:<15}{}\n", kind.name, kind.help);
+    print("{}", list_of_studies());
     return kDone;
   }
   if (const std::string odd = not_for(arguments); !odd.empty()) {
@@ -268,17 +290,7 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
   if (arguments.name == "estimators") return estimators(folder);
   const auto kinds = load_kinds(arguments.plugins);
   if (!kinds) return kBadUsage;
-  const StudyArguments all = with_plugins(arguments);
-  if (arguments.name == "monitoring") return monitoring(all, *kinds, folder, stop);
-  if (arguments.name == "fidelity") return fidelity(all, *kinds, folder, stop);
-  if (arguments.name == "robustness") return robustness(all, *kinds, folder, stop);
-  if (arguments.name == "ground-starts")
-    return ground_starts_study(all, *kinds, folder, stop);
-  if (arguments.name == "keeping") return keeping_study(all, *kinds, folder, stop);
-  if (arguments.name == "wind-following")
-    return following_study(all, *kinds, folder, stop);
-  if (arguments.name == "tuning") return tuning_study(all, *kinds, folder, stop);
-  return bridge(all, *kinds, folder, stop);
+  return find_study(arguments.name)->run(with_plugins(arguments), *kinds, folder, stop);
 }
 
 }  // namespace skein::app

@@ -75,6 +75,8 @@ int fly_command(const FlyArguments& arguments, const std::atomic<bool>& stop);
 int trim_command(const TrimArguments& arguments);
 int report_command(const std::vector<std::filesystem::path>& runs,
                    const std::filesystem::path& out);
+/// A line for each study: its name and what it shows.
+std::string list_of_studies();
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop);
 int completion_command(const std::string& shell);
 

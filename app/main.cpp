@@ -3,10 +3,13 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/number_range.h"
@@ -16,6 +19,7 @@
 #include "skein/base/log.h"
 #include "skein/base/result.h"
 
+namespace skein::app {
 namespace {
 
 std::atomic<bool> stop_requested{false};
@@ -75,13 +79,6 @@ Examples:
   source <(skein completion zsh))";
 
 constexpr const char* kStudyExamples = R"(
-Studies:
-  estimators   mean and variance of every measurement update against distance
-  monitoring   every estimator x strategy x wind case, several seeds
-  bridge       a real fire, not star-shaped
-  fidelity     the default mission from kinematic points to aircraft in gusts
-  tuning       laps of waypoints, each with other gains; can search for gains
-
 Examples:
   skein study estimators
   skein study monitoring --estimators qkf,joint --strategies gus,tracking-binary --seeds 6
@@ -91,15 +88,13 @@ Examples:
 
 // The option `--log` of a command.
 void add_log_option(CLI::App& command) {
-  using skein::LogLevel;
   static const std::map<std::string, LogLevel> kLevels = {{"debug", LogLevel::kDebug},
                                                           {"info", LogLevel::kInfo},
                                                           {"warning", LogLevel::kWarning},
                                                           {"error", LogLevel::kError}};
   command
       .add_option_function<std::string>(
-          "--log",
-          [](const std::string& level) { skein::set_log_level(kLevels.at(level)); },
+          "--log", [](const std::string& level) { set_log_level(kLevels.at(level)); },
           "Say on standard error what happens: debug, info (events), warning, error.")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
       ->type_name("LEVEL");
@@ -115,223 +110,290 @@ void add_plugin_option(CLI::App& command, std::vector<std::string>& plugins) {
       ->allow_extra_args(false);
 }
 
-int run_program(int argc, char** argv) {
-  using namespace skein::app;
-  CLI::App app{"Skein: teams of unmanned aircraft in mixed reality."};
-  app.require_subcommand(1);
-  app.set_version_flag("--version", skein::app::kVersion);
-  app.failure_message(CLI::FailureMessage::simple);
+// A command of the program, and what it does once its options are read.
+struct Command {
+  const CLI::App* app;
+  std::function<int()> run;
+};
 
-  RunArguments run;
-  auto* run_cmd = app.add_subcommand("run", "Run a scenario.");
-  auto* run_scenario =
-      run_cmd->add_option("scenario", run.scenario, "The scenario file (YAML).");
-  run_cmd->add_option("--out", run.out, "Folder for the run; default: runs/NAME.");
-  run_cmd->add_option("--seed", run.seed, "Seed instead of the scenario's.");
-  run_cmd->add_option("--speed", run.speed, "fast, real, or a factor of real time.");
-  run_cmd
-      ->add_option("--set", run.overrides, "KEY=VALUE: overrides a key of the scenario.")
+Command add_run(CLI::App& program) {
+  auto* command = program.add_subcommand("run", "Run a scenario.");
+  const auto run = std::make_shared<RunArguments>();
+  auto* scenario =
+      command->add_option("scenario", run->scenario, "The scenario file (YAML).");
+  command->add_option("--out", run->out, "Folder for the run; default: runs/NAME.");
+  command->add_option("--seed", run->seed, "Seed instead of the scenario's.");
+  command->add_option("--speed", run->speed, "fast, real, or a factor of real time.");
+  command
+      ->add_option("--set", run->overrides, "KEY=VALUE: overrides a key of the scenario.")
       ->take_all()
       ->allow_extra_args(false);
-  add_plugin_option(*run_cmd, run.plugins);
-  run_cmd->add_option("--threads", run.threads, "Threads of the simulation.")
+  add_plugin_option(*command, run->plugins);
+  command->add_option("--threads", run->threads, "Threads of the simulation.")
       ->check(CLI::Range(1, 256));
-  run_cmd->add_flag("--commands", run.commands,
+  command->add_flag("--commands", run->commands,
                     "Take commands from standard input, line by line; see "
                     "docs/commands.md.");
-  run_cmd
+  command
       ->add_option(
-          "--replay", run.replay,
+          "--replay", run->replay,
           "Folder of a run that is done again, with the commands that were given "
           "in it; says whether the content hash is the same.")
-      ->excludes(run_scenario)
+      ->excludes(scenario)
       ->excludes("--commands");
-  run_cmd->add_flag("--report", run.report, "Write report.html at the end.");
-  run_cmd->add_flag("--json", run.json, "Print the summary as JSON on standard output.");
-  run_cmd->add_flag("--overwrite", run.overwrite, "Replace a run that is in the folder.");
-  add_log_option(*run_cmd);
-  run_cmd->footer(kRunExamples);
+  command->add_flag("--report", run->report, "Write report.html at the end.");
+  command->add_flag("--json", run->json, "Print the summary as JSON on standard output.");
+  command->add_flag("--overwrite", run->overwrite,
+                    "Replace a run that is in the folder.");
+  add_log_option(*command);
+  command->footer(kRunExamples);
 
-  std::string scenario;
-  std::vector<std::string> overrides;
-  std::vector<std::string> plugins;
-  bool filled_in = false;
-  auto* check_cmd =
-      app.add_subcommand("check", "Check a scenario: all problems at once.");
-  check_cmd->add_option("scenario", scenario, "The scenario file (YAML).")->required();
-  check_cmd->add_option("--set", overrides, "KEY=VALUE: overrides a key of the scenario.")
+  return {command, [run] { return run_command(*run, stop_requested); }};
+}
+
+Command add_check(CLI::App& program) {
+  struct Given {
+    std::string scenario;
+    std::vector<std::string> overrides, plugins;
+    bool filled_in = false;
+  };
+  auto* command =
+      program.add_subcommand("check", "Check a scenario: all problems at once.");
+  const auto given = std::make_shared<Given>();
+  command->add_option("scenario", given->scenario, "The scenario file (YAML).")
+      ->required();
+  command
+      ->add_option("--set", given->overrides,
+                   "KEY=VALUE: overrides a key of the scenario.")
       ->take_all()
       ->allow_extra_args(false);
-  add_plugin_option(*check_cmd, plugins);
-  check_cmd->add_flag("--print", filled_in,
-                      "Print the scenario with all defaults filled in.");
-  add_log_option(*check_cmd);
-  check_cmd->footer(kCheckExamples);
+  add_plugin_option(*command, given->plugins);
+  command->add_flag("--print", given->filled_in,
+                    "Print the scenario with all defaults filled in.");
+  add_log_option(*command);
+  command->footer(kCheckExamples);
+  return {command, [given] {
+            return check_command(given->scenario, given->overrides, given->plugins,
+                                 given->filled_in);
+          }};
+}
 
-  std::string role;
-  auto* list_cmd = app.add_subcommand("list", "List the kinds that a scenario can name.");
-  list_cmd->add_option("kind", role, "Only this role: estimator, strategy, fire...");
-  add_plugin_option(*list_cmd, plugins);
-  bool verify = false;
-  list_cmd->add_flag("--verify", verify,
-                     "Test whether kinds keep the contract of their role: those of the "
-                     "plugins; without plugins all.");
-  list_cmd->footer(kListExamples);
+Command add_list(CLI::App& program) {
+  struct Given {
+    std::string role;
+    std::vector<std::string> plugins;
+    bool verify = false;
+  };
+  auto* command =
+      program.add_subcommand("list", "List the kinds that a scenario can name.");
+  const auto given = std::make_shared<Given>();
+  command->add_option("kind", given->role,
+                      "Only this role: estimator, strategy, fire...");
+  add_plugin_option(*command, given->plugins);
+  command->add_flag("--verify", given->verify,
+                    "Test whether kinds keep the contract of their role: those of the "
+                    "plugins; without plugins all.");
+  command->footer(kListExamples);
+  return {command, [given] {
+            return (given->verify ? verify_command : list_command)(given->role,
+                                                                   given->plugins);
+          }};
+}
 
-  auto* schema_cmd = app.add_subcommand(
-      "schema", "Print the JSON Schema of scenario or aircraft files, for editors.");
-  schema_cmd->footer(kSchemaExamples);
-  auto* keys_cmd =
-      app.add_subcommand("keys", "Print the documentation of all keys (Markdown).");
-  std::string document = "scenario";
-  for (auto* command : {schema_cmd, keys_cmd}) {
-    command
-        ->add_option("of", document,
-                     "Of which files: scenario or aircraft; records: what runs leave "
-                     "behind.")
-        ->check(CLI::IsMember({"scenario", "aircraft", "records"}));
-    add_plugin_option(*command, plugins);
-  }
-  keys_cmd->footer(kKeysExamples);
+// `schema` and `keys` describe the same documents.
+Command add_description(CLI::App& program, const char* name, const char* help,
+                        const char* examples,
+                        int (*describe)(const std::string& document,
+                                        const std::vector<std::string>& plugins)) {
+  struct Given {
+    std::string document = "scenario";
+    std::vector<std::string> plugins;
+  };
+  auto* command = program.add_subcommand(name, help);
+  const auto given = std::make_shared<Given>();
+  command
+      ->add_option("of", given->document,
+                   "Of which files: scenario or aircraft; records: what runs leave "
+                   "behind.")
+      ->check(CLI::IsMember({"scenario", "aircraft", "records"}));
+  add_plugin_option(*command, given->plugins);
+  command->footer(examples);
+  return {command,
+          [given, describe] { return describe(given->document, given->plugins); }};
+}
 
-  FlyArguments fly;
-  TrimArguments trim;
-  bool steady = false;
-  auto* fly_cmd = app.add_subcommand(
+// The options of `fly --trim`.
+std::vector<CLI::Option*> add_trim(CLI::App& command, TrimArguments& trim) {
+  std::vector<CLI::Option*> options = {
+      command
+          .add_option("--airspeed", trim.airspeed,
+                      "m/s; without it, all over the aircraft's range.")
+          ->check(number_in(0.1, 500.0)),
+      command.add_option("--climb-deg", trim.climb_deg, "Climb angle through the air.")
+          ->check(number_in(-85.0, 85.0)),
+      command.add_option("--altitude", trim.altitude, "Metres above mean sea level.")
+          ->check(number_in(-5000.0, 20000.0)),
+      command
+          .add_option("--hold", trim.hold,
+                      "Print an input table that holds it for so many seconds.")
+          ->check(number_in(0.001, 1e6)),
+      command.add_flag("--json", trim.json, "Print as JSON.")};
+  auto* radius =
+      command
+          .add_option("--turn-radius", trim.turn_radius, "Metres; negative: to the left.")
+          ->check(number_in(-1e6, 1e6));
+  auto* bank =
+      command.add_option("--bank-deg", trim.bank_deg, "Of the turn; negative: left.")
+          ->check(number_in(-85.0, 85.0))
+          ->excludes(radius);
+  options.insert(options.end(), {radius, bank});
+  return options;
+}
+
+Command add_fly(CLI::App& program) {
+  struct Given {
+    FlyArguments fly;
+    TrimArguments trim;
+    bool steady = false;
+  };
+  auto* command = program.add_subcommand(
       "fly", "Fly one fixed wing alone, open loop, from a table; or find its trims.");
-  fly_cmd
+  const auto given = std::make_shared<Given>();
+  FlyArguments& fly = given->fly;
+  command
       ->add_option("--aircraft", fly.aircraft,
                    "A built-in aircraft (skein list aircraft) or an aircraft file.")
       ->required();
-  auto* fly_input = fly_cmd->add_option(
+  auto* input = command->add_option(
       "--input", fly.input, "CSV of deflections, thrust and wind; - = standard input.");
-  auto* fly_output = fly_cmd->add_option(
+  auto* output = command->add_option(
       "--output", fly.output, "CSV of the motion; - = standard output, the default.");
-  auto* fly_step = fly_cmd
-                       ->add_option("--step", fly.step,
-                                    "Longest integration step in seconds; default 0.005.")
-                       ->check(number_in(1e-6, 1.0));
-  auto* fly_planet = fly_cmd
-                         ->add_option("--planet-radius", fly.planet_radius,
-                                      "Gravity falls off as on a sphere of so many "
-                                      "metres; 0: not at all; default 637100000.")
-                         ->check(number_in(0.0, 1e15));
-  auto* fly_trim = fly_cmd->add_flag("--trim", steady, "Find steady flights instead.");
-  std::vector<CLI::Option*> of_trim = {
-      fly_cmd
-          ->add_option("--airspeed", trim.airspeed,
-                       "m/s; without it, all over the aircraft's range.")
-          ->check(number_in(0.1, 500.0)),
-      fly_cmd->add_option("--climb-deg", trim.climb_deg, "Climb angle through the air.")
-          ->check(number_in(-85.0, 85.0)),
-      fly_cmd->add_option("--altitude", trim.altitude, "Metres above mean sea level.")
-          ->check(number_in(-5000.0, 20000.0)),
-      fly_cmd
-          ->add_option("--hold", trim.hold,
-                       "Print an input table that holds it for so many seconds.")
-          ->check(number_in(0.001, 1e6)),
-      fly_cmd->add_flag("--json", trim.json, "Print as JSON.")};
-  auto* fly_radius = fly_cmd
-                         ->add_option("--turn-radius", trim.turn_radius,
-                                      "Metres; negative: to the left.")
-                         ->check(number_in(-1e6, 1e6));
-  auto* fly_bank =
-      fly_cmd->add_option("--bank-deg", trim.bank_deg, "Of the turn; negative: left.")
-          ->check(number_in(-85.0, 85.0))
-          ->excludes(fly_radius);
-  of_trim.insert(of_trim.end(), {fly_radius, fly_bank});
-  for (CLI::Option* option : of_trim) option->needs(fly_trim);
-  for (CLI::Option* option : {fly_input, fly_output, fly_step, fly_planet})
-    fly_trim->excludes(option);
-  fly_cmd->footer(kFlyExamples);
+  auto* step = command
+                   ->add_option("--step", fly.step,
+                                "Longest integration step in seconds; default 0.005.")
+                   ->check(number_in(1e-6, 1.0));
+  auto* planet = command
+                     ->add_option("--planet-radius", fly.planet_radius,
+                                  "Gravity falls off as on a sphere of so many "
+                                  "metres; 0: not at all; default 637100000.")
+                     ->check(number_in(0.0, 1e15));
+  auto* steady =
+      command->add_flag("--trim", given->steady, "Find steady flights instead.");
+  for (CLI::Option* option : add_trim(*command, given->trim)) option->needs(steady);
+  for (CLI::Option* option : {input, output, step, planet}) steady->excludes(option);
+  command->footer(kFlyExamples);
+  return {command, [given] {
+            if (!given->steady) return fly_command(given->fly, stop_requested);
+            given->trim.aircraft = given->fly.aircraft;
+            return trim_command(given->trim);
+          }};
+}
 
-  const PlanOptions plan(app);
+Command add_report(CLI::App& program) {
+  struct Given {
+    std::vector<std::filesystem::path> runs;
+    std::filesystem::path out;
+  };
+  auto* command =
+      program.add_subcommand("report", "Write an HTML report of one or more runs.");
+  const auto given = std::make_shared<Given>();
+  command->add_option("run", given->runs, "Folders of runs.")->required();
+  command->add_option("--out", given->out, "The HTML file; default: RUN/report.html.");
+  command->footer(kReportExamples);
+  return {command, [given] { return report_command(given->runs, given->out); }};
+}
 
-  std::vector<std::filesystem::path> runs;
-  std::filesystem::path report_out;
-  auto* report_cmd =
-      app.add_subcommand("report", "Write an HTML report of one or more runs.");
-  report_cmd->add_option("run", runs, "Folders of runs.")->required();
-  report_cmd->add_option("--out", report_out, "The HTML file; default: RUN/report.html.");
-  report_cmd->footer(kReportExamples);
-
-  StudyArguments study;
-  auto* study_cmd = app.add_subcommand("study", "Run a study, with report and summary.");
-  study_cmd->add_option("name", study.name, "The study; none = list them.");
-  study_cmd->add_option("--out", study.out, "Folder; default: runs/study-NAME.");
-  study_cmd->add_option("--seeds", study.seeds, "Seeds per cell.")
+Command add_study(CLI::App& program) {
+  auto* command =
+      program.add_subcommand("study", "Run a study, with report and summary.");
+  const auto study = std::make_shared<StudyArguments>();
+  command->add_option("name", study->name, "The study; none = list them.");
+  command->add_option("--out", study->out, "Folder; default: runs/study-NAME.");
+  command->add_option("--seeds", study->seeds, "Seeds per cell.")
       ->check(CLI::Range(1, 10000));
-  study_cmd->add_option("--first-seed", study.first_seed, "The first seed.")
+  command->add_option("--first-seed", study->first_seed, "The first seed.")
       ->check(CLI::Range(0, 1000000000));
-  study_cmd->add_option("--threads", study.threads, "Runs at the same time.")
+  command->add_option("--threads", study->threads, "Runs at the same time.")
       ->check(CLI::Range(1, 256));
   for (const auto& [option, target, help] :
-       {std::tuple{"--only-cases", &study.cases, "Only these cases (comma separated)."},
-        std::tuple{"--estimators", &study.estimators, "Only these estimators."},
-        std::tuple{"--strategies", &study.strategies, "Only these strategies."}})
-    study_cmd->add_option(option, *target, help)->delimiter(',');
-  study_cmd->add_option("--set", study.overrides, "KEY=VALUE for every run.")
+       {std::tuple{"--only-cases", &study->cases, "Only these cases (comma separated)."},
+        std::tuple{"--estimators", &study->estimators, "Only these estimators."},
+        std::tuple{"--strategies", &study->strategies, "Only these strategies."}})
+    command->add_option(option, *target, help)->delimiter(',');
+  command->add_option("--set", study->overrides, "KEY=VALUE for every run.")
       ->take_all()
       ->allow_extra_args(false);
-  add_plugin_option(*study_cmd, study.plugins);
-  study_cmd->add_option(
-      "--cases", study.cases_file,
-      "estimators: evaluate the rows of this CSV (- = standard input).");
-  study_cmd->add_option("--updates", study.updates_file,
-                        "estimators: whole updates, rows of this CSV.");
-  study_cmd->add_option("--data", study.data, "bridge: folder of the recorded fire.");
-  study_cmd
-      ->add_option("--gains", study.gains,
+  add_plugin_option(*command, study->plugins);
+  command->add_option("--cases", study->cases_file,
+                      "estimators: evaluate the rows of this CSV (- = standard input).");
+  command->add_option("--updates", study->updates_file,
+                      "estimators: whole updates, rows of this CSV.");
+  command->add_option("--data", study->data, "bridge: folder of the recorded fire.");
+  command
+      ->add_option("--gains", study->gains,
                    "tuning: files of gains, beside the scenario's own.")
       ->delimiter(',');
-  study_cmd
-      ->add_option("--search", study.search, "tuning: search for gains, so many tries.")
+  command
+      ->add_option("--search", study->search, "tuning: search for gains, so many tries.")
       ->check(CLI::Range(1, 100000));
-  add_log_option(*study_cmd);
-  study_cmd->footer(kStudyExamples);
+  add_log_option(*command);
+  command->footer("\nStudies:\n" + list_of_studies() + kStudyExamples);
+  return {command, [command, study] {
+            for (const CLI::Option* option : command->get_options())
+              if (option->count() > 0) study->given.push_back(option->get_name());
+            return study_command(*study, stop_requested);
+          }};
+}
 
-  std::string shell = "bash";
-  auto* completion_cmd = app.add_subcommand(
+Command add_completion(CLI::App& program) {
+  auto* command = program.add_subcommand(
       "completion", "Print shell completion: source <(skein completion)");
-  completion_cmd->add_option("shell", shell, "bash or zsh.")
+  const auto shell = std::make_shared<std::string>("bash");
+  command->add_option("shell", *shell, "bash or zsh.")
       ->check(CLI::IsMember({"bash", "zsh"}));
-  completion_cmd->footer(kCompletionExamples);
+  command->footer(kCompletionExamples);
+  return {command, [shell] { return completion_command(*shell); }};
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App program{"Skein: teams of unmanned aircraft in mixed reality."};
+  program.require_subcommand(1);
+  program.set_version_flag("--version", kVersion);
+  program.failure_message(CLI::FailureMessage::simple);
+  std::vector<Command> commands;
+  for (auto* add : {add_run, add_check, add_list}) commands.push_back(add(program));
+  commands.push_back(
+      add_description(program, "schema",
+                      "Print the JSON Schema of scenario or aircraft files, for editors.",
+                      kSchemaExamples, schema_command));
+  commands.push_back(add_description(program, "keys",
+                                     "Print the documentation of all keys (Markdown).",
+                                     kKeysExamples, keys_command));
+  commands.push_back(add_fly(program));
+  const PlanOptions plan(program);
+  for (auto* add : {add_report, add_study, add_completion})
+    commands.push_back(add(program));
 
   try {
-    app.parse(argc, argv);
+    program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out, err;
-    const int status = app.exit(error, out, err);
+    const int status = program.exit(error, out, err);
     put_out(out.str());
     put_err(err.str());
     return status == 0 ? kDone : kBadUsage;
   }
 
-  for (const CLI::Option* option : study_cmd->get_options())
-    if (option->count() > 0) study.given.push_back(option->get_name());
-
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  if (*run_cmd) return run_command(run, stop_requested);
-  if (*check_cmd) return check_command(scenario, overrides, plugins, filled_in);
-  if (*list_cmd && verify) return verify_command(role, plugins);
-  if (*list_cmd) return list_command(role, plugins);
-  if (*schema_cmd) return schema_command(document, plugins);
-  if (*keys_cmd) return keys_command(document, plugins);
-  if (*fly_cmd && steady) {
-    trim.aircraft = fly.aircraft;
-    return trim_command(trim);
-  }
-  if (*fly_cmd) return fly_command(fly, stop_requested);
   if (plan.chosen()) return plan.run(stop_requested);
-  if (*report_cmd) return report_command(runs, report_out);
-  if (*study_cmd) return study_command(study, stop_requested);
-  return completion_command(shell);
+  for (const Command& command : commands)
+    if (*command.app) return command.run();
+  return kBadUsage;
 }
 
 // Nothing that goes wrong ends in std::terminate: every error has a message and a status.
 int run_guarded(int argc, char** argv) {
-  using namespace skein::app;
   try {
     return run_program(argc, argv);
   } catch (const std::bad_alloc&) {
@@ -341,15 +403,16 @@ int run_guarded(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     complain("error: {}: {}.\n", error.path1().string(), error.code().message());
   } catch (const std::exception& error) {
-    complain("error: {}\n", skein::internal_error(error.what()).text());
+    complain("error: {}\n", internal_error(error.what()).text());
   }
   return kFailed;
 }
 
 }  // namespace
+}  // namespace skein::app
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
-  return skein::app::finish_output(run_guarded(argc, argv));
+  return skein::app::finish_output(skein::app::run_guarded(argc, argv));
 }
