@@ -147,10 +147,10 @@ int plan_coverage_command(const PlanCoverageArguments& arguments,
   query.planner = planner.value().get();
   const bool terminal = isatty(STDERR_FILENO) != 0;
   query.watch.stop = [&stop] { return stop.load(); };
-  query.watch.progress = [terminal, told = -1](double share) mutable {
+  query.watch.progress = [terminal, reported = -1](double share) mutable {
     const int percent = static_cast<int>(100 * share);
-    if (terminal && percent != told) complain("\r{} % planned", percent);
-    told = percent;
+    if (terminal && percent != reported) complain("\r{} % planned", percent);
+    reported = percent;
   };
   const planning::CoverageResult found = planning::plan_coverage(query);
   if (terminal) complain("\r              \r");

@@ -208,7 +208,7 @@ class Tuning {
         "tuning", kVersion, state.empty() ? "complete" : state, figures, folder_);
   }
 
-  int tell() const {
+  int report() const {
     for (const record::StudyTable& table : report_.tables) print_table(table);
     for (const std::string& warning : campaign::warnings_of(outcomes_))
       log_warning("{}", warning);
@@ -253,7 +253,7 @@ int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& 
     }
   if (auto done = tuning.fly_all(); !done) return say_error(done.error());
   if (auto done = tuning.write(); !done) return say_error(done.error());
-  return tuning.tell();
+  return tuning.report();
 }
 
 }  // namespace skein::app

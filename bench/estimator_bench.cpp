@@ -107,7 +107,7 @@ void estimator_nees(benchmark::State& state) {
         add(wind, error::kWind, error::kWind + 2);
       }
     }
-    const auto tell = [&](const char* name, const std::vector<double>& v, double n) {
+    const auto report = [&](const char* name, const std::vector<double>& v, double n) {
       double sum = 0, in = 0;
       for (double x : v) {
         sum += x;
@@ -116,9 +116,9 @@ void estimator_nees(benchmark::State& state) {
       state.counters[std::string(name) + "_mean"] = sum / kSeconds;
       state.counters[std::string(name) + "_in_band"] = in / kSeconds;
     };
-    tell("pva", moving, 9);
-    tell("all", all, error::kSize);
-    tell("wind", wind, 2);
+    report("pva", moving, 9);
+    report("all", all, error::kSize);
+    report("wind", wind, 2);
   }
 }
 BENCHMARK(estimator_nees)

@@ -101,11 +101,11 @@ BENCHMARK(route_home);
 
 void motor_step(benchmark::State& state) {
   MotorWatch watch({});
-  Actuators told;
+  Actuators commanded;
   Time now;
   for (auto _ : state) {
     now += kStep;
-    benchmark::DoNotOptimize(watch.step(now, 0, told));
+    benchmark::DoNotOptimize(watch.step(now, 0, commanded));
   }
 }
 BENCHMARK(motor_step);

@@ -21,10 +21,10 @@ TEST_F(Program, TheLogSaysWhatHappens) {
   write("s.yaml", "duration_s: 60\naircraft: [{count: 2}]\n");
   const Finished quiet = run({"run", "s.yaml", "--out", "quiet"});
   EXPECT_EQ(quiet.err, "");
-  const Finished told = run({"run", "s.yaml", "--out", "told", "--log", "info"});
-  EXPECT_EQ(told.status, 0);
-  EXPECT_NE(told.err.find("info: 0.0 s, scout-2: joined: "), std::string::npos)
-      << told.err;
+  const Finished finished = run({"run", "s.yaml", "--out", "told", "--log", "info"});
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_NE(finished.err.find("info: 0.0 s, scout-2: joined: "), std::string::npos)
+      << finished.err;
   const Finished loud = run({"run", "s.yaml", "--log", "loud"});
   EXPECT_EQ(loud.status, 2);
   EXPECT_NE(loud.err.find("debug,info,warning,error"), std::string::npos) << loud.err;

@@ -27,13 +27,13 @@ TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
 }
 
 TEST_F(Program, AStudyReportsEachRun) {
-  const Finished told =
+  const Finished finished =
       run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
            "--estimators", "qkf", "--strategies", "gus", "--set", "duration_s=10",
            "--log", "info"});
-  EXPECT_EQ(told.status, 0) << told.err;
-  EXPECT_NE(told.err.find("info: no-wind/gus/qkf/1: done in "), std::string::npos)
-      << told.err;
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  EXPECT_NE(finished.err.find("info: no-wind/gus/qkf/1: done in "), std::string::npos)
+      << finished.err;
 }
 
 TEST_F(Program, AStudyRunsAgainWhatItsDataChanged) {

@@ -79,8 +79,8 @@ class Builder {
     build_.options = run_options(scenario_, kinds_.table());
     build_.options.commands = commands();
     build_.warnings = sampling_warnings(scenario_, kinds_.table());
-    for (std::string& doubt : scenario::zone_warnings(scenario_.environment))
-      build_.warnings.push_back(std::move(doubt));
+    for (std::string& warning : scenario::zone_warnings(scenario_.environment))
+      build_.warnings.push_back(std::move(warning));
     if (team().empty())
       build_.warnings.emplace_back(
           "no aircraft: nothing is flown, and nobody watches the fire. Give aircraft a "
@@ -207,8 +207,8 @@ class Builder {
         incompatibilities(scenario_, kinds_, group, aircraft);
     errors_.insert(errors_.end(), found.begin(), found.end());
     if (index == 0)
-      for (const std::string& doubt : warnings(scenario_, group, aircraft))
-        build_.warnings.push_back(doubt);
+      for (const std::string& warning : warnings(scenario_, group, aircraft))
+        build_.warnings.push_back(warning);
     return found.empty();
   }
 

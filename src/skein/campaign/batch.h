@@ -58,7 +58,7 @@ struct MeanInterval {
   double mean = 0;
   double half_width = 0;  ///< 0 for fewer than two values
   int count = 0;
-  int wanted = 0;  ///< how many there would be, had all runs ended well; 0 = not known
+  int requested = 0;  ///< how many there would be, had all runs ended well; 0 = not known
 };
 MeanInterval mean_interval(std::span<const double> values);
 

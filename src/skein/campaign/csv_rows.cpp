@@ -43,10 +43,10 @@ std::vector<std::string> read_header(std::string_view line, const std::string& n
                                      std::vector<Error>& problems) {
   if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
   std::vector<std::string> columns = split(line);
-  for (std::string_view wanted : required)
-    if (std::find(columns.begin(), columns.end(), wanted) == columns.end())
+  for (std::string_view requested : required)
+    if (std::find(columns.begin(), columns.end(), requested) == columns.end())
       problems.push_back({ErrorCode::kBadInput, name + ":1",
-                          fmt::format("column \"{}\" is missing", wanted),
+                          fmt::format("column \"{}\" is missing", requested),
                           fmt::format("needed: {}", fmt::join(required, ","))});
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (std::count(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i),

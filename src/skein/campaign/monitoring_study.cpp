@@ -96,7 +96,7 @@ MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& o
       if (const auto value = outcomes[item].summary->number(name))
         values.push_back(*value);
   MeanInterval figure = mean_interval(values);
-  figure.wanted = static_cast<int>(cell.items.size());
+  figure.requested = static_cast<int>(cell.items.size());
   return figure;
 }
 
@@ -104,7 +104,7 @@ std::string figure_text(const MeanInterval& figure, int digits) {
   if (figure.count == 0) return {};
   std::string text = fmt::format("{:.{}f}", figure.mean, digits);
   if (figure.count > 1) text += fmt::format(" ± {:.{}f}", figure.half_width, digits);
-  if (figure.count < figure.wanted) text += fmt::format(" (n = {})", figure.count);
+  if (figure.count < figure.requested) text += fmt::format(" (n = {})", figure.count);
   return text;
 }
 

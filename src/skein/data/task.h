@@ -81,7 +81,7 @@ constexpr auto describe(const Loiter*) {
 struct FlyRoute {
   std::vector<Vec2> points;  ///< [m]
   int laps = 1;
-  std::vector<EntityId> tell;  ///< who gets the own position directly, each second
+  std::vector<EntityId> report_to;  ///< who gets the own position directly, each second
 };
 
 constexpr auto describe(const FlyRoute*) {
@@ -89,7 +89,7 @@ constexpr auto describe(const FlyRoute*) {
   return described<T>({"fly_route"}, "Fly through points, lap after lap.",
                       field("points", &T::points, Storage::kJson, "of the route"),
                       field("laps", &T::laps, "times around"),
-                      field("tell", &T::tell, Storage::kJson,
+                      field("report_to", &T::report_to, Storage::kJson,
                             "who gets the own position directly, each second"));
 }
 

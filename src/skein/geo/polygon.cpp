@@ -78,9 +78,9 @@ Ring resample(std::span<const Vec2> ring, int count) {
 
 Ring resample_by_spacing(std::span<const Vec2> ring, double spacing, int least) {
   SKEIN_CHECK(spacing > 0, spacing);
-  const double wanted = std::ceil(length(ring) / spacing);
-  SKEIN_CHECK(wanted < 1e8, wanted);
-  return resample(ring, std::max(least, static_cast<int>(wanted)));
+  const double requested = std::ceil(length(ring) / spacing);
+  SKEIN_CHECK(requested < 1e8, requested);
+  return resample(ring, std::max(least, static_cast<int>(requested)));
 }
 
 }  // namespace skein::geo

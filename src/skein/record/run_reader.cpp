@@ -242,17 +242,17 @@ class Reader {
              [&](const Statement& row) { times.push_back(row.real(0)); });
     if (!done || times.empty()) return done;
     // Evenly over the run, first and last included.
-    std::set<double> wanted;
+    std::set<double> requested;
     const std::size_t count =
         std::min(times.size(), static_cast<std::size_t>(std::max(budget_.frames, 1)));
     for (std::size_t k = 0; k < count; ++k)
-      wanted.insert(
+      requested.insert(
           times[count == 1 ? times.size() - 1 : k * (times.size() - 1) / (count - 1)]);
     return rows(
         "SELECT time_s, data FROM perimeters WHERE " + which + " ORDER BY time_s, ring",
         [&](const Statement& row) {
           const double time = row.real(0);
-          if (!wanted.contains(time)) return;
+          if (!requested.contains(time)) return;
           if (out.empty() || out.back().time != time) out.push_back({time, {}});
           out.back().rings.push_back(float_blob(row, 1));
         });

@@ -28,7 +28,7 @@ RunWriter::~RunWriter() {
     const std::lock_guard lock(mutex_);
     stop_ = true;
   }
-  rows_wanted_.notify_one();
+  rows_requested_.notify_one();
   if (thread_.joinable()) thread_.join();
 }
 
@@ -43,7 +43,7 @@ void RunWriter::push(Row row, std::size_t work) {
       pending_.empty() || (before < kBatchWork && pending_work_ >= kBatchWork);
   pending_.push_back(std::move(row));
   lock.unlock();
-  if (wake) rows_wanted_.notify_one();
+  if (wake) rows_requested_.notify_one();
 }
 
 Result<void> RunWriter::status() {
@@ -58,7 +58,7 @@ Result<void> RunWriter::finish() {
     const std::lock_guard lock(mutex_);
     stop_ = true;
   }
-  rows_wanted_.notify_one();
+  rows_requested_.notify_one();
   if (thread_.joinable()) thread_.join();
   return status();
 }
@@ -80,9 +80,9 @@ void RunWriter::work() {
       bool last = false;
       {
         std::unique_lock lock(mutex_);
-        rows_wanted_.wait(lock, [this] { return stop_ || !pending_.empty(); });
-        rows_wanted_.wait_for(lock, kGatherFor,
-                              [this] { return stop_ || pending_work_ >= kBatchWork; });
+        rows_requested_.wait(lock, [this] { return stop_ || !pending_.empty(); });
+        rows_requested_.wait_for(lock, kGatherFor,
+                                 [this] { return stop_ || pending_work_ >= kBatchWork; });
         batch.swap(pending_);
         pending_work_ = 0;
         last = stop_;

@@ -68,7 +68,7 @@ class RunWriter {
 
   // Shared, under the mutex.
   std::mutex mutex_;
-  std::condition_variable rows_wanted_, room_made_;
+  std::condition_variable rows_requested_, room_made_;
   std::vector<Row> pending_;
   std::size_t pending_work_ = 0;
   bool stop_ = false;

@@ -69,10 +69,11 @@ void RunStatistics::event(const Event& event) {
   flight_statistics_.event(event);
   if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
   if (event.kind == "over-confident" || event.kind == "trusted") judged_ = true;
-  if (event.kind == "over-confident" && !doubted_since_) doubted_since_ = event.time;
-  if (event.kind == "trusted" && doubted_since_) {
-    doubted_ += event.time - *doubted_since_;
-    doubted_since_.reset();
+  if (event.kind == "over-confident" && !over_confident_since_)
+    over_confident_since_ = event.time;
+  if (event.kind == "trusted" && over_confident_since_) {
+    over_confident_ += event.time - *over_confident_since_;
+    over_confident_since_.reset();
   }
 }
 
@@ -117,10 +118,10 @@ std::map<std::string, double> RunStatistics::figures() const {
   }
   if (allocation_start_) out["allocation_start_s"] = allocation_start_->seconds();
 
-  Time doubted = doubted_;
-  if (doubted_since_ && *doubted_since_ < last_metrics_)
-    doubted += last_metrics_ - *doubted_since_;
-  if (judged_) out["over_confident_s"] = doubted.seconds();
+  Time over_confident = over_confident_;
+  if (over_confident_since_ && *over_confident_since_ < last_metrics_)
+    over_confident += last_metrics_ - *over_confident_since_;
+  if (judged_) out["over_confident_s"] = over_confident.seconds();
 
   double total = 0, flown = 0;
   for (const auto& [id, flight] : flights_) {

@@ -74,8 +74,8 @@ class RunStatistics {
   std::optional<EntityId> believer_;
   std::optional<Time> allocation_start_;
   bool judged_ = false;  // whether the belief agrees with its crossings is known
-  std::optional<Time> doubted_since_;
-  Time doubted_, last_metrics_;
+  std::optional<Time> over_confident_since_;
+  Time over_confident_, last_metrics_;
   std::vector<Gathered> gathered_ = std::vector<Gathered>(metric_fields().size());
   std::uint64_t aircraft_ = 0, observations_ = 0, crossings_ = 0;
   std::uint64_t messages_sent_ = 0, messages_lost_ = 0;

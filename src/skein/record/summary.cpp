@@ -7,8 +7,8 @@
 
 namespace skein::record {
 
-std::optional<double> RunSummary::number(const std::string& wanted) const {
-  const auto found = numbers.find(wanted);
+std::optional<double> RunSummary::number(const std::string& requested) const {
+  const auto found = numbers.find(requested);
   if (found == numbers.end()) return std::nullopt;
   return found->second;
 }

@@ -112,17 +112,17 @@ std::string unit_advice(std::string_view key, std::string_view value,
                         std::span<const std::string> known) {
   for (const std::string& name : known) {
     if (name == key || stem_of(name) != stem_of(key)) continue;
-    const auto given = unit_of(key), wanted = unit_of(name);
-    if (!wanted) return fmt::format("The key is \"{}\", without a unit.", name);
-    if (!given) return fmt::format("The key is \"{}\", in {}.", name, wanted->symbol);
+    const auto given = unit_of(key), requested = unit_of(name);
+    if (!requested) return fmt::format("The key is \"{}\", without a unit.", name);
+    if (!given) return fmt::format("The key is \"{}\", in {}.", name, requested->symbol);
     const auto number = parse_number(value);
-    if (given->quantity != wanted->quantity || !number || !std::isfinite(*number)) {
-      return fmt::format("The key is \"{}\", in {}, not {}.", name, wanted->symbol,
+    if (given->quantity != requested->quantity || !number || !std::isfinite(*number)) {
+      return fmt::format("The key is \"{}\", in {}, not {}.", name, requested->symbol,
                          given->symbol);
     }
     return fmt::format("The unit here is {}, not {}: write \"{}: {:.6g}\".",
-                       wanted->symbol, given->symbol, name,
-                       *number * given->in_si / wanted->in_si);
+                       requested->symbol, given->symbol, name,
+                       *number * given->in_si / requested->in_si);
   }
   return {};
 }

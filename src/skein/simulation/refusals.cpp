@@ -16,7 +16,8 @@ std::string without_numbers(std::string_view reason) {
 
 }  // namespace
 
-std::optional<std::string> Refusals::told(Time now, int count, std::string_view reason) {
+std::optional<std::string> Refusals::report(Time now, int count,
+                                            std::string_view reason) {
   const auto [at, first] = said_.try_emplace(without_numbers(reason), Said{now, 0});
   Said& said = at->second;
   const int others = said.since + count - 1;

@@ -17,7 +17,7 @@ class Refusals {
   /// @param count   refusals since the last call, at least one.
   /// @param reason  of the last of them.
   /// @returns       what to report now, if anything.
-  std::optional<std::string> told(Time now, int count, std::string_view reason);
+  std::optional<std::string> report(Time now, int count, std::string_view reason);
 
  private:
   struct Said {

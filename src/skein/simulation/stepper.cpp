@@ -299,7 +299,7 @@ void Stepper::record_status_changes(Time now, std::size_t i) {
   record_sensor_changes(now, i);
   if (status.refusals > last.refusals)
     if (auto text =
-            state.refusals.told(now, status.refusals - last.refusals, status.refused))
+            state.refusals.report(now, status.refusals - last.refusals, status.refused))
       record_event(now, i, "refused", *std::move(text));
   if (status.on_ground != state.was_on_ground)
     record_event(now, i, status.on_ground ? "landed" : "took-off",

@@ -312,9 +312,9 @@ TEST(Build, EachSensorOfAnAircraftHasItsOwnErrors) {
     }
     return all;
   };
-  const std::string doubtful = "{kind: fire, false_in: 0.3, false_out: 0.3}";
-  const auto alone = readings(doubtful);
-  const auto both = readings(doubtful + ", gnss, " + doubtful);
+  const std::string uncertain = "{kind: fire, false_in: 0.3, false_out: 0.3}";
+  const auto alone = readings(uncertain);
+  const auto both = readings(uncertain + ", gnss, " + uncertain);
   ASSERT_EQ(alone[0].size(), 200u);
   EXPECT_EQ(both[0], alone[0]) << "another sensor does not shift the first one's errors";
   EXPECT_NE(both[2], both[0]);

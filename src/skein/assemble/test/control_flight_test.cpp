@@ -171,9 +171,9 @@ TEST(FixedWingFlight, StepsDoNotOvershoot) {
       last = geo::to_euler(s.q_NB).roll;
       bank = std::max(bank, last);
     });
-    const double wanted = std::atan(5 / kGravity);
-    EXPECT_LT(bank, 1.1 * wanted) << name;
-    EXPECT_NEAR(last, wanted, 0.01) << name;
+    const double setpoint = std::atan(5 / kGravity);
+    EXPECT_LT(bank, 1.1 * setpoint) << name;
+    EXPECT_NEAR(last, setpoint, 0.01) << name;
   }
 }
 

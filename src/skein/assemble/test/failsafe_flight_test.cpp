@@ -83,7 +83,7 @@ double since(const FlightLog& log, FailsafeReaction reaction) {
   return -1;
 }
 
-bool told(const FlightLog& log, FailsafeTrigger trigger) {
+bool reported(const FlightLog& log, FailsafeTrigger trigger) {
   for (const FlightRow& row : log.rows.at(1))
     if (row.status.trigger == trigger) return true;
   return false;
@@ -188,7 +188,7 @@ TEST(Failsafe, ALowBatteryBringsItHomeAndACriticalOneDown) {
     SCOPED_TRACE(plant);
     const bool quad = plant == kQuad;
     const FlightLog home = fly_into(low, plant, "auto", 400);
-    EXPECT_TRUE(told(home, FailsafeTrigger::kBattery));
+    EXPECT_TRUE(reported(home, FailsafeTrigger::kBattery));
     expect_end(home, FailsafeReaction::kReturn, quad);
 
     const FlightLog down = fly_into(critical, plant, "auto", 400);

@@ -49,8 +49,8 @@ aircraft:
 }
 
 // The first event of that kind whose text begins with the sensor's name.
-const Event* told(const FlightLog& log, const std::string& kind,
-                  const std::string& sensor) {
+const Event* reported(const FlightLog& log, const std::string& kind,
+                      const std::string& sensor) {
   for (const Event& event : log.events)
     if (event.kind == kind && event.text.starts_with(sensor)) return &event;
   return nullptr;
@@ -79,7 +79,7 @@ TEST(SensorLoss, OfWhatCanBeDoneWithoutIsReportedAndFlownWithout) {
     SCOPED_TRACE(fmt::format("{} without {} from {:.1f} s on, wind {:.1f} from {:.0f}",
                              c.plant, c.sensor, c.at, c.wind, c.from));
     const FlightLog log = flown(c);
-    const Event* lost = told(log, "sensor-lost", c.sensor);
+    const Event* lost = reported(log, "sensor-lost", c.sensor);
     ASSERT_NE(lost, nullptr) << log.story();
     EXPECT_GT(lost->text.size(), std::string(c.sensor).size() + 2) << "what is done";
     // Patience: 1 s, and 3 s for the slow battery monitor, and one of its periods.
@@ -101,7 +101,7 @@ TEST(SensorLoss, OfTheOnlyInertialUnitEndsTheFlightAsDefined) {
     c.seed = trial;
     const FlightLog log = flown(c);
     SCOPED_TRACE(log.story());
-    const Event* lost = told(log, "sensor-lost", "imu");
+    const Event* lost = reported(log, "sensor-lost", "imu");
     const Event* failsafe = log.find("failsafe", "imu: descend");
     ASSERT_NE(lost, nullptr);
     ASSERT_NE(failsafe, nullptr);
@@ -128,7 +128,7 @@ TEST(SensorLoss, OfAnInertialUnitForAWhileIsSurvivedByAnAircraftThatGlides) {
     const FlightLog log = flown(c);
     SCOPED_TRACE(log.story());
     EXPECT_EQ(log.find("accident"), nullptr);
-    EXPECT_NE(told(log, "sensor-back", "imu"), nullptr);
+    EXPECT_NE(reported(log, "sensor-back", "imu"), nullptr);
     const FlightRow& last = log.rows.at(1).back();
     EXPECT_NEAR(last.altitude(), 100, 25);
   }
@@ -152,8 +152,8 @@ TEST(SensorLoss, IsNoLossWhereASpareIsFitted) {
     c.seed = trial;
     const FlightLog log = flown(c);
     SCOPED_TRACE(std::string(c.sensor) + "\n" + log.story());
-    EXPECT_NE(told(log, "sensor-switched", c.sensor), nullptr);
-    EXPECT_EQ(told(log, "sensor-lost", c.sensor), nullptr);
+    EXPECT_NE(reported(log, "sensor-switched", c.sensor), nullptr);
+    EXPECT_EQ(reported(log, "sensor-lost", c.sensor), nullptr);
     EXPECT_EQ(log.find("accident"), nullptr);
     EXPECT_EQ(log.find("failsafe"), nullptr);
     EXPECT_LT(height_off(log, c.at), 25);

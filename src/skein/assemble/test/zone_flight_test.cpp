@@ -62,12 +62,12 @@ const Event* event_of(const FlightLog& log, std::uint32_t who, const std::string
 
 TEST(ZoneFlight, DrawnOverTheRouteItIsFlownAround) {
   const FlightLog log = fly(scenario_of(disc("active: false, switches: [{at_s: 30}]")));
-  const Event* told = event_of(log, 0, "zone-on");
+  const Event* reported = event_of(log, 0, "zone-on");
   const Event* heard = event_of(log, 1, "zone-on");
-  ASSERT_TRUE(told && heard) << log.story();
-  EXPECT_EQ(told->time, Time::from_seconds(kOn));
+  ASSERT_TRUE(reported && heard) << log.story();
+  EXPECT_EQ(reported->time, Time::from_seconds(kOn));
   // The radio takes 0.1 s, and the agent thinks every 0.5 s.
-  EXPECT_LE((heard->time - told->time).seconds(), 0.5 + 1e-9);
+  EXPECT_LE((heard->time - reported->time).seconds(), 0.5 + 1e-9);
   EXPECT_NE(log.find("zones-known"), nullptr) << log.story();
   EXPECT_LT(deepest(log, kCentre, kRadius, 0), 0) << log.story();
   EXPECT_NE(log.find("route-done"), nullptr) << log.story();

@@ -117,16 +117,16 @@ TEST(ZoneSet, PassesOverWhatCannotBe) {
 TEST(ZoneSet, ReceivedInAnyOrderAndTwiceTheZonesAreTheSame) {
   for (std::uint32_t run = 0; run < 200; ++run) {
     RandomStream random(1, run, Purpose::kTest);
-    std::vector<ZoneChange> told;
+    std::vector<ZoneChange> reported;
     ZoneSet straight;
     for (std::uint32_t k = 1; k <= 12; ++k) {
       const std::string name(1, static_cast<char>('a' + random.uniform(0, 3)));
-      told.push_back(change(k, random.uniform() < 0.6, name, 10.0 + k));
-      straight.take(told.back());
+      reported.push_back(change(k, random.uniform() < 0.6, name, 10.0 + k));
+      straight.take(reported.back());
     }
     ZoneSet shuffled;
-    std::vector<ZoneChange> left = told;
-    left.insert(left.end(), told.begin(), told.end());
+    std::vector<ZoneChange> left = reported;
+    left.insert(left.end(), reported.begin(), reported.end());
     std::uint32_t heard = 0;  // as bits
     while (!left.empty()) {
       const auto k = static_cast<std::ptrdiff_t>(

@@ -133,9 +133,9 @@ FixedWingMotion SimpleAutopilot::motion(const Vec2& wind) const {
 }
 
 double SimpleAutopilot::climb_rate(double altitude_msl, double rate) const {
-  const double wanted =
+  const double setpoint =
       options_.altitude_gain * (altitude_msl + filter_.estimate().p_N.z()) + rate;
-  return std::clamp(wanted, -limits_.climb_rate, limits_.climb_rate);
+  return std::clamp(setpoint, -limits_.climb_rate, limits_.climb_rate);
 }
 
 Control SimpleAutopilot::control(Time now, double dt) {
@@ -156,17 +156,17 @@ Control SimpleAutopilot::control(Time now, double dt) {
 
 FlightCommand SimpleAutopilot::fly_shared(double dt) {
   const FixedWingMotion at = motion(filter_.drift());
-  const FixedWingDemand wanted = shared_.step(at, dt);
+  const FixedWingDemand setpoint = shared_.step(at, dt);
   begin_status(shared_.status());
   const Vec2 v = at.v_N.head<2>(), air = v - at.wind;
   const double both = std::sqrt(v.squaredNorm() * air.squaredNorm());
   // Where the wind carries it aside or back, the bank that is left does what it can.
   const double drift = both > 1e-6 ? std::max(v.dot(air) / both, 0.3) : 1;
   FlightCommand out;
-  out.roll = std::clamp(math::atan(wanted.lateral_acceleration / (kGravity * drift)),
+  out.roll = std::clamp(math::atan(setpoint.lateral_acceleration / (kGravity * drift)),
                         -roll_limit_, roll_limit_);
-  out.airspeed = wanted.airspeed;
-  out.climb_rate = climb_rate(wanted.altitude_msl, wanted.climb_rate);
+  out.airspeed = setpoint.airspeed;
+  out.climb_rate = climb_rate(setpoint.altitude_msl, setpoint.climb_rate);
   return out;
 }
 

@@ -136,17 +136,20 @@ TEST(SummaryRecorder, TheHashIsOfWhatHappenedNotOfTheProgram) {
 }
 
 TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasOverConfident) {
-  const auto doubted = [](const std::vector<std::pair<double, std::string>>& events) {
-    SummaryRecorder recorder(kInfo);
-    for (const auto& [time, kind] : events)
-      recorder.record(Event{Time::from_seconds(time), EntityId{0}, kind, ""});
-    record_sample(recorder, 300);  // the last metrics are of 300 s
-    return recorder.summary().number("over_confident_s");
-  };
-  EXPECT_FALSE(doubted({})) << "never judged";
-  EXPECT_EQ(doubted({{50, "trusted"}}), 0);
-  EXPECT_EQ(doubted({{50, "trusted"}, {100, "over-confident"}, {160, "trusted"}}), 60);
-  EXPECT_EQ(doubted({{100, "over-confident"}, {160, "trusted"}, {250, "over-confident"}}),
+  const auto over_confident_s =
+      [](const std::vector<std::pair<double, std::string>>& events) {
+        SummaryRecorder recorder(kInfo);
+        for (const auto& [time, kind] : events)
+          recorder.record(Event{Time::from_seconds(time), EntityId{0}, kind, ""});
+        record_sample(recorder, 300);  // the last metrics are of 300 s
+        return recorder.summary().number("over_confident_s");
+      };
+  EXPECT_FALSE(over_confident_s({})) << "never judged";
+  EXPECT_EQ(over_confident_s({{50, "trusted"}}), 0);
+  EXPECT_EQ(
+      over_confident_s({{50, "trusted"}, {100, "over-confident"}, {160, "trusted"}}), 60);
+  EXPECT_EQ(over_confident_s(
+                {{100, "over-confident"}, {160, "trusted"}, {250, "over-confident"}}),
             110);
 }
 

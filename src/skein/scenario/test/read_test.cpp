@@ -58,26 +58,26 @@ monitoring:
     extra: {}
     courses_deg: []
 )");
-  FakeOptions wanted;
-  wanted.airspeed = 25;
-  wanted.bank = geo::radians(45);
-  wanted.timeout = Time::from_ns(100'000'000);
-  wanted.delay = 0.5;
-  wanted.harmonics = 0;
-  wanted.robust = false;
-  wanted.label = "12";
-  wanted.colour = "green";
-  wanted.method = Method::kEuler;
-  wanted.drift = {-1, 2};
-  wanted.map =
+  FakeOptions requested;
+  requested.airspeed = 25;
+  requested.bank = geo::radians(45);
+  requested.timeout = Time::from_ns(100'000'000);
+  requested.delay = 0.5;
+  requested.harmonics = 0;
+  requested.robust = false;
+  requested.label = "12";
+  requested.colour = "green";
+  requested.method = Method::kEuler;
+  requested.drift = {-1, 2};
+  requested.map =
       (std::filesystem::path(SKEIN_SOURCE_DIR) / "CMakeLists.txt").lexically_normal();
-  wanted.gains = {0, 1000};
-  wanted.points = {{1, 2}, {3, 4}};
-  wanted.layers = {{50, 1}, {10, 9}};
-  wanted.limit = 4;
-  wanted.extra = Layer{};
-  wanted.courses = {};
-  EXPECT_EQ(estimator_of(s), wanted);
+  requested.gains = {0, 1000};
+  requested.points = {{1, 2}, {3, 4}};
+  requested.layers = {{50, 1}, {10, 9}};
+  requested.limit = 4;
+  requested.extra = Layer{};
+  requested.courses = {};
+  EXPECT_EQ(estimator_of(s), requested);
 }
 
 TEST(Read, TakesAKindByItsNameAlone) {

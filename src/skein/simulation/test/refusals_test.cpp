@@ -8,7 +8,7 @@ namespace {
 TEST(Refusals, AreReportedAtOnceThenOnceAMinuteWithTheirNumber) {
   Refusals refusals;
   const auto at = [&](double s, std::string_view why, int count = 1) {
-    return refusals.told(Time::from_seconds(s), count, why);
+    return refusals.report(Time::from_seconds(s), count, why);
   };
   EXPECT_EQ(at(1, "needs 32.1 m/s"), "needs 32.1 m/s");
   for (int s = 2; s <= 60; ++s) EXPECT_FALSE(at(s, "needs 31.9 m/s")) << s;
@@ -19,9 +19,9 @@ TEST(Refusals, AreReportedAtOnceThenOnceAMinuteWithTheirNumber) {
 
 TEST(Refusals, OtherReasonsAreReportedBesides) {
   Refusals refusals;
-  EXPECT_TRUE(refusals.told(Time::from_seconds(1), 1, "too fast"));
-  EXPECT_TRUE(refusals.told(Time::from_seconds(2), 1, "too steep"));
-  EXPECT_FALSE(refusals.told(Time::from_seconds(3), 1, "too fast"));
+  EXPECT_TRUE(refusals.report(Time::from_seconds(1), 1, "too fast"));
+  EXPECT_TRUE(refusals.report(Time::from_seconds(2), 1, "too steep"));
+  EXPECT_FALSE(refusals.report(Time::from_seconds(3), 1, "too fast"));
 }
 
 }  // namespace

@@ -24,10 +24,11 @@ std::array<double, Actuators::kMaxChannels> RotorSet::thrusts(double total,
       Eigen::Matrix<double, 4, Actuators::kMaxChannels>::Zero();
   for (std::size_t i = 0; i < size_; ++i)
     A.col(static_cast<Eigen::Index>(i)) << 1, -y_[i], x_[i], spin_[i];
-  const Eigen::Vector4d wanted(total, moment.x(), moment.y(), moment.z() / torque_ratio);
+  const Eigen::Vector4d setpoint(total, moment.x(), moment.y(),
+                                 moment.z() / torque_ratio);
   const Eigen::Matrix4d square = A * A.transpose();
   const Eigen::Matrix<double, Actuators::kMaxChannels, 1> least =
-      A.transpose() * square.fullPivLu().solve(wanted);
+      A.transpose() * square.fullPivLu().solve(setpoint);
   std::array<double, Actuators::kMaxChannels> thrusts{};
   for (std::size_t i = 0; i < size_; ++i)
     thrusts[i] = least[static_cast<Eigen::Index>(i)];

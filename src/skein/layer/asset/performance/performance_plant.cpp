@@ -159,9 +159,9 @@ PerformancePlant::Rate PerformancePlant::rate(const Point& point, double roll,
   // Everything as climb rates [m/s]: what is available, and what is commanded.
   const double most = (model_.thrust(phase.max_power, v) - drag) * v / weight;
   const double least = (model_.thrust(phase.min_power, v) - drag) * v / weight;
-  const double wanted_acceleration =
+  const double acceleration_setpoint =
       std::clamp((phase.airspeed - v) / p.airspeed_lag, -p.acceleration, p.acceleration);
-  const double speed_up = v * wanted_acceleration / kGravity;
+  const double speed_up = v * acceleration_setpoint / kGravity;
   const double up = std::max(phase.climb, 0.0), down = std::min(phase.climb, 0.0);
   const double faster = std::max(speed_up, 0.0), slower = std::min(speed_up, 0.0);
 
@@ -222,11 +222,11 @@ void PerformancePlant::step(VehicleState& state, const Control& control, const A
 
   const double steepest =
       steepest_bank(state.airspeed, model_.mass(state.energy.charge), air.density);
-  double roll_wanted = bounded_or(0, command.roll, -steepest, steepest);
+  double roll_setpoint = bounded_or(0, command.roll, -steepest, steepest);
   if (state.faults.is_dead(channel::kAileron) || state.faults.is_stuck(channel::kAileron))
-    roll_wanted = roll;
+    roll_setpoint = roll;
 
-  Phase phase = phase_of(state, roll_wanted, command, air);
+  Phase phase = phase_of(state, roll_setpoint, command, air);
   const double shaft =
       std::clamp(model_.power(rate(point, roll, phase).thrust, point.airspeed),
                  phase.min_power, phase.max_power);
@@ -243,12 +243,12 @@ void PerformancePlant::step(VehicleState& state, const Control& control, const A
   double left = dt;
   while (left > 0) {
     double part = std::min(left, kLongestStep);
-    const double missing = roll_wanted - roll;
+    const double missing = roll_setpoint - roll;
     double roll_rate = 0;
     if (missing != 0) {
       const double arrival = std::abs(missing) / p.roll_rate;
       if (arrival < 1e-12) {
-        roll = roll_wanted;
+        roll = roll_setpoint;
         continue;
       }
       part = std::min(part, arrival);

@@ -117,16 +117,17 @@ void EnergyControl::move_throttle(const FixedWingSetup& setup,
   const FixedWingGains& g = setup.gains;
   const FixedWingAirframe& a = setup.airframe;
   const double error = r.energy_demand - r.energy;
-  const double wanted = throttle_for(setup, r.energy_demand + r.turn_power) +
-                        setup.throttle_slope * g.energy_rate_gain * error + throttle_sum_;
-  double aim = bounded(wanted, 0, 1);
+  const double setpoint = throttle_for(setup, r.energy_demand + r.turn_power) +
+                          setup.throttle_slope * g.energy_rate_gain * error +
+                          throttle_sum_;
+  double aim = bounded(setpoint, 0, 1);
   if (!a.motor || phase == FlightPhase::kGlide || idle_flare) {
     aim = 0;
   } else if (phase == FlightPhase::kClimbOut) {
     aim = 1;
   } else if (r.too_slow > 0) {
     aim += r.too_slow * (1 - aim);
-  } else if ((wanted < 1 || error < 0) && (wanted > 0 || error > 0)) {
+  } else if ((setpoint < 1 || error < 0) && (setpoint > 0 || error > 0)) {
     throttle_sum_ =
         bounded(throttle_sum_ + setup.throttle_slope * g.energy_integral * error * dt,
                 kMaxThrottleSum);
@@ -151,10 +152,10 @@ void EnergyControl::move_pitch(const FixedWingSetup& setup, const FixedWingDeman
   // The nose may be down for a sink that is asked for, but not any more at the touch.
   if (flare) lowest += std::min(demand.climb_rate + kSoftSink, 0.0) / speed;
   if (flare && demand.airspeed > 0) lowest -= kFlareDive;
-  const double wanted = alpha + path / speed;
+  const double setpoint = alpha + path / speed;
   const double most = g.vertical_acceleration / speed * dt;
-  pitch_ = bounded(bounded(wanted, lowest, a.pitch_up), pitch_ - most, pitch_ + most);
-  if (!flare && (wanted < a.pitch_up || error < 0) && (wanted > lowest || error > 0))
+  pitch_ = bounded(bounded(setpoint, lowest, a.pitch_up), pitch_ - most, pitch_ + most);
+  if (!flare && (setpoint < a.pitch_up || error < 0) && (setpoint > lowest || error > 0))
     path_sum_ = bounded(path_sum_ + g.balance_integral * error * dt, kMaxPathSum * speed);
 }
 

@@ -93,16 +93,16 @@ void FixedWingControl::move_roll(double aim, double dt) {
   roll_ = bounded(roll_ + roll_rate_ * dt, geo::kPi);
 }
 
-Actuators FixedWingControl::ground_run(const FixedWingDemand& wanted, const NavState& nav,
-                                       const Tilt& tilt, double dt) {
+Actuators FixedWingControl::ground_run(const FixedWingDemand& setpoint,
+                                       const NavState& nav, const Tilt& tilt, double dt) {
   const FixedWingAirframe& a = setup_->airframe;
-  const bool takes_off = wanted.phase == FlightPhase::kRun;
+  const bool takes_off = setpoint.phase == FlightPhase::kRun;
   const Vec2 heading = heading_of(nav.q_NB);
   if (run_heading_.isZero())
-    run_heading_ = wanted.heading.isZero() ? heading : wanted.heading;
+    run_heading_ = setpoint.heading.isZero() ? heading : setpoint.heading;
   const double speed = geo::horizontal(nav.v_N).norm();
   const double turn =
-      bounded(wanted.lateral_acceleration / std::max(speed, kRunSteers), 0.5);
+      bounded(setpoint.lateral_acceleration / std::max(speed, kRunSteers), 0.5);
   run_heading_ =
       (run_heading_ + turn * dt * geo::turned_right(run_heading_)).normalized();
   SurfaceDemand demand = without_lift();
@@ -122,7 +122,7 @@ Actuators FixedWingControl::ground_run(const FixedWingDemand& wanted, const NavS
           : 0;
   if (!takes_off && a.brake_friction > 0)
     last_[channel::kBrake] =
-        bounded((wanted.braking / kGravity - a.roll_friction) / a.brake_friction, 0, 1);
+        bounded((setpoint.braking / kGravity - a.roll_friction) / a.brake_friction, 0, 1);
   energy_.follow(*setup_, view_of(nav, tilt), tilt.pitch, last_[channel::kThrottle], dt);
   move_roll(0, dt);
   return last_;

@@ -79,10 +79,10 @@ Vec3 MultirotorControl::acceleration_for(const MultirotorDemand& demand,
       bounded(-demand.climb_rate - g.height_gain * (demand.altitude_msl + nav.p_N.z()),
               -a.climb_rate, a.sink_rate);
   const double sink_error = sink_demand - nav.v_N.z();
-  const double down_wanted = g.climb_gain * sink_error + velocity_sum_.z();
-  const double down = bounded(down_wanted, -g.acceleration_limit, g.acceleration_limit);
-  if ((down_wanted < g.acceleration_limit || sink_error < 0) &&
-      (down_wanted > -g.acceleration_limit || sink_error > 0))
+  const double down_setpoint = g.climb_gain * sink_error + velocity_sum_.z();
+  const double down = bounded(down_setpoint, -g.acceleration_limit, g.acceleration_limit);
+  if ((down_setpoint < g.acceleration_limit || sink_error < 0) &&
+      (down_setpoint > -g.acceleration_limit || sink_error > 0))
     velocity_sum_.z() =
         bounded(velocity_sum_.z() + g.climb_integral * sink_error * dt, kMaxLift);
 
@@ -91,15 +91,15 @@ Vec3 MultirotorControl::acceleration_for(const MultirotorDemand& demand,
     velocity += g.position_gain * (demand.position - geo::horizontal(nav.p_N));
   const Vec2 error = shortened(velocity, a.fastest) - geo::horizontal(nav.v_N);
   const Vec2 sum = velocity_sum_.head<2>();
-  const Vec2 wanted = demand.acceleration + g.velocity_gain * error + sum;
+  const Vec2 setpoint = demand.acceleration + g.velocity_gain * error + sum;
   // Where the rotors cannot give both, height comes before place: against a strong wind
   // the tilt shrinks when the vehicle sinks although it shall not.
   const double spared =
       bounded(1 - kTiltPerSink * (-sink_error - kSinkMargin), kMinTilt, 1);
   const double most = spared * (kGravity - down) * setup_->tilt_tangent;
-  const Vec2 across = shortened(wanted, most);
+  const Vec2 across = shortened(setpoint, most);
   // Frozen where the tilt is at its limit, and in transit to a far point.
-  const bool full = wanted.squaredNorm() > most * most && wanted.dot(error) > 0;
+  const bool full = setpoint.squaredNorm() > most * most && setpoint.dot(error) > 0;
   if (!full && error.squaredNorm() < kIntegratesWithin * kIntegratesWithin)
     velocity_sum_.head<2>() = shortened(sum + g.velocity_integral * error * dt, kMaxPush);
   return {across.x(), across.y(), down};
@@ -225,10 +225,10 @@ Actuators MultirotorControl::stabilize(const AttitudeDemand& demand, const NavSt
   const double roll = bounded(demand.roll, limit), pitch = bounded(demand.pitch, limit);
   // The rotors' axis as commanded, in axes turned by the present heading only; then in
   // the body.
-  const Vec3 wanted(-math::sin(pitch) * math::cos(roll), math::sin(roll),
-                    -math::cos(pitch) * math::cos(roll));
+  const Vec3 setpoint(-math::sin(pitch) * math::cos(roll), math::sin(roll),
+                      -math::cos(pitch) * math::cos(roll));
   const Quat level = geo::from_euler({0, 0, geo::yaw(nav.q_NB)});
-  const Vec3 up_B = nav.q_NB.conjugate() * (level * wanted);
+  const Vec3 up_B = nav.q_NB.conjugate() * (level * setpoint);
   const double yaw_rate = bounded(demand.yaw_rate, g.manual_yaw_rate);
   return turn(tilt_rates(up_B) + yaw_rate * geo::down_in_body(nav.q_NB),
               bounded(demand.throttle, 0, 1) * setup_->max_thrust, nav, dt);

@@ -204,25 +204,25 @@ void Landing::descend(const View& now, double height, Step& out) {
     }
   }
 
-  double wanted = options_.height;
+  double setpoint = options_.height;
   if (phase_ == FlightPhase::kApproach && on_slope) {
-    wanted = slope_height;
+    setpoint = slope_height;
     if (height < kLow)
-      wanted = std::clamp(wanted, height - kMaxAbove, height + kMaxBelow);
+      setpoint = std::clamp(setpoint, height - kMaxAbove, height + kMaxBelow);
     out.climb_rate = -sink;
   } else if (phase_ == FlightPhase::kFlare && !idle_) {
     // Sink rate alone, with what little leads back to the slope.
     const double above = std::clamp(height - slope_height, -kMaxBelow, kMaxAbove);
-    wanted = height;
+    setpoint = height;
     out.climb_rate = std::min(-sink - kLowGain * above, 0.0);
   } else if (phase_ == FlightPhase::kFlare || phase_ == FlightPhase::kRollOut) {
     const double share = std::clamp(height / flare_height_, 0.0, 1.0);
-    wanted = height;
+    setpoint = height;
     out.climb_rate =
         -(options_.touch_down_sink + share * (flare_sink_ - options_.touch_down_sink));
   }
   // In terms of the altitude that control holds.
-  out.altitude_msl = now.altitude_msl + wanted - height;
+  out.altitude_msl = now.altitude_msl + setpoint - height;
 }
 
 }  // namespace skein::autopilot

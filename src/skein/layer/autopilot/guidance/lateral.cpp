@@ -19,9 +19,9 @@ GroundMotion ahead_of(const GroundMotion& motion, double lag) {
   return then;
 }
 
-double turn_towards(const Vec2& wanted, const Vec2& velocity, double gain) {
-  const double across = geo::cross(velocity, wanted);  // V sin(eta)
-  if (velocity.dot(wanted) >= 0) return gain * across;
+double turn_towards(const Vec2& setpoint, const Vec2& velocity, double gain) {
+  const double across = geo::cross(velocity, setpoint);  // V sin(eta)
+  if (velocity.dot(setpoint) >= 0) return gain * across;
   return gain * std::copysign(velocity.norm(), across);
 }
 
@@ -32,10 +32,10 @@ double course_law(const model::TrackPoint& line, double cross_track, const Vec2&
   const double length = std::sqrt(reach * reach + cross_track * cross_track);
   if (length < 1e-6) return 0;
   const double cosine = reach / length;
-  const Vec2 wanted =
+  const Vec2 setpoint =
       cosine * line.tangent - cross_track / length * geo::turned_right(line.tangent);
   const double shrink = std::max(1 - line.curvature * cross_track, 0.2);
-  return turn_towards(wanted, velocity, options.gain) +
+  return turn_towards(setpoint, velocity, options.gain) +
          line.curvature * speed * speed * cosine / shrink;
 }
 

@@ -61,7 +61,7 @@ GroundMotion ahead_of(const GroundMotion& motion, double lag);
 ///
 ///   a = k V sin(eta),  eta = from the velocity to `wanted`; beyond a right angle sin =
 ///   +-1
-double turn_towards(const Vec2& wanted, const Vec2& velocity, double gain);
+double turn_towards(const Vec2& setpoint, const Vec2& velocity, double gain);
 
 /// Course law.
 ///
@@ -124,9 +124,9 @@ double sight_law(const Sight& sight, const Line& line, const model::TrackPoint& 
   const double off = std::abs(cross_track);
   if (off >= reach * sight.sine) {
     const Vec2 right = geo::turned_right(nearest.tangent);
-    const Vec2 wanted =
+    const Vec2 setpoint =
         sight.cosine * nearest.tangent - std::copysign(sight.sine, cross_track) * right;
-    return turn_towards(wanted, motion.velocity, sight.gain * speed / reach);
+    return turn_towards(setpoint, motion.velocity, sight.gain * speed / reach);
   }
   const double ahead = std::sqrt(reach * reach - off * off);
   const Vec2 target = line.at(ahead).position;

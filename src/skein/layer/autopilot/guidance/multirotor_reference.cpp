@@ -25,10 +25,10 @@ void MultirotorGuidance::move(const Setpoint& setpoint, const NavState& now, dou
   const Vec2 p = now.p_N.head<2>();
   const double lag = (position_ - p).norm();
   const double wait = std::clamp(2 - lag / options_.max_lag, 0.0, 1.0);
-  const Vec2 wanted = bounded(
+  const Vec2 setpoint = bounded(
       setpoint.acceleration + kVelocityGain * (wait * setpoint.velocity - velocity_),
       options_.acceleration);
-  acceleration_ += bounded(wanted - acceleration_, options_.jerk * dt);
+  acceleration_ += bounded(setpoint - acceleration_, options_.jerk * dt);
   position_ += dt * (velocity_ + dt / 2 * acceleration_);
   velocity_ += dt * acceleration_;
   // Where only the velocity counts the position goes along.

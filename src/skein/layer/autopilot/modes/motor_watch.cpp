@@ -10,11 +10,12 @@ MotorWatch::MotorWatch(const MotorWatchOptions& options)
   SKEIN_CHECK(options.delay >= 0 && options.delay < 1e6, options.delay);
 }
 
-std::uint8_t MotorWatch::examine(Time now, std::uint8_t standing, const Actuators& told) {
+std::uint8_t MotorWatch::examine(Time now, std::uint8_t standing,
+                                 const Actuators& commanded) {
   unsigned failed = 0;
   unsigned suspect = 0;
   for (std::size_t k = 0; k < Actuators::kMaxChannels; ++k) {
-    if ((standing >> k & 1u) == 0 || told[k] <= idle_) continue;
+    if ((standing >> k & 1u) == 0 || commanded[k] <= idle_) continue;
     suspect |= 1u << k;
     if ((suspect_ >> k & 1u) == 0) since_[k] = now;
     if (now - since_[k] > delay_) failed |= 1u << k;

@@ -21,16 +21,16 @@ class MotorWatch {
   /// @param standing  PowerSample::motors_standing, the last known.
   /// @param told      what the actuators were last commanded.
   /// @returns  bit k: motor k has stood under throttle for longer than the delay.
-  std::uint8_t step(Time now, std::uint8_t standing, const Actuators& told) {
+  std::uint8_t step(Time now, std::uint8_t standing, const Actuators& commanded) {
     if (standing == 0) [[likely]] {
       suspect_ = 0;
       return 0;
     }
-    return examine(now, standing, told);
+    return examine(now, standing, commanded);
   }
 
  private:
-  std::uint8_t examine(Time now, std::uint8_t standing, const Actuators& told);
+  std::uint8_t examine(Time now, std::uint8_t standing, const Actuators& commanded);
 
   double idle_;
   Time delay_;

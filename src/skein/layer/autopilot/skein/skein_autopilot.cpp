@@ -213,10 +213,10 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
       (order_ == Order::kAgent && std::holds_alternative<Land>(agent_command_.guidance));
   const bool floor_counts = !input_.on_ground && !landing && order_ != Order::kTakeOff;
   input_.outside_fence = fence_.step(nav.p_N, nav.v_N, floor_counts);
-  if (const auto* told = std::get_if<Actuators>(&last_)) {
+  if (const auto* commanded = std::get_if<Actuators>(&last_)) {
     // For good: a rotor that is no longer commanded to turn looks like one that may
     // stand.
-    failed_ |= motors_.step(now, standing_, *told);
+    failed_ |= motors_.step(now, standing_, *commanded);
     input_.motor_failed = failed_ != 0;
     if (auto* rotors = std::get_if<RotorFlier>(&flier_)) rotors->set_standing(failed_);
   }

@@ -32,8 +32,8 @@ struct TestVehicle {
   }
   void step(const FlightCommand& command) {
     const double limit = std::atan(kAirspeed * kAirspeed / (9.80665 * kRadius));
-    const double wanted = std::clamp(command.roll, -limit, limit);
-    roll += std::clamp(wanted - roll, -kStep, kStep);
+    const double setpoint = std::clamp(command.roll, -limit, limit);
+    roll += std::clamp(setpoint - roll, -kStep, kStep);
     const double turn = 9.80665 * std::tan(roll) / airspeed * kStep;
     airspeed += (command.airspeed - airspeed) * kStep / 2;
     climb = std::clamp(command.climb_rate, -3.0, 3.0);

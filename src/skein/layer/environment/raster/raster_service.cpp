@@ -143,9 +143,9 @@ Result<PixelWindow> RasterService::read(int band, const PixelWindow& window) {
   if (!answer) return answer.error();
   PixelWindow pixels = window;
   pixels.values = std::move(answer.value().numbers);
-  const auto wanted =
+  const auto requested =
       static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.rows);
-  if (pixels.values.size() != wanted)
+  if (pixels.values.size() != requested)
     return Error{ErrorCode::kBadInput, path_, "cannot be read; the file is corrupt", ""};
   return pixels;
 }

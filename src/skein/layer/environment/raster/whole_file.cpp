@@ -151,22 +151,22 @@ class NetcdfHeader {
   std::vector<Variable> variables_;
 };
 
-Error cut_short(const std::string& path, std::uint64_t length, std::uint64_t wanted) {
+Error cut_short(const std::string& path, std::uint64_t length, std::uint64_t requested) {
   return {ErrorCode::kBadInput, path,
           fmt::format("is truncated: {} bytes long, and its header asks for {}", length,
-                      wanted),
+                      requested),
           "copy or download it again"};
 }
 
 Result<void> check_netcdf(const std::string& path, int version, std::uint64_t length) {
   Bytes bytes(path);
   bytes.seek(4);
-  const auto wanted = NetcdfHeader(bytes, version).min_length();
-  if (!wanted)
+  const auto requested = NetcdfHeader(bytes, version).min_length();
+  if (!requested)
     return Error{ErrorCode::kBadInput, path,
                  "is truncated or damaged: its NetCDF header makes no sense",
                  "copy or download it again"};
-  if (*wanted > length) return cut_short(path, length, *wanted);
+  if (*requested > length) return cut_short(path, length, *requested);
   return {};
 }
 

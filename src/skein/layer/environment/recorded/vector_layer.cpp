@@ -177,8 +177,8 @@ void read_time(OGRFeatureH feature, int field, VectorFeature& out) {
   }
 }
 
-int time_index(OGRFeatureDefnH definition, const std::string& wanted) {
-  if (!wanted.empty()) return OGR_FD_GetFieldIndex(definition, wanted.c_str());
+int time_index(OGRFeatureDefnH definition, const std::string& requested) {
+  if (!requested.empty()) return OGR_FD_GetFieldIndex(definition, requested.c_str());
   for (const std::string& name : time_names())
     if (const int i = OGR_FD_GetFieldIndex(definition, name.c_str()); i >= 0) return i;
   return -1;

@@ -303,9 +303,9 @@ Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& o
 
   std::vector<double> levels = sorted_unique(heights);
   if (options.height) {
-    const double wanted = options.ground_msl + *options.height;
+    const double requested = options.ground_msl + *options.height;
     levels = {*std::min_element(levels.begin(), levels.end(), [&](double a, double b) {
-      return std::abs(a - wanted) < std::abs(b - wanted);
+      return std::abs(a - requested) < std::abs(b - requested);
     })};
   }
   std::vector<Time> moments;

@@ -50,21 +50,21 @@ void EdgeFollower::add(const FireReading& reading, double course) {
   last_ = reading;
   const bool differs = previous && previous->inside != reading.inside &&
                        (reading.time - previous->time).seconds() <= kReadingsApart;
-  if (doubtful_ && differs) {
+  if (implausible_ && differs) {
     // The reading in between stands alone: forget its crossing.
-    doubtful_ = false;
+    implausible_ = false;
     belief_ = before_;
     return;
   }
-  doubtful_ = false;
+  implausible_ = false;
   const Vec2 middle =
       previous ? Vec2((previous->point + reading.point) / 2) : reading.point;
   if (differs) {
-    doubtful_ = !plausible(middle);
+    implausible_ = !plausible(middle);
     before_ = belief_;
     crossed({reading.time, middle}, course);
   }
-  if (reading.inside && !doubtful_) last_inside_ = Mark{reading.time, reading.point};
+  if (reading.inside && !implausible_) last_inside_ = Mark{reading.time, reading.point};
 }
 
 bool EdgeFollower::plausible(const Vec2& crossing) const {
@@ -205,8 +205,8 @@ double EdgeFollower::follow_finder(const Vec2& position) const {
   const double outside = right ? -from_edge.norm() : from_edge.norm();
   const double along = geo::bearing(side_ * found_->tangent);
   // To the other side and back: an edge that is never crossed is never measured.
-  const double wanted = last_ && last_->inside ? options_.offset : -options_.offset;
-  return along + side_ * math::atan2(outside - wanted, kFinderLookAhead);
+  const double setpoint = last_ && last_->inside ? options_.offset : -options_.offset;
+  return along + side_ * math::atan2(outside - setpoint, kFinderLookAhead);
 }
 
 }  // namespace skein::reasoning

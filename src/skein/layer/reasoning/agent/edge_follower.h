@@ -83,7 +83,7 @@ class EdgeFollower {
   FollowEdge task_;
   double side_;  // of the fire: +1 right, -1 left
   Belief belief_, before_;
-  bool doubtful_ = false;  // the last reading made an implausible crossing
+  bool implausible_ = false;  // the last reading made an implausible crossing
   std::optional<double>
       tangent_;  // as the task says it, in the direction of flight [rad]
   std::optional<FireReading> last_;

@@ -70,10 +70,9 @@ void MonitorAgent::step(const AgentInput& in, AgentOutput& out) {
   }
   altitude_msl_ = altitude_over(map_, place, geo::horizontal(in.nav->v_N),
                                 options_.altitude_agl, limits_.climb_rate);
-  const Setpoint wanted = setpoint(in, out);
+  const Setpoint next = next_setpoint(in, out);
   AutopilotCommand command;
-  command.guidance =
-      zones_.keep_out(wanted.guidance, wanted.course, *in.nav, altitude_msl_);
+  command.guidance = zones_.keep_out(next.guidance, next.course, *in.nav, altitude_msl_);
   deflected_ = zones_.deflecting();
   zones_.look(in, out);
   command.altitude_msl = altitude_msl_;
@@ -149,7 +148,8 @@ void MonitorAgent::report(const AgentInput& in, AgentOutput& out) {
   out.outbox.push_back(std::move(message));
 }
 
-MonitorAgent::Setpoint MonitorAgent::setpoint(const AgentInput& in, AgentOutput& out) {
+MonitorAgent::Setpoint MonitorAgent::next_setpoint(const AgentInput& in,
+                                                   AgentOutput& out) {
   if (!has_task_) return circle_at(allowed(*home_, in, out), *in.nav);
   if (const auto* order = std::get_if<FlyTo>(&task_.what))
     return fly_to(allowed(order->point, in, out), in);

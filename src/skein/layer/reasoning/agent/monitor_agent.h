@@ -60,7 +60,7 @@ class MonitorAgent final : public Agent {
   void take_samples(const AgentInput& in, AgentOutput& out);
   void report(const AgentInput& in, AgentOutput& out);
 
-  Setpoint setpoint(const AgentInput& in, AgentOutput& out);
+  Setpoint next_setpoint(const AgentInput& in, AgentOutput& out);
   Setpoint fly_to(const Vec2& point, const AgentInput& in);
   Setpoint follow_edge(const AgentInput& in, AgentOutput& out);
   Setpoint follow_line(const FollowLine& order, const AgentInput& in);

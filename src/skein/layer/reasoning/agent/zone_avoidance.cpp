@@ -73,14 +73,14 @@ ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
                                         double& nearest) const {
   const double airspeed = limits_.airspeed;
   const double fastest = airspeed / limits_.turn_radius;
-  const double wanted =
+  const double setpoint =
       model::heading_for_course(course, airspeed, nav.wind_N).value_or(course);
   Vec2 p = geo::horizontal(nav.p_N);
   double heading = nav.heading;
   Vec2 v = geo::horizontal(nav.v_N);
   for (double t = 0; t < options_.preview - kStep / 2; t += kStep) {
     const double rate =
-        std::clamp(kHeadingGain * geo::wrap_pi(wanted - heading), -fastest, fastest);
+        std::clamp(kHeadingGain * geo::wrap_pi(setpoint - heading), -fastest, fastest);
     v = airspeed * geo::unit(heading + rate * kStep / 2) + nav.wind_N;
     heading += rate * kStep;
     p += kStep * v;
@@ -109,14 +109,14 @@ double ZoneAvoidance::slack(const NavEstimate& nav, double course) const {
 }
 
 decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
-    const decltype(AutopilotCommand::guidance)& wanted, double course,
+    const decltype(AutopilotCommand::guidance)& setpoint, double course,
     const NavEstimate& nav, std::optional<double> altitude_msl) {
   deflecting_ = false;
-  if (empty()) return wanted;
+  if (empty()) return setpoint;
   regard(nav, altitude_msl);
   if (border_.empty()) {
     side_ = 0;
-    return wanted;
+    return setpoint;
   }
   const Vec2 position = geo::horizontal(nav.p_N);
   radius_ = circle_radius(nav);
@@ -128,7 +128,7 @@ decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
   const bool far = here > reach + 2 * radius_ + options_.margin;
   if (far || slack(nav, course) >= 0) {
     side_ = 0;
-    return wanted;
+    return setpoint;
   }
 
   deflecting_ = true;

@@ -50,7 +50,7 @@ class ZoneAvoidance {
   /// What to fly instead of `wanted`, whose course over ground is `course` now. Regards
   /// the zones first.
   decltype(AutopilotCommand::guidance) check(
-      const decltype(AutopilotCommand::guidance)& wanted, double course,
+      const decltype(AutopilotCommand::guidance)& setpoint, double course,
       const NavEstimate& nav, std::optional<double> altitude_msl = std::nullopt);
 
   /// Whether the last check changed the request.

@@ -45,24 +45,24 @@ void ZoneDecorator::step(const AgentInput& in, AgentOutput& out) {
 }
 
 void ZoneDecorator::shield(const AgentInput& in, AgentOutput& out) {
-  if (out.command) wanted_ = out.command;
-  if (!wanted_) return;
-  const double altitude = wanted_->altitude_msl;
+  if (out.command) setpoint_ = out.command;
+  if (!setpoint_) return;
+  const double altitude = setpoint_->altitude_msl;
   if (zones_.keeps_on_ground(in, altitude)) {
     held_ = true;
     out.command.reset();
     return;
   }
-  if (std::exchange(held_, false)) out.command = wanted_;
+  if (std::exchange(held_, false)) out.command = setpoint_;
   if (in.autopilot.on_ground || zones_.zones().empty()) return;
   const bool was_deflecting = zones_.deflecting();
-  auto guidance =
-      zones_.keep_out(wanted_->guidance, course_of(*wanted_, *in.nav), *in.nav, altitude);
+  auto guidance = zones_.keep_out(setpoint_->guidance, course_of(*setpoint_, *in.nav),
+                                  *in.nav, altitude);
   zones_.look(in, out);
   if (zones_.deflecting())
-    out.command = AutopilotCommand{std::move(guidance), altitude, wanted_->airspeed};
+    out.command = AutopilotCommand{std::move(guidance), altitude, setpoint_->airspeed};
   else if (was_deflecting)
-    out.command = wanted_;
+    out.command = setpoint_;
 }
 
 }  // namespace skein::reasoning

@@ -32,8 +32,8 @@ class ZoneDecorator final : public Agent {
   ZoneMonitor zones_;
   ReturnPlanner returns_;
   std::unique_ptr<Agent> pilot_;
-  std::optional<AutopilotCommand> wanted_;  // the pilot's last
-  bool held_ = false;                       // it was not to take off
+  std::optional<AutopilotCommand> setpoint_;  // the pilot's last
+  bool held_ = false;                         // it was not to take off
   std::optional<Vec2> home_;
 };
 

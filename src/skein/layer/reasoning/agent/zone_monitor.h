@@ -37,10 +37,10 @@ class ZoneMonitor {
 
   /// See ZoneAvoidance::check.
   decltype(AutopilotCommand::guidance) keep_out(
-      const decltype(AutopilotCommand::guidance)& wanted, double course,
+      const decltype(AutopilotCommand::guidance)& setpoint, double course,
       const NavEstimate& nav, double altitude_msl) {
     regard(nav, altitude_msl);
-    return avoidance_.check(wanted, course, nav, altitude_msl);
+    return avoidance_.check(setpoint, course, nav, altitude_msl);
   }
 
   /// Finds out which zones count for a flight at this altitude [m]; see ZoneAvoidance.

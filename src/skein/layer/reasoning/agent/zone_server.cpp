@@ -35,9 +35,9 @@ void ZoneServer::step(const AgentInput& in, AgentOutput& out) {
     inbox.emplace_back().content = changes_[k];
     inbox.back().sent = in.now;
   }
-  AgentInput told = in;
-  told.inbox = inbox;
-  station_->step(told, out);
+  AgentInput rest = in;
+  rest.inbox = inbox;
+  station_->step(rest, out);
   send_missing(in.now, out);
   report_when_known(in.now, out);
 }

@@ -35,10 +35,10 @@ void FormationControl::step(const AgentInput& in, AgentOutput& out) {
     if (k != leader_ || options_.direct) continue;
     for (std::size_t other = 0; other < members_.size(); ++other) {
       if (other == k) continue;
-      Message told;
-      told.to = options_.team[other];
-      told.content = TeamPosition{message.from, report->nav};
-      out.outbox.push_back(std::move(told));
+      Message position;
+      position.to = options_.team[other];
+      position.content = TeamPosition{message.from, report->nav};
+      out.outbox.push_back(std::move(position));
     }
   }
   for (std::size_t k = 0; k < members_.size(); ++k)
@@ -57,7 +57,7 @@ void FormationControl::appoint(std::size_t leader, Time now, AgentOutput& out) {
     if (k == leader) {
       FlyRoute route{options_.route, options_.laps, {}};
       for (const EntityId id : options_.team)
-        if (options_.direct && id != leads) route.tell.push_back(id);
+        if (options_.direct && id != leads) route.report_to.push_back(id);
       task.what = std::move(route);
     } else {
       task.what = FollowLeader{leads, options_.slots[slot++]};

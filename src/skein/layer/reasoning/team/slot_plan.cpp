@@ -68,12 +68,12 @@ class Follower {
   }
 
   void step(const PlanPoint& slot) {
-    const Vec2 wanted = to_slot(slot);
+    const Vec2 setpoint = to_slot(slot);
     const Vec2 before = air_;
     if (hovers())
-      move(wanted);
+      move(setpoint);
     else
-      turn(wanted);
+      turn(setpoint);
     const Vec2 v = (before + air_) / 2 + wind_;
     const double rise = -slot.p_N.z() + p_.z();
     const double change = bounded_climb(-slot.v_N.z() + kClimbGain * rise) - climb_;
@@ -111,28 +111,29 @@ class Follower {
 
   // The radius of a turn grows with the square of the speed: what is fast in a turn comes
   // out of it far outside.
-  double speed_for(const Vec2& wanted) const {
-    const double off = std::abs(geo::wrap_pi(geo::bearing(wanted) - geo::bearing(air_)));
+  double speed_for(const Vec2& setpoint) const {
+    const double off =
+        std::abs(geo::wrap_pi(geo::bearing(setpoint) - geo::bearing(air_)));
     const double most = off > kTurns ? std::min(limits_.airspeed, fastest_) : fastest_;
-    return std::clamp(wanted.norm(), slowest_, std::max(most, slowest_));
+    return std::clamp(setpoint.norm(), slowest_, std::max(most, slowest_));
   }
 
-  void turn(const Vec2& wanted) {
+  void turn(const Vec2& setpoint) {
     const double speed = air_.norm(), heading = geo::bearing(air_);
     const double most = max_lateral_ / std::max(speed, 1.0);
     const double rate = std::clamp(
-        kCourseGain * geo::wrap_pi(geo::bearing(wanted) - heading), -most, most);
+        kCourseGain * geo::wrap_pi(geo::bearing(setpoint) - heading), -most, most);
     const double roll_in = most * kStep / kRollIn;
     rate_ = std::clamp(rate_ + std::clamp(rate - rate_, -roll_in, roll_in), -most, most);
-    const double faster = speed_for(wanted) - speed;
+    const double faster = speed_for(setpoint) - speed;
     const double change =
         std::clamp(faster, -deceleration_ * kStep, kAcceleration * kStep);
     air_ = std::clamp(speed + change, slowest_, fastest_) *
            geo::unit(heading + rate_ * kStep);
   }
 
-  void move(const Vec2& wanted) {
-    const Vec2 change = wanted - air_;
+  void move(const Vec2& setpoint) {
+    const Vec2 change = setpoint - air_;
     air_ += change * std::min(1.0, kHoverMoves * kStep / std::max(change.norm(), 1e-9));
     air_ *= std::min(1.0, fastest_ / std::max(air_.norm(), 1e-9));
   }

@@ -74,20 +74,20 @@ void Wingman::listen(const AgentInput& in, AgentOutput& out) {
       demanded_.reset();
       route_.reset();
       out.events.push_back({in.now, self_, "task", leads ? "leads" : "follows"});
-    } else if (const auto* told = std::get_if<TeamPosition>(&message.content)) {
-      hear(*told);
+    } else if (const auto* reported = std::get_if<TeamPosition>(&message.content)) {
+      hear(*reported);
     }
   }
 }
 
-void Wingman::hear(const TeamPosition& told) {
+void Wingman::hear(const TeamPosition& reported) {
   const auto* order = std::get_if<FollowLeader>(&task_.what);
-  if (!order || told.aircraft != order->leader) return;
-  if (leader_ && told.nav.time <= leader_->at.time) return;  // overtaken
-  LeaderMotion now{told.nav, 0};
+  if (!order || reported.aircraft != order->leader) return;
+  if (leader_ && reported.nav.time <= leader_->at.time) return;  // overtaken
+  LeaderMotion now{reported.nav, 0};
   if (leader_) {
-    const double since = (told.nav.time - leader_->at.time).seconds();
-    const double turned = geo::wrap_pi(geo::bearing(geo::horizontal(told.nav.v_N)) -
+    const double since = (reported.nav.time - leader_->at.time).seconds();
+    const double turned = geo::wrap_pi(geo::bearing(geo::horizontal(reported.nav.v_N)) -
                                        geo::bearing(geo::horizontal(leader_->at.v_N)));
     if (since < kStaleLeader)
       now.turn_rate = std::clamp(turned / since, -kTurnRateLimit, kTurnRateLimit);
@@ -151,7 +151,7 @@ void Wingman::report(const AgentInput& in, AgentOutput& out) {
   send(station_, AircraftReport{*in.nav, limits_, has_task_ ? task_.number : 0, done_,
                                 obeys_orders(in.autopilot), zones_.changes_known()});
   if (const auto* route = std::get_if<FlyRoute>(&task_.what))
-    for (const EntityId id : route->tell) send(id, TeamPosition{self_, *in.nav});
+    for (const EntityId id : route->report_to) send(id, TeamPosition{self_, *in.nav});
 }
 
 }  // namespace skein::reasoning

@@ -42,7 +42,7 @@ class Wingman final : public Agent {
 
  private:
   void listen(const AgentInput& in, AgentOutput& out);
-  void hear(const TeamPosition& told);
+  void hear(const TeamPosition& reported);
   void fly(const AgentInput& in, AgentOutput& out);
   void lead(const FlyRoute& route);
   void follow(const FollowLeader& order, const AgentInput& in, AgentOutput& out);

@@ -183,9 +183,9 @@ TEST(UncertainHalfLine, AnUninformativeReadingTeachesNothing) {
 
 TEST(UncertainHalfLine, AnImpossibleReadingIsTakenForAnError) {
   // 60 sigma away the reading is certainly false, if it can be false at all.
-  const MixtureMoments doubted = uncertain_half_line(0, 1, 60, 0.99, 0.01);
-  EXPECT_NEAR(doubted.mean, 0, 1e-12);
-  EXPECT_NEAR(doubted.variance, 1, 1e-12);
+  const MixtureMoments mixture = uncertain_half_line(0, 1, 60, 0.99, 0.01);
+  EXPECT_NEAR(mixture.mean, 0, 1e-12);
+  EXPECT_NEAR(mixture.variance, 1, 1e-12);
   const MixtureMoments trusted = uncertain_half_line(0, 1, 60, 1, 0);
   EXPECT_NEAR(trusted.mean, 60 + 1.0 / 60, 1e-4);
   EXPECT_EQ(trusted.likelihood, 0) << "underflow; the moments do not";

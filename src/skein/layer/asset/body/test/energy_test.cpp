@@ -70,11 +70,11 @@ TEST(Battery, EnduranceIsTheTimeUntilItGivesLess) {
     Energy energy;
     energy.charge = 0.83;
     battery.draw(energy, {}, power, 0);
-    const double told = battery.endurance(energy);
+    const double predicted = battery.endurance(energy);
     double seconds = 0;
     while (battery.draw(energy, {}, power, 0.1) == 1) seconds += 0.1;
     // Steps of 0.1 s, and two Gauss points a segment of the table.
-    EXPECT_NEAR(told, seconds, 0.1 + 1e-4 * seconds) << power;
+    EXPECT_NEAR(predicted, seconds, 0.1 + 1e-4 * seconds) << power;
   }
 }
 

@@ -53,7 +53,7 @@ TEST(MultirotorPlant, HoversForItsEndurance) {
   const MultirotorParameters p;
   const MultirotorPlant plant(p);
   VehicleState s = plant.start({});
-  const double told = Battery(p.battery).endurance(s.energy);
+  const double predicted = Battery(p.battery).endurance(s.energy);
   const Actuators throttles = hover_throttles(p, s);
   double seconds = 0;
   while (s.energy.charge > 0 && s.v_N.norm() < 0.1) {
@@ -62,9 +62,9 @@ TEST(MultirotorPlant, HoversForItsEndurance) {
     seconds += 0.01;
   }
   // It sinks when the battery can give hover power no more.
-  EXPECT_NEAR(seconds, told, 5);
-  EXPECT_GT(told, 20 * 60);
-  EXPECT_LT(told, 25 * 60);
+  EXPECT_NEAR(seconds, predicted, 5);
+  EXPECT_GT(predicted, 20 * 60);
+  EXPECT_LT(predicted, 25 * 60);
 }
 
 TEST(MultirotorPlant, PowerHasItsMinimumInForwardFlight) {

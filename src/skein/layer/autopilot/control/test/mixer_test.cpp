@@ -46,10 +46,10 @@ TEST(Mixer, GivesTheWrenchWhereTheRotorsCan) {
       MultirotorAirframe a = ring(rotors, 0.4);
       a.thrust_exponent = exponent;
       const double hover = 0.5 * a.thrust_max * rotors;
-      const Wrench wanted{hover, Vec3(0.3, -0.4, 0.03)};
-      const Wrench got = wrench_of(a, Mixer(a, 0).mix(wanted).throttle);
-      EXPECT_NEAR(got.thrust, wanted.thrust, kRounding) << rotors;
-      EXPECT_LT((got.torque - wanted.torque).norm(), kRounding) << rotors;
+      const Wrench setpoint{hover, Vec3(0.3, -0.4, 0.03)};
+      const Wrench got = wrench_of(a, Mixer(a, 0).mix(setpoint).throttle);
+      EXPECT_NEAR(got.thrust, setpoint.thrust, kRounding) << rotors;
+      EXPECT_LT((got.torque - setpoint.torque).norm(), kRounding) << rotors;
     }
 }
 
@@ -85,12 +85,12 @@ TEST(Mixer, FliesASixRotorAirframeWithAnyOneStanding) {
   const MultirotorAirframe a = ring(6, 0);
   for (unsigned dead = 0; dead < 6; ++dead) {
     const Mixer mixer(a, static_cast<std::uint8_t>(1u << dead));
-    const Wrench wanted{a.mass * 9.8, Vec3(0.1, -0.1, 0)};
-    const Mix mix = mixer.mix(wanted);
+    const Wrench setpoint{a.mass * 9.8, Vec3(0.1, -0.1, 0)};
+    const Mix mix = mixer.mix(setpoint);
     EXPECT_EQ(mix.throttle[dead], 0);
     const Wrench got = wrench_of(a, mix.throttle);
-    EXPECT_NEAR(got.thrust, wanted.thrust, kRounding);
-    EXPECT_LT((got.torque - wanted.torque).head<2>().norm(), kRounding);
+    EXPECT_NEAR(got.thrust, setpoint.thrust, kRounding);
+    EXPECT_LT((got.torque - setpoint.torque).head<2>().norm(), kRounding);
     // Yaw is at the end of its range there: hover needs the opposite rotor to stand too.
     EXPECT_LT(std::abs(got.torque.z()), 0.02 * a.torque_ratio * a.mass * 9.8 + 0.03);
   }
@@ -102,8 +102,8 @@ TEST(Mixer, StaysInRangeAndKeepsTiltWhateverIsAsked) {
         ring(*rc::gen::inRange(3, 9), 0.001 * *rc::gen::inRange(0, 6000));
     const auto standing = static_cast<std::uint8_t>(*rc::gen::inRange(0, 256));
     const auto number = [] { return 0.001 * *rc::gen::inRange(-50000, 50000); };
-    const Wrench wanted{number(), Vec3(number(), number(), number())};
-    const Mix mix = Mixer(a, standing).mix(wanted);
+    const Wrench setpoint{number(), Vec3(number(), number(), number())};
+    const Mix mix = Mixer(a, standing).mix(setpoint);
     for (std::size_t k = 0; k < Actuators::kMaxChannels; ++k) {
       RC_ASSERT(mix.throttle[k] >= 0 && mix.throttle[k] <= 1);
       if ((standing >> k & 1u) != 0 || k >= a.rotors.size())

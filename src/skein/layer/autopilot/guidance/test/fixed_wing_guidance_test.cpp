@@ -26,7 +26,7 @@ struct Flight {
       if (watch) watch();
     }
   }
-  std::optional<std::string> tell(const AutopilotCommand& command) {
+  std::optional<std::string> command(const AutopilotCommand& command) {
     return guidance.command(command, motion_of(wing.nav()));
   }
   Vec2 position() const { return wing.p.head<2>(); }
@@ -84,7 +84,7 @@ Accuracy fly_turns(LateralLaw law, double wind_speed) {
   for (int i = 0; i < 8; ++i) {
     Flight flight(wind_speed * geo::unit(i * geo::kPi / 4), with_law(law));
     flight.wing.heading = model::heading_for_course(0, 15, flight.wing.wind).value();
-    EXPECT_FALSE(flight.tell({FollowPath{path}, 100}));
+    EXPECT_FALSE(flight.command({FollowPath{path}, 100}));
     double along = 0;
     for (int n = 0; n < 60000 && !flight.guidance.status().done; ++n) {
       flight.fly(PointWing::kStep);
@@ -123,7 +123,7 @@ TEST(FixedWingGuidance, CirclesWithEachLaw) {
     for (const double wind : {0.0, 5.0, 8.0})
       for (const bool clockwise : {true, false}) {
         Flight flight({0, wind}, with_law(law));
-        EXPECT_FALSE(flight.tell({Circle{{300, 100}, 120, clockwise}, 100}));
+        EXPECT_FALSE(flight.command({Circle{{300, 100}, 120, clockwise}, 100}));
         flight.fly(120);
         Errors errors;
         flight.fly(
@@ -158,8 +158,8 @@ TEST(FixedWingGuidance, ArrivesWhenThePlanSays) {
       Flight flight(wind * geo::unit(0.3 + i * geo::kPi / 2));
       // Five seconds too late at the start.
       const Plan plan = plan_along(path, 14, -5, 100, 0.5);
-      ASSERT_FALSE(flight.tell({FollowPlan{plan}, 0}))
-          << *flight.tell({FollowPlan{plan}, 0});
+      ASSERT_FALSE(flight.command({FollowPlan{plan}, 0}))
+          << *flight.command({FollowPlan{plan}, 0});
       flight.fly(30);
       Errors track, time, altitude;
       const double left = plan.back().time.seconds() - flight.wing.time.seconds() - 1;
@@ -187,7 +187,7 @@ TEST(FixedWingGuidance, ArrivesWhenThePlanSays) {
 TEST(FixedWingGuidance, FliesThePlansEndOnInACircleAtItsAltitude) {
   Flight flight;
   const Plan plan = plan_along(join({{300, 0}}), 15, 0, 100, 1);
-  ASSERT_FALSE(flight.tell({FollowPlan{plan}, 0}));
+  ASSERT_FALSE(flight.command({FollowPlan{plan}, 0}));
   flight.fly(90);
   EXPECT_TRUE(flight.guidance.status().done);
   EXPECT_NEAR(-flight.wing.p.z(), 120, 0.5);
@@ -206,7 +206,7 @@ TEST(FixedWingGuidance, FliesLapsOfWaypoints) {
       FixedWingGuidanceOptions options;
       options.rounds_corners = rounds;
       Flight flight({wind, 0}, options);
-      ASSERT_FALSE(flight.tell({FlyWaypoints{square(), 3}, 100}));
+      ASSERT_FALSE(flight.command({FlyWaypoints{square(), 3}, 100}));
       std::vector<double> nearest(4, 1e9);
       Errors track, altitude;
       double last = 1e9, worst_jump = 0;
@@ -248,7 +248,7 @@ TEST(FixedWingGuidance, FliesLapsOfWaypoints) {
 TEST(FixedWingGuidance, HoldsAPositionInWind) {
   for (const double wind : {0.0, 8.0}) {
     Flight flight({0, wind});
-    ASSERT_FALSE(flight.tell({HoldPosition{{500, 200}}, 120}));
+    ASSERT_FALSE(flight.command({HoldPosition{{500, 200}}, 120}));
     flight.fly(120);
     EXPECT_TRUE(flight.guidance.status().done);
     EXPECT_NEAR(-flight.wing.p.z(), 120, 0.5);
@@ -261,7 +261,7 @@ TEST(FixedWingGuidance, HoldsAPositionInWind) {
 
 TEST(FixedWingGuidance, WidensItsCircleWhenTheWindGrows) {
   Flight flight;
-  ASSERT_FALSE(flight.tell({Circle{{0, 0}, 60, true}, 100}));
+  ASSERT_FALSE(flight.command({Circle{{0, 0}, 60, true}, 100}));
   flight.fly(60);
   flight.wing.wind = {9, 0};
   flight.fly(60);
@@ -275,7 +275,7 @@ TEST(FixedWingGuidance, WidensItsCircleWhenTheWindGrows) {
 TEST(FixedWingGuidance, ReturnsHomeAtASafeAltitude) {
   Flight flight({3, 3});
   flight.wing.p = {900, -700, -110};
-  ASSERT_FALSE(flight.tell({Return{}, 50}));
+  ASSERT_FALSE(flight.command({Return{}, 50}));
   flight.fly(5);
   EXPECT_FALSE(flight.guidance.status().done);
   flight.fly(150);
@@ -291,7 +291,7 @@ TEST(FixedWingGuidance, FliesStraightToCirclesFarAway) {
     options.lateral.law = law;
     Flight flight(Vec2::Zero(), options);
     flight.wing.p = {-1830, 0, -100};  // the nose to the north, towards the centre
-    ASSERT_FALSE(flight.tell({HoldPosition{Vec2::Zero()}, 100}));
+    ASSERT_FALSE(flight.command({HoldPosition{Vec2::Zero()}, 100}));
     // The tangent to the circle.
     const double radius = flight.guidance.loiter_radius(0);
     const double straight = std::sqrt(1830 * 1830 - radius * radius);
@@ -317,7 +317,7 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
     flight.wing.p.setZero();
     flight.wing.airspeed = 0;
     flight.wing.on_ground = true;
-    ASSERT_FALSE(flight.tell({TakeOff{0}, 120}));
+    ASSERT_FALSE(flight.command({TakeOff{0}, 120}));
     flight.fly(1);
     EXPECT_EQ(flight.demand.phase, FlightPhase::kRun);
     flight.fly(15);
@@ -327,7 +327,7 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
     EXPECT_TRUE(flight.guidance.status().done);
     EXPECT_NEAR(-flight.wing.p.z(), 120, 5);
 
-    ASSERT_FALSE(flight.tell({Land{{200, 50}, 0, std::nullopt}, 120}));
+    ASSERT_FALSE(flight.command({Land{{200, 50}, 0, std::nullopt}, 120}));
     double touch_sink = 0;
     Vec2 touch = Vec2::Zero();
     bool approached = false, was_up = true;
@@ -437,7 +437,7 @@ TEST(Landing, FeelsTheGroundAndGoesOnFlyingWhenItIsThrownUp) {
 TEST(FixedWingGuidance, CirclesDownBeforeAnApproachFromTooHigh) {
   Flight flight;
   flight.wing.p = {-450, 0, -250};
-  ASSERT_FALSE(flight.tell({Land{{0, 0}, 0, 0.0}, 250}));
+  ASSERT_FALSE(flight.command({Land{{0, 0}, 0, 0.0}, 250}));
   for (int i = 0; i < 60000 && !flight.guidance.status().done; ++i) {
     flight.fly(PointWing::kStep);
     if (flight.demand.phase == FlightPhase::kApproach) {
@@ -450,8 +450,8 @@ TEST(FixedWingGuidance, CirclesDownBeforeAnApproachFromTooHigh) {
 
 TEST(FixedWingGuidance, RefusesWhatItCannotFlyAndGoesOn) {
   Flight flight;
-  ASSERT_FALSE(flight.tell({HoldCourse{1}, 100}));
-  const auto reason = flight.tell({Circle{{0, 0}, 5, true}, 100});
+  ASSERT_FALSE(flight.command({HoldCourse{1}, 100}));
+  const auto reason = flight.command({Circle{{0, 0}, 5, true}, 100});
   ASSERT_TRUE(reason);
   EXPECT_NE(reason->find("radius of 5 m"), std::string::npos) << *reason;
   flight.fly(30);
@@ -461,9 +461,9 @@ TEST(FixedWingGuidance, RefusesWhatItCannotFlyAndGoesOn) {
 TEST(FixedWingGuidance, ARepeatedPathGoesOn) {
   Flight once, often;
   const Path path = join({{400, 0}, {100, 0.01}, {100, 0}});
-  ASSERT_FALSE(once.tell({FollowPath{path}, 110}));
+  ASSERT_FALSE(once.command({FollowPath{path}, 110}));
   for (int i = 0; i < 30; ++i) {
-    ASSERT_FALSE(often.tell({FollowPath{path}, 110}));
+    ASSERT_FALSE(often.command({FollowPath{path}, 110}));
     once.fly(1);
     often.fly(1);
   }
@@ -475,7 +475,7 @@ TEST(FixedWingGuidance, SlowsDownForTightTurns) {
   for (int i = 0; i < 4; ++i) {
     Flight flight(3 * geo::unit(i * geo::kPi / 2));
     flight.wing.heading = model::heading_for_course(0, 15, flight.wing.wind).value();
-    ASSERT_FALSE(flight.tell({FollowPath{path}, 100}));
+    ASSERT_FALSE(flight.command({FollowPath{path}, 100}));
     Errors track;
     double slowest = 1e9;
     flight.fly(45, [&] {

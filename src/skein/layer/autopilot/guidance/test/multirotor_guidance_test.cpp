@@ -35,7 +35,7 @@ struct Flight {
       if (watch) watch();
     }
   }
-  std::optional<std::string> tell(const AutopilotCommand& command) {
+  std::optional<std::string> command(const AutopilotCommand& command) {
     return guidance.command(command, rotor.nav());
   }
   Vec2 position() const { return rotor.p.head<2>(); }
@@ -64,7 +64,7 @@ TEST(MultirotorGuidance, StaysWhereItIsUntilTheFirstCommand) {
 TEST(MultirotorGuidance, GoesToAPointWithoutOvershoot) {
   for (const double distance : {2.0, 20.0, 200.0}) {
     Flight flight;
-    ASSERT_FALSE(flight.tell({HoldPosition{{distance, 0}}, 60, {}}));
+    ASSERT_FALSE(flight.command({HoldPosition{{distance, 0}}, 60, {}}));
     double furthest = 0, highest = 0;
     flight.fly(distance / 10 + 15, [&] {
       furthest = std::max(furthest, flight.demand.position.x());
@@ -86,7 +86,7 @@ TEST(MultirotorGuidance, StopsAtCornersAndFliesAroundThemWhenItMay) {
     MultirotorGuidanceOptions options;
     options.corner_cut = cut;
     Flight flight({4, 0}, options);
-    ASSERT_FALSE(flight.tell({FlyWaypoints{points, 2}, 50, {}}));
+    ASSERT_FALSE(flight.command({FlyWaypoints{points, 2}, 50, {}}));
     std::vector<double> nearest(4, 1e9);
     double worst = 0, overshoot = 0;
     const double time = flight.fly_until_done(300, [&] {
@@ -113,7 +113,7 @@ TEST(MultirotorGuidance, FollowsAPathAndStopsAtItsEnd) {
                      {{50, 0}, 0, geo::kPi * 8, 1 / 8.0},
                      {{50, 16}, geo::kPi, 40, 0}};
   Flight flight;
-  ASSERT_FALSE(flight.tell({FollowPath{path}, 50, {}}));
+  ASSERT_FALSE(flight.command({FollowPath{path}, 50, {}}));
   double worst = 0;
   flight.fly_until_done(60, [&] {
     double along = 0;
@@ -131,7 +131,7 @@ TEST(MultirotorGuidance, CirclesInBothSenses) {
   for (const bool clockwise : {true, false})
     for (const double wind : {0.0, 6.0}) {
       Flight flight({0, wind});
-      ASSERT_FALSE(flight.tell({Circle{{100, 0}, 30, clockwise}, 50, {}}));
+      ASSERT_FALSE(flight.command({Circle{{100, 0}, 30, clockwise}, 50, {}}));
       flight.fly(40);
       double worst = 0, turned = 0;
       Vec2 last = flight.position() - Vec2(100, 0);
@@ -161,14 +161,14 @@ TEST(MultirotorGuidance, IsWhereThePlanSaysWhenItSays) {
   }
   Flight flight({3, 3});
   flight.rotor.p = {-8, 0, -50};
-  ASSERT_FALSE(flight.tell({FollowPlan{plan}, 0, {}}));
+  ASSERT_FALSE(flight.command({FollowPlan{plan}, 0, {}}));
   flight.fly(12);
   double worst = 0, late = 0;
   model::PlanCurve curve;
   curve.assign(plan);
   flight.fly(12.5, [&] {
-    const Vec3 wanted = curve.at(flight.rotor.time.seconds()).p_N;
-    worst = std::max(worst, (wanted - flight.rotor.p).norm());
+    const Vec3 setpoint = curve.at(flight.rotor.time.seconds()).p_N;
+    worst = std::max(worst, (setpoint - flight.rotor.p).norm());
     late = std::max(late, std::abs(flight.guidance.status().time_error));
   });
   std::printf("plan: %.2f m, %.3f s\n", worst, late);
@@ -181,22 +181,22 @@ TEST(MultirotorGuidance, IsWhereThePlanSaysWhenItSays) {
 
 TEST(MultirotorGuidance, TakesOffLandsAndReturns) {
   Flight flight({3, 0}, {}, {0, 0, 0});
-  ASSERT_FALSE(flight.tell({TakeOff{}, 20, {}}));
+  ASSERT_FALSE(flight.command({TakeOff{}, 20, {}}));
   flight.fly(2);
   EXPECT_EQ(flight.demand.phase, FlightPhase::kClimbOut);
   flight.fly_until_done(20, [&] { EXPECT_LT(flight.position().norm(), 0.1); });
-  ASSERT_FALSE(flight.tell({HoldPosition{{80, 40}}, 20, {}}));
+  ASSERT_FALSE(flight.command({HoldPosition{{80, 40}}, 20, {}}));
   flight.fly(30);
 
   // Up to 30 m above home first, then back.
-  ASSERT_FALSE(flight.tell({Return{}, 10, {}}));
+  ASSERT_FALSE(flight.command({Return{}, 10, {}}));
   flight.fly(3);
   EXPECT_LT((flight.position() - Vec2(80, 40)).norm(), 0.5);
   flight.fly_until_done(40);
   EXPECT_NEAR(-flight.rotor.p.z(), 30, 0.2);
   EXPECT_LT(flight.position().norm(), 1);
 
-  ASSERT_FALSE(flight.tell({Land{{5, 5}, 0, {}}, 10, {}}));
+  ASSERT_FALSE(flight.command({Land{{5, 5}, 0, {}}, 10, {}}));
   double touch = 0;
   bool up = true;
   const double time = flight.fly_until_done(60, [&] {
@@ -211,14 +211,14 @@ TEST(MultirotorGuidance, TakesOffLandsAndReturns) {
   EXPECT_LT((flight.position() - Vec2(5, 5)).norm(), 0.2);
   // And up again.
   flight.fly(1);
-  ASSERT_FALSE(flight.tell({TakeOff{}, 10, {}}));
+  ASSERT_FALSE(flight.command({TakeOff{}, 10, {}}));
   flight.fly_until_done(20);
   EXPECT_NEAR(-flight.rotor.p.z(), 10, 1);
 }
 
 TEST(MultirotorGuidance, HoldsACourseInTheAirAndAgainstStrongWind) {
   Flight flight({-4, 3});
-  ASSERT_FALSE(flight.tell({HoldCourse{0}, 50, {}}));
+  ASSERT_FALSE(flight.command({HoldCourse{0}, 50, {}}));
   flight.fly(20);
   // 10 m/s through the air: sqrt(100 - 9) - 4 over ground.
   EXPECT_NEAR(flight.rotor.v.x(), std::sqrt(91) - 4, 0.02);
@@ -252,7 +252,7 @@ TEST(MultirotorGuidance, StopsWithoutTurningBackAfterSomebodyElseFlew) {
 
 TEST(MultirotorGuidance, TheReferenceWaitsForAVehicleThatCannotFollow) {
   Flight flight;
-  ASSERT_FALSE(flight.tell({HoldPosition{{300, 0}}, 50, {}}));
+  ASSERT_FALSE(flight.command({HoldPosition{{300, 0}}, 50, {}}));
   for (int i = 0; i < 2000; ++i)  // held fast
     flight.demand = flight.guidance.step(flight.rotor.nav(), PointRotor::kStep);
   // Twice max_lag, and the distance to brake from 10 m/s: 17 m, of which the first slows
@@ -265,7 +265,7 @@ TEST(MultirotorGuidance, KeepsItsHeadingWhenAsked) {
   MultirotorGuidanceOptions options;
   options.yaws_along_track = false;
   Flight flight(Vec2::Zero(), options);
-  ASSERT_FALSE(flight.tell({HoldPosition{{0, -50}}, 50, {}}));
+  ASSERT_FALSE(flight.command({HoldPosition{{0, -50}}, 50, {}}));
   flight.fly(10);
   EXPECT_EQ(flight.demand.heading, 0);
 }

@@ -37,12 +37,12 @@ struct PointRotor {
   }
   void step(const MultirotorDemand& d) {
     time += Time::from_ns(10'000'000);
-    Vec3 wanted;
+    Vec3 setpoint;
     const Vec2 off = d.holds_position ? Vec2(d.position - p.head<2>()) : Vec2(0, 0);
-    wanted.head<2>() = d.acceleration + 3 * (d.velocity - v.head<2>()) + 3 * off;
-    wanted.z() = -4 * (d.climb_rate + v.z()) - 4 * (d.altitude_msl + p.z());
-    if (wanted.norm() > most) wanted *= most / wanted.norm();
-    a += (wanted - a) * kStep / lag;
+    setpoint.head<2>() = d.acceleration + 3 * (d.velocity - v.head<2>()) + 3 * off;
+    setpoint.z() = -4 * (d.climb_rate + v.z()) - 4 * (d.altitude_msl + p.z());
+    if (setpoint.norm() > most) setpoint *= most / setpoint.norm();
+    a += (setpoint - a) * kStep / lag;
     p += kStep * (v + kStep / 2 * a);
     v += kStep * a;
     if (-p.z() <= ground_msl) {

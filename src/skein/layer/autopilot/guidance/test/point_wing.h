@@ -49,15 +49,16 @@ struct PointWing {
     const Vec3 before = velocity();
     const Vec2 v = before.head<2>();
     const double drift = std::cos(geo::bearing(v) - heading);
-    double wanted = std::atan(d.lateral_acceleration / (kGravity * std::max(drift, 0.3)));
+    double setpoint =
+        std::atan(d.lateral_acceleration / (kGravity * std::max(drift, 0.3)));
     double speed = d.airspeed;
     double rate = std::clamp(0.5 * (d.altitude_msl + p.z()) + d.climb_rate,
                              -limits.sink_rate, limits.climb_rate);
     if (d.phase == FlightPhase::kRun || on_ground) {
-      wanted = 0;
+      setpoint = 0;
       rate = d.phase == FlightPhase::kClimbOut ? limits.climb_rate : 0;
     }
-    if (d.phase == FlightPhase::kFlare) wanted = 0, speed = 0.7 * limits.slowest;
+    if (d.phase == FlightPhase::kFlare) setpoint = 0, speed = 0.7 * limits.slowest;
     if (d.phase == FlightPhase::kFlare) rate = d.climb_rate;
     if (d.phase == FlightPhase::kGround || (on_ground && d.phase == FlightPhase::kFlare))
       speed = 0;
@@ -66,8 +67,8 @@ struct PointWing {
       airspeed =
           std::max(airspeed - std::clamp(d.braking, friction, brakes) * kStep, 0.0);
     }
-    wanted = std::clamp(wanted, -bank_limit(), bank_limit());
-    roll += std::clamp((wanted - roll) / roll_lag, -roll_rate, roll_rate) * kStep;
+    setpoint = std::clamp(setpoint, -bank_limit(), bank_limit());
+    roll += std::clamp((setpoint - roll) / roll_lag, -roll_rate, roll_rate) * kStep;
     airspeed += std::clamp((speed - airspeed) / airspeed_lag, -2.0, 2.0) * kStep;
     climb += (rate - climb) / 0.5 * kStep;
     heading += kGravity * std::tan(roll) / std::max(airspeed, 3.0) * kStep;

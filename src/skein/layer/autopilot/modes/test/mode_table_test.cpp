@@ -123,17 +123,17 @@ INSTANTIATE_TEST_SUITE_P(Airframes, EveryCase,
 TEST(Feasible, CanBeFlown) {
   using enum FailsafeReaction;
   for (int k = 0; k < 5 * 32; ++k) {
-    const auto wanted = static_cast<FailsafeReaction>(k % 5);
+    const auto setpoint = static_cast<FailsafeReaction>(k % 5);
     const Abilities a{
         .airframe = k / 5 % 2 ? AirframeKind::kMultirotor : AirframeKind::kFixedWing,
         .position = (k / 10 % 2) != 0,
         .motors = (k / 20 % 2) != 0,
         .attitude = (k / 40 % 2) != 0,
         .home_in_reach = (k / 80 % 2) != 0};
-    const FailsafeReaction done = feasible(wanted, a);
+    const FailsafeReaction done = feasible(setpoint, a);
     SCOPED_TRACE(k);
-    EXPECT_EQ(done == kNone, wanted == kNone);
-    if (wanted == kDescend) {
+    EXPECT_EQ(done == kNone, setpoint == kNone);
+    if (setpoint == kDescend) {
       EXPECT_EQ(done, kDescend);
     }
     if (!a.motors || !a.attitude) {
@@ -149,7 +149,7 @@ TEST(Feasible, CanBeFlown) {
       EXPECT_NE(done, kLand);
     }
     if (a.motors && a.attitude && a.position && a.home_in_reach) {
-      EXPECT_EQ(done, wanted);
+      EXPECT_EQ(done, setpoint);
     }
     EXPECT_EQ(feasible(done, a), done);  // what is done needs no further fallback
   }

@@ -28,7 +28,7 @@ constexpr Fallback kFallbacks[] = {
     {"multirotor, lost", "NDDDD"},  {"multirotor, no motor", "NDDDD"},
 };
 
-FailsafeReaction fall_back(FailsafeReaction wanted, AirframeKind kind, bool blind,
+FailsafeReaction fall_back(FailsafeReaction setpoint, AirframeKind kind, bool blind,
                            bool motor, bool lost, bool far_from_home) {
   std::string key = kind == AirframeKind::kFixedWing ? "fixed wing, " : "multirotor, ";
   key += blind           ? "blind"
@@ -38,7 +38,7 @@ FailsafeReaction fall_back(FailsafeReaction wanted, AirframeKind kind, bool blin
                          : "well";
   for (const Fallback& row : kFallbacks)
     if (key == row.airframe_and_state) {
-      const char letter = row.becomes[static_cast<std::size_t>(wanted)];
+      const char letter = row.becomes[static_cast<std::size_t>(setpoint)];
       return static_cast<FailsafeReaction>(std::strchr("NHRLD", letter) - "NHRLD");
     }
   return FailsafeReaction::kNone;
@@ -81,7 +81,7 @@ void ReferenceModel::count(Row& row, bool silent, bool bad, bool released) {
   }
 }
 
-FailsafeReaction ReferenceModel::wanted(const Row& row) const {
+FailsafeReaction ReferenceModel::setpoint(const Row& row) const {
   const long after = to_ms(row.rule.escalates_after);
   return after > 0 && row.raised_ms >= after ? row.rule.escalates_to : row.rule.reaction;
 }
@@ -89,7 +89,7 @@ FailsafeReaction ReferenceModel::wanted(const Row& row) const {
 int ReferenceModel::acting_row() const {
   for (int i = kLastRow; i >= 0; --i) {
     const Row& row = rows_[static_cast<std::size_t>(i)];
-    if (row.raised_ms >= 0 && wanted(row) != FailsafeReaction::kNone) return i;
+    if (row.raised_ms >= 0 && setpoint(row) != FailsafeReaction::kNone) return i;
   }
   return -1;
 }
@@ -158,13 +158,13 @@ ReferenceModel::Answer ReferenceModel::step(const ModeInput& in) {
 
   Answer answer{};
   for (std::size_t i = 0; i < kFailsafes; ++i) answer.raised[i] = rows_[i].raised_ms >= 0;
-  int told = acts;
-  for (int i = kLastRow; told < 0 && i >= 0; --i)
-    if (answer.raised[static_cast<std::size_t>(i)]) told = i;
+  int shown = acts;
+  for (int i = kLastRow; shown < 0 && i >= 0; --i)
+    if (answer.raised[static_cast<std::size_t>(i)]) shown = i;
   using enum FailsafeTrigger;
   constexpr FailsafeTrigger names[] = {kNone, kLink,    kBattery, kGeofence,
                                        kGnss, kBattery, kMotor,   kImu};
-  answer.trigger = names[told + 1];
+  answer.trigger = names[shown + 1];
 
   constexpr ArmingState standing[2] = {ArmingState::kReady, ArmingState::kLanded};
   answer.state = body_ != kStands ? ArmingState::kFlying
@@ -186,7 +186,7 @@ ReferenceModel::Answer ReferenceModel::step(const ModeInput& in) {
   if (acts >= 0) {
     body_ = kAirborne;
     const FailsafeReaction reaction =
-        fall_back(wanted(rows_[static_cast<std::size_t>(acts)]), airframe_,
+        fall_back(setpoint(rows_[static_cast<std::size_t>(acts)]), airframe_,
                   answer.raised[6], answer.raised[5], answer.raised[3], home_lost_);
     if (landing && in.committed && !new_command && reaction != FailsafeReaction::kDescend)
       return say(order_, FlightMode::kAuto, FailsafeReaction::kLand);

@@ -39,7 +39,7 @@ class ReferenceModel {
 
   void count(Row& row, bool silent, bool bad, bool released);
   int acting_row() const;
-  FailsafeReaction wanted(const Row& row) const;
+  FailsafeReaction setpoint(const Row& row) const;
 
   FailsafeOptions options_;
   AirframeKind airframe_;

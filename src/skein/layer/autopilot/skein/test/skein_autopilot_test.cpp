@@ -346,7 +346,7 @@ struct CarriedWing {
     truth.q_NB = geo::from_euler({0, 0.05, course});
     autopilot->sense(truth);
     autopilot->sense(LinkSample{now});
-    told = std::get<Actuators>(autopilot->control(now, 0.05));
+    commanded = std::get<Actuators>(autopilot->control(now, 0.05));
     now += Time::from_seconds(0.05);
   }
 
@@ -358,12 +358,12 @@ struct CarriedWing {
       carry(corners[k % 4] + along * geo::unit(course) +
                 off * geo::unit(course + geo::kPi / 2),
             course);
-      if (along == 225) aileron = told[channel::kAileron];
+      if (along == 225) aileron = commanded[channel::kAileron];
     }
   }
 
   std::unique_ptr<SkeinAutopilot> autopilot;
-  Actuators told;
+  Actuators commanded;
   double aileron = 0;  // late on the last leg
   Time now;
 };
@@ -400,7 +400,7 @@ TEST(SkeinAutopilot, NothingJumpsWhenGainsChange) {
   for (double along = 0; along < 290; along += 0.75)
     changing.carry(Vec2(0, 300) + along * geo::unit(course), course);
   // On the line at the right height and speed there is nothing that a gain multiplies.
-  const Actuators before = changing.told;
+  const Actuators before = changing.commanded;
   for (double along = 290; along < 305; along += 0.75) {
     changing.carry(Vec2(0, 300) + along * geo::unit(course), course);
     if (changing.autopilot->status().lap == 1) break;
@@ -408,7 +408,7 @@ TEST(SkeinAutopilot, NothingJumpsWhenGainsChange) {
   ASSERT_EQ(changing.autopilot->status().lap, 1);
   changing.carry({0, 0}, 0);  // the first step with the other gains
   for (const std::size_t k : {channel::kElevator, channel::kThrottle})
-    EXPECT_NEAR(changing.told[k], before[k], 0.05) << k;
+    EXPECT_NEAR(changing.commanded[k], before[k], 0.05) << k;
 }
 
 TEST(SkeinAutopilot, ReturnsByTheRouteThatWasSet) {

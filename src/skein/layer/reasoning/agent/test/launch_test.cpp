@@ -5,7 +5,7 @@
 namespace skein::reasoning {
 namespace {
 
-struct Told {
+struct Harness {
   bool at(double time, bool on_ground, bool done) {
     AgentInput in;
     in.now = Time::from_seconds(time);
@@ -22,44 +22,44 @@ struct Told {
 };
 
 TEST(Launch, FromTheGroundTakesOffAndIsOverAtTheAltitude) {
-  Told told;
-  EXPECT_TRUE(told.at(0, true, false));
-  EXPECT_FALSE(told.out.command) << "first it rests";
-  EXPECT_TRUE(told.at(5, true, false));
-  ASSERT_TRUE(told.out.command);
-  EXPECT_EQ(std::get<TakeOff>(told.out.command->guidance).course, 1);
-  EXPECT_EQ(told.out.command->altitude_msl, 80);
-  EXPECT_TRUE(told.at(6, true, true)) << "done, but on the ground: of before";
-  EXPECT_FALSE(told.out.command);
-  EXPECT_TRUE(told.at(9, false, false));
-  EXPECT_FALSE(told.at(30, false, true));
-  EXPECT_FALSE(told.at(99, true, false)) << "a landing is no new start";
+  Harness harness;
+  EXPECT_TRUE(harness.at(0, true, false));
+  EXPECT_FALSE(harness.out.command) << "first it rests";
+  EXPECT_TRUE(harness.at(5, true, false));
+  ASSERT_TRUE(harness.out.command);
+  EXPECT_EQ(std::get<TakeOff>(harness.out.command->guidance).course, 1);
+  EXPECT_EQ(harness.out.command->altitude_msl, 80);
+  EXPECT_TRUE(harness.at(6, true, true)) << "done, but on the ground: of before";
+  EXPECT_FALSE(harness.out.command);
+  EXPECT_TRUE(harness.at(9, false, false));
+  EXPECT_FALSE(harness.at(30, false, true));
+  EXPECT_FALSE(harness.at(99, true, false)) << "a landing is no new start";
 }
 
 TEST(Launch, IsOverAtTheAltitudeWhateverTheAutopilotSaysOfIt) {
-  Told told;
-  told.at(0, true, false);
-  told.nav.p_N.z() = -60;
-  EXPECT_TRUE(told.at(20, false, false));
-  told.nav.p_N.z() = -75;
-  EXPECT_FALSE(told.at(25, false, false));
+  Harness harness;
+  harness.at(0, true, false);
+  harness.nav.p_N.z() = -60;
+  EXPECT_TRUE(harness.at(20, false, false));
+  harness.nav.p_N.z() = -75;
+  EXPECT_FALSE(harness.at(25, false, false));
 }
 
 TEST(Launch, IsOrderedAgainWhileTheAircraftStands) {
-  Told told;
-  told.at(0, true, false);
-  told.at(5, true, false);
-  EXPECT_TRUE(told.out.command);
-  EXPECT_TRUE(told.at(24, true, false));
-  EXPECT_FALSE(told.out.command);
-  EXPECT_TRUE(told.at(25, true, false));
-  EXPECT_TRUE(told.out.command);
+  Harness harness;
+  harness.at(0, true, false);
+  harness.at(5, true, false);
+  EXPECT_TRUE(harness.out.command);
+  EXPECT_TRUE(harness.at(24, true, false));
+  EXPECT_FALSE(harness.out.command);
+  EXPECT_TRUE(harness.at(25, true, false));
+  EXPECT_TRUE(harness.out.command);
 }
 
 TEST(Launch, InTheAirHasNothingToDo) {
-  Told told;
-  EXPECT_FALSE(told.at(0, false, false));
-  EXPECT_FALSE(told.out.command);
+  Harness harness;
+  EXPECT_FALSE(harness.at(0, false, false));
+  EXPECT_FALSE(harness.out.command);
 }
 
 }  // namespace

@@ -258,10 +258,10 @@ TEST(MonitorAgent, PassesAZoneOnItsPath) {
   Mission mission(zones, {0, 4});
   mission.aircraft.p = {-1000, 20, -220};
   mission.send(1, FlyTo{{1000, 0}});
-  bool told = false;
+  bool reported = false;
   for (int t = 0; t < 300; ++t)
-    for (const Event& e : mission.second().events) told |= e.kind == "zone";
-  EXPECT_TRUE(told);
+    for (const Event& e : mission.second().events) reported |= e.kind == "zone";
+  EXPECT_TRUE(reported);
   EXPECT_TRUE(mission.agent.task_done());
 }
 
@@ -277,8 +277,8 @@ TEST(AltitudeOver, ClearsARidgeWithinTheClimbRate) {
   const Ridge ridge;
   double altitude = 320, x = 0, lowest = 1e9;
   for (int i = 0; i < 200; ++i, x += 20) {
-    const double wanted = altitude_over(ridge, {x, 0}, {20, 0}, 120, 3);
-    altitude += std::clamp(wanted - altitude, -3.0, 3.0);
+    const double setpoint = altitude_over(ridge, {x, 0}, {20, 0}, 120, 3);
+    altitude += std::clamp(setpoint - altitude, -3.0, 3.0);
     lowest = std::min(lowest, altitude - ridge.elevation_msl({x, 0}));
   }
   EXPECT_GT(lowest, 110);  // decided once a second, the climb lags by 3 m
@@ -316,15 +316,15 @@ TEST(MonitorAgent, AZoneTakesEffectInTheStepInWhichItIsReceived) {
   const auto* hold = std::get_if<HoldCourse>(&out.command->guidance);
   EXPECT_TRUE(!hold || std::abs(geo::wrap_pi(hold->course)) > 0.5);
   double nearest = 1e9;
-  bool told = false;
+  bool reported = false;
   for (int k = 0; k < 60; ++k) {
     const auto reports = contents<AircraftReport>(mission.second());
-    if (!reports.empty()) told = told || reports[0].zone_changes == 1;
+    if (!reports.empty()) reported = reported || reports[0].zone_changes == 1;
     nearest =
         std::min(nearest, (mission.aircraft.position() - here - Vec2(200, 0)).norm());
   }
   EXPECT_GT(nearest, 100);
-  EXPECT_TRUE(told);
+  EXPECT_TRUE(reported);
 }
 
 TEST(MonitorAgent, GoesToTheNearestPlaceInsteadOfOneInAZone) {

@@ -12,7 +12,7 @@ Zone disc(const Vec2& centre, double radius) {
 }
 
 // Ground at 100 m, flight at 220 m.
-struct Told {
+struct Harness {
   AgentOutput at(double time, const Vec2& place, const std::vector<Zone>& zones,
                  bool changed) {
     aircraft.p.head<2>() = place;
@@ -21,27 +21,27 @@ struct Told {
     in.now = nav.time;
     in.nav = &nav;
     AgentOutput out;
-    keeper.step(in, {0, 0}, zones, changed, out);
+    planner.step(in, {0, 0}, zones, changed, out);
     return out;
   }
   test::FlatGround ground;
   test::TestAircraft aircraft;
   NavEstimate nav;
-  ReturnPlanner keeper{{}, FlightLimits{}, EntityId{1}, ground};
+  ReturnPlanner planner{{}, FlightLimits{}, EntityId{1}, ground};
 };
 
 TEST(ReturnPlanner, SaysNothingWithoutNeed) {
-  Told told;
-  EXPECT_FALSE(told.at(0, {500, 0}, {}, false).return_route);
-  const AgentOutput out = told.at(1, {500, 0}, {disc({5000, 5000}, 300)}, true);
+  Harness harness;
+  EXPECT_FALSE(harness.at(0, {500, 0}, {}, false).return_route);
+  const AgentOutput out = harness.at(1, {500, 0}, {disc({5000, 5000}, 300)}, true);
   EXPECT_FALSE(out.return_route);
   EXPECT_TRUE(out.events.empty());
 }
 
 TEST(ReturnPlanner, MovesHomeOutOfAZoneAndBack) {
-  Told told;
+  Harness harness;
   const std::vector<Zone> zones{disc({-50, 0}, 300)};
-  const AgentOutput out = told.at(1, {2000, 0}, zones, true);
+  const AgentOutput out = harness.at(1, {2000, 0}, zones, true);
   ASSERT_TRUE(out.return_route);
   ASSERT_EQ(out.return_route->points.size(), 1u);
   // Radius, margin of 30 m and a circle of 1.15 times 60 m.
@@ -51,9 +51,9 @@ TEST(ReturnPlanner, MovesHomeOutOfAZoneAndBack) {
   EXPECT_DOUBLE_EQ(out.return_route->ground_msl, 100);
   ASSERT_EQ(out.events.size(), 1u);
   EXPECT_EQ(out.events[0].kind, "return-moved");
-  EXPECT_EQ(told.keeper.allowed({0, 0}), place);
-  EXPECT_FALSE(told.at(2.5, {1900, 0}, zones, false).return_route);
-  const AgentOutput back = told.at(3, {1800, 0}, {}, true);
+  EXPECT_EQ(harness.planner.allowed({0, 0}), place);
+  EXPECT_FALSE(harness.at(2.5, {1900, 0}, zones, false).return_route);
+  const AgentOutput back = harness.at(3, {1800, 0}, {}, true);
   ASSERT_TRUE(back.return_route);
   EXPECT_TRUE(back.return_route->points.empty());
   EXPECT_EQ(back.events.at(0).text, "returns lead home again");
@@ -61,8 +61,8 @@ TEST(ReturnPlanner, MovesHomeOutOfAZoneAndBack) {
 
 TEST(ReturnPlanner, CountsZonesBetweenTheGroundAndTheFlight) {
   const auto moved = [](Zone zone) {
-    Told told;
-    return told.at(1, {2000, 0}, {zone}, true).return_route.has_value();
+    Harness harness;
+    return harness.at(1, {2000, 0}, {zone}, true).return_route.has_value();
   };
   Zone high = disc({0, 0}, 300);
   high.floor_msl = 241;  // 20 m of margin above the flight at 220 m
@@ -82,10 +82,10 @@ TEST(ReturnPlanner, CountsZonesBetweenTheGroundAndTheFlight) {
 }
 
 TEST(ReturnPlanner, LeadsAroundAZoneAndDropsCornersThatLieBehind) {
-  Told told;
+  Harness harness;
   const Zone wall{.area = geo::Ring{{500, -400}, {700, -400}, {700, 300}, {500, 300}}};
   const std::vector<Zone> zones{wall};
-  const AgentOutput out = told.at(1, {1500, 0}, zones, true);
+  const AgentOutput out = harness.at(1, {1500, 0}, zones, true);
   ASSERT_TRUE(out.return_route);
   EXPECT_TRUE(out.events.empty());  // home is where it was
   std::vector<Vec2> route = out.return_route->points;
@@ -98,7 +98,7 @@ TEST(ReturnPlanner, LeadsAroundAZoneAndDropsCornersThatLieBehind) {
   for (int step = 0; step < 400 && !route.empty(); ++step) {
     p += 10 * (route.front() - p).normalized();
     time += 0.5;
-    if (const auto next = told.at(time, p, zones, false).return_route)
+    if (const auto next = harness.at(time, p, zones, false).return_route)
       route = next->points;
     EXPECT_FALSE(covers(wall, p));
   }

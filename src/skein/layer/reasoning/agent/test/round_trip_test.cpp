@@ -43,7 +43,7 @@ TEST(IntoZone, CountsTheLegBackOnlyWhenItIsFlown) {
 
 TEST(ZoneMonitor, ReportsOnceWhenTheAircraftComesInAndWhenItLeaves) {
   ZoneMonitor watch({}, {}, zone(), EntityId{3});
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   NavEstimate nav;
   for (const double north : {0.0, 150.0, 200.0, 290.0, 350.0, 400.0}) {
     nav.p_N.x() = north;
@@ -53,10 +53,10 @@ TEST(ZoneMonitor, ReportsOnceWhenTheAircraftComesInAndWhenItLeaves) {
     watch.look(in, out);
     for (const Event& event : out.events) {
       EXPECT_EQ(event.kind, "zone");
-      told.push_back(event.text);
+      reported.push_back(event.text);
     }
   }
-  EXPECT_EQ(told,
+  EXPECT_EQ(reported,
             (std::vector<std::string>{"is inside a no-fly zone", "has left the zone"}));
 }
 

@@ -16,8 +16,8 @@ class Hill final : public Terrain {
   Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
 };
 
-struct Told {
-  explicit Told(const RouteAgentOptions& options)
+struct Harness {
+  explicit Harness(const RouteAgentOptions& options)
       : agent(options, EntityId{1}, EntityId{7}, {}, hill, {}) {}
   AgentOutput at(double time, bool done = false) {
     nav.time = Time::from_seconds(time);
@@ -45,23 +45,23 @@ RouteAgentOptions triangle() {
 }
 
 TEST(RouteAgent, OrdersItsRouteOnceAboveTheHighestGroundOfIt) {
-  Told told(triangle());
-  const AgentOutput first = told.at(0);
+  Harness harness(triangle());
+  const AgentOutput first = harness.at(0);
   ASSERT_TRUE(first.command);
   const auto& route = std::get<FlyWaypoints>(first.command->guidance);
   EXPECT_EQ(route.laps, 5);
   ASSERT_EQ(route.points.size(), 3u);
   EXPECT_EQ(route.points[1].point, Vec2(400, 0));
   for (const auto& point : route.points) EXPECT_DOUBLE_EQ(point.altitude_msl, 180);
-  EXPECT_FALSE(told.at(0.5).command);
+  EXPECT_FALSE(harness.at(0.5).command);
 }
 
 TEST(RouteAgent, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
-  Told told(triangle());
+  Harness harness(triangle());
   int reports = 0, events = 0;
   bool done = false;
   for (int k = 0; k <= 20; ++k) {
-    const AgentOutput out = told.at(0.25 * k, k >= 10);
+    const AgentOutput out = harness.at(0.25 * k, k >= 10);
     for (const Message& message : out.outbox) {
       EXPECT_EQ(message.to, EntityId{7});
       done = std::get<AircraftReport>(message.content).task_done;
@@ -77,21 +77,22 @@ TEST(RouteAgent, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
 TEST(RouteAgent, TakesOffAndLandsWhereItStood) {
   RouteAgentOptions options = triangle();
   options.lands = true;
-  Told told(options);
-  told.on_ground = true;
-  told.nav.p_N = {30, 20, -10};
-  EXPECT_FALSE(told.at(0).command);
-  const auto up = told.at(5);
+  Harness harness(options);
+  harness.on_ground = true;
+  harness.nav.p_N = {30, 20, -10};
+  EXPECT_FALSE(harness.at(0).command);
+  const auto up = harness.at(5);
   EXPECT_TRUE(std::holds_alternative<TakeOff>(up.command->guidance));
   EXPECT_DOUBLE_EQ(up.command->altitude_msl, 180);
-  told.on_ground = false;
-  EXPECT_FALSE(told.at(10).command);
-  EXPECT_TRUE(std::holds_alternative<FlyWaypoints>(told.at(60, true).command->guidance));
-  EXPECT_FALSE(told.at(61).command);
-  const auto down = told.at(300, true);
+  harness.on_ground = false;
+  EXPECT_FALSE(harness.at(10).command);
+  EXPECT_TRUE(
+      std::holds_alternative<FlyWaypoints>(harness.at(60, true).command->guidance));
+  EXPECT_FALSE(harness.at(61).command);
+  const auto down = harness.at(300, true);
   EXPECT_EQ(std::get<Land>(down.command->guidance).point, Vec2(30, 20));
   EXPECT_EQ(std::get<Land>(down.command->guidance).ground_msl, 10);
-  EXPECT_FALSE(told.at(301, true).command);
+  EXPECT_FALSE(harness.at(301, true).command);
 }
 
 }  // namespace

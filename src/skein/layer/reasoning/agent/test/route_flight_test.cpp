@@ -97,7 +97,7 @@ class Flight {
       }
     }
   }
-  bool told(const std::string& kind) const { return count(kind) > 0; }
+  bool reported(const std::string& kind) const { return count(kind) > 0; }
   std::ptrdiff_t count(const std::string& kind) const {
     return std::count_if(events.begin(), events.end(),
                          [&](const Event& event) { return event.kind == kind; });
@@ -213,7 +213,7 @@ TEST(RouteFlight, GoesAroundAZoneThatComesOntoALegAndOn) {
   flight.fly(400);
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
-  EXPECT_FALSE(flight.told("point-left-out"));
+  EXPECT_FALSE(flight.reported("point-left-out"));
 }
 
 TEST(RouteFlight, LeavesWhatIsNotOnTheRouteAlone) {
@@ -247,7 +247,7 @@ TEST(RouteFlight, LeavesOutAPointInAZone) {
   flight.watched = {zone};
   flight.hear(true, zone);
   flight.fly(400);
-  EXPECT_TRUE(flight.told("point-left-out"));
+  EXPECT_TRUE(flight.reported("point-left-out"));
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
 }
@@ -411,7 +411,7 @@ TEST(RouteFlight, FliesAPlanAroundAZoneAndThenTheRest) {
   flight.hear(true, zone);
   flight.fly(0.5);
   ASSERT_TRUE(flight.flies<FollowPlan>());
-  EXPECT_TRUE(flight.told("planned"));
+  EXPECT_TRUE(flight.reported("planned"));
   // Grown by the margin.
   ASSERT_EQ(planner->zones.size(), 1u);
   EXPECT_DOUBLE_EQ(std::get<Disc>(planner->zones[0].area).radius, 280);
@@ -449,7 +449,7 @@ TEST(RouteFlight, GoesAroundBySightWhenNoPathIsFound) {
   flight.watched = {zone};
   flight.hear(true, zone);
   flight.fly(400);
-  EXPECT_TRUE(flight.told("no-path"));
+  EXPECT_TRUE(flight.reported("no-path"));
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
   EXPECT_LT(planner->calls, 10);

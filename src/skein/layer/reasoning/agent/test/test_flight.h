@@ -53,7 +53,7 @@ class TestAircraft {
 
   void step(double dt) {
     const double fastest = kAirspeed / kRadius;
-    const double course = wanted_course();
+    const double course = course_setpoint();
     const double aim =
         model::heading_for_course(course, kAirspeed, wind).value_or(course);
     const double limit = std::atan(fastest * kAirspeed / 9.80665);
@@ -71,7 +71,7 @@ class TestAircraft {
  private:
   static constexpr double kAirspeed = 20, kRadius = 60;
 
-  double wanted_course() {
+  double course_setpoint() {
     if (const auto* hold = std::get_if<HoldCourse>(&command.guidance))
       return hold->course;
     if (const auto* circle = std::get_if<Circle>(&command.guidance)) {

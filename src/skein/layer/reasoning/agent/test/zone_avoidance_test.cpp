@@ -32,9 +32,9 @@ Zone bay() {
 }
 
 // Flies with `wanted` (asked once a second) and returns the smallest distance to a zone.
-template <class Wanted>
+template <class Request>
 double closest(const std::vector<Zone>& zones, test::TestAircraft& aircraft,
-               double seconds, const Wanted& wanted) {
+               double seconds, const Request& setpoint) {
   ZoneAvoidance avoidance({}, FlightLimits{}, zones);
   double nearest = 1e9;
   const double dt = 0.05;
@@ -42,7 +42,7 @@ double closest(const std::vector<Zone>& zones, test::TestAircraft& aircraft,
   for (int i = 0; i < steps; ++i) {
     if (i % 20 == 0) {
       const Time now = Time::from_ns(i * 50'000'000LL);
-      const double course = wanted(aircraft);
+      const double course = setpoint(aircraft);
       aircraft.obey(
           {avoidance.check(HoldCourse{course}, course, aircraft.nav(now)), 220});
     }

@@ -83,20 +83,21 @@ void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
       member->status.inside = reading.inside;
   for (const Crossing& crossing : belief_.take(std::move(readings)))
     note_crossing(crossing, out);
-  report_doubts(in.now, out);
+  report_confidence(in.now, out);
   for (const EntityId id : roster_.update(in.now))
     out.events.push_back({in.now, id, "silent", "no report for a while"});
 }
 
 bool Coordinator::Tally::is_news(int now_counted, Time now) {
-  if (now_counted == told || (told > 0 && (now - told_at).seconds() < kNewsEvery))
+  if (now_counted == reported ||
+      (reported > 0 && (now - reported_at).seconds() < kNewsEvery))
     return false;
-  told = now_counted;
-  told_at = now;
+  reported = now_counted;
+  reported_at = now;
   return true;
 }
 
-void Coordinator::report_doubts(Time now, AgentOutput& out) {
+void Coordinator::report_confidence(Time now, AgentOutput& out) {
   if (const int count = belief_.health().outliers; outliers_.is_news(count, now))
     out.events.push_back(
         {now, EntityId{}, "outlier",

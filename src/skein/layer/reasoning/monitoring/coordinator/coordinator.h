@@ -52,13 +52,13 @@ class Coordinator : public Agent {
  private:
   // A number that grows and is reported now and then.
   struct Tally {
-    int told = 0;
-    Time told_at;
+    int reported = 0;
+    Time reported_at;
     bool is_news(int now_counted, Time now);
   };
 
   void listen(const AgentInput& in, AgentOutput& out);
-  void report_doubts(Time now, AgentOutput& out);
+  void report_confidence(Time now, AgentOutput& out);
   void deploy(Time now, AgentOutput& out);
   void force_crossings(Time now, AgentOutput& out);
   void allocate(Time now, AgentOutput& out);

@@ -11,7 +11,7 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kDoubt = 0.02;         // a reading less probable needs others that agree
+constexpr double kImplausible = 0.02;   // a reading less probable needs others that agree
 constexpr double kImpossible = 1e-4;    // less probable: the members know nothing of it
 constexpr double kSurpriseSigma2 = 16;  // squared innovation, over its variance
 constexpr double kConfirmSeconds = 0.9;  // apart, two that agree are believed
@@ -50,12 +50,12 @@ void EnsembleEstimator::observe(const FireReading& reading) {
   const double z = distance.mean / sd;
   const double expected = model::normal_cdf(reading.inside ? -z : z);
 
-  const bool doubtful = expected < kDoubt;
-  if (doubtful && !confirmed(reading, memory)) {
+  const bool implausible = expected < kImplausible;
+  if (implausible && !confirmed(reading, memory)) {
     ++health_.outliers;
     return;
   }
-  if (!doubtful) memory.doubt.count = 0;
+  if (!implausible) memory.contradiction.count = 0;
   ensemble_.remember(reading.point, reading.inside);
   if (expected > options_.sure) return;
   if (expected > 0.5 && repeated(reading, memory)) return;
@@ -65,7 +65,7 @@ void EnsembleEstimator::observe(const FireReading& reading) {
     return;
   }
   // Inside is phi < 0. Once others agree, a wrong reading is out of the question.
-  const double eps = doubtful ? 0 : options_.false_rate;
+  const double eps = implausible ? 0 : options_.false_rate;
   const double if_above = reading.inside ? eps : 1 - eps;
   const model::MixtureMoments after =
       model::uncertain_half_line(distance.mean, sd, 0, if_above, 1 - if_above);
@@ -78,24 +78,23 @@ void EnsembleEstimator::observe(const FireReading& reading) {
 }
 
 bool EnsembleEstimator::confirmed(const FireReading& reading, AircraftMemory& memory) {
-  Doubt& doubt = memory.doubt;
-  if (doubt.count == 0 || doubt.inside != reading.inside)
-    doubt = {0, reading.time, reading.inside};
-  ++doubt.count;
-  return (reading.time - doubt.first).seconds() >= kConfirmSeconds;
+  Contradiction& contradiction = memory.contradiction;
+  if (contradiction.count == 0 || contradiction.inside != reading.inside)
+    contradiction = {0, reading.time, reading.inside};
+  ++contradiction.count;
+  return (reading.time - contradiction.first).seconds() >= kConfirmSeconds;
 }
 
 void EnsembleEstimator::believe(const Vec2& point, bool inside,
                                 const MemberValues& distance) {
   const double deep = std::abs(distance.mean);
-  const double wanted_sd = 0.3 * deep + ensemble_.grid().cell;
+  const double new_sd = 0.3 * deep + ensemble_.grid().cell;
   if (deep < 0.3 * ensemble_.reach()) {
     // The boundary is wrong by more than the members allow: move it just past the point
     // and spread the members over what that leaves open.
-    const double past = (inside ? -1 : 1) * wanted_sd;
+    const double past = (inside ? -1 : 1) * new_sd;
     ensemble_.displace(
-        point,
-        (past - distance.mean + 0.5 * wanted_sd * ensemble_.draw().array()).matrix());
+        point, (past - distance.mean + 0.5 * new_sd * ensemble_.draw().array()).matrix());
     return;
   }
   // Too deep to belong to the known boundary: a part of its own.
@@ -123,7 +122,7 @@ void EnsembleEstimator::observe(const Crossing& crossing) {
   const double innovation2 =
       distance.mean * distance.mean / (distance.variance + variance);
   // The later reading agrees with those that follow on its side.
-  memory.doubt = {1, crossing.time, crossing.entered};
+  memory.contradiction = {1, crossing.time, crossing.entered};
   if (innovation2 > kSurpriseSigma2) {
     ++health_.outliers;
     adapt(innovation2, 1);

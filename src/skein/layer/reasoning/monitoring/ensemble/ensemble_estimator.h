@@ -26,7 +26,7 @@ class EnsembleEstimator final : public PerimeterEstimator {
 
  private:
   // Observations of one aircraft that contradict the belief, until they are believed.
-  struct Doubt {
+  struct Contradiction {
     int count = 0;
     Time first;
     bool inside = false;
@@ -36,7 +36,7 @@ class EnsembleEstimator final : public PerimeterEstimator {
     Vec2 point = Vec2::Zero();
   };
   struct AircraftMemory {
-    Doubt doubt;
+    Contradiction contradiction;
     std::map<bool, Used> used;  // by side
   };
 

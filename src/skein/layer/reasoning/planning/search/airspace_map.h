@@ -89,7 +89,8 @@ class AirspaceMap {
   double ground_contact(const FlightElement& e) const;
   double edge_contact(const FlightElement& e, const Box& box, double leaf) const;
   double depth_at(const Contact& c, const Vec3& p_N, double time) const;
-  std::optional<Conflict> look(const FlightPlan& plan, double told, bool words) const;
+  std::optional<Conflict> look(const FlightPlan& plan, double min_overlap,
+                               bool words) const;
   Conflict in_words(const Contact& c, const FlightElement& e) const;
 
   PathQuery query_;

@@ -108,11 +108,11 @@ Conflict AirspaceMap::in_words(const Contact& c, const FlightElement& e) const {
   return out;
 }
 
-std::optional<Conflict> AirspaceMap::look(const FlightPlan& plan, double told,
+std::optional<Conflict> AirspaceMap::look(const FlightPlan& plan, double min_overlap,
                                           bool words) const {
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (is_free(plan[i])) continue;
-    Contact c = contact(plan[i], told);
+    Contact c = contact(plan[i], min_overlap);
     // At the limit the finer look may pass what the coarser one does not.
     if (c.after < 0) c = contact(plan[i], kInfinity);
     Conflict conflict;

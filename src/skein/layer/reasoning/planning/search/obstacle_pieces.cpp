@@ -122,8 +122,8 @@ void add_pieces(const PlannedFlight& flight, std::int32_t index, Pieces& pieces)
     const double bend = e.airspeed * std::abs(e.turn_rate);
     double most = kPieceTime;
     if (bend > 0) most = std::min(most, std::sqrt(8 * kPieceError / bend));
-    const double wanted = std::clamp(std::ceil(e.duration / most), 1.0, kMaxPieces);
-    const int count = static_cast<int>(wanted);
+    const double requested = std::clamp(std::ceil(e.duration / most), 1.0, kMaxPieces);
+    const int count = static_cast<int>(requested);
     const double h = e.duration / count;
     for (int i = 0; i < count; ++i) {
       const Vec3 a = model::position(e, i * h), b = model::position(e, (i + 1) * h);

@@ -44,8 +44,8 @@ double turn_rate_of(const Standoff& s, FlightElement e) {
   const double end = std::max(e.start, e.start + e.duration - 1e-9);
   double rate = 0;
   for (int i = 0; i < 20; ++i) {
-    const double wanted = heading_at(s, geo::horizontal(model::end_of(e).p_N), end);
-    const double next = geo::wrap_pi(wanted - e.heading) / e.duration;
+    const double requested = heading_at(s, geo::horizontal(model::end_of(e).p_N), end);
+    const double next = geo::wrap_pi(requested - e.heading) / e.duration;
     const bool done = std::abs(next - rate) * e.duration < 1e-13;
     e.turn_rate = rate = next;
     if (done) break;

@@ -159,8 +159,9 @@ void sort(std::vector<Candidate>& candidates) {
 struct Part {
   double from, to;
 
-  void tell(const Watch& watch, std::size_t done, std::size_t all) const {
-    watch.tell(from + (to - from) * static_cast<double>(done) / static_cast<double>(all));
+  void report(const Watch& watch, std::size_t done, std::size_t all) const {
+    watch.report(from +
+                 (to - from) * static_cast<double>(done) / static_cast<double>(all));
   }
 };
 
@@ -202,7 +203,7 @@ std::vector<Candidate> in_order(const SweepTask& task, std::vector<Candidate> ca
   for (Candidate& c : candidates) {
     // At least one has been looked at when there is no more time.
     if (done > 0 && task.watch.stopped()) break;
-    part.tell(task.watch, done++, candidates.size());
+    part.report(task.watch, done++, candidates.size());
     c.time = improve ? better_time(task, c) : simple_time(task, c);
   }
   candidates.resize(done);
@@ -246,7 +247,7 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
   for (const Candidate& c : candidates) {
     if (tried.size() >= count || (!tried.empty() && task.watch.stopped())) break;
     if (has_like(tried, c)) continue;
-    kFully.tell(task.watch, tried.size(), count);
+    kFully.report(task.watch, tried.size(), count);
     tried.push_back(c);
     Sweep next = swept(task, c.bearing, c.rule, effort_for(task, c.lines));
     best.too_many = best.too_many || next.too_many;
@@ -261,7 +262,7 @@ Sweep best_of(const SweepTask& task, std::vector<Candidate> candidates) {
   for (double step = widest; step > kBearingStep / 10; step /= 2)
     for (const double side : {-1.0, 1.0}) {
       if (task.watch.stopped()) return best;
-      task.watch.tell(kBeside.to - (kBeside.to - kBeside.from) * step / widest);
+      task.watch.report(kBeside.to - (kBeside.to - kBeside.from) * step / widest);
       Sweep next = swept(task, best.bearing + side * step, from.rule,
                          effort_for(task, from.lines));
       if (better(next, best)) best = std::move(next);
@@ -312,7 +313,7 @@ Sweep best_sweep(const SweepTask& task) {
   std::size_t done = 0;
   for (const double bearing : bearings) {
     if (!candidates.empty() && task.watch.stopped()) break;
-    kAllBearings.tell(task.watch, done++, bearings.size());
+    kAllBearings.report(task.watch, done++, bearings.size());
     const double turn = usual_turn(task, bearing);
     for (const CellRule rule : kRules) {
       const auto lines = lines_at(task, bearing, rule);

@@ -14,7 +14,7 @@ struct Watch {
   std::function<void(double share)> progress = {};
 
   bool stopped() const { return stop && stop(); }
-  void tell(double share) const {
+  void report(double share) const {
     if (progress) progress(share);
   }
 };

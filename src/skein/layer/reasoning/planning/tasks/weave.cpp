@@ -81,9 +81,9 @@ FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
     now = model::end_time_of(plan);
   };
   if (plan.empty()) {
-    const model::Pose wanted = begin_at(target, air, start, 1);
-    const bool there = (wanted.position - from.position).norm() < 1e-6 &&
-                       std::abs(geo::wrap_pi(wanted.course - from.course)) < 1e-9;
+    const model::Pose requested = begin_at(target, air, start, 1);
+    const bool there = (requested.position - from.position).norm() < 1e-6 &&
+                       std::abs(geo::wrap_pi(requested.course - from.course)) < 1e-9;
     if (!there) return {};
   }
   go_on_from_end();

@@ -68,8 +68,9 @@ TEST(FormationControl, PassesTheLeadersPositionOnUnlessTheLeaderDoes) {
     FormationControl control(three(direct));
     AgentOutput out;
     control.step({}, out);
-    EXPECT_EQ(std::get<FlyRoute>(std::get<Task>(out.outbox[0].content).what).tell.size(),
-              direct ? 2u : 0u);
+    EXPECT_EQ(
+        std::get<FlyRoute>(std::get<Task>(out.outbox[0].content).what).report_to.size(),
+        direct ? 2u : 0u);
     out = {};
     const std::vector<Message> inbox = {
         report(EntityId{1}, 1, nav(1, {5, 6, -7}, {1, 0, 0})),
@@ -227,9 +228,9 @@ TEST_F(WingmanTest, RefusesWhatItCannotDo) {
 TEST_F(WingmanTest, TakesOffBeforeItLeads) {
   on_ground = true;
   step(0, {task(1, FlyRoute{{{0, 0}, {500, 0}, {500, 0}}, 3, {}})});
-  const auto told = step(5, {});
-  EXPECT_TRUE(std::holds_alternative<TakeOff>(told.command->guidance));
-  EXPECT_EQ(told.command->altitude_msl, 10 + 120);
+  const auto reported = step(5, {});
+  EXPECT_TRUE(std::holds_alternative<TakeOff>(reported.command->guidance));
+  EXPECT_EQ(reported.command->altitude_msl, 10 + 120);
   on_ground = false;
   const auto up = step(30, {});
   EXPECT_EQ(std::get<FlyWaypoints>(up.command->guidance).points.size(), 2u);

@@ -79,18 +79,18 @@ struct Flight {
     if (out.command)
       if (const auto* f = std::get_if<FollowPlan>(&out.command->guidance))
         curve.assign(f->plan);
-    for (const Event& e : out.events) told.push_back(e.kind);
+    for (const Event& e : out.events) reported.push_back(e.kind);
     return out;
   }
   bool has_reported(const std::string& kind) const {
-    return std::count(told.begin(), told.end(), kind) > 0;
+    return std::count(reported.begin(), reported.end(), kind) > 0;
   }
   Flat flat;
   TourAgent agent;
   NavEstimate nav;
   AgentInput in;
   model::PlanCurve curve;
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
 };
 
 TourAgentOptions two_laps() {
@@ -179,7 +179,7 @@ TEST(TourAgent, ReportsOnceThatTheWindIsTooStrongAndTriesAgain) {
   Flight flight(options);
   flight.nav.wind_N = {0, 16};
   for (double time = 0; time < 5; time += 0.5) flight.step(time);
-  EXPECT_EQ(flight.told, std::vector<std::string>{"no-plan"});
+  EXPECT_EQ(flight.reported, std::vector<std::string>{"no-plan"});
   flight.nav.wind_N = {0, 3};
   EXPECT_TRUE(flight.step(5).command);
 }

@@ -49,7 +49,7 @@ inline double distance_from(const geo::Ring& ring, const Vec2& p) {
 }
 
 /// Whether a point is to be surveyed, and further than `distance` from all zones.
-inline bool wanted(const CoverageQuery& q, const Vec2& p, double distance) {
+inline bool requested(const CoverageQuery& q, const Vec2& p, double distance) {
   if (!geo::contains(q.area, p)) return false;
   for (const geo::Ring& hole : q.holes)
     if (geo::contains(hole, p)) return false;
@@ -64,7 +64,7 @@ inline int missed(const CoverageQuery& q, const CoverageResult& r, double step,
   int count = 0;
   for (double x = -1000; x <= 1600; x += step)
     for (double y = -1000; y <= 1600; y += step)
-      if (wanted(q, {x, y}, distance) &&
+      if (requested(q, {x, y}, distance) &&
           !beside_a_line(r.plans, {x, y}, q.swath / 2 + 1e-3))
         ++count;
   return count;

@@ -43,12 +43,12 @@ TEST(Coverage, StoppedItEndsWithTheBestSoFar) {
   // Never asked before something is there, so even an early stop gives a plan.
   for (const int patience : {0, 1, 5, 400}) {
     int asked = 0;
-    double told = 0;
+    double reported = 0;
     q.watch.stop = [&] { return ++asked > patience; };
     q.watch.progress = [&](double share) {
-      EXPECT_GE(share, told);
+      EXPECT_GE(share, reported);
       EXPECT_LE(share, 1);
-      told = share;
+      reported = share;
     };
     const CoverageResult r = plan_coverage(q);
     EXPECT_TRUE(r.stopped);
