@@ -3,6 +3,7 @@
 
 #include "circle_estimator.h"
 #include "radiometer.h"
+#include "smoke_watch.h"
 
 namespace my_kinds {
 namespace {
@@ -35,6 +36,12 @@ Fields<RadiometerOptions> radiometer_fields() {
               {.at_least = 0, .at_most = 1});
 }
 
+Fields<SmokeWatchOptions> smoke_watch_fields() {
+  using T = SmokeWatchOptions;
+  return Fields<T>().number("radius_m", &T::radius, "Of the circle that it flies.",
+                            {.above = 0, .at_most = 1e4});
+}
+
 }  // namespace
 
 void add_kinds(skein::assemble::KindsByRole& kinds) {
@@ -47,6 +54,15 @@ void add_kinds(skein::assemble::KindsByRole& kinds) {
                    [](const RadiometerOptions& o, const AircraftContext& c) {
                      return std::make_unique<Radiometer>(o, c.seed, c.self, c.instance);
                    });
+  // Entities are numbered: the station 0, then the aircraft, here in pairs.
+  kinds.agent.add("smoke-watch", "One of two that circle and say what they see.",
+                  smoke_watch_fields(),
+                  [](const SmokeWatchOptions& o, const AircraftContext& c) {
+                    const skein::EntityId other{c.self.value % 2 == 1 ? c.self.value + 1
+                                                                      : c.self.value - 1};
+                    return std::make_unique<SmokeWatch>(o, c.self, other,
+                                                        -c.initial.p_N.z());
+                  });
 }
 
 }  // namespace my_kinds

@@ -4,7 +4,7 @@
 
 namespace my_kinds {
 
-/// Adds the estimator `circle` and the sensor `radiometer`.
+/// Adds the estimator `circle`, the sensor `radiometer` and the agent `smoke-watch`.
 void add_kinds(skein::assemble::KindsByRole& kinds);
 
 }  // namespace my_kinds

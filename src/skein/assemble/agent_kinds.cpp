@@ -41,7 +41,7 @@ Fields<reasoning::MonitorAgentOptions> scout_fields() {
                  "whatever the strategy orders. Null: as it orders.",
                  {.above = 0, .at_most = 90})
       .number(
-          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "zone_margin_m", [](T & t) -> auto& { return t.avoidance.margin; },
           "Kept from the border of no-fly zones.", kNotNegative)
       .object("safety_zone", &T::safety_zone, safety_zone_fields(),
               "How far the flight of a path or plan may be off.");
@@ -56,7 +56,7 @@ Fields<reasoning::WingmanOptions> wingman_fields() {
                   "Following: the path to the place is planned for this long.",
                   {.above = 0, .at_most = 120})
       .number(
-          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "zone_margin_m", [](T & t) -> auto& { return t.avoidance.margin; },
           "Following: kept from the border of no-fly zones.", kNotNegative)
       .object("safety_zone", &T::safety_zone, safety_zone_fields(),
               "How far the flight of a path or plan may be off.");
@@ -81,7 +81,7 @@ Fields<RouteChoice> route_fields() {
                "else such a route is refused. Zones that come later it always flies "
                "around.")
       .number(
-          "zone_margin_m", [](T & t) -> auto& { return t.guard.margin; },
+          "zone_margin_m", [](T & t) -> auto& { return t.avoidance.margin; },
           "Kept from the border of zones that it flies around.", kNotNegative)
       .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
                   {.above = 0})

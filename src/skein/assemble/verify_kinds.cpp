@@ -8,6 +8,15 @@
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/role/agent.h"
+#include "skein/role/autopilot.h"
+#include "skein/role/monitoring_strategy.h"
+#include "skein/role/perimeter_estimator.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/plant.h"
+#include "skein/role/radio.h"
+#include "skein/role/sensor.h"
+#include "skein/role/turbulence.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {
@@ -177,6 +186,9 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
         Subject<PerimeterEstimator, EstimatorContext>{
             all.estimator, choice, {kSeed, prior()}},
         estimator_suite());
+  if (role == "planner")
+    test(Subject<PathPlanner, PlannerContext>{all.planner, choice, {}},
+         contract::planner_violations);
   if (role == "strategy")
     test(Subject<MonitoringStrategy, StrategyContext>{all.strategy, choice, {}},
          contract::strategy_violations);

@@ -19,10 +19,10 @@ struct AgentInput {
   Time now;
   const NavEstimate* nav = nullptr;
   AutopilotStatus autopilot;
-  CommandFate command_fate;               ///< of the last AgentOutput::command
   std::span<const SensorSample> samples;  ///< since the last step
   std::span<const Message> inbox;         ///< since the last step
   std::span<const Command> commands;      ///< to a ground station, since the last step
+  CommandFate command_fate;               ///< of the last AgentOutput::command
 };
 
 /// What an agent does at one step.

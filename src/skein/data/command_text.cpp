@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "skein/data/json.h"
 #include "skein/data/words.h"
 #include "skein/data/zone_command.h"
 
@@ -149,9 +150,48 @@ Result<Command> mission(Words given) {
   return Command(MissionCommand{given[0] == "pause"});
 }
 
+// What the types of its fields leave open: empty when it can be obeyed.
+struct ValueCheck {
+  std::string operator()(const StepCommand& c) {
+    return c.steps >= 1 && c.steps <= kMaxCount ? "" : "steps are counted from 1.";
+  }
+  std::string operator()(const SpeedCommand& c) {
+    return c.factor >= 0 && c.factor <= kMaxSpeedFactor
+               ? ""
+               : "a speed is 0 (as fast as possible) or a factor above 0.";
+  }
+  std::string operator()(const WindCommand& c) {
+    return c.added.norm() <= kMaxWind ? ""
+                                      : fmt::format("wind is at most {} m/s.", kMaxWind);
+  }
+  std::string operator()(const TaskCommand& c) {
+    const auto* route = std::get_if<FlyRoute>(&c.what);
+    const auto* followed = std::get_if<FollowLine>(&c.what);
+    if (route && (route->points.empty() || route->laps < 1))
+      return "a route has a point or more, and one lap or more.";
+    if (followed && followed->points.size() < 2) return "a line has two points or more.";
+    return "";
+  }
+  std::string operator()(const ZoneChange& c) {
+    return c.number == 0 ? "" : "the ground station numbers changes, not the operator.";
+  }
+  std::string operator()(const auto&) { return ""; }
+};
+
+// A command as programs write it: an object with its kind and fields.
+Result<Command> parse_object(std::string_view line) {
+  auto command = json::from_json<Command>(json::Json::parse(line, nullptr, false));
+  if (!command) return command.error();
+  if (std::string error = std::visit(ValueCheck(), command.value()); !error.empty())
+    return wrong(std::move(error), "");
+  return command;
+}
+
 }  // namespace
 
 Result<Command> parse_command(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  if (begin != std::string_view::npos && line[begin] == '{') return parse_object(line);
   const std::vector<std::string_view> all = words::split(line);
   if (all.empty()) return wrong("this is no command.", kUsage);
   const std::string_view verb = all[0];

@@ -24,6 +24,9 @@ namespace skein {
 ///
 /// Metres in the local frame, metres per second, seconds of the run.
 ///
+/// Programs may write it as a JSON object instead, with its kind and the fields of its
+/// description: {"kind": "speed", "factor": 10}.
+///
 /// Fails: kBadInput when the line is none of these; the message says what is wrong.
 Result<Command> parse_command(std::string_view line);
 

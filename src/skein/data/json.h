@@ -321,15 +321,18 @@ bool from_text(const std::string& text, std::variant<Ts...>& value) {
 
 /// The value that an object describes. Fields that it does not have keep their defaults.
 /// Fails: kBadInput when it is no object, or a field is not what it should be.
-template <Described T>
-Result<T> from_json(const Json& object) {
+///        A choice is an object with its kind, as to_json() writes it.
+template <class T>
+requires(Described<T> || type_traits::kIsVariant<T>) Result<T> from_json(const Json& object) {
   if (!object.is_object())
     return Error{ErrorCode::kBadInput, "", "this is no JSON object.", ""};
   T value;
   detail::Taker taker(object);
-  taker.take_fields("", value);
-  if (!taker.wrong().empty())
-    return Error{ErrorCode::kBadInput, std::string(kind_of<T>()), taker.wrong(), ""};
+  if constexpr (type_traits::kIsVariant<T>)
+    taker.take_choice(value);
+  else
+    taker.take_fields("", value);
+  if (!taker.wrong().empty()) return Error{ErrorCode::kBadInput, "", taker.wrong(), ""};
   return value;
 }
 

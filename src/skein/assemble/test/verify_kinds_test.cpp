@@ -5,18 +5,19 @@
 
 #include <set>
 
+#include "skein/role/sensor.h"
+
 namespace skein::assemble {
 namespace {
 
 TEST(EveryKind, KeepsTheContractOfItsRole) {
-  // Without a file there is nothing to test, and planners have no suite.
+  // Without a file there is nothing to test.
   const std::set<std::string> kNotTested = {"terrain raster", "wind series", "wind grid",
                                             "fire recorded", "turbulence none"};
   for (const KindVerdict& verdict : verify_kinds(KindRegistry(), "", false)) {
     const std::string name = verdict.role + " " + verdict.kind;
     for (const std::string& violation : verdict.violations)
       ADD_FAILURE() << name << ": " << violation;
-    if (verdict.role == "planner") continue;
     EXPECT_EQ(verdict.not_tested.empty(), kNotTested.count(name) == 0)
         << name << ": " << verdict.not_tested;
   }

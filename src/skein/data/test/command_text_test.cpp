@@ -86,5 +86,31 @@ TEST(CommandText, RefusesEverythingElseAndSaysWhy) {
   }
 }
 
+TEST(CommandText, TakesWhatProgramsWriteAsJson) {
+  const auto task = parse_command(
+      R"( {"kind": "task", "aircraft": "uav-1", "what": {"kind": "fly_to", "north_m": 500, "east_m": -200}})");
+  ASSERT_TRUE(task.ok()) << task.error().text();
+  const auto& given = std::get<TaskCommand>(task.value());
+  EXPECT_EQ(given.aircraft, "uav-1");
+  EXPECT_EQ(std::get<FlyTo>(given.what).point, Vec2(500, -200));
+  const auto speed = parse_command(R"({"kind": "speed", "factor": 10})");
+  ASSERT_TRUE(speed.ok());
+  EXPECT_EQ(std::get<SpeedCommand>(speed.value()).factor, 10);
+}
+
+TEST(CommandText, RefusesJsonThatIsNoCommandOrOutOfRange) {
+  for (const char* line :
+       {"{", "{}", R"({"kind": "dance"})", R"({"kind": "speed", "factor": -1})",
+        R"({"kind": "speed", "factor": "ten"})", R"({"kind": "step", "steps": 0})",
+        R"({"kind": "wind", "wind_north_mps": 1e9})",
+        R"({"kind": "task", "aircraft": "a", "what": {"kind": "fly_route"}})",
+        R"({"kind": "task", "aircraft": "a", "what": {"kind": "follow_line"}})",
+        R"({"kind": "zone_change", "number": 3})"}) {
+    const auto command = parse_command(line);
+    EXPECT_FALSE(command.ok()) << line;
+    EXPECT_TRUE(command.ok() || !command.error().text().empty()) << line;
+  }
+}
+
 }  // namespace
 }  // namespace skein

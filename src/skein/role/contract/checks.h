@@ -5,8 +5,11 @@
 #include <string_view>
 
 #include "skein/base/random.h"
+#include "skein/data/sensing.h"
 #include "skein/geo/vec.h"
 #include "skein/role/contract/contract.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/terrain.h"
 
 // What the suites share.
 

@@ -10,17 +10,22 @@
 #include "skein/data/airframe.h"
 #include "skein/data/fire.h"
 #include "skein/data/vehicle.h"
-#include "skein/role/agent.h"
-#include "skein/role/autopilot.h"
-#include "skein/role/monitoring_strategy.h"
-#include "skein/role/perimeter_estimator.h"
-#include "skein/role/phenomenon.h"
-#include "skein/role/plant.h"
-#include "skein/role/radio.h"
-#include "skein/role/sensor.h"
-#include "skein/role/terrain.h"
-#include "skein/role/turbulence.h"
-#include "skein/role/wind_field.h"
+
+namespace skein {
+class Agent;
+class Autopilot;
+class MonitoringStrategy;
+class PathPlanner;
+class PerimeterEstimator;
+class Phenomenon;
+class Plant;
+class Radio;
+class Sensor;
+class Terrain;
+class Turbulence;
+class Vehicle;
+class WindField;
+}  // namespace skein
 
 /// What every implementation of a role owes to whoever uses it, as far as a test can see
 /// it from outside. One function for each role; conditions are drawn at random from fixed
@@ -60,6 +65,17 @@ Violations autopilot_violations(const Make<Autopilot>& make, const Airframe& air
 /// Only appends; times of samples neither in the future nor going back; finite; equal
 /// ones say the same; one that serves the autopilot never looks at the fire.
 Violations sensor_violations(const Make<Sensor>& make);
+
+/// The estimate is finite, not of the future and never older than before; each command is
+/// answered, what cannot be flown with a reason; the truth is known always or never;
+/// events are given once; equal ones fly alike.
+/// @param wind  that it flies in.
+Violations vehicle_violations(const Make<Vehicle>& make, const WindField& wind);
+
+/// Plans lead from start to goal, join, turn no tighter than the aircraft can and keep
+/// out of zones; outcome, duration and bound agree with them; what cannot be planned is
+/// said; equal ones plan alike.
+Violations planner_violations(const Make<PathPlanner>& make);
 
 /// Every message arrives or is lost once, unchanged, not before it was sent; equal ones
 /// treat the same messages alike.

@@ -3,6 +3,8 @@
 
 #include "skein/geo/polygon.h"
 #include "skein/role/contract/checks.h"
+#include "skein/role/turbulence.h"
+#include "skein/role/wind_field.h"
 
 namespace skein::contract {
 

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "skein/role/contract/checks.h"
+#include "skein/role/radio.h"
 
 namespace skein::contract {
 namespace {

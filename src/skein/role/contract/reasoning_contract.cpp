@@ -1,7 +1,10 @@
 // Agents, estimators of the perimeter and monitoring strategies.
 #include <cmath>
 
+#include "skein/role/agent.h"
 #include "skein/role/contract/checks.h"
+#include "skein/role/monitoring_strategy.h"
+#include "skein/role/perimeter_estimator.h"
 
 namespace skein::contract {
 namespace {

@@ -1,4 +1,5 @@
 #include "skein/role/contract/checks.h"
+#include "skein/role/sensor.h"
 
 namespace skein::contract {
 namespace {

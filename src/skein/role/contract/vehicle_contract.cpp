@@ -2,7 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "skein/role/autopilot.h"
 #include "skein/role/contract/checks.h"
+#include "skein/role/plant.h"
 
 namespace skein::contract {
 namespace {

@@ -7,6 +7,19 @@
 #include <limits>
 
 #include "skein/base/random.h"
+#include "skein/role/agent.h"
+#include "skein/role/autopilot.h"
+#include "skein/role/monitoring_strategy.h"
+#include "skein/role/path_planner.h"
+#include "skein/role/perimeter_estimator.h"
+#include "skein/role/phenomenon.h"
+#include "skein/role/plant.h"
+#include "skein/role/radio.h"
+#include "skein/role/sensor.h"
+#include "skein/role/terrain.h"
+#include "skein/role/turbulence.h"
+#include "skein/role/vehicle.h"
+#include "skein/role/wind_field.h"
 
 namespace skein::contract {
 namespace {
@@ -310,6 +323,92 @@ TEST(AgentContract, FindsEachBreach) {
   EXPECT_EQ((agent_violations(make<Lost, Agent>(), nullptr)),
             (One{"step() removes what is in the output already",
                  "it commands, but has no vehicle", "a command is not finite"}));
+}
+
+// --- vehicles, planners ----------------------------------------------------------------
+
+// Each breaks one promise of a vehicle, if it is told to.
+class OddVehicle final : public Vehicle {
+ public:
+  enum class Breach { kNone, kFuture, kSilent, kTwice, kShy };
+  explicit OddVehicle(Breach breach) : breach_(breach) {}
+
+  void begin(const Surroundings&, Time now) override { nav_.time = now; }
+  void look(const Surroundings&, Time, PayloadSamples&) override {}
+  void advance(const Surroundings&, Time, Time until, const Vehicle*) override {
+    nav_.time = until;
+    if (breach_ == Breach::kFuture) nav_.time = until + Time::from_seconds(1);
+  }
+  NavEstimate estimate() const override { return nav_; }
+  AutopilotStatus status() const override { return {}; }
+  void command(const AutopilotCommand& command) override {
+    ++fate_.number;
+    const auto* course = std::get_if<HoldCourse>(&command.guidance);
+    const bool flies = !course || std::isfinite(course->course);
+    fate_.state = flies ? CommandFate::State::kAccepted : CommandFate::State::kRefused;
+    fate_.reason = flies || breach_ == Breach::kSilent ? "" : "no course";
+  }
+  CommandFate command_fate() const override { return fate_; }
+  void set_return(const ReturnRoute&) override {}
+  void ground_received(Time) override {}
+  const VehicleState* truth() const override {
+    return breach_ == Breach::kShy && nav_.time.seconds() > 5 ? nullptr : &state_;
+  }
+  void take_events(std::vector<VehicleEvent>& out) override {
+    if (breach_ == Breach::kTwice) out.push_back({"again", "and again"});
+  }
+  Result<void> set_fault(const std::string&, bool, Time) override {
+    return Error{ErrorCode::kBadInput, "", "there is none", ""};
+  }
+
+ private:
+  Breach breach_;
+  NavEstimate nav_;
+  VehicleState state_;
+  CommandFate fate_;
+};
+
+TEST(VehicleContract, FindsEachBreach) {
+  using Breach = OddVehicle::Breach;
+  const Restless wind;
+  const auto found = [&](Breach breach) {
+    return vehicle_violations([=] { return std::make_unique<OddVehicle>(breach); }, wind);
+  };
+  EXPECT_EQ(found(Breach::kNone), One{});
+  EXPECT_EQ(found(Breach::kFuture), One{"estimate() is of the future"});
+  EXPECT_EQ(found(Breach::kSilent), One{"a command is refused without a reason"});
+  EXPECT_EQ(found(Breach::kTwice), One{"take_events() gives an event twice"});
+  EXPECT_EQ(found(Breach::kShy), One{"the truth is known at some times only"});
+}
+
+// Flies straight to the goal, whatever is between.
+struct Crow final : PathPlanner {
+  PlannedPath plan(const PathQuery& query) const override {
+    PlannedPath path;
+    const Vec2 line = geo::horizontal(query.goal.p_N - query.start.p_N);
+    FlightElement straight;
+    straight.start = query.start_time;
+    straight.p_N = query.start.p_N;
+    straight.heading = query.start.heading;
+    straight.airspeed = query.limits.airspeed;
+    straight.duration = line.norm() / straight.airspeed;
+    straight.wind =
+        line / straight.duration - straight.airspeed * geo::unit(straight.heading);
+    path.outcome = PlanningOutcome::kFound;
+    path.duration = straight.duration;
+    path.plan = {straight};
+    return path;
+  }
+};
+
+TEST(PlannerContract, FindsEachBreach) {
+  const One found = planner_violations(make<Crow, PathPlanner>());
+  for (const char* rule :
+       {"a plan leads through a zone", "a query without numbers is not refused",
+        "it plans in wind that no aircraft can fly against",
+        "a start inside a zone is not reported"})
+    EXPECT_EQ(std::count(found.begin(), found.end(), rule), 1) << rule;
+  EXPECT_EQ(std::count(found.begin(), found.end(), "a plan does not end at the goal"), 0);
 }
 
 }  // namespace
