@@ -27,8 +27,8 @@ Wingman::Wingman(const WingmanOptions& options, EntityId self, EntityId station,
       limits_(limits),
       map_(map),
       execution_(options.safety_zone),
-      zones_(options.guard, limits, zones, self),
-      returns_(options.guard, limits, self, map),
+      zones_(options.avoidance, limits, zones, self),
+      returns_(options.avoidance, limits, self, map),
       planner_(std::move(planner)) {}
 
 void Wingman::step(const AgentInput& in, AgentOutput& out) {

@@ -20,7 +20,7 @@ struct WingmanOptions {
   double altitude_agl = 120;  ///< flown above the highest ground of the route [m]
   double report_period = 1;   ///< between reports to the station [s]
   double horizon = 8;         ///< the path to the slot is planned for this long [s]
-  ZoneAvoidanceOptions guard;
+  ZoneAvoidanceOptions avoidance;
   SafetyZone safety_zone;
 };
 
