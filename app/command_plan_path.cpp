@@ -80,8 +80,8 @@ PlanningBudget budget_of(const PlanPathArguments& arguments,
   PlanningBudget budget;
   budget.first = arguments.first;
   if (arguments.time_limit)
-    budget.states = std::numeric_limits<std::int64_t>::max();  // the time decides
-  if (arguments.states) budget.states = *arguments.states;
+    budget.expansions = std::numeric_limits<std::int64_t>::max();  // the time decides
+  if (arguments.expansions) budget.expansions = *arguments.expansions;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const double limit = arguments.time_limit.value_or(1e9);
@@ -99,7 +99,7 @@ Json about_path(const PlannedPath& path, double seconds) {
     about["time_s"] = path.duration;
     about["bound_s"] = path.bound;
   }
-  about["states"] = path.states;
+  about["states"] = path.expansions;
   about["planning_s"] = seconds;
   if (path.alternative)
     about["alternative"] = {{"east_m", path.alternative->p_N.y()},
@@ -187,8 +187,8 @@ int plan_path(const PlanPathArguments& arguments, const std::atomic<bool>& stop,
     if (!made) return say_error(made.error());
     terrain = std::move(made).value();
     query.value().terrain = terrain.get();
-    query.value().least = Vec2::Constant(-extent);
-    query.value().most = Vec2::Constant(extent);
+    query.value().min = Vec2::Constant(-extent);
+    query.value().max = Vec2::Constant(extent);
   }
   const auto planner = assemble::make_planner(arguments.planner);
   if (!planner) return say_error(planner.error());

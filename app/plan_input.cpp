@@ -106,7 +106,7 @@ Result<void> take_course(const std::string& option, FlightState& state,
 }  // namespace
 
 Result<std::vector<double>> numbers_of(const std::string& option, const std::string& text,
-                                       std::size_t least, std::size_t most,
+                                       std::size_t min, std::size_t max,
                                        const std::string& form) {
   std::vector<double> numbers;
   exchange::CsvCells cells(text);
@@ -117,7 +117,7 @@ Result<std::vector<double>> numbers_of(const std::string& option, const std::str
                    fmt::format("Needed: {}.", form));
     numbers.push_back(*value);
   }
-  if (numbers.size() < least || numbers.size() > most)
+  if (numbers.size() < min || numbers.size() > max)
     return wrong(
         option,
         fmt::format("{} number{} given.", numbers.size(), numbers.size() == 1 ? "" : "s"),

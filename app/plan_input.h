@@ -13,10 +13,10 @@
 namespace skein::app {
 
 /// The numbers of an option, parted by commas.
-/// Fails: kBadInput unless there are `least` to `most`, all finite; the message names the
+/// Fails: kBadInput unless there are `min` to `max`, all finite; the message names the
 ///        option and `form`, what is allowed.
 Result<std::vector<double>> numbers_of(const std::string& option, const std::string& text,
-                                       std::size_t least, std::size_t most,
+                                       std::size_t min, std::size_t max,
                                        const std::string& form);
 
 /// Where a plan is and in which air, as options say.

@@ -81,17 +81,17 @@ void landing(benchmark::State& state, const char* aircraft, double wind,
     Quiet console;
     (void)simulation::run(built.value().world, built.value().options, touches, console)
         .value();
-    double sum = 0, most = 0, resting = 0, accidents = 0, toppled = 0;
+    double sum = 0, max = 0, resting = 0, accidents = 0, toppled = 0;
     for (const auto& [id, one] : touches.all) {
       accidents += one.broke && !one.rests;
       toppled += one.broke && one.rests;
       if (!one.rests) continue;
       ++resting;
       sum += one.off;
-      most = std::max(most, one.off);
+      max = std::max(max, one.off);
     }
     state.counters["mean"] = resting > 0 ? sum / resting : 0;
-    state.counters["most"] = most;
+    state.counters["most"] = max;
     state.counters["accidents"] = accidents;
     state.counters["toppled"] = toppled;
   }

@@ -53,8 +53,8 @@ bool read_scene(std::int64_t index, Scene& scene) {
   scene.query.goal = state(s["goal"]);
   scene.query.limits.airspeed = 20;
   scene.query.limits.turn_radius = s["turn_radius"].get<double>();
-  scene.query.least = Vec2(0, 0);
-  scene.query.most = Vec2::Constant(s["size"].get<double>());
+  scene.query.south_west = Vec2(0, 0);
+  scene.query.north_east = Vec2::Constant(s["size"].get<double>());
   scene.query.airspace = &scene.airspace;
   return true;
 }
@@ -67,7 +67,7 @@ std::string label_of(std::int64_t scene, std::int64_t wind) {
 void report(benchmark::State& state, const Scene& scene, const PlannedPath& path) {
   state.counters["cost_m"] = path.duration * scene.query.limits.airspeed;
   state.counters["bound_m"] = path.bound * scene.query.limits.airspeed;
-  state.counters["states"] = static_cast<double>(path.states);
+  state.counters["states"] = static_cast<double>(path.expansions);
 }
 
 // Scene, wind, limit of time in ms; 0: the first path. Third: with routes or without.
@@ -75,7 +75,7 @@ void plan_scene(benchmark::State& state) {
   Scene scene;
   if (!read_scene(state.range(0), scene)) return state.SkipWithError("no scenes");
   scene.query.wind = kWinds[state.range(1)];
-  scene.query.budget.states = 1'000'000'000;
+  scene.query.budget.expansions = 1'000'000'000;
   scene.query.budget.first = state.range(2) == 0;
   const double limit = static_cast<double>(state.range(2)) / 1000;
   const AaStar planner(AaStar::Options{.detours = state.range(3) != 0});
@@ -123,8 +123,8 @@ Scene walls_of(std::int64_t count, double gap, std::uint64_t seed) {
   scene.query.goal = {Vec3(length, 0, -100), 0};
   scene.query.limits.airspeed = 20;
   scene.query.limits.turn_radius = 60;
-  scene.query.least = Vec2(-500, -kAcross);
-  scene.query.most = Vec2(length + 500, kAcross);
+  scene.query.south_west = Vec2(-500, -kAcross);
+  scene.query.north_east = Vec2(length + 500, kAcross);
   return scene;
 }
 
@@ -135,7 +135,7 @@ void first_path_through_walls(benchmark::State& state) {
   scene.query.airspace = &scene.airspace;
   scene.query.wind = kWinds[state.range(2)];
   scene.query.budget.first = true;
-  scene.query.budget.states = 1'000'000;
+  scene.query.budget.expansions = 1'000'000;
   PlannedPath path;
   for (auto _ : state) path = AaStar().plan(scene.query);
   report(state, scene, path);
@@ -151,7 +151,7 @@ void repair_scene(benchmark::State& state) {
   Scene scene;
   if (!read_scene(state.range(0), scene)) return state.SkipWithError("no scenes");
   scene.query.wind = kWinds[state.range(1)];
-  scene.query.budget.states = 20'000;
+  scene.query.budget.expansions = 20'000;
   const PlannedPath old = AaStar().plan(scene.query);
   const double part = static_cast<double>(state.range(2)) / 100;
   const double now = 0.05 * old.duration;
@@ -187,9 +187,9 @@ FleetQuery fleet_of(std::int64_t count, double latest_start) {
     m.latest_start = latest_start;
     fleet.members.push_back(m);
   }
-  fleet.common.least = Vec2(-500, -500);
-  fleet.common.most = Vec2(10'500, 10'500);
-  fleet.common.budget.states = 3000;
+  fleet.common.min = Vec2(-500, -500);
+  fleet.common.max = Vec2(10'500, 10'500);
+  fleet.common.budget.expansions = 3000;
   return fleet;
 }
 
@@ -255,7 +255,7 @@ void plan_fleet_of(benchmark::State& state) {
   FleetPlan each_alone;  // as if there were no others: what is to be resolved
   for (std::size_t i = 0; i < plan.paths.size(); ++i) {
     const PlannedPath& p = plan.paths[i];
-    states += static_cast<double>(p.states);
+    states += static_cast<double>(p.expansions);
     FleetQuery alone = fleet;
     alone.members = {fleet.members[i]};
     each_alone.paths.push_back(plan_fleet(alone).paths.front());

@@ -73,7 +73,7 @@ void plan_leg(benchmark::State& state) {
   query.goal = {{kTo.x(), kTo.y(), -100}, 0};
   query.wind = {-2, 4};
   query.airspace = &airspace;
-  query.budget.states = state.range(1);
+  query.budget.expansions = state.range(1);
   const planning::AaStar planner;
   double duration = 0;
   for (auto _ : state) duration = planner.plan(query).duration;

@@ -185,17 +185,17 @@ TEST_F(Fly, AgreesWithAnIndependentEngine) {
     ASSERT_EQ(rows.size(), 1201u);
     // Measured: 1.5 mm, 12 um/s, 7e-7 rad/s, 1e-5 rad, all from the other engine's
     // pressure and steps (docs/fly.md); the bounds are five to ten times that.
-    std::array<double, 4> most{};  // of position, velocity, angles, rates
+    std::array<double, 4> max{};  // of position, velocity, angles, rates
     for (std::size_t i = 0; i < 12; ++i) {
       const double bound = i < 3 ? 1e-2 : i < 6 ? 1e-4 : i < 9 ? 1e-4 : 1e-5;
       const double off = rows.back()[8 + i] - each.end[i];
       const double wrong =
           std::abs(std::remainder(off, i == 8 ? 2 * std::numbers::pi : 1e9));
       EXPECT_LT(wrong, bound) << each.name << ", column " << 8 + i;
-      most[i / 3] = std::max(most[i / 3], wrong);
+      max[i / 3] = std::max(max[i / 3], wrong);
     }
     fmt::print("{}, at the end: {:.2f} mm, {:.3f} mm/s, {:.1f} urad, {:.2f} urad/s\n",
-               each.name, 1e3 * most[0], 1e3 * most[1], 1e6 * most[2], 1e6 * most[3]);
+               each.name, 1e3 * max[0], 1e3 * max[1], 1e6 * max[2], 1e6 * max[3]);
   }
 }
 

@@ -55,14 +55,13 @@ void add_kinds(skein::assemble::KindsByRole& kinds) {
                      return std::make_unique<Radiometer>(o, c.seed, c.self, c.instance);
                    });
   // Entities are numbered: the station 0, then the aircraft, here in pairs.
-  kinds.agent.add("smoke-watch", "One of two that circle and say what they see.",
-                  smoke_watch_fields(),
-                  [](const SmokeWatchOptions& o, const AircraftContext& c) {
-                    const skein::EntityId other{c.self.value % 2 == 1 ? c.self.value + 1
-                                                                      : c.self.value - 1};
-                    return std::make_unique<SmokeWatch>(o, c.self, other,
-                                                        -c.initial.p_N.z());
-                  });
+  kinds.agent.add(
+      "smoke-watch", "One of two that circle and say what they see.",
+      smoke_watch_fields(), [](const SmokeWatchOptions& o, const AircraftContext& c) {
+        const skein::EntityId other{c.self.value % 2 == 1 ? c.self.value + 1
+                                                          : c.self.value - 1};
+        return std::make_unique<SmokeWatch>(o, c.self, other, -c.initial.p_N.z());
+      });
 }
 
 }  // namespace my_kinds

@@ -142,15 +142,15 @@ std::vector<RuleViolation> thesis_errors(const ThesisFireOptions& o,
         {"rate_error_mps",
          fmt::format("{:.6g} must be at most rate_mps, {:.6g}.", o.rate_error, o.rate),
          {"rate_mps"}});
-  const double least = o.rate - o.rate_error;
-  if (valid("wind_mps") && least >= 0 && o.wind.norm() > 0 && o.wind.norm() >= least)
+  const double min = o.rate - o.rate_error;
+  if (valid("wind_mps") && min >= 0 && o.wind.norm() > 0 && o.wind.norm() >= min)
     errors.push_back(
         {"wind_mps",
          fmt::format(
              "a drift of {:.6g} m/s must be below the minimum spread, {:.6g} m/s "
              "(rate_mps - rate_error_mps): a stronger one drives the boundary over "
              "its own origin.",
-             o.wind.norm(), least),
+             o.wind.norm(), min),
          {"rate_mps", "rate_error_mps"}});
   return errors;
 }
@@ -223,14 +223,14 @@ std::vector<RuleViolation> front_errors(const FrontFireKind& o,
   std::vector<RuleViolation> errors;
   if (!valid("marker_spacing_m")) return errors;
   // Below that the markers of a circle would fall together.
-  const double least = 0.1 * o.fire.front.spacing;
+  const double min = 0.1 * o.fire.front.spacing;
   for (std::size_t i = 0; i < o.fire.ignitions.size(); ++i) {
     const std::string key = fmt::format("ignitions[{}].radius_m", i);
-    if (valid(key) && !(o.fire.ignitions[i].radius >= least))
+    if (valid(key) && !(o.fire.ignitions[i].radius >= min))
       errors.push_back({key,
                         fmt::format("{:.6g} must be at least a tenth of "
                                     "marker_spacing_m, {:.6g}.",
-                                    o.fire.ignitions[i].radius, least),
+                                    o.fire.ignitions[i].radius, min),
                         {"marker_spacing_m"}});
   }
   return errors;

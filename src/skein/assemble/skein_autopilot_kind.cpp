@@ -187,7 +187,7 @@ Fields<autopilot::LateralOptions> lateral_fields() {
       .duration_s("l2_time_s", [](T & t) -> auto& { return t.l2.time; },
                   "l2plus: flight time to the point aimed at.",
                   {.above = 0, .at_most = 1000})
-      .number("l2_min_m", [](T & t) -> auto& { return t.l2.least; },
+      .number("l2_min_m", [](T & t) -> auto& { return t.l2.min; },
               "l2plus: minimum distance of that point.", {.above = 0, .at_most = 1e5})
       .duration_s("roll_lag_s", &T::roll_lag,
                   "From a change of the demand to the acceleration.",

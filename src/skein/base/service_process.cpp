@@ -104,10 +104,10 @@ std::optional<ServiceMessage> receive_message(int socket, int patience) {
   return message;
 }
 
-void limit(__rlimit_resource what, rlim_t most) {
+void limit(__rlimit_resource what, rlim_t max) {
   rlimit limits{};
   if (getrlimit(what, &limits) != 0) return;
-  limits.rlim_cur = std::min(limits.rlim_max, most);
+  limits.rlim_cur = std::min(limits.rlim_max, max);
   setrlimit(what, &limits);
 }
 

@@ -28,9 +28,9 @@ std::string legend_of(const StudyColumn& column) {
 }
 
 double largest(const record::StudySeries& series) {
-  double most = 0;
-  for (const double value : series.y) most = std::max(most, std::abs(value));
-  return most;
+  double max = 0;
+  for (const double value : series.y) max = std::max(max, std::abs(value));
+  return max;
 }
 
 // The y axis ends above the second-largest curve when the largest is far beyond it.

@@ -16,7 +16,7 @@ constexpr double kHoverArrival = 10;  // from the route's end to hovering there 
 void FlightWatch::Errors::add(double error) {
   square += error * error;
   count += 1;
-  most = std::max(most, std::abs(error));
+  max = std::max(max, std::abs(error));
 }
 
 void FlightWatch::Lasting::step(bool holds, double dt) {
@@ -73,8 +73,8 @@ void FlightWatch::take(const Event& event) {
 void FlightWatch::add_figures(std::map<std::string, double>& figures) const {
   const bool tilted = tilted_.longest > limits_.tilt_time;
   const bool slow = slow_.longest > limits_.slow_time;
-  const bool height = height_.most > limits_.height;
-  const bool track = track_.most > limits_.track;
+  const bool height = height_.max > limits_.height;
+  const bool track = track_.max > limits_.track;
   figures["lost"] = accident_ || tilted || slow || height || track;
   figures["lost_accident"] = accident_;
   figures["lost_tilt"] = tilted;
@@ -86,7 +86,7 @@ void FlightWatch::add_figures(std::map<std::string, double>& figures) const {
   figures["slow_longest_s"] = slow_.longest;
   const auto add = [&](const std::string& name, const Errors& errors) {
     if (errors.count <= 0) return;
-    figures[name + "_max_m"] = errors.most;
+    figures[name + "_max_m"] = errors.max;
     figures[name + "_rms_m"] = std::sqrt(errors.square / errors.count);
   };
   add("height_error", height_);

@@ -43,7 +43,7 @@ class FlightWatch final : public Recorder {
   void take(const Event& event);
 
   struct Errors {
-    double square = 0, count = 0, most = 0;
+    double square = 0, count = 0, max = 0;
     void add(double error);
   };
   // How long something has lasted without a break.

@@ -140,7 +140,7 @@ namespace {
 
 // Over the runs of a cell: sum and largest of a figure.
 struct Gathered {
-  double sum = 0, most = 0, count = 0;
+  double sum = 0, max = 0, count = 0;
 };
 
 Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
@@ -150,7 +150,7 @@ Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes
     if (outcomes[item].summary)
       if (const auto value = outcomes[item].summary->number(name)) {
         all.sum += *value;
-        all.most = std::max(all.most, *value);
+        all.max = std::max(all.max, *value);
         all.count += 1;
       }
   return all;
@@ -167,9 +167,9 @@ std::string causes(const record::RunSummary& summary) {
 using Row = std::vector<record::StudyCell>;
 
 Row row_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes) {
-  const auto most = [&](const char* name) {
+  const auto max = [&](const char* name) {
     const Gathered g = gather(cell, outcomes, name);
-    return g.count > 0 ? g.most : std::nan("");
+    return g.count > 0 ? g.max : std::nan("");
   };
   const Gathered gone = gather(cell, outcomes, "lost");
   return {{cell.case_name},
@@ -177,10 +177,10 @@ Row row_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes) {
           {cell.strategy},
           {gone.count},
           {gone.sum, gone.sum > 0},
-          {most("tilt_max_deg")},
-          {most("attitude_error_max_deg")},
-          {most("believed_height_error_max_m")},
-          {most("climb_time_s")}};
+          {max("tilt_max_deg")},
+          {max("attitude_error_max_deg")},
+          {max("believed_height_error_max_m")},
+          {max("climb_time_s")}};
 }
 
 // A start that was lost.

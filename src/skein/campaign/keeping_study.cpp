@@ -69,21 +69,21 @@ Result<BatchItem> make_item(const KeepingStudy& study, const scenario::KindTable
 
 // Mean and largest of a figure over the runs of a cell; NaN where no run has it.
 struct Gathered {
-  double mean = std::nan(""), most = std::nan("");
+  double mean = std::nan(""), max = std::nan("");
 };
 
 Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
                 const std::string& name) {
-  double sum = 0, most = 0, count = 0;
+  double sum = 0, max = 0, count = 0;
   for (const std::size_t item : cell.items) {
     if (!outcomes[item].summary) continue;
     const auto value = outcomes[item].summary->number(name);
     if (!value) continue;
     sum += *value;
-    most = std::max(most, *value);
+    max = std::max(max, *value);
     count += 1;
   }
-  return count > 0 ? Gathered{sum / count, most} : Gathered{};
+  return count > 0 ? Gathered{sum / count, max} : Gathered{};
 }
 
 constexpr std::array kFigures = {
@@ -156,7 +156,7 @@ record::StudyReport keeping_report(const StudyPlan& plan,
       const Gathered g = gather(cell, outcomes, figure);
       table.rows.back().push_back({std::isnan(g.mean)
                                        ? std::string("-")
-                                       : fmt::format("{:.2f} ({:.2f})", g.mean, g.most)});
+                                       : fmt::format("{:.2f} ({:.2f})", g.mean, g.max)});
     }
   }
   report.tables.push_back(std::move(table));
@@ -173,7 +173,7 @@ std::map<std::string, double> keeping_figures(const StudyPlan& plan,
       const std::string name = fmt::format("{}/{}/{}/{}", cell.case_name, cell.estimator,
                                            cell.strategy, figure);
       figures[name + "_mean"] = g.mean;
-      figures[name + "_max"] = g.most;
+      figures[name + "_max"] = g.max;
     }
   return figures;
 }

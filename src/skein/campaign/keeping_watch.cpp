@@ -15,7 +15,7 @@ constexpr double kTurns = geo::radians(2);  // of a leg's direction [rad/s]
 void KeepingWatch::Errors::add(double error) {
   square += error * error;
   count += 1;
-  most = std::max(most, std::abs(error));
+  max = std::max(max, std::abs(error));
 }
 
 void KeepingWatch::record(const Record& record) {
@@ -69,16 +69,16 @@ void KeepingWatch::add_figures(std::map<std::string, double>& figures) const {
   const auto rms = [&](const char* name, const Errors& errors) {
     if (errors.count > 0) figures[name] = std::sqrt(errors.square / errors.count);
   };
-  const auto most = [&](const char* name, const Errors& errors) {
-    if (errors.count > 0) figures[name] = errors.most;
+  const auto max = [&](const char* name, const Errors& errors) {
+    if (errors.count > 0) figures[name] = errors.max;
   };
   rms("straights_rms_m", straights_);
   rms("turns_rms_m", turns_);
   rms("believed_rms_m", believed_);
   rms("airspeed_rms_mps", airspeed_);
-  most("height_max_m", height_);
-  most("hover_max_m", hover_);
-  most("hover_believed_max_m", hover_believed_);
+  max("height_max_m", height_);
+  max("hover_max_m", hover_);
+  max("hover_believed_max_m", hover_believed_);
   figures["accident"] = accident_;
 }
 

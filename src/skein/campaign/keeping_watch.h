@@ -39,7 +39,7 @@ class KeepingWatch final : public Recorder {
   void take(const Event& event);
 
   struct Errors {
-    double square = 0, count = 0, most = 0;
+    double square = 0, count = 0, max = 0;
     void add(double error);
   };
 

@@ -66,7 +66,7 @@ StudyTable table_of(const Figures& figures, const std::string& case_name,
   table.columns = {"strategy"};
   const auto estimators = figures.distinct(&StudyCell::estimator);
   for (const std::string& estimator : estimators) table.columns.push_back(estimator);
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   std::pair<std::size_t, std::size_t> best{0, 0};
   for (const std::string& strategy : figures.distinct(&StudyCell::strategy)) {
     std::vector<record::StudyCell> row = {{strategy}};
@@ -74,8 +74,8 @@ StudyTable table_of(const Figures& figures, const std::string& case_name,
       const MeanInterval value =
           figures.of(figures.cell(case_name, strategy, estimator), figure);
       row.push_back(text_of(value, digits));
-      if (value.count > 0 && value.mean < least) {
-        least = value.mean;
+      if (value.count > 0 && value.mean < min) {
+        min = value.mean;
         best = {table.rows.size(), row.size() - 1};
       }
     }

@@ -128,7 +128,7 @@ namespace {
 
 // Over the runs of a cell: sum and largest of a figure.
 struct Gathered {
-  double sum = 0, most = 0, count = 0;
+  double sum = 0, max = 0, count = 0;
 };
 Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
                 const std::string& name) {
@@ -137,7 +137,7 @@ Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes
     if (outcomes[item].summary)
       if (const auto value = outcomes[item].summary->number(name)) {
         all.sum += *value;
-        all.most = std::max(all.most, *value);
+        all.max = std::max(all.max, *value);
         all.count += 1;
       }
   return all;
@@ -182,9 +182,9 @@ record::StudyReport robustness_report(const StudyPlan& plan,
       const Gathered g = of(name);
       return g.sum / g.count;
     };
-    const auto most = [&](const char* name) {
+    const auto max = [&](const char* name) {
       const Gathered g = of(name);
-      return g.count > 0 ? g.most : std::nan("");
+      return g.count > 0 ? g.max : std::nan("");
     };
     const Gathered gone = of("lost");
     runs += gone.count;
@@ -194,11 +194,11 @@ record::StudyReport robustness_report(const StudyPlan& plan,
                           {cell.strategy},
                           {gone.count},
                           {gone.sum, gone.sum > 0},
-                          {most("tilt_max_deg")},
-                          {most("slow_longest_s")},
-                          {most("height_error_max_m")},
+                          {max("tilt_max_deg")},
+                          {max("slow_longest_s")},
+                          {max("height_error_max_m")},
                           {mean("height_error_rms_m")},
-                          {most("track_error_max_m")},
+                          {max("track_error_max_m")},
                           {mean("track_error_rms_m")}});
     for (const std::size_t item : cell.items) {
       const auto& summary = outcomes[item].summary;

@@ -76,7 +76,7 @@ class Search {
   bool small(const std::vector<SimplexTry>& corners) const {
     for (std::size_t k = 1; k < corners.size(); ++k)
       for (std::size_t i = 0; i < corners[k].at.size(); ++i)
-        if (std::abs(corners[k].at[i] - corners[0].at[i]) > options_.least) return false;
+        if (std::abs(corners[k].at[i] - corners[0].at[i]) > options_.min) return false;
     return true;
   }
 

@@ -9,7 +9,7 @@ namespace skein::campaign {
 struct SimplexOptions {
   double step = 0.3;     ///< from the start to the other corners of the first simplex
   int evaluations = 60;  ///< maximum
-  double least = 0.01;   ///< ends when the simplex is smaller along each axis
+  double min = 0.01;     ///< ends when the simplex is smaller along each axis
 };
 
 /// One point that was tried.

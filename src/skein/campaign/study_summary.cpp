@@ -49,11 +49,11 @@ StudyFigures study_figures(std::span<const StudyTable> tables) {
     for (auto column = table.columns.begin() + 1; column != table.columns.end();
          ++column) {
       if (column == exact || !column->name.ends_with(unit)) continue;
-      double most = 0;
+      double max = 0;
       for (std::size_t i = 0; i < column->values.size(); ++i)
-        most = std::max(most, std::abs(column->values[i] - exact->values[i]));
+        max = std::max(max, std::abs(column->values[i] - exact->values[i]));
       const std::string name = column->name.substr(0, column->name.size() - unit.size());
-      figures[fmt::format("{}/{}_max_error{}", table.name, name, unit)] = most;
+      figures[fmt::format("{}/{}_max_error{}", table.name, name, unit)] = max;
     }
   }
   return figures;

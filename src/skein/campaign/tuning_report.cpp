@@ -35,7 +35,7 @@ class SetsTable {
   // The minimum mean is highlighted when `lower_is_better`.
   void figure(const LapFigure& figure, bool lower_is_better) {
     table_.columns.push_back(figure.heading);
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     std::vector<double> means(table_.rows.size(), kNothing);
     for (std::size_t set = 0; set < means.size(); ++set) {
       const MeanInterval mean =
@@ -44,13 +44,13 @@ class SetsTable {
       if (mean.count > 0) {
         cell.value = figure_text(mean, figure.digits);
         means[set] = mean.mean;
-        least = std::min(least, mean.mean);
+        min = std::min(min, mean.mean);
       }
       table_.rows[set].push_back(std::move(cell));
     }
     for (std::size_t set = 0; set < means.size(); ++set)
       table_.rows[set].back().highlight =
-          lower_is_better && means.size() > 1 && means[set] == least;
+          lower_is_better && means.size() > 1 && means[set] == min;
   }
 
   record::StudyTable finish(std::string caption) {
@@ -259,18 +259,18 @@ record::StudyPlot search_plot(const std::vector<SimplexTry>& tries) {
   plot.x_label = "gains tried";
   plot.y_label = "cost";
   plot.log_y = true;
-  record::StudySeries each, least;
+  record::StudySeries each, min;
   each.name = "tried";
   each.points = true;
-  least.name = "best so far";
+  min.name = "best so far";
   double best = tries.front().cost;
   for (std::size_t k = 0; k < tries.size(); ++k) {
     best = std::min(best, tries[k].cost);
-    for (auto* series : {&each, &least}) series->x.push_back(static_cast<double>(k + 1));
+    for (auto* series : {&each, &min}) series->x.push_back(static_cast<double>(k + 1));
     each.y.push_back(tries[k].cost);
-    least.y.push_back(best);
+    min.y.push_back(best);
   }
-  plot.series = {std::move(each), std::move(least)};
+  plot.series = {std::move(each), std::move(min)};
   return plot;
 }
 

@@ -323,7 +323,8 @@ bool from_text(const std::string& text, std::variant<Ts...>& value) {
 /// Fails: kBadInput when it is no object, or a field is not what it should be.
 ///        A choice is an object with its kind, as to_json() writes it.
 template <class T>
-requires(Described<T> || type_traits::kIsVariant<T>) Result<T> from_json(const Json& object) {
+requires(Described<T> ||
+         type_traits::kIsVariant<T>) Result<T> from_json(const Json& object) {
   if (!object.is_object())
     return Error{ErrorCode::kBadInput, "", "this is no JSON object.", ""};
   T value;

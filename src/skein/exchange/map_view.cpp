@@ -14,15 +14,15 @@ constexpr double kZonesWithin = 0.35;  // of the extent, around the flights
 constexpr double kFlattest = 0.42;     // height over width
 
 struct Box {
-  Vec2 least = Vec2::Constant(std::numeric_limits<double>::infinity());
-  Vec2 most = Vec2::Constant(-std::numeric_limits<double>::infinity());
+  Vec2 min = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 max = Vec2::Constant(-std::numeric_limits<double>::infinity());
 
   void add(const Vec2& p) {
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
+    min = min.cwiseMin(p);
+    max = max.cwiseMax(p);
   }
-  bool empty() const { return !(least.x() <= most.x()); }
-  double extent() const { return std::max((most - least).maxCoeff(), kMinExtent); }
+  bool empty() const { return !(min.x() <= max.x()); }
+  double extent() const { return std::max((max - min).maxCoeff(), kMinExtent); }
 };
 
 Box box_of(const Zone& zone) {
@@ -54,21 +54,20 @@ MapView view_of(const Document& document, double width, double tallest) {
   for (const Zone& zone : document.zones) {
     const Box own = box_of(zone);
     if (only_zones) {
-      box.add(own.least);
-      box.add(own.most);
+      box.add(own.min);
+      box.add(own.max);
       continue;
     }
-    const Vec2 least = flights.least.array() - room, most = flights.most.array() + room;
-    if ((own.least.array() > most.array()).any() ||
-        (own.most.array() < least.array()).any())
+    const Vec2 min = flights.min.array() - room, max = flights.max.array() + room;
+    if ((own.min.array() > max.array()).any() || (own.max.array() < min.array()).any())
       continue;
-    box.add(own.least.cwiseMax(least));
-    box.add(own.most.cwiseMin(most));
+    box.add(own.min.cwiseMax(min));
+    box.add(own.max.cwiseMin(max));
   }
   if (box.empty()) box.add(Vec2::Zero());
   const double margin = kMargin * box.extent();
-  const Vec2 size = (box.most - box.least).cwiseMax(kMinExtent).array() + 2 * margin;
-  const Vec2 middle = (box.most + box.least) / 2;
+  const Vec2 size = (box.max - box.min).cwiseMax(kMinExtent).array() + 2 * margin;
+  const Vec2 middle = (box.max + box.min) / 2;
   MapView view;
   view.width = width;
   view.height = std::clamp(width * size.x() / size.y(), kFlattest * width, tallest);

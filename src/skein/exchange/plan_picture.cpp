@@ -175,12 +175,12 @@ class Painter {
     }
   }
 
-  // At least `least`, and round as clocks are.
-  static double clock_step(double least) {
+  // At least `min`, and round as clocks are.
+  static double clock_step(double min) {
     for (const double step :
          {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0})
-      if (step >= least) return step;
-    return 3600 * std::ceil(least / 3600);
+      if (step >= min) return step;
+    return 3600 * std::ceil(min / 3600);
   }
 
   void paint_mark(const Mark& mark) {

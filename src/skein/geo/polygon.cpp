@@ -76,11 +76,11 @@ Ring resample(std::span<const Vec2> ring, int count) {
   return points;
 }
 
-Ring resample_by_spacing(std::span<const Vec2> ring, double spacing, int least) {
+Ring resample_by_spacing(std::span<const Vec2> ring, double spacing, int min) {
   SKEIN_CHECK(spacing > 0, spacing);
   const double requested = std::ceil(length(ring) / spacing);
   SKEIN_CHECK(requested < 1e8, requested);
-  return resample(ring, std::max(least, static_cast<int>(requested)));
+  return resample(ring, std::max(min, static_cast<int>(requested)));
 }
 
 }  // namespace skein::geo

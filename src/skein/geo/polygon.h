@@ -35,7 +35,7 @@ Vec2 outward_normal(const Vec2& tangent);
 
 /// Points along the ring at equal arc length, `count` of them, starting at ring[0].
 Ring resample(std::span<const Vec2> ring, int count);
-/// Points along the ring no further than `spacing` [m] apart, at least `least`.
-Ring resample_by_spacing(std::span<const Vec2> ring, double spacing, int least = 3);
+/// Points along the ring no further than `spacing` [m] apart, at least `min`.
+Ring resample_by_spacing(std::span<const Vec2> ring, double spacing, int min = 3);
 
 }  // namespace skein::geo

@@ -20,8 +20,8 @@ void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
 
 void FlightStatistics::reserve(EntityId id, double reserve) {
   if (reserve >= 1) return;
-  const auto [least, first] = min_reserve_.try_emplace(id, reserve);
-  if (!first) least->second = std::min(least->second, reserve);
+  const auto [min, first] = min_reserve_.try_emplace(id, reserve);
+  if (!first) min->second = std::min(min->second, reserve);
 }
 
 void FlightStatistics::event(const Event& event) {

@@ -36,11 +36,11 @@ std::vector<float> float_blob(const Statement& row, int column) {
   return floats;
 }
 
-// Every k-th, so that about `most` are left at most.
+// Every k-th, so that about `max` are left at most.
 template <class T>
-std::vector<T> thinned(const std::vector<T>& all, int most) {
+std::vector<T> thinned(const std::vector<T>& all, int max) {
   const std::size_t keep_each =
-      all.size() / static_cast<std::size_t>(std::max(1, most)) + 1;
+      all.size() / static_cast<std::size_t>(std::max(1, max)) + 1;
   std::vector<T> kept;
   for (std::size_t i = 0; i < all.size(); i += keep_each) kept.push_back(all[i]);
   return kept;

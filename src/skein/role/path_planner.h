@@ -19,7 +19,7 @@ struct Airspace;
 struct PlanningBudget {
   /// Expansions it may make. What is simulated uses this limit only: it does not depend
   /// on the machine.
-  std::int64_t states = 100'000;
+  std::int64_t expansions = 100'000;
   /// Asked now and then; true ends the search, with or without a path: nobody waits for
   /// it any more.
   std::function<bool()> stop = {};
@@ -27,13 +27,13 @@ struct PlanningBudget {
   /// `first_states` expansions without one. For a limit of time: a machine under load
   /// gives a worse path then, never none.
   std::function<bool()> enough = {};
-  std::int64_t first_states = 100'000;
+  std::int64_t first_expansions = 100'000;
   /// End with the first path found, without bettering it.
   bool first = false;
 
   /// Whether `stop` or `enough` end a search without a path after so many expansions.
   bool ends_at(std::int64_t looked_at) const {
-    return (stop && stop()) || (enough && looked_at >= first_states && enough());
+    return (stop && stop()) || (enough && looked_at >= first_expansions && enough());
   }
 };
 
@@ -48,8 +48,8 @@ struct PathQuery {
   const Terrain* terrain = nullptr;    ///< none: no ground
   /// The area that may be flown over, as corners south-west and north-east; outside of it
   /// nothing is known.
-  Vec2 least = Vec2::Constant(-std::numeric_limits<double>::infinity());
-  Vec2 most = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 south_west = Vec2::Constant(-std::numeric_limits<double>::infinity());
+  Vec2 north_east = Vec2::Constant(std::numeric_limits<double>::infinity());
   PlanningBudget budget;
 };
 
@@ -82,7 +82,7 @@ struct PlannedPath {
   double duration = std::numeric_limits<double>::infinity();  ///< of the plan [s]
   /// No path of bounded curvature is quicker than this [s].
   double bound = 0;
-  std::int64_t states = 0;  ///< expansions
+  std::int64_t expansions = 0;  ///< expansions
   /// Near a blocked start or goal, the nearest place found that is not.
   std::optional<FlightState> alternative = std::nullopt;
 };

@@ -217,18 +217,18 @@ TEST(FixedWingFlight, GlidesAtTheAirspeedWhenTheMotorStands) {
     flight.state.faults.dead = 1u << channel::kThrottle;
     FixedWingControl control(airframe, {});
     FixedWingDemand demand{0, 400, 0, airframe.cruise, FlightPhase::kGlide};
-    double least = 1e9, sum = 0;
+    double min = 1e9, sum = 0;
     int count = 0;
     for (double t = 0; t < 40; t += kStep) {
       demand.lateral_acceleration = t < 20 ? 0 : 3;
       flight.step(control.control(demand, flight.nav(), kStep));
-      least = std::min(least, flight.state.airspeed);
+      min = std::min(min, flight.state.airspeed);
       if (t > 10) {
         sum += flight.state.airspeed;
         ++count;
       }
     }
-    EXPECT_GT(least, airframe.slowest) << name;
+    EXPECT_GT(min, airframe.slowest) << name;
     EXPECT_NEAR(sum / count, airframe.cruise, 0.5) << name;
   }
 }
@@ -241,14 +241,14 @@ TEST(FixedWingFlight, GivesUpHeightBeforeAirspeedWhereTheMotorIsTooWeak) {
   flight.state.p_N.z() = -400;
   flight.state.faults.dead = 1u << channel::kThrottle;
   FixedWingControl control(airframe, {});
-  double least = 1e9;
+  double min = 1e9;
   for (double t = 0; t < 40; t += kStep) {
     flight.step(control.control({0, 500, 0, airframe.cruise}, flight.nav(), kStep));
-    least = std::min(least, flight.state.airspeed);
+    min = std::min(min, flight.state.airspeed);
   }
   // At 0.88 of the minimum airspeed, which has a reserve to the stall, pitch serves it
   // alone.
-  EXPECT_GT(least, 0.88 * airframe.slowest);
+  EXPECT_GT(min, 0.88 * airframe.slowest);
 }
 
 TEST(FixedWingFlight, LeavesAStall) {
@@ -262,17 +262,17 @@ TEST(FixedWingFlight, LeavesAStall) {
   for (const double rising : {0.0, 1.0, 2.0, 3.0, 5.0, 7.0}) {
     VehicleState s = plant.start({Vec3(0, 0, -kHeight), 0, Vec3::Zero(), false});
     FixedWingControl control(airframe, {});
-    double most = 0, after = 0;
+    double max = 0, after = 0;
     for (double t = 0; t < 30; t += kStep) {
       Air air;
       air.wind_N.z() = t < 14 ? 6 : t < 24 ? -rising : 0;
       plant.step(s,
                  control.control({0, kHeight, 0, airframe.cruise}, truth(s, {}), kStep),
                  air, kStep);
-      if (t > 14) most = std::max(most, alpha(s, air.wind_N));
+      if (t > 14) max = std::max(max, alpha(s, air.wind_N));
       if (t > 18) after = std::max(after, alpha(s, air.wind_N));
     }
-    EXPECT_GT(most, 0.3) << "it has stalled: " << rising;
+    EXPECT_GT(max, 0.3) << "it has stalled: " << rising;
     EXPECT_LT(after, 0.2) << rising;
     EXPECT_GT(-s.p_N.z(), kHeight - 40) << rising;
   }

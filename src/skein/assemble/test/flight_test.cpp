@@ -93,8 +93,8 @@ struct Keeping {
 
 Keeping keep_to_path(const Setting& setting) {
   // Minimum radius of a Bixler as its plant states it: 0.8 of a bank limit of 40 degrees.
-  const double least = 15 * 15 / (kGravity * std::tan(geo::radians(32)));
-  const Path path = laps(1.1 * model::ground_turn_radius(least, 15, setting.wind));
+  const double min = 15 * 15 / (kGravity * std::tan(geo::radians(32)));
+  const Path path = laps(1.1 * model::ground_turn_radius(min, 15, setting.wind));
   AutopilotCommand command{FollowPath{path}, kHeight, {}};
   const FlightLog log = fly(scenario_of(setting), {{{command}}});
   Keeping keeping;
@@ -135,11 +135,11 @@ TEST(WholeWing, KeepsToItsPathHeightAndAirspeedInWind) {
         // The goals of the issue. Measured at most: 0.7, 0.8 and 1.7 m, 0.5 m/s.
         EXPECT_LT(k.straights.rms(), 2);
         EXPECT_LT(k.turns.rms(), 4);
-        EXPECT_LT(k.height.most, 2);
+        EXPECT_LT(k.height.max, 2);
         EXPECT_LT(k.airspeed.rms(), 1);
         // Without gusts at every moment.
         if (setting.turbulence == "none") {
-          EXPECT_LT(k.airspeed.most, 1);
+          EXPECT_LT(k.airspeed.max, 1);
         }
       }
 }
@@ -158,11 +158,11 @@ TEST(WholeWing, KeepsToItsPathAsFarAsASingleReceiverShows) {
       EXPECT_FALSE(k.accident);
       EXPECT_TRUE(k.done);
       EXPECT_LT(k.believed.rms(), 2);
-      EXPECT_LT(k.believed_height.most, 2);
+      EXPECT_LT(k.believed_height.max, 2);
       EXPECT_LT(k.airspeed.rms(), 1);
       // Truly within three standard deviations of the receiver besides.
       EXPECT_LT(k.straights.rms(), 2 + 3 * 4);
-      EXPECT_LT(k.height.most, 2 + 3 * 8);
+      EXPECT_LT(k.height.max, 2 + 3 * 8);
     }
 }
 
@@ -202,9 +202,9 @@ TEST(WholeRotors, HoverInWind) {
         setting.sensors = kind == "ideal" ? "ideal-navigation" : flight_sensors(receiver);
         const Hovering h = hover(setting);
         EXPECT_FALSE(h.accident);
-        EXPECT_LT(h.believed_off.most, 1);
+        EXPECT_LT(h.believed_off.max, 1);
         if (kind == "rtk" || kind == "ideal") {
-          EXPECT_LT(h.true_off.most, 1);
+          EXPECT_LT(h.true_off.max, 1);
         }
       }
 }

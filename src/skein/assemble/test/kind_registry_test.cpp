@@ -24,13 +24,13 @@ class PatientRadio final : public Radio {
   void deliver(Time, std::vector<Message>&, std::vector<Message>&) override {}
 };
 
-// What a plugin with one radio adds. Its default of 3 must be at least `least`.
-KindsByRole with_radio(const std::string& name, double least = 0) {
+// What a plugin with one radio adds. Its default of 3 must be at least `min`.
+KindsByRole with_radio(const std::string& name, double min = 0) {
   KindsByRole kinds;
   kinds.radio.add(
       name, "Patient.",
       scenario::Fields<PatientOptions>().number("patience_s", &PatientOptions::patience,
-                                                "How long.", {.at_least = least}),
+                                                "How long.", {.at_least = min}),
       [](const PatientOptions& o, const RadioContext&) -> Result<std::unique_ptr<Radio>> {
         if (o.patience > 100) return Error{ErrorCode::kBadInput, "", "too patient.", ""};
         return std::unique_ptr<Radio>(std::make_unique<PatientRadio>());

@@ -23,12 +23,12 @@ TEST(MultirotorFlight, HoversInWindAndLightTurbulence) {
     MultirotorControl control(airframe, {});
     MultirotorDemand demand;
     demand.altitude_msl = kHeight;
-    double most = 0;
+    double max = 0;
     for (double t = 0; t < 60; t += kStep) {
       flight.step(control.control(demand, flight.nav(), kStep));
-      most = std::max(most, (flight.state.p_N - Vec3(0, 0, -kHeight)).norm());
+      max = std::max(max, (flight.state.p_N - Vec3(0, 0, -kHeight)).norm());
     }
-    EXPECT_LT(most, 1) << seed;  // the goal
+    EXPECT_LT(max, 1) << seed;  // the goal
   }
 }
 
@@ -89,14 +89,14 @@ TEST(MultirotorFlight, SixRotorsFlyOnWithOneStanding) {
     MultirotorControl control(std::get<MultirotorAirframe>(plant.airframe()), {});
     MultirotorDemand demand;
     demand.altitude_msl = kHeight;
-    double most = 0;
+    double max = 0;
     for (double t = 0; t < 40; t += kStep) {
       if (t > 10) flight.state.faults.dead = static_cast<std::uint8_t>(1u << dead);
       if (t > 10.3) control.set_standing(static_cast<std::uint8_t>(1u << dead));
       flight.step(control.control(demand, flight.nav(), kStep));
-      most = std::max(most, (flight.state.p_N - Vec3(0, 0, -kHeight)).norm());
+      max = std::max(max, (flight.state.p_N - Vec3(0, 0, -kHeight)).norm());
     }
-    EXPECT_LT(most, 3) << dead;
+    EXPECT_LT(max, 3) << dead;
     EXPECT_LT((flight.state.p_N - Vec3(0, 0, -kHeight)).norm(), 1) << dead;
   }
 }

@@ -57,10 +57,10 @@ const Event* reported(const FlightLog& log, const std::string& kind,
 }
 
 double height_off(const FlightLog& log, double from) {
-  double most = 0;
+  double max = 0;
   for (const FlightRow& row : log.rows.at(1))
-    if (row.time.seconds() > from) most = std::max(most, std::abs(row.altitude() - 100));
-  return most;
+    if (row.time.seconds() > from) max = std::max(max, std::abs(row.altitude() - 100));
+  return max;
 }
 
 TEST(SensorLoss, OfWhatCanBeDoneWithoutIsReportedAndFlownWithout) {

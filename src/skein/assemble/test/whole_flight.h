@@ -77,11 +77,11 @@ FlightLog fly(const std::string& text, const Flown& how = {});
 
 /// Root of the mean square and largest size of some numbers.
 struct Spread {
-  double square = 0, most = 0;
+  double square = 0, max = 0;
   int count = 0;
   void add(double x) {
     square += x * x;
-    most = std::max(most, std::abs(x));
+    max = std::max(max, std::abs(x));
     ++count;
   }
   double rms() const { return count > 0 ? std::sqrt(square / count) : NAN; }

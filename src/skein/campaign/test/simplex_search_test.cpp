@@ -16,7 +16,7 @@ double valley(const Point& x) {
 TEST(SimplexSearch, FindsTheEndOfACurvedValley) {
   SimplexOptions options;
   options.evaluations = 400;
-  options.least = 1e-7;
+  options.min = 1e-7;
   const SimplexResult result =
       simplex_search([](const Point& x) { return valley(x); }, {-1.2, 1}, options);
   EXPECT_FALSE(result.stopped);
@@ -36,7 +36,7 @@ TEST(SimplexSearch, ComesDownInEightDimensions) {
   };
   SimplexOptions options;
   options.evaluations = 2000;
-  options.least = 1e-4;
+  options.min = 1e-4;
   const SimplexResult result = simplex_search(bowl, Point(8, 0.0), options);
   // From 1 + sum of (1 + i) (i / 10)^2 = 10.24 down to within 1 % of the minimum.
   EXPECT_NEAR(result.tries.front().cost, 10.24, 1e-9);

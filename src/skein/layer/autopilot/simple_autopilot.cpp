@@ -227,8 +227,8 @@ double SimpleAutopilot::airspeed_for_turns() const {
   }
   if (tightest == 0) return base;
   const double ground_speed = std::sqrt(kGravity * math::tan(roll_limit_) / tightest);
-  const double least = std::min(options_.slowest * limits_.airspeed, base);
-  return std::clamp(ground_speed - filter_.drift().norm(), least, base);
+  const double min = std::min(options_.slowest * limits_.airspeed, base);
+  return std::clamp(ground_speed - filter_.drift().norm(), min, base);
 }
 
 }  // namespace skein::autopilot

@@ -130,16 +130,16 @@ Arrival connect_at(const Pose& from, const Pose& to, const AirMotion& air, doubl
   if (!(std::abs(time) * air.airspeed <= kLongest * air.turn_radius)) return arrival;
   arrival.earliest = direct.time;
   const Task task{from, {to.position - time * air.wind, to.course}, air.turn_radius};
-  const double length = time * air.airspeed, least = total(task, {});
+  const double length = time * air.airspeed, min = total(task, {});
   const double exact = exact_of(task, length);
-  if (length < least - exact) {
+  if (length < min - exact) {
     // Before the earliest meeting, or where the shortest length has jumped up since.
     arrival.status = time < direct.time ? ArrivalStatus::kTooEarly : ArrivalStatus::kGap;
     return arrival;
   }
   const double circle = kTurn * air.turn_radius;
   const int loops =
-      std::max(0, static_cast<int>(std::floor((length - least + exact) / circle)));
+      std::max(0, static_cast<int>(std::floor((length - min + exact) / circle)));
   // A circle less leaves more room where a family has a gap.
   for (int fewer = 0; fewer <= std::min(1, loops); ++fewer) {
     const double rest = length - (loops - fewer) * circle;

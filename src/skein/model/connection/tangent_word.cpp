@@ -30,13 +30,13 @@ class TangentSearch {
     // Spare time grows steadily, at 1 + u.w, but where an outer turn passes a full one it
     // jumps by a whole turn: up when the heading of the straight grows, else down.
     const double growing = -geo::cross(start.u, word_.wind);
-    const double least = start.spare();
+    const double min = start.spare();
     // Its heading turns by less than a half: each turn passes a full one at most once.
     const double jumps = growing > 0 ? word_.turns : 0;
     const double wind = std::sqrt(word_.wind2);
-    const double from = std::max(std::ceil((least - kSnap) / kTurn), -jumps);
+    const double from = std::max(std::ceil((min - kSnap) / kTurn), -jumps);
     for (int k = 0; k <= word_.turns; ++k) {
-      const double missing = std::max(0.0, kTurn * (from + k) - least);
+      const double missing = std::max(0.0, kTurn * (from + k) - min);
       // The slope of the spare time lies in [1 - |w|, 1 + |w|]; on the bounds, straight
       // up or down the wind, rounding decides.
       const double slack = kRounding * missing + kTimeRounding * (1 + low);
@@ -108,22 +108,22 @@ class TangentSearch {
 
 }  // namespace
 
-Meeting earliest_meeting(const TangentWord& word, double least, double best) {
-  if (least >= best) return {};
+Meeting earliest_meeting(const TangentWord& word, double min, double best) {
+  if (min >= best) return {};
   const TangentSearch search(word, best);
   // While the centre is within reach there is no tangent.
   const double outside = word.offset.squaredNorm() - word.reach * word.reach + kTouch;
   const double b = word.offset.dot(word.wind);
   const double root2 = b * b - word.wind2 * outside;
-  if (root2 <= 0) return search.first_in(least, kNever);
+  if (root2 <= 0) return search.first_in(min, kNever);
   const double root = std::sqrt(root2);
   // Without cancellation: the product of the two times is outside / wind2.
   const double big = b > 0 ? b + root : b - root;
   const double t1 = big / word.wind2, t2 = outside / big;
   const double enter = std::min(t1, t2), leave = std::max(t1, t2);
-  const Meeting before = search.first_in(least, enter);
+  const Meeting before = search.first_in(min, enter);
   if (before.time < kNever) return before;
-  return search.first_in(std::max(least, leave), kNever);
+  return search.first_in(std::max(min, leave), kNever);
 }
 
 double straight_after(const Vec2& d, const Vec2& wind, double a, double gap) {

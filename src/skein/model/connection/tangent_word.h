@@ -23,9 +23,9 @@ struct TangentWord {
   double phi = 0;
 };
 
-/// The earliest meeting from `least` on and before `best`; docs/connection.md.
-/// @param least  a time before which there is none.
-Meeting earliest_meeting(const TangentWord& word, double least, double best);
+/// The earliest meeting from `min` on and before `best`; docs/connection.md.
+/// @param min  a time before which there is none.
+Meeting earliest_meeting(const TangentWord& word, double min, double best);
 
 /// The straight flown after turns: the s >= 0 with s^2 = |d - wind s|^2 - gap; 0 when d
 /// is within the gap.

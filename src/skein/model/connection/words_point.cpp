@@ -104,8 +104,8 @@ bool stays_outside(const PointProblem& p, double time) {
 
 Meeting turn_straight(const PointProblem& p, double best) {
   const Vec2 offset = p.point - Vec2(0, 1);
-  const double least = straight_after(offset, p.wind, 1 - p.wind2, 1) * (1 - kRounding);
-  return earliest_meeting({offset, p.wind, p.wind2, 1, 1, 0}, least, best);
+  const double min = straight_after(offset, p.wind, 1 - p.wind2, 1) * (1 - kRounding);
+  return earliest_meeting({offset, p.wind, p.wind2, 1, 1, 0}, min, best);
 }
 
 Meeting turn_turn(const PointProblem& p, double best) {

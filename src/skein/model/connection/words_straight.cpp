@@ -51,9 +51,9 @@ Meeting opposite_turns(const Problem& p, double best) {
   const Vec2 d0 = p.opposite_turns();
   // One turn undoes the other but for phi, so nothing is met before they have.
   const double c = std::min(p.phi, kTurn - p.phi);
-  const double least =
+  const double min =
       c + straight_after(d0 - p.wind * c, p.wind, 1 - p.wind2, 4) * (1 - kRounding);
-  return earliest_meeting({d0, p.wind, p.wind2, 2, 2, p.phi}, least, best);
+  return earliest_meeting({d0, p.wind, p.wind2, 2, 2, p.phi}, min, best);
 }
 
 }  // namespace skein::model::words

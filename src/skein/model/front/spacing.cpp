@@ -20,8 +20,8 @@ double arc_height(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   };
   const double at_b = curvature(before, edge), at_c = curvature(edge, after);
   if (at_b * at_c <= 0) return 0;
-  const double least = std::min(std::abs(at_b), std::abs(at_c));
-  const double height = std::min(least * length * length / 8, 0.13 * length);
+  const double min = std::min(std::abs(at_b), std::abs(at_c));
+  const double height = std::min(min * length * length / 8, 0.13 * length);
   return at_b > 0 ? height : -height;
 }
 

@@ -136,19 +136,19 @@ double PathCursor::curvature_at(double s) const {
 }
 
 double PathCursor::tightest(double from, double to) const {
-  double most = 0;
-  if (elements_.empty()) return most;
+  double max = 0;
+  if (elements_.empty()) return max;
   for (std::size_t i = index_at(from); i < elements_.size(); ++i) {
     const Element& e = elements_[i];
     if (e.begin > to) break;
-    if (e.begin + e.length > from) most = std::max(most, std::abs(e.curvature));
+    if (e.begin + e.length > from) max = std::max(max, std::abs(e.curvature));
   }
-  return most;
+  return max;
 }
 
 double PathCursor::speed_limit(double along, double lateral, double braking,
-                               double most) const {
-  double square = most * most;
+                               double max) const {
+  double square = max * max;
   for (std::size_t i = index_at(along); i < elements_.size(); ++i) {
     const Element& e = elements_[i];
     const double braked = 2 * braking * std::max(e.begin - along, 0.0);

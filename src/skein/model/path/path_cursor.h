@@ -53,12 +53,12 @@ class PathCursor {
   /// Largest absolute curvature in the arc lengths from `from` to `to` [1/m].
   double tightest(double from, double to) const;
 
-  /// The largest speed at `along`, up to `most`, from which each turn ahead can be
+  /// The largest speed at `along`, up to `max`, from which each turn ahead can be
   /// entered and flown with lateral acceleration `lateral`, braking at `braking` before
   /// it:
   ///
   ///   V^2 <= lateral / curvature + 2 braking (distance to the turn)
-  double speed_limit(double along, double lateral, double braking, double most) const;
+  double speed_limit(double along, double lateral, double braking, double max) const;
 
  private:
   struct Element {

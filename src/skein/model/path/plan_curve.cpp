@@ -92,11 +92,11 @@ double PlanCurve::follow(const Vec2& p, double time) const {
 }
 
 double PlanCurve::nearest(const Vec2& p, double from, double to, double step) const {
-  double best = from, least = std::numeric_limits<double>::infinity();
+  double best = from, min = std::numeric_limits<double>::infinity();
   for (double t = from;; t = std::min(t + step, to)) {
     const double distance2 = (p - at(t).p_N.head<2>()).squaredNorm();
-    if (distance2 < least) {
-      least = distance2;
+    if (distance2 < min) {
+      min = distance2;
       best = t;
     }
     if (t >= to) break;

@@ -36,7 +36,7 @@ PathQuery some_query(RandomStream& random, Airspace& airspace) {
   query.limits.airspeed = random.uniform(12, 30);
   query.limits.turn_radius = random.uniform(30, 120);
   query.wind = place_within(random, 5);
-  query.budget.states = 3000;
+  query.budget.expansions = 3000;
   for (int k = 0; k < 4; ++k) {
     const Disc disc{place_within(random, 1500), random.uniform(50, 250)};
     const auto clear = [&](const FlightState& end) {
@@ -117,7 +117,8 @@ Violations planner_violations(const Make<PathPlanner>& make) {
     const PlannedPath path = planner->plan(query);
     const PlannedPath same = twin->plan(query);
     checks.expect(path.outcome == same.outcome && path.plan.size() == same.plan.size() &&
-                      path.states == same.states && path.duration == same.duration,
+                      path.expansions == same.expansions &&
+                      path.duration == same.duration,
                   "two equal ones do not plan alike");
     const bool planned = path.outcome == PlanningOutcome::kFound ||
                          path.outcome == PlanningOutcome::kBudgetEnded;

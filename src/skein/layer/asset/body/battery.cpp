@@ -64,8 +64,8 @@ double Battery::current_for(double open_circuit, double power) const {
 double Battery::max_power(double charge) const {
   if (charge <= 0) return 0;
   const double u0 = open_circuit(charge);
-  const double most = max_current(u0);
-  return (u0 - resistance_ * most) * most;
+  const double max = max_current(u0);
+  return (u0 - resistance_ * max) * max;
 }
 
 void Battery::take(Energy& energy, double open_circuit, double current, double dt) const {
@@ -82,12 +82,12 @@ double Battery::draw(Energy& energy, const Faults& faults, double power,
   }
   const double u0 = open_circuit(energy.charge);
   const double asked = std::max(0.0, power);
-  double most = max_current(u0);
-  if (most * dt > energy.charge * capacity_) most = energy.charge * capacity_ / dt;
-  const double max_power = (u0 - resistance_ * most) * most;
+  double max = max_current(u0);
+  if (max * dt > energy.charge * capacity_) max = energy.charge * capacity_ / dt;
+  const double max_power = (u0 - resistance_ * max) * max;
   const bool enough = asked <= max_power;
-  take(energy, u0, enough ? current_for(u0, asked) : most, dt);
-  if (most <= 0) return 0;
+  take(energy, u0, enough ? current_for(u0, asked) : max, dt);
+  if (max <= 0) return 0;
   return enough ? 1 : max_power / asked;
 }
 
@@ -99,12 +99,12 @@ double Battery::draw_current(Energy& energy, const Faults& faults, double curren
   }
   const double u0 = open_circuit(energy.charge);
   const double asked = std::max(0.0, current);
-  double most = max_current(u0);
-  if (most * dt > energy.charge * capacity_) most = energy.charge * capacity_ / dt;
-  const bool enough = asked <= most;
-  take(energy, u0, enough ? asked : most, dt);
-  if (most <= 0) return 0;
-  return enough ? 1 : most / asked;
+  double max = max_current(u0);
+  if (max * dt > energy.charge * capacity_) max = energy.charge * capacity_ / dt;
+  const bool enough = asked <= max;
+  take(energy, u0, enough ? asked : max, dt);
+  if (max <= 0) return 0;
+  return enough ? 1 : max / asked;
 }
 
 // The open-circuit voltage below which `power` cannot be given: max_power() solved.
@@ -118,15 +118,15 @@ double Battery::endurance(const Energy& energy) const {
   if (energy.power <= 0) return std::numeric_limits<double>::infinity();
   // The time is the integral of capacity / I(charge). I is smooth between the points of
   // the table, so two Gauss points a segment are good to 1e-4 of the time.
-  const double least = min_open_circuit(energy.power);
+  const double min = min_open_circuit(energy.power);
   double seconds = 0;
   double high = std::clamp(energy.charge, 0.0, 1.0);
   while (high > 0) {
     double low = std::max(0.0, std::ceil(high * kSegments - 1e-9) - 1) / kSegments;
     const double u_high = open_circuit(high), u_low = open_circuit(low);
-    if (u_high <= least) break;
-    const bool last = u_low < least;
-    if (last) low = high - (high - low) * (u_high - least) / (u_high - u_low);
+    if (u_high <= min) break;
+    const bool last = u_low < min;
+    if (last) low = high - (high - low) * (u_high - min) / (u_high - u_low);
     const double middle = (high + low) / 2;
     const double offset = (high - low) / 2 / std::sqrt(3.0);
     for (const double charge : {middle + offset, middle - offset})

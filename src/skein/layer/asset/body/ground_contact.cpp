@@ -7,9 +7,9 @@
 namespace skein::asset {
 namespace {
 
-// `value`, nearer to `target` by at most `most`.
-double pulled(double value, double target, double most) {
-  return value + std::clamp(target - value, -most, most);
+// `value`, nearer to `target` by at most `max`.
+double pulled(double value, double target, double max) {
+  return value + std::clamp(target - value, -max, max);
 }
 
 }  // namespace

@@ -89,11 +89,11 @@ double min_density(const FixedWingModel& model) {
   const Envelope& envelope = model.envelope;
   const auto flies = [&](double altitude) {
     const double density = model::standard_air(altitude).density;
-    const double least = envelope.slowest * std::sqrt(model::kSeaLevelDensity / density);
-    if (least > envelope.fastest) return false;
+    const double min = envelope.slowest * std::sqrt(model::kSeaLevelDensity / density);
+    if (min > envelope.fastest) return false;
     if (!model.engine.exists()) return true;
     for (const double airspeed :
-         {std::max(least, envelope.cruise), least, (least + envelope.fastest) / 2})
+         {std::max(min, envelope.cruise), min, (min + envelope.fastest) / 2})
       if (find_trim(model, {airspeed, 0, 0, altitude}).found()) return true;
     return false;
   };

@@ -76,9 +76,9 @@ void check_envelope(ParameterCheck& check, const Envelope& e) {
 // What only flying shows; the numbers by themselves are in order.
 void check_flight(ParameterCheck& check, const FixedWingParameters& p) {
   const FixedWingModel model(p);
-  const double most = model.aero.peak().lift_coefficient;
+  const double max = model.aero.peak().lift_coefficient;
   const double stall = std::sqrt(2 * p.mass * kGravity /
-                                 (model::kSeaLevelDensity * p.geometry.area * most));
+                                 (model::kSeaLevelDensity * p.geometry.area * max));
   check.require(p.envelope.slowest > stall, "envelope.slowest", p.envelope.slowest,
                 fmt::format("must be above the stall at {:.1f} m/s", stall));
   if (p.envelope.slowest <= stall) return;

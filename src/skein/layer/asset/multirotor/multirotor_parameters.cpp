@@ -59,7 +59,7 @@ void check_flight(ParameterCheck& check, const MultirotorParameters& p) {
                 "must be able to turn the airframe about all its axes one by one");
   if (!rotors.controllable()) return;
 
-  const double most = p.thrust_factor * p.fastest_rotor * p.fastest_rotor;
+  const double max = p.thrust_factor * p.fastest_rotor * p.fastest_rotor;
   const auto hover =
       rotors.thrusts(weight, Vec3::Zero(), p.torque_factor / p.thrust_factor);
   const auto end = hover.begin() + static_cast<std::ptrdiff_t>(rotors.size());
@@ -67,7 +67,7 @@ void check_flight(ParameterCheck& check, const MultirotorParameters& p) {
                 static_cast<double>(p.rotors.size()),
                 "must all push up in hover: the centre of gravity must be among them");
   const double loaded = *std::max_element(hover.begin(), end);
-  check.require(loaded < most, "fastest_rotor", p.fastest_rotor,
+  check.require(loaded < max, "fastest_rotor", p.fastest_rotor,
                 fmt::format("must be above {:.4g}, which hovering takes",
                             std::sqrt(std::max(0.0, loaded) / p.thrust_factor)));
 

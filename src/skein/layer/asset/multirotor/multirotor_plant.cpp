@@ -42,9 +42,9 @@ FlightLimits MultirotorPlant::limits() const {
   // What tilt is left for turning when drag at cruise has taken its part.
   const Vec3 thrust_down = geo::down_in_body(trim({p.cruise, 0, 0}, 0).q_NB);
   const double against_drag = kGravity * std::abs(thrust_down.x()) / thrust_down.z();
-  const double most = kGravity * math::tan(p.tilt_limit);
+  const double max = kGravity * math::tan(p.tilt_limit);
   const double turning =
-      std::sqrt(std::max(most * most - against_drag * against_drag, 1e-4 * most * most));
+      std::sqrt(std::max(max * max - against_drag * against_drag, 1e-4 * max * max));
   // Thrust is in proportion to the density.
   const auto hover =
       rotors_.thrusts(p.mass * kGravity, Vec3::Zero(), p.torque_factor / p.thrust_factor);

@@ -27,11 +27,10 @@ std::array<double, Actuators::kMaxChannels> RotorSet::thrusts(double total,
   const Eigen::Vector4d setpoint(total, moment.x(), moment.y(),
                                  moment.z() / torque_ratio);
   const Eigen::Matrix4d square = A * A.transpose();
-  const Eigen::Matrix<double, Actuators::kMaxChannels, 1> least =
+  const Eigen::Matrix<double, Actuators::kMaxChannels, 1> min =
       A.transpose() * square.fullPivLu().solve(setpoint);
   std::array<double, Actuators::kMaxChannels> thrusts{};
-  for (std::size_t i = 0; i < size_; ++i)
-    thrusts[i] = least[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < size_; ++i) thrusts[i] = min[static_cast<Eigen::Index>(i)];
   return thrusts;
 }
 

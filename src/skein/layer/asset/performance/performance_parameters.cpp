@@ -46,10 +46,10 @@ void check_numbers(ParameterCheck& check, const PerformanceParameters& p) {
 void check_flight(ParameterCheck& check, const PerformanceParameters& p) {
   const PerformanceModel model(p);
   const double mass = model.mass(1);
-  const double least = p.stall_reserve * model.stall_speed(mass, kSeaLevel);
+  const double min = p.stall_reserve * model.stall_speed(mass, kSeaLevel);
   check.require(
-      p.slowest > least, "slowest", p.slowest,
-      fmt::format("must be above {:.4g}, the stall speed with its reserve", least));
+      p.slowest > min, "slowest", p.slowest,
+      fmt::format("must be above {:.4g}, the stall speed with its reserve", min));
   const double drag = model.drag(p.cruise, mass * kGravity, kSeaLevel);
   const double thrust = model.thrust(p.cruise_power * p.power, p.cruise);
   check.require(thrust > drag, "cruise", p.cruise,

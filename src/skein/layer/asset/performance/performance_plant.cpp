@@ -21,11 +21,11 @@ EnergySource source_of(const PerformanceParameters& p) {
   return FuelTank(p.tank);
 }
 
-// What is left of two demands of one sign when they may take `most` together.
-double cut(double most, double first, double second) {
+// What is left of two demands of one sign when they may take `max` together.
+double cut(double max, double first, double second) {
   const double both = first + second;
-  if (both <= most) return 1;
-  return most > 0 ? most / both : 0;
+  if (both <= max) return 1;
+  return max > 0 ? max / both : 0;
 }
 
 }  // namespace
@@ -85,10 +85,10 @@ double PerformancePlant::min_density() const {
   const PerformanceParameters& p = parameters_;
   const double mass = model_.mass(1);
   const auto flies = [&](double density) {
-    const double least =
+    const double min =
         std::max(p.slowest, p.stall_reserve * model_.stall_speed(mass, density));
     for (int i = 0; i <= kAirspeeds; ++i) {
-      const double v = least + (p.fastest - least) * i / kAirspeeds;
+      const double v = min + (p.fastest - min) * i / kAirspeeds;
       if (v > p.fastest) return false;
       const double power = p.cruise_power * model_.max_power(density);
       if (model_.thrust(power, v) >= model_.drag(v, mass * kGravity, density))
@@ -107,8 +107,8 @@ double PerformancePlant::min_density() const {
 // The bank that the airspeed carries with its reserve; a little even when it is too slow.
 double PerformancePlant::steepest_bank(double airspeed, double mass,
                                        double density) const {
-  const double least = parameters_.stall_reserve * model_.stall_speed(mass, density);
-  const double margin = least / airspeed;
+  const double min = parameters_.stall_reserve * model_.stall_speed(mass, density);
+  const double margin = min / airspeed;
   return std::min(parameters_.bank_limit, math::acos(std::min(0.999, margin * margin)));
 }
 
@@ -135,10 +135,10 @@ PerformancePlant::Phase PerformancePlant::phase_of(const VehicleState& state, do
   phase.mass = model_.mass(state.energy.charge);
   phase.density = air.density;
   // In a bank the wings carry 1 / cos(roll) of the weight.
-  const double least = p.stall_reserve * model_.stall_speed(phase.mass, air.density) /
-                       std::sqrt(math::cos(roll));
+  const double min = p.stall_reserve * model_.stall_speed(phase.mass, air.density) /
+                     std::sqrt(math::cos(roll));
   phase.airspeed = bounded_or(p.cruise, command.airspeed,
-                              std::min(std::max(p.slowest, least), p.fastest), p.fastest);
+                              std::min(std::max(p.slowest, min), p.fastest), p.fastest);
   phase.climb = bounded_or(0, command.climb_rate, -p.sink_rate, p.climb_rate);
   const double climbing = std::clamp(phase.climb / kFullClimb, 0.0, 1.0);
   const double rating = p.cruise_power + (1 - p.cruise_power) * climbing;
@@ -157,8 +157,8 @@ PerformancePlant::Rate PerformancePlant::rate(const Point& point, double roll,
   const double v = point.airspeed, weight = phase.mass * kGravity;
   const double drag = model_.drag(v, weight / math::cos(roll), phase.density);
   // Everything as climb rates [m/s]: what is available, and what is commanded.
-  const double most = (model_.thrust(phase.max_power, v) - drag) * v / weight;
-  const double least = (model_.thrust(phase.min_power, v) - drag) * v / weight;
+  const double max = (model_.thrust(phase.max_power, v) - drag) * v / weight;
+  const double min = (model_.thrust(phase.min_power, v) - drag) * v / weight;
   const double acceleration_setpoint =
       std::clamp((phase.airspeed - v) / p.airspeed_lag, -p.acceleration, p.acceleration);
   const double speed_up = v * acceleration_setpoint / kGravity;
@@ -166,16 +166,16 @@ PerformancePlant::Rate PerformancePlant::rate(const Point& point, double roll,
   const double faster = std::max(speed_up, 0.0), slower = std::min(speed_up, 0.0);
 
   double climb = phase.climb, change = speed_up;
-  if (climb + change > most) {
-    const double part = cut(most - down - slower, up, faster);
+  if (climb + change > max) {
+    const double part = cut(max - down - slower, up, faster);
     climb = down + part * up;
     change = slower + part * faster;
-    if (climb + change > most) climb = most - change;
-  } else if (climb + change < least) {
-    const double part = cut(up + faster - least, -down, -slower);
+    if (climb + change > max) climb = max - change;
+  } else if (climb + change < min) {
+    const double part = cut(up + faster - min, -down, -slower);
     climb = up + part * down;
     change = faster + part * slower;
-    if (climb + change < least) climb = least - change;
+    if (climb + change < min) climb = min - change;
   }
   climb = std::clamp(climb, -v, v);
 

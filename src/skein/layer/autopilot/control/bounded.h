@@ -10,9 +10,9 @@ inline double bounded(double x, double low, double high) {
 }
 
 /// `x` within [-most, most]; what is not a number becomes 0.
-inline double bounded(double x, double most) {
+inline double bounded(double x, double max) {
   if (x != x) return 0;
-  return bounded(x, -most, most);
+  return bounded(x, -max, max);
 }
 
 }  // namespace skein::autopilot

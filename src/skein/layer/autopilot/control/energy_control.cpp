@@ -132,8 +132,8 @@ void EnergyControl::move_throttle(const FixedWingSetup& setup,
         bounded(throttle_sum_ + setup.throttle_slope * g.energy_integral * error * dt,
                 kMaxThrottleSum);
   }
-  const double most = g.throttle_rate * dt;
-  throttle_ = bounded(bounded(aim, throttle_ - most, throttle_ + most), 0, 1);
+  const double max = g.throttle_rate * dt;
+  throttle_ = bounded(bounded(aim, throttle_ - max, throttle_ + max), 0, 1);
 }
 
 void EnergyControl::move_pitch(const FixedWingSetup& setup, const FixedWingDemand& demand,
@@ -153,8 +153,8 @@ void EnergyControl::move_pitch(const FixedWingSetup& setup, const FixedWingDeman
   if (flare) lowest += std::min(demand.climb_rate + kSoftSink, 0.0) / speed;
   if (flare && demand.airspeed > 0) lowest -= kFlareDive;
   const double setpoint = alpha + path / speed;
-  const double most = g.vertical_acceleration / speed * dt;
-  pitch_ = bounded(bounded(setpoint, lowest, a.pitch_up), pitch_ - most, pitch_ + most);
+  const double max = g.vertical_acceleration / speed * dt;
+  pitch_ = bounded(bounded(setpoint, lowest, a.pitch_up), pitch_ - max, pitch_ + max);
   if (!flare && (setpoint < a.pitch_up || error < 0) && (setpoint > lowest || error > 0))
     path_sum_ = bounded(path_sum_ + g.balance_integral * error * dt, kMaxPathSum * speed);
 }

@@ -75,14 +75,13 @@ double FixedWingControl::bank_demand(const FixedWingDemand& demand,
   const double drift_cosine = lengths > 1 ? ground.dot(air) / lengths : 1;
   // Lift carries a load of (V / slowest)^2; some bank is always left to turn with.
   const double lift = nav.airspeed * nav.airspeed / (a.slowest * a.slowest);
-  double most =
+  double max =
       std::min(setup_->bank_tangent, std::sqrt(bounded(lift * lift - 1, 0.1, 1e4)));
   if (demand.phase == FlightPhase::kClimbOut)
-    most = std::min(most, setup_->gains.climb_out_bank);
-  if (demand.phase == FlightPhase::kFlare)
-    most = std::min(most, setup_->gains.flare_bank);
+    max = std::min(max, setup_->gains.climb_out_bank);
+  if (demand.phase == FlightPhase::kFlare) max = std::min(max, setup_->gains.flare_bank);
   return math::atan(bounded(
-      demand.lateral_acceleration / (kGravity * std::max(drift_cosine, 0.3)), most));
+      demand.lateral_acceleration / (kGravity * std::max(drift_cosine, 0.3)), max));
 }
 
 void FixedWingControl::move_roll(double aim, double dt) {

@@ -75,13 +75,13 @@ double Mixer::throttle(double thrust) const {
 Mix Mixer::mix(const Wrench& wrench) const {
   // Roll and pitch, as far as the rotors' range is wide enough for them at all.
   std::array<double, kMaxRotors> tilt{}, f{};
-  double least = 0, largest = 0;
+  double min = 0, largest = 0;
   for (std::size_t k = 0; k < rotors_; ++k) {
     tilt[k] = roll_[k] * wrench.torque.x() + pitch_[k] * wrench.torque.y();
-    least = std::min(least, tilt[k]);
+    min = std::min(min, tilt[k]);
     largest = std::max(largest, tilt[k]);
   }
-  const double spread = largest - least;
+  const double spread = largest - min;
   const double tilt_share = spread > most_ ? most_ / spread : 1;
 
   // Thrust, moved to where each rotor has room for them.

@@ -31,15 +31,15 @@ bool finite(const MultirotorDemand& d) {
                        d.altitude_msl + d.climb_rate + d.heading);
 }
 
-Vec2 shortened(const Vec2& v, double most) {
+Vec2 shortened(const Vec2& v, double max) {
   const double length2 = v.squaredNorm();
-  if (!(length2 > most * most)) return v;
+  if (!(length2 > max * max)) return v;
   if (!std::isfinite(length2)) return Vec2::Zero();
-  return v * (most / std::sqrt(length2));
+  return v * (max / std::sqrt(length2));
 }
 
-Vec3 bounded_each(const Vec3& v, double most) {
-  return {bounded(v.x(), most), bounded(v.y(), most), bounded(v.z(), most)};
+Vec3 bounded_each(const Vec3& v, double max) {
+  return {bounded(v.x(), max), bounded(v.y(), max), bounded(v.z(), max)};
 }
 
 }  // namespace
@@ -96,10 +96,10 @@ Vec3 MultirotorControl::acceleration_for(const MultirotorDemand& demand,
   // the tilt shrinks when the vehicle sinks although it shall not.
   const double spared =
       bounded(1 - kTiltPerSink * (-sink_error - kSinkMargin), kMinTilt, 1);
-  const double most = spared * (kGravity - down) * setup_->tilt_tangent;
-  const Vec2 across = shortened(setpoint, most);
+  const double max = spared * (kGravity - down) * setup_->tilt_tangent;
+  const Vec2 across = shortened(setpoint, max);
   // Frozen where the tilt is at its limit, and in transit to a far point.
-  const bool full = setpoint.squaredNorm() > most * most && setpoint.dot(error) > 0;
+  const bool full = setpoint.squaredNorm() > max * max && setpoint.dot(error) > 0;
   if (!full && error.squaredNorm() < kIntegratesWithin * kIntegratesWithin)
     velocity_sum_.head<2>() = shortened(sum + g.velocity_integral * error * dt, kMaxPush);
   return {across.x(), across.y(), down};
@@ -121,9 +121,9 @@ Vec3 MultirotorControl::tilt_rates(const Vec3& up_B) const {
   const double half = std::sqrt(std::max(0.0, (1 + cosine) / 2));
   Vec3 rates = half > 0.02 ? Vec3(up_B.y(), -up_B.x(), 0) / half : Vec3(2, 0, 0);
   rates *= setup_->gains.tilt_gain;
-  const double most = setup_->gains.tilt_rate_limit;
+  const double max = setup_->gains.tilt_rate_limit;
   const double length2 = rates.squaredNorm();
-  return length2 > most * most ? Vec3(rates * (most / std::sqrt(length2))) : rates;
+  return length2 > max * max ? Vec3(rates * (max / std::sqrt(length2))) : rates;
 }
 
 // Where the rotors cannot follow, integrals may only shrink.

@@ -13,9 +13,9 @@ constexpr double kMaxNoseUp = 0.25;
 
 // Adds to an integrator unless the channel is at its end and would be driven further.
 void integrate(double& sum, double channel, double rate, double dt,
-               double most = kMaxSum) {
+               double max = kMaxSum) {
   if ((channel < 1 || rate < 0) && (channel > -1 || rate > 0))
-    sum = bounded(sum + rate * dt, -kMaxSum, most);
+    sum = bounded(sum + rate * dt, -kMaxSum, max);
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ void FlightEstimator::fuse_through_gusts(const Observation& z, double innovation
                                          ErrorVector& error) {
   const double dt = step_.dt;
   if (dt <= 0) return;
-  const double least = options_->min_gust_sd * options_->min_gust_sd;
-  const double variance = std::max(gusts.variance, least);
+  const double min = options_->min_gust_sd * options_->min_gust_sd;
+  const double variance = std::max(gusts.variance, min);
   const double slip2 = sideslip * sideslip;
   // What innovations vary by beyond everything else is gusts.
   ErrorVector ph;

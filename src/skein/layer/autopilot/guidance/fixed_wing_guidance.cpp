@@ -227,8 +227,8 @@ double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& de
     hold_.radius =
         std::max(min_hold_, model::ground_turn_radius(tightest, turn_slowest_, wind));
   } else {
-    const double least = loiter_radius(wind);
-    if (hold_.radius < least || hold_.radius > 1.25 * least) hold_.radius = least;
+    const double min = loiter_radius(wind);
+    if (hold_.radius < min || hold_.radius > 1.25 * min) hold_.radius = min;
   }
   demand.airspeed = airspeed_for(1 / hold_.radius, wind);
 

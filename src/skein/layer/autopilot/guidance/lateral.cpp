@@ -51,7 +51,7 @@ Sight l1_sight(const L1Options& options) {
 
 Sight l2_plus_sight(const L2PlusOptions& options) {
   return {options.time,
-          options.least,
+          options.min,
           2,
           2,
           math::cos(options.intercept),

@@ -32,7 +32,7 @@ struct L1Options {
 
 struct L2PlusOptions {
   double time = 2.5;       ///< T*: flight time to the point aimed at [s]
-  double least = 10;       ///< minimum distance of that point [m]
+  double min = 10;         ///< minimum distance of that point [m]
   double intercept = 1.1;  ///< angle towards the line from further away than it [rad]
 };
 
@@ -78,13 +78,13 @@ double course_law(const model::TrackPoint& line, double cross_track, const Vec2&
 /// What a line of sight law aims with.
 struct Sight {
   double time = 1;   ///< L = max(time V, least): distance to the point aimed at
-  double least = 1;  ///< [m]
+  double min = 1;    ///< [m]
   double gain = 2;   ///< K: a = K V^2 / L sin(eta)
   double leads = 0;  ///< M: how much of a turn of the line is given, not seen; 0 to K
   double cosine = 0, sine = 1;  ///< of the intercept angle
 
   double distance(double ground_speed) const {
-    return std::max(time * ground_speed, least);
+    return std::max(time * ground_speed, min);
   }
 };
 

@@ -25,10 +25,10 @@ void MultirotorGuidance::move(const Setpoint& setpoint, const NavState& now, dou
   const Vec2 p = now.p_N.head<2>();
   const double lag = (position_ - p).norm();
   const double wait = std::clamp(2 - lag / options_.max_lag, 0.0, 1.0);
-  const Vec2 setpoint = bounded(
+  const Vec2 demanded = bounded(
       setpoint.acceleration + kVelocityGain * (wait * setpoint.velocity - velocity_),
       options_.acceleration);
-  acceleration_ += bounded(setpoint - acceleration_, options_.jerk * dt);
+  acceleration_ += bounded(demanded - acceleration_, options_.jerk * dt);
   position_ += dt * (velocity_ + dt / 2 * acceleration_);
   velocity_ += dt * acceleration_;
   // Where only the velocity counts the position goes along.
@@ -81,9 +81,9 @@ MultirotorGuidance::Setpoint MultirotorGuidance::towards(const Vec2& point,
   if (distance < 1e-6) return setpoint;
   const Vec2 course = leg / distance;
   const Stop stop = stop_at(distance);
-  const double most = ground_speed(course, now);
-  setpoint.velocity = std::min(stop.speed, most) * course;
-  if (stop.speed <= most) setpoint.acceleration = -stop.braking * course;
+  const double max = ground_speed(course, now);
+  setpoint.velocity = std::min(stop.speed, max) * course;
+  if (stop.speed <= max) setpoint.acceleration = -stop.braking * course;
   return setpoint;
 }
 

@@ -76,21 +76,20 @@ struct Judge {
   Reason turn(double from, double angle, double radius, const What& what) const {
     if (hovers()) return {};
     if (!(radius > 0)) return fmt::format("{} has no radius", what());
-    double most = 0;
+    double max = 0;
     const double downwind = geo::bearing(wind);
     // The need is largest downwind, if the turn comes there; else near one of its ends.
     const double to_downwind =
         angle >= 0 ? geo::wrap_2pi(downwind - from) : geo::wrap_2pi(from - downwind);
-    if (to_downwind <= std::abs(angle)) most = needed_per_curvature(geo::unit(downwind));
+    if (to_downwind <= std::abs(angle)) max = needed_per_curvature(geo::unit(downwind));
     for (int i = 0; i <= kInstants; ++i)
-      most =
-          std::max(most, needed_per_curvature(geo::unit(from + angle * i / kInstants)));
-    const double least = most / max_lateral();
-    if (radius >= least * (1 - kTurnSlack)) return {};
+      max = std::max(max, needed_per_curvature(geo::unit(from + angle * i / kInstants)));
+    const double min = max / max_lateral();
+    if (radius >= min * (1 - kTurnSlack)) return {};
     return fmt::format(
         "{} has a radius of {:.0f} m: {:.0f} m is the minimum at {:.1f} m/s in {:.1f} "
         "m/s of wind",
-        what(), radius, std::ceil(least), limits.slowest, wind.norm());
+        what(), radius, std::ceil(min), limits.slowest, wind.norm());
   }
 
   template <class What>

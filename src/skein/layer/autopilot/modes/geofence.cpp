@@ -60,10 +60,10 @@ double Geofence::horizontal_clearance(const Vec2& p) const {
 
 double Geofence::clearance(const Vec3& p_N, bool floor_counts) const {
   const double altitude = -p_N.z();
-  double least = std::min(horizontal_clearance(geo::horizontal(p_N)),
-                          options_.ceiling_msl - altitude);
-  if (floor_counts) least = std::min(least, altitude - options_.floor_msl);
-  return least - options_.margin;
+  double min = std::min(horizontal_clearance(geo::horizontal(p_N)),
+                        options_.ceiling_msl - altitude);
+  if (floor_counts) min = std::min(min, altitude - options_.floor_msl);
+  return min - options_.margin;
 }
 
 bool FenceWatch::measure(const Vec3& p_N, const Vec3& v_N, bool floor_counts) {

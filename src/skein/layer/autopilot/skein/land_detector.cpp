@@ -38,8 +38,8 @@ bool LandDetector::slow(const NavState& nav, double throttle) const {
   if (slowest_ <= 0)
     return std::abs(nav.v_N.z()) < kStill && throttle < kLittleThrust * hover_;
   const double speed2 = nav.v_N.squaredNorm();
-  const double least = kFlyingShare * slowest_;
-  return speed2 < least * least && nav.airspeed < least;
+  const double min = kFlyingShare * slowest_;
+  return speed2 < min * min && nav.airspeed < min;
 }
 
 bool LandDetector::stands_in_wind(const NavState& nav) const {

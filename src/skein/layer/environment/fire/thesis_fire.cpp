@@ -54,13 +54,13 @@ Result<void> check(const ThesisFireOptions& o) {
   if (!(o.harmonic_decay >= 0 && o.harmonic_decay <= 10))
     return bad("harmonic_decay", o.harmonic_decay, "0 to 10");
   if (!o.wind.allFinite()) return bad("wind", o.wind.norm(), "finite");
-  const double least = o.rate - o.rate_error;
-  if (o.wind.norm() > 0 && !(o.wind.norm() < least))
+  const double min = o.rate - o.rate_error;
+  if (o.wind.norm() > 0 && !(o.wind.norm() < min))
     return bad("wind", o.wind.norm(),
                fmt::format(
                    "below the minimum spread, {} m/s: a stronger one drives the boundary "
                    "over its own origin",
-                   least));
+                   min));
   if (!(std::abs(o.slope_weight) <= 1))
     return bad("slope_weight", o.slope_weight, "-1 to 1");
   if (!(o.step >= 0.01 && o.step <= 60)) return bad("step", o.step, "0.01 to 60 s");
@@ -144,8 +144,8 @@ void ThesisFire::add_points() {
     for (std::int64_t k = 0; k < steps_; ++k) move(point.p, options_.step);
     added.push_back(point);
   }
-  const auto most = kMaxPoints * static_cast<std::size_t>(options_.points);
-  if (added.empty() || points_.size() + added.size() > most) return;
+  const auto max = kMaxPoints * static_cast<std::size_t>(options_.points);
+  if (added.empty() || points_.size() + added.size() > max) return;
   points_.insert(points_.end(), added.begin(), added.end());
   std::sort(points_.begin(), points_.end(),
             [](const Point& a, const Point& b) { return a.bearing < b.bearing; });

@@ -128,9 +128,9 @@ Result<double> RasterFile::pixel_size(const geo::LocalFrame& frame) const {
   const PixelMap& m = map_result.value();
   const double per_north = (m.pixel(1, 0) - m.pixel(0, 0)).norm();
   const double per_east = (m.pixel(0, 1) - m.pixel(0, 0)).norm();
-  const double most = std::max(per_north, per_east);
-  if (!(most > 0)) return error("has pixels of no size at the origin");
-  return 100 / most;
+  const double max = std::max(per_north, per_east);
+  if (!(max > 0)) return error("has pixels of no size at the origin");
+  return 100 / max;
 }
 
 Result<PixelMap> RasterFile::map(const geo::LocalFrame& frame,

@@ -96,10 +96,10 @@ std::vector<Vec2> DetourPlanner::detour(const Vec2& from, const Vec2& to) const 
   cost[from_place] = 0;
   while (!done[to_place]) {
     std::size_t next = places.size();
-    double least = kInfinity;
+    double min = kInfinity;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double total = cost[i] + (goal - places[i]).norm();
-      if (!done[i] && total < least) least = total, next = i;
+      if (!done[i] && total < min) min = total, next = i;
     }
     if (next == places.size()) break;  // shut in
     done[next] = true;

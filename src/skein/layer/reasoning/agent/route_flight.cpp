@@ -235,7 +235,7 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneMonitor& zones,
   query.ground_clearance = options_.ground_clearance;
   query.airspace = &airspace;
   query.terrain = world_.map;
-  query.budget.states = options_.planning_states;
+  query.budget.expansions = options_.planning_expansions;
   PlannedPath path = world_.planner->plan(query);
   if (path.plan.empty()) {
     if (std::exchange(reported_, next_) != next_)

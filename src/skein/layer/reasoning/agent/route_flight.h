@@ -19,7 +19,7 @@ struct RouteFlightOptions {
   std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise
   /// Kept above the ground where a planner leads it [m].
   double ground_clearance = 0;
-  std::int64_t planning_states = 3000;  ///< a planner may look at, for one leg
+  std::int64_t planning_expansions = 3000;  ///< a planner may look at, for one leg
 };
 
 /// What is known to those that fly a route.

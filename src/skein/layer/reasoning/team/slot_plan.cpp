@@ -49,10 +49,10 @@ class Follower {
                    std::max(limits.turn_radius, 1.0);
     climb_ = bounded_climb(climb_);
     deceleration_ = kIdle * limits.sink_rate * kGravity / std::max(limits.airspeed, 1.0);
-    const double most = max_lateral_ / std::max(air_.norm(), 1.0);
+    const double max = max_lateral_ / std::max(air_.norm(), 1.0);
     const double roll = std::clamp(own.roll, -1.0, 1.0);
     rate_ =
-        std::clamp(kGravity * math::tan(roll) / std::max(air_.norm(), 1.0), -most, most);
+        std::clamp(kGravity * math::tan(roll) / std::max(air_.norm(), 1.0), -max, max);
   }
 
   const Vec3& place() const { return p_; }
@@ -94,18 +94,18 @@ class Follower {
     const Vec2 off = geo::horizontal(slot.p_N) - geo::horizontal(p_);
     if (hovers() || v.norm() < 1) {
       const Vec2 closing = kAheadGain * off;
-      const double most = fastest_ / 2;
-      return v - wind_ + closing * std::min(1.0, most / std::max(closing.norm(), 1e-9));
+      const double max = fastest_ / 2;
+      return v - wind_ + closing * std::min(1.0, max / std::max(closing.norm(), 1e-9));
     }
     const Vec2 forward = v.normalized(), right = geo::turned_right(forward);
-    const double most = kMaxAcross * v.norm();
+    const double max = kMaxAcross * v.norm();
     // Beyond what the speeds allow there is no more to ask for.
     const double along = off.dot(forward);
     const double closing =
         std::min(kAheadGain * std::abs(along),
                  std::sqrt(2 * kSlowsEarly * deceleration_ * std::abs(along)));
     const double ahead = std::copysign(std::min(closing, fastest_ - slowest_), along);
-    const double across = std::clamp(kRightGain * off.dot(right), -most, most);
+    const double across = std::clamp(kRightGain * off.dot(right), -max, max);
     return v - wind_ + ahead * forward + across * right;
   }
 
@@ -114,17 +114,17 @@ class Follower {
   double speed_for(const Vec2& setpoint) const {
     const double off =
         std::abs(geo::wrap_pi(geo::bearing(setpoint) - geo::bearing(air_)));
-    const double most = off > kTurns ? std::min(limits_.airspeed, fastest_) : fastest_;
-    return std::clamp(setpoint.norm(), slowest_, std::max(most, slowest_));
+    const double max = off > kTurns ? std::min(limits_.airspeed, fastest_) : fastest_;
+    return std::clamp(setpoint.norm(), slowest_, std::max(max, slowest_));
   }
 
   void turn(const Vec2& setpoint) {
     const double speed = air_.norm(), heading = geo::bearing(air_);
-    const double most = max_lateral_ / std::max(speed, 1.0);
+    const double max = max_lateral_ / std::max(speed, 1.0);
     const double rate = std::clamp(
-        kCourseGain * geo::wrap_pi(geo::bearing(setpoint) - heading), -most, most);
-    const double roll_in = most * kStep / kRollIn;
-    rate_ = std::clamp(rate_ + std::clamp(rate - rate_, -roll_in, roll_in), -most, most);
+        kCourseGain * geo::wrap_pi(geo::bearing(setpoint) - heading), -max, max);
+    const double roll_in = max * kStep / kRollIn;
+    rate_ = std::clamp(rate_ + std::clamp(rate - rate_, -roll_in, roll_in), -max, max);
     const double faster = speed_for(setpoint) - speed;
     const double change =
         std::clamp(faster, -deceleration_ * kStep, kAcceleration * kStep);

@@ -24,14 +24,14 @@ TEST(Wavelet, VelocityIsThePointOfTheEllipseWithThatNormal) {
   const Wavelet w{geo::unit(-1.1), 2.5, 0.6, 1.9};
   for (double bearing : {0.0, 0.3, 1.5, 2.9, -2.0}) {
     const Vec2 n = geo::unit(bearing);
-    double most = -1e9;
+    double max = -1e9;
     for (int i = 0; i < 20000; ++i) {
       const double u = 2 * geo::kPi * i / 20000;
       const Vec2 p = (w.drift + w.length * std::cos(u)) * w.heading +
                      w.width * std::sin(u) * geo::turned_right(w.heading);
-      most = std::max(most, p.dot(n));
+      max = std::max(max, p.dot(n));
     }
-    EXPECT_NEAR(spread_velocity(w, 7 * n).dot(n), most,
+    EXPECT_NEAR(spread_velocity(w, 7 * n).dot(n), max,
                 1e-6);  // 20000 points: 2.5 (pi/2e4)^2 / 2
   }
 }

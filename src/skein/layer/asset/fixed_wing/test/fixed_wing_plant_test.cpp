@@ -226,8 +226,8 @@ TEST(FixedWingPlant, FliesLevelDownToItsMinimumDensity) {
     // Whether there is level flight at an altitude, fast enough for the lift reserve.
     const auto flies = [&](double altitude) {
       const double density = model::standard_air(altitude).density;
-      const double least = p.envelope.slowest * std::sqrt(1.225 / density);
-      for (double V = least; V <= p.envelope.fastest; V += 0.25)
+      const double min = p.envelope.slowest * std::sqrt(1.225 / density);
+      for (double V = min; V <= p.envelope.fastest; V += 0.25)
         if (find_trim(plant.model(), {V, 0, 0, altitude}).found()) return true;
       return false;
     };

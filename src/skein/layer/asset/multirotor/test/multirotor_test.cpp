@@ -48,10 +48,10 @@ TEST(MultirotorPlant, KeepsAReserveOfThrustAtItsMinimumDensity) {
   for (const MultirotorParameters& p : {MultirotorParameters{}, hexarotor()}) {
     const MultirotorPlant plant(p);
     const MultirotorTrim hover = plant.trim({0, 0, 0}, 0, plant.limits().min_density);
-    double most = 0;
-    for (const double speed : hover.rotors) most = std::max(most, speed);
+    double max = 0;
+    for (const double speed : hover.rotors) max = std::max(max, speed);
     // A tenth more thrust than hovering takes; it grows with the square of the speed.
-    EXPECT_NEAR(p.fastest_rotor * p.fastest_rotor / (most * most), 1.1, 1e-6);
+    EXPECT_NEAR(p.fastest_rotor * p.fastest_rotor / (max * max), 1.1, 1e-6);
   }
   EXPECT_NEAR(span_of(MultirotorPlant(MultirotorParameters{}).airframe()),
               2 * (0.177 * std::sqrt(2.0) + 0.127), 1e-12);
@@ -273,7 +273,7 @@ TEST(MultirotorPlant, AirRatesTurnIt) {
 TEST(MultirotorPlant, StaysFiniteFromAnyTumble) {
   const MultirotorPlant plant{MultirotorParameters{}};
   RandomStream random(7, 0, Purpose::kTest);
-  const auto any = [&](double most) { return (2 * random.uniform() - 1) * most; };
+  const auto any = [&](double max) { return (2 * random.uniform() - 1) * max; };
   for (int run = 0; run < 200; ++run) {
     VehicleState s;
     s.v_N = {any(100), any(100), any(100)};

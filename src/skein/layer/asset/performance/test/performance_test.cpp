@@ -44,11 +44,11 @@ TEST(PerformancePlant, HoldsItsHeightDownToItsMinimumDensity) {
     }
     return best;
   };
-  const double least = plant.limits().min_density;
-  EXPECT_LT(least, 1);
+  const double min = plant.limits().min_density;
+  EXPECT_LT(min, 1);
   // Where its power just holds it, 3 % of density are 4 % of power: some 0.1 m/s.
-  EXPECT_NEAR(climb_in(1.03 * least), 0, 1e-3);
-  EXPECT_LT(climb_in(0.97 * least), -0.01);
+  EXPECT_NEAR(climb_in(1.03 * min), 0, 1e-3);
+  EXPECT_LT(climb_in(0.97 * min), -0.01);
 }
 
 TEST(PerformancePlant, ItsSpanIsWhatItsInducedDragImplies) {

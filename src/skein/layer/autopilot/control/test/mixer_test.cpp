@@ -74,9 +74,9 @@ TEST(Mixer, GivesUpYawBeforeThrustBeforeTilt) {
   EXPECT_NEAR(low.torque.y(), 0.8, kRounding);
   EXPECT_GT(low.thrust, 1);
   // More roll than there is: as much as there is, and no pitch instead.
-  const Mix most = mixer.mix({16, Vec3(100, 0, 0)});
-  const Wrench full = wrench_of(a, most.throttle);
-  EXPECT_TRUE(most.tilt_limited);
+  const Mix max = mixer.mix({16, Vec3(100, 0, 0)});
+  const Wrench full = wrench_of(a, max.throttle);
+  EXPECT_TRUE(max.tilt_limited);
   EXPECT_NEAR(full.torque.x(), 16 * 0.25 * std::sqrt(0.5), kRounding);
   EXPECT_NEAR(full.torque.y(), 0, kRounding);
 }

@@ -138,11 +138,11 @@ TEST(FlightEstimator, StaysPositiveDefiniteForAnHour) {
       for (std::size_t j = 0; j < error::kSize; ++j)
         scaled(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
             p(i, j) / std::sqrt(p.variance(i) * p.variance(j));
-    const double least =
+    const double min =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
             .eigenvalues()[0];
     // Of the correlations: far above the rounding of 1e-16 per correction.
-    EXPECT_GT(least, 1e-7) << part;
+    EXPECT_GT(min, 1e-7) << part;
   }
 }
 

@@ -47,12 +47,12 @@ Path join(std::initializer_list<std::pair<double, double>> length_and_curvature)
 }
 
 struct Errors {
-  double sum2 = 0, most = 0;
+  double sum2 = 0, max = 0;
   int n = 0;
   void add(double e) {
     sum2 += e * e;
     ++n;
-    most = std::max(most, std::abs(e));
+    max = std::max(max, std::abs(e));
   }
   double rms() const { return n > 0 ? std::sqrt(sum2 / n) : 0; }
 };
@@ -111,8 +111,8 @@ TEST(FixedWingGuidance, FollowsStraightsAndTurnsWithEachLaw) {
     for (const double wind : {0.0, 5.0, 8.0}) {
       const Accuracy a = fly_turns(law, wind);
       std::printf("%-6s %.0f m/s: straight rms %.2f max %.2f, turn rms %.2f max %.2f m\n",
-                  name(law), wind, a.straight.rms(), a.straight.most, a.turn.rms(),
-                  a.turn.most);
+                  name(law), wind, a.straight.rms(), a.straight.max, a.turn.rms(),
+                  a.turn.max);
       EXPECT_LT(a.straight.rms(), 1);
       EXPECT_LT(a.turn.rms(), 3);
     }
@@ -129,8 +129,8 @@ TEST(FixedWingGuidance, CirclesWithEachLaw) {
         flight.fly(
             60, [&] { errors.add((flight.position() - Vec2(300, 100)).norm() - 120); });
         std::printf("%-6s circle %.0f m/s: rms %.2f max %.2f m\n", name(law), wind,
-                    errors.rms(), errors.most);
-        EXPECT_LT(errors.most, 1.5);
+                    errors.rms(), errors.max);
+        EXPECT_LT(errors.max, 1.5);
       }
 }
 
@@ -173,11 +173,11 @@ TEST(FixedWingGuidance, ArrivesWhenThePlanSays) {
       });
       std::printf(
           "plan, %.1f m/s: track rms %.2f, time rms %.2f max %.2f s, alt %.2f m\n", wind,
-          track.rms(), time.rms(), time.most, altitude.most);
+          track.rms(), time.rms(), time.max, altitude.max);
       EXPECT_LT(track.rms(), 1);
       // 5 s late, taken out at 0.1/s from 5 s to 30 s on, and the turn's changes.
-      EXPECT_LT(time.most, 1);
-      EXPECT_LT(altitude.most, 1);
+      EXPECT_LT(time.max, 1);
+      EXPECT_LT(altitude.max, 1);
       flight.fly(4);
       EXPECT_TRUE(flight.guidance.status().done);
       EXPECT_FALSE(flight.guidance.status().follows);
@@ -230,15 +230,15 @@ TEST(FixedWingGuidance, FliesLapsOfWaypoints) {
           "waypoints %s, %.0f m/s: %.0f s, track rms %.2f max %.2f, alt %.2f, "
           "corners %.1f m\n",
           rounds ? "rounded" : "flown over", wind, steps * PointWing::kStep, track.rms(),
-          track.most, altitude.most, nearest[1]);
+          track.max, altitude.max, nearest[1]);
       EXPECT_TRUE(flight.guidance.status().done);
       // Four legs of 300 m three times, less what the arcs cut, at 10 to 20 m/s.
       EXPECT_GT(steps * PointWing::kStep, 160);
       EXPECT_LT(steps * PointWing::kStep, 320);
       EXPECT_LT(worst_jump, 50);
       if (rounds) {
-        EXPECT_LT(track.most, 1.5);
-        EXPECT_LT(altitude.most, 2.5);
+        EXPECT_LT(track.max, 1.5);
+        EXPECT_LT(altitude.max, 2.5);
       } else {
         for (const double d : nearest) EXPECT_LT(d, 5);
       }
@@ -343,10 +343,10 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
       was_up = !flight.wing.on_ground;
     }
     std::printf("landing, %.0f m/s: touch %.1f %.1f m at %.2f m/s, line %.2f m\n", wind,
-                touch.x(), touch.y(), touch_sink, line.most);
+                touch.x(), touch.y(), touch_sink, line.max);
     EXPECT_TRUE(approached);
     EXPECT_EQ(flight.demand.phase, FlightPhase::kGround);
-    EXPECT_LT(line.most, 2);
+    EXPECT_LT(line.max, 2);
     // It brakes so that it stops there, or before by what friction alone leaves.
     EXPECT_LT((flight.position() - Vec2(200, 50)).norm(), 5);
     EXPECT_GT(touch_sink, -0.8);
@@ -484,7 +484,7 @@ TEST(FixedWingGuidance, SlowsDownForTightTurns) {
       slowest = std::min(slowest, flight.demand.airspeed);
     });
     EXPECT_LT(slowest, 14);
-    EXPECT_LT(track.most, 2);
+    EXPECT_LT(track.max, 2);
   }
 }
 

@@ -115,7 +115,7 @@ NavState motion(Time time) {
 
 TEST(GuidanceProperty, AFixedWingsDemandIsAlwaysFinite) {
   const FlightLimits limits{15, 40, 3, 11, 20, 3};
-  const double most = 15.0 * 15 / 40;
+  const double max = 15.0 * 15 / 40;
   EXPECT_TRUE(rc::check([&] {
     FixedWingGuidanceOptions options;
     options.lateral.law = static_cast<LateralLaw>(*rc::gen::inRange(0, 3));
@@ -130,7 +130,7 @@ TEST(GuidanceProperty, AFixedWingsDemandIsAlwaysFinite) {
       for (int k = 0; k < 6; ++k) {
         time += Time::from_ns(10'000'000);
         const FixedWingDemand d = guidance.step(motion_of(motion(time)), 0.01);
-        RC_ASSERT(std::abs(d.lateral_acceleration) <= most);
+        RC_ASSERT(std::abs(d.lateral_acceleration) <= max);
         RC_ASSERT(std::isfinite(d.altitude_msl));
         RC_ASSERT(std::isfinite(d.climb_rate));
         RC_ASSERT(d.airspeed >= limits.slowest && d.airspeed <= limits.fastest);

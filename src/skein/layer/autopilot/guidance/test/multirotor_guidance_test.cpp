@@ -40,9 +40,9 @@ struct Flight {
   }
   Vec2 position() const { return rotor.p.head<2>(); }
   // Flies until done; the time it took, or the maximum.
-  double fly_until_done(double most, const std::function<void()>& watch = {}) {
+  double fly_until_done(double max, const std::function<void()>& watch = {}) {
     double time = 0;
-    for (; time < most && !guidance.status().done; time += PointRotor::kStep)
+    for (; time < max && !guidance.status().done; time += PointRotor::kStep)
       fly(PointRotor::kStep, watch);
     EXPECT_TRUE(guidance.status().done);
     return time;

@@ -10,7 +10,7 @@ namespace skein::autopilot {
 /// of the reference plus what its errors ask for; flat ground that holds it up.
 struct PointRotor {
   static constexpr double kStep = 0.01;  // [s]
-  double lag = 0.15, most = 5;
+  double lag = 0.15, max = 5;
   Vec3 p = {0, 0, -50}, v = Vec3::Zero(), a = Vec3::Zero();
   Vec2 wind = Vec2::Zero();
   double ground_msl = 0;
@@ -41,7 +41,7 @@ struct PointRotor {
     const Vec2 off = d.holds_position ? Vec2(d.position - p.head<2>()) : Vec2(0, 0);
     setpoint.head<2>() = d.acceleration + 3 * (d.velocity - v.head<2>()) + 3 * off;
     setpoint.z() = -4 * (d.climb_rate + v.z()) - 4 * (d.altitude_msl + p.z());
-    if (setpoint.norm() > most) setpoint *= most / setpoint.norm();
+    if (setpoint.norm() > max) setpoint *= max / setpoint.norm();
     a += (setpoint - a) * kStep / lag;
     p += kStep * (v + kStep / 2 * a);
     v += kStep * a;

@@ -127,19 +127,19 @@ TEST(ThesisFire, StartAndRateFollowTheirProfiles) {
   ThesisFire fire(o, 42, kFlat);
   const geo::Ring start = fire.region()[0];
   fire.advance(Time::from_seconds(100));
-  double least = 1e9, most = 0;
+  double min = 1e9, max = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
     const double bearing = geo::bearing(start[i]);
     EXPECT_NEAR(start[i].norm(), fire.start_radius(bearing), 1e-9);
     EXPECT_NEAR(fire.region()[0][i].norm() - start[i].norm(), 100 * fire.rate(bearing),
                 1e-6);
     EXPECT_LE(std::abs(fire.rate(bearing) - 3), 0.1001);
-    least = std::min(least, start[i].norm());
-    most = std::max(most, start[i].norm());
+    min = std::min(min, start[i].norm());
+    max = std::max(max, start[i].norm());
   }
-  EXPECT_GE(least, 319);
-  EXPECT_LE(most, 681);
-  EXPECT_GT(most - least, 180);
+  EXPECT_GE(min, 319);
+  EXPECT_LE(max, 681);
+  EXPECT_GT(max - min, 180);
 }
 
 TEST(ThesisFire, HundredSecondsOrOneAtATimeIsTheSame) {

@@ -136,10 +136,9 @@ void FrontEnsemble::keep_common_spread() {
   for (const Member& m : members_) mean += m.common / size();
   for (const Member& m : members_) square += (m.common - mean).cwiseAbs2() / (size() - 1);
   for (int k = 0; k < 3; ++k) {
-    const double sd = std::sqrt(square[k]), least = kCommonFloor[k] * common_sd_[k];
-    if (sd >= least || sd <= 0) continue;
-    for (Member& m : members_)
-      m.common[k] = mean[k] + (m.common[k] - mean[k]) * least / sd;
+    const double sd = std::sqrt(square[k]), min = kCommonFloor[k] * common_sd_[k];
+    if (sd >= min || sd <= 0) continue;
+    for (Member& m : members_) m.common[k] = mean[k] + (m.common[k] - mean[k]) * min / sd;
   }
 }
 
@@ -193,7 +192,7 @@ void FrontEnsemble::coarsen() {
 }
 
 void FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
-  const auto most = static_cast<double>(options_.max_nodes);
+  const auto max = static_cast<double>(options_.max_nodes);
   if (!growth_to(low, high).any()) return;
   // Far away: fine cells up to there would not fit into the memory.
   const auto nodes = [&] {
@@ -201,13 +200,13 @@ void FrontEnsemble::grow(const Vec2& low, const Vec2& high) {
         (high.cwiseMax(grid_.high()) - low.cwiseMin(grid_.low)) / grid_.cell;
     return size.x() * size.y();
   };
-  while (nodes() > 4 * most) coarsen();
+  while (nodes() > 4 * max) coarsen();
   const double rate_sd = rate_sd_ * std::sqrt(0.5 * noise_factor_);
   const Growth growth = growth_to(low, high);
   for (Member& m : members_)
     extend_member(m, growth, options_.rate_spacing_cells, rate_sd);
   grid_ = members_[0].phi.grid;
-  while (static_cast<double>(grid_.size()) > most) coarsen();
+  while (static_cast<double>(grid_.size()) > max) coarsen();
 }
 
 void FrontEnsemble::update_mean() {

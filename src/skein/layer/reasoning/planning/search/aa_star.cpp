@@ -152,7 +152,7 @@ void Planning::take_detours() {
     request.max_time = best_.duration * (1 + kOtherDetours);
     const Detours found = detours_around(zones, query_, speed, request,
                                          {kMargin, kMargin}, budget_.part(kOfDetours));
-    budget_.spend(found.states);
+    budget_.spend(found.expansions);
     const bool quickest = t.heuristic_weight == 1 && a == b && !map_.is_timed();
     for (std::size_t i = followed_ && t.detours > 1 ? 1 : 0;
          i < found.detours.size() && !done(); ++i)
@@ -232,7 +232,7 @@ void Planning::search() {
     obstacle.heuristic_weight = r.heuristic_weight;
     obstacle.better = best_.duration;
     obstacle.first = query_.budget.first || best_.plan.empty();
-    obstacle.states =
+    obstacle.expansions =
         static_cast<std::int64_t>(r.share * static_cast<double>(budget_.left()));
     SearchResult result = search_manoeuvres(map_, obstacle, budget_);
     take(std::move(result.trajectory));
@@ -241,7 +241,7 @@ void Planning::search() {
 }
 
 PlannedPath Planning::answer() {
-  best_.states = budget_.states();
+  best_.expansions = budget_.expansions();
   if (!best_.plan.empty()) {
     best_.bound = std::min(best_.bound, best_.duration);
     const bool found = good() || shortest_ || exhausted_ || !options_.manoeuvres;
@@ -253,15 +253,15 @@ PlannedPath Planning::answer() {
   best_.reason =
       all ? "no path was found among the manoeuvres of this planner; all were looked at"
           : fmt::format("the budget ended after {} expansions, before the first path",
-                        best_.states);
+                        best_.expansions);
   return std::move(best_);
 }
 
 PlannedPath Planning::run() {
   const Link direct = link(query_.start, query_.goal, query_);
-  const double least = min_time(direct, query_.start, query_.goal, query_);
-  if (auto refused = refuse_blocked(map_, query_.start_time + least)) return *refused;
-  best_.bound = least;
+  const double min = min_time(direct, query_.start, query_.goal, query_);
+  if (auto refused = refuse_blocked(map_, query_.start_time + min)) return *refused;
+  best_.bound = min;
   if (query_.start.p_N == query_.goal.p_N && direct.duration == 0) {
     best_.outcome = PlanningOutcome::kFound;
     best_.reason = "the start is the goal";
@@ -277,7 +277,7 @@ PlannedPath Planning::run() {
     best_.outcome = PlanningOutcome::kNoPath;
     best_.reason =
         "zones that hold at all times and altitudes part the goal from the start";
-    best_.states = budget_.states();
+    best_.expansions = budget_.expansions();
     return best_;
   }
   if (options_.detours && !done()) take_detours();

@@ -74,19 +74,19 @@ RingShape AirspaceMap::ring_of(const Obstacle& o) const {
 }
 
 bool AirspaceMap::within(const Vec2& p) const {
-  return (p.array() >= query_.least.array()).all() &&
-         (p.array() <= query_.most.array()).all();
+  return (p.array() >= query_.south_west.array()).all() &&
+         (p.array() <= query_.north_east.array()).all();
 }
 
 double AirspaceMap::edge_contact(const FlightElement& e, const Box& box,
                                  double leaf) const {
-  const Vec2 least = query_.least, most = query_.most;
-  if (box.low[0] >= least.x() && box.low[1] >= least.y() && box.high[0] <= most.x() &&
-      box.high[1] <= most.y())
+  const Vec2 min = query_.south_west, max = query_.north_east;
+  if (box.low[0] >= min.x() && box.low[1] >= min.y() && box.high[0] <= max.x() &&
+      box.high[1] <= max.y())
     return -1;
   const auto gap = [&](const Span&, const Vec3& p, const Vec3& q) {
-    const Vec2 low = geo::horizontal(p).cwiseMin(geo::horizontal(q)) - least;
-    const Vec2 high = most - geo::horizontal(p).cwiseMax(geo::horizontal(q));
+    const Vec2 low = geo::horizontal(p).cwiseMin(geo::horizontal(q)) - min;
+    const Vec2 high = max - geo::horizontal(p).cwiseMax(geo::horizontal(q));
     return std::min(low.minCoeff(), high.minCoeff());
   };
   return first_near(e, {0, e.duration}, e.p_N, model::position(e, e.duration), kDepth,
@@ -160,8 +160,8 @@ std::vector<std::size_t> AirspaceMap::zones_met(const FlightPlan& plan) const {
 }
 
 double AirspaceMap::room(const Vec3& p_N, double time, const Reach& reach,
-                         double most) const {
-  double room = most;
+                         double max) const {
+  double room = max;
   const Vec2 p = geo::horizontal(p_N);
   const auto gap = [](double low, double high, double x) {
     return std::max({low - x, x - high, 0.0});

@@ -65,8 +65,8 @@ class AirspaceMap {
   /// Whether anything depends on the time.
   bool is_timed() const { return timed_; }
   /// How far one can fly from a place at least before anything could block it [m], up to
-  /// `most`; 0 inside of something. The ground and the edge do not count.
-  double room(const Vec3& p_N, double time, const Reach& reach, double most) const;
+  /// `max`; 0 inside of something. The ground and the edge do not count.
+  double room(const Vec3& p_N, double time, const Reach& reach, double max) const;
   /// The first time from `time` on at which a place is free, if it ever is.
   std::optional<double> free_from(const Vec3& p_N, double time) const;
   /// The nearest place found that is free at a time and within the map.

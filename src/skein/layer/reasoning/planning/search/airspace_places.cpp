@@ -28,10 +28,10 @@ FlightElement standing(const Vec3& p_N, double time) {
 
 double depth_in_ring(const geo::Ring& ring, const Vec2& p) {
   if (!geo::contains(ring, p)) return 0;
-  double least = kInfinity;
+  double min = kInfinity;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    least = std::min(least, distance(p, ring[i], ring[(i + 1) % ring.size()]));
-  return least;
+    min = std::min(min, distance(p, ring[i], ring[(i + 1) % ring.size()]));
+  return min;
 }
 
 }  // namespace
@@ -53,21 +53,22 @@ double AirspaceMap::depth_at(const Contact& c, const Vec3& p_N, double time) con
     }
     case Blocker::kFlight: {
       const PlannedFlight& f = *flights_[c.index];
-      double least = kInfinity;
+      double min = kInfinity;
       constexpr int kLooks = 64;
       for (int i = 0; i <= kLooks; ++i) {
         const double t =
             time - f.zone.behind + (f.zone.ahead + f.zone.behind) * i / kLooks;
         if (t < model::start_of(f.plan) || t > model::end_time_of(f.plan)) continue;
-        least = std::min(least,
-                         (geo::horizontal(model::moment_at(f.plan, t).p_N) - p).norm());
+        min =
+            std::min(min, (geo::horizontal(model::moment_at(f.plan, t).p_N) - p).norm());
       }
-      return f.zone.across - least;
+      return f.zone.across - min;
     }
     case Blocker::kGround:
       return query_.terrain->elevation_msl(p) + query_.ground_clearance + p_N.z();
     case Blocker::kEdge:
-      return std::max((query_.least - p).maxCoeff(), (p - query_.most).maxCoeff());
+      return std::max((query_.south_west - p).maxCoeff(),
+                      (p - query_.north_east).maxCoeff());
   }
   return 0;
 }
@@ -181,7 +182,7 @@ std::optional<Vec3> AirspaceMap::nearest_free(const Vec3& p_N, double time) cons
     return contact(standing(p, time), kInfinity).after < 0;
   };
   std::optional<Vec3> best;
-  double least = kInfinity;
+  double min = kInfinity;
   for (double r = kFirst; r < kFurthest && !best; r *= kGrowth)
     for (const Vec3& u : directions) {
       if (!free(p_N + r * u)) continue;
@@ -191,8 +192,8 @@ std::optional<Vec3> AirspaceMap::nearest_free(const Vec3& p_N, double time) cons
         const double half = (in + out) / 2;
         (free(p_N + half * u) ? out : in) = half;
       }
-      if (out >= least) continue;
-      least = out;
+      if (out >= min) continue;
+      min = out;
       best = p_N + out * u;
     }
   return best;

@@ -20,15 +20,15 @@ double middle(const Box& box, std::size_t axis) {
 std::size_t widest(const std::vector<BoxForest::Entry>& entries, std::size_t begin,
                    std::size_t end) {
   std::size_t best = 0;
-  double most = -1;
+  double max = -1;
   for (std::size_t axis = 0; axis < 4; ++axis) {
     double low = middle(entries[begin].box, axis), high = low;
     for (std::size_t i = begin; i < end; ++i) {
       low = std::min(low, middle(entries[i].box, axis));
       high = std::max(high, middle(entries[i].box, axis));
     }
-    if (high - low > most) {
-      most = high - low;
+    if (high - low > max) {
+      max = high - low;
       best = axis;
     }
   }

@@ -182,17 +182,17 @@ std::optional<Trajectory> follow_detour(const Detour& detour, const AirspaceMap&
   else
     arrive_earliest(layers, map, budget);
   if (layers.back().front().time == kInfinity) return std::nullopt;
-  std::vector<Waypoint> states;
+  std::vector<Waypoint> waypoints;
   std::size_t layer = layers.size() - 1, index = 0;
   while (true) {
     const Offer& o = layers[layer][index];
-    states.push_back({o.state});
+    waypoints.push_back({o.state});
     if (layer == 0) break;
     layer = o.layer_before;
     index = o.before;
   }
-  std::reverse(states.begin(), states.end());
-  return make_trajectory(std::move(states), map.query());
+  std::reverse(waypoints.begin(), waypoints.end());
+  return make_trajectory(std::move(waypoints), map.query());
 }
 
 }  // namespace skein::planning

@@ -77,15 +77,15 @@ Detours detours_around(const std::vector<Zone>& zones, const PathQuery& query,
   std::vector<bool> taken(zones.size(), false);
   std::vector<CircularObstacle> obstacles;
   alone.airspace = &some;
-  std::int64_t states = 0;
+  std::int64_t expansions = 0;
   while (true) {
     PlanningBudget rest = budget;
-    rest.states -= states;
-    rest.first_states -= states;
+    rest.expansions -= expansions;
+    rest.first_expansions -= expansions;
     Detours found =
         find_tangent_paths(AirspaceMap(alone), obstacles, speed, request, rest);
-    found.states += states;
-    states = found.states;
+    found.expansions += expansions;
+    expansions = found.expansions;
     bool more = false;
     for (const Detour& detour : found.detours)
       for (const std::size_t i : map.zones_met(geometry_of(detour, speed, request))) {
@@ -95,7 +95,7 @@ Detours detours_around(const std::vector<Zone>& zones, const PathQuery& query,
         add_rounds(zones[i], margins, obstacles);
       }
     if (!more) return found;
-    if (states >= budget.states || budget.ends_at(states)) {
+    if (expansions >= budget.expansions || budget.ends_at(expansions)) {
       found.detours.clear();
       found.complete = false;
       return found;

@@ -56,7 +56,7 @@ void Fleet::go_straight(const FleetMember& member, PlannedPath& best) {
   const Link l = link(q.start, q.goal, q);
   for (double t = member.earliest_start; t <= member.latest_start; t += kStep) {
     FlightPlan plan = to_flight_plan(l, q.start, t, q);
-    ++best.states;
+    ++best.expansions;
     if (plan.empty() || !map_.is_free(plan)) continue;
     best.outcome = PlanningOutcome::kFound;
     best.duration = l.duration;
@@ -73,18 +73,18 @@ void Fleet::search(const FleetMember& member, PlannedPath& best) {
     if (!best.plan.empty() && t + min_time(l, q.start, q.goal, q) >= arrival(best))
       return;
     PlannedPath path = AaStar().plan(q, map_);
-    best.states += path.states;
+    best.expansions += path.expansions;
     const bool better =
         !path.plan.empty() && (best.plan.empty() || arrival(path) < arrival(best));
     if (!better) {
       if (best.plan.empty()) last = std::move(path);
       continue;
     }
-    path.states = best.states;
+    path.expansions = best.expansions;
     best = std::move(path);
   }
   if (!best.plan.empty()) return;
-  last.states = best.states;
+  last.expansions = best.expansions;
   best = std::move(last);
 }
 

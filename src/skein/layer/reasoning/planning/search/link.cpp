@@ -47,10 +47,10 @@ Link link(const FlightState& from, const FlightState& to, const PathQuery& query
   const double turn = full_turn(query);
   // Without wind the wait is known at once; in wind turns carry the aircraft away from
   // the goal or towards it, and what is left changes.
-  double least = kMinWait * turn;
+  double min = kMinWait * turn;
   while (out.duration < needed * (1 - 1e-12)) {
-    out.wait = std::max(turn, out.wait + std::max(needed - out.duration, least));
-    least *= 2;
+    out.wait = std::max(turn, out.wait + std::max(needed - out.duration, min));
+    min *= 2;
     connect_after_wait();
     if (out.wait > kMaxTurns * turn) out.duration = kInfinity;
   }

@@ -31,7 +31,7 @@ LowerBound lower_bound(const PathQuery& query, SearchBudget& budget) {
   request.goal = geo::horizontal(query.goal.p_N);
   const Detours found =
       detours_around(zones, {}, speed, request, {0, kMargin}, budget.part(kShare));
-  budget.spend(found.states);
+  budget.spend(found.expansions);
   if (found.detours.empty()) return {found.complete ? kInfinity : 0};
   double more = 0;  // what the margin adds [m]
   for (const Detour::Arc& arc : found.detours.front().arcs)

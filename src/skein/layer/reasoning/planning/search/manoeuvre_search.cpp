@@ -155,16 +155,16 @@ void Search::finish(std::int32_t index, const Link& to_goal) {
 }
 
 Trajectory Search::trajectory_to(std::int32_t index) const {
-  std::vector<Waypoint> states = {{query_.goal}};
+  std::vector<Waypoint> waypoints = {{query_.goal}};
   double wait = 0;
   while (index >= 0) {
     const State& s = states_[static_cast<std::size_t>(index)];
-    states.push_back({s.at, wait});
+    waypoints.push_back({s.at, wait});
     wait = s.wait;
     index = s.parent;
   }
-  std::reverse(states.begin(), states.end());
-  return *make_trajectory(std::move(states), query_);
+  std::reverse(waypoints.begin(), waypoints.end());
+  return *make_trajectory(std::move(waypoints), query_);
 }
 
 void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, double wait) {
@@ -172,8 +172,8 @@ void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, doubl
   State next{state_after(manoeuvre), manoeuvre.start + manoeuvre.duration, 0, parent,
              wait};
   Link to_goal = link(next.at, query_.goal, query_);
-  double least = min_time(to_goal, next.at, query_.goal, query_);
-  if (next.time + least >= best_ * kPrune) return;
+  double min = min_time(to_goal, next.at, query_.goal, query_);
+  if (next.time + min >= best_ * kPrune) return;
   if (!map_.is_free(manoeuvre)) return;
   smooth(next);
   next.step = step_at(next.at, next.time);
@@ -190,7 +190,7 @@ void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, doubl
     finish(index, to_goal);
     if (is_exact(to_goal)) return;
   }
-  open_.push({next.time + round_.heuristic_weight * least, index});
+  open_.push({next.time + round_.heuristic_weight * min, index});
 }
 
 void Search::expand(std::int32_t index) {
@@ -227,8 +227,8 @@ SearchResult Search::run() {
   states_.front().step = step_at(query_.start, query_.start_time);
   const Link direct = link(query_.start, query_.goal, query_);
   open_.push({query_.start_time + direct.duration, 0});
-  const std::int64_t until = budget_.states() + round_.states;
-  while (!open_.empty() && !budget_.ended() && budget_.states() < until) {
+  const std::int64_t until = budget_.expansions() + round_.expansions;
+  while (!open_.empty() && !budget_.ended() && budget_.expansions() < until) {
     if (round_.first && result_.trajectory) return std::move(result_);
     const Open next = open_.top();
     open_.pop();

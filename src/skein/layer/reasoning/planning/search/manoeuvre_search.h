@@ -8,11 +8,11 @@ namespace skein::planning {
 
 /// One pass of accelerated A*.
 struct SearchRound {
-  double finest = 0.5;              ///< minimum step, in turn radii
-  double heuristic_weight = 1;      ///< heuristic weight: above 1 sooner, not the best
-  double better = 1e300;            ///< only paths that take less are sought [s]
-  bool first = true;                ///< end with the first path
-  std::int64_t states = 1'000'000;  ///< expansions of this pass at most
+  double finest = 0.5;          ///< minimum step, in turn radii
+  double heuristic_weight = 1;  ///< heuristic weight: above 1 sooner, not the best
+  double better = 1e300;        ///< only paths that take less are sought [s]
+  bool first = true;            ///< end with the first path
+  std::int64_t expansions = 1'000'000;  ///< expansions of this pass at most
 };
 
 /// How it ended.

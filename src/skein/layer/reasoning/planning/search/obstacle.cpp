@@ -20,14 +20,14 @@ T between(const T& a, const T& b, double part) {
 }
 
 double edges_gap(const Obstacle& o, const geo::Ring& ring, const Vec2& p, const Vec2& q) {
-  double least = kInfinity;
+  double min = kInfinity;
   const auto n = ring.size();
   for (std::int32_t i = o.first; i < o.first + o.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    least = std::min(least, distance(p, q, ring[k], ring[(k + 1) % n]));
+    min = std::min(min, distance(p, q, ring[k], ring[(k + 1) % n]));
   }
   // On or across an edge: as deep as can be known from here.
-  return least > 0 ? least : -1;
+  return min > 0 ? min : -1;
 }
 
 // How far a chord flown in `span` stays from the room of another's chord.

@@ -72,7 +72,7 @@ void add_pieces(const Zone& zone, std::int32_t index, Pieces& pieces) {
     return;
   }
   const auto& ring = std::get<geo::Ring>(zone.area);
-  Vec2 least = ring.front(), most = ring.front();
+  Vec2 min = ring.front(), max = ring.front();
   o.kind = Obstacle::Kind::kEdges;
   for (std::size_t i = 0; i < ring.size(); i += kEdgesTogether) {
     o.first = static_cast<std::int32_t>(i);
@@ -83,11 +83,11 @@ void add_pieces(const Zone& zone, std::int32_t index, Pieces& pieces) {
       high = high.cwiseMax(ring[k % ring.size()]);
     }
     push(pieces, o, box_around(low, high, 0, o));
-    least = least.cwiseMin(low);
-    most = most.cwiseMax(high);
+    min = min.cwiseMin(low);
+    max = max.cwiseMax(high);
   }
   o.kind = Obstacle::Kind::kInside;
-  push(pieces, o, box_around(least, most, 0, o));
+  push(pieces, o, box_around(min, max, 0, o));
 }
 
 void add_pieces(const MovingObstacle& mover, std::int32_t index, Pieces& pieces) {
@@ -120,9 +120,9 @@ void add_pieces(const MovingObstacle& mover, std::int32_t index, Pieces& pieces)
 void add_pieces(const PlannedFlight& flight, std::int32_t index, Pieces& pieces) {
   for (const FlightElement& e : flight.plan) {
     const double bend = e.airspeed * std::abs(e.turn_rate);
-    double most = kPieceTime;
-    if (bend > 0) most = std::min(most, std::sqrt(8 * kPieceError / bend));
-    const double requested = std::clamp(std::ceil(e.duration / most), 1.0, kMaxPieces);
+    double max = kPieceTime;
+    if (bend > 0) max = std::min(max, std::sqrt(8 * kPieceError / bend));
+    const double requested = std::clamp(std::ceil(e.duration / max), 1.0, kMaxPieces);
     const int count = static_cast<int>(requested);
     const double h = e.duration / count;
     for (int i = 0; i < count; ++i) {

@@ -17,7 +17,7 @@ constexpr double kMaxHeading = 1e6;  // [rad]
 constexpr double kMaxTime = 1e12;    // [s]
 
 struct Range {
-  double least, most;
+  double min, max;
 };
 
 PlannedPath answer(PlanningOutcome outcome, std::string reason) {
@@ -118,9 +118,9 @@ bool is_place(const Vec3& p) {
 
 // A value out of its range, in words; empty when it is in it.
 std::string out_of(const Range& range, double x, std::string_view name) {
-  if (x >= range.least && x <= range.most) return "";
-  return fmt::format("the {} is {:g}; it must be from {:g} to {:g}", name, x, range.least,
-                     range.most);
+  if (x >= range.min && x <= range.max) return "";
+  return fmt::format("the {} is {:g}; it must be from {:g} to {:g}", name, x, range.min,
+                     range.max);
 }
 
 std::string problem_of_limits(const PathQuery& q) {
@@ -139,10 +139,10 @@ std::string problem_of_limits(const PathQuery& q) {
       out_of({0, 1e5}, q.ground_clearance, "ground clearance in m")};
   for (const std::string& problem : limits)
     if (!problem.empty()) return problem;
-  if (q.budget.states <= 0)
+  if (q.budget.expansions <= 0)
     return fmt::format("the budget is {} expansions; it must be above 0",
-                       q.budget.states);
-  if (!(q.least.x() < q.most.x() && q.least.y() < q.most.y()))
+                       q.budget.expansions);
+  if (!(q.south_west.x() < q.north_east.x() && q.south_west.y() < q.north_east.y()))
     return "the map's corner in the south-west is not south-west of the other one";
   return "";
 }
@@ -184,21 +184,21 @@ std::optional<PlannedPath> refuse_flight(const PathQuery& query) {
                     query.wind.norm(), query.limits.airspeed));
   const auto outside = [&](const FlightState& s) {
     const Vec2 p = geo::horizontal(s.p_N);
-    return (p.array() < query.least.array()).any() ||
-           (p.array() > query.most.array()).any();
+    return (p.array() < query.south_west.array()).any() ||
+           (p.array() > query.north_east.array()).any();
   };
   for (const FlightState* s : {&query.start, &query.goal}) {
     if (!outside(*s)) continue;
-    PlannedPath out =
-        answer(PlanningOutcome::kOutsideMap,
-               fmt::format(
-                   "the {} at {} is outside of the map, {:.1f} to {:.1f} m north, {:.1f} "
-                   "to {:.1f} m east",
-                   s == &query.start ? "start" : "goal", place(s->p_N), query.least.x(),
-                   query.most.x(), query.least.y(), query.most.y()));
+    PlannedPath out = answer(
+        PlanningOutcome::kOutsideMap,
+        fmt::format(
+            "the {} at {} is outside of the map, {:.1f} to {:.1f} m north, {:.1f} "
+            "to {:.1f} m east",
+            s == &query.start ? "start" : "goal", place(s->p_N), query.south_west.x(),
+            query.north_east.x(), query.south_west.y(), query.north_east.y()));
     FlightState inside = *s;
     inside.p_N.head<2>() =
-        geo::horizontal(s->p_N).cwiseMax(query.least).cwiseMin(query.most);
+        geo::horizontal(s->p_N).cwiseMax(query.south_west).cwiseMin(query.north_east);
     out.alternative = inside;
     return out;
   }

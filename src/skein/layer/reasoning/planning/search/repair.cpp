@@ -111,10 +111,10 @@ void Repairer::rejoin(const Joint& joint) {
   const double end = model::end_time_of(old_);
   const model::FlightMoment m = model::moment_at(old_, joint.join);
   if (joint.join < end) bypass.goal = {m.p_N, m.heading};
-  bypass.budget.states = options_.states;
+  bypass.budget.expansions = options_.expansions;
   bypass.budget.first = false;
   const PlannedPath path = AaStar({.manoeuvres = false}).plan(bypass, map_);
-  out_.path.states += path.states;
+  out_.path.expansions += path.expansions;
   if (path.plan.empty()) return;
   model::append(plan, path.plan);
   const double joined = model::end_time_of(plan);
@@ -130,21 +130,21 @@ void Repairer::rejoin(const Joint& joint) {
 
 void Repairer::plan_anew() {
   PathQuery anew = query_;
-  anew.budget.states = std::min(query_.budget.states, options_.anew);
+  anew.budget.expansions = std::min(query_.budget.expansions, options_.anew);
   PlannedPath path = AaStar().plan(anew, map_);
-  path.states += out_.path.states;
+  path.expansions += out_.path.expansions;
   const bool nothing = path.plan.empty() && out_.path.plan.empty();
   if (nothing && path.outcome == PlanningOutcome::kNothingFound &&
-      anew.budget.states < query_.budget.states) {
-    const std::int64_t before = path.states;
+      anew.budget.expansions < query_.budget.expansions) {
+    const std::int64_t before = path.expansions;
     path = AaStar().plan(query_, map_);
-    path.states += before;
+    path.expansions += before;
   }
   if (path.duration < out_.path.duration || out_.path.plan.empty()) {
     out_.how = path.plan.empty() ? Repair::kFailed : Repair::kAnew;
     out_.path = std::move(path);
   } else {
-    out_.path.states = path.states;
+    out_.path.expansions = path.expansions;
   }
 }
 
@@ -168,17 +168,17 @@ RepairedPath Repairer::run() {
     out_.reason = "the aircraft is not on its plan";
   }
   const Link direct = link(query_.start, query_.goal, query_);
-  const double least = min_time(direct, query_.start, query_.goal, query_);
-  if (auto refused = refuse_blocked(map_, now + least)) {
+  const double min = min_time(direct, query_.start, query_.goal, query_);
+  if (auto refused = refuse_blocked(map_, now + min)) {
     out_.path = std::move(*refused);
     return out_;
   }
   const double good = 1 + options_.worse;
   SearchBudget budget(query_.budget);
-  out_.path.bound = std::max(least, lower_bound(query_, budget).time);
+  out_.path.bound = std::max(min, lower_bound(query_, budget).time);
   if (!old_.empty() && model::end_time_of(old_) > now)
     for (const Joint& joint : joints(conflict, on)) {
-      if (out_.path.states >= kTries * options_.states) break;
+      if (out_.path.expansions >= kTries * options_.expansions) break;
       rejoin(joint);
       if (out_.path.duration <= good * out_.path.bound) break;
     }

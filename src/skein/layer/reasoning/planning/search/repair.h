@@ -28,8 +28,8 @@ struct RepairOptions {
   /// A repaired path that takes this much longer than what is possible at least is
   /// compared with one planned anew.
   double worse = 0.03;
-  std::int64_t states = 400;  ///< expansions for each try to rejoin
-  std::int64_t anew = 800;    ///< expansions for planning anew, within the query's budget
+  std::int64_t expansions = 400;  ///< expansions for each try to rejoin
+  std::int64_t anew = 800;  ///< expansions for planning anew, within the query's budget
 };
 
 /// A path for an aircraft that follows a plan when a new obstacle blocks it, or when it

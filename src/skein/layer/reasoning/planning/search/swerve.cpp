@@ -65,10 +65,10 @@ std::vector<FlightState> beside(const Conflict& conflict, const FlightState& at,
 }  // namespace
 
 std::optional<Trajectory> swerve(Trajectory trajectory, const AirspaceMap& map,
-                                 SearchBudget& budget, int most) {
+                                 SearchBudget& budget, int max) {
   const PathQuery& query = map.query();
   Fare now = cost(std::move(trajectory), map);
-  for (int i = 0; i < most && !now.free && !budget.ended(); ++i) {
+  for (int i = 0; i < max && !now.free && !budget.ended(); ++i) {
     const double time = now.conflict->time;
     const auto& times = now.trajectory.times;
     const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
@@ -78,7 +78,7 @@ std::optional<Trajectory> swerve(Trajectory trajectory, const AirspaceMap& map,
     for (const FlightState& s : beside(*now.conflict, at, query.limits.turn_radius,
                                        query.limits.climb_rate > 0)) {
       if (!budget.spend(2)) break;
-      std::vector<Waypoint> states = now.trajectory.states;
+      std::vector<Waypoint> waypoints = now.trajectory.waypoints;
       states.insert(states.begin() + (after - times.begin()), Waypoint{s});
       std::optional<Trajectory> next = make_trajectory(std::move(states), query);
       if (!next ||

@@ -13,7 +13,7 @@ namespace {
 
 // Arcs this near to a full circle are none [rad].
 constexpr double kFullCircle = 1e-9;
-constexpr std::int64_t kTangentsPerState = 8;
+constexpr std::int64_t kTangentsPerExpansion = 8;
 
 struct Tangent {
   std::size_t obstacle;  // where it ends
@@ -217,13 +217,13 @@ void Search::expand(std::int32_t index) {
   const CircularObstacle& obstacle = obstacles_[node.obstacle];
   const bool free_course = !curved_ && is_start(node.obstacle);
   // Turning more than half around a corner leads back.
-  const double most = obstacle.corner ? geo::kPi : 2 * geo::kPi - kFullCircle;
+  const double max = obstacle.corner ? geo::kPi : 2 * geo::kPi - kFullCircle;
   const auto push = [&](double course, double straight, const Vec2& end,
                         std::int32_t tangent) {
     ++tangents_seen_;
     double turned = geo::wrap_2pi(node.side * (course - node.course));
     if (turned > 2 * geo::kPi - kFullCircle || free_course) turned = 0;
-    if (turned > most) return;
+    if (turned > max) return;
     const double time = node.time + straight +
                         speed_.arc(obstacle.radius, node.course, node.side * turned);
     const double left = speed_.straight(request_.goal - end);
@@ -273,15 +273,15 @@ Detours Search::run() {
   };
   std::int64_t settled = 0;
   while (!open_.empty() && !enough() &&
-         tangents_seen_ / kTangentsPerState < budget_.states) {
-    if ((++settled & 63) == 0 && budget_.ends_at(tangents_seen_ / kTangentsPerState))
+         tangents_seen_ / kTangentsPerExpansion < budget_.expansions) {
+    if ((++settled & 63) == 0 && budget_.ends_at(tangents_seen_ / kTangentsPerExpansion))
       break;
     const Open next = open_.top();
     open_.pop();
     settle(next, out);
   }
   out.complete = open_.empty();
-  out.states = tangents_seen_ / kTangentsPerState + 1;
+  out.expansions = tangents_seen_ / kTangentsPerExpansion + 1;
   return out;
 }
 

@@ -48,7 +48,7 @@ struct DetourRequest {
 struct Detours {
   std::vector<Detour> detours;  ///< the quickest first
   bool complete = false;  ///< all was looked at: there is no other route of this kind
-  std::int64_t states =
+  std::int64_t expansions =
       0;  ///< expansions; eight tangents, which are quickly looked at, are one
 };
 

@@ -44,9 +44,9 @@ class Improver {
 // Where something depends on time, what follows a change has to be looked at anew.
 bool Improver::rest_free(std::size_t from, double later) const {
   if (!map_.is_timed()) return true;
-  for (std::size_t i = from; i + 1 < trajectory_.states.size(); ++i) {
-    const Waypoint& via = trajectory_.states[i];
-    const Link l = link(via.at, trajectory_.states[i + 1].at, query_, via.wait);
+  for (std::size_t i = from; i + 1 < trajectory_.waypoints.size(); ++i) {
+    const Waypoint& via = trajectory_.waypoints[i];
+    const Link l = link(via.at, trajectory_.waypoints[i + 1].at, query_, via.wait);
     if (!map_.is_free(to_flight_plan(l, via.at, trajectory_.times[i] + later, query_)))
       return false;
   }
@@ -54,20 +54,21 @@ bool Improver::rest_free(std::size_t from, double later) const {
 }
 
 bool Improver::try_change(const Change& change) {
-  std::vector<Waypoint> states = {trajectory_.states[change.first]};
-  states.front().wait = change.wait;
-  states.insert(states.end(), change.between.begin(), change.between.end());
-  states.push_back(trajectory_.states[change.last]);
+  std::vector<Waypoint> waypoints = {trajectory_.waypoints[change.first]};
+  waypoints.front().wait = change.wait;
+  waypoints.insert(waypoints.end(), change.between.begin(), change.between.end());
+  waypoints.push_back(trajectory_.waypoints[change.last]);
   std::vector<double> times = {trajectory_.times[change.first]};
   std::vector<Link> links;
-  for (std::size_t i = 0; i + 1 < states.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
     budget_.spend();
-    links.push_back(link(states[i].at, states[i + 1].at, query_, states[i].wait));
+    links.push_back(
+        link(waypoints[i].at, waypoints[i + 1].at, query_, waypoints[i].wait));
     times.push_back(times.back() + links.back().duration);
     if (!(times.back() < trajectory_.times[change.last] - kGain)) return false;
   }
   for (std::size_t i = 0; i < links.size(); ++i)
-    if (!map_.is_free(to_flight_plan(links[i], states[i].at, times[i], query_)))
+    if (!map_.is_free(to_flight_plan(links[i], waypoints[i].at, times[i], query_)))
       return false;
   const double later = times.back() - trajectory_.times[change.last];
   if (!rest_free(change.last, later)) return false;
@@ -80,42 +81,42 @@ bool Improver::try_change(const Change& change) {
     list.insert(list.erase(at(change.first), at(change.last)), with.begin(),
                 with.end() - 1);
   };
-  replace(trajectory_.states, states);
+  replace(trajectory_.waypoints, waypoints);
   replace(trajectory_.times, times);
   return true;
 }
 
 bool Improver::leave_out() {
   bool any = false;
-  for (std::size_t i = 1; i + 1 < trajectory_.states.size() && !budget_.ended();) {
-    const bool gone = try_change({i - 1, i + 1, trajectory_.states[i - 1].wait, {}});
+  for (std::size_t i = 1; i + 1 < trajectory_.waypoints.size() && !budget_.ended();) {
+    const bool gone = try_change({i - 1, i + 1, trajectory_.waypoints[i - 1].wait, {}});
     any |= gone;
     if (!gone) ++i;
   }
-  for (std::size_t i = 0; i + 1 < trajectory_.states.size() && !budget_.ended(); ++i)
-    any |= trajectory_.states[i].wait > 0 && try_change({i, i + 1, 0, {}});
+  for (std::size_t i = 0; i + 1 < trajectory_.waypoints.size() && !budget_.ended(); ++i)
+    any |= trajectory_.waypoints[i].wait > 0 && try_change({i, i + 1, 0, {}});
   return any;
 }
 
 bool Improver::move(double step) {
   const double turn = step / query_.limits.turn_radius;
   const bool level = std::all_of(
-      trajectory_.states.begin(), trajectory_.states.end(), [&](const Waypoint& v) {
-        return v.at.p_N.z() == trajectory_.states.front().at.p_N.z();
+      trajectory_.waypoints.begin(), trajectory_.waypoints.end(), [&](const Waypoint& v) {
+        return v.at.p_N.z() == trajectory_.waypoints.front().at.p_N.z();
       });
   bool any = false;
-  for (std::size_t i = 0; i + 1 < trajectory_.states.size() && !budget_.ended(); ++i) {
-    const double wait = trajectory_.states[i].wait - step / query_.limits.airspeed;
+  for (std::size_t i = 0; i + 1 < trajectory_.waypoints.size() && !budget_.ended(); ++i) {
+    const double wait = trajectory_.waypoints[i].wait - step / query_.limits.airspeed;
     if (wait >= full_turn(query_)) any |= try_change({i, i + 1, wait, {}});
   }
-  for (std::size_t i = 1; i + 1 < trajectory_.states.size(); ++i) {
+  for (std::size_t i = 1; i + 1 < trajectory_.waypoints.size(); ++i) {
     const auto shifted = [&](double along, double across, double up, double heading) {
-      Waypoint via = trajectory_.states[i];
+      Waypoint via = trajectory_.waypoints[i];
       const Vec2 u = geo::unit(via.at.heading);
       via.at.p_N.head<2>() += along * u + across * geo::turned_right(u);
       via.at.p_N.z() -= up;
       via.at.heading += heading;
-      return try_change({i - 1, i + 1, trajectory_.states[i - 1].wait, {via}});
+      return try_change({i - 1, i + 1, trajectory_.waypoints[i - 1].wait, {via}});
     };
     for (const double a : {step, -step}) {
       if (budget_.ended()) return any;
@@ -130,32 +131,32 @@ bool Improver::move(double step) {
 
 }  // namespace
 
-bool SearchBudget::spend(std::int64_t states) {
-  states_ += states;
-  if (states_ >= budget_->states) ended_ = true;
-  if (!ended_ && states_ >= asked_) {
-    asked_ = states_ + kBetweenAsking;
-    ended_ = budget_->ends_at(has_path_ ? budget_->first_states : states_);
+bool SearchBudget::spend(std::int64_t expansions) {
+  expansions_ += expansions;
+  if (expansions_ >= budget_->expansions) ended_ = true;
+  if (!ended_ && expansions_ >= asked_) {
+    asked_ = expansions_ + kBetweenAsking;
+    ended_ = budget_->ends_at(has_path_ ? budget_->first_expansions : expansions_);
   }
   return !ended_;
 }
 
 PlanningBudget SearchBudget::part(std::int64_t share) const {
   PlanningBudget part = *budget_;
-  part.states = left() / share;
-  part.first_states = has_path_ ? 0 : budget_->first_states - states_;
+  part.expansions = left() / share;
+  part.first_expansions = has_path_ ? 0 : budget_->first_expansions - expansions_;
   return part;
 }
 
-std::optional<Trajectory> make_trajectory(std::vector<Waypoint> states,
+std::optional<Trajectory> make_trajectory(std::vector<Waypoint> waypoints,
                                           const PathQuery& query) {
   Trajectory trajectory;
-  trajectory.states = std::move(states);
+  trajectory.waypoints = std::move(waypoints);
   double time = query.start_time;
   trajectory.times.push_back(time);
-  for (std::size_t i = 0; i + 1 < trajectory.states.size(); ++i) {
-    time += link(trajectory.states[i].at, trajectory.states[i + 1].at, query,
-                 trajectory.states[i].wait)
+  for (std::size_t i = 0; i + 1 < trajectory.waypoints.size(); ++i) {
+    time += link(trajectory.waypoints[i].at, trajectory.waypoints[i + 1].at, query,
+                 trajectory.waypoints[i].wait)
                 .duration;
     trajectory.times.push_back(time);
   }
@@ -165,11 +166,11 @@ std::optional<Trajectory> make_trajectory(std::vector<Waypoint> states,
 
 FlightPlan to_flight_plan(const Trajectory& trajectory, const PathQuery& query) {
   FlightPlan plan;
-  for (std::size_t i = 0; i + 1 < trajectory.states.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < trajectory.waypoints.size(); ++i) {
     const FlightPlan part =
-        to_flight_plan(link(trajectory.states[i].at, trajectory.states[i + 1].at, query,
-                            trajectory.states[i].wait),
-                       trajectory.states[i].at, trajectory.times[i], query);
+        to_flight_plan(link(trajectory.waypoints[i].at, trajectory.waypoints[i + 1].at,
+                            query, trajectory.waypoints[i].wait),
+                       trajectory.waypoints[i].at, trajectory.times[i], query);
     plan.insert(plan.end(), part.begin(), part.end());
   }
   return plan;

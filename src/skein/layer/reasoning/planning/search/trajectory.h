@@ -14,10 +14,10 @@ class SearchBudget {
   explicit SearchBudget(const PlanningBudget& budget) : budget_(&budget) {}
 
   /// Counts expansions; false when the budget has ended.
-  bool spend(std::int64_t states = 1);
+  bool spend(std::int64_t expansions = 1);
   bool ended() const { return ended_; }
-  std::int64_t states() const { return states_; }
-  std::int64_t left() const { return budget_->states - states_; }
+  std::int64_t expansions() const { return expansions_; }
+  std::int64_t left() const { return budget_->expansions - expansions_; }
 
   /// From now on there is a path: `enough` ends the search.
   void has_path() { has_path_ = true; }
@@ -27,7 +27,7 @@ class SearchBudget {
 
  private:
   const PlanningBudget* budget_;
-  std::int64_t states_ = 0, asked_ = 0;
+  std::int64_t expansions_ = 0, asked_ = 0;
   bool ended_ = false, has_path_ = false;
 };
 
@@ -39,13 +39,13 @@ struct Waypoint {
 
 /// A trajectory: flight states that are joined by links, flown from a time on.
 struct Trajectory {
-  std::vector<Waypoint> states;  ///< at least two
-  std::vector<double> times;     ///< at which each is reached [s]
+  std::vector<Waypoint> waypoints;  ///< at least two
+  std::vector<double> times;        ///< at which each is reached [s]
   double duration() const { return times.back() - times.front(); }
 };
 
 /// The trajectory through given waypoints; nothing where a link does not exist.
-std::optional<Trajectory> make_trajectory(std::vector<Waypoint> states,
+std::optional<Trajectory> make_trajectory(std::vector<Waypoint> waypoints,
                                           const PathQuery& query);
 
 /// All elements of a trajectory.
@@ -60,9 +60,9 @@ void improve(Trajectory& trajectory, const AirspaceMap& map, SearchBudget& budge
 
 /// Leads a trajectory around its conflicts: where it comes into something, a waypoint is
 /// put beside, above or below, whichever gets further or is quicker.
-/// @param most  how many waypoints are put in.
+/// @param max  how many waypoints are put in.
 /// @returns  a free trajectory, or nothing.
 std::optional<Trajectory> swerve(Trajectory trajectory, const AirspaceMap& map,
-                                 SearchBudget& budget, int most = 6);
+                                 SearchBudget& budget, int max = 6);
 
 }  // namespace skein::planning

@@ -20,7 +20,7 @@ namespace skein::planning {
 namespace {
 
 // For each connection around zones, and for one that is hard to find.
-constexpr std::int64_t kStates[] = {3000, 100'000};
+constexpr std::int64_t kExpansions[] = {3000, 100'000};
 constexpr double kBeside = 0.01;  // of lines to zones, against rounding [m]
 
 SweepTask task_of(const CoverageQuery& query, geo::Region area,
@@ -61,8 +61,8 @@ void add_connection(const CoverageQuery& query, const FlightState& from,
     ask.limits = query.limits;
     ask.wind = query.wind;
     ask.airspace = &airspace;
-    for (const std::int64_t states : kStates) {
-      ask.budget.states = states;
+    for (const std::int64_t expansions : kExpansions) {
+      ask.budget.expansions = expansions;
       PlannedPath path = query.planner->plan(ask);
       if (path.plan.empty()) continue;
       connection = std::move(path.plan);

@@ -45,12 +45,12 @@ double bearing_of_edge(const geo::Ring& ring, std::size_t i) {
 std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& borders,
                                  const geo::Region& group) {
   constexpr std::size_t kBins = 24, kEdges = 3;
-  Vec2 least = group[0][0], most = least, middle = Vec2::Zero();
+  Vec2 min = group[0][0], max = min, middle = Vec2::Zero();
   double points = 0;
   for (const geo::Ring& ring : group)
     for (const Vec2& p : ring) {
-      least = least.cwiseMin(p);
-      most = most.cwiseMax(p);
+      min = min.cwiseMin(p);
+      max = max.cwiseMax(p);
       middle += p;
       ++points;
     }
@@ -77,8 +77,8 @@ std::vector<double> bearings_for(const GapTask& task, const geo::BoundaryIndex& 
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& p = ring[i];
       const Vec2& q = ring[i + 1 == ring.size() ? 0 : i + 1];
-      if ((p.cwiseMin(q).array() > (most + more).array()).any() ||
-          (p.cwiseMax(q).array() < (least - more).array()).any())
+      if ((p.cwiseMin(q).array() > (max + more).array()).any() ||
+          (p.cwiseMax(q).array() < (min - more).array()).any())
         continue;
       const double b = bearing_of_edge(ring, i), length = (q - p).norm();
       Bin& bin =

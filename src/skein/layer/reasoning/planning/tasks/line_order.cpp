@@ -137,10 +137,10 @@ class Improver {
   double forth(std::size_t i, std::size_t k) const { return forth_[k] - forth_[i]; }
   double back(std::size_t i, std::size_t k) const { return back_[k] - back_[i]; }
 
-  // Whether the joints from a to b and from c to d are quicker than `most`.
-  double joints(int a, int b, int c, int d, double most) {
-    const double least = costs_.min_cost(a, b) + costs_.min_cost(c, d);
-    if (least >= most) return least;
+  // Whether the joints from a to b and from c to d are quicker than `max`.
+  double joints(int a, int b, int c, int d, double max) {
+    const double min = costs_.min_cost(a, b) + costs_.min_cost(c, d);
+    if (min >= max) return min;
     return costs_.cost(a, b) + costs_.cost(c, d);
   }
 
@@ -148,9 +148,9 @@ class Improver {
   bool reverse_some() {
     for (std::size_t i = 1; i <= last(); ++i)
       for (std::size_t k = i; k <= last(); ++k) {
-        const double most = forth(i - 1, k + 1) - back(i, k) - kGain;
-        if (joints(nodes_[i - 1], nodes_[k] ^ 1, nodes_[i] ^ 1, nodes_[k + 1], most) >=
-            most)
+        const double max = forth(i - 1, k + 1) - back(i, k) - kGain;
+        if (joints(nodes_[i - 1], nodes_[k] ^ 1, nodes_[i] ^ 1, nodes_[k + 1], max) >=
+            max)
           continue;
         turn(i, k);
         sum();
@@ -174,13 +174,13 @@ class Improver {
         const double gain = forth(i - 1, i) + forth(k, k + 1) - bridge - kGain;
         for (std::size_t p = 0; p <= last(); ++p) {
           if (p + 1 >= i && p <= k) continue;
-          const double most = gain + forth(p, p + 1);
+          const double max = gain + forth(p, p + 1);
           const int from = nodes_[p], to = nodes_[p + 1];
-          if (joints(from, nodes_[i], nodes_[k], to, most) < most) {
+          if (joints(from, nodes_[i], nodes_[k], to, max) < max) {
             move(i, k, p);
             return true;
           }
-          const double turned = most - back(i, k) + forth(i, k);
+          const double turned = max - back(i, k) + forth(i, k);
           if (joints(from, nodes_[k] ^ 1, nodes_[i] ^ 1, to, turned) < turned) {
             turn(i, k);
             move(i, k, p);
@@ -239,14 +239,14 @@ Route quickest_pattern(LineCosts& costs, int aircraft, int max_skip) {
   const auto& start = costs.ends(aircraft).start;
   const Vec2 from = start ? start->position : costs.line(0).a;
   Route best;
-  double least = 1e300;
+  double min = 1e300;
   for (int skip = 1; skip <= max_skip; ++skip)
     for (const bool last_first : {false, true}) {
       Route route =
           directed(costs, aircraft, pattern(costs, cells, from, last_first, skip));
       const double time = route_time(costs, aircraft, route);
-      if (time < least) {
-        least = time;
+      if (time < min) {
+        min = time;
         best = std::move(route);
       }
     }
@@ -258,13 +258,13 @@ Route improved(LineCosts& costs, int aircraft, Route route, int kicks) {
   RandomStream random(route.size(), 0, Purpose::kAgent);
   Improver first(costs, aircraft, route);
   first.run();
-  double least = first.time();
+  double min = first.time();
   route = first.route();
   for (int k = 0; k < kicks && !costs.stopped(); ++k) {
     Improver next(costs, aircraft, disturbed(route, random));
     next.run();
-    if (next.time() >= least - kGain) continue;
-    least = next.time();
+    if (next.time() >= min - kGain) continue;
+    min = next.time();
     route = next.route();
   }
   return route;

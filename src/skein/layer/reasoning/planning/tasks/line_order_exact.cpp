@@ -14,21 +14,21 @@ Route quickest_order(LineCosts& costs, int aircraft, const Route& route) {
     return (route[k / 2] & ~1) + static_cast<int>(k % 2);
   };
   // least[set][k]: quickest through all lines of the set that ends with visit k.
-  std::vector<double> least(sets * 2 * n, 1e300);
+  std::vector<double> min(sets * 2 * n, 1e300);
   std::vector<std::size_t> came(sets * 2 * n, 0);
   for (std::size_t k = 0; k < 2 * n; ++k)
-    least[(std::size_t{1} << k / 2) * 2 * n + k] =
+    min[(std::size_t{1} << k / 2) * 2 * n + k] =
         costs.cost(costs.start_of(aircraft), visit(k));
   for (std::size_t set = 1; set < sets; ++set)
     for (std::size_t k = 0; k < 2 * n; ++k) {
-      const double so_far = least[set * 2 * n + k];
+      const double so_far = min[set * 2 * n + k];
       if (so_far >= 1e300) continue;
       for (std::size_t j = 0; j < 2 * n; ++j) {
         if ((set >> j / 2 & 1u) != 0) continue;
         const std::size_t next = (set | std::size_t{1} << j / 2) * 2 * n + j;
         const double time = so_far + costs.cost(visit(k), visit(j));
-        if (time >= least[next]) continue;
-        least[next] = time;
+        if (time >= min[next]) continue;
+        min[next] = time;
         came[next] = k;
       }
     }
@@ -36,7 +36,7 @@ Route quickest_order(LineCosts& costs, int aircraft, const Route& route) {
   double time = 1e300;
   for (std::size_t k = 0; k < 2 * n; ++k) {
     const double whole =
-        least[(sets - 1) * 2 * n + k] + costs.cost(visit(k), costs.end_of(aircraft));
+        min[(sets - 1) * 2 * n + k] + costs.cost(visit(k), costs.end_of(aircraft));
     if (whole >= time) continue;
     time = whole;
     best = k;

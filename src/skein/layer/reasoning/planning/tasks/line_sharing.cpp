@@ -35,21 +35,21 @@ Division cut(LineCosts& costs, const Route& whole, const std::vector<int>& order
            costs.cost(whole[j - 1], costs.end_of(aircraft));
   };
   // least[k][j]: the shortest longest part, of the first k, with the first j visits.
-  std::vector<std::vector<double>> least(parts + 1, std::vector<double>(n + 1, 1e300));
+  std::vector<std::vector<double>> min(parts + 1, std::vector<double>(n + 1, 1e300));
   std::vector<std::vector<std::size_t>> begin(parts + 1,
                                               std::vector<std::size_t>(n + 1, 0));
-  least[0][0] = 0;
+  min[0][0] = 0;
   for (std::size_t k = 1; k <= parts; ++k)
     for (std::size_t j = 0; j <= n; ++j)
       for (std::size_t i = 0; i <= j; ++i) {
-        if (least[k - 1][i] >= least[k][j]) continue;
-        const double t = std::max(least[k - 1][i], time(order[k - 1], i, j));
-        if (t >= least[k][j]) continue;
-        least[k][j] = t;
+        if (min[k - 1][i] >= min[k][j]) continue;
+        const double t = std::max(min[k - 1][i], time(order[k - 1], i, j));
+        if (t >= min[k][j]) continue;
+        min[k][j] = t;
         begin[k][j] = i;
       }
   Division d;
-  d.longest = least[parts][n];
+  d.longest = min[parts][n];
   d.routes.resize(parts);
   std::size_t j = n;
   for (std::size_t k = parts; k > 0; --k) {
@@ -158,9 +158,9 @@ class Balancer {
       const int after = p == route.size() ? costs_.end_of(aircraft) : route[p];
       // An empty route takes no time, not that from its start to its end.
       const double now = route.empty() ? 0 : costs_.cost(before, after);
-      const double least = costs_.min_cost(before, part.front()) +
-                           costs_.min_cost(part.back(), after) + inside - now;
-      if (least >= best.more) continue;
+      const double min = costs_.min_cost(before, part.front()) +
+                         costs_.min_cost(part.back(), after) + inside - now;
+      if (min >= best.more) continue;
       const double more = costs_.cost(before, part.front()) +
                           costs_.cost(part.back(), after) + inside - now;
       if (more < best.more) best = {p, more};
@@ -195,11 +195,11 @@ class Balancer {
   bool exchange_ends(int a, int b) {
     const Route ra = routes_[index(a)], rb = routes_[index(b)];
     const std::vector<double> of_a = until(a, ra), of_b = until(b, rb);
-    const double most = times_[index(a)] - kGain;
+    const double max = times_[index(a)] - kGain;
     for (std::size_t i = 0; i <= ra.size(); ++i)
       for (std::size_t j = 0; j <= rb.size(); ++j) {
-        if (crossed(a, ra, of_a, i, rb, of_b, j) >= most ||
-            crossed(b, rb, of_b, j, ra, of_a, i) >= most)
+        if (crossed(a, ra, of_a, i, rb, of_b, j) >= max ||
+            crossed(b, rb, of_b, j, ra, of_a, i) >= max)
           continue;
         const auto ia = ra.begin() + static_cast<std::ptrdiff_t>(i);
         const auto jb = rb.begin() + static_cast<std::ptrdiff_t>(j);

@@ -65,11 +65,11 @@ OrbitResult too_fast(double felt, double fastest) {
                   felt, fastest, fastest / 1.05));
 }
 
-OrbitResult too_long(const OrbitQuery& q, double most) {
+OrbitResult too_long(const OrbitQuery& q, double max) {
   return refused(OrbitOutcome::kBadOrbit,
                  fmt::format("{:.3g} s are too long for turns as short as these: at most "
                              "{:.3g} s",
-                             q.duration, most));
+                             q.duration, max));
 }
 
 // The quickest path to the circle, over all its places.
@@ -158,10 +158,10 @@ OrbitResult circle(const OrbitQuery& q, double felt) {
 }
 
 OrbitResult weave(const OrbitQuery& q, double felt) {
-  const double least = 1.05 * std::max(felt, q.wind.norm());
-  if (least > q.limits.fastest) return too_fast(felt, q.limits.fastest);
+  const double min = 1.05 * std::max(felt, q.wind.norm());
+  if (min > q.limits.fastest) return too_fast(felt, q.limits.fastest);
   OrbitResult result;
-  result.airspeed = std::max(q.limits.airspeed, least);
+  result.airspeed = std::max(q.limits.airspeed, min);
   const model::AirMotion air{result.airspeed, turn_radius_at(result.airspeed, q.limits),
                              q.wind};
   // The minimum turn takes this long, with the target as fast as it may be.

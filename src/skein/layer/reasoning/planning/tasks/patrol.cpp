@@ -27,10 +27,10 @@ PatrolResult refused(PatrolOutcome outcome, std::string reason) {
 }
 
 std::string line_error(const PatrolQuery& q) {
-  const std::size_t least = q.closed ? 3 : 2;
-  if (q.line.size() < least || q.line.size() > kMaxPoints)
-    return fmt::format("the line has {} points; {} to {} are allowed", q.line.size(),
-                       least, kMaxPoints);
+  const std::size_t min = q.closed ? 3 : 2;
+  if (q.line.size() < min || q.line.size() > kMaxPoints)
+    return fmt::format("the line has {} points; {} to {} are allowed", q.line.size(), min,
+                       kMaxPoints);
   for (std::size_t k = 0; k < q.line.size(); ++k)
     if (!on_map(q.line[k]))
       return fmt::format("point {} of the line is not a place within {:.0f} km", k,
@@ -159,14 +159,14 @@ PatrolResult plan_patrol(const PatrolQuery& query) {
     return refused(PatrolOutcome::kBadAircraft, "no path to the line was found");
   result.first_end =
       *std::min_element(result.begins.begin(), result.begins.end()) + b.pass_time;
-  int most = 0;
+  int max = 0;
   for (std::size_t k = 0; k < query.starts.size(); ++k) {
     const int passes = passes_until(query, b, result.begins[k]);
     if (static_cast<double>(passes) * b.course.legs_of_pass > kMaxLegs)
       return refused(PatrolOutcome::kBadPatrol,
                      fmt::format("{} passes of {} legs; fewer rounds or an earlier end",
                                  passes, b.course.legs_of_pass));
-    most = std::max(most, passes);
+    max = std::max(max, passes);
     result.passes.push_back(passes);
     FlightPlan plan;
     if (passes > 0) {
@@ -177,7 +177,7 @@ PatrolResult plan_patrol(const PatrolQuery& query) {
     }
     result.plans.push_back(std::move(plan));
   }
-  if (most == 0) {
+  if (max == 0) {
     result.outcome = PatrolOutcome::kNoTime;
     result.reason =
         fmt::format("no pass ends by {:.1f} s; the first one would at {:.1f} s",

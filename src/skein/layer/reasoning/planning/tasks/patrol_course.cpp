@@ -116,16 +116,16 @@ Corner rounded(const PatrolLeg& in, const PatrolLeg& out, const PatrolQuery& que
   const double turn =
       model::ground_turn_radius(air.turn_radius, air.airspeed, air.wind.norm());
   const double room = std::min((in.b - in.a).norm(), (out.b - out.a).norm()) / 2;
-  const double most = std::min(room, 3 * (turn + query.tolerance));
+  const double max = std::min(room, 3 * (turn + query.tolerance));
   const double saved = slowness(in) + slowness(out);
-  double least = 1e300;
+  double min = 1e300;
   for (int k = 1; k <= kTries; ++k) {
-    Corner c = at(most * k / kTries);
+    Corner c = at(max * k / kTries);
     const double time = c.turn.time - c.d * saved;
-    if (time >= least) continue;
+    if (time >= min) continue;
     c.deviation = deviation_of(in, out, c, air);
     if (c.deviation > query.tolerance) continue;
-    least = time;
+    min = time;
     found = c;
   }
   // A rounding is worth it even where flying over would be quicker: it has no loop.

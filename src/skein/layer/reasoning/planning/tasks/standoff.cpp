@@ -17,7 +17,7 @@ constexpr double kReserve = 1.05;  // of airspeed above the wind
 constexpr double kInstant = 1e-7;  // rounding of the run's clock [s]
 
 struct SpeedRange {
-  double least, most;
+  double min, max;
 };
 
 SpeedRange range_of(const FlightLimits& limits, double felt, double wind) {
@@ -50,8 +50,8 @@ double turn_rate_of(const Standoff& s, FlightElement e) {
     e.turn_rate = rate = next;
     if (done) break;
   }
-  const double most = s.speed.airspeed / s.speed.turn_radius;
-  return std::clamp(rate, -most, most);
+  const double max = s.speed.airspeed / s.speed.turn_radius;
+  return std::clamp(rate, -max, max);
 }
 
 }  // namespace
@@ -70,17 +70,17 @@ std::optional<FlyingSpeed> speed_for_circle(double radius, const FlightLimits& l
                                             double felt, double wind) {
   const SpeedRange range = range_of(limits, felt, wind);
   // min_standoff solved for the airspeed.
-  const double most = std::min(
-      range.most, std::sqrt(radius / limits.turn_radius) * limits.airspeed - felt);
-  if (most < range.least) return std::nullopt;
-  const double airspeed = std::clamp(limits.airspeed, range.least, most);
+  const double max = std::min(
+      range.max, std::sqrt(radius / limits.turn_radius) * limits.airspeed - felt);
+  if (max < range.min) return std::nullopt;
+  const double airspeed = std::clamp(limits.airspeed, range.min, max);
   return FlyingSpeed{airspeed, turn_radius_at(airspeed, limits)};
 }
 
 double min_standoff(const FlightLimits& limits, double felt, double wind) {
   const SpeedRange range = range_of(limits, felt, wind);
-  if (range.least > range.most) return std::numeric_limits<double>::infinity();
-  return min_standoff(range.least, limits, felt);
+  if (range.min > range.max) return std::numeric_limits<double>::infinity();
+  return min_standoff(range.min, limits, felt);
 }
 
 model::Pose pose_on(const Standoff& s, double bearing, double time) {

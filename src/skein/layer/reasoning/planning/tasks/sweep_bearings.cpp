@@ -18,10 +18,10 @@ void add_fewer_lines(const geo::Region& area, double spacing,
     double few = k * kBearingStep, many = few + kBearingStep;
     if (count(few) == count(many)) continue;
     if (count(few) > count(many)) std::swap(few, many);
-    const double least = count(few);
+    const double min = count(few);
     for (int i = 0; i < 30; ++i) {
       const double middle = (few + many) / 2;
-      (count(middle) <= least ? few : many) = middle;
+      (count(middle) <= min ? few : many) = middle;
     }
     bearings.push_back(half_turn(few));
   }

@@ -154,13 +154,13 @@ std::vector<Interval> merged(std::vector<Interval> parts, double gap) {
 
 double width_across(const geo::Region& area, double bearing) {
   const Vec2 across = geo::turned_right(geo::unit(bearing));
-  double least = 1e300, most = -1e300;
+  double min = 1e300, max = -1e300;
   for (const geo::Ring& ring : area)
     for (const Vec2& p : ring) {
-      least = std::min(least, across.dot(p));
-      most = std::max(most, across.dot(p));
+      min = std::min(min, across.dot(p));
+      max = std::max(max, across.dot(p));
     }
-  return std::max(0.0, most - least);
+  return std::max(0.0, max - min);
 }
 
 std::vector<SweepLine> sweep_lines(const geo::Region& area, double bearing,

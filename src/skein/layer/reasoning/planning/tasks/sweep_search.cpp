@@ -51,7 +51,7 @@ std::vector<int> pieces_for(const SweepTask& task, std::size_t lines) {
 
 // The quickest path from a line to one beside it, both ending at the same level [s].
 double usual_turn(const SweepTask& task, double bearing) {
-  double least = 1e300;
+  double min = 1e300;
   const Vec2 across = geo::turned_right(geo::unit(bearing));
   for (const double course : {bearing, bearing + geo::kPi}) {
     const auto out = model::heading_for_course(course, task.air.airspeed, task.air.wind);
@@ -60,10 +60,10 @@ double usual_turn(const SweepTask& task, double bearing) {
     for (int skip = 1; skip <= skip_of(task); ++skip)
       for (const double side : {-1.0, 1.0}) {
         const model::Pose to{side * skip * task.spacing * across, *back};
-        least = std::min(least, model::connect({{0, 0}, *out}, to, task.air).time);
+        min = std::min(min, model::connect({{0, 0}, *out}, to, task.air).time);
       }
   }
-  return least;
+  return min;
 }
 
 // Time on the lines, flown as often in one direction as in the other, and usual turns
@@ -143,10 +143,10 @@ Sweep swept(const SweepTask& task, double bearing, CellRule rule,
   return best;
 }
 
-std::size_t count_for(double work, const std::vector<Candidate>& candidates, double least,
-                      double most) {
+std::size_t count_for(double work, const std::vector<Candidate>& candidates, double min,
+                      double max) {
   const auto lines = static_cast<double>(candidates.front().lines);
-  return static_cast<std::size_t>(std::clamp(work / lines, least, most));
+  return static_cast<std::size_t>(std::clamp(work / lines, min, max));
 }
 
 void sort(std::vector<Candidate>& candidates) {

@@ -40,17 +40,17 @@ double climb_time(const TimedLeg& leg) {
 
 // Allowed airspeeds from cruise to the slowest or the fastest.
 std::vector<double> speeds_towards(const TimedLeg& leg, double end) {
-  const double least = kReserve * leg.wind.norm();
+  const double min = kReserve * leg.wind.norm();
   const double cruise = leg.limits.airspeed;
   std::vector<double> speeds;
   for (int k = 0; k <= kSpeeds; ++k) {
     const double v = cruise + (end - cruise) * k / kSpeeds;
-    if (v > 0 && v >= least) speeds.push_back(v);
+    if (v > 0 && v >= min) speeds.push_back(v);
     if (!leg.any_airspeed || end == cruise) break;
   }
   // The last one before the wind is too strong.
-  if (leg.any_airspeed && end < cruise && least > end && least < cruise)
-    speeds.push_back(least);
+  if (leg.any_airspeed && end < cruise && min > end && min < cruise)
+    speeds.push_back(min);
   return speeds;
 }
 
@@ -81,11 +81,11 @@ Quickest quickest_of_all(const TimedLeg& leg) {
   for (const double end : {leg.limits.slowest, leg.limits.fastest})
     for (const double v : speeds_towards(leg, end)) look(v);
   if (!leg.any_airspeed || best.time == kNever) return best;
-  const double most = leg.limits.fastest;
-  const double least = std::max(leg.limits.slowest, kReserve * leg.wind.norm());
-  for (double step = (most - least) / kSpeeds; step > 1e-9; step /= 2)
+  const double max = leg.limits.fastest;
+  const double min = std::max(leg.limits.slowest, kReserve * leg.wind.norm());
+  for (double step = (max - min) / kSpeeds; step > 1e-9; step /= 2)
     for (const double v : {best.airspeed - step, best.airspeed + step})
-      if (v >= least && v <= most && v > 0) look(v);
+      if (v >= min && v <= max && v > 0) look(v);
   return best;
 }
 

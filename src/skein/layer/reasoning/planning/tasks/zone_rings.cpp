@@ -25,12 +25,12 @@ void near_edge(const Vec2& a, const Vec2& t, const Vec2& p, const Vec2& q,
   const Vec2 e = (q - p) / length;
   // Along the edge s0 + s k in [0, length], across it c0 + s c in [-distance, distance].
   double low = -1e300, high = 1e300;
-  const auto within = [&](double at, double rate, double least, double most) {
+  const auto within = [&](double at, double rate, double min, double max) {
     if (std::abs(rate) < 1e-12) {
-      if (at < least || at > most) high = -1e300;
+      if (at < min || at > max) high = -1e300;
       return;
     }
-    const double x = (least - at) / rate, y = (most - at) / rate;
+    const double x = (min - at) / rate, y = (max - at) / rate;
     low = std::max(low, std::min(x, y));
     high = std::min(high, std::max(x, y));
   };
@@ -65,8 +65,8 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
   return at > 0 && at < t.squaredNorm();
 }
 
-bool apart(const Vec2& least, const Vec2& most, const Vec2& low, const Vec2& high) {
-  return (least.array() > high.array()).any() || (most.array() < low.array()).any();
+bool apart(const Vec2& min, const Vec2& max, const Vec2& low, const Vec2& high) {
+  return (min.array() > high.array()).any() || (max.array() < low.array()).any();
 }
 
 }  // namespace
@@ -85,8 +85,8 @@ ZoneRings::Box ZoneRings::box_of(const geo::Ring& ring, std::size_t from,
   Box box{ring[from], ring[from]};
   for (std::size_t i = from; i <= from + count; ++i) {
     const Vec2& p = ring[i < ring.size() ? i : i - ring.size()];
-    box.least = box.least.cwiseMin(p);
-    box.most = box.most.cwiseMax(p);
+    box.min = box.min.cwiseMin(p);
+    box.max = box.max.cwiseMax(p);
   }
   return box;
 }
@@ -94,8 +94,8 @@ ZoneRings::Box ZoneRings::box_of(const geo::Ring& ring, std::size_t from,
 void ZoneRings::near(const Vec2& a, const Vec2& t, double distance,
                      std::vector<Span>& out) const {
   for (std::size_t k = 0; k < rings_.size(); ++k) {
-    const Vec2 middle = (boxes_[k].least + boxes_[k].most) / 2;
-    const double reach = (boxes_[k].most - middle).norm() + distance;
+    const Vec2 middle = (boxes_[k].min + boxes_[k].max) / 2;
+    const double reach = (boxes_[k].max - middle).norm() + distance;
     if (std::abs(geo::cross(t, middle - a)) > reach) continue;
     const geo::Ring& ring = rings_[k];
     spans_inside(a, t, ring, out);
@@ -108,18 +108,18 @@ void ZoneRings::near(const Vec2& a, const Vec2& t, double distance,
 
 bool ZoneRings::inside(const Vec2& p) const {
   for (std::size_t i = 0; i < rings_.size(); ++i)
-    if (!apart(p, p, boxes_[i].least, boxes_[i].most) && geo::contains(rings_[i], p))
+    if (!apart(p, p, boxes_[i].min, boxes_[i].max) && geo::contains(rings_[i], p))
       return true;
   return false;
 }
 
 bool ZoneRings::crossed_by(const Vec2& a, const Vec2& b) const {
-  const Vec2 least = a.cwiseMin(b), most = a.cwiseMax(b);
+  const Vec2 min = a.cwiseMin(b), max = a.cwiseMax(b);
   for (std::size_t k = 0; k < rings_.size(); ++k) {
-    if (apart(least, most, boxes_[k].least, boxes_[k].most)) continue;
+    if (apart(min, max, boxes_[k].min, boxes_[k].max)) continue;
     const geo::Ring& ring = rings_[k];
     for (std::size_t r = 0; r < runs_[k].size(); ++r) {
-      if (apart(least, most, runs_[k][r].least, runs_[k][r].most)) continue;
+      if (apart(min, max, runs_[k][r].min, runs_[k][r].max)) continue;
       for (std::size_t i = r * kRun; i < std::min((r + 1) * kRun, ring.size()); ++i)
         if (cross(a, b, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
     }
@@ -143,7 +143,7 @@ bool ZoneRings::entered_by(const FlightPlan& plan) const {
     const double fastest = e.airspeed + e.wind.norm();
     const Vec2 reach = Vec2::Constant(fastest * e.duration * (1 + 1e-9));
     const bool far = std::all_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {
-      return apart(begin - reach, begin + reach, box.least, box.most);
+      return apart(begin - reach, begin + reach, box.min, box.max);
     });
     if (far) continue;
     // A track bends by no more than V |rate|: a chord of the time t by that / 8 t^2.

@@ -36,7 +36,7 @@ class ZoneRings {
 
  private:
   struct Box {
-    Vec2 least, most;
+    Vec2 min, max;
   };
 
   static constexpr std::size_t kRun = 16;  // edges

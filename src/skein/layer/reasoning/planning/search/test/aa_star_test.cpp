@@ -16,7 +16,7 @@ PathQuery query_over(double distance) {
   PathQuery q;
   q.start = {Vec3(0, 0, -100), 0};
   q.goal = {Vec3(distance, 0, -100), 0};
-  q.budget.states = 30'000;
+  q.budget.expansions = 30'000;
   return q;
 }
 
@@ -57,8 +57,8 @@ void expect_valid(const PathQuery& q, const PlannedPath& path) {
     EXPECT_EQ(e.wind, q.wind);
     for (int i = 0; i <= 100; ++i) {
       const Vec3 p = model::position(e, e.duration * i / 100);
-      EXPECT_GE(p.x(), q.least.x() - 0.1);
-      EXPECT_LE(p.y(), q.most.y() + 0.1);
+      EXPECT_GE(p.x(), q.south_west.x() - 0.1);
+      EXPECT_LE(p.y(), q.north_east.y() + 0.1);
       if (q.terrain != nullptr) {
         EXPECT_GE(-p.z() - q.terrain->elevation_msl(geo::horizontal(p)),
                   q.ground_clearance - 0.1);
@@ -99,7 +99,7 @@ TEST(AaStar, ManoeuvresAloneComeNearTheTangents) {
   if (scenes.empty()) GTEST_SKIP() << "no " << test::scenes_file();
   for (test::Scene& s : scenes) {
     s.link();
-    s.query.budget.states = 30'000;
+    s.query.budget.expansions = 30'000;
     const PlannedPath path = AaStar({.detours = false}).plan(s.query);
     expect_valid(s.query, path);
     EXPECT_LE(path.duration * s.query.limits.airspeed, kScenes.at(s.name).sampling);
@@ -114,7 +114,7 @@ TEST(AaStar, FindsValidPathsOfTheScenesInWind) {
     for (const Vec2& wind : {Vec2(5, 0), Vec2(0, -10), Vec2(-9, 4)}) {
       s.link();
       s.query.wind = wind;
-      s.query.budget.states = 20'000;
+      s.query.budget.expansions = 20'000;
       const PlannedPath path = AaStar().plan(s.query);
       expect_valid(s.query, path);
       // The bound is of a point that turns at once; turning costs little here.
@@ -132,7 +132,7 @@ TEST(AaStar, GivesTheSameAnswerAgain) {
   q.wind = Vec2(3, -6);
   const PlannedPath a = AaStar().plan(q), b = AaStar().plan(q);
   expect_valid(q, a);
-  EXPECT_EQ(a.states, b.states);
+  EXPECT_EQ(a.expansions, b.expansions);
   ASSERT_EQ(a.plan.size(), b.plan.size());
   for (std::size_t i = 0; i < a.plan.size(); ++i) {
     EXPECT_EQ(a.plan[i].duration, b.plan[i].duration);
@@ -262,7 +262,7 @@ TEST(AaStar, NamesWhatIsWrong) {
   bad.limits.turn_radius = 0;
   EXPECT_EQ(AaStar().plan(bad).outcome, PlanningOutcome::kBadQuery);
   bad = q;
-  bad.most = Vec2(1000, 1000);
+  bad.north_east = Vec2(1000, 1000);
   path = AaStar().plan(bad);
   EXPECT_EQ(path.outcome, PlanningOutcome::kOutsideMap);
   ASSERT_TRUE(path.alternative);
@@ -362,17 +362,17 @@ TEST(AaStar, ALimitOfTimeNeverCostsTheFirstPath) {
     const Airspace airspace = walls_with_gaps(12, draw);
     PathQuery q = query_over(1800);
     q.airspace = &airspace;
-    q.least = {-500, -800};
-    q.most = {2300, 800};
+    q.south_west = {-500, -800};
+    q.north_east = {2300, 800};
     q.limits.turn_radius = 60;
     q.wind = k % 2 == 0 ? Vec2(0, 0) : Vec2(draw.uniform(-5, 5), draw.uniform(-5, 5));
-    q.budget.states = std::numeric_limits<std::int64_t>::max();
+    q.budget.expansions = std::numeric_limits<std::int64_t>::max();
     q.budget.enough = [] { return true; };  // the time has passed already
     const PlannedPath path = AaStar().plan(q);
     SCOPED_TRACE(k);
     expect_valid(q, path);
     EXPECT_EQ(path.outcome, PlanningOutcome::kBudgetEnded);
-    EXPECT_LT(path.states, 20'000);
+    EXPECT_LT(path.expansions, 20'000);
     // Whoever does not want an answer any more gets none.
     q.budget.stop = [] { return true; };
     EXPECT_TRUE(AaStar().plan(q).plan.empty());
@@ -385,15 +385,15 @@ TEST(AaStar, ALimitOfTimeEndsTheSearchForAPathThatIsNotThere) {
   const Airspace airspace = walls_with_gaps(0.05, draw);
   PathQuery q = query_over(1800);
   q.airspace = &airspace;
-  q.least = {-500, -800};
-  q.most = {2300, 800};
+  q.south_west = {-500, -800};
+  q.north_east = {2300, 800};
   q.wind = {3, 4};
-  q.budget.states = std::numeric_limits<std::int64_t>::max();
-  q.budget.first_states = 5000;
+  q.budget.expansions = std::numeric_limits<std::int64_t>::max();
+  q.budget.first_expansions = 5000;
   q.budget.enough = [] { return true; };
   const PlannedPath path = AaStar().plan(q);
   EXPECT_EQ(path.outcome, PlanningOutcome::kNothingFound);
-  EXPECT_LT(path.states, 20'000);
+  EXPECT_LT(path.expansions, 20'000);
 }
 
 TEST(AaStar, SaysWhenTheBudgetEndsBeforeAPath) {
@@ -402,7 +402,7 @@ TEST(AaStar, SaysWhenTheBudgetEndsBeforeAPath) {
     airspace.zones.push_back({Disc{Vec2(1000, 180.0 * i), 89}});
   PathQuery q = query_over(2000);
   q.airspace = &airspace;
-  q.budget.states = 5;
+  q.budget.expansions = 5;
   EXPECT_EQ(AaStar().plan(q).outcome, PlanningOutcome::kNothingFound);
 }
 

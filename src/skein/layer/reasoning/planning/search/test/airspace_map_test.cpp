@@ -186,8 +186,8 @@ TEST(AirspaceMap, GivesTheFirstConflictInTimeAndWords) {
 
 TEST(AirspaceMap, KnowsTheEdgeOfTheMapInTurns) {
   PathQuery query;
-  query.least = Vec2(0, -100);
-  query.most = Vec2(1000, 100);
+  query.south_west = Vec2(0, -100);
+  query.north_east = Vec2(1000, 100);
   const AirspaceMap map(query);
   // A right turn of 60 m reaches 120 m east, from 20 m west it reaches 100 m.
   const FlightElement e{0, 18, Vec3(500, 0, 0), 0, 20, 1.0 / 3, 0, Vec2(0, 0)};

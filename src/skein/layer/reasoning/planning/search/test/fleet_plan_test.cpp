@@ -25,7 +25,7 @@ FleetQuery random_fleet(std::size_t count, double side, double latest) {
     m.latest_start = latest;
     fleet.members.push_back(m);
   }
-  fleet.common.budget.states = 3000;
+  fleet.common.budget.expansions = 3000;
   return fleet;
 }
 

@@ -82,9 +82,9 @@ class Hostile {
     q.limits.climb_rate = above(5);
     q.limits.sink_rate = above(5);
     q.wind = place(8);
-    q.budget.states = 300;
+    q.budget.expansions = 300;
     q.budget.first = random_.uniform() < 0.5;
-    if (random_.uniform() < 0.3) q.most = Vec2(any(3000), any(3000));
+    if (random_.uniform() < 0.3) q.north_east = Vec2(any(3000), any(3000));
     return q;
   }
 

@@ -13,13 +13,13 @@
 namespace skein::planning::test {
 
 inline double edge_distance(const geo::Ring& ring, const Vec2& p) {
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], u = ring[(i + 1) % ring.size()] - a;
     const double along = std::clamp(u.dot(p - a) / u.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (a + along * u - p).norm());
+    min = std::min(min, (a + along * u - p).norm());
   }
-  return least;
+  return min;
 }
 
 /// How deep a place is in a zone [m]; negative outside.

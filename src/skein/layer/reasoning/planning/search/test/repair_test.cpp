@@ -39,7 +39,7 @@ void fly(Flown& f, const Vec2& wind) {
   f.query.start = {Vec3(0, 0, -100), 0};
   f.query.goal = {Vec3(3000, 0, -100), 0};
   f.query.wind = wind;
-  f.query.budget.states = 5000;
+  f.query.budget.expansions = 5000;
   f.plan = AaStar().plan(f.query).plan;
 }
 

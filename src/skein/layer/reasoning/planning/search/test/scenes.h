@@ -43,8 +43,8 @@ inline std::vector<Scene> read_scenes(const std::string& file) {
     scene.query.goal = state(s["goal"].get<std::vector<double>>());
     scene.query.limits.airspeed = 20;
     scene.query.limits.turn_radius = s["turn_radius"].get<double>();
-    scene.query.least = Vec2(0, 0);
-    scene.query.most = Vec2::Constant(s["size"].get<double>());
+    scene.query.south_west = Vec2(0, 0);
+    scene.query.north_east = Vec2::Constant(s["size"].get<double>());
     scenes.push_back(scene);
   }
   for (Scene& scene : scenes) scene.link();

@@ -210,7 +210,7 @@ double tried_out(LineCosts& costs, std::vector<int>& left, int here, double so_f
 
 TEST(LineOrder, SetsAndStepsFindWhatTryingOutFinds) {
   RandomStream random(3, 0, Purpose::kTest);
-  double most = 0;
+  double max = 0;
   for (int i = 0; i < 40; ++i) {
     const SweepTask task = random_task(random, i);
     std::vector<SweepLine> lines =
@@ -224,9 +224,9 @@ TEST(LineOrder, SetsAndStepsFindWhatTryingOutFinds) {
     EXPECT_NEAR(route_time(costs, 0, quickest_order(costs, 0, pattern)), best, 1e-9);
     const double steps = route_time(costs, 0, improved(costs, 0, pattern, 20));
     EXPECT_GE(steps, best - 1e-9);
-    most = std::max(most, steps / best - 1);
+    max = std::max(max, steps / best - 1);
   }
-  EXPECT_LT(most, 0.01);  // steps and kicks usually find the best of so few lines
+  EXPECT_LT(max, 0.01);  // steps and kicks usually find the best of so few lines
 }
 
 TEST(Coverage, IsWithinThreePerCentOfAllBearings) {

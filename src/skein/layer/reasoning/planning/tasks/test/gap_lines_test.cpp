@@ -22,9 +22,9 @@ TEST(ZoneRoom, LinesEndWhereATurnStillAvoidsAWall) {
     const auto lines = clear_of({{-800 * along, 200 * along}}, wall, {0, 50});
     ASSERT_EQ(lines.size(), 1) << angle;
     // Arcs are taken for up to 2 % larger.
-    const double least = 50 * std::tan(angle / 2);
-    EXPECT_GE(lines[0].b.norm(), least - 1e-9) << angle;
-    EXPECT_LE(lines[0].b.norm(), least + 1 / std::sin(angle) + 0.1) << angle;
+    const double min = 50 * std::tan(angle / 2);
+    EXPECT_GE(lines[0].b.norm(), min - 1e-9) << angle;
+    EXPECT_LE(lines[0].b.norm(), min + 1 / std::sin(angle) + 0.1) << angle;
     EXPECT_NEAR((lines[0].a + 800 * along).norm(), 0, 1e-9) << angle;
   }
 }
@@ -88,11 +88,11 @@ TEST(GapLines, OvershootAndStopAsAskedFor) {
   const ZoneRoom room{0.01, 60};
   const auto lines = clear_of(sweep_lines(area, 0, 80, CellRule::kSplit, 0), zones, room);
   const auto longest = [&](double overshoot) {
-    double most = 0;
+    double max = 0;
     for (const SweepLine& line :
          gap_lines({area, zones, 80, 0, 190, overshoot, room, {}}, lines).lines)
-      most = std::max(most, (line.b - line.a).norm());
-    return most;
+      max = std::max(max, (line.b - line.a).norm());
+    return max;
   };
   EXPECT_NEAR(longest(50), longest(0) + 100, 1e-6);
   const GapLines stopped =

@@ -44,8 +44,8 @@ class Odd {
     return {value(15), value(40), value(3), value(9), value(30), value(3)};
   }
   Vec2 wind() { return value(random_.uniform(0, 14)) * geo::unit(value(3)); }
-  int count(int least, int most) {
-    return least + static_cast<int>(random_.uniform() * (most - least + 1));
+  int count(int min, int max) {
+    return min + static_cast<int>(random_.uniform() * (max - min + 1));
   }
 
  private:
