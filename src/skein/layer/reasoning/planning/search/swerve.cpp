@@ -17,21 +17,21 @@ constexpr double kFirstUp = 12, kUpGrowth = 1.8;
 constexpr int kUps = 4;
 
 // The cost of a trajectory: until when it is free, and how long it takes.
-struct Fare {
+struct Cost {
   Trajectory trajectory;
   double free_until = 0;
   bool free = false;
   std::optional<Conflict> conflict = std::nullopt;
 
-  bool better_than(const Fare& other) const {
+  bool better_than(const Cost& other) const {
     if (free != other.free) return free;
     if (free) return trajectory.duration() < other.trajectory.duration();
     return free_until > other.free_until;
   }
 };
 
-Fare cost(Trajectory trajectory, const AirspaceMap& map) {
-  Fare out;
+Cost cost(Trajectory trajectory, const AirspaceMap& map) {
+  Cost out;
   out.conflict = map.first_meeting(to_flight_plan(trajectory, map.query()));
   out.free = !out.conflict;
   out.free_until = out.free ? trajectory.times.back() : out.conflict->time;
@@ -67,24 +67,24 @@ std::vector<FlightState> beside(const Conflict& conflict, const FlightState& at,
 std::optional<Trajectory> swerve(Trajectory trajectory, const AirspaceMap& map,
                                  SearchBudget& budget, int max) {
   const PathQuery& query = map.query();
-  Fare now = cost(std::move(trajectory), map);
+  Cost now = cost(std::move(trajectory), map);
   for (int i = 0; i < max && !now.free && !budget.ended(); ++i) {
     const double time = now.conflict->time;
     const auto& times = now.trajectory.times;
     const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
     const FlightPlan plan = to_flight_plan(now.trajectory, query);
     const FlightState at{now.conflict->p_N, model::moment_at(plan, time).heading};
-    std::optional<Fare> best;
+    std::optional<Cost> best;
     for (const FlightState& s : beside(*now.conflict, at, query.limits.turn_radius,
                                        query.limits.climb_rate > 0)) {
       if (!budget.spend(2)) break;
       std::vector<Waypoint> waypoints = now.trajectory.waypoints;
-      states.insert(states.begin() + (after - times.begin()), Waypoint{s});
-      std::optional<Trajectory> next = make_trajectory(std::move(states), query);
+      waypoints.insert(waypoints.begin() + (after - times.begin()), Waypoint{s});
+      std::optional<Trajectory> next = make_trajectory(std::move(waypoints), query);
       if (!next ||
           (best && best->free && next->duration() >= best->trajectory.duration()))
         continue;
-      Fare trial = cost(std::move(*next), map);
+      Cost trial = cost(std::move(*next), map);
       if (!best || trial.better_than(*best)) best = std::move(trial);
     }
     if (!best || (!best->free && best->free_until <= now.free_until)) return std::nullopt;
