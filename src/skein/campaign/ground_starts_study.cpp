@@ -216,14 +216,14 @@ record::StudyReport ground_starts_report(const StudyPlan& plan,
                    "stands",
                    "runs",
                    "lost",
-                   "tilt most [deg]",
-                   "attitude error most [deg]",
-                   "height error most [m]",
-                   "climb most [s]"};
-  table.caption = "Columns \"most\": the worst of all runs.";
+                   "tilt max [deg]",
+                   "attitude error max [deg]",
+                   "height error max [m]",
+                   "climb max [s]"};
+  table.caption = "Columns \"max\": the worst of all runs.";
   record::StudyTable lost;
   lost.title = "Starts that were lost";
-  lost.columns = {"run", "cause", "tilt most [deg]", "attitude error [deg]",
+  lost.columns = {"run", "cause", "tilt max [deg]", "attitude error [deg]",
                   "height error [m]"};
   double runs = 0, losses = 0;
   for (const StudyCell& cell : plan.cells) {

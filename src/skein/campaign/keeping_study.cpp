@@ -148,8 +148,8 @@ record::StudyReport keeping_report(const StudyPlan& plan,
   table.columns = {"aircraft",        "turbulence",
                    "receiver",        "straights rms [m]",
                    "turns rms [m]",   "believed rms [m]",
-                   "height most [m]", "airspeed rms [m/s]",
-                   "hover most [m]",  "hover believed most [m]"};
+                   "height max [m]", "airspeed rms [m/s]",
+                   "hover max [m]",  "hover believed max [m]"};
   for (const StudyCell& cell : plan.cells) {
     table.rows.push_back({{cell.case_name}, {cell.estimator}, {cell.strategy}});
     for (const char* figure : kFigures) {

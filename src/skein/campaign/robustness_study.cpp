@@ -169,11 +169,11 @@ record::StudyReport robustness_report(const StudyPlan& plan,
   table.title = "Losses of control and worst errors";
   table.columns = {
       "aircraft",       "turbulence",      "wind [m/s]",    "runs",
-      "lost",           "tilt most [deg]", "slow most [s]", "height most [m]",
-      "height rms [m]", "track most [m]",  "track rms [m]"};
+      "lost",           "tilt max [deg]", "slow max [s]", "height max [m]",
+      "height rms [m]", "track max [m]",  "track rms [m]"};
   record::StudyTable lost;
   lost.title = "Runs that lost control";
-  lost.columns = {"run",      "cause",      "tilt most [deg]",
+  lost.columns = {"run",      "cause",      "tilt max [deg]",
                   "slow [s]", "height [m]", "track [m]"};
   double runs = 0, losses = 0;
   for (const StudyCell& cell : plan.cells) {
@@ -214,7 +214,7 @@ record::StudyReport robustness_report(const StudyPlan& plan,
                            {number("track_error_max_m")}});
     }
   }
-  table.caption = "Columns \"most\": the worst of all runs; \"rms\": mean over the runs.";
+  table.caption = "Columns \"max\": the worst of all runs; \"rms\": mean over the runs.";
   report.tables.push_back(std::move(table));
   if (!lost.rows.empty()) report.tables.push_back(std::move(lost));
   report.notes = {fmt::format("{:.0f} of {:.0f} runs lost control.", losses, runs)};
