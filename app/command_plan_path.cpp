@@ -99,7 +99,7 @@ Json about_path(const PlannedPath& path, double seconds) {
     about["time_s"] = path.duration;
     about["bound_s"] = path.bound;
   }
-  about["states"] = path.expansions;
+  about["expansions"] = path.expansions;
   about["planning_s"] = seconds;
   if (path.alternative)
     about["alternative"] = {{"east_m", path.alternative->p_N.y()},

@@ -16,7 +16,7 @@ struct TangentKind {};
 Fields<AaStar::Options> aa_star_fields() {
   using T = AaStar::Options;
   return Fields<T>()
-      .boolean("ways", &T::detours, "Begin with routes of tangents around zones.")
+      .boolean("detours", &T::detours, "Begin with routes of tangents around zones.")
       .boolean("manoeuvres", &T::manoeuvres, "Search over manoeuvres.")
       .number("gap", &T::gap, "Nothing better is looked for within so much of the bound.",
               {.at_least = 0, .at_most = 10});
