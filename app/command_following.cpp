@@ -25,11 +25,8 @@ std::vector<campaign::FollowingFlight> shown_flights(
 int following_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                     const std::filesystem::path& folder, const std::atomic<bool>& stop) {
   campaign::FollowingStudy study;
-  study.base = shipped_scenario("wind-following.yaml");
+  take_arguments(arguments, "wind-following.yaml", study);
   study.winds = arguments.cases;
-  study.overrides = arguments.overrides;
-  study.first_seed = arguments.first_seed;
-  study.seeds = arguments.seeds;
   const auto plan = campaign::plan_following_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(

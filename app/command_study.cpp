@@ -76,13 +76,10 @@ int estimators(const fs::path& folder) {
 int monitoring(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::MonitoringStudy study;
-  study.base = shipped_scenario("thesis-no-wind.yaml");
+  take_arguments(arguments, "thesis-no-wind.yaml", study);
   study.cases = arguments.cases;
   study.estimators = arguments.estimators;
   study.strategies = arguments.strategies;
-  study.overrides = arguments.overrides;
-  study.first_seed = arguments.first_seed;
-  study.seeds = arguments.seeds;
   const auto plan = campaign::plan_monitoring_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
@@ -95,18 +92,16 @@ int monitoring(const StudyArguments& arguments, const assemble::KindRegistry& ki
 int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
            const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::BridgeStudy study;
-  study.base = shipped_scenario("bridge-fire.yaml");
+  take_arguments(arguments, "bridge-fire.yaml", study);
   study.estimators = arguments.estimators;
   study.strategies = arguments.strategies;
   if (!arguments.data.empty()) {
     auto fitted = assemble::fit_recorded_scenario(arguments.data);
     if (!fitted) return say_error(fitted.error());
-    study.overrides = std::move(fitted).value();
+    // What the command line says comes after what was fitted.
+    study.overrides.insert(study.overrides.begin(), fitted.value().begin(),
+                           fitted.value().end());
   }
-  study.overrides.insert(study.overrides.end(), arguments.overrides.begin(),
-                         arguments.overrides.end());
-  study.first_seed = arguments.first_seed;
-  study.seeds = arguments.seeds;
   const auto plan = campaign::plan_bridge_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
@@ -119,11 +114,8 @@ int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
 int fidelity(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
              const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::FidelityStudy study;
-  study.base = shipped_scenario("wildfire.yaml");
+  take_arguments(arguments, "wildfire.yaml", study);
   study.levels = arguments.cases;
-  study.overrides = arguments.overrides;
-  study.first_seed = arguments.first_seed;
-  study.seeds = arguments.seeds;
   const auto plan = campaign::plan_fidelity_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
@@ -136,12 +128,8 @@ int fidelity(const StudyArguments& arguments, const assemble::KindRegistry& kind
 int robustness(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::RobustnessStudy study;
-  study.base = shipped_scenario("robustness.yaml");
+  take_arguments(arguments, "robustness.yaml", study);
   study.aircraft = arguments.cases;
-  study.overrides = arguments.overrides;
-  study.first_seed = arguments.first_seed;
-  if (std::count(arguments.given.begin(), arguments.given.end(), "--seeds") > 0)
-    study.seeds = arguments.seeds;
   const auto plan = campaign::plan_robustness_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop,

@@ -107,7 +107,7 @@ class Tuning {
     study_.base = shipped_scenario("tuning.yaml");
     study_.overrides = arguments.overrides;
     study_.first_seed = arguments.first_seed;
-    study_.seeds = arguments.seeds;
+    if (arguments.seeds) study_.seeds = *arguments.seeds;
     options_.threads = arguments.threads;
     options_.program = program_fingerprint();
     options_.journal = folder / "runs.jsonl";

@@ -29,7 +29,7 @@ struct RunArguments {
 struct StudyArguments {
   std::string name;           ///< empty = list the studies
   std::filesystem::path out;  ///< empty = runs/study-NAME
-  int seeds = 6;
+  std::optional<int> seeds;   ///< none: the study's own number
   int first_seed = 1;
   int threads = 2;
   std::vector<std::string> cases, estimators, strategies;  ///< empty = all

@@ -22,6 +22,16 @@ namespace skein::app {
 /// the program's checkout.
 std::filesystem::path shipped_scenario(const std::string& name);
 
+/// Scenario, overrides and seeds of a study as the command line has them; the study's own
+/// number of seeds where it names none.
+template <class Study>
+void take_arguments(const StudyArguments& arguments, const char* scenario, Study& study) {
+  study.base = shipped_scenario(scenario);
+  study.overrides = arguments.overrides;
+  study.first_seed = arguments.first_seed;
+  if (arguments.seeds) study.seeds = *arguments.seeds;
+}
+
 /// Made when there is something to put into it: what is refused leaves nothing behind.
 Result<void> make_folder(const std::filesystem::path& folder);
 

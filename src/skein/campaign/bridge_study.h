@@ -17,7 +17,7 @@ struct BridgeStudy {
   std::vector<std::string> strategies;  ///< empty = sweep, tracking-binary, gus-rate, gus
   std::vector<std::string> overrides;   ///< for every run
   int first_seed = 1;
-  int seeds = 3;
+  int seeds = 6;
 };
 
 /// All runs of the study. Fails: kBadInput as plan_monitoring_study().

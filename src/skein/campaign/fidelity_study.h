@@ -19,7 +19,7 @@ struct FidelityStudy {
   std::vector<std::string> levels;     ///< names; empty = all
   std::vector<std::string> overrides;  ///< for every run
   int first_seed = 1;
-  int seeds = 3;
+  int seeds = 6;
 };
 
 /// All runs of the study.
