@@ -104,10 +104,7 @@ class Tuning {
   Tuning(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
          const fs::path& folder, const std::atomic<bool>& stop)
       : arguments_(arguments), kinds_(kinds), folder_(folder), stop_(stop) {
-    study_.base = shipped_scenario("tuning.yaml");
-    study_.overrides = arguments.overrides;
-    study_.first_seed = arguments.first_seed;
-    if (arguments.seeds) study_.seeds = *arguments.seeds;
+    take_arguments(arguments, "tuning.yaml", study_);
     options_.threads = arguments.threads;
     options_.program = program_fingerprint();
     options_.journal = folder / "runs.jsonl";
