@@ -187,8 +187,8 @@ int plan_path(const PlanPathArguments& arguments, const std::atomic<bool>& stop,
     if (!made) return say_error(made.error());
     terrain = std::move(made).value();
     query.value().terrain = terrain.get();
-    query.value().min = Vec2::Constant(-extent);
-    query.value().max = Vec2::Constant(extent);
+    query.value().south_west = Vec2::Constant(-extent);
+    query.value().north_east = Vec2::Constant(extent);
   }
   const auto planner = assemble::make_planner(arguments.planner);
   if (!planner) return say_error(planner.error());

@@ -75,7 +75,7 @@ struct PlanPathArguments {
   std::optional<double> floor, ceiling;  ///< altitudes to keep within [m]
   std::string planner = "aastar";
   std::optional<double> time_limit;    ///< [s]
-  std::optional<std::int64_t> states;  ///< to look at
+  std::optional<std::int64_t> expansions;  ///< at most
   bool first = false;                  ///< end with the first path
   PlanOutput output;
 };

@@ -94,7 +94,7 @@ CLI::App* add_path(CLI::App& plan, PlanPathArguments& given) {
           "End with the best path after so long; the first one is always looked for.")
       ->check(number_in(0.0, 1e9));
   command
-      .add_option("--states", given.expansions,
+      .add_option("--expansions,--states", given.expansions,
                   "End after so many expansions; default 100000, without end "
                   "with --time-limit-ms.")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60));

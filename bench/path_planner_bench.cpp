@@ -187,8 +187,8 @@ FleetQuery fleet_of(std::int64_t count, double latest_start) {
     m.latest_start = latest_start;
     fleet.members.push_back(m);
   }
-  fleet.common.min = Vec2(-500, -500);
-  fleet.common.max = Vec2(10'500, 10'500);
+  fleet.common.south_west = Vec2(-500, -500);
+  fleet.common.north_east = Vec2(10'500, 10'500);
   fleet.common.budget.expansions = 3000;
   return fleet;
 }

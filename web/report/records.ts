@@ -169,7 +169,7 @@ export interface FlyCourse {
 export interface FlyRoute {
   points: [number, number][]; // of the route
   laps: number; // times around
-  tell: number[]; // who gets the own position directly, each second
+  report_to: number[]; // who gets the own position directly, each second
 }
 
 /** Stay at a place that moves with another aircraft. */
