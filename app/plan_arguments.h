@@ -74,9 +74,9 @@ struct PlanPathArguments {
   double clearance = 0;                  ///< above the ground [m]
   std::optional<double> floor, ceiling;  ///< altitudes to keep within [m]
   std::string planner = "aastar";
-  std::optional<double> time_limit;    ///< [s]
+  std::optional<double> time_limit;        ///< [s]
   std::optional<std::int64_t> expansions;  ///< at most
-  bool first = false;                  ///< end with the first path
+  bool first = false;                      ///< end with the first path
   PlanOutput output;
 };
 

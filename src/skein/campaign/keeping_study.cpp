@@ -145,9 +145,9 @@ record::StudyReport keeping_report(const StudyPlan& plan,
       "Mean over the seeds, and the worst of them in brackets."};
   record::StudyTable table;
   table.title = "Errors";
-  table.columns = {"aircraft",        "turbulence",
-                   "receiver",        "straights rms [m]",
-                   "turns rms [m]",   "believed rms [m]",
+  table.columns = {"aircraft",       "turbulence",
+                   "receiver",       "straights rms [m]",
+                   "turns rms [m]",  "believed rms [m]",
                    "height max [m]", "airspeed rms [m/s]",
                    "hover max [m]",  "hover believed max [m]"};
   for (const StudyCell& cell : plan.cells) {

@@ -167,10 +167,9 @@ record::StudyReport robustness_report(const StudyPlan& plan,
       "place 60 m off."};
   record::StudyTable table;
   table.title = "Losses of control and worst errors";
-  table.columns = {
-      "aircraft",       "turbulence",      "wind [m/s]",    "runs",
-      "lost",           "tilt max [deg]", "slow max [s]", "height max [m]",
-      "height rms [m]", "track max [m]",  "track rms [m]"};
+  table.columns = {"aircraft",       "turbulence",     "wind [m/s]",   "runs",
+                   "lost",           "tilt max [deg]", "slow max [s]", "height max [m]",
+                   "height rms [m]", "track max [m]",  "track rms [m]"};
   record::StudyTable lost;
   lost.title = "Runs that lost control";
   lost.columns = {"run",      "cause",      "tilt max [deg]",
