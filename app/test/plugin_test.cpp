@@ -39,7 +39,8 @@ TEST_F(PluginProgram, KeepsItsContract) {
   EXPECT_EQ(verified.status, 0) << verified.out;
   EXPECT_EQ(verified.out,
             "estimator circle: keeps its contract.\n"
-            "sensor radiometer: keeps its contract.\n");
+            "sensor radiometer: keeps its contract.\n"
+            "agent smoke-watch: keeps its contract.\n");
 }
 
 TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {
