@@ -13,6 +13,7 @@ constexpr double kFilterDamping = 0.9;
 constexpr double kFlareGain = 1.5;   // path angle times airspeed per sink rate error
 constexpr double kFlareDive = 0.12;  // pitch down, still with motor [rad]
 constexpr double kSoftSink = 0.2;    // of a touch-down with level nose [m/s]
+constexpr double kClimbShare = 0.5;  // of the power, at least, climbing after take-off
 // Pitch begins to serve airspeed below so many times the minimum airspeed,
 constexpr double kSlowFrom = 1.03;
 constexpr double kSlowMargin = 0.15;  // and this much below serves nothing else
@@ -92,7 +93,7 @@ EnergyControl::Rates EnergyControl::rates(const FixedWingSetup& setup,
   const double to_power = speed / kGravity;  // acceleration to specific power
   // By throttle what the motor can give; by pitch what a path angle of 10 degrees gives.
   const double by_pitch = (1 - r.height_weight) * kSteepPath * kGravity;
-  const double kinetic_demand =
+  double kinetic_demand =
       to_power * bounded(g.airspeed_gain * (speed_demand - speed_),
                          -std::max(by_pitch, 0.5 * a.sink_rate / to_power),
                          std::max(by_pitch, 0.5 * a.climb_rate / to_power));
@@ -101,6 +102,9 @@ EnergyControl::Rates EnergyControl::rates(const FixedWingSetup& setup,
       -a.sink_rate, a.climb_rate);
   const double kinetic = to_power * acceleration_;
   r.energy = view.climb_rate + kinetic;
+  if (demand.phase == FlightPhase::kClimbOut)
+    kinetic_demand =
+        std::min(kinetic_demand, (1 - kClimbShare) * std::max(r.energy, 0.0));
   r.energy_demand = bounded(climb_demand + kinetic_demand, -a.sink_rate, a.climb_rate);
   r.balance = r.height_weight * view.climb_rate - kinetic;
   r.balance_demand = r.height_weight * climb_demand - kinetic_demand;
@@ -147,8 +151,9 @@ void EnergyControl::move_pitch(const FixedWingSetup& setup, const FixedWingDeman
       flare ? demand.climb_rate + kFlareGain * (demand.climb_rate - view.climb_rate)
             : r.carried() + r.balance_demand + g.balance_gain * error + path_sum_;
   double lowest = a.pitch_down;
-  if (flare || demand.phase == FlightPhase::kClimbOut)
-    lowest = std::min(a.trim_alpha, 0.0);
+  if (flare) lowest = std::min(a.trim_alpha, 0.0);
+  // Just off the ground no height is given for airspeed.
+  if (demand.phase == FlightPhase::kClimbOut) lowest = std::min(alpha, a.pitch_up);
   // The nose may be down for a sink that is asked for, but not any more at the touch.
   if (flare) lowest += std::min(demand.climb_rate + kSoftSink, 0.0) / speed;
   if (flare && demand.airspeed > 0) lowest -= kFlareDive;

@@ -26,8 +26,9 @@ struct FixedWingGuidanceOptions {
   double speed_lead = 1.5;       ///< airspeeds of a plan are demanded this early [s]
   double take_off_speed = 1.1;   ///< leaving the ground, over the slowest airspeed
   double climb_out_height = 40;  ///< straight climb after take-off [m]
-  double arrival = 5;            ///< of an altitude, counted as reached [m]
-  double return_height = 60;     ///< minimum, above where the flight began [m]
+  double climb_speed = 1.25;  ///< of the climb after take-off, over the slowest airspeed
+  double arrival = 5;         ///< of an altitude, counted as reached [m]
+  double return_height = 60;  ///< minimum, above where the flight began [m]
   /// Commands that cannot be flown are refused; false: flown as near as it can.
   bool refuses = true;
 };
@@ -104,6 +105,7 @@ class FixedWingGuidance {
   double follow_plan(const FixedWingMotion& now, double dt, FixedWingDemand& demand);
   double fly_waypoints(const FixedWingMotion& now, FixedWingDemand& demand);
   double take_off(const FixedWingMotion& now, FixedWingDemand& demand);
+  double climb_airspeed() const;
   double land(const FixedWingMotion& now, double dt, FixedWingDemand& demand);
   double hold_course(const Vec2& course, const FixedWingMotion& now) const;
   double airspeed_for(double curvature, double wind_speed) const;

@@ -8,15 +8,24 @@
 namespace skein::autopilot {
 namespace {
 
+constexpr double kLifted = 0.5;   // climb rate of what no longer rolls [m/s]
 constexpr double kStopped = 0.5;  // of the slowest airspeed: no longer flying
 constexpr double kStands = 1;     // height at most, measured, at rest [m]
 
 }  // namespace
 
+// The climb is steepest and fastest well below cruise, and a runway ends.
+double FixedWingGuidance::climb_airspeed() const {
+  return std::clamp(options_.climb_speed * limits_.slowest, limits_.slowest,
+                    base_airspeed());
+}
+
 double FixedWingGuidance::take_off(const FixedWingMotion& now, FixedWingDemand& demand) {
   const double height = now.height_agl.value_or(-now.p_N.z() - run_altitude_);
+  // What a gust has lifted flies on: held down it would fall.
   if (phase_ == FlightPhase::kRun &&
-      now.airspeed >= options_.take_off_speed * limits_.slowest)
+      (now.airspeed >= options_.take_off_speed * limits_.slowest ||
+       -now.v_N.z() > kLifted))
     phase_ = FlightPhase::kClimbOut;
   if (phase_ == FlightPhase::kClimbOut &&
       (height >= options_.climb_out_height ||
@@ -29,8 +38,11 @@ double FixedWingGuidance::take_off(const FixedWingMotion& now, FixedWingDemand& 
   status_.remaining = std::max(altitude_ + now.p_N.z(), 0.0);
   if (phase_ == FlightPhase::kFlight) {
     status_.done = status_.done || -now.p_N.z() >= altitude_ - options_.arrival;
-    return circle(now, demand);
+    const double a = circle(now, demand);
+    if (!status_.done) demand.airspeed = std::min(demand.airspeed, climb_airspeed());
+    return a;
   }
+  demand.airspeed = climb_airspeed();
   // Along the line of the run.
   const GroundMotion ahead = ahead_of(over_ground(now), options_.lateral.roll_lag);
   const Vec2 off = ahead.position - run_start_;

@@ -306,6 +306,21 @@ TEST(FixedWingGuidance, FliesStraightToCirclesFarAway) {
   }
 }
 
+TEST(FixedWingGuidance, FliesOnWhenAGustHasLiftedItInItsRun) {
+  Flight flight(Vec2::Zero());
+  flight.wing.p.setZero();
+  flight.wing.airspeed = 0;
+  flight.wing.on_ground = true;
+  ASSERT_FALSE(flight.command({TakeOff{0}, 120}));
+  flight.fly(1);
+  ASSERT_EQ(flight.demand.phase, FlightPhase::kRun);
+  FixedWingMotion now = motion_of(flight.wing.nav());
+  now.v_N.z() = -0.3;  // over a bump
+  EXPECT_EQ(flight.guidance.step(now, PointWing::kStep).phase, FlightPhase::kRun);
+  now.v_N.z() = -0.7;
+  EXPECT_EQ(flight.guidance.step(now, PointWing::kStep).phase, FlightPhase::kClimbOut);
+}
+
 TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
   for (const double wind : {0.0, 5.0}) {
     Flight flight({-wind, 0});
@@ -322,6 +337,7 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
     EXPECT_EQ(flight.demand.phase, FlightPhase::kRun);
     flight.fly(15);
     EXPECT_EQ(flight.demand.phase, FlightPhase::kClimbOut);
+    EXPECT_EQ(flight.demand.airspeed, options.climb_speed * flight.wing.limits.slowest);
     EXPECT_LT(std::abs(flight.position().y()), 1);
     flight.fly(60);
     EXPECT_TRUE(flight.guidance.status().done);
