@@ -133,6 +133,7 @@ SurfaceDemand FixedWingControl::without_lift() const {
   demand.pitch = setup_->airframe.trim_alpha - setup_->alpha_per_load;
   demand.airspeed = energy_.airspeed();
   demand.lift_reserve = setup_->gains.lift_reserve;
+  demand.carried = true;
   return demand;
 }
 
@@ -164,7 +165,7 @@ Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavStat
   const FixedWingGains& g = setup_->gains;
   const double reserve =
       demand.phase == FlightPhase::kFlare ? g.flare_reserve : g.lift_reserve;
-  SurfaceDemand surfaces{roll_, roll_rate_, energy.pitch, energy_.airspeed(), reserve, 0};
+  SurfaceDemand surfaces{roll_, roll_rate_, energy.pitch, energy_.airspeed(), reserve};
   const bool aligns = demand.phase == FlightPhase::kFlare && demand.airspeed <= 0 &&
                       !demand.heading.isZero();
   if (aligns) {

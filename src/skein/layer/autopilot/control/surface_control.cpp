@@ -58,8 +58,9 @@ void SurfaceControl::step(const FixedWingSetup& setup, const SurfaceDemand& dema
 
   const double q_error = q - nav.w_NB_B.y();
   const double load = level_load + speed * q / kGravity;
-  const double alpha = setup.alpha_per_load *
-                       bounded(load / pressure - 1, -3, 3);  // beyond that at cruise
+  const double alpha =  // beyond that at cruise
+      demand.carried ? bounded(at.pitch - a.trim_alpha, 3 * setup.alpha_per_load)
+                     : setup.alpha_per_load * bounded(load / pressure - 1, -3, 3);
   const double nose_up = (a.pitch_stiffness * alpha + a.pitch_damping * q / s +
                           g.pitch_rate_gain * q_error / pressure) /
                              a.elevator_power -

@@ -16,7 +16,9 @@ struct SurfaceDemand {
   double pitch = 0;         ///< [rad]
   double airspeed = 0;      ///< without noise, for the effect of surfaces [m/s]
   double lift_reserve = 1;  ///< maximum lift, over the weight at the minimum airspeed
-  double extra_turn = 0;    ///< turn rate beyond that of a turn without sideslip [rad/s]
+  /// The ground carries it: no angle of attack is held for lift.
+  bool carried = false;
+  double extra_turn = 0;  ///< turn rate beyond that of a turn without sideslip [rad/s]
   /// Instead of without sideslip the nose is held along a course, from which it is off by
   /// this [rad], clockwise positive.
   std::optional<double> off_heading = std::nullopt;

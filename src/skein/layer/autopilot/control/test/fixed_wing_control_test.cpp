@@ -166,6 +166,36 @@ TEST(FixedWingControl, RollsOutWithoutLiftAndBrakes) {
   EXPECT_EQ(without.control(d, nav, kStep)[channel::kBrake], 0);
 }
 
+TEST(FixedWingControl, HoldsItselfDownAtRestInAWind) {
+  // At this airspeed a wing in the air would need the nose far up.
+  FixedWingControl control(airframe(), {});
+  NavState nav = cruising();
+  nav.airspeed = 10;
+  nav.v_N.setZero();
+  nav.wind_N = Vec3(-10, 0, 0);
+  FixedWingDemand d = level();
+  d.phase = FlightPhase::kGround;
+  EXPECT_GT(control.control(d, nav, kStep)[channel::kElevator], airframe().trim_elevator);
+}
+
+TEST(FixedWingControl, GivesNoHeightForAirspeedJustOffTheGround) {
+  // The airspeed is far below the setpoint: in flight the nose goes down for it.
+  const auto elevator = [](FlightPhase phase) {
+    FixedWingControl control(airframe(), {});
+    NavState nav = cruising(0, 0.08);
+    nav.airspeed = 18.5;
+    nav.v_N = Vec3(18.5, 0, 0);
+    control.reset(nav);
+    FixedWingDemand d = level();
+    d.phase = phase;
+    d.airspeed = 30;
+    Actuators u;
+    for (int k = 0; k < 100; ++k) u = control.control(d, nav, kStep);
+    return u[channel::kElevator];
+  };
+  EXPECT_LT(elevator(FlightPhase::kClimbOut), elevator(FlightPhase::kGlide) - 0.1);
+}
+
 TEST(FixedWingControl, PointsTheNoseAlongTheCourseJustBeforeTheTouch) {
   const auto rudder = [](double airspeed, const Vec2& heading) {
     FixedWingControl control(airframe(), {});
