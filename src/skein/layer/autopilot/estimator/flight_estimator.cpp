@@ -19,6 +19,9 @@ constexpr double kAirspeedLag = 0.3;     // of the airspeed's offset by gusts [s
 constexpr double kStale = 1;             // age at which a reading counts no more [s]
 constexpr double kUnknownHeading = 0.5;  // sd before the first bearing [rad]
 constexpr double kRestTilt = 2e-3;       // sd of the tilt by gravity, but for biases
+constexpr double kShakenTilt = 0.1;      // the same of what never came to rest [rad]
+constexpr double kShaken = 5;            // standard deviations that no sensor at rest has
+constexpr double kMaxRestWait = 20;      // for rest [s]
 
 bool finite(const Vec3& v) {
   return std::isfinite(v.sum());
@@ -42,6 +45,7 @@ FlightEstimator::FlightEstimator(std::shared_ptr<const EstimatorOptions> options
       height_time_(start.time),
       field_time_(start.time),
       align_from_(start.time),
+      start_(start.time),
       aligning_(start.at_rest),
       coordinated_(!start.at_rest) {
   x_.p_N = start.p_N;
@@ -154,7 +158,28 @@ void FlightEstimator::bridge(double gap) {
   }
 }
 
+// Whether it turns or is pushed by more than its sensors' errors.
+bool FlightEstimator::is_shaken(const ImuSample& sample, double dt) const {
+  const EstimatorOptions& o = *options_;
+  const double per_root = 1 / std::sqrt(dt);
+  const double turn = kShaken * math::hypot(o.gyro_bias_sd, o.gyro_noise * per_root);
+  const double force =
+      kShaken * math::hypot(o.accel_bias_sd + o.accel_scale_sd * kGravity,
+                            o.accel_noise * per_root);
+  return sample.w_NB_B.cwiseAbs().maxCoeff() > turn ||
+         std::abs(sample.f_B.norm() - kGravity) > force;
+}
+
+// At rest gravity and biases are all that is felt. What a gust shakes has to come to rest
+// again, unless that takes too long: then its tilt is known less well.
 void FlightEstimator::align(const ImuSample& sample, double dt) {
+  const bool waits = seconds_since(start_) < kMaxRestWait;
+  if (waits && is_shaken(sample, dt)) {
+    align_w_.count = align_f_.count = align_m_.count = 0;
+    align_from_ = nav_.time;
+    return;
+  }
+  rested_ = rested_ && (waits || !is_shaken(sample, dt));
   align_w_.add(dt * sample.w_NB_B);
   align_f_.add(dt * sample.f_B);
   if (seconds_since(align_from_) >= options_->alignment_time) finish_alignment();
@@ -165,7 +190,7 @@ void FlightEstimator::finish_alignment() {
   const Vec3 f = align_f_.sum;
   geo::Euler e{math::atan2(-f.y(), -f.z()), math::atan2(f.x(), math::hypot(f.y(), f.z())),
                geo::yaw(x_.q_NB)};
-  set_three(covariance_, error::kAttitude, kRestTilt);
+  set_three(covariance_, error::kAttitude, rested_ ? kRestTilt : kShakenTilt);
   if (align_m_.count > 0) {
     const Vec3 m = geo::from_euler({e.roll, e.pitch, 0}) * align_m_.sum;
     e.yaw = options_->declination - math::atan2(m.y(), m.x());
@@ -185,9 +210,11 @@ void FlightEstimator::finish_alignment() {
     }
   }
   const double seconds = seconds_since(align_from_);
-  x_.gyro_bias = align_w_.sum / seconds;
-  set_three(covariance_, error::kGyroBias,
-            math::hypot(options_->gyro_noise / std::sqrt(seconds), 1e-4));
+  if (rested_) {
+    x_.gyro_bias = align_w_.sum / seconds;
+    set_three(covariance_, error::kGyroBias,
+              math::hypot(options_->gyro_noise / std::sqrt(seconds), 1e-4));
+  }
   publish(Vec3::Zero());
 }
 

@@ -13,6 +13,7 @@ constexpr double kSideslipTime = 5;   // over which side-slip lasts [s]
 constexpr double kFreshAirspeed = 1;  // [s]
 constexpr double kOblique = 0.06;     // of airspeed, by air that comes from aside
 constexpr double kWildGust = 10;      // innovations above say nothing of gusts [m/s]
+constexpr double kRolls = 2;          // over ground: a wing that no longer stands [m/s]
 
 }  // namespace
 
@@ -28,6 +29,8 @@ void FlightEstimator::fuse_air_data(ErrorVector& error) {
                          k == 0 ? gusts_north_ : gusts_east_, error);
     return;
   }
+  // The tube of a wing that stands feels the stronger gusts only: not the mean wind.
+  if (options_->fixed_wing && !coordinated_ && nav_.v_N.norm() < kRolls) return;
   const double speed = (nav_.v_N - nav_.wind_N).norm();
   if (airspeed_.count > 0) {
     const double white =

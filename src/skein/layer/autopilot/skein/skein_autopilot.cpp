@@ -63,10 +63,9 @@ SkeinAutopilot::Flier SkeinAutopilot::make_flier(const SkeinSetup& setup,
 SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
                                const NavEstimate& initial, bool on_ground,
                                std::optional<double> ground_msl)
-    : SkeinAutopilot(
-          std::move(setup), initial, on_ground,
-          Vec3(initial.p_N.x(), initial.p_N.y(),
-               on_ground ? initial.p_N.z() : -ground_msl.value_or(-initial.p_N.z()))) {}
+    : SkeinAutopilot(std::move(setup), initial, on_ground,
+                     Vec3(initial.p_N.x(), initial.p_N.y(),
+                          -ground_msl.value_or(-initial.p_N.z()))) {}
 
 SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
                                const NavEstimate& initial, bool on_ground,
@@ -333,6 +332,9 @@ Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
         switch (order) {
           case Order::kStand:
             return flier.stand(now, dt);
+          case Order::kTakeOff:
+            // Not before it knows how it stands.
+            return estimator_.aligning() ? flier.stand(now, dt) : flier.fly(now, dt);
           case Order::kPilot:
             return flier.pilot(*input_.pilot, now, dt);
           case Order::kDescend:

@@ -33,7 +33,7 @@ namespace skein::autopilot {
 class SkeinAutopilot final : public Autopilot {
  public:
   /// @param initial     where and how the flight begins: home is there.
-  /// @param ground_msl  the ground at home [m], for flights that begin in the air.
+  /// @param ground_msl  the ground at home [m]; none: where it begins.
   SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup, const NavEstimate& initial,
                  bool on_ground, std::optional<double> ground_msl = std::nullopt);
 

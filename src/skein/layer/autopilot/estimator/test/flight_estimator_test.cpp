@@ -274,6 +274,48 @@ TEST(FlightEstimator, AlignsAtRest) {
   EXPECT_EQ(estimator.navigated().wind_N, Vec2::Zero());
 }
 
+// Attitude error after ten seconds on the ground, of which it is shaken for some.
+double error_of_alignment(double shaken_until) {
+  FastNormals normal(RandomStream(2, 0, Purpose::kTest));
+  EstimatorStart start;
+  start.at_rest = true;
+  FlightEstimator estimator(EstimatorOptions{}, start);
+  const Vec3 down(0, 0, -kGravity);
+  Quat q = Quat::Identity();
+  for (int k = 1; k <= 1000; ++k) {
+    const double t = 0.01 * k;
+    const bool shaken = t < shaken_until;
+    // A gust rocks it about its forward axis.
+    const double rate = shaken ? 1.2 * std::sin(3 * t) : 0;
+    q = q * geo::exp_so3(Vec3(0.01 * rate, 0, 0));
+    if (!shaken) q = Quat::Identity();
+    const Vec3 push(shaken ? 2 : 0, 0, 0);
+    estimator.add(ImuSample{Time::from_seconds(t), 0.01,
+                            Vec3(rate, 0, 0) + 2e-3 * Vec3(normal(), normal(), normal()),
+                            q.conjugate() * down + push});
+  }
+  EXPECT_FALSE(estimator.aligning());
+  return std::acos(geo::down_in_body(estimator.state().q_NB).z());
+}
+
+TEST(FlightEstimator, WaitsForRestToFindItsAttitude) {
+  EXPECT_LT(error_of_alignment(0), 0.002);
+  EXPECT_LT(error_of_alignment(6.5), 0.002);
+}
+
+TEST(FlightEstimator, FindsAnAttitudeEvenIfItNeverRests) {
+  EstimatorStart start;
+  start.at_rest = true;
+  FlightEstimator estimator(EstimatorOptions{}, start);
+  for (int k = 1; k <= 2500; ++k)
+    estimator.add(ImuSample{Time::from_seconds(0.01 * k),
+                            0.01,
+                            Vec3(0.3 * std::sin(0.1 * k), 0, 0),
+                            {0, 0, -kGravity}});
+  EXPECT_FALSE(estimator.aligning());
+  EXPECT_GT(estimator.accuracy().tilt, 0.05) << "and knows that it is not good";
+}
+
 // Stands for five seconds, then rolls straight along its nose with 3 m/s^2, in a wind
 // from anywhere; all sensors but the GNSS receiver with noise only.
 class GroundRunInWind {
