@@ -17,13 +17,22 @@ bool changed(double now, double then) {
   return std::abs(now - then) > kTolerance * then;
 }
 
-// (u, v, w) with u along the horizontal part of the velocity through the mean air. A
-// vehicle that has none is taken along its heading.
+// Direction of the horizontal velocity through the mean air. The slower it is, the more
+// it is taken along the heading: else all gusts would turn round with a vehicle that
+// begins to move in hardly any wind.
+Vec2 ahead_of(const TurbulenceView& view) {
+  const Vec2 v = geo::horizontal(view.vehicle.v_N - view.wind_N);
+  const double speed = v.norm();
+  if (speed >= kSlowest) return v / speed;
+  const Vec2 nose = geo::unit(geo::yaw(view.vehicle.q_NB));
+  const Vec2 sum = v + (kSlowest - speed) * nose;
+  const double length = sum.norm();
+  return length > 1e-3 ? Vec2(sum / length) : nose;
+}
+
+// (u, v, w) with u along that direction.
 Vec3 along_airspeed(const TurbulenceView& view, const Vec3& gust) {
-  const Vec2 distance = geo::horizontal(view.vehicle.v_N - view.wind_N);
-  const double speed = distance.norm();
-  const Vec2 ahead =
-      speed > 1e-3 ? Vec2(distance / speed) : geo::unit(geo::yaw(view.vehicle.q_NB));
+  const Vec2 ahead = ahead_of(view);
   const Vec2 level = gust.x() * ahead + gust.y() * geo::turned_right(ahead);
   return {level.x(), level.y(), gust.z()};
 }
