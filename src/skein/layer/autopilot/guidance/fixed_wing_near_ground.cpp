@@ -8,9 +8,10 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kLifted = 0.5;   // climb rate of what no longer rolls [m/s]
-constexpr double kStopped = 0.5;  // of the slowest airspeed: no longer flying
-constexpr double kStands = 1;     // height at most, measured, at rest [m]
+constexpr double kLifted = 0.5;     // climb rate of what no longer rolls [m/s]
+constexpr double kClimbTurn = 4.5;  // lateral acceleration of the circling climb [m/s^2]
+constexpr double kStopped = 0.5;    // of the slowest airspeed: no longer flying
+constexpr double kStands = 1;       // height at most, measured, at rest [m]
 
 }  // namespace
 
@@ -39,8 +40,10 @@ double FixedWingGuidance::take_off(const FixedWingMotion& now, FixedWingDemand& 
   if (phase_ == FlightPhase::kFlight) {
     status_.done = status_.done || -now.p_N.z() >= altitude_ - options_.arrival;
     const double a = circle(now, demand);
-    if (!status_.done) demand.airspeed = std::min(demand.airspeed, climb_airspeed());
-    return a;
+    if (status_.done) return a;
+    // A steep turn would take the lift that is left at this airspeed, and the climb.
+    demand.airspeed = std::min(demand.airspeed, climb_airspeed());
+    return std::clamp(a, -kClimbTurn, kClimbTurn);
   }
   demand.airspeed = climb_airspeed();
   // Along the line of the run.
