@@ -39,6 +39,7 @@ export interface Truth {
   stuck_actuators: number; // bit k: actuator k is stuck
   battery_failed: boolean; // it gives nothing any more
   on_ground: boolean; // it stands or rolls
+  held: boolean; // by its crew, before the start
 }
 
 /** What an autopilot believes and does. */

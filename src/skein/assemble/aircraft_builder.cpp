@@ -68,12 +68,13 @@ Error at(const std::string& name, Error error) {
 }
 
 // Whether whoever puts it on the ground turns it into the wind: a wing that is given no
-// heading, where there is wind to feel.
+// heading, or that is thrown by hand, where there is wind to feel.
 bool faces_wind(const scenario::Start& start, const Airframe& airframe,
                 const Vec3& wind_N) {
   constexpr double kCalm = 0.3;  // [m/s]
-  return start.on_ground && !start.heading &&
-         std::holds_alternative<FixedWingAirframe>(airframe) &&
+  const auto* wing = std::get_if<FixedWingAirframe>(&airframe);
+  return start.on_ground && wing &&
+         (!start.heading || (start.held && wing->hand_launched)) &&
          geo::horizontal(wind_N).norm() > kCalm;
 }
 
@@ -213,6 +214,7 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
   if (faces_wind(group.start, vehicle.plant->airframe(), start.wind_N))
     start.heading = geo::bearing(-geo::horizontal(start.wind_N));
   start.on_ground = group.start.on_ground;
+  start.held = group.start.held;
   vehicle.state = vehicle.plant->start(start);
   vehicle.air.wind_N = start.wind_N;
   for (const Zone& zone : zones_)

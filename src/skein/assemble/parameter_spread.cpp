@@ -44,6 +44,7 @@ void spread(asset::FixedWingParameters& p, double share, RandomStream random) {
   }
   if (auto* engine = std::get_if<asset::PistonEngine>(&p.propulsion))
     by.each(engine->power_max, engine->static_thrust);
+  if (p.hand_launch) by.each(p.hand_launch->speed, p.hand_launch->pitch);
 }
 
 void spread(asset::MultirotorParameters& p, double share, RandomStream random) {

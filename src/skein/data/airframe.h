@@ -33,7 +33,8 @@ struct FixedWingAirframe {
   double roll_friction = 0;  ///< of the ground along the body, over weight; 0 = not known
   double rest_pitch = 0;     ///< at which it stands on the ground [rad]
   double steering = 0;       ///< turn per distance of its wheels at full rudder [rad/m]
-  double brake_friction = 0;  ///< on top at full brake; 0 = it has no brakes
+  bool hand_launched = false;  ///< its crew throws it, once its motor runs
+  double brake_friction = 0;   ///< on top at full brake; 0 = it has no brakes
   // How it answers in that flight, for gains of its own. 0 = not known.
   double aileron_power = 0;    ///< roll acceleration at full aileron [rad/s^2]
   double roll_damping = 0;     ///< roll deceleration over roll rate [1/s]

@@ -60,6 +60,7 @@ struct VehicleState {
   Energy energy;
   Faults faults;
   bool on_ground = false;
+  bool held = false;  ///< by its crew, before the start
 };
 
 constexpr auto describe(const VehicleState*) {
@@ -74,7 +75,8 @@ constexpr auto describe(const VehicleState*) {
       untabled(field("actuator", &T::actuators, "what they do; see the plant")),
       field("", &T::energy, "what it flies with"),
       untabled(field("", &T::faults, "what does not work")),
-      field("on_ground", &T::on_ground, "it stands or rolls"));
+      field("on_ground", &T::on_ground, "it stands or rolls"),
+      untabled(field("held", &T::held, "by its crew, before the start")));
 }
 
 /// What a vehicle can do, as planners need it.

@@ -13,6 +13,7 @@ struct VehicleStart {
   double heading = 0;          ///< [rad]
   Vec3 wind_N = Vec3::Zero();  ///< there [m/s]
   bool on_ground = false;      ///< at rest; else in level flight at cruise (or hovering)
+  bool held = false;           ///< on the ground, by a crew, until it is to move
 };
 
 /// How touching the ground ends.

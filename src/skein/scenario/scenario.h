@@ -79,6 +79,7 @@ struct Start {
   std::vector<Vec2> positions;         ///< list [m]
   std::optional<double> altitude_msl;  ///< [m]; none: altitude_agl above the ground
   bool on_ground = false;              ///< stands on the ground, whatever the altitudes
+  bool held = true;                    ///< there, by a crew, until its motor has power
   std::optional<double> heading;       ///< [rad]; none: to the centre, ring: along it
 };
 

@@ -144,6 +144,11 @@ Fields<Start> start_fields() {
           {.at_least = -500, .at_most = 30000})
       .boolean("on_ground", &T::on_ground,
                "Stands on the ground at the start, for take-off; needs a plant that can.")
+      .boolean(
+          "held", &T::held,
+          "Fixed wings on the ground: a crew holds it still until its motor is given "
+          "power, and throws it into the wind if its aircraft file has hand_launch. "
+          "Else it stands by itself, and gusts may move it.")
       .angle_deg(
           "heading_deg", &T::heading,
           "Heading at the start, clockwise from north. Null: to the centre (line: "

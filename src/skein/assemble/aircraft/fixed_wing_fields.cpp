@@ -196,6 +196,21 @@ Fields<asset::Envelope> envelope_fields() {
                                     "Minimum pitch angle.", {.above = -90, .below = 0}));
 }
 
+Fields<asset::HandLaunch> hand_launch_fields() {
+  using T = asset::HandLaunch;
+  return with_faults(
+      Fields<T>()
+          .number("speed_mps", &T::speed, "Over ground, as it leaves the hand.",
+                  {.above = 0, .at_most = 100})
+          .required()
+          .angle_deg("pitch_deg", &T::pitch, "Of nose and throw, above the horizon.",
+                     {.at_least = 0, .at_most = 60})
+          .number("height_m", &T::height, "Of the hand that holds it, above ground.",
+                  {.above = 0, .at_most = 100})
+          .number("reach_m", &T::reach, "Way over which it is pushed.",
+                  {.above = 0, .at_most = 100}));
+}
+
 }  // namespace
 
 FixedWingFile::FixedWingFile() {
@@ -276,6 +291,11 @@ Fields<FixedWingFile> fixed_wing_fields() {
       .object(
           "ground", [](T & t) -> auto& { return t.wing.ground; }, ground_fields(),
           "What it stands on, and what breaks it.")
+      .object(
+          "hand_launch", [](T & t) -> auto& { return t.wing.hand_launch; },
+          hand_launch_fields(),
+          "How a crew throws it into the wind, from a start on the ground; null: it "
+          "rolls.")
       .rule("piston_engine", [](const T& file) -> std::string {
         return file.electric_motor && file.piston_engine
                    ? "stands beside electric_motor; give one of the two."

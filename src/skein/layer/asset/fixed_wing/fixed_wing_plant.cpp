@@ -168,6 +168,7 @@ FixedWingAirframe airframe_of(const FixedWingModel& model) {
 FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
     : model_(parameters),
       ground_(parameters.ground),
+      hand_launch_(parameters.hand_launch),
       stiffness_(stiffness_of(parameters)) {
   SKEIN_CHECK(errors(parameters).empty());
   airframe_ = airframe_of(model_);
@@ -176,6 +177,7 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
   airframe_.rest_pitch = parameters.ground.rest_pitch;
   if (airframe_.rudder) airframe_.steering = parameters.ground.steering;
   airframe_.brake_friction = parameters.ground.brake_friction;
+  airframe_.hand_launched = hand_launch_.has_value() && airframe_.motor;
   const double V = airframe_.cruise;
   limits_.airspeed = V;
   limits_.turn_radius = V * V / (kGravity * math::tan(kReserve * airframe_.bank_limit));
@@ -192,7 +194,11 @@ VehicleState FixedWingPlant::start(const VehicleStart& start) const {
   state.on_ground = start.on_ground;
   if (start.on_ground) {
     state.p_N = start.p_N;
-    state.q_NB = geo::from_euler({0, ground_.rest_pitch, start.heading});
+    state.held = start.held && model_.engine.exists();
+    const bool in_hand = state.held && hand_launch_;
+    if (in_hand) state.p_N.z() -= hand_launch_->height;
+    state.q_NB = geo::from_euler(
+        {0, in_hand ? hand_launch_->pitch : ground_.rest_pitch, start.heading});
     state.airspeed = start.wind_N.norm();
     return state;
   }
@@ -225,9 +231,26 @@ void FixedWingPlant::step(VehicleState& state, const Control& control, const Air
   const Actuators& actuators = std::get<Actuators>(control);
   const double n = parts(state, air, dt);
   const double height = -state.p_N.z();
-  for (double i = 0; i < n; i += 1) short_step(state, actuators, air, dt / n);
+  for (double i = 0; i < n; i += 1) {
+    if (state.held)
+      held_step(state, actuators, air, dt / n);
+    else
+      short_step(state, actuators, air, dt / n);
+  }
   state.airspeed = (state.v_N - air.wind_N).norm();
   if (-state.p_N.z() > height) state.on_ground = false;
+}
+
+// Its crew moves it; surfaces and engine are its own.
+void FixedWingPlant::held_step(VehicleState& state, const Actuators& control,
+                               const Air& air, double dt) const {
+  const double throttle = bounded_or(0, control[channel::kThrottle], 0, 1);
+  if (!hold(hand_launch_, state, throttle, air.wind_N, dt))
+    return short_step(state, control, air, dt);
+  VehicleState own = state;
+  short_step(own, control, air, dt);
+  state.actuators = own.actuators;
+  state.energy = own.energy;
 }
 
 Contact FixedWingPlant::touch(VehicleState& state, double ground_msl, double dt) const {

@@ -18,6 +18,9 @@ namespace skein::asset {
 /// The density is that of the standard atmosphere at the aircraft's height; that in Air
 /// is not used. Wind and its rates are constant within a step.
 ///
+/// On the ground its crew holds it, if the start says so, until the motor is given power:
+/// see hold(). One that is launched by hand waits above the ground, in the hand.
+///
 /// A step is cut into equal parts of at most 10 ms, and shorter ones where the motion is
 /// so fast that RK4 would be bad at it (see docs/fixed-wing.md for errors).
 /// Valid: constant mass; no ground effect, no propeller wash, no gyroscopic moments.
@@ -30,7 +33,7 @@ class FixedWingPlant final : public Plant {
   Airframe airframe() const override { return airframe_; }
 
   /// In the air: trimmed level flight at cruise through the wind, the forward axis on the
-  /// heading. On the ground: at rest, with idle engine.
+  /// heading. On the ground: at rest, with idle engine; without one it is not held.
   VehicleState start(const VehicleStart& start) const override;
 
   void step(VehicleState& state, const Control& control, const Air& air,
@@ -42,11 +45,14 @@ class FixedWingPlant final : public Plant {
 
  private:
   double parts(const VehicleState& state, const Air& air, double dt) const;
+  void held_step(VehicleState& state, const Actuators& control, const Air& air,
+                 double dt) const;
   void short_step(VehicleState& state, const Actuators& control, const Air& air,
                   double dt) const;
 
   FixedWingModel model_;
   GroundContactParameters ground_;
+  std::optional<HandLaunch> hand_launch_;
   double stiffness_;  // of the fastest aerodynamic reaction, per airspeed [1/m]
   FlightLimits limits_;
   FixedWingAirframe airframe_;

@@ -117,6 +117,7 @@ void check_numbers(ParameterCheck& check, const FixedWingParameters& p) {
   check.part("servos", found_by(p.servos, check_servos));
   check.part("envelope", found_by(p.envelope, check_envelope));
   check.part("ground", errors(p.ground));
+  if (p.hand_launch) check.part("hand_launch", errors(*p.hand_launch));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "skein/layer/asset/body/battery.h"
 #include "skein/layer/asset/body/fuel_tank.h"
 #include "skein/layer/asset/body/ground_contact.h"
+#include "skein/layer/asset/body/launch_crew.h"
 #include "skein/layer/asset/body/parameter_error.h"
 #include "skein/layer/asset/body/rigid_body.h"
 
@@ -130,6 +131,7 @@ struct FixedWingParameters {
                                  .friction_along = 0.25,
                                  .friction_across = 0.5,
                                  .rest_pitch = 0.08};
+  std::optional<HandLaunch> hand_launch;  ///< none: it rolls
 };
 
 /// What must hold for these; keys are member names. Beside the ranges of single numbers:
