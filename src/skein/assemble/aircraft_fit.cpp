@@ -136,7 +136,12 @@ void check_step(const AircraftGroup& group, const simulation::VehicleParts& vehi
 void check_air(const AircraftGroup& group, const simulation::VehicleParts& vehicle,
                std::vector<Error>& found) {
   const VehicleState& start = vehicle.state;
-  const double altitude = -start.p_N.z() + (start.on_ground ? group.altitude_agl : 0);
+  double altitude = -start.p_N.z();
+  if (start.on_ground) {  // above the ground, not above the hand that may hold it
+    const VehicleState at_zero =
+        vehicle.plant->start({.on_ground = true, .held = start.held});
+    altitude += group.altitude_agl + at_zero.p_N.z();
+  }
   AutopilotCommand stay;
   stay.guidance = HoldPosition{geo::horizontal(start.p_N)};
   stay.altitude_msl = altitude;

@@ -45,7 +45,6 @@ FlightEstimator::FlightEstimator(std::shared_ptr<const EstimatorOptions> options
       height_time_(start.time),
       field_time_(start.time),
       align_from_(start.time),
-      start_(start.time),
       aligning_(start.at_rest),
       coordinated_(!start.at_rest) {
   x_.p_N = start.p_N;
@@ -158,6 +157,11 @@ void FlightEstimator::bridge(double gap) {
   }
 }
 
+// Not for ever. While it aligns no fix has been accepted since the start.
+bool FlightEstimator::waits_for_rest() const {
+  return gnss_age() < kMaxRestWait;
+}
+
 // Whether it turns or is pushed by more than its sensors' errors.
 bool FlightEstimator::is_shaken(const ImuSample& sample, double dt) const {
   const EstimatorOptions& o = *options_;
@@ -173,13 +177,11 @@ bool FlightEstimator::is_shaken(const ImuSample& sample, double dt) const {
 // At rest gravity and biases are all that is felt. What a gust shakes has to come to rest
 // again, unless that takes too long: then its tilt is known less well.
 void FlightEstimator::align(const ImuSample& sample, double dt) {
-  const bool waits = seconds_since(start_) < kMaxRestWait;
-  if (waits && is_shaken(sample, dt)) {
+  if (waits_for_rest() && is_shaken(sample, dt)) {
     align_w_.count = align_f_.count = align_m_.count = 0;
     align_from_ = nav_.time;
     return;
   }
-  rested_ = rested_ && (waits || !is_shaken(sample, dt));
   align_w_.add(dt * sample.w_NB_B);
   align_f_.add(dt * sample.f_B);
   if (seconds_since(align_from_) >= options_->alignment_time) finish_alignment();
@@ -190,7 +192,8 @@ void FlightEstimator::finish_alignment() {
   const Vec3 f = align_f_.sum;
   geo::Euler e{math::atan2(-f.y(), -f.z()), math::atan2(f.x(), math::hypot(f.y(), f.z())),
                geo::yaw(x_.q_NB)};
-  set_three(covariance_, error::kAttitude, rested_ ? kRestTilt : kShakenTilt);
+  const bool rested = waits_for_rest();
+  set_three(covariance_, error::kAttitude, rested ? kRestTilt : kShakenTilt);
   if (align_m_.count > 0) {
     const Vec3 m = geo::from_euler({e.roll, e.pitch, 0}) * align_m_.sum;
     e.yaw = options_->declination - math::atan2(m.y(), m.x());
@@ -210,7 +213,7 @@ void FlightEstimator::finish_alignment() {
     }
   }
   const double seconds = seconds_since(align_from_);
-  if (rested_) {
+  if (rested) {
     x_.gyro_bias = align_w_.sum / seconds;
     set_three(covariance_, error::kGyroBias,
               math::hypot(options_->gyro_noise / std::sqrt(seconds), 1e-4));

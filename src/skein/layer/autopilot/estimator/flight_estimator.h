@@ -158,6 +158,7 @@ class FlightEstimator {
   // lost itself.
   static constexpr double kDiverged = 4;
 
+  bool waits_for_rest() const;
   bool is_shaken(const ImuSample& sample, double dt) const;
   void align(const ImuSample& sample, double dt);
   void finish_alignment();
@@ -206,7 +207,7 @@ class FlightEstimator {
   double airspeed_offset_ = 0;  // of the measured airspeed over that in the mean wind
   double height_agl_ = 0;
 
-  Time accepted_fix_, airspeed_time_, height_time_, field_time_, align_from_, start_;
+  Time accepted_fix_, airspeed_time_, height_time_, field_time_, align_from_;
   Rejection fix_rejection_, bearing_rejection_, altitude_rejection_;
   Time judged_;  // the last fix that was
   double innovation_ratio_ =
@@ -215,7 +216,6 @@ class FlightEstimator {
   Vec3 field_B_ = Vec3::Zero();               // last measured
   Batch<Vec3> align_w_, align_f_, align_m_;
   bool fix_waits_ = false, has_fix_ = false, has_height_ = false, has_airspeed_ = false;
-  bool rested_ = true;  // while it aligned
   bool aligning_ = false, direct_ = false, coordinated_ = true, has_judged_ = false;
   Counts counts_;
 };

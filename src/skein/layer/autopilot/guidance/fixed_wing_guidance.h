@@ -26,9 +26,8 @@ struct FixedWingGuidanceOptions {
   double speed_lead = 1.5;       ///< airspeeds of a plan are demanded this early [s]
   double take_off_speed = 1.1;   ///< leaving the ground, over the slowest airspeed
   double climb_out_height = 40;  ///< straight climb after take-off [m]
-  double climb_speed = 1.3;   ///< of the climb after take-off, over the slowest airspeed
-  double arrival = 5;         ///< of an altitude, counted as reached [m]
-  double return_height = 60;  ///< minimum, above where the flight began [m]
+  double arrival = 5;            ///< of an altitude, counted as reached [m]
+  double return_height = 60;     ///< minimum, above where the flight began [m]
   /// Commands that cannot be flown are refused; false: flown as near as it can.
   bool refuses = true;
 };

@@ -8,17 +8,17 @@
 namespace skein::autopilot {
 namespace {
 
-constexpr double kLifted = 0.5;     // climb rate of what no longer rolls [m/s]
-constexpr double kClimbTurn = 4.5;  // lateral acceleration of the circling climb [m/s^2]
-constexpr double kStopped = 0.5;    // of the slowest airspeed: no longer flying
-constexpr double kStands = 1;       // height at most, measured, at rest [m]
+constexpr double kLifted = 0.5;      // climb rate of what no longer rolls [m/s]
+constexpr double kClimbSpeed = 1.3;  // after take-off, over the slowest airspeed
+constexpr double kClimbTurn = 4.5;   // lateral acceleration of the circling climb [m/s^2]
+constexpr double kStopped = 0.5;     // of the slowest airspeed: no longer flying
+constexpr double kStands = 1;        // height at most, measured, at rest [m]
 
 }  // namespace
 
 // The climb is steepest and fastest well below cruise, and a runway ends.
 double FixedWingGuidance::climb_airspeed() const {
-  return std::clamp(options_.climb_speed * limits_.slowest, limits_.slowest,
-                    base_airspeed());
+  return std::clamp(kClimbSpeed * limits_.slowest, limits_.slowest, base_airspeed());
 }
 
 double FixedWingGuidance::take_off(const FixedWingMotion& now, FixedWingDemand& demand) {

@@ -337,7 +337,7 @@ TEST(FixedWingGuidance, TakesOffAndLandsAgain) {
     EXPECT_EQ(flight.demand.phase, FlightPhase::kRun);
     flight.fly(15);
     EXPECT_EQ(flight.demand.phase, FlightPhase::kClimbOut);
-    EXPECT_EQ(flight.demand.airspeed, options.climb_speed * flight.wing.limits.slowest);
+    EXPECT_EQ(flight.demand.airspeed, 1.3 * flight.wing.limits.slowest);
     EXPECT_LT(std::abs(flight.position().y()), 1);
     flight.fly(60);
     EXPECT_TRUE(flight.guidance.status().done);
