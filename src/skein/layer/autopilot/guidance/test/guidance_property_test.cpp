@@ -133,7 +133,9 @@ TEST(GuidanceProperty, AFixedWingsDemandIsAlwaysFinite) {
         RC_ASSERT(std::abs(d.lateral_acceleration) <= max);
         RC_ASSERT(std::isfinite(d.altitude_msl));
         RC_ASSERT(std::isfinite(d.climb_rate));
-        RC_ASSERT(d.airspeed >= limits.slowest && d.airspeed <= limits.fastest);
+        const bool idle = d.airspeed == 0 && (d.phase == FlightPhase::kFlare ||
+                                              d.phase == FlightPhase::kRollOut);
+        RC_ASSERT(idle || (d.airspeed >= limits.slowest && d.airspeed <= limits.fastest));
         const AutopilotStatus& s = guidance.status();
         RC_ASSERT(std::isfinite(s.remaining) && s.remaining >= 0);
         RC_ASSERT(std::isfinite(s.cross_track) && std::isfinite(s.time_error));
