@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/monitoring/ensemble/mean_boundary.h"
@@ -14,13 +15,15 @@ namespace {
 constexpr double kImplausible = 0.02;   // a reading less probable needs others that agree
 constexpr double kImpossible = 1e-4;    // less probable: the members know nothing of it
 constexpr double kSurpriseSigma2 = 16;  // squared innovation, over its variance
+constexpr double kHeld = 0.02;   // probability of being false from which a crossing waits
+constexpr double kSure = 0.999;  // readings expected with more are trials
 constexpr double kConfirmSeconds = 0.9;  // apart, two that agree are believed
 
 }  // namespace
 
 EnsembleEstimator::EnsembleEstimator(const PerimeterPrior& prior,
                                      const EnsembleOptions& options)
-    : options_(options), ensemble_(prior, options) {}
+    : options_(options), ensemble_(prior, options), false_rate_(options.false_rate) {}
 
 std::unique_ptr<PerimeterEstimator> EnsembleEstimator::clone() const {
   return std::make_unique<EnsembleEstimator>(*this);
@@ -43,6 +46,8 @@ bool EnsembleEstimator::repeated(const FireReading& reading,
 void EnsembleEstimator::observe(const FireReading& reading) {
   ++health_.observations;
   AircraftMemory& memory = memory_[reading.aircraft];
+  if (const auto held = std::exchange(memory.held, std::nullopt))
+    settle_held(*held, held->entered == reading.inside);
   const MemberValues distance = ensemble_.distance(reading.point);
   const double noise = reading.point_sd * reading.point_sd +
                        math::squared(options_.sigma_floor_cells * ensemble_.grid().cell);
@@ -56,6 +61,7 @@ void EnsembleEstimator::observe(const FireReading& reading) {
     return;
   }
   if (!implausible) memory.contradiction.count = 0;
+  if (expected > kSure) false_rate_.count(false);
   ensemble_.remember(reading.point, reading.inside);
   if (expected > options_.sure) return;
   if (expected > 0.5 && repeated(reading, memory)) return;
@@ -65,7 +71,7 @@ void EnsembleEstimator::observe(const FireReading& reading) {
     return;
   }
   // Inside is phi < 0. Once others agree, a wrong reading is out of the question.
-  const double eps = implausible ? 0 : options_.false_rate;
+  const double eps = implausible ? 0 : false_rate_.mean();
   const double if_above = reading.inside ? eps : 1 - eps;
   const model::MixtureMoments after =
       model::uncertain_half_line(distance.mean, sd, 0, if_above, 1 - if_above);
@@ -105,9 +111,37 @@ void EnsembleEstimator::believe(const Vec2& point, bool inside,
 }
 
 void EnsembleEstimator::observe(const Crossing& crossing) {
-  ++health_.observations;
   AircraftMemory& memory = memory_[crossing.aircraft];
-  const MemberValues distance = ensemble_.distance(crossing.point);
+  if (memory.held && memory.held->entered != crossing.entered) {
+    // Back where it was: the later reading is one like those before the held crossing.
+    observe(FireReading{crossing.time, crossing.aircraft,
+                        crossing.point + 0.5 * crossing.track, crossing.point_sd,
+                        crossing.entered});
+    return;
+  }
+  ++health_.observations;
+  if (const auto held = std::exchange(memory.held, std::nullopt))
+    settle_held(*held, true);
+  // The later reading agrees with those that follow on its side.
+  memory.contradiction = {1, crossing.time, crossing.entered};
+  if (false_rate_.mean() > kHeld * passage(crossing).probability) {
+    memory.held = crossing;
+    return;
+  }
+  use(crossing);
+}
+
+// A crossing that the next reading takes back was a false reading.
+void EnsembleEstimator::settle_held(const Crossing& held, bool confirmed) {
+  if (confirmed)
+    use(held);
+  else
+    false_rate_.count(true);
+}
+
+EnsembleEstimator::Passage EnsembleEstimator::passage(const Crossing& crossing) const {
+  Passage out;
+  out.distance = ensemble_.distance(crossing.point);
   const Vec2 gradient = ensemble_.gradient(crossing.point);
   const double slope = gradient.norm();
   // The boundary is anywhere between the two readings: along the normal that is a share
@@ -116,21 +150,28 @@ void EnsembleEstimator::observe(const Crossing& crossing) {
   if (slope > 0.1)
     along *= std::max(
         0.5, std::abs(gradient.dot(crossing.track)) / std::max(slope * along, 1e-9));
-  const double variance =
-      along * along / 12 + crossing.point_sd * crossing.point_sd +
-      math::squared(options_.sigma_floor_cells * ensemble_.grid().cell);
-  const double innovation2 =
-      distance.mean * distance.mean / (distance.variance + variance);
-  // The later reading agrees with those that follow on its side.
-  memory.contradiction = {1, crossing.time, crossing.entered};
-  if (innovation2 > kSurpriseSigma2) {
+  const double noise = crossing.point_sd * crossing.point_sd +
+                       math::squared(options_.sigma_floor_cells * ensemble_.grid().cell);
+  out.variance = along * along / 12 + noise;
+  out.innovation2 =
+      math::squared(out.distance.mean) / (out.distance.variance + out.variance);
+  const double sd = std::sqrt(out.distance.variance + noise);
+  out.probability = model::normal_cdf((0.5 * along - out.distance.mean) / sd) -
+                    model::normal_cdf((-0.5 * along - out.distance.mean) / sd);
+  return out;
+}
+
+void EnsembleEstimator::use(const Crossing& crossing) {
+  const Passage here = passage(crossing);
+  if (here.innovation2 > kSurpriseSigma2) {
     ++health_.outliers;
-    adapt(innovation2, 1);
+    adapt(here.innovation2, 1);
     return;
   }
-  adapt(innovation2, distance.variance / (distance.variance + variance));
-  pass_through(crossing.point, distance, variance);
-  memory.used.clear();
+  adapt(here.innovation2,
+        here.distance.variance / (here.distance.variance + here.variance));
+  pass_through(crossing.point, here.distance, here.variance);
+  memory_[crossing.aircraft].used.clear();
 }
 
 void EnsembleEstimator::pass_through(const Vec2& point, const MemberValues& distance,

@@ -2,9 +2,11 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "skein/layer/reasoning/monitoring/ensemble/front_ensemble.h"
+#include "skein/model/probability/error_rate.h"
 #include "skein/role/perimeter_estimator.h"
 
 namespace skein::monitoring {
@@ -23,6 +25,8 @@ class EnsembleEstimator final : public PerimeterEstimator {
   std::unique_ptr<PerimeterEstimator> clone() const override;
 
   const FrontEnsemble& ensemble() const { return ensemble_; }
+  /// Probability that a reading is wrong, as learned so far.
+  double false_rate() const { return false_rate_.mean(); }
 
  private:
   // Observations of one aircraft that contradict the belief, until they are believed.
@@ -38,8 +42,21 @@ class EnsembleEstimator final : public PerimeterEstimator {
   struct AircraftMemory {
     Contradiction contradiction;
     std::map<bool, Used> used;  // by side
+    // A crossing that may be false, until the next reading confirms it or takes it back.
+    std::optional<Crossing> held;
   };
 
+  // A crossing beside the believed boundary.
+  struct Passage {
+    MemberValues distance;  // of its middle
+    double variance = 0;    // of the crossing itself, across the boundary [m^2]
+    double innovation2 = 0;
+    double probability = 0;  // that the boundary lies between the two readings
+  };
+
+  void settle_held(const Crossing& held, bool confirmed);
+  Passage passage(const Crossing& crossing) const;
+  void use(const Crossing& crossing);
   bool repeated(const FireReading& reading, const AircraftMemory& memory) const;
   bool confirmed(const FireReading& reading, AircraftMemory& memory);
   void believe(const Vec2& point, bool inside, const MemberValues& distance);
@@ -50,6 +67,7 @@ class EnsembleEstimator final : public PerimeterEstimator {
   FrontEnsemble ensemble_;
   Time time_;
   EstimatorHealth health_;
+  model::ErrorRate false_rate_;
   std::map<EntityId, AircraftMemory> memory_;
 };
 

@@ -17,7 +17,7 @@ struct EnsembleOptions {
   int noise_spacing_cells = 4;  ///< nodes of the boundary's noise [cells]
   double rate_memory = 1200;    ///< in which a local rate is forgotten [s]
   double roughness = 0.25;      ///< of the boundary's noise, against its rate's [-]
-  double false_rate = 0.001;    ///< probability of a wrong in/out reading
+  double false_rate = 0.001;    ///< probability of a wrong in/out reading, at first
   double sure = 0.98;           ///< readings expected with more than this are skipped
   double repeat_distance = 60;  ///< within this of the last used reading of the same
   double repeat_time = 20;      ///< aircraft and side, and this [s], it is the same one

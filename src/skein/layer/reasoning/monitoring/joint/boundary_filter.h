@@ -40,6 +40,7 @@ struct PolarReading {
   double radial = 0;      ///< crossing: track between the readings, outward part [m]
   double tangential = 0;  ///< crossing: part towards growing bearing [m]
   double period = 0;      ///< crossing: time between the readings [s]
+  double age = 0;         ///< since it was made [s]
 };
 
 /// The boundary r(bearing), its spread v(bearing) and the wind w as one Gaussian.

@@ -120,7 +120,8 @@ BoundaryFilter::Limits BoundaryFilter::limits(const PolarReading& reading,
   const double tilt = local.slope / std::max(local.radius, kMinRadius);
   Limits limits;
   limits.noise = (1 + tilt * tilt) * reading.position_sd * reading.position_sd;
-  limits.low = limits.high = reading.distance;
+  const double moved = local.growth * reading.age;
+  limits.low = limits.high = reading.distance + moved;
   if (reading.crossing) {
     // The track relative to the moving boundary, as radius at this bearing now.
     const double travel =
@@ -128,7 +129,7 @@ BoundaryFilter::Limits BoundaryFilter::limits(const PolarReading& reading,
     const double half =
         0.5 * std::max(reading.inside ? -travel : travel,
                        0.1 * math::hypot(reading.radial, reading.tangential));
-    const double middle = reading.distance + 0.5 * local.growth * reading.period;
+    const double middle = reading.distance + moved + 0.5 * local.growth * reading.period;
     limits.low = middle - half;
     limits.high = middle + half;
     // The slope is not known exactly, and where on the track it was crossed is not
@@ -207,7 +208,7 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
     s = apply(h, Ph_);
   }
   Site& site = sites_[static_cast<std::size_t>(slot)];
-  double before = 1, bound = reading.distance;
+  double before = 1, bound = l.low;
   int count = 1;
   site.open = site.open && site.age < kSiteLife;
   if (site.open && reading.crossing) {

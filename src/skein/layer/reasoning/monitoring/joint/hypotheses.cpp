@@ -27,7 +27,11 @@ std::vector<BoundaryHypothesis> boundary_hypotheses(const PerimeterPrior& prior)
   rough.rate_drift = 0.001 * prior.rate_sd;
   rough.texture_rate = 0.2 * prior.rate_sd;
 
-  return {red, smooth, rough};
+  BoundaryHypothesis jagged = smooth;
+  jagged.weight = 0.3;
+  jagged.radius = {prior.radius_sd, 24, 8};
+
+  return {red, smooth, rough, jagged};
 }
 
 }  // namespace skein::monitoring

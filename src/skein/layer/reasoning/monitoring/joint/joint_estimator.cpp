@@ -14,6 +14,12 @@ constexpr double kFloor = 1e-6;   // maximum that one reading takes from a weigh
 constexpr double kLost = 1e-3;    // weight below which a hypothesis counts for nothing
 constexpr double kSurprise = 3;   // sigma that a boundary may be off after widening
 constexpr double kMinRadius = 1;  // of a reported point [m]
+constexpr double kMinFrame = 20;  // the polar frame ends here [m]
+constexpr double kSteep = 1;      // slope over radius of a flank
+constexpr double kWall = 10;      // the same of one that counts as no steeper
+constexpr double kBlur = 0.1;     // part of a flank's height that is unknown
+constexpr double kHeld = 2.5;   // sigma from which a crossing waits for the next reading
+constexpr double kSure = 1e-3;  // readings less probable contradict a sure belief
 
 }  // namespace
 
@@ -22,7 +28,7 @@ JointEstimator::JointEstimator(const PerimeterPrior& prior, const JointOptions& 
 
 JointEstimator::JointEstimator(const PerimeterPrior& prior, const JointOptions& options,
                                const std::vector<BoundaryHypothesis>& hypotheses)
-    : prior_(prior), options_(options) {
+    : prior_(prior), options_(options), false_rate_(options.false_rate) {
   SKEIN_CHECK(!hypotheses.empty());
   hypotheses_ = hypotheses;
   double total = 0;
@@ -72,21 +78,26 @@ void JointEstimator::restart_invalid() {
 }
 
 void JointEstimator::observe(const FireReading& reading) {
+  read(reading, false);
+}
+
+void JointEstimator::read(const FireReading& reading, bool changed) {
   const Vec2 offset = reading.point - prior_.origin;
   PolarReading polar;
   polar.bearing = geo::bearing(offset);
   polar.distance = offset.norm();
   polar.inside = reading.inside;
   polar.position_sd = reading.point_sd;
-  learn(reading.aircraft, polar);
+  learn(reading.aircraft, polar, changed);
 }
 
 void JointEstimator::observe(const Crossing& crossing) {
   // When the earlier reading was itself the later one of a crossing, it has been counted.
   if (aircraft_[static_cast<std::size_t>(slot(crossing.aircraft))].crossed) {
-    observe(FireReading{crossing.time, crossing.aircraft,
-                        crossing.point + 0.5 * crossing.track, crossing.point_sd,
-                        crossing.entered});
+    read(FireReading{crossing.time, crossing.aircraft,
+                     crossing.point + 0.5 * crossing.track, crossing.point_sd,
+                     crossing.entered},
+         true);
     return;
   }
   const Vec2 offset = crossing.point - prior_.origin;
@@ -100,12 +111,25 @@ void JointEstimator::observe(const Crossing& crossing) {
   polar.radial = crossing.track.dot(e_r);
   polar.tangential = crossing.track.dot(geo::turned_right(e_r));
   polar.period = options_.period;
-  learn(crossing.aircraft, polar);
+  learn(crossing.aircraft, polar, true);
 }
 
-void JointEstimator::learn(EntityId id, PolarReading reading) {
+void JointEstimator::learn(EntityId id, PolarReading reading, bool changed) {
   const int index = slot(id);
   Aircraft& aircraft = aircraft_[static_cast<std::size_t>(index)];
+  note(aircraft, reading);
+  settle_held(index, reading);
+  if (changed && may_be_false(reading)) {
+    aircraft.held = reading;
+    aircraft.held_since = time_;
+    return;
+  }
+  use(index, reading);
+}
+
+// What the readings before say about this one: its period, and how much of its position
+// error is theirs.
+void JointEstimator::note(Aircraft& aircraft, PolarReading& reading) {
   if (aircraft.has_last) {
     const double period = (time_ - aircraft.last).seconds();
     if (period > 0) reading.period = period;
@@ -126,12 +150,38 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
   aircraft.has_last = true;
   aircraft.crossed = reading.crossing;
   ++health_.observations;
+}
 
+bool JointEstimator::may_be_false(const PolarReading& reading) const {
+  double probability = 0;
+  for (std::size_t i = 0; i < filters_.size(); ++i)
+    probability += weights_[i] * filters_[i].probability(reading);
+  return false_rate_.mean() > kHeld * probability;
+}
+
+// A change of sides that the next reading takes back was a false reading; one that it
+// confirms counts, and is not held against the sensor.
+void JointEstimator::settle_held(int index, const PolarReading& next) {
+  Aircraft& aircraft = aircraft_[static_cast<std::size_t>(index)];
+  if (!aircraft.held) return;
+  PolarReading held = *aircraft.held;
+  aircraft.held.reset();
+  if (held.inside == next.inside) {
+    held.age = (time_ - aircraft.held_since).seconds();
+    use(index, held);
+  } else {
+    false_rate_.count(true);
+  }
+}
+
+void JointEstimator::use(int index, const PolarReading& reading) {
+  Aircraft& aircraft = aircraft_[static_cast<std::size_t>(index)];
   double probability = 0;
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     evidence_[i] = filters_[i].probability(reading);
     probability += weights_[i] * evidence_[i];
   }
+  if (!reading.crossing && probability > 1 - kSure) false_rate_.count(false);
   if (probability < options_.outlier) {
     ++health_.outliers;
     if (++aircraft.suspects <= options_.patience) return;
@@ -143,7 +193,7 @@ void JointEstimator::learn(EntityId id, PolarReading reading) {
     if (probability < options_.outlier && evidence_[i] < options_.outlier) {
       filters_[i].widen(reading.bearing, reading.distance, kSurprise);
     }
-    evidence_[i] = filters_[i].observe(index, reading, options_.false_rate);
+    evidence_[i] = filters_[i].observe(index, reading, false_rate_.mean());
     weights_[i] *= std::max(evidence_[i], kFloor * probability);
     total += weights_[i];
   }
@@ -173,6 +223,18 @@ BoundaryFilter::Local JointEstimator::at(double bearing) const {
   return mixed;
 }
 
+// Deviation of what a radius over bearing cannot show [m]: flanks so steep that the fire
+// hardly is star-shaped there, to a part of the change of radius between knots; and
+// anything nearer to the origin than the frame reaches.
+double JointEstimator::blur(const BoundaryFilter::Local& local) const {
+  const double radius = std::max(local.radius, kMinFrame);
+  const double steep =
+      std::clamp(std::abs(local.slope), kSteep * radius, kWall * radius) -
+      kSteep * radius;
+  const double flank = kBlur * steep * 2 * geo::kPi / options_.knots;
+  return math::hypot(flank, std::max(0.0, kMinFrame - local.radius));
+}
+
 BoundaryPoint JointEstimator::point_at(double bearing) const {
   const BoundaryFilter::Local local = at(bearing);
   const double radius = std::max(local.radius, kMinRadius);
@@ -188,7 +250,7 @@ BoundaryPoint JointEstimator::point_at(double bearing) const {
   BoundaryPoint point;
   point.position = prior_.origin + radius * e_r;
   point.normal = (e_r - tilt * geo::turned_right(e_r)) * upright;
-  point.sigma = upright * sigma;
+  point.sigma = math::hypot(upright * sigma, blur(local));
   point.sigma_growth = upright * (later - sigma) / horizon;
   point.rate = upright * local.growth;
   return point;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "skein/layer/reasoning/monitoring/joint/boundary_filter.h"
+#include "skein/model/probability/error_rate.h"
 #include "skein/role/perimeter_estimator.h"
 
 namespace skein::monitoring {
@@ -15,7 +17,7 @@ struct JointOptions {
   double period = 1;  ///< time between readings where it cannot be seen from them [s]
   double position_correlation =
       20;                    ///< time over which position errors wander; 0 = white [s]
-  double false_rate = 1e-3;  ///< probability that a reading is wrong [-]
+  double false_rate = 1e-3;  ///< probability that a reading is wrong, at first [-]
   double outlier = 1e-6;     ///< readings less probable than this are set aside [-]
   int patience = 2;  ///< outliers in a row before the belief is corrected instead [-]
   double growth_horizon = 60;  ///< time over which sigma_growth is the mean [s]
@@ -51,6 +53,8 @@ class JointEstimator : public PerimeterEstimator {
   const BoundaryFilter& filter(int hypothesis) const {
     return filters_[static_cast<std::size_t>(hypothesis)];
   }
+  /// Probability that a reading is wrong, as learned so far.
+  double false_rate() const { return false_rate_.mean(); }
   /// Moments of the mixture at one bearing.
   BoundaryFilter::Local at(double bearing) const;
 
@@ -63,17 +67,28 @@ class JointEstimator : public PerimeterEstimator {
     bool has_crossed = false;
     Time last_crossing;
     int suspects = 0;  // outliers in a row
+    // A reading that changed sides and may be false, until the next one confirms it or
+    // takes it back.
+    std::optional<PolarReading> held;
+    Time held_since;
   };
   int slot(EntityId id);
   void restart_invalid();
-  void learn(EntityId id, PolarReading reading);
+  void read(const FireReading& reading, bool changed);
+  void learn(EntityId id, PolarReading reading, bool changed);
+  void note(Aircraft& aircraft, PolarReading& reading);
+  void settle_held(int index, const PolarReading& next);
+  bool may_be_false(const PolarReading& reading) const;
+  void use(int index, const PolarReading& reading);
   BoundaryPoint point_at(double bearing) const;
+  double blur(const BoundaryFilter::Local& local) const;
   std::vector<double> spaced_bearings(double spacing) const;
 
   PerimeterPrior prior_;
   JointOptions options_;
   Time time_;
   EstimatorHealth health_;
+  model::ErrorRate false_rate_;
   std::vector<BoundaryHypothesis> hypotheses_;
   std::vector<BoundaryFilter> filters_;
   std::vector<double> prior_weights_, weights_, evidence_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "skein/geo/polygon.h"
+#include "skein/layer/reasoning/monitoring/test/weaving.h"
 
 namespace skein::monitoring {
 namespace {
@@ -91,6 +92,32 @@ TEST(Ensemble, AnImpossibleReadingIsSetAsideUntilOthersAgree) {
   }
   EXPECT_LT(e.ensemble().distance(spot).mean, 0);
   EXPECT_GT(e.ensemble().distance(Vec2(0, 310)).mean, 0);
+}
+
+TEST(Ensemble, LearnsHowManyReadingsAreFalse) {
+  for (const double share : {0.0, 0.02, 0.05}) {
+    PerimeterPrior p = prior();
+    p.radius = 400;
+    EnsembleEstimator e(p, {});
+    Weaving(wavy(31, 3, 20), 31, share).fly(e, 1, 600);
+    // Near the edge a false reading looks like a right one: up to half are missed.
+    EXPECT_GE(e.false_rate(), 0.4 * share);
+    EXPECT_LE(e.false_rate(), 1.5 * share + 0.002);
+  }
+}
+
+TEST(Ensemble, ACrossingThatIsTakenBackMovesNothing) {
+  PerimeterPrior p = prior();
+  p.radius_sd = 10;
+  EnsembleEstimator e(p, {});
+  const Vec2 there(260, 0);
+  const MemberValues before = e.ensemble().distance(there);
+  const double noise = e.ensemble().noise_factor();
+  e.observe(crossing(0, there, Vec2(-15, 15), true));
+  e.observe(crossing(1, there, Vec2(15, 15), false));
+  EXPECT_EQ(e.ensemble().distance(there).mean, before.mean);
+  EXPECT_EQ(e.ensemble().noise_factor(), noise);
+  EXPECT_EQ(e.health().outliers, 0);
 }
 
 TEST(Ensemble, RecoversWhenTheBeliefIsWrong) {

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "skein/base/random.h"
+#include "skein/geo/boundary_index.h"
 #include "skein/geo/polygon.h"
+#include "skein/layer/reasoning/monitoring/test/weaving.h"
 
 namespace skein::monitoring {
 namespace {
@@ -125,6 +127,86 @@ TEST(JointEstimator, IsCorrectedWhenImpossibleReadingsPersist) {
   EXPECT_GT(estimator.at(0).radius, radius + 300);
   // The other side keeps what is known of it.
   EXPECT_NEAR(estimator.at(geo::kPi).radius, Disc{}.at(305), 15);
+}
+
+PerimeterPrior still_prior() {
+  return {.radius = 400, .radius_sd = 60, .rate = 0.2, .rate_sd = 0.15, .wind_sd = 0.05};
+}
+
+// Root mean square of the error over the stated deviation, over all bearings.
+double relative_error(const JointEstimator& estimator, const geo::Ring& truth) {
+  double sum = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const BoundaryFilter::Local local = estimator.at(geo::bearing(truth[i]));
+    const double off = local.radius - truth[i].norm();
+    sum += off * off / local.variance / static_cast<double>(truth.size());
+  }
+  return std::sqrt(sum);
+}
+
+TEST(JointEstimator, KnowsAJaggedFireAsWellAsItSays) {
+  for (const std::uint64_t seed : {11, 12, 13, 14}) {
+    const geo::Ring truth = wavy(seed, 20, 12);
+    JointEstimator estimator(still_prior(), JointOptions{});
+    Weaving(truth, seed).fly(estimator, 1, 500);
+    EXPECT_LT(relative_error(estimator, truth), 1.6) << seed;
+  }
+}
+
+TEST(JointEstimator, IsModestWhereTheFireIsNotStarShaped) {
+  // Ls of several arms, round whose corner no bearing looks.
+  for (const double arm : {700.0, 900.0, 1100.0}) {
+    const geo::Ring truth = {{-300, -300}, {900, -300}, {900, -100},
+                             {-50, -100},  {-50, arm},  {-300, arm}};
+    const geo::BoundaryIndex index(geo::Region{truth});
+    JointEstimator estimator(still_prior(), JointOptions{});
+    Weaving weaving(truth, 41);
+    double square = 0;
+    int count = 0;
+    for (int second = 300; second < 900; second += 20) {
+      weaving.fly(estimator, second == 300 ? 1 : second, second + 20);
+      const BoundaryEstimate believed = estimator.boundary();
+      for (const BoundaryPoint& point : believed.rings[0]) {
+        const double off = index.nearest(point.position).distance;
+        square += off * off / (point.sigma * point.sigma);
+        ++count;
+      }
+    }
+    // Far from 1, but no longer the 54,000 of flanks known to millimetres.
+    EXPECT_LT(square / count, 100) << arm;
+  }
+}
+
+TEST(JointEstimator, LearnsHowManyReadingsAreFalse) {
+  for (const std::uint64_t seed : {21, 22, 23}) {
+    for (const double share : {0.0, 0.02, 0.05}) {
+      const geo::Ring truth = wavy(seed, 3, 20);
+      JointEstimator estimator(still_prior(), JointOptions{});
+      Weaving(truth, seed, share).fly(estimator, 1, 900);
+      // Near the edge a false reading looks like a right one: many are missed.
+      EXPECT_GE(estimator.false_rate(), 0.15 * share) << seed;
+      EXPECT_LE(estimator.false_rate(), 1.5 * share + 0.002) << seed;
+      EXPECT_LT(relative_error(estimator, truth), 1.5) << seed << " " << share;
+    }
+  }
+}
+
+TEST(JointEstimator, ACrossingThatIsTakenBackMovesNothing) {
+  JointEstimator estimator(PerimeterPrior{}, JointOptions{});
+  watch(estimator, Disc{}, 1, 300);
+  const double radius = Disc{}.at(299);
+  JointEstimator same_without(estimator);
+  const Vec2 outside(radius + 40, 0);
+  estimator.predict(Time::from_seconds(301));
+  estimator.observe(Crossing{Time::from_seconds(301), {0}, outside, {-8, 17}, 0.5, true});
+  estimator.predict(Time::from_seconds(301));
+  estimator.observe(
+      Crossing{Time::from_seconds(301), {0}, outside, {-8, 17}, 0.5, false});
+  same_without.predict(Time::from_seconds(301));
+  EXPECT_NEAR(estimator.at(0).radius, same_without.at(0).radius, 0.1);
+  EXPECT_NEAR(estimator.at(0).variance, same_without.at(0).variance,
+              0.02 * same_without.at(0).variance);
+  EXPECT_GT(estimator.false_rate(), same_without.false_rate());
 }
 
 TEST(JointEstimator, CloneContinuesAsTheOriginal) {
