@@ -33,7 +33,7 @@ TEST_F(Program, ListsKindsAndTheirKeys) {
   const Finished list = run({"list", "estimator"});
   EXPECT_EQ(list.status, 0);
   for (const char* kind : {"qkf", "mle", "map", "ukf", "qkf-a15", "particle",
-                           "point-reset", "joint", "ensemble"})
+                           "point-reset", "joint", "ensemble", "adaptive"})
     EXPECT_NE(list.out.find(std::string("  ") + kind + " "), std::string::npos) << kind;
   EXPECT_EQ(run({"list", "elephants"}).status, 2);
   const auto schema = nlohmann::json::parse(run({"schema"}).out, nullptr, false);

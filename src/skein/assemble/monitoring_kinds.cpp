@@ -1,6 +1,7 @@
 // Estimators and strategies of perimeter missions: one row each.
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/layer/reasoning/monitoring/adaptive/adaptive_estimator.h"
 #include "skein/layer/reasoning/monitoring/ensemble/ensemble_estimator.h"
 #include "skein/layer/reasoning/monitoring/joint/joint_estimator.h"
 #include "skein/layer/reasoning/monitoring/pointwise/pointwise_kinds.h"
@@ -83,7 +84,8 @@ Fields<JointOptions> joint_fields() {
           kNotNegative)
       .integer("knots", &T::knots, "Unknowns of the radius, and as many of the rate.",
                {.at_least = 8, .at_most = 720})
-      .number("false_rate", &T::false_rate, "Probability that a reading is wrong.",
+      .number("false_rate", &T::false_rate,
+              "Probability that a reading is wrong, at first; it is learned.",
               kProbability)
       .number("outlier", &T::outlier, "Readings less probable than this are set aside.",
               {.at_least = 0, .at_most = 0.1})
@@ -129,7 +131,8 @@ Fields<EnsembleOptions> ensemble_fields() {
                   {.above = 0})
       .number("roughness", &T::roughness, "Of the boundary's noise, against its rate's.",
               {.at_least = 0, .at_most = 10})
-      .number("false_rate", &T::false_rate, "Probability of a wrong in/out reading.",
+      .number("false_rate", &T::false_rate,
+              "Probability of a wrong in/out reading, at first; it is learned.",
               kProbability)
       .number("sure", &T::sure, "Readings expected with more than this are skipped.",
               {.at_least = 0.5, .below = 1})
@@ -139,6 +142,55 @@ Fields<EnsembleOptions> ensemble_fields() {
               kNotNegative)
       .duration_s("repeat_time_s", &T::repeat_time, "The same in time.")
       .rules_of_valid(ensemble_errors);
+}
+
+// The keys that matter to both methods, or most to either.
+struct AdaptiveKeys {
+  int control_points = JointOptions{}.control_points;
+  double spacing = JointOptions{}.spacing;
+  double position_correlation = JointOptions{}.position_correlation;
+  int members = EnsembleOptions{}.members;
+  double cell = EnsembleOptions{}.cell;
+  double false_rate = JointOptions{}.false_rate;
+  double lead = AdaptiveOptions{}.lead;
+
+  AdaptiveOptions options(std::uint64_t seed) const {
+    AdaptiveOptions all;
+    all.joint.control_points = control_points;
+    all.joint.spacing = spacing;
+    all.joint.position_correlation = position_correlation;
+    all.joint.false_rate = all.ensemble.false_rate = false_rate;
+    all.ensemble.members = members;
+    all.ensemble.cell = cell;
+    all.ensemble.seed = seed;
+    all.lead = lead;
+    return all;
+  }
+};
+
+Fields<AdaptiveKeys> adaptive_fields() {
+  using T = AdaptiveKeys;
+  return Fields<T>()
+      .integer("control_points", &T::control_points,
+               "joint: points of the believed perimeter, at equal bearings.",
+               kControlPoints)
+      .number("spacing_m", &T::spacing,
+              "joint: above 0, points at equal arc length of at most this, instead of "
+              "control_points at equal bearings.",
+              kNotNegative)
+      .duration_s("position_correlation_s", &T::position_correlation,
+                  "joint: correlation time of the aircraft's position errors.")
+      .integer("members", &T::members, "ensemble: its size.",
+               {.at_least = 8, .at_most = 200})
+      .number("cell_m", &T::cell, "ensemble: finest spacing of the grid.",
+              {.at_least = 0.5, .at_most = 1000})
+      .number("false_rate", &T::false_rate,
+              "Probability that a reading is wrong, at first; it is learned.",
+              kProbability)
+      .number("lead", &T::lead,
+              "The ensemble takes over when the crossings were more probable under it by "
+              "this logarithm, all together.",
+              {.at_least = 0, .at_most = 10000});
 }
 
 Fields<GusOptions> gus_fields() {
@@ -225,6 +277,14 @@ Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds() {
               EnsembleOptions all = options;
               all.seed = context.seed;
               return std::make_unique<EnsembleEstimator>(context.prior, all);
+            });
+  kinds.add("adaptive",
+            "Begins as joint, and hands over to ensemble where the crossings show that "
+            "the fire's shape is not what joint assumes.",
+            adaptive_fields(),
+            [](const AdaptiveKeys& keys, const EstimatorContext& context) {
+              return std::make_unique<AdaptiveEstimator>(context.prior,
+                                                         keys.options(context.seed));
             });
   for (const PointwiseKind& kind : pointwise_kinds())
     kinds.add(kind.name, kind.help, pointwise_fields(kind.name),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "skein/data/fire.h"
 
@@ -10,6 +11,8 @@ namespace skein {
 struct EstimatorHealth {
   int observations = 0;
   int outliers = 0;  ///< observations set aside because they were all but impossible
+  /// What the belief is made with now, for estimators that change it; else empty.
+  std::string_view method;
 };
 
 /// A belief about where a fire's boundary is, with its uncertainty.

@@ -148,7 +148,7 @@ struct Deployment {
 
 /// Keeping the perimeter of a fire known.
 struct Monitoring {
-  Choice estimator{"joint"};
+  Choice estimator{"adaptive"};
   Choice strategy{"sweep"};
   PerimeterPrior prior;
   Deployment deployment;

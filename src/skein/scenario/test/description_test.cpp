@@ -80,7 +80,7 @@ TEST(Schema, DescribesKeysRangesAndKinds) {
   EXPECT_EQ(group["plant"]["$ref"], "#/$defs/kind-of-plant");
   EXPECT_EQ(group["failures"]["items"]["required"][0], "at_s");
   const auto& kinds = schema["$defs"]["kind-of-estimator"]["oneOf"];
-  ASSERT_EQ(kinds.size(), 4u);  // each by name alone and with keys
+  ASSERT_EQ(kinds.size(), 6u);  // each by name alone and with keys
   EXPECT_EQ(kinds[0]["const"], "joint");
   EXPECT_EQ(kinds[1]["properties"]["airspeed_mps"]["exclusiveMinimum"], 0);
   EXPECT_EQ(kinds[3]["properties"]["kind"]["const"], "qkf");

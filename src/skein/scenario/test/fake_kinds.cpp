@@ -39,6 +39,7 @@ KindTable fake_kinds() {
   kinds.add("estimator", "joint", "One Gaussian.", fake_fields())
       .add("estimator", "qkf", "The thesis's filter.",
            Fields<QkfOptions>().number("gain", &QkfOptions::gain, "Gain.", {.above = 0}))
+      .add("estimator", "adaptive", "Either.", fake_fields())
       .add("plant", "kinematic", "Points.", fake_fields());
   // Whatever else a scenario chooses by default has no options here.
   const Scenario defaults;

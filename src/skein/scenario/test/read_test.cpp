@@ -209,14 +209,14 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"? [a]\n: 1\nname: x", "test.yaml:1:3: a key must be a word."},
         Case{"monitoring: {estimator: joitn}",
              "test.yaml:1:25 monitoring.estimator: unknown kind of estimator: \"joitn\". "
-             "Did you mean \"joint\"? Kinds: joint or qkf."},
-        Case{
-            "monitoring: {estimator: {gain: 2}}",
-            "test.yaml:1:25 monitoring.estimator: has no \"kind\". Kinds: joint or qkf."},
+             "Did you mean \"joint\"? Kinds: joint, qkf or adaptive."},
+        Case{"monitoring: {estimator: {gain: 2}}",
+             "test.yaml:1:25 monitoring.estimator: has no \"kind\". Kinds: joint, qkf or "
+             "adaptive."},
         Case{
             "monitoring: {estimator: [qkf]}",
             "test.yaml:1:25 monitoring.estimator: found a list, needs the name of a kind "
-            "of estimator, or its keys with \"kind\". Kinds: joint or qkf."},
+            "of estimator, or its keys with \"kind\". Kinds: joint, qkf or adaptive."},
         Case{"monitoring: {estimator: {kind: qkf, harmonics: 2}}",
              "test.yaml:1:37 monitoring.estimator.harmonics: unknown key. The kind "
              "\"joint\" has it, \"qkf\" has not."},

@@ -55,7 +55,7 @@ TEST(Write, FillsInEveryDefault) {
   const std::string text = write(read_good("name: x"));
   EXPECT_NE(text.find("\nduration_s: 3600\nstep_s: 0.1\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\naircraft:\n  - name: scout\n    count: 1\n"), std::string::npos);
-  EXPECT_NE(text.find("    kind: joint\n    airspeed_mps: 20\n"), std::string::npos);
+  EXPECT_NE(text.find("    kind: adaptive\n    airspeed_mps: 20\n"), std::string::npos);
   EXPECT_NE(text.find("    sensors: [gnss, "), std::string::npos) << text;
   EXPECT_NE(text.find("    leave_s: null\n"), std::string::npos);
 }

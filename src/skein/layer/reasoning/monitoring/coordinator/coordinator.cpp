@@ -106,6 +106,14 @@ void Coordinator::report_confidence(Time now, AgentOutput& out) {
     out.events.push_back({now, EntityId{}, "too-late",
                           fmt::format("{} readings so far came more than {:.0f} s late",
                                       count, options_.late_window)});
+  if (const std::string_view method = belief_.health().method; method != method_) {
+    if (!method_.empty())
+      out.events.push_back({now, EntityId{}, "hand-over",
+                            fmt::format("the belief is made by {} now: the crossings "
+                                        "contradicted {}",
+                                        method, method_)});
+    method_ = method;
+  }
 }
 
 void Coordinator::judge(const Crossing& crossing, AgentOutput& out) {

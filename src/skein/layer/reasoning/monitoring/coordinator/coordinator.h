@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "skein/data/zone_set.h"
+#include "skein/layer/reasoning/monitoring/confidence/confidence_monitor.h"
 #include "skein/layer/reasoning/monitoring/coordinator/belief.h"
-#include "skein/layer/reasoning/monitoring/coordinator/confidence_monitor.h"
 #include "skein/layer/reasoning/monitoring/coordinator/roster.h"
 #include "skein/role/agent.h"
 #include "skein/role/monitoring_strategy.h"
@@ -40,7 +40,7 @@ struct CoordinatorOptions {
 ///
 /// Warnings about the belief become events: "outlier" (readings set aside), "too-late"
 /// (readings older than `late_window`), "over-confident" and "trusted" (see
-/// ConfidenceMonitor).
+/// ConfidenceMonitor), "hand-over" (the estimator went over to another method).
 class Coordinator : public Agent {
  public:
   Coordinator(const CoordinatorOptions& options,
@@ -77,7 +77,8 @@ class Coordinator : public Agent {
   BoundaryEstimate boundary_;
   ConfidenceMonitor confidence_;
   Tally outliers_, dropped_;
-  Time last_heard_;  // when a reading last came, however old
+  std::string method_;  // of the belief, for estimators that change it
+  Time last_heard_;     // when a reading last came, however old
   Time next_record_;
   bool allocating_ = false;
 };

@@ -39,7 +39,9 @@ class Diary : public PerimeterEstimator {
     boundary.rings.push_back({point});
     return boundary;
   }
-  EstimatorHealth health() const override { return {static_cast<int>(text_.size()), 0}; }
+  EstimatorHealth health() const override {
+    return {static_cast<int>(text_.size()), 0, {}};
+  }
   std::unique_ptr<PerimeterEstimator> clone() const override {
     return std::make_unique<Diary>(*this);
   }

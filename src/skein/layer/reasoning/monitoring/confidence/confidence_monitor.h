@@ -26,18 +26,37 @@ class ConfidenceMonitor {
 
   /// Share of the recent crossings that lay outside their band [-].
   double share_outside() const;
+  /// Mean over the recent crossings of the squared distance from the believed boundary
+  /// over its believed variance, each at most 25 [-]; 1 for an honest belief.
+  double mean_square() const;
+  /// Logarithm of the density that the belief gave to the crossing that was judged last,
+  /// the distance limited as in mean_square() [log(1/m)]; 0 before the first.
+  double last_log_density() const;
+  /// How many crossings were judged so far [-].
+  int judged() const { return judged_; }
+  /// How many crossings were judged, the recent ones only [-]; at most 20.
+  std::size_t recent() const { return recent_.size(); }
 
  private:
+  // A crossing beside the boundary that was believed before it.
+  struct Offset {
+    double off2 = 0;      // squared distance [m^2]
+    double variance = 0;  // believed, with that of the crossing itself [m^2]
+    double square() const;
+  };
   struct Pending {
     Time time;
     bool entered = false;
-    std::optional<bool> outside;  // none: no boundary was believed, or taken back
+    std::optional<Offset> offset;  // none: no boundary was believed, or taken back
   };
 
-  std::optional<Verdict> judge(bool outside);
+  static std::optional<Offset> offset(const Crossing& crossing,
+                                      const BoundaryEstimate& before);
+  std::optional<Verdict> judge(const Offset& offset);
 
   std::map<EntityId, Pending> pending_;  // the newest of each aircraft
-  std::deque<bool> outside_;             // newest last
+  std::deque<Offset> recent_;            // newest last
+  int judged_ = 0;
   std::optional<Verdict> verdict_;
 };
 

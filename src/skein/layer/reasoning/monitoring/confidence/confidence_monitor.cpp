@@ -1,7 +1,9 @@
-#include "skein/layer/reasoning/monitoring/coordinator/confidence_monitor.h"
+#include "skein/layer/reasoning/monitoring/confidence/confidence_monitor.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "skein/base/math.h"
 
 namespace skein::monitoring {
 namespace {
@@ -10,7 +12,9 @@ constexpr std::size_t kRecent = 20;  // crossings that are judged together
 // Of 20 crossings of an honest belief one lies outside; 8 or more once in a million. A
 // belief is trusted again well below that, so that the verdict does not flicker.
 constexpr double kTooMany = 0.4, kFewEnough = 0.2;
-constexpr double kTakenBack = 3;  // two opposite crossings this close are none [s]
+constexpr double kTakenBack = 3;       // two opposite crossings this close are none [s]
+constexpr double kMinVariance = 1e-6;  // of a belief that says "exactly here" [m^2]
+constexpr double kMaxSquare = 25;      // one crossing, however far off, counts as 5 sigma
 
 // Where a place lies beside one piece of a believed boundary.
 struct Beside {
@@ -55,9 +59,14 @@ std::optional<Beside> beside(const Vec2& place, const BoundaryPoint& first,
                 sigma * sigma + kGuess * kGuess * bulge * bulge, normal, distance2};
 }
 
-// Is the crossing further from the believed boundary than two standard deviations?
-std::optional<bool> is_outside(const Crossing& crossing,
-                               const BoundaryEstimate& boundary) {
+}  // namespace
+
+double ConfidenceMonitor::Offset::square() const {
+  return std::min(off2 / variance, kMaxSquare);
+}
+
+std::optional<ConfidenceMonitor::Offset> ConfidenceMonitor::offset(
+    const Crossing& crossing, const BoundaryEstimate& boundary) {
   const double ahead = (crossing.time - boundary.time).seconds();
   std::optional<Beside> nearest;
   for (const auto& ring : boundary.rings)
@@ -70,29 +79,28 @@ std::optional<bool> is_outside(const Crossing& crossing,
   const double across = crossing.track.dot(nearest->normal);
   const double variance =
       nearest->variance + across * across / 12 + crossing.point_sd * crossing.point_sd;
-  return nearest->off2 > 4 * variance;
+  return Offset{nearest->off2, std::max(variance, kMinVariance)};
 }
-
-}  // namespace
 
 std::optional<ConfidenceMonitor::Verdict> ConfidenceMonitor::take(
     const Crossing& crossing, const BoundaryEstimate& before) {
-  Pending next{crossing.time, crossing.entered, is_outside(crossing, before)};
+  Pending next{crossing.time, crossing.entered, offset(crossing, before)};
   const auto [place, first] = pending_.try_emplace(crossing.aircraft, next);
   if (first) return std::nullopt;
   const Pending last = place->second;
-  const bool taken_back = last.outside && last.entered != crossing.entered &&
+  const bool taken_back = last.offset && last.entered != crossing.entered &&
                           std::abs((crossing.time - last.time).seconds()) <= kTakenBack;
-  if (taken_back) next.outside.reset();  // and the last one is not judged either
+  if (taken_back) next.offset.reset();  // and the last one is not judged either
   place->second = next;
-  if (taken_back || !last.outside) return std::nullopt;
-  return judge(*last.outside);
+  if (taken_back || !last.offset) return std::nullopt;
+  return judge(*last.offset);
 }
 
-std::optional<ConfidenceMonitor::Verdict> ConfidenceMonitor::judge(bool outside) {
-  outside_.push_back(outside);
-  if (outside_.size() > kRecent) outside_.pop_front();
-  if (outside_.size() < kRecent) return std::nullopt;
+std::optional<ConfidenceMonitor::Verdict> ConfidenceMonitor::judge(const Offset& offset) {
+  ++judged_;
+  recent_.push_back(offset);
+  if (recent_.size() > kRecent) recent_.pop_front();
+  if (recent_.size() < kRecent) return std::nullopt;
   const double share = share_outside();
   Verdict verdict = verdict_.value_or(Verdict::kTrusted);
   if (share >= kTooMany) verdict = Verdict::kOverConfident;
@@ -103,9 +111,23 @@ std::optional<ConfidenceMonitor::Verdict> ConfidenceMonitor::judge(bool outside)
 }
 
 double ConfidenceMonitor::share_outside() const {
-  if (outside_.empty()) return 0;
-  const auto count = std::count(outside_.begin(), outside_.end(), true);
-  return static_cast<double>(count) / static_cast<double>(outside_.size());
+  if (recent_.empty()) return 0;
+  const auto count = std::count_if(recent_.begin(), recent_.end(),
+                                   [](const Offset& o) { return o.square() > 4; });
+  return static_cast<double>(count) / static_cast<double>(recent_.size());
+}
+
+double ConfidenceMonitor::mean_square() const {
+  if (recent_.empty()) return 0;
+  double sum = 0;
+  for (const Offset& o : recent_) sum += o.square();
+  return sum / static_cast<double>(recent_.size());
+}
+
+double ConfidenceMonitor::last_log_density() const {
+  if (recent_.empty()) return 0;
+  const Offset& last = recent_.back();
+  return -0.5 * (last.square() + math::log(2 * geo::kPi * last.variance));
 }
 
 }  // namespace skein::monitoring

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/monitoring/coordinator/confidence_monitor.h"
+#include "skein/layer/reasoning/monitoring/confidence/confidence_monitor.h"
 
 #include <gtest/gtest.h>
 
