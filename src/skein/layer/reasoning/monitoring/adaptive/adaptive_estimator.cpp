@@ -52,7 +52,11 @@ void AdaptiveEstimator::observe(const FireReading& reading) {
 void AdaptiveEstimator::observe(const Crossing& crossing) {
   // Forecasts are judged before the crossing is learned from.
   std::optional<double> joint, ensemble;
-  if (joint_) joint = joint_->judge(crossing);
+  if (joint_) {
+    joint = joint_->judge(crossing);
+    if (unwatched_.due(time_)) unwatched_.keep(joint_->estimator.boundary());
+    unwatched_.see(crossing);
+  }
   if (ensemble_ && caught_up()) ensemble = ensemble_->judge(crossing);
   if (joint && ensemble) lead_ += *ensemble - *joint;
   learn(crossing);
@@ -108,7 +112,10 @@ void AdaptiveEstimator::decide() {
 }
 
 BoundaryEstimate AdaptiveEstimator::boundary() const {
-  return joint_ ? honest_boundary(*joint_) : honest_boundary(*ensemble_);
+  if (!joint_) return honest_boundary(*ensemble_);
+  BoundaryEstimate boundary = honest_boundary(*joint_);
+  unwatched_.widen(boundary);
+  return boundary;
 }
 
 EstimatorHealth AdaptiveEstimator::health() const {

@@ -4,6 +4,7 @@
 
 #include "skein/layer/reasoning/monitoring/adaptive/observation_log.h"
 #include "skein/layer/reasoning/monitoring/confidence/confidence_monitor.h"
+#include "skein/layer/reasoning/monitoring/confidence/unwatched_band.h"
 #include "skein/layer/reasoning/monitoring/ensemble/ensemble_estimator.h"
 #include "skein/layer/reasoning/monitoring/joint/joint_estimator.h"
 
@@ -75,7 +76,8 @@ class AdaptiveEstimator final : public PerimeterEstimator {
   std::optional<Watched<EnsembleEstimator>> ensemble_;  // since joint is in doubt
   ObservationLog log_;                                  // while joint is in use
   std::size_t replayed_ = 0;                            // of the log, to the ensemble
-  double lead_ = 0;        // of the ensemble over joint, since it caught up [log]
+  UnwatchedBand unwatched_;  // of joint; the ensemble has its own
+  double lead_ = 0;          // of the ensemble over joint, since it caught up [log]
   int next_trial_ = 0;     // of the crossings judged, before the ensemble is tried again
   int past_outliers_ = 0;  // of an estimator given up
 };

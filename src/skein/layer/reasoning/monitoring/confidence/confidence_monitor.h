@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "skein/data/fire.h"
+#include "skein/layer/reasoning/monitoring/confidence/crossing_offset.h"
 
 namespace skein::monitoring {
 
@@ -38,24 +38,17 @@ class ConfidenceMonitor {
   std::size_t recent() const { return recent_.size(); }
 
  private:
-  // A crossing beside the boundary that was believed before it.
-  struct Offset {
-    double off2 = 0;      // squared distance [m^2]
-    double variance = 0;  // believed, with that of the crossing itself [m^2]
-    double square() const;
-  };
   struct Pending {
     Time time;
     bool entered = false;
-    std::optional<Offset> offset;  // none: no boundary was believed, or taken back
+    std::optional<CrossingOffset>
+        offset;  // none: no boundary was believed, or taken back
   };
 
-  static std::optional<Offset> offset(const Crossing& crossing,
-                                      const BoundaryEstimate& before);
-  std::optional<Verdict> judge(const Offset& offset);
+  std::optional<Verdict> judge(const CrossingOffset& offset);
 
   std::map<EntityId, Pending> pending_;  // the newest of each aircraft
-  std::deque<Offset> recent_;            // newest last
+  std::deque<CrossingOffset> recent_;    // newest last
   int judged_ = 0;
   std::optional<Verdict> verdict_;
 };

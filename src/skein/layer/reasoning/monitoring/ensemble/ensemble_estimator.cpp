@@ -163,6 +163,8 @@ EnsembleEstimator::Passage EnsembleEstimator::passage(const Crossing& crossing) 
 
 void EnsembleEstimator::use(const Crossing& crossing) {
   const Passage here = passage(crossing);
+  if (unwatched_.due(time_)) unwatched_.keep(mean_boundary(ensemble_, time_, options_));
+  unwatched_.see(crossing);
   if (here.innovation2 > kSurpriseSigma2) {
     ++health_.outliers;
     adapt(here.innovation2, 1);
@@ -194,7 +196,9 @@ void EnsembleEstimator::adapt(double innovation2, double share) {
 }
 
 BoundaryEstimate EnsembleEstimator::boundary() const {
-  return mean_boundary(ensemble_, time_, options_);
+  BoundaryEstimate boundary = mean_boundary(ensemble_, time_, options_);
+  unwatched_.widen(boundary);
+  return boundary;
 }
 
 }  // namespace skein::monitoring

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "skein/layer/reasoning/monitoring/confidence/unwatched_band.h"
 #include "skein/layer/reasoning/monitoring/ensemble/front_ensemble.h"
 #include "skein/model/probability/error_rate.h"
 #include "skein/role/perimeter_estimator.h"
@@ -69,6 +70,7 @@ class EnsembleEstimator final : public PerimeterEstimator {
   EstimatorHealth health_;
   model::ErrorRate false_rate_;
   std::map<EntityId, AircraftMemory> memory_;
+  UnwatchedBand unwatched_;
 };
 
 }  // namespace skein::monitoring

@@ -15,6 +15,8 @@ constexpr double kBandCells = 6;
 constexpr int kMinNodes = 10000;  // room for the margins around the smallest fire
 // Minimum spread of the common rate and drift, against their first one.
 const Eigen::Vector3d kCommonFloor(0.3, 0.05, 0.05);
+// What is this near ahead of a front, of an observation's reach, was learned there.
+constexpr double kOwnGround = 0.5;
 constexpr double kLongestUntidy = 45;  // between redistancings [s]
 
 }  // namespace
@@ -155,6 +157,7 @@ void FrontEnsemble::tidy() {
   for (Member& m : members_) {
     drop_remnants(mean_, m.phi);
     model::reinitialise(m.phi);
+    carry_rate_ahead(m, kOwnGround * reach());
   }
   // Where a front is near the edge of the grid.
   const double margin = kMarginCells * grid_.cell;
@@ -240,9 +243,10 @@ MemberValues FrontEnsemble::speed(const Vec2& p) const {
 
 MemberValues FrontEnsemble::distance(const Vec2& p) const {
   const model::Stencil at = model::stencil(grid_, p);
+  const double outside = (p - p.cwiseMax(grid_.low).cwiseMin(grid_.high())).norm();
   Eigen::VectorXd values(size());
   for (int j = 0; j < size(); ++j)
-    values[j] = at.value(members_[static_cast<std::size_t>(j)].phi.values);
+    values[j] = outside + at.value(members_[static_cast<std::size_t>(j)].phi.values);
   if (lag_ > 0) {
     const MemberValues v = speed(p);
     values.array() -= lag_ * (v.mean + v.deviation.array());

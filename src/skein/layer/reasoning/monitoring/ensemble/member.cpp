@@ -62,6 +62,26 @@ void coarsen_member(Member& member, int rate_spacing_cells) {
   member.rate = std::move(rate);
 }
 
+void carry_rate_ahead(Member& member, double beyond) {
+  const model::Grid& nodes = member.rate.coefficients.grid;
+  // Nodes beyond the grid, and its edge, where no gradient can be told, as their nearest.
+  const model::Grid& grid = member.phi.grid;
+  const Vec2 edge(2 * grid.cell, 2 * grid.cell);
+  const Vec2 low = grid.low + edge, high = grid.high() - edge;
+  std::vector<float> carried = member.rate.coefficients.values;
+  for (int r = 0; r < nodes.rows; ++r)
+    for (int c = 0; c < nodes.columns; ++c) {
+      const Vec2 p = nodes.node(r, c).cwiseMax(low).cwiseMin(high);
+      const double ahead = model::sample(member.phi, p);
+      const Vec2 gradient = model::gradient(member.phi, p);
+      const double slope = gradient.norm();
+      if (ahead <= beyond || slope <= 0) continue;
+      carried[nodes.index(r, c)] =
+          static_cast<float>(member.rate.sample(p - ahead / slope * gradient));
+    }
+  member.rate.coefficients.values = std::move(carried);
+}
+
 void draw_in(std::vector<Member>& members) {
   const auto n = static_cast<Eigen::Index>(members.at(0).phi.values.size());
   const auto count = static_cast<double>(members.size());

@@ -42,6 +42,11 @@ void extend_member(Member& member, const Growth& growth, int rate_spacing_cells,
 /// that needs in the north and east.
 void coarsen_member(Member& member, int rate_spacing_cells);
 
+/// Gives the local rate further than `beyond` [m] ahead of the front the values that it
+/// has at the front: a head that runs carries its rate with it, away from the places that
+/// it was learned at.
+void carry_rate_ahead(Member& member, double beyond);
+
 /// Draws distances in to three standard deviations from the mean: a few members that have
 /// run away weigh little in any regression, and nothing makes their far fronts come back.
 /// The standard deviation is that of a Gaussian with the same mean absolute deviation.

@@ -48,6 +48,14 @@ TEST(FrontEnsemble, StartsAsThePriorSays) {
   EXPECT_NEAR(std::sqrt(variance), 40, 10);
 }
 
+TEST(FrontEnsemble, KnowsHowFarItIsToPlacesBeyondItsGrid) {
+  PerimeterPrior p = prior();
+  p.radius_sd = 1;
+  const FrontEnsemble ensemble(p, {});
+  // Straight beyond the middle of a side of the grid; a cell is 10 m.
+  EXPECT_NEAR(ensemble.distance(p.origin + Vec2(5000, 0)).mean, 4800, 10);
+}
+
 TEST(FrontEnsemble, SpreadsAtTheBelievedRate) {
   PerimeterPrior p = prior();
   p.radius_sd = 1;
