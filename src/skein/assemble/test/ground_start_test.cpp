@@ -3,6 +3,13 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/run.h"
 #include "skein/assemble/test/whole_flight.h"
 #include "skein/campaign/ground_starts_study.h"
 
@@ -14,13 +21,11 @@ constexpr int kFirstSeed = 70001;
 constexpr int kStarts = 24;
 
 std::map<std::string, double> start(const campaign::BatchItem& item) {
-  auto built = build(item.scenario, KindRegistry());
-  if (!built) throw std::runtime_error(built.error().text());
   campaign::StartWatch watch = campaign::start_watch_of(item);
-  NoConsole console;
-  const auto outcome =
-      simulation::run(built.value().world, built.value().options, watch, console);
-  if (!outcome) throw std::runtime_error(outcome.error().text());
+  QuietRun how;
+  how.listener = &watch;
+  const auto summary = run_quietly(item.scenario, KindRegistry(), how);
+  if (!summary) throw std::runtime_error(summary.error().text());
   std::map<std::string, double> figures;
   watch.add_figures(figures);
   return figures;
