@@ -38,9 +38,9 @@ TEST_F(PluginProgram, KeepsItsContract) {
   const Finished verified = run({"list", "--verify", "--plugin", kPlugin});
   EXPECT_EQ(verified.status, 0) << verified.out;
   EXPECT_EQ(verified.out,
+            "agent smoke-watch: keeps its contract.\n"
             "estimator circle: keeps its contract.\n"
-            "sensor radiometer: keeps its contract.\n"
-            "agent smoke-watch: keeps its contract.\n");
+            "sensor radiometer: keeps its contract.\n");
 }
 
 TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {

@@ -21,7 +21,7 @@ TEST_F(Program, TheLogSaysWhatHappens) {
   write("s.yaml", "duration_s: 60\naircraft: [{count: 2}]\n");
   const Finished quiet = run({"run", "s.yaml", "--out", "quiet"});
   EXPECT_EQ(quiet.err, "");
-  const Finished finished = run({"run", "s.yaml", "--out", "told", "--log", "info"});
+  const Finished finished = run({"run", "s.yaml", "--out", "logged", "--log", "info"});
   EXPECT_EQ(finished.status, 0);
   EXPECT_NE(finished.err.find("info: 0.0 s, scout-2: joined: "), std::string::npos)
       << finished.err;

@@ -6,6 +6,7 @@
 #include "skein/base/math.h"
 #include "skein/data/air.h"
 #include "skein/layer/autopilot/guidance/same_guidance.h"
+#include "skein/layer/autopilot/guidance/unflyable.h"
 #include "skein/model/path/wind_triangle.h"
 
 namespace skein::autopilot {
@@ -78,17 +79,13 @@ void SimpleAutopilot::command(const AutopilotCommand& command) {
     this->command({Return{return_}, command.altitude_msl, command.airspeed});
     return;
   }
+  if (auto reason = not_finite(command)) return refuse(std::move(*reason));
   if (for_shared(command)) {
     // Judged by the mean wind, not by what is felt just now.
     const FixedWingMotion at = motion(estimate().wind_N);
     // While it did not fly, it may hold an old command that is not to be gone on with.
     if (!is_shared_) shared_.forget(at);
-    if (auto reason = shared_.command(command, at)) {
-      refused_ = std::move(*reason);
-      status_.refused = refused_;
-      ++status_.refusals;
-      return;
-    }
+    if (auto reason = shared_.command(command, at)) return refuse(std::move(*reason));
     is_shared_ = true;
     command_ = command;
     begin_status(shared_.status());
@@ -109,6 +106,12 @@ void SimpleAutopilot::command(const AutopilotCommand& command) {
   status_.remaining = path_.length();
   status_.done = path_.empty();
   if (status_.done) end_circle_ = circle_around(geo::horizontal(estimate().p_N));
+}
+
+void SimpleAutopilot::refuse(std::string reason) {
+  refused_ = std::move(reason);
+  status_.refused = refused_;
+  ++status_.refusals;
 }
 
 // What was refused so far stays in the status.

@@ -63,6 +63,7 @@ class SimpleAutopilot final : public Autopilot {
   CourseDemand demand(const Motion& motion);
   CourseDemand follow(const Motion& motion, double ground_speed);
   FlightCommand fly_shared(double dt);
+  void refuse(std::string reason);
   void begin_status(AutopilotStatus status);
   double climb_rate(double altitude_msl, double rate) const;
   FixedWingMotion motion(const Vec2& wind) const;

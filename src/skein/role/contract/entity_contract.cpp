@@ -46,6 +46,7 @@ class Watched {
 
   void step(Time now, const AutopilotCommand* command) {
     vehicle_->begin_step(now);
+    vehicle_->ground_received(now);  // else its failsafes fly, not the commands
     look(now);
     if (command != nullptr) {
       vehicle_->command(*command);

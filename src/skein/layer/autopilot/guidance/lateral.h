@@ -57,9 +57,9 @@ struct GroundMotion {
 /// stays.
 GroundMotion ahead_of(const GroundMotion& motion, double lag);
 
-/// The acceleration that turns the velocity to `wanted` (a unit vector).
+/// The acceleration that turns the velocity to `setpoint` (a unit vector).
 ///
-///   a = k V sin(eta),  eta = from the velocity to `wanted`; beyond a right angle sin =
+///   a = k V sin(eta),  eta = from the velocity to `setpoint`; beyond a right angle sin =
 ///   +-1
 double turn_towards(const Vec2& setpoint, const Vec2& velocity, double gain);
 

@@ -267,7 +267,28 @@ struct Judge {
   }
 };
 
+// Whether the numbers of a guidance are finite.
+struct Numbers {
+  bool operator()(const HoldCourse& h) { return std::isfinite(h.course); }
+  bool operator()(const HoldPosition& h) { return finite(h.point); }
+  bool operator()(const Circle& c) { return finite(c.centre) && std::isfinite(c.radius); }
+  bool operator()(const FollowPath& f) {
+    return std::all_of(f.path.begin(), f.path.end(), [](const PathElement& e) {
+      return finite(e.start) && std::isfinite(e.course + e.length + e.curvature);
+    });
+  }
+  bool operator()(const auto&) { return true; }
+};
+
 }  // namespace
+
+std::optional<std::string> not_finite(const AutopilotCommand& command) {
+  if (!std::isfinite(command.altitude_msl) ||
+      !std::isfinite(command.airspeed.value_or(0)))
+    return "altitude or airspeed is not finite";
+  if (!std::visit(Numbers(), command.guidance)) return "the guidance is not finite";
+  return {};
+}
 
 std::optional<std::string> unflyable(const AutopilotCommand& command,
                                      const FlightLimits& limits, const Vec2& wind) {

@@ -34,4 +34,8 @@ namespace skein::autopilot {
 std::optional<std::string> unflyable(const AutopilotCommand& command,
                                      const FlightLimits& limits, const Vec2& wind);
 
+/// That a number of a command for a course, place, circle or path, its altitude or its
+/// airspeed is not finite; none when all are.
+std::optional<std::string> not_finite(const AutopilotCommand& command);
+
 }  // namespace skein::autopilot

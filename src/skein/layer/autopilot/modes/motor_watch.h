@@ -19,7 +19,7 @@ class MotorWatch {
   explicit MotorWatch(const MotorWatchOptions& options);
 
   /// @param standing  PowerSample::motors_standing, the last known.
-  /// @param told      what the actuators were last commanded.
+  /// @param commanded what the actuators were last commanded.
   /// @returns  bit k: motor k has stood under throttle for longer than the delay.
   std::uint8_t step(Time now, std::uint8_t standing, const Actuators& commanded) {
     if (standing == 0) [[likely]] {

@@ -406,6 +406,24 @@ TEST(SimpleAutopilot, RefusesAPlanItCannotFlyAndGoesOn) {
   EXPECT_EQ(flight.autopilot->status().refusals, 1);
 }
 
+TEST(SimpleAutopilot, RefusesNumbersThatAreNotFinite) {
+  Flight flight({0, 0});
+  flight.autopilot->command({HoldCourse{1}, 300, {}});
+  const double nan = std::nan("");
+  const double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<AutopilotCommand> wrong = {
+      {HoldCourse{nan}, 300, {}},
+      {HoldCourse{0}, infinite, {}},
+      {HoldCourse{0}, 300, nan},
+      {HoldPosition{{nan, 0}}, 300, {}},
+      {Circle{{0, 0}, infinite, true}, 300, {}},
+      {FollowPath{{{{0, nan}, 0, 100, 0}}}, 300, {}}};
+  for (const AutopilotCommand& command : wrong) flight.autopilot->command(command);
+  EXPECT_EQ(flight.autopilot->status().refusals, static_cast<int>(wrong.size()));
+  flight.fly(20);
+  EXPECT_NEAR(flight.vehicle.heading, 1, 1e-3);
+}
+
 TEST(SimpleAutopilot, ReturnsToThePlaceThatWasSet) {
   NavEstimate start;
   start.p_N = {0, 0, -300};

@@ -47,7 +47,7 @@ class ZoneAvoidance {
   /// @returns             whether these are others than before.
   bool regard(const NavEstimate& nav, std::optional<double> altitude_msl);
 
-  /// What to fly instead of `wanted`, whose course over ground is `course` now. Regards
+  /// What to fly instead of `setpoint`, whose course over ground is `course` now. Regards
   /// the zones first.
   decltype(AutopilotCommand::guidance) check(
       const decltype(AutopilotCommand::guidance)& setpoint, double course,

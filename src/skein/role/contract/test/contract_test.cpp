@@ -327,7 +327,7 @@ TEST(AgentContract, FindsEachBreach) {
 
 // --- vehicles, planners ----------------------------------------------------------------
 
-// Each breaks one promise of a vehicle, if it is told to.
+// Each breaks one promise of a vehicle, if it is asked to.
 class OddVehicle final : public Vehicle {
  public:
   enum class Breach { kNone, kFuture, kSilent, kTwice, kShy };

@@ -31,7 +31,7 @@ Zone bay() {
                             {-400, -300}}};
 }
 
-// Flies with `wanted` (asked once a second) and returns the smallest distance to a zone.
+// Flies by `setpoint` (asked once a second) and returns the smallest distance to a zone.
 template <class Request>
 double closest(const std::vector<Zone>& zones, test::TestAircraft& aircraft,
                double seconds, const Request& setpoint) {

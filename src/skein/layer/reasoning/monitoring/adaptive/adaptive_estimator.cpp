@@ -10,9 +10,9 @@ namespace {
 // beyond is a belief taken for too narrow.
 constexpr double kHonestSquare = 1.57;
 constexpr std::size_t kMinCrossings = 10;  // before a record says anything
-constexpr std::size_t kFullRecord = 20;    // crossings that joint is doubted by
+constexpr std::size_t kFullRecord = 20;    // crossings by which joint is suspected
 // One honest record of 20 crossings in 300 has a larger mean square.
-constexpr double kDoubtfulSquare = 2;
+constexpr double kSuspectSquare = 2;
 
 template <class Watched>
 BoundaryEstimate honest_boundary(const Watched& watched) {
@@ -60,7 +60,7 @@ void AdaptiveEstimator::observe(const Crossing& crossing) {
   if (ensemble_ && caught_up()) ensemble = ensemble_->judge(crossing);
   if (joint && ensemble) lead_ += *ensemble - *joint;
   learn(crossing);
-  if (joint_ && !ensemble_) doubt();
+  if (joint_ && !ensemble_) begin_trial();
   if (joint_ && ensemble_) decide();
 }
 
@@ -88,10 +88,10 @@ void AdaptiveEstimator::catch_up() {
   if (caught_up()) ensemble_->estimator.predict(time_);
 }
 
-void AdaptiveEstimator::doubt() {
+void AdaptiveEstimator::begin_trial() {
   const ConfidenceMonitor& forecasts = joint_->forecasts;
   if (forecasts.recent() < kFullRecord || forecasts.judged() < next_trial_ ||
-      forecasts.mean_square() < kDoubtfulSquare)
+      forecasts.mean_square() < kSuspectSquare)
     return;
   ensemble_.emplace(EnsembleEstimator(prior_, options_.ensemble));
   replayed_ = 0;

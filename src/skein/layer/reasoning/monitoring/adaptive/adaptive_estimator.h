@@ -29,9 +29,9 @@ struct AdaptiveOptions {
 /// for good, or is given up. Whichever is in use, reported deviations grow with what
 /// recent crossings show to be missing.
 ///
-/// Cost: that of `joint` and of one boundary() per crossing; in doubt, both estimators,
-/// and the observations since the start are kept. An ensemble that was given up is not
-/// tried again before as many crossings again.
+/// Cost: that of `joint` and of one boundary() per crossing; during a trial that of both
+/// estimators. The observations since the start are kept until then. An ensemble that was
+/// given up is not tried again before as many crossings again.
 class AdaptiveEstimator final : public PerimeterEstimator {
  public:
   AdaptiveEstimator(const PerimeterPrior& prior, const AdaptiveOptions& options);
@@ -66,14 +66,14 @@ class AdaptiveEstimator final : public PerimeterEstimator {
   void learn(const Observation& observation);
   void catch_up();
   bool caught_up() const { return replayed_ == log_.size(); }
-  void doubt();
+  void begin_trial();
   void decide();
 
   PerimeterPrior prior_;
   AdaptiveOptions options_;
   Time time_;
   std::optional<Watched<JointEstimator>> joint_;        // until it is given up
-  std::optional<Watched<EnsembleEstimator>> ensemble_;  // since joint is in doubt
+  std::optional<Watched<EnsembleEstimator>> ensemble_;  // since joint is suspected
   ObservationLog log_;                                  // while joint is in use
   std::size_t replayed_ = 0;                            // of the log, to the ensemble
   UnwatchedBand unwatched_;  // of joint; the ensemble has its own

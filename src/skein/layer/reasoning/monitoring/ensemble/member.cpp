@@ -64,7 +64,7 @@ void coarsen_member(Member& member, int rate_spacing_cells) {
 
 void carry_rate_ahead(Member& member, double beyond) {
   const model::Grid& nodes = member.rate.coefficients.grid;
-  // Nodes beyond the grid, and its edge, where no gradient can be told, as their nearest.
+  // Nodes beyond the grid, and its edge, where there is no gradient, as their nearest.
   const model::Grid& grid = member.phi.grid;
   const Vec2 edge(2 * grid.cell, 2 * grid.cell);
   const Vec2 low = grid.low + edge, high = grid.high() - edge;

@@ -58,7 +58,8 @@ inline bool requested(const CoverageQuery& q, const Vec2& p, double distance) {
   });
 }
 
-/// Points of a grid over the area that no straight of a plan sees, out of `wanted`.
+/// Points of a grid over the area that no straight of a plan sees, of those that are
+/// requested().
 inline int missed(const CoverageQuery& q, const CoverageResult& r, double step,
                   double distance = 0) {
   int count = 0;
