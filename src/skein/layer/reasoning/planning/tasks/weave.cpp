@@ -66,10 +66,10 @@ FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
   FlightPlan plan = quicker(
       [&](int s) {
         const auto begin = [&](double t) { return begin_at(target, air, t, s); };
-        FlightPlan entry = connection_to(begin, target, from, air, start, down);
-        if (entry.empty())
-          entry = meeting(begin, from, air, start, start + 1, start + kLongest, down);
-        return entry;
+        FlightPlan approach = connection_to(begin, target, from, air, start, down);
+        if (approach.empty())
+          approach = meeting(begin, from, air, start, start + 1, start + kLongest, down);
+        return approach;
       },
       side);
   model::Pose here = from;
@@ -94,14 +94,14 @@ FlightPlan weave_along(const MovingTarget& target, const model::Pose& from,
     const double turn = 2 * std::max(s.half, kStraight) * air.turn_radius / air.airspeed;
     if (now + turn > change + 1e-6) {
       // The next turn would not end over the target: meet it after the change.
-      const FlightPlan entry = quicker(
+      const FlightPlan approach = quicker(
           [&](int k) {
             return meeting([&](double t) { return begin_at(target, air, t, k); }, here,
                            air, now, change, change + kLongest, down);
           },
           side);
-      if (entry.empty()) return plan;
-      plan.insert(plan.end(), entry.begin(), entry.end());
+      if (approach.empty()) return plan;
+      plan.insert(plan.end(), approach.begin(), approach.end());
       go_on_from_end();
       continue;
     }
