@@ -83,7 +83,7 @@ void print_table(const record::RunSummary& summary) {
       {"failsafes", "failsafes"},
       {"cross_track_rms_m", "distance to the path flown, RMS [m]"},
       {"position_error_rms_m", "error of own position, RMS [m]"},
-      {"min_charge", "least charge left, of 1"},
+      {"min_charge", "lowest charge left, of 1"},
       {"objects_found", "objects found"},
       {"detections", "detections of objects"},
       {"simulated_s", "simulated time [s]"},

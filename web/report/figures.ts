@@ -64,7 +64,7 @@ const kCounts: Count[] = [
   { label: "Failsafes", show: key("failsafes") },
   { label: "Off the path, RMS", unit: "m", show: key("cross_track_rms_m") },
   { label: "Error of own position, RMS", unit: "m", show: key("position_error_rms_m") },
-  { label: "Least charge", unit: "%", show: (run) => 100 * run.summary.min_charge },
+  { label: "Lowest charge", unit: "%", show: (run) => 100 * run.summary.min_charge },
   { label: "Observations", show: key("observations") },
   { label: "Crossings", show: key("crossings") },
   { label: "Lowest reserve", unit: "%", show: (run) => lowest(run, "min_reserve_", 100) },

@@ -32,7 +32,7 @@ constexpr Column kFlying[] = {
     {"distance_flown_mean_m", "flown by each [m]", 0},
     {"cross_track_rms_m", "off its path, RMS [m]", 1},
     {"position_error_rms_m", "own position, RMS error [m]", 2},
-    {"min_charge", "least charge left", 2},
+    {"min_charge", "lowest charge left", 2},
     {"failsafes", "failsafes", 1},
     {"accidents", "accidents", 1},
 };
