@@ -52,7 +52,7 @@ int estimators(const fs::path& folder) {
   campaign::EstimatorsStudyOptions options;
   options.more = {{"particle", particle_update}};
   const auto tables = campaign::estimators_study(options);
-  for (const campaign::StudyTable& table : tables) {
+  for (const campaign::CurveTable& table : tables) {
     std::ostringstream csv;
     campaign::write_csv(table, csv);
     if (auto written = write_text(folder / (table.name + ".csv"), csv.str()); !written)

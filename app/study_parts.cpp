@@ -39,7 +39,7 @@ Result<void> make_folder(const fs::path& folder) {
 
 namespace {
 
-std::string cell_text(const record::StudyCell& cell) {
+std::string cell_text(const record::TableCell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell.value)) return *text;
   const double number = std::get<double>(cell.value);
   return std::isnan(number) ? "-" : fmt::format("{:.3g}", number);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/ranges.h"
 #include "skein/layer/reasoning/agent/altitude.h"
 #include "skein/layer/reasoning/agent/monitor_agent.h"
 #include "skein/layer/reasoning/agent/round_trip.h"
@@ -19,8 +20,6 @@ namespace {
 
 using scenario::Fields;
 using scenario::Range;
-
-constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
 
 Fields<SafetyZone> safety_zone_fields() {
   using T = SafetyZone;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/ranges.h"
 #include "skein/layer/environment/fire/front_fire.h"
 #include "skein/layer/environment/fire/no_fire.h"
 #include "skein/layer/environment/fire/thesis_fire.h"
@@ -22,7 +23,6 @@ using scenario::Range;
 using scenario::RuleViolation;
 
 constexpr Range kLength{.above = 0, .at_most = 1e6};
-constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
 constexpr Range kHeight{.at_least = -500, .at_most = 9000};
 constexpr Range kBearing{.at_least = -360, .at_most = 360};
 constexpr Range kPlace{.at_least = -7e5, .at_most = 7e5};  // within 1000 km

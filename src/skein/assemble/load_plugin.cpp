@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kRebuild = "Build the plugin anew against this Skein.";
 
-Error refusal(const std::string& file, std::string message, std::string hint = {}) {
+Error cannot_load(const std::string& file, std::string message, std::string hint = {}) {
   return {ErrorCode::kBadInput, file, std::move(message), std::move(hint)};
 }
 
@@ -27,10 +27,11 @@ std::string linker_message(const std::string& file) {
 Error cannot_load(const std::string& file) {
   const std::string why = linker_message(file);
   const bool symbol = why.find("undefined symbol") != std::string::npos;
-  return refusal(file, fmt::format("cannot be loaded: {}.", why),
-                 symbol ? "Built against another Skein, or linked without a library that "
-                          "it needs?"
-                        : "A plugin is a shared library, see docs/extending.md.");
+  return cannot_load(
+      file, fmt::format("cannot be loaded: {}.", why),
+      symbol ? "Built against another Skein, or linked without a library that "
+               "it needs?"
+             : "A plugin is a shared library, see docs/extending.md.");
 }
 
 // How the interface that a plugin was built for differs from ours; empty: it does not.
@@ -72,19 +73,19 @@ Result<void> load_plugin(const std::filesystem::path& file, KindRegistry& regist
   if (library == nullptr) return cannot_load(path);
   const auto* plugin = static_cast<const Plugin*>(dlsym(library, "skein_plugin"));
   if (plugin == nullptr)
-    return refusal(path, "is no plugin of Skein: it has no symbol skein_plugin.",
-                   "See docs/extending.md.");
+    return cannot_load(path, "is no plugin of Skein: it has no symbol skein_plugin.",
+                       "See docs/extending.md.");
   if (std::string found = difference(plugin->interface); !found.empty())
-    return refusal(path, std::move(found), kRebuild);
+    return cannot_load(path, std::move(found), kRebuild);
   if (dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) return cannot_load(path);
   if (plugin->add_kinds == nullptr)
-    return refusal(path, "its skein_plugin has no function that adds kinds.");
+    return cannot_load(path, "its skein_plugin has no function that adds kinds.");
 
   KindsByRole kinds;
   try {
     plugin->add_kinds(kinds);
   } catch (const std::exception& thrown) {
-    return refusal(path, fmt::format("cannot add its kinds: {}", thrown.what()));
+    return cannot_load(path, fmt::format("cannot add its kinds: {}", thrown.what()));
   }
   return registry.add(kinds, path);
 }

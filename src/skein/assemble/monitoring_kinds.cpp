@@ -1,6 +1,7 @@
 // Estimators and strategies of perimeter missions: one row each.
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/ranges.h"
 #include "skein/layer/reasoning/monitoring/adaptive/adaptive_estimator.h"
 #include "skein/layer/reasoning/monitoring/ensemble/ensemble_estimator.h"
 #include "skein/layer/reasoning/monitoring/joint/joint_estimator.h"
@@ -18,7 +19,6 @@ using namespace monitoring;
 using scenario::Fields;
 
 constexpr scenario::Range kPositive{.above = 0, .at_most = 1e6};
-constexpr scenario::Range kNotNegative{.at_least = 0, .at_most = 1e6};
 constexpr scenario::Range kEdgeAngle{.above = 0, .at_most = 90};
 constexpr scenario::Range kProbability{.at_least = 0, .below = 0.5};
 

@@ -1,6 +1,7 @@
 // Radios: one row each.
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/ranges.h"
 #include "skein/layer/communication/ideal_radio.h"
 
 namespace skein::assemble {
@@ -9,7 +10,6 @@ namespace {
 using scenario::Fields;
 using scenario::Range;
 
-constexpr Range kNotNegative{.at_least = 0, .at_most = 1e6};
 constexpr Range kProbability{.at_least = 0, .at_most = 1};
 
 Fields<communication::IdealRadioOptions> ideal_fields() {

@@ -65,7 +65,7 @@ record::StudyReport bridge_report(const BridgeStudy& study, const StudyPlan& pla
   table.columns = {"strategy", "estimator"};
   for (const Mark& mark : kMarks) table.columns.push_back(mark.heading);
   for (const StudyCell& cell : plan.cells) {
-    std::vector<record::StudyCell> row = {{cell.strategy}, {cell.estimator}};
+    std::vector<record::TableCell> row = {{cell.strategy}, {cell.estimator}};
     for (const Mark& mark : kMarks) {
       const MeanInterval value = figure_of(cell, outcomes, mark.figure);
       if (value.count == 0) {

@@ -15,12 +15,12 @@ struct Unit {
 constexpr Unit kUnits[] = {{"_m2", "variance of the range [m²]"},
                            {"_m", "mean of the range [m]"}};
 
-const Unit& unit_of(const StudyColumn& column) {
+const Unit& unit_of(const Curve& column) {
   return column.name.ends_with(kUnits[0].ending) ? kUnits[0] : kUnits[1];
 }
 
 // "qkf_a15_m" is "qkf-a15" for people.
-std::string legend_of(const StudyColumn& column) {
+std::string legend_of(const Curve& column) {
   std::string name = column.name;
   name.resize(name.size() - std::string(unit_of(column).ending).size());
   std::replace(name.begin(), name.end(), '_', '-');
@@ -47,7 +47,7 @@ void limit_axis(record::StudyPlot& plot) {
                              sizes[0].first);
 }
 
-record::StudyPlot plot_of(const StudyTable& table, double sigma) {
+record::StudyPlot plot_of(const CurveTable& table, double sigma) {
   record::StudyPlot plot;
   plot.title = table.title;
   plot.x_label = fmt::format("bound [m] (sigma of the prior: {:g} m)", sigma);
@@ -69,7 +69,7 @@ record::StudyPlot plot_of(const StudyTable& table, double sigma) {
 
 }  // namespace
 
-record::StudyReport estimators_report(const std::vector<StudyTable>& tables,
+record::StudyReport estimators_report(const std::vector<CurveTable>& tables,
                                       double sigma) {
   record::StudyReport report;
   report.title = "Study: estimators";
@@ -84,7 +84,7 @@ record::StudyReport estimators_report(const std::vector<StudyTable>& tables,
       "moment about the value that it chose: never below the exact one. particle: the "
       "estimator as shipped, 1,000 samples, no false readings; where too few samples "
       "remain it draws anew from the Gaussian update."};
-  for (const StudyTable& table : tables) report.plots.push_back(plot_of(table, sigma));
+  for (const CurveTable& table : tables) report.plots.push_back(plot_of(table, sigma));
   return report;
 }
 

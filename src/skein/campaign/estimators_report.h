@@ -11,7 +11,7 @@ namespace skein::campaign {
 /// on top. A curve that would flatten all others leaves the picture, and the caption says
 /// so.
 /// @param sigma  of the prior that the tables were made with [m].
-record::StudyReport estimators_report(const std::vector<StudyTable>& tables,
+record::StudyReport estimators_report(const std::vector<CurveTable>& tables,
                                       double sigma);
 
 }  // namespace skein::campaign

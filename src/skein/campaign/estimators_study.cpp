@@ -43,13 +43,13 @@ std::string column_name(RangeRule rule) {
 
 // Both tables, mean and variance, of one side.
 void add_side(Side side, const EstimatorsStudyOptions& options,
-              const std::vector<double>& bounds, std::vector<StudyTable>& tables) {
+              const std::vector<double>& bounds, std::vector<CurveTable>& tables) {
   const double sigma = options.sigma, sign = side == Side::kAbove ? 1 : -1;
   const std::string where = side == Side::kAbove ? "above" : "below";
-  StudyTable mean{"mean_" + where,
+  CurveTable mean{"mean_" + where,
                   "Mean of a range known to be " + where + " the bound",
                   {{"bound_m", bounds}}};
-  StudyTable variance{"variance_" + where,
+  CurveTable variance{"variance_" + where,
                       "Variance of a range known to be " + where + " the bound",
                       {{"bound_m", bounds}}};
   const auto add = [&](const std::string& name, auto&& moments) {
@@ -78,10 +78,10 @@ void add_side(Side side, const EstimatorsStudyOptions& options,
   tables.push_back(std::move(variance));
 }
 
-StudyTable gain_table(const EstimatorsStudyOptions& options,
+CurveTable gain_table(const EstimatorsStudyOptions& options,
                       const std::vector<double>& bounds) {
   const double variance = options.sigma * options.sigma;
-  StudyTable table{
+  CurveTable table{
       "gain_a15",
       "Gain (A.15), range above the bound: claimed and true mean square error",
       {{"bound_m", bounds},
@@ -102,9 +102,9 @@ StudyTable gain_table(const EstimatorsStudyOptions& options,
 
 }  // namespace
 
-void write_csv(const StudyTable& table, std::ostream& out) {
+void write_csv(const CurveTable& table, std::ostream& out) {
   std::string text;
-  for (const StudyColumn& column : table.columns)
+  for (const Curve& column : table.columns)
     text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
   const std::size_t rows = table.columns.empty() ? 0 : table.columns[0].values.size();
@@ -115,14 +115,14 @@ void write_csv(const StudyTable& table, std::ostream& out) {
   out << text;
 }
 
-std::vector<StudyTable> estimators_study(const EstimatorsStudyOptions& options) {
+std::vector<CurveTable> estimators_study(const EstimatorsStudyOptions& options) {
   SKEIN_CHECK(options.sigma > 0 && options.sigma_v > 0, options.sigma, options.sigma_v);
   SKEIN_CHECK(options.reach >= 0 && options.reach <= 30, options.reach);
   SKEIN_CHECK(options.steps >= 1, options.steps);
   std::vector<double> bounds;
   for (int k = 0; k <= options.steps; ++k)
     bounds.push_back(options.sigma * options.reach * (2.0 * k / options.steps - 1));
-  std::vector<StudyTable> tables;
+  std::vector<CurveTable> tables;
   add_side(Side::kAbove, options, bounds, tables);
   add_side(Side::kBelow, options, bounds, tables);
   tables.push_back(gain_table(options, bounds));

@@ -10,20 +10,20 @@
 namespace skein::campaign {
 
 /// A named series of numbers.
-struct StudyColumn {
+struct Curve {
   std::string name;  ///< with its unit, as in a CSV header
   std::vector<double> values;
 };
 
 /// One table of a study: one curve per column over the first column.
-struct StudyTable {
+struct CurveTable {
   std::string name;   ///< short, for file names
   std::string title;  ///< for people
-  std::vector<StudyColumn> columns;
+  std::vector<Curve> columns;
 };
 
 /// The table as CSV, numbers in the shortest form that reads back as the same double.
-void write_csv(const StudyTable& table, std::ostream& out);
+void write_csv(const CurveTable& table, std::ostream& out);
 
 /// A measurement update that is given from outside, because it is more than a formula:
 /// mean and variance of a range N(mean, variance) that is reported to be on one side of a
@@ -53,6 +53,6 @@ struct EstimatorsStudyOptions {
 /// Table `gain_a15`: what the gain (A.15) claims for a bound from below, and the true
 /// mean square error of its estimate. Fails: Bug when an option is out of its range.
 /// Reference: [Rabinovich18] figures 2.6-2.9, Eq. (A.15).
-std::vector<StudyTable> estimators_study(const EstimatorsStudyOptions& options);
+std::vector<CurveTable> estimators_study(const EstimatorsStudyOptions& options);
 
 }  // namespace skein::campaign

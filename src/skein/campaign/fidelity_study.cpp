@@ -44,7 +44,7 @@ record::StudyTable table_of(const StudyPlan& plan,
   table.columns = {"level"};
   for (const Column& column : columns) table.columns.push_back(column.heading);
   for (const StudyCell& cell : plan.cells) {
-    std::vector<record::StudyCell> row = {{cell.case_name}};
+    std::vector<record::TableCell> row = {{cell.case_name}};
     for (const Column& column : columns) {
       const MeanInterval value = figure_of(cell, outcomes, column.figure);
       if (value.count == 0)

@@ -88,7 +88,7 @@ record::StudyTable error_table(const StudyPlan& plan,
   table.columns = {"wind from", "flown", "plan", "RMS", "median",
                    "90 %",      "95 %",  "99 %", "most"};
   for (const StudyCell& cell : plan.cells) {
-    std::vector<record::StudyCell> row = {
+    std::vector<record::TableCell> row = {
         {cell.case_name}, {cell.estimator}, {cell.strategy}};
     for (const std::string& name :
          {std::string("cross_track_rms_m"), quantile_name(50), quantile_name(90),
@@ -112,7 +112,7 @@ record::StudyTable ratio_table(const StudyPlan& plan,
   table.columns = {"wind from"};
   for (const Variant& manner : manners()) table.columns.push_back(manner.name);
   for (const std::string& wind : winds_of(plan)) {
-    std::vector<record::StudyCell> row = {{wind}};
+    std::vector<record::TableCell> row = {{wind}};
     for (const Variant& manner : manners())
       row.push_back({fmt::format("{:.1f}", ratio_of(plan, outcomes, wind, manner.name))});
     table.rows.push_back(std::move(row));

@@ -138,24 +138,6 @@ StartWatch start_watch_of(const BatchItem& item) {
 
 namespace {
 
-// Over the runs of a cell: sum and largest of a figure.
-struct Gathered {
-  double sum = 0, max = 0, count = 0;
-};
-
-Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
-                const std::string& name) {
-  Gathered all;
-  for (const std::size_t item : cell.items)
-    if (outcomes[item].summary)
-      if (const auto value = outcomes[item].summary->number(name)) {
-        all.sum += *value;
-        all.max = std::max(all.max, *value);
-        all.count += 1;
-      }
-  return all;
-}
-
 std::string causes(const record::RunSummary& summary) {
   std::string all;
   for (const char* cause : {"accident", "tilt", "belief", "failsafe", "climb"})
@@ -164,14 +146,11 @@ std::string causes(const record::RunSummary& summary) {
   return all;
 }
 
-using Row = std::vector<record::StudyCell>;
+using Row = std::vector<record::TableCell>;
 
 Row row_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes) {
-  const auto max = [&](const char* name) {
-    const Gathered g = gather(cell, outcomes, name);
-    return g.count > 0 ? g.max : std::nan("");
-  };
-  const Gathered gone = gather(cell, outcomes, "lost");
+  const auto max = [&](const char* name) { return tally_of(cell, outcomes, name).max; };
+  const FigureTally gone = tally_of(cell, outcomes, "lost");
   return {{cell.case_name},
           {cell.estimator},
           {cell.strategy},
@@ -227,7 +206,7 @@ record::StudyReport ground_starts_report(const StudyPlan& plan,
                   "height error [m]"};
   double runs = 0, losses = 0;
   for (const StudyCell& cell : plan.cells) {
-    const Gathered gone = gather(cell, outcomes, "lost");
+    const FigureTally gone = tally_of(cell, outcomes, "lost");
     runs += gone.count;
     losses += gone.sum;
     table.rows.push_back(row_of(cell, outcomes));

@@ -13,7 +13,7 @@
 namespace skein::campaign {
 namespace {
 
-constexpr EntityId kSubject{1};  // the station is 0
+constexpr EntityId kKept{1};  // the station is 0
 
 // A part of a run that is varied: its name and what it changes of the base scenario.
 struct Choice {
@@ -67,25 +67,6 @@ Result<BatchItem> make_item(const KeepingStudy& study, const scenario::KindTable
   return BatchItem{run.name, std::move(run), std::move(text), files};
 }
 
-// Mean and largest of a figure over the runs of a cell; NaN where no run has it.
-struct Gathered {
-  double mean = std::nan(""), max = std::nan("");
-};
-
-Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
-                const std::string& name) {
-  double sum = 0, max = 0, count = 0;
-  for (const std::size_t item : cell.items) {
-    if (!outcomes[item].summary) continue;
-    const auto value = outcomes[item].summary->number(name);
-    if (!value) continue;
-    sum += *value;
-    max = std::max(max, *value);
-    count += 1;
-  }
-  return count > 0 ? Gathered{sum / count, max} : Gathered{};
-}
-
 constexpr std::array kFigures = {
     "straights_rms_m",  "turns_rms_m", "believed_rms_m",      "height_max_m",
     "airspeed_rms_mps", "hover_max_m", "hover_believed_max_m"};
@@ -124,7 +105,7 @@ Result<StudyPlan> plan_keeping_study(const KeepingStudy& study,
 
 KeepingWatch keeping_watch_of(const BatchItem& item) {
   Keeping keeping;
-  keeping.aircraft = kSubject;
+  keeping.aircraft = kKept;
   // The ground is at 0, as it is in the base scenario.
   keeping.altitude_msl = item.scenario.aircraft.at(0).altitude_agl;
   keeping.airspeed = 15;  // the bixler's cruise
@@ -153,10 +134,10 @@ record::StudyReport keeping_report(const StudyPlan& plan,
   for (const StudyCell& cell : plan.cells) {
     table.rows.push_back({{cell.case_name}, {cell.estimator}, {cell.strategy}});
     for (const char* figure : kFigures) {
-      const Gathered g = gather(cell, outcomes, figure);
-      table.rows.back().push_back({std::isnan(g.mean)
-                                       ? std::string("-")
-                                       : fmt::format("{:.2f} ({:.2f})", g.mean, g.max)});
+      const FigureTally g = tally_of(cell, outcomes, figure);
+      table.rows.back().push_back(
+          {g.count == 0 ? std::string("-")
+                        : fmt::format("{:.2f} ({:.2f})", g.mean(), g.max)});
     }
   }
   report.tables.push_back(std::move(table));
@@ -168,11 +149,11 @@ std::map<std::string, double> keeping_figures(const StudyPlan& plan,
   std::map<std::string, double> figures;
   for (const StudyCell& cell : plan.cells)
     for (const char* figure : kFigures) {
-      const Gathered g = gather(cell, outcomes, figure);
-      if (std::isnan(g.mean)) continue;
+      const FigureTally g = tally_of(cell, outcomes, figure);
+      if (g.count == 0) continue;
       const std::string name = fmt::format("{}/{}/{}/{}", cell.case_name, cell.estimator,
                                            cell.strategy, figure);
-      figures[name + "_mean"] = g.mean;
+      figures[name + "_mean"] = g.mean();
       figures[name + "_max"] = g.max;
     }
   return figures;

@@ -52,7 +52,7 @@ class Figures {
   const std::vector<BatchOutcome>& outcomes_;
 };
 
-record::StudyCell text_of(const MeanInterval& figure, int digits) {
+record::TableCell text_of(const MeanInterval& figure, int digits) {
   if (figure.count == 0) return {kNone};
   return {figure_text(figure, digits)};
 }
@@ -69,7 +69,7 @@ StudyTable table_of(const Figures& figures, const std::string& case_name,
   double min = std::numeric_limits<double>::infinity();
   std::pair<std::size_t, std::size_t> best{0, 0};
   for (const std::string& strategy : figures.distinct(&StudyCell::strategy)) {
-    std::vector<record::StudyCell> row = {{strategy}};
+    std::vector<record::TableCell> row = {{strategy}};
     for (const std::string& estimator : estimators) {
       const MeanInterval value =
           figures.of(figures.cell(case_name, strategy, estimator), figure);
@@ -165,8 +165,8 @@ StudyTable readings(const Figures& figures) {
                    "(iii) / gus"};
   for (const std::string& case_name : figures.distinct(&StudyCell::case_name)) {
     const auto thesis = figures.of(figures.cell(case_name, "gus", "qkf"), kPerf);
-    std::vector<record::StudyCell> row = {{case_name}, text_of(thesis, 1)};
-    std::vector<record::StudyCell> ratios;
+    std::vector<record::TableCell> row = {{case_name}, text_of(thesis, 1)};
+    std::vector<record::TableCell> ratios;
     bool any = thesis.count > 0;
     for (const char* reading :
          {"tracking-predicted", "tracking-binary", "tracking-ideal"}) {

@@ -88,14 +88,35 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
                    kinds);
 }
 
-MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
-                       const std::string& name) {
+namespace {
+
+std::vector<double> values_of(const StudyCell& cell,
+                              const std::vector<BatchOutcome>& outcomes,
+                              const std::string& name) {
   std::vector<double> values;
   for (const std::size_t item : cell.items)
     if (outcomes[item].summary)
       if (const auto value = outcomes[item].summary->number(name))
         values.push_back(*value);
-  MeanInterval figure = mean_interval(values);
+  return values;
+}
+
+}  // namespace
+
+FigureTally tally_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
+                     const std::string& name) {
+  FigureTally tally;
+  for (const double value : values_of(cell, outcomes, name)) {
+    tally.count += 1;
+    tally.sum += value;
+    tally.max = std::fmax(tally.max, value);
+  }
+  return tally;
+}
+
+MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
+                       const std::string& name) {
+  MeanInterval figure = mean_interval(values_of(cell, outcomes, name));
   figure.requested = static_cast<int>(cell.items.size());
   return figure;
 }

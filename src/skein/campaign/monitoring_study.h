@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -53,6 +54,16 @@ struct StudyPlan {
 /// Fails: kBadInput for a name that does not exist or an override that does not fit.
 Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
                                         const scenario::KindTable& kinds);
+
+/// How often a figure is there in the runs of a cell, their sum and the largest; mean and
+/// largest are NaN where no run has it.
+struct FigureTally {
+  double count = 0, sum = 0, max = std::nan("");
+  double mean() const { return sum / count; }
+};
+
+FigureTally tally_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
+                     const std::string& name);
 
 /// Mean and confidence interval of the figure `name` over the runs of a cell.
 MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,

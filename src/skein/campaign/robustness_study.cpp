@@ -126,23 +126,6 @@ FlightWatch watch_of(const BatchItem& item) {
 
 namespace {
 
-// Over the runs of a cell: sum and largest of a figure.
-struct Gathered {
-  double sum = 0, max = 0, count = 0;
-};
-Gathered gather(const StudyCell& cell, const std::vector<BatchOutcome>& outcomes,
-                const std::string& name) {
-  Gathered all;
-  for (const std::size_t item : cell.items)
-    if (outcomes[item].summary)
-      if (const auto value = outcomes[item].summary->number(name)) {
-        all.sum += *value;
-        all.max = std::max(all.max, *value);
-        all.count += 1;
-      }
-  return all;
-}
-
 std::string causes(const record::RunSummary& summary) {
   std::string all;
   for (const char* cause : {"accident", "tilt", "slow", "height", "track"})
@@ -176,16 +159,10 @@ record::StudyReport robustness_report(const StudyPlan& plan,
                   "slow [s]", "height [m]", "track [m]"};
   double runs = 0, losses = 0;
   for (const StudyCell& cell : plan.cells) {
-    const auto of = [&](const char* name) { return gather(cell, outcomes, name); };
-    const auto mean = [&](const char* name) {
-      const Gathered g = of(name);
-      return g.sum / g.count;
-    };
-    const auto max = [&](const char* name) {
-      const Gathered g = of(name);
-      return g.count > 0 ? g.max : std::nan("");
-    };
-    const Gathered gone = of("lost");
+    const auto of = [&](const char* name) { return tally_of(cell, outcomes, name); };
+    const auto mean = [&](const char* name) { return of(name).mean(); };
+    const auto max = [&](const char* name) { return of(name).max; };
+    const FigureTally gone = of("lost");
     runs += gone.count;
     losses += gone.sum;
     table.rows.push_back({{cell.case_name},

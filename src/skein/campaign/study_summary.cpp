@@ -37,13 +37,13 @@ StudyFigures study_figures(const StudyPlan& plan,
   return figures;
 }
 
-StudyFigures study_figures(std::span<const StudyTable> tables) {
+StudyFigures study_figures(std::span<const CurveTable> tables) {
   const std::string requested = "exact_";
   StudyFigures figures;
-  for (const StudyTable& table : tables) {
+  for (const CurveTable& table : tables) {
     const auto exact = std::find_if(
         table.columns.begin(), table.columns.end(),
-        [&](const StudyColumn& column) { return column.name.starts_with(requested); });
+        [&](const Curve& column) { return column.name.starts_with(requested); });
     if (exact == table.columns.end()) continue;
     const std::string unit = exact->name.substr(exact->name.rfind('_'));  // "_m"
     for (auto column = table.columns.begin() + 1; column != table.columns.end();

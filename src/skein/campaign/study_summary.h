@@ -26,7 +26,7 @@ StudyFigures study_figures(const StudyPlan& plan,
 
 /// Of tables that have a column `exact_UNIT`: TABLE/COLUMN_max_error_UNIT, the largest
 /// distance from it of each other column of that unit: `mean_above/qkf_max_error_m`.
-StudyFigures study_figures(std::span<const StudyTable> tables);
+StudyFigures study_figures(std::span<const CurveTable> tables);
 
 /// Writes `DIR/summary.json`: study, version, state ("complete" or "partial: 5 of 20
 /// runs"), then the figures. Fails: kUnavailable when the file cannot be written.

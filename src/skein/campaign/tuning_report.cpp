@@ -8,7 +8,7 @@
 namespace skein::campaign {
 namespace {
 
-using record::StudyCell;
+using record::TableCell;
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -40,7 +40,7 @@ class SetsTable {
     for (std::size_t set = 0; set < means.size(); ++set) {
       const MeanInterval mean =
           mean_interval(values_of(plan_, outcomes_, set, figure.name));
-      StudyCell cell{kNothing};
+      TableCell cell{kNothing};
       if (mean.count > 0) {
         cell.value = figure_text(mean, figure.digits);
         means[set] = mean.mean;
@@ -96,13 +96,13 @@ record::StudyTable laps_table(const TuningStudy& study, const TuningPlan& plan,
     if (!summary) continue;
     for (std::size_t k = 0; k < flight.sets.size(); ++k) {
       const int lap = static_cast<int>(k);
-      std::vector<StudyCell> row = {
+      std::vector<TableCell> row = {
           {fmt::format("{}", plan.items[flight.item].scenario.seed)},
           {fmt::format("{}", lap + 1)},
           {study.sets[flight.sets[k]].name},
           {fmt::format("{:.2f}", lap_cost(*summary, lap))}};
       for (const LapFigure& figure : kLapFigures) {
-        StudyCell cell{kNothing};
+        TableCell cell{kNothing};
         if (const auto value = lap_figure(*summary, lap, figure.name))
           cell.value = fmt::format("{:.{}f}", *value, figure.digits);
         row.push_back(std::move(cell));

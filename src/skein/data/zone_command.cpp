@@ -11,12 +11,12 @@
 namespace skein {
 namespace {
 
-constexpr const char* kUsage =
+constexpr const char* kZoneUsage =
     "Say: zone off NAME, or zone on NAME [circle NORTH,EAST RADIUS | ring NORTH,EAST "
     "NORTH,EAST ...] [floor M] [ceiling M] [from S] [until S].";
 
 Error wrong(std::string message) {
-  return {ErrorCode::kBadInput, "", std::move(message), kUsage};
+  return {ErrorCode::kBadInput, "", std::move(message), kZoneUsage};
 }
 
 using words::number;

@@ -17,9 +17,9 @@ double wrapped_deg(double angle) {
   return geo::degrees(geo::wrap_2pi(angle)) + 0.0;  // a zero has no minus sign
 }
 
-class Writer {
+class GeoJsonWriter {
  public:
-  Writer(const Document& document, const WritingOptions& options)
+  GeoJsonWriter(const Document& document, const WritingOptions& options)
       : document_(document), frame_(*document.frame), options_(options) {}
 
   std::string write() {
@@ -153,7 +153,7 @@ class Writer {
 Result<std::string> to_geojson(const Document& document, const WritingOptions& options) {
   if (auto good = check_known(Format::kGeojson, known_of(document)); !good)
     return good.error();
-  return Writer(document, options).write();
+  return GeoJsonWriter(document, options).write();
 }
 
 }  // namespace skein::exchange

@@ -12,12 +12,12 @@
 namespace skein::exchange {
 namespace {
 
-constexpr double kWidth = 1160, kTallest = 760;  // of the map [px]
-constexpr std::size_t kMaxRows = 5000;           // of a table
+constexpr double kMapWidth = 1160, kMapHeight = 760;  // of the map [px]
+constexpr std::size_t kMaxRows = 5000;                // of a table
 
 std::string map_part(const Document& document) {
-  const MapView view = view_of(document, kWidth, kTallest);
-  const auto [signs, height] = legend(document, kWidth);
+  const MapView view = view_of(document, kMapWidth, kMapHeight);
+  const auto [signs, height] = legend(document, kMapWidth);
   return fmt::format(
       "<section>\n<svg class=\"map\" viewBox=\"0 0 {0:.0f} {1:.2f}\" "
       "data-metres-per-px=\"{2}\" data-west-m=\"{3}\" data-north-m=\"{4}\" role=\"img\" "

@@ -17,9 +17,9 @@ std::string kml_colour(const std::string& rgb, const char* alpha) {
   return alpha + rgb.substr(5, 2) + rgb.substr(3, 2) + rgb.substr(1, 2);
 }
 
-class Writer {
+class KmlWriter {
  public:
-  Writer(const Document& document, const WritingOptions& options)
+  KmlWriter(const Document& document, const WritingOptions& options)
       : document_(document), frame_(*document.frame), options_(options) {}
 
   std::string write() {
@@ -126,7 +126,7 @@ class Writer {
 Result<std::string> to_kml(const Document& document, const WritingOptions& options) {
   if (auto good = check_known(Format::kKml, known_of(document)); !good)
     return good.error();
-  return Writer(document, options).write();
+  return KmlWriter(document, options).write();
 }
 
 }  // namespace skein::exchange

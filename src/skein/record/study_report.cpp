@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
 
-Json cell_json(const StudyCell& cell) {
+Json cell_json(const TableCell& cell) {
   Json json;
   if (const auto* text = std::get_if<std::string>(&cell.value))
     json["text"] = *text;
@@ -25,7 +25,7 @@ Json table_json(const StudyTable& table) {
   for (const auto& row : table.rows) {
     SKEIN_CHECK(row.size() == table.columns.size(), table.title, row.size());
     Json cells = Json::array();
-    for (const StudyCell& cell : row) cells.push_back(cell_json(cell));
+    for (const TableCell& cell : row) cells.push_back(cell_json(cell));
     rows.push_back(std::move(cells));
   }
   return {{"title", table.title},

@@ -11,7 +11,7 @@
 namespace skein::record {
 
 /// One cell of a study's table: text, or a number (NaN shows as a dash).
-struct StudyCell {
+struct TableCell {
   std::variant<std::string, double> value;
   bool highlight = false;  ///< the best of its kind
 };
@@ -19,7 +19,7 @@ struct StudyCell {
 struct StudyTable {
   std::string title, caption;
   std::vector<std::string> columns;          ///< headings, with units
-  std::vector<std::vector<StudyCell>> rows;  ///< each as long as `columns`
+  std::vector<std::vector<TableCell>> rows;  ///< each as long as `columns`
 };
 
 /// One line or cloud of points. NaN in `y` leaves a gap.

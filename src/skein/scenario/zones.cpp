@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
+
+#include "skein/base/math.h"
 
 namespace skein::scenario {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double seconds_or(const std::optional<Time>& time, double otherwise) {
   return time ? time->seconds() : otherwise;
@@ -28,10 +27,10 @@ Zone to_zone(const NoFlightZone& described) {
     zone.area = made_positive(*described.ring);
   else if (described.centre && described.radius)
     zone.area = Disc{*described.centre, *described.radius};
-  zone.floor_msl = described.floor_msl.value_or(-kInfinity);
-  zone.ceiling_msl = described.ceiling_msl.value_or(kInfinity);
-  zone.from = seconds_or(described.from, -kInfinity);
-  zone.until = seconds_or(described.until, kInfinity);
+  zone.floor_msl = described.floor_msl.value_or(-math::kInfinity);
+  zone.ceiling_msl = described.ceiling_msl.value_or(math::kInfinity);
+  zone.from = seconds_or(described.from, -math::kInfinity);
+  zone.until = seconds_or(described.until, math::kInfinity);
   zone.name = described.name;
   return zone;
 }
@@ -59,8 +58,8 @@ std::vector<RuleViolation> zone_errors(const NoFlightZone& zone) {
     add("until_s", "must be after from_s.");
   Zone shape = to_zone(zone);
   if (zone.ring) shape.area = *zone.ring;  // corners are counted as they are written
-  shape.floor_msl = shape.from = -kInfinity;
-  shape.ceiling_msl = shape.until = kInfinity;
+  shape.floor_msl = shape.from = -math::kInfinity;
+  shape.ceiling_msl = shape.until = math::kInfinity;
   if (const auto error = error_in(shape))
     add(zone.ring ? "ring_m" : "radius_m", sentence(*error));
   for (std::size_t k = 0; k < zone.switches.size(); ++k) {

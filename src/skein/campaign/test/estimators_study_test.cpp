@@ -12,14 +12,14 @@
 namespace skein::campaign {
 namespace {
 
-const StudyTable& table(const std::vector<StudyTable>& tables, const std::string& name) {
-  for (const StudyTable& one : tables)
+const CurveTable& table(const std::vector<CurveTable>& tables, const std::string& name) {
+  for (const CurveTable& one : tables)
     if (one.name == name) return one;
   throw std::invalid_argument(name);
 }
 
-const std::vector<double>& column(const StudyTable& one, const std::string& name) {
-  for (const StudyColumn& c : one.columns)
+const std::vector<double>& column(const CurveTable& one, const std::string& name) {
+  for (const Curve& c : one.columns)
     if (c.name == name) return c.values;
   throw std::invalid_argument(name);
 }
@@ -34,8 +34,8 @@ EstimatorsStudyOptions fire_sized() {
 TEST(EstimatorsStudy, QkfLiesOnTheExactCurve) {
   const auto tables = estimators_study(fire_sized());
   for (const char* side : {"above", "below"}) {
-    const StudyTable& mean = table(tables, std::string("mean_") + side);
-    const StudyTable& variance = table(tables, std::string("variance_") + side);
+    const CurveTable& mean = table(tables, std::string("mean_") + side);
+    const CurveTable& variance = table(tables, std::string("variance_") + side);
     for (std::size_t i = 0; i < column(mean, "bound_m").size(); ++i) {
       // Simpson's rule with steps below 1/200 sigma errs by less than 1e-10.
       EXPECT_NEAR(column(mean, "qkf_m")[i], column(mean, "exact_m")[i], 1e-7);
@@ -48,7 +48,7 @@ TEST(EstimatorsStudy, QkfLiesOnTheExactCurve) {
 TEST(EstimatorsStudy, ApproximationsAreNeverBetterThanQkf) {
   const auto tables = estimators_study(fire_sized());
   for (const char* side : {"above", "below"}) {
-    const StudyTable& variance = table(tables, std::string("variance_") + side);
+    const CurveTable& variance = table(tables, std::string("variance_") + side);
     for (const char* name : {"mle_m2", "map_m2", "ukf_m2"})
       for (std::size_t i = 0; i < column(variance, name).size(); ++i)
         EXPECT_GE(column(variance, name)[i], column(variance, "qkf_m2")[i] * (1 - 1e-12));
@@ -57,8 +57,8 @@ TEST(EstimatorsStudy, ApproximationsAreNeverBetterThanQkf) {
 
 TEST(EstimatorsStudy, BothSidesAreMirrorImages) {
   const auto tables = estimators_study(fire_sized());
-  const StudyTable& above = table(tables, "mean_above");
-  const StudyTable& below = table(tables, "mean_below");
+  const CurveTable& above = table(tables, "mean_above");
+  const CurveTable& below = table(tables, "mean_below");
   for (std::size_t c = 1; c < above.columns.size(); ++c) {
     const auto& up = above.columns[c].values;
     const auto& down = below.columns[c].values;
@@ -85,7 +85,7 @@ TEST(EstimatorsStudy, TakesFurtherUpdates) {
 
 TEST(EstimatorsStudy, GainA15ClaimsLessThanItsTrueError) {
   const auto tables = estimators_study({});
-  const StudyTable& gain = table(tables, "gain_a15");
+  const CurveTable& gain = table(tables, "gain_a15");
   const auto& claimed = column(gain, "claimed_variance_m2");
   const auto& real = column(gain, "true_square_error_m2");
   for (std::size_t i = 0; i < claimed.size(); ++i) EXPECT_LT(claimed[i], real[i]) << i;
@@ -99,8 +99,8 @@ TEST(EstimatorsStudy, TablesAreCompleteAndWritable) {
   options.steps = 2;
   const auto tables = estimators_study(options);
   ASSERT_EQ(tables.size(), 5u);
-  for (const StudyTable& one : tables)
-    for (const StudyColumn& c : one.columns) {
+  for (const CurveTable& one : tables)
+    for (const Curve& c : one.columns) {
       ASSERT_EQ(c.values.size(), 3u) << one.name << " " << c.name;
       for (double value : c.values) EXPECT_TRUE(std::isfinite(value));
     }

@@ -23,7 +23,7 @@ std::string texts_of(const record::StudyReport& report, const std::string& title
   for (const record::StudyTable& table : report.tables)
     if (table.title == title)
       for (const auto& row : table.rows)
-        for (const record::StudyCell& cell : row)
+        for (const record::TableCell& cell : row)
           if (const auto* text = std::get_if<std::string>(&cell.value))
             all += *text + ";";
   return all;

@@ -29,7 +29,7 @@ TEST(StudySummary, HasMeanAndIntervalOfEveryCell) {
 }
 
 TEST(StudySummary, ComparesColumnsWithTheExactOne) {
-  const std::vector<StudyTable> tables{
+  const std::vector<CurveTable> tables{
       {"variance",
        "Variance",
        {{"bound_m", {0, 1}}, {"exact_m2", {2, 3}}, {"qkf_a15_m2", {2, 2.5}}}},

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "skein/base/math.h"
 #include "skein/base/random.h"
 #include "skein/data/zone_set.h"
 
 namespace skein {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Zone square(const std::string& name, double half = 100) {
@@ -32,7 +32,7 @@ TEST(Zone, SaysWhatIsWrongWithARing) {
   EXPECT_NE(error_of({{0, 0}, {10, 0}, {20, 0}}).find("no area"), std::string::npos);
   EXPECT_NE(error_of({{5, 5}, {5, 5}, {5, 5}}).find("no area"), std::string::npos);
   EXPECT_NE(error_of({{0, 0}, {10, 0}, {kNan, 10}}).find("corner 2"), std::string::npos);
-  EXPECT_NE(error_of({{0, 0}, {kInfinity, 0}, {9, 9}}).find("corner 1"),
+  EXPECT_NE(error_of({{0, 0}, {math::kInfinity, 0}, {9, 9}}).find("corner 1"),
             std::string::npos);
   EXPECT_NE(error_of(geo::Ring(kMaxCorners + 1, Vec2(1, 1))).find("2001 corners"),
             std::string::npos);
@@ -49,7 +49,8 @@ TEST(Zone, SaysWhatIsWrongWithDiscsLimitsAndTimes) {
     return error_in(Zone{.area = Disc{{0, 0}, radius}}).has_value();
   };
   EXPECT_FALSE(disc(10));
-  for (const double radius : {0.0, -1.0, kNan, kInfinity}) EXPECT_TRUE(disc(radius));
+  for (const double radius : {0.0, -1.0, kNan, math::kInfinity})
+    EXPECT_TRUE(disc(radius));
   EXPECT_TRUE(error_in(Zone{.area = Disc{{kNan, 0}, 10}}));
   Zone zone = square("a");
   zone.floor_msl = zone.ceiling_msl = 100;

@@ -14,9 +14,9 @@ namespace {
 // flies it takes long until it can be met again.
 constexpr double kFirstStep = 1.0 / 16;
 constexpr double kGrowth = 1.15;
-constexpr int kMaxSteps = 150;  // 1e9 circles
+constexpr int kMaxCircleSteps = 150;  // 1e9 circles
 constexpr int kHalvings = 40;
-constexpr double kLongest = 1e8;  // climb, in turn radii of flight
+constexpr double kLongestClimb = 1e8;  // climb, in turn radii of flight
 
 Pose pose_of(const FlightState& state) {
   return {geo::horizontal(state.p_N), state.heading};
@@ -40,7 +40,7 @@ Arrival next_arrival(const Pose& from, const Pose& to, const AirMotion& air, dou
   Arrival arrival = connect_at(from, to, air, time);
   if (arrival.status == ArrivalStatus::kFound) return arrival;
   for (int i = 0; arrival.status != ArrivalStatus::kFound; ++i) {
-    if (i == kMaxSteps) return arrival;
+    if (i == kMaxCircleSteps) return arrival;
     missed = time;
     time += step;
     step *= kGrowth;
@@ -77,7 +77,7 @@ SpaceConnection connect(const FlightState& from, const FlightState& to,
     result.plan = climbing(to_flight_plan(level, start, air), from.p_N.z(), rate);
     return result;
   }
-  if (!(needed * air.airspeed <= kLongest * air.turn_radius)) {
+  if (!(needed * air.airspeed <= kLongestClimb * air.turn_radius)) {
     result.status = ConnectionStatus::kBadInput;
     return result;
   }

@@ -8,7 +8,7 @@ namespace skein::model::words {
 namespace {
 
 constexpr double kTimeRounding = 1e-12;
-constexpr int kMaxNewton = 60;
+constexpr int kMaxTangentSteps = 60;
 
 // Turns and straight at one moment, and how much later than the word's shortest flight
 // that moment is.
@@ -74,7 +74,7 @@ class TangentSearch {
     bool reached = false;  // within [low, high] there is a root
     double time = start.time + growth / (1 + start.u.dot(word_.wind));
     if (!(time >= low && time < high)) time = high;
-    for (int i = 0; i < kMaxNewton; ++i) {
+    for (int i = 0; i < kMaxTangentSteps; ++i) {
       Moment m = at(time);
       const double left = missing(m);
       if (left > 0 && time >= high && !reached) {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "skein/base/math.h"
 #include "skein/model/path/direction.h"
 #include "skein/model/path/path_geometry.h"
 
 namespace skein::model {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Turns this near to a full one are none: rounding of the angles is about 1e-15, that of
 // the positions enters divided by the distance of the turning centres.
 constexpr double kFullTurnSnap = 1e-11;
@@ -71,7 +70,7 @@ std::array<double, 3> equal_parts(const Reduced& g, const Centres& c, double str
 }
 
 struct Best {
-  double length = kInfinity;
+  double length = math::kInfinity;
   DubinsWord word = DubinsWord::kLSL;
   std::array<double, 3> parts{};
 

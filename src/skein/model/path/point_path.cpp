@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "skein/base/math.h"
 #include "skein/model/path/path_geometry.h"
 
 namespace skein::model {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Everything below happens in the frame of the aircraft: x ahead, y to the right, lengths
 // in turn radii, and mirrored so that the point is on the right (y >= 0). The turning
@@ -35,7 +32,7 @@ bool inside_circle(const Relative& p) {
 // Two parts: a turn by `turn`, to the right when `right`; then `rest`, straight or an
 // opposite turn. `end` is the final course, relative to the first.
 struct Solution {
-  double turn = kInfinity;
+  double turn = math::kInfinity;
   double rest = 0;
   bool right = true;
   bool straight = true;

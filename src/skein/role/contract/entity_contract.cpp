@@ -9,7 +9,7 @@
 namespace skein::contract {
 namespace {
 
-constexpr double kStep = 0.1;  // of the run [s]
+constexpr double kStepOfRun = 0.1;  // of the run [s]
 
 // What an agent may command at any time; every fifth cannot be flown.
 AutopilotCommand some_command(RandomStream& random, int number) {
@@ -54,8 +54,8 @@ class Watched {
       checks_.expect(vehicle_->command_fate().number == commands_,
                      "command_fate() is not of the last command");
     }
-    vehicle_->advance(world_, now, now + Time::from_seconds(kStep), nullptr);
-    check_estimate(now + Time::from_seconds(kStep));
+    vehicle_->advance(world_, now, now + Time::from_seconds(kStepOfRun), nullptr);
+    check_estimate(now + Time::from_seconds(kStepOfRun));
     check_truth();
     check_events();
   }
@@ -135,7 +135,7 @@ Violations vehicle_violations(const Make<Vehicle>& make, const WindField& wind) 
   Watched one(make(), world, checks), twin(make(), world, checks);
   RandomStream random = draws(42);
   for (int i = 0; i < kCommands * kAnswered; ++i) {
-    const Time now = Time::from_seconds(kStep * i);
+    const Time now = Time::from_seconds(kStepOfRun * i);
     const int number = i / kAnswered;
     std::optional<AutopilotCommand> command;
     if (i % kAnswered == 0) command = some_command(random, number);

@@ -9,7 +9,7 @@
 namespace skein::contract {
 namespace {
 
-bool is_finite(const AutopilotCommand& command) {
+bool command_is_finite(const AutopilotCommand& command) {
   const auto* circle = std::get_if<Circle>(&command.guidance);
   const auto* course = std::get_if<HoldCourse>(&command.guidance);
   const auto* place = std::get_if<HoldPosition>(&command.guidance);
@@ -79,7 +79,8 @@ Violations agent_violations(const Make<Agent>& make, const NavEstimate* nav) {
     checks.expect(!out.events.empty() && out.events.front().kind == "before",
                   "step() removes what is in the output already");
     checks.expect(!out.command || nav != nullptr, "it commands, but has no vehicle");
-    checks.expect(!out.command || is_finite(*out.command), "a command is not finite");
+    checks.expect(!out.command || command_is_finite(*out.command),
+                  "a command is not finite");
     checks.expect(amounts(out) == amounts(other), "two equal ones do not act alike");
     own.p_N += kStep * own.v_N;
   }

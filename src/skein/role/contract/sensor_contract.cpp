@@ -4,11 +4,11 @@
 namespace skein::contract {
 namespace {
 
-constexpr Time kStep = Time::from_ns(10'000'000);
+constexpr Time kStepOfSensor = Time::from_ns(10'000'000);
 
 // A vehicle in a wide turn over and beside the fire, at changing heights.
 VehicleState in_flight(int step) {
-  const double t = step * kStep.seconds(), angle = 0.02 * t;
+  const double t = step * kStepOfSensor.seconds(), angle = 0.02 * t;
   VehicleState vehicle;
   vehicle.p_N << 300 * geo::unit(angle), -150 + 20 * math::sin(0.1 * t);
   vehicle.v_N << 6 * geo::unit(angle + geo::kPi / 2), -2 * math::cos(0.1 * t);
@@ -37,7 +37,7 @@ Violations sensor_violations(const Make<Sensor>& make) {
   Air air;
   air.wind_N = {3, -1, 0};
   for (int i = 0; i < kSteps; ++i) {
-    const Time now = kStep * i;
+    const Time now = kStepOfSensor * i;
     fire.advance(now);
     const int looks = fire.looks();
     const VehicleState vehicle = in_flight(i);

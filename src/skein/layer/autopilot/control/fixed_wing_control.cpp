@@ -13,12 +13,12 @@ constexpr double kRunSteers = 4;  // ground speed for full use of a lateral dema
 constexpr double kWindy = 0.35;   // airspeed of a parked aircraft, over the slowest
 
 // Adding up is enough: what is not finite stays so.
-bool finite(const NavState& n) {
+bool is_finite(const NavState& n) {
   return std::isfinite(n.p_N.sum() + n.v_N.sum() + n.q_NB.coeffs().sum() +
                        n.w_NB_B.sum() + n.wind_N.sum() + n.airspeed);
 }
 
-bool finite(const FixedWingDemand& d) {
+bool is_finite(const FixedWingDemand& d) {
   return std::isfinite(d.lateral_acceleration + d.altitude_msl + d.climb_rate +
                        d.airspeed);
 }
@@ -48,7 +48,7 @@ FixedWingControl::FixedWingControl(const FixedWingAirframe& airframe,
     : FixedWingControl(std::make_shared<const FixedWingSetup>(airframe, gains)) {}
 
 void FixedWingControl::reset(const NavState& nav) {
-  if (!finite(nav)) {
+  if (!is_finite(nav)) {
     fresh_ = true;
     return;
   }
@@ -152,7 +152,7 @@ Actuators FixedWingControl::stand(const NavState& nav, const Tilt& tilt, double 
 
 Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavState& nav,
                                     double dt) {
-  if (!(dt > 0) || !finite(nav) || !finite(demand)) return last_;
+  if (!(dt > 0) || !is_finite(nav) || !is_finite(demand)) return last_;
   if (fresh_) reset(nav);
   const Tilt tilt(nav.q_NB);
   if (demand.phase == FlightPhase::kGround) return stand(nav, tilt, dt);
@@ -180,7 +180,7 @@ Actuators FixedWingControl::control(const FixedWingDemand& demand, const NavStat
 
 Actuators FixedWingControl::stabilize(const AttitudeDemand& demand, const NavState& nav,
                                       double dt) {
-  if (!(dt > 0) || !finite(nav)) return last_;
+  if (!(dt > 0) || !is_finite(nav)) return last_;
   if (fresh_) reset(nav);
   const FixedWingAirframe& a = setup_->airframe;
   const Tilt tilt(nav.q_NB);

@@ -21,12 +21,12 @@ constexpr double kMinTilt = 0.2;         // share that is always left
 constexpr double kIntegratesWithin = 1;  // speed errors beyond belong to a transit [m/s]
 constexpr double kSameAir = 50;          // of altitude: density changes by 0.5 % [m]
 
-bool finite(const NavState& n) {
+bool motion_is_finite(const NavState& n) {
   return std::isfinite(n.p_N.sum() + n.v_N.sum() + n.q_NB.coeffs().sum() +
                        n.w_NB_B.sum());
 }
 
-bool finite(const MultirotorDemand& d) {
+bool is_finite(const MultirotorDemand& d) {
   return std::isfinite(d.position.sum() + d.velocity.sum() + d.acceleration.sum() +
                        d.altitude_msl + d.climb_rate + d.heading);
 }
@@ -52,7 +52,7 @@ MultirotorControl::MultirotorControl(const MultirotorAirframe& airframe,
     : MultirotorControl(std::make_shared<const MultirotorSetup>(airframe, gains)) {}
 
 void MultirotorControl::reset(const NavState& nav) {
-  fresh_ = !finite(nav);
+  fresh_ = !motion_is_finite(nav);
   velocity_sum_.setZero();
   if (!fresh_) rates_ = bounded_each(nav.w_NB_B, 1e3);
 }
@@ -169,7 +169,7 @@ Actuators MultirotorControl::turn(const Vec3& rates, double thrust, const NavSta
 
 Actuators MultirotorControl::control(const MultirotorDemand& demand, const NavState& nav,
                                      double dt) {
-  if (!(dt > 0) || !finite(nav) || !finite(demand)) return last_;
+  if (!(dt > 0) || !motion_is_finite(nav) || !is_finite(demand)) return last_;
   if (fresh_) reset(nav);
   if (demand.phase == FlightPhase::kGround) {
     velocity_sum_.setZero();
@@ -218,7 +218,7 @@ Actuators MultirotorControl::control(const MultirotorDemand& demand, const NavSt
 
 Actuators MultirotorControl::stabilize(const AttitudeDemand& demand, const NavState& nav,
                                        double dt) {
-  if (!(dt > 0) || !finite(nav)) return last_;
+  if (!(dt > 0) || !motion_is_finite(nav)) return last_;
   velocity_sum_.setZero();
   const MultirotorGains& g = setup_->gains;
   const double limit = setup_->airframe.tilt_limit;
@@ -236,7 +236,7 @@ Actuators MultirotorControl::stabilize(const AttitudeDemand& demand, const NavSt
 
 Actuators MultirotorControl::manual(const PilotInput& sticks, const NavState& nav,
                                     double dt) {
-  if (!(dt > 0) || !finite(nav)) return last_;
+  if (!(dt > 0) || !motion_is_finite(nav)) return last_;
   velocity_sum_.setZero();
   const MultirotorGains& g = setup_->gains;
   const Vec3 rates(bounded(sticks.roll, 1) * g.manual_tilt_rate,

@@ -13,7 +13,7 @@ constexpr double kBlindHeight = 8;  // [m]
 // Close to the ground, a vehicle that does not sink although it shall stands on it.
 constexpr double kStillSink = 0.15;  // [m/s]
 constexpr double kPushed = 2;        // the demanded altitude below its own [m]
-constexpr double kStillTime = 1;     // [s]
+constexpr double kStandsAfter = 1;   // [s]
 
 }  // namespace
 
@@ -58,7 +58,7 @@ Control RotorFlier::descend(const FlierView& now, double dt) {
                       altitude - descent_altitude_ > kPushed &&
                       std::abs(now.nav.v_N.z()) < kStillSink;
   still_for_ = stands ? still_for_ + dt : 0;
-  if (still_for_ > kStillTime) return stand(now, dt);
+  if (still_for_ > kStandsAfter) return stand(now, dt);
   demand.heading = heading_;
   return control_.control(demand, now.nav, dt);
 }

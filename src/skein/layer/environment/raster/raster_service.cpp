@@ -73,7 +73,7 @@ std::optional<RasterFacts> facts_in(const ServiceMessage& message) {
 
 // Runs in the other process. The first request opens the file; each other one has a band
 // and a window of it.
-class Reader {
+class RasterReader {
  public:
   ServiceMessage answer(const ServiceMessage& request) {
     if (!source_) {
@@ -104,7 +104,7 @@ class Reader {
 Result<RasterService> RasterService::start(const std::string& path,
                                            const std::string& variable) {
   auto process = geo::start_gdal_service(
-      [reader = std::make_shared<Reader>()](const ServiceMessage& request) {
+      [reader = std::make_shared<RasterReader>()](const ServiceMessage& request) {
         return reader->answer(request);
       });
   if (!process) {

@@ -9,9 +9,9 @@
 namespace skein::environment {
 namespace {
 
-constexpr double kSlowest = 1;       // [m/s]
+constexpr double kMinAirspeed = 1;   // [m/s]
 constexpr double kTolerance = 0.01;  // relative, before coefficients are renewed
-constexpr double kLow = 1000 * 0.3048, kHigh = 2000 * 0.3048;  // [m]
+constexpr double kLowAltitude = 1000 * 0.3048, kHighAltitude = 2000 * 0.3048;  // [m]
 
 bool changed(double now, double then) {
   return std::abs(now - then) > kTolerance * then;
@@ -23,9 +23,9 @@ bool changed(double now, double then) {
 Vec2 ahead_of(const TurbulenceView& view) {
   const Vec2 v = geo::horizontal(view.vehicle.v_N - view.wind_N);
   const double speed = v.norm();
-  if (speed >= kSlowest) return v / speed;
+  if (speed >= kMinAirspeed) return v / speed;
   const Vec2 nose = geo::unit(geo::yaw(view.vehicle.q_NB));
-  const Vec2 sum = v + (kSlowest - speed) * nose;
+  const Vec2 sum = v + (kMinAirspeed - speed) * nose;
   const double length = sum.norm();
   return length > 1e-3 ? Vec2(sum / length) : nose;
 }
@@ -87,17 +87,18 @@ void DrydenTurbulence::step() {
 Gust DrydenTurbulence::advance(const TurbulenceView& view, double dt) {
   if (calm_) return {};
   const double height = std::max(view.height_agl, 1.0);
-  update(height, std::max(view.vehicle.airspeed, kSlowest) * dt);
+  update(height, std::max(view.vehicle.airspeed, kMinAirspeed) * dt);
   step();
   const Vec3 gust{spectrum_.sigma_u * u_, spectrum_.sigma_u * v_.gust(),
                   spectrum_.sigma_w * w_.gust()};
   Gust felt;
   felt.rates_B = {sigma_p_ * p_, -spectrum_.sigma_w * w_.gradient(),
                   spectrum_.sigma_u * v_.gradient()};
-  if (height <= kLow) {
+  if (height <= kLowAltitude) {
     felt.velocity_N = along_airspeed(view, gust);
   } else {
-    const double part = std::min((height - kLow) / (kHigh - kLow), 1.0);
+    const double part =
+        std::min((height - kLowAltitude) / (kHighAltitude - kLowAltitude), 1.0);
     felt.velocity_N = part * (view.vehicle.q_NB * gust);
     if (part < 1) felt.velocity_N += (1 - part) * along_airspeed(view, gust);
   }

@@ -1,8 +1,8 @@
 #include "skein/layer/reasoning/agent/detour_planner.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "skein/base/math.h"
 #include "skein/geo/clip.h"
 
 namespace skein::reasoning {
@@ -11,7 +11,6 @@ namespace {
 constexpr double kOutside = 1;  // corners of detours are this much further out [m]
 // Of discs and of arcs around corners [m]: finer would cost more than it saves.
 constexpr double kTolerance = 3;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 geo::Region outlines(std::span<const Zone> zones) {
   geo::Region rings;
@@ -90,13 +89,13 @@ std::vector<Vec2> DetourPlanner::detour(const Vec2& from, const Vec2& to) const 
   places.push_back(start);
   places.push_back(goal);
   const std::size_t from_place = places.size() - 2, to_place = places.size() - 1;
-  std::vector<double> cost(places.size(), kInfinity);
+  std::vector<double> cost(places.size(), math::kInfinity);
   std::vector<std::size_t> before(places.size(), from_place);
   std::vector<bool> done(places.size(), false);
   cost[from_place] = 0;
   while (!done[to_place]) {
     std::size_t next = places.size();
-    double min = kInfinity;
+    double min = math::kInfinity;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double total = cost[i] + (goal - places[i]).norm();
       if (!done[i] && total < min) min = total, next = i;

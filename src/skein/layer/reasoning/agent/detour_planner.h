@@ -9,6 +9,9 @@
 
 namespace skein::reasoning {
 
+/// Change of a clearance, as a share of it, for which detours are not drawn anew.
+inline constexpr double kClearanceSlack = 0.1;
+
 /// The places that are at least `clearance` away, a few metres more at arcs, from some
 /// zones, and the short paths between them.
 class DetourPlanner {

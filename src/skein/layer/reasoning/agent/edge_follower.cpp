@@ -11,7 +11,7 @@ namespace {
 constexpr double kArrived = 80;       // from the start: begin to look for the edge [m]
 constexpr double kSeekInwards = 45;   // flown straight inwards before the spiral [s]
 constexpr double kReadingsApart = 5;  // readings further apart make no crossing [s]
-constexpr double kForget = 90;        // crossings older than this teach nothing [s]
+constexpr double kMarkLife = 90;      // crossings older than this teach nothing [s]
 constexpr std::size_t kMarks = 8;     // crossings that are kept
 constexpr double kSteepest =
     1.4;  // largest angle of the edge to a perpendicular crossing
@@ -81,8 +81,9 @@ void EdgeFollower::crossed(const Mark& crossing, double course) {
   // less like this (exactly, when it is crossed at a right angle):
   const double across = course - side_ * (last_->inside ? 1 : -1) * geo::kPi / 2;
   auto& marks = belief_.marks;
-  std::erase_if(
-      marks, [&](const Mark& m) { return (crossing.time - m.time).seconds() > kForget; });
+  std::erase_if(marks, [&](const Mark& m) {
+    return (crossing.time - m.time).seconds() > kMarkLife;
+  });
   // What lay before a corner does not continue behind it.
   const bool corner = belief_.overdue > kCorner || belief_.phase != Phase::kFollow ||
                       std::abs(belief_.edge->right_of(crossing.point)) > kPlausible;

@@ -8,11 +8,10 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kPeriod = 1;            // between looks at the route [s]
-constexpr double kHorizon = 600;         // zones of the next time that count [s]
-constexpr double kReturnHeight = 60;     // autopilots return this high at least [m]
-constexpr double kClearanceSlack = 0.1;  // change of the clearance that is not looked at
-constexpr double kSamePlace = 1;         // nearer is the same [m]
+constexpr double kPeriod = 1;         // between looks at the route [s]
+constexpr double kHorizon = 600;      // zones of the next time that count [s]
+constexpr double kReturnHeight = 60;  // autopilots return this high at least [m]
+constexpr double kSamePlace = 1;      // nearer is the same [m]
 
 std::vector<Zone> those(std::span<const Zone> zones, const std::vector<bool>& count) {
   std::vector<Zone> some;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "skein/base/math.h"
 #include "skein/geo/clip.h"
 #include "skein/model/path/wind_triangle.h"
 
@@ -14,7 +14,6 @@ constexpr double kStep = 0.25;           // of the preview [s]
 constexpr int kCourses = 36;             // that are tried around the compass
 constexpr double kHeadingGain = 1.2;     // of autopilots: rad/s per rad of error
 constexpr double kRadiusReserve = 1.15;  // of the escape circle: room to correct
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -64,7 +63,7 @@ double ZoneAvoidance::circle_radius(const NavEstimate& nav) const {
 }
 
 double ZoneAvoidance::distance(const Vec2& p) const {
-  return border_.empty() ? kInfinity : border_.signed_distance(p);
+  return border_.empty() ? math::kInfinity : border_.signed_distance(p);
 }
 
 // The state after the preview when turning to `course` now; `nearest` becomes the
@@ -91,7 +90,7 @@ ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
 
 ZoneAvoidance::Escape ZoneAvoidance::best_escape(const State& state) const {
   Escape best;
-  best.clearance = -kInfinity;
+  best.clearance = -math::kInfinity;
   for (const bool clockwise : {true, false}) {
     const double side = clockwise ? 1 : -1;
     const Vec2 centre =
@@ -103,7 +102,7 @@ ZoneAvoidance::Escape ZoneAvoidance::best_escape(const State& state) const {
 }
 
 double ZoneAvoidance::slack(const NavEstimate& nav, double course) const {
-  double nearest = kInfinity;
+  double nearest = math::kInfinity;
   const State end = fly(nav, course, nearest);
   return std::min(nearest - options_.margin, best_escape(end).clearance);
 }
@@ -132,7 +131,7 @@ decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
   }
 
   deflecting_ = true;
-  double best_slack = -kInfinity, best_course = course;
+  double best_slack = -math::kInfinity, best_course = course;
   for (int k = 1; k < kCourses; ++k) {
     // The chosen side first, a full circle; before the choice, both sides in turn.
     const int side = side_ != 0 ? side_ : (k % 2 == 1 ? 1 : -1);

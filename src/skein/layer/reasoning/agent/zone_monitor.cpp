@@ -12,9 +12,8 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kClearanceSlack = 0.1;  // of the clearance: change that is not looked at
-constexpr double kGrownTolerance = 1;    // of the arcs around grown corners [m]
-constexpr double kMinRoom = 3;           // from a grown zone to the ends of a path [m]
+constexpr double kGrownTolerance = 1;  // of the arcs around grown corners [m]
+constexpr double kMinRoom = 3;         // from a grown zone to the ends of a path [m]
 
 }  // namespace
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "skein/base/math.h"
+
 namespace skein::autopilot {
 namespace {
 
@@ -12,7 +14,6 @@ const FlightLimits kWing{20, 60, 3, 15, 25, 3};
 const FlightLimits kRotor{10, 1, 4, 0, 15, 3};
 const Vec2 kCalm = Vec2::Zero();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool says(const AutopilotCommand& command, const std::string& part,
           const Vec2& wind = kCalm, const FlightLimits& limits = kWing) {
@@ -36,7 +37,7 @@ TEST(Unflyable, NumbersMustBeFinite) {
   EXPECT_TRUE(says({HoldCourse{kNan}, 100, {}}, "course is not finite"));
   EXPECT_TRUE(says({HoldCourse{0}, kNan, {}}, "altitude is not finite"));
   EXPECT_TRUE(says({HoldCourse{0}, 100, kNan}, "airspeed"));
-  EXPECT_TRUE(says({HoldPosition{{kInfinity, 0}}, 100, {}}, "point is not finite"));
+  EXPECT_TRUE(says({HoldPosition{{math::kInfinity, 0}}, 100, {}}, "point is not finite"));
   EXPECT_TRUE(says({Circle{{0, 0}, kNan, true}, 100, {}}, "circle is not finite"));
   EXPECT_TRUE(says({FollowPath{{{{0, kNan}, 0, 1, 0}}}, 100, {}}, "element 1"));
   EXPECT_TRUE(says({FollowPlan{plan({0, 1}, {kNan, 0, 0})}, 0, {}}, "point 1"));

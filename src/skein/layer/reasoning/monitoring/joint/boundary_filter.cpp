@@ -9,7 +9,6 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kMinRadius = 20;    // the polar frame ends here [m]
 constexpr double kLongestLag = 5;    // of the covariance [s]
 constexpr double kMaxTilt = 3;       // slope over radius, as tan: 72 degrees
 constexpr double kMinShift = 0.02;   // of the covariance over the bearings [knots]
@@ -115,7 +114,8 @@ BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
     local.slope += tap.slope[i] * x_[r(tap.index[i])];
     rate += tap.value[i] * x_[v(tap.index[i])];
   }
-  const Vec2 g = wind_effect(bearing, local.slope / std::max(local.radius, kMinRadius));
+  const Vec2 g =
+      wind_effect(bearing, local.slope / std::max(local.radius, kMinPolarRadius));
   local.growth = rate + g.dot(wind());
   // r and its growth v + g.w from their few terms.
   for (std::size_t i = 0; i < 4; ++i) {
@@ -164,7 +164,7 @@ void BoundaryFilter::growth(const Eigen::Ref<const Eigen::VectorXd>& c, double m
   for (int j = 0; j < n_; ++j) {
     const double* around = padded_.data() + j + 2;
     const double radius =
-        std::max((around[-1] + 4 * around[0] + around[1]) / 6, kMinRadius);
+        std::max((around[-1] + 4 * around[0] + around[1]) / 6, kMinPolarRadius);
     const double slope =
         (8 * (around[1] - around[-1]) - (around[2] - around[-2])) * inverse_step;
     const Vec2& e_r = e_r_[static_cast<std::size_t>(j)];
@@ -252,7 +252,7 @@ double BoundaryFilter::product_noise() const {
                               2 * e_t.x() * e_t.y() * P_(1, 0) +
                               e_t.y() * e_t.y() * P_(1, 1);
     // Beyond a tilt of 45 degrees the noise would feed on the slopes that it makes.
-    const double tilt2 = slope / math::squared(std::max(x_[r(j)], kMinRadius));
+    const double tilt2 = slope / math::squared(std::max(x_[r(j)], kMinPolarRadius));
     sum += tangential * std::min(tilt2, 1.0);
   }
   return 2 * kProductTime * sum / n_;

@@ -43,6 +43,9 @@ struct PolarReading {
   double age = 0;         ///< since it was made [s]
 };
 
+/// The polar frame ends here [m].
+inline constexpr double kMinPolarRadius = 20;
+
 /// The boundary r(bearing), its spread v(bearing) and the wind w as one Gaussian.
 ///
 ///   dr/dt = v + w . e_r - (w . e_t / r) dr/dbearing

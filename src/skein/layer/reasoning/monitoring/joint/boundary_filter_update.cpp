@@ -11,7 +11,6 @@
 namespace skein::monitoring {
 namespace {
 
-constexpr double kMinRadius = 20;    // the polar frame ends here [m]
 constexpr double kSiteLife = 60;     // a bound older than this stays for good [s]
 constexpr double kSamePlace = 0.9;   // correlation from which two bounds are one
 constexpr int kSureCount = 4;        // so many agreeing readings are not all false
@@ -44,7 +43,7 @@ BoundaryFilter::Functional BoundaryFilter::aged_radius_at(double bearing,
     radius += tap.value[i] * x_[r(tap.index[i])];
     slope += tap.slope[i] * x_[r(tap.index[i])];
   }
-  const Vec2 g = wind_effect(bearing, slope / std::max(radius, kMinRadius));
+  const Vec2 g = wind_effect(bearing, slope / std::max(radius, kMinPolarRadius));
   h.add(0, -age * g.x());
   h.add(1, -age * g.y());
   return h;
@@ -117,7 +116,7 @@ bool BoundaryFilter::drop_site(Site& site, const Functional& h, double& s, doubl
 
 BoundaryFilter::Limits BoundaryFilter::limits(const PolarReading& reading,
                                               const Local& local) const {
-  const double tilt = local.slope / std::max(local.radius, kMinRadius);
+  const double tilt = local.slope / std::max(local.radius, kMinPolarRadius);
   Limits limits;
   limits.noise = (1 + tilt * tilt) * reading.position_sd * reading.position_sd;
   const double moved = local.growth * reading.age;
@@ -134,7 +133,7 @@ BoundaryFilter::Limits BoundaryFilter::limits(const PolarReading& reading,
     limits.high = middle + half;
     // The slope is not known exactly, and where on the track it was crossed is not
     // either.
-    const double along = reading.tangential / std::max(reading.distance, kMinRadius);
+    const double along = reading.tangential / std::max(reading.distance, kMinPolarRadius);
     limits.noise += slope_variance(spline_.at(reading.bearing)) * along * along / 12;
   }
   return limits;

@@ -12,12 +12,12 @@ namespace {
 constexpr double kForget = 1e-6;  // share of the weights returned per reading
 constexpr double kFloor = 1e-6;   // maximum that one reading takes from a weight
 constexpr double kLost = 1e-3;    // weight below which a hypothesis counts for nothing
-constexpr double kSurprise = 3;   // sigma that a boundary may be off after widening
-constexpr double kMinRadius = 1;  // of a reported point [m]
-constexpr double kMinFrame = 20;  // the polar frame ends here [m]
-constexpr double kSteep = 1;      // slope over radius of a flank
-constexpr double kWall = 10;      // the same of one that counts as no steeper
-constexpr double kBlur = 0.1;     // part of a flank's height that is unknown
+constexpr double kWidening = 3;   // sigma that a boundary may be off after widening
+constexpr double kMinReportedRadius = 1;  // of a reported point [m]
+constexpr double kMinFrame = 20;          // the polar frame ends here [m]
+constexpr double kSteep = 1;              // slope over radius of a flank
+constexpr double kWall = 10;              // the same of one that counts as no steeper
+constexpr double kBlur = 0.1;             // part of a flank's height that is unknown
 constexpr double kHeld = 2.5;   // sigma from which a crossing waits for the next reading
 constexpr double kSure = 1e-3;  // readings less probable contradict a sure belief
 
@@ -191,7 +191,7 @@ void JointEstimator::use(int index, const PolarReading& reading) {
   double total = 0;
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     if (probability < options_.outlier && evidence_[i] < options_.outlier) {
-      filters_[i].widen(reading.bearing, reading.distance, kSurprise);
+      filters_[i].widen(reading.bearing, reading.distance, kWidening);
     }
     evidence_[i] = filters_[i].observe(index, reading, false_rate_.mean());
     weights_[i] *= std::max(evidence_[i], kFloor * probability);
@@ -237,7 +237,7 @@ double JointEstimator::blur(const BoundaryFilter::Local& local) const {
 
 BoundaryPoint JointEstimator::point_at(double bearing) const {
   const BoundaryFilter::Local local = at(bearing);
-  const double radius = std::max(local.radius, kMinRadius);
+  const double radius = std::max(local.radius, kMinReportedRadius);
   const Vec2 e_r = geo::unit(bearing);
   const double tilt = local.slope / radius;
   const double upright =
@@ -261,10 +261,11 @@ std::vector<double> JointEstimator::spaced_bearings(double spacing) const {
   constexpr std::size_t kFine = 720;
   constexpr double kStep = 2 * geo::kPi / kFine;
   std::vector<double> length(kFine + 1, 0.0);
-  Vec2 last(std::max(at(0).radius, kMinRadius), 0);
+  Vec2 last(std::max(at(0).radius, kMinReportedRadius), 0);
   for (std::size_t i = 1; i <= kFine; ++i) {
     const double bearing = kStep * static_cast<double>(i);
-    const Vec2 point = std::max(at(bearing).radius, kMinRadius) * geo::unit(bearing);
+    const Vec2 point =
+        std::max(at(bearing).radius, kMinReportedRadius) * geo::unit(bearing);
     length[i] = length[i - 1] + (point - last).norm();
     last = point;
   }

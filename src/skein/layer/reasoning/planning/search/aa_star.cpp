@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "skein/base/math.h"
 #include "skein/layer/reasoning/planning/search/detour_trajectory.h"
 #include "skein/layer/reasoning/planning/search/levels.h"
 #include "skein/layer/reasoning/planning/search/lower_bound.h"
@@ -18,14 +18,13 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Routes keep this far from discs and corners, so that rounding is no conflict [m].
-constexpr double kMargin = 0.02;
+constexpr double kDetourMargin = 0.02;
 struct Try {
   int detours;
   double heuristic_weight;
 };
-constexpr std::array<Try, 4> kTries = {{{1, 1}, {1, 1.1}, {1, 1.5}, {3, 1}}};
+constexpr std::array<Try, 4> kAttempts = {{{1, 1}, {1, 1.1}, {1, 1.5}, {3, 1}}};
 constexpr std::int64_t kOfDetours = 6;  // each may use this part of the expansions left
 // By which part of the best path's time other routes may seem longer at first.
 constexpr double kOtherDetours = 0.05;
@@ -144,14 +143,15 @@ void Planning::take_detours() {
   request.start_altitude = a;
   request.goal_altitude = b;
   // One to have a path, the quickest if that is not too much work; then others.
-  for (const Try& t : kTries) {
+  for (const Try& t : kAttempts) {
     if (done()) return;
     if (t.heuristic_weight > 1 && !best_.plan.empty() && followed_) continue;
     request.detours = t.detours;
     request.heuristic_weight = t.heuristic_weight;
     request.max_time = best_.duration * (1 + kOtherDetours);
-    const Detours found = detours_around(zones, query_, speed, request,
-                                         {kMargin, kMargin}, budget_.part(kOfDetours));
+    const Detours found =
+        detours_around(zones, query_, speed, request, {kDetourMargin, kDetourMargin},
+                       budget_.part(kOfDetours));
     budget_.spend(found.expansions);
     const bool quickest = t.heuristic_weight == 1 && a == b && !map_.is_timed();
     for (std::size_t i = followed_ && t.detours > 1 ? 1 : 0;
@@ -272,7 +272,7 @@ PlannedPath Planning::run() {
   if (done()) return answer();
   const LowerBound bound = lower_bound(query_, budget_);
   best_.bound = std::max(best_.bound, bound.time);
-  if (bound.time == kInfinity) {
+  if (bound.time == math::kInfinity) {
     best_.bound = 0;
     best_.outcome = PlanningOutcome::kNoPath;
     best_.reason =

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "skein/base/check.h"
@@ -13,7 +12,6 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Rings with more get an index.
 constexpr std::size_t kManyCorners = 24;
 
@@ -117,7 +115,7 @@ AirspaceMap::Contact AirspaceMap::contact(const FlightElement& e, double leaf) c
       first = {after, blocker, index};
   };
   take(edge_contact(e, box, leaf), Blocker::kEdge, 0);
-  const bool any = leaf == kInfinity;
+  const bool any = leaf == math::kInfinity;
   forest_.walk([&](const Box& b) { return !(any && first.after >= 0) && b.meets(box); },
                [&](std::int32_t id) {
                  const Obstacle& o = obstacles_[static_cast<std::size_t>(id)];
@@ -133,7 +131,7 @@ AirspaceMap::Contact AirspaceMap::contact(const FlightElement& e, double leaf) c
 }
 
 bool AirspaceMap::is_free(const FlightElement& element) const {
-  return contact(element, kInfinity).after < 0;
+  return contact(element, math::kInfinity).after < 0;
 }
 
 bool AirspaceMap::is_free(const FlightPlan& plan) const {
@@ -150,7 +148,7 @@ std::vector<std::size_t> AirspaceMap::zones_met(const FlightPlan& plan) const {
                    const Obstacle& o = obstacles_[static_cast<std::size_t>(id)];
                    const bool zone = o.kind != Obstacle::Kind::kMover &&
                                      o.kind != Obstacle::Kind::kFlight;
-                   if (zone && first_contact(o, ring_of(o), e, kInfinity) >= 0)
+                   if (zone && first_contact(o, ring_of(o), e, math::kInfinity) >= 0)
                      met.push_back(static_cast<std::size_t>(o.index));
                  });
   }
@@ -169,7 +167,7 @@ double AirspaceMap::room(const Vec3& p_N, double time, const Reach& reach,
   // Until a box can be met one has to come to it, or climb to it, or wait for it; what
   // has ended is never met.
   const auto to_box = [&](const Box& b) {
-    if (time > b.high[3]) return kInfinity;
+    if (time > b.high[3]) return math::kInfinity;
     const double across =
         math::hypot(gap(b.low[0], b.high[0], p.x()), gap(b.low[1], b.high[1], p.y()));
     const double up = gap(b.low[2], b.high[2], -p_N.z()) * reach.speed / reach.climb;
@@ -184,13 +182,13 @@ double AirspaceMap::room(const Vec3& p_N, double time, const Reach& reach,
           away = (p - o.a).norm() - o.radius;
         } else if (o.kind == Obstacle::Kind::kEdges) {
           const geo::Ring& ring = *ring_of(o).corners;
-          away = kInfinity;
+          away = math::kInfinity;
           for (std::int32_t k = o.first; k < o.first + o.count; ++k) {
             const auto i = static_cast<std::size_t>(k);
             away = std::min(away, distance(p, ring[i], ring[(i + 1) % ring.size()]));
           }
         } else if (o.kind == Obstacle::Kind::kInside) {
-          away = ring_of(o).contains(p) ? 0 : kInfinity;
+          away = ring_of(o).contains(p) ? 0 : math::kInfinity;
         } else if (o.kind == Obstacle::Kind::kFlight) {
           away = distance(p, o.a, o.b) - o.radius;
         } else {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "skein/base/math.h"
 #include "skein/layer/reasoning/planning/search/airspace_map.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/role/terrain.h"
@@ -12,7 +12,6 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // How exactly the time of a conflict is reported, with words and without [s].
 constexpr double kReported = 0.01, kMet = 0.2;
 // Depth is looked for during this time after a conflict begins [s].
@@ -28,7 +27,7 @@ FlightElement standing(const Vec3& p_N, double time) {
 
 double depth_in_ring(const geo::Ring& ring, const Vec2& p) {
   if (!geo::contains(ring, p)) return 0;
-  double min = kInfinity;
+  double min = math::kInfinity;
   for (std::size_t i = 0; i < ring.size(); ++i)
     min = std::min(min, distance(p, ring[i], ring[(i + 1) % ring.size()]));
   return min;
@@ -53,7 +52,7 @@ double AirspaceMap::depth_at(const Contact& c, const Vec3& p_N, double time) con
     }
     case Blocker::kFlight: {
       const PlannedFlight& f = *flights_[c.index];
-      double min = kInfinity;
+      double min = math::kInfinity;
       constexpr int kLooks = 64;
       for (int i = 0; i <= kLooks; ++i) {
         const double t =
@@ -115,7 +114,7 @@ std::optional<Conflict> AirspaceMap::look(const FlightPlan& plan, double min_ove
     if (is_free(plan[i])) continue;
     Contact c = contact(plan[i], min_overlap);
     // At the limit the finer look may pass what the coarser one does not.
-    if (c.after < 0) c = contact(plan[i], kInfinity);
+    if (c.after < 0) c = contact(plan[i], math::kInfinity);
     Conflict conflict;
     if (words) {
       conflict = in_words(c, plan[i]);
@@ -147,7 +146,7 @@ std::optional<double> AirspaceMap::free_from(const Vec3& p_N, double time) const
   // Waiting for one thing may end in the next; each ends once.
   for (std::size_t i = 0; i <= obstacles_.size(); ++i) {
     const FlightElement e = standing(p_N, time);
-    const Contact c = contact(e, kInfinity);
+    const Contact c = contact(e, math::kInfinity);
     if (c.after < 0) return time;
     if (c.blocker == Blocker::kGround || c.blocker == Blocker::kEdge) return std::nullopt;
     double until = time;
@@ -156,7 +155,7 @@ std::optional<double> AirspaceMap::free_from(const Vec3& p_N, double time) const
       for (const Obstacle& o : obstacles_)
         if (o.kind == Obstacle::Kind::kFlight &&
             o.index == static_cast<std::int32_t>(c.index) &&
-            first_contact(o, {}, e, kInfinity) >= 0)
+            first_contact(o, {}, e, math::kInfinity) >= 0)
           until = std::max(until, o.until);
     if (c.blocker == Blocker::kMover) {
       const MovingObstacle& m = query_.airspace->movers[c.index];
@@ -179,10 +178,10 @@ std::optional<Vec3> AirspaceMap::nearest_free(const Vec3& p_N, double time) cons
     directions.emplace_back(u.x(), u.y(), 0);
   }
   const auto free = [&](const Vec3& p) {
-    return contact(standing(p, time), kInfinity).after < 0;
+    return contact(standing(p, time), math::kInfinity).after < 0;
   };
   std::optional<Vec3> best;
-  double min = kInfinity;
+  double min = math::kInfinity;
   for (double r = kFirst; r < kFurthest && !best; r *= kGrowth)
     for (const Vec3& u : directions) {
       if (!free(p_N + r * u)) continue;

@@ -2,24 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <tuple>
 #include <utility>
 
+#include "skein/base/math.h"
 #include "skein/model/path/wind_triangle.h"
 
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Arcs longer than this have more than one place [rad]; shorter than the second, none.
 constexpr double kPerPlace = 1.0, kNoPlace = 0.01;
 
 // A state that may be flown through, with the earliest known arrival.
 struct Offer {
   FlightState state;
-  double time = kInfinity;
+  double time = math::kInfinity;
   std::size_t layer_before = 0, before = 0;
 };
 using Layer = std::vector<Offer>;
@@ -79,7 +78,7 @@ void arrive(std::vector<Layer>& layers, std::size_t layer, Offer& to,
   for (std::size_t back = 1; back <= std::min<std::size_t>(2, layer); ++back) {
     const Layer& from = layers[layer - back];
     for (std::size_t i = 0; i < from.size(); ++i) {
-      if (from[i].time == kInfinity || !budget.spend()) continue;
+      if (from[i].time == math::kInfinity || !budget.spend()) continue;
       const Link l = link(from[i].state, to.state, map.query());
       trials.push_back({from[i].time + l.duration, layer - back, i, l});
     }
@@ -89,7 +88,7 @@ void arrive(std::vector<Layer>& layers, std::size_t layer, Offer& to,
     return a.layer != b.layer ? a.layer < b.layer : a.index < b.index;
   });
   for (const Trial& t : trials) {
-    if (t.time == kInfinity) break;
+    if (t.time == math::kInfinity) break;
     const Offer& from = layers[t.layer][t.index];
     if (!map.is_free(to_flight_plan(t.link, from.state, from.time, map.query())))
       continue;
@@ -128,7 +127,7 @@ class GreedyArrival {
       open_.pop();
       Offer& to = layers_[t.layer][t.index];
       const Offer& from = layers_[t.layer_before][t.before];
-      if (to.time < kInfinity) continue;
+      if (to.time < math::kInfinity) continue;
       if (!map_.is_free(to_flight_plan(t.link, from.state, from.time, map_.query())))
         continue;
       to.time = from.time + t.link.duration;
@@ -157,10 +156,10 @@ class GreedyArrival {
     const std::size_t last = std::min(layer + 2, layers_.size() - 1);
     for (std::size_t next = layer + 1; next <= last; ++next)
       for (std::size_t i = 0; i < layers_[next].size(); ++i) {
-        if (layers_[next][i].time < kInfinity || !budget_.spend()) continue;
+        if (layers_[next][i].time < math::kInfinity || !budget_.spend()) continue;
         const Link l = link(from.state, layers_[next][i].state, map_.query());
         const double arrival = from.time + l.duration;
-        if (arrival < kInfinity)
+        if (arrival < math::kInfinity)
           open_.push({arrival + kGreed * left_[next], next, i, layer, index, l});
       }
   }
@@ -181,7 +180,7 @@ std::optional<Trajectory> follow_detour(const Detour& detour, const AirspaceMap&
     GreedyArrival(layers, map, budget).run();
   else
     arrive_earliest(layers, map, budget);
-  if (layers.back().front().time == kInfinity) return std::nullopt;
+  if (layers.back().front().time == math::kInfinity) return std::nullopt;
   std::vector<Waypoint> waypoints;
   std::size_t layer = layers.size() - 1, index = 0;
   while (true) {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "skein/base/check.h"
+#include "skein/base/math.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMaxTurns = 10'000;
 // A wait that is not enough grows by this part of a full turn at least, then by twice as
 // much.
@@ -52,7 +51,7 @@ Link link(const FlightState& from, const FlightState& to, const PathQuery& query
     out.wait = std::max(turn, out.wait + std::max(needed - out.duration, min));
     min *= 2;
     connect_after_wait();
-    if (out.wait > kMaxTurns * turn) out.duration = kInfinity;
+    if (out.wait > kMaxTurns * turn) out.duration = math::kInfinity;
   }
   out.climb_rate = height == 0 ? 0 : height / out.duration;
   return out;

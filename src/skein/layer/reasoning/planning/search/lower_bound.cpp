@@ -1,20 +1,19 @@
 #include "skein/layer/reasoning/planning/search/lower_bound.h"
 
 #include <cmath>
-#include <limits>
 
+#include "skein/base/math.h"
 #include "skein/layer/reasoning/planning/search/detours.h"
 
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMargin = 0.02;    // about corners [m]
-constexpr std::int64_t kShare = 8;  // of what is left, for the bound
+constexpr double kCornerMargin = 0.02;  // about corners [m]
+constexpr std::int64_t kShare = 8;      // of what is left, for the bound
 
 bool always(const Zone& z) {
-  return z.floor_msl == -kInfinity && z.ceiling_msl == kInfinity &&
-         z.from == -kInfinity && z.until == kInfinity;
+  return z.floor_msl == -math::kInfinity && z.ceiling_msl == math::kInfinity &&
+         z.from == -math::kInfinity && z.until == math::kInfinity;
 }
 
 }  // namespace
@@ -30,12 +29,12 @@ LowerBound lower_bound(const PathQuery& query, SearchBudget& budget) {
   request.start = geo::horizontal(query.start.p_N);
   request.goal = geo::horizontal(query.goal.p_N);
   const Detours found =
-      detours_around(zones, {}, speed, request, {0, kMargin}, budget.part(kShare));
+      detours_around(zones, {}, speed, request, {0, kCornerMargin}, budget.part(kShare));
   budget.spend(found.expansions);
-  if (found.detours.empty()) return {found.complete ? kInfinity : 0};
+  if (found.detours.empty()) return {found.complete ? math::kInfinity : 0};
   double more = 0;  // what the margin adds [m]
   for (const Detour::Arc& arc : found.detours.front().arcs)
-    if (arc.obstacle.corner) more += kMargin * arc.turned;
+    if (arc.obstacle.corner) more += kCornerMargin * arc.turned;
   return {found.detours.front().time - more / speed.slowest()};
 }
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "skein/base/math.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Against planned flights, time is looked at in pieces no longer than this [s].
 constexpr double kFlightLeaf = 0.05;
 
@@ -20,7 +19,7 @@ T between(const T& a, const T& b, double part) {
 }
 
 double edges_gap(const Obstacle& o, const geo::Ring& ring, const Vec2& p, const Vec2& q) {
-  double min = kInfinity;
+  double min = math::kInfinity;
   const auto n = ring.size();
   for (std::int32_t i = o.first; i < o.first + o.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -36,7 +35,7 @@ double flight_gap(const Obstacle& o, const FlightElement& e, const Span& span,
   const Span when =
       Span{e.start + span.begin - o.behind, e.start + span.end + o.ahead}.cut(
           {o.time, o.end});
-  if (when.empty()) return kInfinity;
+  if (when.empty()) return math::kInfinity;
   const double whole = o.end - o.time;
   const double first = whole > 0 ? (when.begin - o.time) / whole : 0;
   const double last = whole > 0 ? (when.end - o.time) / whole : 1;
@@ -44,7 +43,7 @@ double flight_gap(const Obstacle& o, const FlightElement& e, const Span& span,
   const double z1 = between(o.altitude_a, o.altitude_b, last);
   const double above = -std::max(p.z(), q.z()) - std::max(z0, z1) - o.height;
   const double below = std::min(z0, z1) - o.height + std::min(p.z(), q.z());
-  if (above > 0 || below > 0) return kInfinity;
+  if (above > 0 || below > 0) return math::kInfinity;
   return distance(geo::horizontal(p), geo::horizontal(q), between(o.a, o.b, first),
                   between(o.a, o.b, last)) -
          o.radius;
@@ -55,7 +54,7 @@ double disc_contact(const Obstacle& o, const FlightElement& e, const Span& span,
   const bool still = o.velocity.isZero();
   if (still && e.wind.isZero()) {
     if (distance_without_wind(o.a, e, span) >= o.radius - kDepth) return -1;
-    if (leaf == kInfinity) return span.begin;
+    if (leaf == math::kInfinity) return span.begin;
   }
   const auto gap = [&](const Span& s, const Vec3& p, const Vec3& q) {
     if (still) return distance(o.a, geo::horizontal(p), geo::horizontal(q)) - o.radius;

@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "skein/base/math.h"
 #include "skein/layer/reasoning/planning/search/obstacle.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Edges of a ring that are looked at together.
 constexpr std::size_t kEdgesTogether = 4;
 // Pieces of planned flights: no longer, and their chords no further off than this.
@@ -42,8 +41,8 @@ void push(Pieces& pieces, const Obstacle& obstacle, const Box& box) {
 Box box_of_mover(const Obstacle& o) {
   if (!std::isfinite(o.from) || !std::isfinite(o.until)) {
     Box box;
-    box.low.fill(-kInfinity);
-    box.high.fill(kInfinity);
+    box.low.fill(-math::kInfinity);
+    box.high.fill(math::kInfinity);
     box.low[3] = o.from;
     box.high[3] = o.until;
     return box;
@@ -113,8 +112,8 @@ void add_pieces(const MovingObstacle& mover, std::int32_t index, Pieces& pieces)
     begin = end;
     end *= 2;
   }
-  add(o.time + begin, kInfinity);
-  add(-kInfinity, o.time - begin);
+  add(o.time + begin, math::kInfinity);
+  add(-math::kInfinity, o.time - begin);
 }
 
 void add_pieces(const PlannedFlight& flight, std::int32_t index, Pieces& pieces) {

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "skein/base/math.h"
 
 namespace skein::planning {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Vec2 u = b - a, v = d - c;
@@ -90,7 +87,7 @@ Span within_altitudes(const FlightElement& e, double low, double high, double ra
   const double altitude = -e.p_N.z(), climb = e.climb_rate - rate;
   if (climb == 0) {
     if (altitude < low || altitude > high) return {1, 0};
-    return {-kInfinity, kInfinity};
+    return {-math::kInfinity, math::kInfinity};
   }
   const double a = (low - altitude) / climb, b = (high - altitude) / climb;
   return {std::min(a, b), std::max(a, b)};

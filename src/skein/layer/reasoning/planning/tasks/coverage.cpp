@@ -21,7 +21,7 @@ namespace {
 
 // For each connection around zones, and for one that is hard to find.
 constexpr std::int64_t kExpansions[] = {3000, 100'000};
-constexpr double kBeside = 0.01;  // of lines to zones, against rounding [m]
+constexpr double kBesideZones = 0.01;  // of lines to zones, against rounding [m]
 
 SweepTask task_of(const CoverageQuery& query, geo::Region area,
                   std::vector<geo::Ring> zones) {
@@ -36,7 +36,7 @@ SweepTask task_of(const CoverageQuery& query, geo::Region area,
   task.joined = turn;
   task.zones = ZoneRings(std::move(zones));
   task.watch = query.watch;
-  task.room = {query.zone_distance + kBeside, turn};
+  task.room = {query.zone_distance + kBesideZones, turn};
   for (const CoverageAircraft& a : query.aircraft) {
     RouteEnds ends;
     if (a.start) ends.start = pose_of(*a.start);

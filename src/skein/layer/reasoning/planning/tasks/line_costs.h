@@ -10,6 +10,11 @@
 
 namespace skein::planning {
 
+/// A line, visit or aircraft as an index of an array.
+inline std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 /// Where a route over lines begins and ends; without one of them it begins at its first,
 /// or ends at its last line. Courses are headings of the air-relative velocity.
 struct RouteEnds {

@@ -9,12 +9,6 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kGain = 1e-9;  // a step counts from this on [s]
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 // Order of `count` neighbours so that steps are k forwards and k - 1 back.
 std::vector<int> skipping(int count, int k) {
   std::vector<int> order;

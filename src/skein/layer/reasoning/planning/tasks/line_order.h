@@ -9,6 +9,9 @@ namespace skein::planning {
 /// Visits of an aircraft, one after the other.
 using Route = std::vector<int>;
 
+/// An order counts as quicker from this gain on [s].
+inline constexpr double kGain = 1e-9;
+
 /// Time of a route from the aircraft's start to its end [s]; 0 when it has no visits.
 double route_time(LineCosts& costs, int aircraft, const Route& route);
 

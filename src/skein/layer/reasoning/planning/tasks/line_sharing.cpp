@@ -7,13 +7,8 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kGain = 1e-9;    // [s]
 constexpr int kMaxRounds = 400;   // of moves between routes
 constexpr int kPermutedUpTo = 4;  // aircraft for which all assignments are tried
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 using Routes = std::vector<Route>;
 

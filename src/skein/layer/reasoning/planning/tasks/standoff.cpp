@@ -12,8 +12,6 @@
 namespace skein::planning {
 namespace {
 
-constexpr double kReserve = 1.05;  // of airspeed above the wind
-
 constexpr double kInstant = 1e-7;  // rounding of the run's clock [s]
 
 struct SpeedRange {
@@ -21,7 +19,7 @@ struct SpeedRange {
 };
 
 SpeedRange range_of(const FlightLimits& limits, double felt, double wind) {
-  return {std::max({limits.slowest, kReserve * felt, kReserve * wind, 1e-3}),
+  return {std::max({limits.slowest, kWindReserve * felt, kWindReserve * wind, 1e-3}),
           limits.fastest};
 }
 

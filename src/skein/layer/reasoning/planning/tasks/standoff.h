@@ -15,6 +15,9 @@ struct FlyingSpeed {
   double turn_radius = 60;  ///< in the air mass [m]
 };
 
+/// Share of the wind that airspeed keeps at least, for progress against it.
+inline constexpr double kWindReserve = 1.05;
+
 /// The turn radius at another airspeed and the same bank [m]: it grows with its square.
 double turn_radius_at(double airspeed, const FlightLimits& limits);
 

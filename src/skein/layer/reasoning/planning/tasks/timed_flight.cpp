@@ -14,9 +14,8 @@ namespace skein::planning {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kReserve = 1.05;  // of airspeed above the wind
-constexpr int kSpeeds = 32;        // that are tried on either side of cruise
-constexpr double kNear = 1e-9;     // of a flight's duration, that an arrival may be off
+constexpr int kSpeeds = 32;     // that are tried on either side of cruise
+constexpr double kNear = 1e-9;  // of a flight's duration, that an arrival may be off
 
 model::AirMotion air_at(const TimedLeg& leg, double airspeed) {
   return {airspeed, turn_radius_at(airspeed, leg.limits), leg.wind};
@@ -40,7 +39,7 @@ double climb_time(const TimedLeg& leg) {
 
 // Allowed airspeeds from cruise to the slowest or the fastest.
 std::vector<double> speeds_towards(const TimedLeg& leg, double end) {
-  const double min = kReserve * leg.wind.norm();
+  const double min = kWindReserve * leg.wind.norm();
   const double cruise = leg.limits.airspeed;
   std::vector<double> speeds;
   for (int k = 0; k <= kSpeeds; ++k) {
@@ -82,7 +81,7 @@ Quickest quickest_of_all(const TimedLeg& leg) {
     for (const double v : speeds_towards(leg, end)) look(v);
   if (!leg.any_airspeed || best.time == kNever) return best;
   const double max = leg.limits.fastest;
-  const double min = std::max(leg.limits.slowest, kReserve * leg.wind.norm());
+  const double min = std::max(leg.limits.slowest, kWindReserve * leg.wind.norm());
   for (double step = (max - min) / kSpeeds; step > 1e-9; step /= 2)
     for (const double v : {best.airspeed - step, best.airspeed + step})
       if (v >= min && v <= max && v > 0) look(v);

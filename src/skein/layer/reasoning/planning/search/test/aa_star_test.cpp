@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "skein/base/math.h"
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/planning/search/test/oracle.h"
 #include "skein/layer/reasoning/planning/search/test/scenes.h"
@@ -9,8 +10,6 @@
 
 namespace skein::planning {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 PathQuery query_over(double distance) {
   PathQuery q;
@@ -291,7 +290,7 @@ TEST(AaStar, NamesBadZones) {
   EXPECT_EQ(outcome({reversed}), PlanningOutcome::kBadQuery);
   EXPECT_EQ(outcome({geo::Ring{}}), PlanningOutcome::kBadQuery);
   EXPECT_EQ(outcome({Disc{Vec2(500, 0), 0}}), PlanningOutcome::kBadQuery);
-  EXPECT_EQ(outcome({Disc{Vec2(500, kInfinity), 10}}), PlanningOutcome::kBadQuery);
+  EXPECT_EQ(outcome({Disc{Vec2(500, math::kInfinity), 10}}), PlanningOutcome::kBadQuery);
   Zone inverted{Disc{Vec2(500, 0), 10}};
   inverted.floor_msl = 10;
   inverted.ceiling_msl = 0;
