@@ -19,9 +19,10 @@ find_file(SKEIN_MUSL_LIBC libc.a REQUIRED NO_DEFAULT_PATH
 # file is newer.
 function(skein_extract object)
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
-  list(TRANSFORM ARGN PREPEND "-u;" OUTPUT_VARIABLE undefined)
-  execute_process(COMMAND ${CMAKE_LINKER} -r ${undefined} -o ${object} ${SKEIN_MUSL_LIBC}
-                  COMMAND_ERROR_IS_FATAL ANY)
+  list(TRANSFORM ARGN PREPEND "-Wl,-u," OUTPUT_VARIABLE undefined)
+  # By the compiler, who tells any linker for which processor it is.
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -nostdlib -r ${undefined} -o ${object}
+                          ${SKEIN_MUSL_LIBC} COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${CMAKE_NM} -g --defined-only -f posix ${object}
                   OUTPUT_VARIABLE defined COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX REPLACE " [^\n]*" "" defined "${defined}")
