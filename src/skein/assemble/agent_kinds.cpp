@@ -19,7 +19,6 @@ namespace skein::assemble {
 namespace {
 
 using scenario::Fields;
-using scenario::Range;
 
 Fields<SafetyZone> safety_zone_fields() {
   using T = SafetyZone;
