@@ -180,10 +180,16 @@ export interface FollowLeader {
   right_m: number | null; // ahead of the leader and to its right
 }
 
+/** Fly through points on curves planned for the wind, lap after lap. */
+export interface FlyTour {
+  points: [number, number][]; // of the tour
+  laps: number; // times around
+}
+
 /** One order for one aircraft. */
 export interface Task {
   task_number: number; // the newest counts
-  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour); // what to do
 }
 
 /** The sender is there, nothing more. */
@@ -344,7 +350,7 @@ export interface RangeScan {
 /** One aircraft shall do this until the mission resumes. */
 export interface TaskCommand {
   aircraft: string; // who
-  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour); // what to do
 }
 
 /** The mission stops giving orders, or goes on. */

@@ -7,13 +7,10 @@
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/ranges.h"
+#include "skein/assemble/task_kinds.h"
 #include "skein/layer/reasoning/agent/altitude.h"
-#include "skein/layer/reasoning/agent/monitor_agent.h"
+#include "skein/layer/reasoning/agent/onboard_agent.h"
 #include "skein/layer/reasoning/agent/round_trip.h"
-#include "skein/layer/reasoning/agent/route_agent.h"
-#include "skein/layer/reasoning/agent/zone_decorator.h"
-#include "skein/layer/reasoning/team/wingman.h"
-#include "skein/layer/reasoning/tour/tour_agent.h"
 
 namespace skein::assemble {
 namespace {
@@ -29,62 +26,75 @@ Fields<SafetyZone> safety_zone_fields() {
               {.above = 0, .at_most = 1e6});
 }
 
-Fields<reasoning::MonitorAgentOptions> scout_fields() {
-  using T = reasoning::MonitorAgentOptions;
-  return Fields<T>()
-      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
-                  {.above = 0})
-      .angle_deg("edge_angle_deg", &T::edge_angle,
-                 "Following the edge: between course and edge, to cross it again, "
-                 "whatever the strategy orders. Null: as it orders.",
-                 {.above = 0, .at_most = 90})
+// One agent, whatever the row: rows differ in what it flies first and in what of its
+// tasks can be set.
+struct AgentChoice {
+  reasoning::OnboardAgentOptions agent;
+  TaskOptions tasks;
+};
+
+// Of every row.
+template <class T>
+Fields<T> common_fields(Fields<T> fields, const char* across) {
+  return std::move(fields)
+      .duration_s("report_period_s", [](T & t) -> auto& { return t.agent.report_period; },
+                  "Between reports to the station.", {.above = 0})
       .number(
-          "zone_margin_m", [](T & t) -> auto& { return t.avoidance.margin; },
+          "zone_margin_m", [](T & t) -> auto& { return t.agent.avoidance.margin; },
           "Kept from the border of no-fly zones.", kNotNegative)
-      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
-              "How far the flight of a path or plan may be off.");
+      .object(
+          "safety_zone", [](T & t) -> auto& { return t.agent.safety_zone; },
+          safety_zone_fields(), across);
 }
 
-Fields<reasoning::WingmanOptions> wingman_fields() {
-  using T = reasoning::WingmanOptions;
-  return Fields<T>()
-      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
-                  {.above = 0})
-      .duration_s("horizon_s", &T::horizon,
-                  "Following: the path to the place is planned for this long.",
-                  {.above = 0, .at_most = 120})
-      .number(
-          "zone_margin_m", [](T & t) -> auto& { return t.avoidance.margin; },
-          "Following: kept from the border of no-fly zones.", kNotNegative)
-      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
-              "How far the flight of a path or plan may be off.");
+constexpr const char* kPathZone = "How far the flight of a path or plan may be off.";
+
+Fields<AgentChoice> scout_fields() {
+  using T = AgentChoice;
+  return common_fields(
+      Fields<T>().angle_deg(
+          "edge_angle_deg", [](T & t) -> auto& { return t.tasks.edge_angle; },
+          "Following the edge: between course and edge, to cross it again, "
+          "whatever the strategy orders. Null: as it orders.",
+          {.above = 0, .at_most = 90}),
+      kPathZone);
 }
 
-struct RouteChoice : reasoning::RouteAgentOptions {
+Fields<AgentChoice> wingman_fields() {
+  using T = AgentChoice;
+  return common_fields(
+      Fields<T>().duration_s("horizon_s",
+                             [](T & t) -> auto& { return t.tasks.follow_horizon; },
+                             "Following: the path to the place is planned for this long.",
+                             {.above = 0, .at_most = 120}),
+      kPathZone);
+}
+
+struct RouteChoice : AgentChoice {
+  RouteChoice() { agent.takes_orders = false; }
+  std::vector<Vec2> points = {{0, 0}, {400, 0}, {400, 400}, {0, 400}};  // [m]
+  int laps = 3;
   bool around_zones = false;  // those known from the start may lie on the route
 };
 
 Fields<RouteChoice> route_fields() {
   using T = RouteChoice;
-  return Fields<T>()
-      .point("points_m", &T::points, "Flown to one after the other, by straight legs.")
-      .items({.at_least = 1, .at_most = 10000})
-      .integer("laps", &T::laps, "Laps flown; it then stays at the last point.",
-               {.at_least = 1, .at_most = 1000000})
-      .boolean("lands", &T::lands,
-               "After the last lap it lands where it took off; when it began in the air, "
-               "at the first point.")
-      .boolean("around_zones", &T::around_zones,
-               "It flies around no-fly zones that lie on the route from the start; "
-               "else such a route is refused. Zones that come later it always flies "
-               "around.")
-      .number(
-          "zone_margin_m", [](T & t) -> auto& { return t.avoidance.margin; },
-          "Kept from the border of zones that it flies around.", kNotNegative)
-      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
-                  {.above = 0})
-      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
-              "How far the flight may be off the route.");
+  return common_fields(
+      Fields<T>()
+          .point("points_m", &T::points,
+                 "Flown to one after the other, by straight legs.")
+          .items({.at_least = 1, .at_most = 10000})
+          .integer("laps", &T::laps, "Laps flown; it then stays at the last point.",
+                   {.at_least = 1, .at_most = 1000000})
+          .boolean(
+              "lands", [](T & t) -> auto& { return t.tasks.lands; },
+              "After the last lap it lands where it took off; when it began in the air, "
+              "at the first point.")
+          .boolean("around_zones", &T::around_zones,
+                   "It flies around no-fly zones that lie on the route from the start; "
+                   "else such a route is refused. Zones that come later it always flies "
+                   "around."),
+      "How far the flight may be off the route.");
 }
 
 // Points that follow one another, the first after the last, at one place.
@@ -98,34 +108,55 @@ std::string repeated_point(const std::vector<Vec2>& points) {
   return {};
 }
 
-Fields<reasoning::TourAgentOptions> tour_fields() {
-  using T = reasoning::TourAgentOptions;
+struct TourChoice : AgentChoice {
+  TourChoice() { agent.takes_orders = false; }
+  std::vector<Vec2> points = {{0, 0}, {400, 0}, {200, 350}};  // [m]
+  int laps = 3;
+};
+
+Fields<TourChoice> tour_fields() {
+  using T = TourChoice;
   using reasoning::TourCurves;
-  return Fields<T>()
-      .point("points_m", &T::points,
-             "Flown through one after the other, across the bisector of each corner.")
-      .items({.at_least = 2, .at_most = 10000})
-      .rule("points_m", [](const T& t) { return repeated_point(t.points); })
-      .integer("laps", &T::laps, "Laps flown; it then circles the last point.",
-               {.at_least = 1, .at_most = 1000000})
-      .word("curves", &T::curves, "What the path is planned with.",
-            {{"trochoids", TourCurves::kTrochoids,
-              "turns and straights in the wind as it is believed to be"},
-             {"dubins", TourCurves::kDubins,
-              "turns and straights over ground, as if there were no wind"}})
-      .number("radius_factor", &T::radius_factor,
-              "Radius of planned turns over the minimum of the aircraft.",
-              {.at_least = 1, .at_most = 100})
-      .duration_s("settling_s", &T::settling,
-                  "Circling before it plans, to learn of the wind.", {.at_least = 0})
-      .boolean("keeps_times", &T::keeps_times,
-               "The plan is flown in time; else at cruise airspeed.")
-      .boolean("replans", &T::replans,
-               "When it leaves the safety zone it plans anew from where it is.")
-      .duration_s("report_period_s", &T::report_period, "Between reports to the station.",
-                  {.above = 0})
-      .object("safety_zone", &T::safety_zone, safety_zone_fields(),
-              "How far the flight may be off the plan.");
+  return common_fields(
+      Fields<T>()
+          .point("points_m", &T::points,
+                 "Flown through one after the other, across the bisector of each corner.")
+          .items({.at_least = 2, .at_most = 10000})
+          .rule("points_m", [](const T& t) { return repeated_point(t.points); })
+          .integer("laps", &T::laps, "Laps flown; it then circles the last point.",
+                   {.at_least = 1, .at_most = 1000000})
+          .word("curves", [](T & t) -> auto& { return t.tasks.tour.curves; },
+                "What the path is planned with.",
+                {{"trochoids", TourCurves::kTrochoids,
+                  "turns and straights in the wind as it is believed to be"},
+                 {"dubins", TourCurves::kDubins,
+                  "turns and straights over ground, as if there were no wind"}})
+          .number("radius_factor",
+                  [](T & t) -> auto& { return t.tasks.tour.radius_factor; },
+                  "Radius of planned turns over the minimum of the aircraft.",
+                  {.at_least = 1, .at_most = 100})
+          .duration_s("settling_s", [](T & t) -> auto& { return t.tasks.tour.settling; },
+                      "Circling before it plans, to learn of the wind.", {.at_least = 0})
+          .boolean(
+              "keeps_times", [](T & t) -> auto& { return t.tasks.tour.keeps_times; },
+              "The plan is flown in time; else at cruise airspeed.")
+          .boolean(
+              "replans", [](T & t) -> auto& { return t.tasks.tour.replans; },
+              "When it leaves the safety zone it plans anew from where it is."),
+      "How far the flight may be off the plan.");
+}
+
+std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftContext& c,
+                                  std::optional<TaskKind> first = {}) {
+  reasoning::OnboardAgentOptions options = choice.agent;
+  options.first_task = std::move(first);
+  const reasoning::TaskContext context{c.self, c.limits, c.map.get(), c.planner,
+                                       c.altitude_agl};
+  return std::make_unique<reasoning::OnboardAgent>(
+      options, c.station, context, c.zones,
+      [context, tasks = choice.tasks](const TaskKind& task) {
+        return make_task(task, context, tasks);
+      });
 }
 
 // Zones that forbid these altitudes at any time.
@@ -157,10 +188,7 @@ Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
                     crossed->x(), crossed->y()),
         "Lead it around the zone (the leg from the start to the first point counts too), "
         "or set around_zones."};
-  reasoning::RouteAgentOptions all = options;
-  all.altitude_agl = c.altitude_agl;
-  return std::unique_ptr<Agent>(std::make_unique<reasoning::RouteAgent>(
-      all, c.self, c.station, c.limits, *c.map, c.zones, c.planner));
+  return make_agent(options, c, FlyRoute{options.points, options.laps, {}});
 }
 
 }  // namespace
@@ -168,20 +196,12 @@ Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
 Kinds<Agent, AircraftContext> agent_kinds() {
   Kinds<Agent, AircraftContext> kinds("agent");
   kinds.add("scout", "Reads the fire sensor, reports to the station, flies its orders.",
-            scout_fields(),
-            [](const reasoning::MonitorAgentOptions& o, const AircraftContext& c) {
-              reasoning::MonitorAgentOptions all = o;
-              all.altitude_agl = c.altitude_agl;
-              return std::make_unique<reasoning::MonitorAgent>(all, c.self, c.station,
-                                                               c.limits, *c.map, c.zones);
+            scout_fields(), [](const AgentChoice& o, const AircraftContext& c) {
+              return make_agent(o, c);
             });
   kinds.add("wingman", "Leads a formation along a route, or keeps its place in it.",
-            wingman_fields(),
-            [](const reasoning::WingmanOptions& o, const AircraftContext& c) {
-              reasoning::WingmanOptions all = o;
-              all.altitude_agl = c.altitude_agl;
-              return std::make_unique<reasoning::Wingman>(
-                  all, c.self, c.station, c.limits, *c.map, c.zones, c.planner);
+            wingman_fields(), [](const AgentChoice& o, const AircraftContext& c) {
+              return make_agent(o, c);
             });
   kinds.add(
       "route", "Flies a route of its own; takes no orders.", route_fields(),
@@ -189,14 +209,8 @@ Kinds<Agent, AircraftContext> agent_kinds() {
   kinds.add("tour",
             "Flies through points on turns and straights planned for the wind; takes no "
             "orders.",
-            tour_fields(),
-            [](const reasoning::TourAgentOptions& o, const AircraftContext& c) {
-              reasoning::TourAgentOptions all = o;
-              all.altitude_agl = c.altitude_agl;
-              return std::make_unique<reasoning::ZoneDecorator>(
-                  reasoning::ZoneAvoidanceOptions{}, c.self, c.limits, *c.map, c.zones,
-                  std::make_unique<reasoning::TourAgent>(all, c.self, c.station, c.limits,
-                                                         *c.map));
+            tour_fields(), [](const TourChoice& o, const AircraftContext& c) {
+              return make_agent(o, c, FlyTour{o.points, o.laps});
             });
   return kinds;
 }

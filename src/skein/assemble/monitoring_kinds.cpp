@@ -20,7 +20,7 @@ using scenario::Fields;
 
 constexpr scenario::Range kPositive{.above = 0, .at_most = 1e6};
 constexpr scenario::Range kEdgeAngle{.above = 0, .at_most = 90};
-constexpr scenario::Range kProbability{.at_least = 0, .below = 0.5};
+constexpr scenario::Range kFalseReadings{.at_least = 0, .below = 0.5};
 
 constexpr scenario::IntegerRange kControlPoints{.at_least = 8, .at_most = 5000};
 
@@ -67,7 +67,7 @@ Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
         .integer("particles", &T::particles, "Samples per point.",
                  {.at_least = 20, .at_most = 100000})
         .number("false_rate", &T::false_rate, "Probability that a reading is false.",
-                kProbability)
+                kFalseReadings)
         .rules_of_valid(particle_errors);
   return fields;
 }
@@ -86,7 +86,7 @@ Fields<JointOptions> joint_fields() {
                {.at_least = 8, .at_most = 720})
       .number("false_rate", &T::false_rate,
               "Probability that a reading is wrong, at first; it is learned.",
-              kProbability)
+              kFalseReadings)
       .number("outlier", &T::outlier, "Readings less probable than this are set aside.",
               {.at_least = 0, .at_most = 0.1})
       .integer("patience", &T::patience,
@@ -133,7 +133,7 @@ Fields<EnsembleOptions> ensemble_fields() {
               {.at_least = 0, .at_most = 10})
       .number("false_rate", &T::false_rate,
               "Probability of a wrong in/out reading, at first; it is learned.",
-              kProbability)
+              kFalseReadings)
       .number("sure", &T::sure, "Readings expected with more than this are skipped.",
               {.at_least = 0.5, .below = 1})
       .number("repeat_distance_m", &T::repeat_distance,
@@ -186,7 +186,7 @@ Fields<AdaptiveKeys> adaptive_fields() {
               {.at_least = 0.5, .at_most = 1000})
       .number("false_rate", &T::false_rate,
               "Probability that a reading is wrong, at first; it is learned.",
-              kProbability)
+              kFalseReadings)
       .number("lead", &T::lead,
               "The ensemble takes over when the crossings were more probable under it by "
               "this logarithm, all together.",

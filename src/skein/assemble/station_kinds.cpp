@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "skein/assemble/kind_registry.h"
+#include "skein/layer/reasoning/agent/listener.h"
 #include "skein/layer/reasoning/agent/round_trip.h"
-#include "skein/layer/reasoning/agent/route_agent.h"
 #include "skein/layer/reasoning/monitoring/coordinator/coordinator.h"
 #include "skein/layer/reasoning/team/formation_control.h"
 #include "skein/scenario/scenario.h"

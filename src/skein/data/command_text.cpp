@@ -28,7 +28,8 @@ constexpr const char* kUsage =
     "add, "
     "remove.";
 constexpr const char* kTaskUsage =
-    "Say: task AIRCRAFT, then loiter, fly_to NORTH,EAST; course DEGREES; line, route "
+    "Say: task AIRCRAFT, then loiter, fly_to NORTH,EAST; course DEGREES; line, route, "
+    "tour "
     "NORTH,EAST NORTH,EAST ... [laps N]; follow_edge NORTH,EAST clockwise or "
     "counterclockwise.";
 
@@ -74,6 +75,14 @@ std::optional<TaskKind> route(Words given) {
   return route;
 }
 
+std::optional<TaskKind> tour(Words given) {
+  const auto order = route(given);
+  if (!order) return std::nullopt;
+  const FlyRoute& through = std::get<FlyRoute>(*order);
+  if (through.points.size() < 2) return std::nullopt;
+  return FlyTour{through.points, through.laps};
+}
+
 std::optional<TaskKind> follow_edge(Words given) {
   if (given.size() != 2) return std::nullopt;
   const auto start = finite_place(given[0]);
@@ -95,6 +104,7 @@ std::optional<TaskKind> task_kind(std::string_view kind, Words given) {
     if (auto points = places(given); points.size() >= 2)
       return FollowLine{std::move(points)};
   if (kind == "route") return route(given);
+  if (kind == "tour") return tour(given);
   if (kind == "follow_edge") return follow_edge(given);
   return std::nullopt;
 }
@@ -170,6 +180,9 @@ struct ValueCheck {
     if (route && (route->points.empty() || route->laps < 1))
       return "a route has a point or more, and one lap or more.";
     if (followed && followed->points.size() < 2) return "a line has two points or more.";
+    const auto* tour = std::get_if<FlyTour>(&c.what);
+    if (tour && (tour->points.size() < 2 || tour->laps < 1))
+      return "a tour has two points or more, and one lap or more.";
     return "";
   }
   std::string operator()(const ZoneChange& c) {

@@ -107,9 +107,24 @@ constexpr auto describe(const FollowLeader*) {
       field("", &T::offset, axes::kFormation, "ahead of the leader and to its right"));
 }
 
+/// Fly through points on turns and straights that are planned for the wind, lap after
+/// lap, across the bisector of each corner.
+struct FlyTour {
+  std::vector<Vec2> points;  ///< two at least [m]
+  int laps = 1;
+};
+
+constexpr auto describe(const FlyTour*) {
+  using T = FlyTour;
+  return described<T>({"fly_tour"},
+                      "Fly through points on curves planned for the wind, lap after lap.",
+                      field("points", &T::points, Storage::kJson, "of the tour"),
+                      field("laps", &T::laps, "times around"));
+}
+
 /// What an aircraft may be asked to do.
 using TaskKind = std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse, FlyRoute,
-                              FollowLeader>;
+                              FollowLeader, FlyTour>;
 
 /// The word for a task.
 std::string_view kind_of(const TaskKind& task);

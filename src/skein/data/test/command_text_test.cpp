@@ -22,6 +22,9 @@ TEST(CommandText, SaysEveryCommand) {
   EXPECT_EQ(task.aircraft, "uav-1");
   EXPECT_EQ(std::get<FlyRoute>(task.what).laps, 3);
   EXPECT_EQ(std::get<FlyRoute>(task.what).points.size(), 2u);
+  const TaskCommand tour = parsed<TaskCommand>("task uav-1 tour 0,0 10,5 laps 3");
+  EXPECT_EQ(std::get<FlyTour>(tour.what).laps, 3);
+  EXPECT_EQ(std::get<FlyTour>(tour.what).points.at(1), Vec2(10, 5));
   const auto edge = std::get<FollowEdge>(
       parsed<TaskCommand>("task a follow_edge 1,2 counterclockwise").what);
   EXPECT_FALSE(edge.clockwise);
@@ -57,6 +60,8 @@ TEST(CommandText, RefusesEverythingElseAndSaysWhy) {
                            "task a line 0,0",
                            "task a route 0,0 laps 0",
                            "task a route laps 2",
+                           "task a tour 0,0",
+                           "task a tour 0,0 5,5 laps 0",
                            "task a follow_edge 0,0 left",
                            "task a loiter inf,0",
                            "mission",
@@ -104,6 +109,7 @@ TEST(CommandText, RefusesJsonThatIsNoCommandOrOutOfRange) {
         R"({"kind": "speed", "factor": "ten"})", R"({"kind": "step", "steps": 0})",
         R"({"kind": "wind", "wind_north_mps": 1e9})",
         R"({"kind": "task", "aircraft": "a", "what": {"kind": "fly_route"}})",
+        R"({"kind": "task", "aircraft": "a", "what": {"kind": "fly_tour"}})",
         R"({"kind": "task", "aircraft": "a", "what": {"kind": "follow_line"}})",
         R"({"kind": "zone_change", "number": 3})"}) {
     const auto command = parse_command(line);

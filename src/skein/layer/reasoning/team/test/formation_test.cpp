@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "skein/layer/reasoning/agent/onboard_agent.h"
+#include "skein/layer/reasoning/task/route_task.h"
+#include "skein/layer/reasoning/team/follow_task.h"
 #include "skein/layer/reasoning/team/formation_control.h"
-#include "skein/layer/reasoning/team/wingman.h"
 
 namespace skein::reasoning {
 namespace {
@@ -104,7 +106,7 @@ TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {
   EXPECT_EQ(out.outbox[1].to, EntityId{3});
 }
 
-class WingmanTest : public testing::Test {
+class FormationTasks : public testing::Test {
  protected:
   AgentOutput step(double time, std::vector<Message> inbox) {
     const NavEstimate own = nav(time, {0, 0, -altitude}, {20, 0, -climb});
@@ -131,12 +133,19 @@ class WingmanTest : public testing::Test {
   double altitude = 150, climb = 0;
   FailsafeReaction reaction = FailsafeReaction::kNone;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
-  std::optional<Wingman> wingman{std::in_place, WingmanOptions{}, EntityId{2},
-                                 EntityId{0},   FlightLimits{},   ground,
-                                 zones};
+  TaskContext context{EntityId{2}, FlightLimits{}, &ground, nullptr, 120};
+  MakeTask make = [this](const TaskKind& task) -> std::unique_ptr<TaskExecutor> {
+    if (const auto* route = std::get_if<FlyRoute>(&task))
+      return std::make_unique<RouteTask>(context, *route, false);
+    if (const auto* order = std::get_if<FollowLeader>(&task))
+      return std::make_unique<FollowTask>(context, *order, 8);
+    return nullptr;
+  };
+  std::optional<OnboardAgent> wingman{
+      std::in_place, OnboardAgentOptions{}, EntityId{0}, context, zones, make};
 };
 
-TEST_F(WingmanTest, LeadsAboveTheHighestGroundOfItsRouteAndReportsToWhomItShall) {
+TEST_F(FormationTasks, LeadsAboveTheHighestGroundOfItsRouteAndReportsToWhomItShall) {
   const AgentOutput out =
       step(0, {task(1, FlyRoute{{{0, 0}, {1000, 0}}, 3, {EntityId{5}}})});
   ASSERT_TRUE(out.command);
@@ -144,11 +153,12 @@ TEST_F(WingmanTest, LeadsAboveTheHighestGroundOfItsRouteAndReportsToWhomItShall)
   EXPECT_EQ(route.laps, 3);
   EXPECT_EQ(route.points.at(1).altitude_msl, 50 + 120);
   ASSERT_EQ(out.outbox.size(), 2u);
-  EXPECT_EQ(std::get<TeamPosition>(out.outbox[1].content).aircraft, EntityId{2});
+  EXPECT_EQ(std::get<TeamPosition>(out.outbox[0].content).aircraft, EntityId{2});
+  EXPECT_EQ(out.outbox[0].to, EntityId{5});
   EXPECT_FALSE(step(0.5, {}).command) << "an order is given once";
 }
 
-TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
+TEST_F(FormationTasks, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   EXPECT_TRUE(std::holds_alternative<HoldPosition>(
       step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})}).command->guidance));
   const auto position = [](EntityId of, double time, const Vec3& v) {
@@ -177,7 +187,7 @@ TEST_F(WingmanTest, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   EXPECT_FALSE(step(7.1, {}).command) << "nothing was received for five seconds";
 }
 
-TEST_F(WingmanTest, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
+TEST_F(FormationTasks, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
   step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})});
   const auto heights = [&](double time) {
     Message message;
@@ -199,7 +209,7 @@ TEST_F(WingmanTest, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
   EXPECT_NEAR(heights(60).front().p_N.z(), -140, 1e-9);
 }
 
-TEST_F(WingmanTest, ReportsThatItDoesNotObeyWhereAFailsafeHasLandedIt) {
+TEST_F(FormationTasks, ReportsThatItDoesNotObeyWhereAFailsafeHasLandedIt) {
   const auto obeys = [&](double time) {
     return std::get<AircraftReport>(step(time, {}).outbox.at(0).content).obeys;
   };
@@ -211,21 +221,21 @@ TEST_F(WingmanTest, ReportsThatItDoesNotObeyWhereAFailsafeHasLandedIt) {
   EXPECT_TRUE(obeys(4)) << "it may take off";
 }
 
-TEST_F(WingmanTest, SwapsRolesAndKeepsTheNewestOrder) {
+TEST_F(FormationTasks, SwapsRolesAndKeepsTheNewestOrder) {
   step(0, {task(5, FollowLeader{EntityId{1}, {-30, 20}})});
   EXPECT_FALSE(step(1, {task(4, FlyRoute{{{0, 0}, {1, 1}}, 1, {}})}).command);
   EXPECT_TRUE(std::holds_alternative<FlyWaypoints>(
       step(2, {task(6, FlyRoute{{{0, 0}, {1, 1}}, 1, {}})}).command->guidance));
 }
 
-TEST_F(WingmanTest, RefusesWhatItCannotDo) {
+TEST_F(FormationTasks, RefusesWhatItCannotDo) {
   const AgentOutput out = step(0, {task(1, FollowEdge{})});
   EXPECT_FALSE(out.command);
   ASSERT_EQ(out.events.size(), 1u);
   EXPECT_EQ(out.events[0].kind, "task-refused");
 }
 
-TEST_F(WingmanTest, TakesOffBeforeItLeads) {
+TEST_F(FormationTasks, TakesOffBeforeItLeads) {
   on_ground = true;
   step(0, {task(1, FlyRoute{{{0, 0}, {500, 0}, {500, 0}}, 3, {}})});
   const auto reported = step(5, {});
@@ -236,10 +246,9 @@ TEST_F(WingmanTest, TakesOffBeforeItLeads) {
   EXPECT_EQ(std::get<FlyWaypoints>(up.command->guidance).points.size(), 2u);
 }
 
-TEST_F(WingmanTest, FollowingTurnsAwayFromAZone) {
+TEST_F(FormationTasks, FollowingTurnsAwayFromAZone) {
   zones = {{geo::Ring{{60, -300}, {60, 300}, {400, 300}, {400, -300}}}};
-  wingman.emplace(WingmanOptions{}, EntityId{2}, EntityId{0}, FlightLimits{}, ground,
-                  zones);
+  wingman.emplace(OnboardAgentOptions{}, EntityId{0}, context, zones, make);
   step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})});
   Message message;
   message.content = TeamPosition{EntityId{1}, nav(1, {100, 0, -200}, {20, 0, 0})};

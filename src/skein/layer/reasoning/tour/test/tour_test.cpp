@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "skein/layer/reasoning/tour/tour_agent.h"
+#include "skein/layer/reasoning/agent/onboard_agent.h"
+#include "skein/layer/reasoning/tour/tour_task.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/model/path/plan_curve.h"
 
@@ -56,9 +57,12 @@ class Flat final : public Terrain {
 
 // The agent, and an aircraft that is exactly where its plan says.
 struct Flight {
-  explicit Flight(TourAgentOptions options)
-      : agent(options, EntityId{1}, EntityId{0}, FlightLimits{15, 40, 3, 11, 20, 3},
-              flat) {
+  explicit Flight(const TourOptions& options, int laps = 2)
+      : agent({.first_task = FlyTour{kTriangle, laps}}, EntityId{0}, context, {},
+              [this, options](const TaskKind& task) {
+                return std::make_unique<TourTask>(context, std::get<FlyTour>(task),
+                                                  options);
+              }) {
     nav.p_N = {-200, 50, -150};
     nav.heading = 0.4;
     nav.wind_N = kAir.wind;
@@ -86,23 +90,16 @@ struct Flight {
     return std::count(reported.begin(), reported.end(), kind) > 0;
   }
   Flat flat;
-  TourAgent agent;
+  TaskContext context{EntityId{1}, {15, 40, 3, 11, 20, 3}, &flat, nullptr, 120};
+  OnboardAgent agent;
   NavEstimate nav;
   AgentInput in;
   model::PlanCurve curve;
   std::vector<std::string> reported;
 };
 
-TourAgentOptions two_laps() {
-  TourAgentOptions options;
-  options.points = kTriangle;
-  options.laps = 2;
-  options.altitude_agl = 120;
-  return options;
-}
-
-TEST(TourAgent, CirclesThenFliesAllLapsWithoutAGap) {
-  Flight flight(two_laps());
+TEST(TourTask, CirclesThenFliesAllLapsWithoutAGap) {
+  Flight flight({});
   const AgentOutput first = flight.step(0);
   ASSERT_TRUE(first.command);
   EXPECT_TRUE(std::holds_alternative<HoldPosition>(first.command->guidance));
@@ -124,9 +121,9 @@ TEST(TourAgent, CirclesThenFliesAllLapsWithoutAGap) {
   for (const double distance : nearest) EXPECT_LT(distance, 5);  // within half a second
 }
 
-TEST(TourAgent, FliesAtCruiseOnlyWhenItDoesNotKeepTimes) {
+TEST(TourTask, FliesAtCruiseOnlyWhenItDoesNotKeepTimes) {
   for (const bool keeps : {true, false}) {
-    TourAgentOptions options = two_laps();
+    TourOptions options;
     options.keeps_times = keeps;
     options.settling = 0;
     Flight flight(options);
@@ -136,8 +133,8 @@ TEST(TourAgent, FliesAtCruiseOnlyWhenItDoesNotKeepTimes) {
   }
 }
 
-TEST(TourAgent, PlansAnewWhatIsLeftWhenItIsOffThePlan) {
-  TourAgentOptions options = two_laps();
+TEST(TourTask, PlansAnewWhatIsLeftWhenItIsOffThePlan) {
+  TourOptions options;
   options.settling = 0;
   Flight flight(options);
   flight.step(0);
@@ -155,11 +152,10 @@ TEST(TourAgent, PlansAnewWhatIsLeftWhenItIsOffThePlan) {
   EXPECT_NEAR(plan.back().time.seconds(), end, 5);
 }
 
-TEST(TourAgent, PlansAgainWhenItsPlanIsRefused) {
-  TourAgentOptions options = two_laps();
+TEST(TourTask, PlansAgainWhenItsPlanIsRefused) {
+  TourOptions options;
   options.settling = 0;
-  options.laps = 1;
-  Flight flight(options);
+  Flight flight(options, 1);
   ASSERT_TRUE(flight.step(0).command);
   // The autopilot goes on with what it flew before, which it may have done.
   flight.curve = {};
@@ -173,8 +169,8 @@ TEST(TourAgent, PlansAgainWhenItsPlanIsRefused) {
   EXPECT_FALSE(flight.has_reported("route-done"));
 }
 
-TEST(TourAgent, ReportsOnceThatTheWindIsTooStrongAndTriesAgain) {
-  TourAgentOptions options = two_laps();
+TEST(TourTask, ReportsOnceThatTheWindIsTooStrongAndTriesAgain) {
+  TourOptions options;
   options.settling = 0;
   Flight flight(options);
   flight.nav.wind_N = {0, 16};

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/tour/tour_agent.h"
+#include "skein/layer/reasoning/tour/tour_task.h"
 
 #include <fmt/format.h>
 
@@ -21,28 +21,25 @@ FlightPlan rest_of(const FlightPlan& plan, double now) {
 
 }  // namespace
 
-TourAgent::TourAgent(const TourAgentOptions& options, EntityId self, EntityId station,
-                     const FlightLimits& limits, const Terrain& map)
+TourTask::TourTask(const TaskContext& context, const FlyTour& order,
+                   const TourOptions& options)
     : options_(options),
-      self_(self),
-      limits_(limits),
-      altitude_msl_(highest_along(map, options.points) + options.altitude_agl),
-      courses_(corner_courses(options.points)),
-      execution_(options.safety_zone),
-      report_(station, options.report_period) {}
+      self_(context.self),
+      limits_(context.limits),
+      order_(order),
+      altitude_msl_(highest_along(*context.map, order.points) + context.altitude_agl),
+      courses_(corner_courses(order.points)) {}
 
-void TourAgent::step(const AgentInput& in, AgentOutput& out) {
-  if (!in.nav) return;
-  if (!launch_.takes_off(in, altitude_msl_, out)) fly(in, out);
-  if (auto event = execution_.check(in.now, self_, in.autopilot)) {
-    out.events.push_back(*std::move(event));
-    if (execution_.off_plan() && options_.replans && !done_)
-      forget_plan(in.now.seconds());
-  }
-  report_.step(in, limits_, done_, 0, out);
+void TourTask::fly(const TaskStep& step, AgentOutput& out) {
+  const bool off_plan = step.safety.off_plan();
+  if (off_plan && !was_off_plan_ && options_.replans && !done_)
+    forget_plan(step.in.now.seconds());
+  was_off_plan_ = off_plan;
+  fly_plan(step.in, out);
+  step.safety.keep_out(step.in, out);
 }
 
-void TourAgent::fly(const AgentInput& in, AgentOutput& out) {
+void TourTask::fly_plan(const AgentInput& in, AgentOutput& out) {
   if (done_) return;
   if (!begin_) {
     begin_ = in.now + Time::from_seconds(options_.settling);
@@ -77,24 +74,24 @@ void TourAgent::fly(const AgentInput& in, AgentOutput& out) {
   }
 }
 
-std::size_t TourAgent::visits() const {
-  return options_.points.size() * static_cast<std::size_t>(options_.laps);
+std::size_t TourTask::visits() const {
+  return order_.points.size() * static_cast<std::size_t>(order_.laps);
 }
 
 // The points that have not been passed are planned anew.
-void TourAgent::forget_plan(double now) {
+void TourTask::forget_plan(double now) {
   plan_.clear();
   while (!passes_.empty() && passes_.back() > now) passes_.pop_back();
 }
 
 // Adds to the plan what is left of the lap, and flies it.
-void TourAgent::plan_on(const AgentInput& in, const FlightState& from, double start,
-                        AgentOutput& out) {
+void TourTask::plan_on(const AgentInput& in, const FlightState& from, double start,
+                       AgentOutput& out) {
   const model::AirMotion air{
       limits_.airspeed, options_.radius_factor * limits_.turn_radius, in.nav->wind_N};
-  const std::size_t first = passes_.size() % options_.points.size();
+  const std::size_t first = passes_.size() % order_.points.size();
   const TourPlan next =
-      plan_tour(from, start, std::span(options_.points).subspan(first),
+      plan_tour(from, start, std::span(order_.points).subspan(first),
                 std::span(courses_).subspan(first), air, options_.curves);
   const bool stuck = next.passes.empty();
   if (stuck && !stuck_)

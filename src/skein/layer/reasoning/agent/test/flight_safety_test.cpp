@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_decorator.h"
+#include "skein/layer/reasoning/agent/flight_safety.h"
 
 #include <gtest/gtest.h>
 
@@ -7,20 +7,8 @@
 namespace skein::reasoning {
 namespace {
 
-// Says once which course to hold, and reports.
-class Straight final : public Agent {
- public:
-  void step(const AgentInput&, AgentOutput& out) override {
-    if (!reported_) out.command = AutopilotCommand{HoldCourse{0}, 220, {}};
-    reported_ = true;
-    out.outbox.emplace_back().content = AircraftReport{};
-  }
-
- private:
-  bool reported_ = false;
-};
-
-struct Shielded {
+// A task that says once which course to hold, and knows nothing of zones.
+struct Straight {
   AgentOutput step(double time, const std::vector<Message>& inbox = {}) {
     const NavEstimate nav = aircraft.nav(Time::from_seconds(time));
     AgentInput in;
@@ -29,15 +17,20 @@ struct Shielded {
     in.inbox = inbox;
     in.autopilot.on_ground = on_ground;
     AgentOutput out;
-    agent.step(in, out);
+    safety.listen(in, out);
+    if (safety.may_fly(in, 220, out)) {
+      if (!commanded) out.command = AutopilotCommand{HoldCourse{0}, 220, {}};
+      commanded = true;
+      safety.keep_out(in, out);
+    }
+    safety.finish(in, out);
     if (out.command) aircraft.obey(*out.command);
     return out;
   }
   test::FlatGround ground;
   test::TestAircraft aircraft;
-  bool on_ground = false;
-  ZoneDecorator agent{{},     EntityId{1}, FlightLimits{},
-                      ground, {},          std::make_unique<Straight>()};
+  bool on_ground = false, commanded = false;
+  FlightSafety safety{{}, {}, EntityId{1}, FlightLimits{}, ground, {}};
 };
 
 Message zone_on(const Vec2& centre, double radius) {
@@ -46,17 +39,16 @@ Message zone_on(const Vec2& centre, double radius) {
   return message;
 }
 
-TEST(ZoneDecorator, KeepsItsPilotOutAndLetsItGoOn) {
-  Shielded flight;
+TEST(FlightSafety, KeepsATaskOutOfZonesAndLetsItGoOn) {
+  Straight flight;
   flight.step(0);
   double nearest = 1e9;
   bool resumed = false;
   for (int k = 1; k <= 240; ++k) {
     std::vector<Message> inbox;
     if (k == 40) inbox.push_back(zone_on({1500, 20}, 300));
-    const AgentOutput out = flight.step(0.5 * k, inbox);
-    EXPECT_EQ(std::get<AircraftReport>(out.outbox.back().content).zone_changes,
-              k < 40 ? 0u : 1u);
+    flight.step(0.5 * k, inbox);
+    EXPECT_EQ(flight.safety.zones().changes_known(), k < 40 ? 0u : 1u);
     for (int i = 0; i < 10; ++i) flight.aircraft.step(0.05);
     nearest = std::min(nearest, (flight.aircraft.position() - Vec2(1500, 20)).norm());
     resumed = flight.aircraft.position().x() > 1900;
@@ -66,14 +58,15 @@ TEST(ZoneDecorator, KeepsItsPilotOutAndLetsItGoOn) {
   EXPECT_EQ(std::get<HoldCourse>(flight.aircraft.command.guidance).course, 0);
 }
 
-TEST(ZoneDecorator, DoesNotTakeOffIntoAZone) {
-  Shielded flight;
+TEST(FlightSafety, DoesNotTakeOffIntoAZone) {
+  Straight flight;
   flight.on_ground = true;
   EXPECT_FALSE(flight.step(0, {zone_on({0, 0}, 300)}).command);
-  EXPECT_FALSE(flight.step(0.5).command);
+  EXPECT_FALSE(flight.step(6).command);
   Message off;
   off.content = ZoneChange{2, false, {.name = "a"}};
-  EXPECT_TRUE(flight.step(1, {off}).command);
+  EXPECT_FALSE(flight.step(7, {off}).command);  // it rests before it takes off
+  EXPECT_TRUE(flight.step(12.5).command);
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "skein/layer/reasoning/agent/monitor_agent.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +5,12 @@
 #include <functional>
 
 #include "skein/layer/reasoning/agent/altitude.h"
+#include "skein/layer/reasoning/agent/onboard_agent.h"
 #include "skein/layer/reasoning/agent/test/test_flight.h"
+#include "skein/layer/reasoning/task/course_task.h"
+#include "skein/layer/reasoning/task/edge_task.h"
+#include "skein/layer/reasoning/task/line_task.h"
+#include "skein/layer/reasoning/task/point_task.h"
 
 namespace skein::reasoning {
 namespace {
@@ -18,9 +21,27 @@ constexpr EntityId kSelf{3}, kStation{0};
 class Mission {
  public:
   explicit Mission(const std::vector<Zone>& zones = {}, const Vec2& wind = Vec2::Zero(),
-                   const MonitorAgentOptions& options = {})
-      : agent(options, kSelf, kStation, FlightLimits{}, ground, zones) {
+                   std::optional<double> edge_angle = {})
+      : context{kSelf, FlightLimits{}, &ground, nullptr, 120},
+        agent({}, kStation, context, zones,
+              [this](const TaskKind& task) { return make(task); }),
+        own_angle(edge_angle) {
     aircraft.wind = wind;
+  }
+
+  std::unique_ptr<TaskExecutor> make(const TaskKind& task) const {
+    using Goal = PointTask::Goal;
+    if (const auto* order = std::get_if<Loiter>(&task))
+      return std::make_unique<PointTask>(context, order->centre, Goal::kCircle);
+    if (const auto* order = std::get_if<FlyTo>(&task))
+      return std::make_unique<PointTask>(context, order->point, Goal::kReach);
+    if (const auto* order = std::get_if<FlyCourse>(&task))
+      return std::make_unique<CourseTask>(context, order->course);
+    if (const auto* order = std::get_if<FollowLine>(&task))
+      return std::make_unique<LineTask>(context, *order);
+    FollowEdge order = std::get<FollowEdge>(task);
+    order.angle = own_angle.value_or(order.angle);
+    return std::make_unique<EdgeTask>(context, EdgeFollowerOptions{}, order);
   }
 
   void send(std::uint32_t number, decltype(Task::what) what) {
@@ -52,7 +73,9 @@ class Mission {
 
   test::FlatGround ground;
   test::TestAircraft aircraft;
-  MonitorAgent agent;
+  TaskContext context;
+  OnboardAgent agent;
+  std::optional<double> own_angle;
   std::vector<Message> inbox;
   Time now;
 };
@@ -65,7 +88,7 @@ std::vector<T> contents(const AgentOutput& out) {
   return found;
 }
 
-TEST(MonitorAgent, PlacesReadingsByTheEstimateAndSendsThem) {
+TEST(GuidedTask, PlacesReadingsByTheEstimateAndSendsThem) {
   Mission mission;
   mission.second();
   mission.aircraft.p = {1000, 500, -220};
@@ -82,7 +105,7 @@ TEST(MonitorAgent, PlacesReadingsByTheEstimateAndSendsThem) {
   EXPECT_EQ(out.outbox.front().to, kStation);
 }
 
-TEST(MonitorAgent, ReportsOnceASecond) {
+TEST(GuidedTask, ReportsOnceASecond) {
   Mission mission;
   int reports = 0;
   for (int i = 0; i < 40; ++i) {  // stepped at 4 Hz
@@ -95,7 +118,7 @@ TEST(MonitorAgent, ReportsOnceASecond) {
   EXPECT_EQ(reports, 10);
 }
 
-TEST(MonitorAgent, FliesThroughAPointInWindAndSaysSo) {
+TEST(GuidedTask, FliesThroughAPointInWindAndSaysSo) {
   for (const double direction : {0.0, 1.5, 3.0, -1.5}) {
     Mission mission({}, 8 * geo::unit(direction));
     mission.send(1, FlyTo{{700, -400}});
@@ -118,7 +141,7 @@ TEST(MonitorAgent, FliesThroughAPointInWindAndSaysSo) {
   }
 }
 
-TEST(MonitorAgent, ReachesAPointInsideItsTurningCircle) {
+TEST(GuidedTask, ReachesAPointInsideItsTurningCircle) {
   Mission mission;
   mission.send(1, FlyTo{{0, 60}});
   double nearest = 1e9;
@@ -129,19 +152,19 @@ TEST(MonitorAgent, ReachesAPointInsideItsTurningCircle) {
   EXPECT_LT(nearest, 25);
 }
 
-TEST(MonitorAgent, KeepsTheNewestTask) {
+TEST(GuidedTask, KeepsTheNewestTask) {
   Mission mission;
   mission.send(5, FlyCourse{1.0});
   mission.send(4, FlyCourse{-1.0});
   mission.fly(30);
-  EXPECT_EQ(mission.agent.task().number, 5U);
+  EXPECT_EQ(mission.agent.task_number(), 5U);
   EXPECT_NEAR(geo::bearing(mission.aircraft.velocity()), 1.0, 0.01);
   mission.send(5, FlyCourse{2.0});  // received twice
   mission.fly(30);                  // no messages: goes on
   EXPECT_NEAR(geo::bearing(mission.aircraft.velocity()), 1.0, 0.01);
 }
 
-TEST(MonitorAgent, FollowsALineOnce) {
+TEST(GuidedTask, FollowsALineOnce) {
   Mission mission({}, {0, 6});
   FollowLine line;
   for (int i = 0; i <= 20; ++i)
@@ -160,7 +183,7 @@ TEST(MonitorAgent, FollowsALineOnce) {
   EXPECT_LT(worst, 40);
 }
 
-TEST(MonitorAgent, LoitersAtItsTask) {
+TEST(GuidedTask, LoitersAtItsTask) {
   Mission mission({}, {5, 0});
   mission.send(1, Loiter{{800, 800}});
   mission.fly(150);
@@ -169,12 +192,12 @@ TEST(MonitorAgent, LoitersAtItsTask) {
   });
 }
 
-TEST(MonitorAgent, CirclesUntilTheFirstTask) {
+TEST(GuidedTask, CirclesUntilTheFirstTask) {
   Mission mission;
   mission.fly(200, [&] { EXPECT_LT(mission.aircraft.position().norm(), 250); });
 }
 
-TEST(MonitorAgent, FollowsAFire) {
+TEST(GuidedTask, FollowsAFire) {
   Mission mission({}, {3, 3});
   mission.aircraft.p = {-800, 0, -220};
   mission.send(1, FollowEdge{true, {-500, 0}, {0, -1}});
@@ -197,9 +220,7 @@ TEST(MonitorAgent, FollowsAFire) {
 
 // Crossings in ten minutes along the edge of a half-plane, `angle` being ordered.
 int crossings_along_edge(double angle, std::optional<double> own) {
-  MonitorAgentOptions options;
-  options.edge_angle = own;
-  Mission mission({}, Vec2::Zero(), options);
+  Mission mission({}, Vec2::Zero(), own);
   mission.aircraft.p = {-200, 0, -220};
   mission.send(1, FollowEdge{true, {0, 0}, {0, -1}, angle});
   int crossings = 0;
@@ -213,7 +234,7 @@ int crossings_along_edge(double angle, std::optional<double> own) {
   return crossings;
 }
 
-TEST(MonitorAgent, CrossesTheEdgeAtItsOwnAngleWhateverIsOrdered) {
+TEST(GuidedTask, CrossesTheEdgeAtItsOwnAngleWhateverIsOrdered) {
   const double flat = geo::radians(25), steep = geo::radians(80);
   const int as_ordered = crossings_along_edge(flat, std::nullopt);
   const int own = crossings_along_edge(flat, steep);
@@ -225,7 +246,7 @@ TEST(MonitorAgent, CrossesTheEdgeAtItsOwnAngleWhateverIsOrdered) {
             crossings_along_edge(EdgeFollowerOptions{}.angle, std::nullopt));
 }
 
-TEST(MonitorAgent, NeverEntersAZoneWhateverItsTask) {
+TEST(GuidedTask, NeverEntersAZoneWhateverItsTask) {
   const std::vector<Zone> zones{
       {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}},
       {.area = geo::Ring{{600, -200}, {900, -200}, {900, 200}, {600, 200}}}};
@@ -252,7 +273,7 @@ TEST(MonitorAgent, NeverEntersAZoneWhateverItsTask) {
   }
 }
 
-TEST(MonitorAgent, PassesAZoneOnItsPath) {
+TEST(GuidedTask, PassesAZoneOnItsPath) {
   const std::vector<Zone> zones{
       {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}}};
   Mission mission(zones, {0, 4});
@@ -285,7 +306,7 @@ TEST(AltitudeOver, ClearsARidgeWithinTheClimbRate) {
   EXPECT_NEAR(altitude_over(ridge, {-5000, 0}, {20, 0}, 120, 3), 320, 0.1);
 }
 
-TEST(MonitorAgent, AStationWithoutVehicleStaysSilent) {
+TEST(GuidedTask, AStationWithoutVehicleStaysSilent) {
   Mission mission;
   AgentOutput out;
   mission.agent.step({Time(), nullptr, {}, {}, {}, {}}, out);
@@ -304,7 +325,7 @@ bool says(const AgentOutput& out, const std::string& kind) {
                      [&](const Event& event) { return event.kind == kind; });
 }
 
-TEST(MonitorAgent, AZoneTakesEffectInTheStepInWhichItIsReceived) {
+TEST(GuidedTask, AZoneTakesEffectInTheStepInWhichItIsReceived) {
   Mission mission;
   mission.send(1, FlyCourse{0});
   mission.fly(20);
@@ -327,7 +348,7 @@ TEST(MonitorAgent, AZoneTakesEffectInTheStepInWhichItIsReceived) {
   EXPECT_TRUE(reported);
 }
 
-TEST(MonitorAgent, GoesToTheNearestPlaceInsteadOfOneInAZone) {
+TEST(GuidedTask, GoesToTheNearestPlaceInsteadOfOneInAZone) {
   for (const bool circles : {false, true}) {
     Mission mission;
     if (circles)
@@ -357,7 +378,7 @@ TEST(MonitorAgent, GoesToTheNearestPlaceInsteadOfOneInAZone) {
   }
 }
 
-TEST(MonitorAgent, ZonesAboveAndBelowDoNotConcernIt) {
+TEST(GuidedTask, ZonesAboveAndBelowDoNotConcernIt) {
   Mission above, below, free;
   Message high = zone_on(1, {500, 0}, 200), low = high;
   std::get<ZoneChange>(high.content).zone.floor_msl = 241;

@@ -1,8 +1,10 @@
-#include "skein/layer/reasoning/agent/route_agent.h"
+#include "skein/layer/reasoning/task/route_task.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
+
+#include "skein/layer/reasoning/agent/onboard_agent.h"
 
 namespace skein::reasoning {
 namespace {
@@ -17,8 +19,12 @@ class Hill final : public Terrain {
 };
 
 struct Harness {
-  explicit Harness(const RouteAgentOptions& options)
-      : agent(options, EntityId{1}, EntityId{7}, {}, hill, {}) {}
+  explicit Harness(bool lands = false)
+      : agent({.first_task = FlyRoute{{{400, 400}, {400, 0}, {0, 400}}, 5, {}}},
+              EntityId{7}, context, {}, [this, lands](const TaskKind& task) {
+                return std::make_unique<RouteTask>(context, std::get<FlyRoute>(task),
+                                                   lands);
+              }) {}
   AgentOutput at(double time, bool done = false) {
     nav.time = Time::from_seconds(time);
     AgentInput in;
@@ -31,21 +37,14 @@ struct Harness {
     return out;
   }
   Hill hill;
-  RouteAgent agent;
+  TaskContext context{EntityId{1}, {}, &hill, nullptr, 100};
+  OnboardAgent agent;
   NavEstimate nav;
   bool on_ground = false;
 };
 
-RouteAgentOptions triangle() {
-  RouteAgentOptions options;
-  options.points = {{400, 400}, {400, 0}, {0, 400}};
-  options.laps = 5;
-  options.altitude_agl = 100;
-  return options;
-}
-
-TEST(RouteAgent, OrdersItsRouteOnceAboveTheHighestGroundOfIt) {
-  Harness harness(triangle());
+TEST(RouteTask, OrdersItsRouteOnceAboveTheHighestGroundOfIt) {
+  Harness harness;
   const AgentOutput first = harness.at(0);
   ASSERT_TRUE(first.command);
   const auto& route = std::get<FlyWaypoints>(first.command->guidance);
@@ -56,8 +55,8 @@ TEST(RouteAgent, OrdersItsRouteOnceAboveTheHighestGroundOfIt) {
   EXPECT_FALSE(harness.at(0.5).command);
 }
 
-TEST(RouteAgent, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
-  Harness harness(triangle());
+TEST(RouteTask, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
+  Harness harness;
   int reports = 0, events = 0;
   bool done = false;
   for (int k = 0; k <= 20; ++k) {
@@ -74,10 +73,8 @@ TEST(RouteAgent, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
   EXPECT_EQ(events, 1);
 }
 
-TEST(RouteAgent, TakesOffAndLandsWhereItStood) {
-  RouteAgentOptions options = triangle();
-  options.lands = true;
-  Harness harness(options);
+TEST(RouteTask, TakesOffAndLandsWhereItStood) {
+  Harness harness(true);
   harness.on_ground = true;
   harness.nav.p_N = {30, 20, -10};
   EXPECT_FALSE(harness.at(0).command);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "skein/layer/reasoning/agent/edge_follower.h"
+#include "skein/layer/reasoning/agent/task_executor.h"
+#include "skein/layer/reasoning/tour/tour_task.h"
+
+namespace skein::assemble {
+
+/// How an aircraft flies each kind of task.
+struct TaskOptions {
+  reasoning::EdgeFollowerOptions edge;
+  /// Between course and edge, whatever the order says [rad]; none: the order's.
+  std::optional<double> edge_angle;
+  double follow_horizon = 8;  ///< paths to the place beside a leader last this long [s]
+  bool lands = false;         ///< after the last lap of a route
+  reasoning::TourOptions tour;
+};
+
+/// The executor of a task; null for an order that says nothing to fly, as a route without
+/// points.
+std::unique_ptr<reasoning::TaskExecutor> make_task(const TaskKind& task,
+                                                   const reasoning::TaskContext& context,
+                                                   const TaskOptions& options);
+
+}  // namespace skein::assemble

@@ -1,0 +1,29 @@
+#include "skein/layer/reasoning/agent/fire_readings.h"
+
+#include <utility>
+
+namespace skein::reasoning {
+
+void FireReadings::step(const AgentInput& in, AgentOutput& out) {
+  latest_.clear();
+  const NavEstimate& nav = *in.nav;
+  const Vec2 velocity = geo::horizontal(nav.v_N);
+  for (const SensorSample& sample : in.samples) {
+    const auto* fire = std::get_if<FireSample>(&sample);
+    if (!fire) continue;
+    // Where the aircraft was when the sensor looked.
+    const double ago = (nav.time - fire->time).seconds();
+    const FireReading reading{fire->time, self_,
+                              geo::horizontal(nav.p_N) - ago * velocity +
+                                  fire->look_ahead * geo::unit(nav.heading),
+                              nav.position_sd, fire->inside};
+    latest_.push_back(reading);
+    Message message;
+    message.to = station_;
+    message.content = reading;
+    out.outbox.push_back(std::move(message));
+    out.records.emplace_back(reading);
+  }
+}
+
+}  // namespace skein::reasoning
