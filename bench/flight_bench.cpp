@@ -9,7 +9,7 @@
 #include "skein/base/random.h"
 #include "skein/layer/asset/kinematic_plant.h"
 #include "skein/layer/autopilot/simple_autopilot.h"
-#include "skein/layer/reasoning/agent/zone_avoidance.h"
+#include "skein/layer/reasoning/trajectory/zone_avoidance.h"
 #include "skein/model/connection/point_connection.h"
 #include "skein/model/path/dubins.h"
 

@@ -8,9 +8,9 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/task_kinds.h"
-#include "skein/layer/reasoning/agent/altitude.h"
+#include "skein/layer/reasoning/trajectory/altitude.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
-#include "skein/layer/reasoning/agent/round_trip.h"
+#include "skein/layer/reasoning/trajectory/round_trip.h"
 
 namespace skein::assemble {
 namespace {
@@ -150,11 +150,13 @@ std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftConte
                                   std::optional<TaskKind> first = {}) {
   reasoning::OnboardAgentOptions options = choice.agent;
   options.first_task = std::move(first);
-  const reasoning::TaskContext context{c.self, c.limits, c.map.get(), c.planner,
-                                       c.altitude_agl};
+  const reasoning::FlightContext context{c.self, c.limits, c.map.get(), c.planner,
+                                         c.altitude_agl};
+  TaskOptions tasks = choice.tasks;
+  tasks.has_camera = c.has_camera;
   return std::make_unique<reasoning::OnboardAgent>(
       options, c.station, context, c.zones,
-      [context, tasks = choice.tasks](const TaskKind& task) {
+      [context, tasks](const TaskKind& task) {
         return make_task(task, context, tasks);
       });
 }

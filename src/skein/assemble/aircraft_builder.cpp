@@ -243,6 +243,7 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
     for (sensory::SensorSuite::Part& part : mounted) {
       of_kind[part.kind] = context.instance + 1;
       const bool payload = part.sensor->payload();
+      context.has_camera |= part.sensor->finds_objects();
       (payload ? parts.payload : parts.sensors).push_back(part.kind);
       (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));
     }

@@ -59,6 +59,7 @@ struct AircraftContext {
   AircraftGains gains;                         ///< of the plant's file
   bool hears_station = false;                  ///< the station sends heartbeats
   bool has_position = false;                   ///< a sensor says where it is
+  bool has_camera = false;                     ///< a sensor finds objects
   std::uint8_t fitted = 0;                     ///< bit k: FlightSensor k is on board
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common
   double parameter_spread = 0;  ///< of the plant's parameters, at most

@@ -6,7 +6,7 @@
 
 #include "skein/assemble/kind_registry.h"
 #include "skein/layer/reasoning/agent/listener.h"
-#include "skein/layer/reasoning/agent/round_trip.h"
+#include "skein/layer/reasoning/trajectory/round_trip.h"
 #include "skein/layer/reasoning/monitoring/coordinator/coordinator.h"
 #include "skein/layer/reasoning/team/formation_control.h"
 #include "skein/scenario/scenario.h"

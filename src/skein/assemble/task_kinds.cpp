@@ -1,60 +1,92 @@
-// What flies each kind of task: one function each.
+// What flies each kind of task: one row each.
 
 #include "skein/assemble/task_kinds.h"
 
-#include "skein/layer/reasoning/task/course_task.h"
-#include "skein/layer/reasoning/task/edge_task.h"
-#include "skein/layer/reasoning/task/line_task.h"
-#include "skein/layer/reasoning/task/point_task.h"
-#include "skein/layer/reasoning/task/route_task.h"
-#include "skein/layer/reasoning/team/follow_task.h"
+#include "skein/layer/reasoning/task/course/course_task.h"
+#include "skein/layer/reasoning/task/edge/edge_task.h"
+#include "skein/layer/reasoning/task/follow/follow_task.h"
+#include "skein/layer/reasoning/task/go_to/go_to_task.h"
+#include "skein/layer/reasoning/task/home/home_task.h"
+#include "skein/layer/reasoning/task/line/line_task.h"
+#include "skein/layer/reasoning/task/measure/measure_task.h"
+#include "skein/layer/reasoning/task/orbit/orbit_task.h"
+#include "skein/layer/reasoning/task/patrol/patrol_task.h"
+#include "skein/layer/reasoning/task/plan/plan_task.h"
+#include "skein/layer/reasoning/task/relay/relay_task.h"
+#include "skein/layer/reasoning/task/rendezvous/rendezvous_task.h"
+#include "skein/layer/reasoning/task/route/route_task.h"
+#include "skein/layer/reasoning/task/stay/stay_task.h"
+#include "skein/layer/reasoning/task/survey/survey_task.h"
 
 namespace skein::assemble {
 namespace {
 
 using namespace reasoning;
-using Made = std::unique_ptr<TaskExecutor>;
+using Made = Result<std::unique_ptr<TaskExecutor>>;
+
+Error cannot(std::string why) {
+  return {ErrorCode::kBadInput, "", std::move(why), ""};
+}
 
 // An overload for each kind: the compiler names one that is missing.
 struct TaskMaker {
-  Made operator()(const Loiter& order) const {
-    return std::make_unique<PointTask>(context, order.centre, PointTask::Goal::kCircle);
-  }
-  Made operator()(const FlyTo& order) const {
-    return std::make_unique<PointTask>(context, order.point, PointTask::Goal::kReach);
-  }
-  Made operator()(const FollowEdge& order) const {
-    FollowEdge own = order;
-    own.angle = options.edge_angle.value_or(order.angle);
-    return std::make_unique<EdgeTask>(context, options.edge, own);
-  }
-  Made operator()(const FollowLine& order) const {
-    return std::make_unique<LineTask>(context, order);
-  }
-  Made operator()(const FlyCourse& order) const {
-    return std::make_unique<CourseTask>(context, order.course);
-  }
-  Made operator()(const FlyRoute& order) const {
-    if (order.points.empty()) return nullptr;
-    return std::make_unique<RouteTask>(context, order, options.lands);
-  }
-  Made operator()(const FollowLeader& order) const {
-    if (order.leader == context.self) return nullptr;
-    return std::make_unique<FollowTask>(context, order, options.follow_horizon);
-  }
-  Made operator()(const FlyTour& order) const {
-    if (order.points.size() < 2) return nullptr;
-    return std::make_unique<TourTask>(context, order, options.tour);
+  template <class Executor, class... Arguments>
+  static Made make(Arguments&&... arguments) {
+    return std::unique_ptr<TaskExecutor>(
+        std::make_unique<Executor>(std::forward<Arguments>(arguments)...));
   }
 
-  const TaskContext& context;
+  Made operator()(const Loiter& t) const { return make<StayTask>(t); }
+  Made operator()(const Hold& t) const { return make<StayTask>(t); }
+  Made operator()(const FlyTo& t) const { return make<GoToTask>(context, t); }
+  Made operator()(const FollowEdge& t) const {
+    FollowEdge own = t;
+    own.angle = options.edge_angle.value_or(t.angle);
+    return make<EdgeTask>(context, options.edge, own);
+  }
+  Made operator()(const FollowLine& t) const { return make<LineTask>(context, t); }
+  Made operator()(const FlyCourse& t) const { return make<CourseTask>(context, t); }
+  Made operator()(const FlyRoute& t) const {
+    return make<RouteTask>(context, t, options.lands);
+  }
+  Made operator()(const FollowLeader& t) const {
+    if (t.leader == context.self) return cannot("an aircraft cannot follow itself.");
+    return make<FollowTask>(context, t, options.follow_horizon);
+  }
+  Made operator()(const FlyTour& t) const {
+    return make<TourTask>(context, t, options.tour);
+  }
+  Made operator()(const Survey& t) const { return make<SurveyTask>(context, t); }
+  Made operator()(const Patrol& t) const { return make<PatrolTask>(context, t); }
+  Made operator()(const Orbit& t) const {
+    if (t.object && !options.has_camera)
+      return cannot("it has no camera to see an object with.");
+    return make<OrbitTask>(context, t);
+  }
+  Made operator()(const Measure& t) const { return make<MeasureTask>(context, t); }
+  Made operator()(const Rendezvous& t) const {
+    return make<RendezvousTask>(context, t);
+  }
+  Made operator()(const Relay& t) const {
+    if (t.first == context.self || t.second == context.self)
+      return cannot("an aircraft is no relay to itself.");
+    return make<RelayTask>(t);
+  }
+  Made operator()(const FlyPlan& t) const { return make<PlanTask>(context, t); }
+  Made operator()(const ReturnHome&) const { return make<ReturnTask>(context); }
+  Made operator()(const LandAt& t) const { return make<LandTask>(context, t); }
+
+  const FlightContext& context;
   const TaskOptions& options;
 };
 
 }  // namespace
 
-std::unique_ptr<TaskExecutor> make_task(const TaskKind& task, const TaskContext& context,
-                                        const TaskOptions& options) {
+Result<std::unique_ptr<TaskExecutor>> make_task(const TaskKind& task,
+                                                const FlightContext& context,
+                                                const TaskOptions& options) {
+  if (std::string error = task_error(task); !error.empty())
+    return cannot(std::move(error));
   return std::visit(TaskMaker{context, options}, task);
 }
 

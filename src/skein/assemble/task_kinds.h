@@ -3,13 +3,13 @@
 #include <memory>
 #include <optional>
 
-#include "skein/layer/reasoning/agent/edge_follower.h"
 #include "skein/layer/reasoning/agent/task_executor.h"
-#include "skein/layer/reasoning/tour/tour_task.h"
+#include "skein/layer/reasoning/task/edge/edge_follower.h"
+#include "skein/layer/reasoning/task/tour/tour_task.h"
 
 namespace skein::assemble {
 
-/// How an aircraft flies each kind of task.
+/// How an aircraft flies each kind of task, and with what.
 struct TaskOptions {
   reasoning::EdgeFollowerOptions edge;
   /// Between course and edge, whatever the order says [rad]; none: the order's.
@@ -17,12 +17,14 @@ struct TaskOptions {
   double follow_horizon = 8;  ///< paths to the place beside a leader last this long [s]
   bool lands = false;         ///< after the last lap of a route
   reasoning::TourOptions tour;
+  bool has_camera = false;
 };
 
-/// The executor of a task; null for an order that says nothing to fly, as a route without
-/// points.
-std::unique_ptr<reasoning::TaskExecutor> make_task(const TaskKind& task,
-                                                   const reasoning::TaskContext& context,
-                                                   const TaskOptions& options);
+/// The executor of a task.
+/// Fails: kBadInput with the reason when the task says nothing to fly, or this aircraft
+///        is not able to.
+Result<std::unique_ptr<reasoning::TaskExecutor>> make_task(
+    const TaskKind& task, const reasoning::FlightContext& context,
+    const TaskOptions& options);
 
 }  // namespace skein::assemble

@@ -6,8 +6,4 @@ std::string_view kind_of(const Command& command) {
   return std::visit([]<class T>(const T&) { return kind_of<T>(); }, command);
 }
 
-std::string_view kind_of(const TaskKind& task) {
-  return std::visit([]<class T>(const T&) { return kind_of<T>(); }, task);
-}
-
 }  // namespace skein

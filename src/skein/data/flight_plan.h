@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "skein/data/describe.h"
 #include "skein/geo/vec.h"
 
 namespace skein {
@@ -20,6 +21,20 @@ struct FlightElement {
   double climb_rate = 0;     ///< upwards [m/s]
   Vec2 wind = Vec2::Zero();  ///< velocity of the air over ground [m/s]
 };
+
+constexpr auto describe(const FlightElement*) {
+  using T = FlightElement;
+  return described<T>(
+      {"flight_element"}, "One piece of a flight through air that moves evenly.",
+      field("start", &T::start, unit::kSecond, "when it begins"),
+      field("duration", &T::duration, unit::kSecond, "how long it lasts"),
+      field("", &T::p_N, axes::kPlace, "where it begins"),
+      field("heading", &T::heading, unit::kDegree, "at the start, through the air"),
+      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "horizontal"),
+      field("turn_rate", &T::turn_rate, unit::kDegreePerSecond, "right positive"),
+      field("climb_rate", &T::climb_rate, unit::kMetrePerSecond, "upwards"),
+      field("", &T::wind, axes::kWind, "that it was planned in"));
+}
 
 /// A flight in space and time: elements that join in time, position and heading. An empty
 /// plan is no flight.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
 #include "skein/data/fire.h"
+#include "skein/data/object.h"
 #include "skein/data/task.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone_change.h"
@@ -21,12 +23,15 @@ namespace skein {
 struct AircraftReport {
   NavEstimate nav;
   FlightLimits limits;
-  std::uint32_t task_number = 0;  ///< the task it works on; 0 = none yet
-  bool task_done = false;
+  std::uint32_t task_number = 0;  ///< the newest order that it obeys; 0 = none yet
+  TaskState task_state = TaskState::kNone;
   /// False while a pilot or a failsafe flies: then orders wait.
   bool obeys = true;
   /// It has received all changes of no-fly zones up to this number.
   std::uint32_t zone_changes = 0;
+  double task_share = 0;  ///< of its task that is done, from 0 to 1
+  /// Until it is done [s]; none: not known, or it has no end.
+  std::optional<double> task_time_to_go = std::nullopt;
 };
 
 constexpr auto describe(const AircraftReport*) {
@@ -35,10 +40,13 @@ constexpr auto describe(const AircraftReport*) {
       {"report"}, "What an aircraft says about itself, once a second.",
       field("", &T::nav, "where it believes to be"),
       field("limits", &T::limits, "what it can do"),
-      field("task_number", &T::task_number, "that it works on; 0: none yet"),
-      field("task_done", &T::task_done, "that task is done"),
+      field("task_number", &T::task_number, "the newest order; 0: none yet"),
+      field("task_state", &T::task_state, "how far it is with its task"),
       field("obeys", &T::obeys, "no pilot and no failsafe flies"),
-      field("zone_changes", &T::zone_changes, "it knows all changes up to this number"));
+      field("zone_changes", &T::zone_changes, "it knows all changes up to this number"),
+      field("task_share", &T::task_share, "of its task that is done"),
+      field("task_time_to_go", &T::task_time_to_go, unit::kSecond,
+            "until its task is done; null: not known, or without end"));
 }
 
 /// Where an aircraft of the team is, reported by the ground station or by itself.
@@ -75,9 +83,11 @@ constexpr auto describe(const PluginPayload*) {
                       field("coded", &T::coded, Storage::kBytes, "its bytes"));
 }
 
-/// What a message may say.
+/// What a message may say. New kinds go to the end: the place in this list is part of
+/// the wire form.
 using MessageContent = std::variant<FireReading, AircraftReport, Task, Heartbeat,
-                                    TeamPosition, ZoneChange, PluginPayload>;
+                                    TeamPosition, ZoneChange, PluginPayload, TaskChange,
+                                    TaskReport, ObjectSighting>;
 
 /// A message between agents. `number` counts the sender's messages.
 struct Message {

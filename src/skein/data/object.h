@@ -29,4 +29,21 @@ constexpr auto describe(const GroundObject*) {
                       field("", &T::velocity, axes::kVelocity, "over ground"));
 }
 
+/// Where somebody has seen an object.
+struct ObjectSighting {
+  std::uint32_t object = 0;  ///< GroundObject::id
+  Time time;
+  Vec2 position = Vec2::Zero();  ///< [m]
+  double position_sd = 0;        ///< per axis [m]
+};
+
+constexpr auto describe(const ObjectSighting*) {
+  using T = ObjectSighting;
+  return described<T>({"sighting"}, "Where somebody has seen an object.",
+                      field("object_id", &T::object, "which"),
+                      field("time", &T::time, "when"),
+                      field("", &T::position, axes::kPlace, "where it was believed"),
+                      field("position_sd", &T::position_sd, unit::kMetre, "per axis"));
+}
+
 }  // namespace skein

@@ -14,6 +14,7 @@
 #include "skein/data/message.h"
 #include "skein/data/object.h"
 #include "skein/data/payload.h"
+#include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone_change.h"
@@ -115,11 +116,28 @@ constexpr auto describe(const ZoneRecord*) {
                       field("", &T::change, "which zone, and how"));
 }
 
+/// A planner on board does something else from now on.
+struct PlannerRecord {
+  Time time;
+  EntityId id;
+  PlannerChange change;
+};
+
+constexpr auto describe(const PlannerRecord*) {
+  using T = PlannerRecord;
+  return described<T>(
+      {"planner", "planners"},
+      "What the planners on board make of what shall be flown, whenever that changes.",
+      field("time", &T::time, "from when on"), field("entity_id", &T::id, "whose planner"),
+      field("", &T::change, "which planner, and what it does"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
 using Record =
     std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
                  MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
-                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord>;
+                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
+                 PlannerRecord>;
 
 }  // namespace skein

@@ -34,6 +34,7 @@ struct Taker {
   void operator()(const ZoneRecord&) {}
   void operator()(const CommandRecord&) {}
   void operator()(const PluginRecord&) {}
+  void operator()(const PlannerRecord&) {}
 };
 
 }  // namespace

@@ -32,6 +32,9 @@ class Sensor {
   /// the only one to get their samples; they see the fire and other objects never.
   virtual bool payload() const { return false; }
 
+  /// Whether it finds objects on the ground.
+  virtual bool finds_objects() const { return false; }
+
   /// Appends what the sensor has to say at `view.now`; nothing between its samples.
   virtual void sample(const SensorView& view, std::vector<SensorSample>& out) = 0;
 };

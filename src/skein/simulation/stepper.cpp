@@ -341,6 +341,9 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
       return PerimeterRecord{now, agent, stepper.world_.fire->region(), belief};
     }
     Record operator()(const PluginRecord& record) { return record; }
+    Record operator()(const PlannerChange& change) {
+      return PlannerRecord{now, agent, change};
+    }
   };
   recorder_.record(std::visit(Maker{*this, now, id_of(i)}, said));
 }

@@ -41,6 +41,7 @@ class Camera final : public Sensor {
 
   void sample(const SensorView& view, std::vector<SensorSample>& out) override;
   bool payload() const override { return true; }
+  bool finds_objects() const override { return true; }
 
  private:
   FootprintSample footprint(const SensorView& view) const;

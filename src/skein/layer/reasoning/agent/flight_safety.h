@@ -3,19 +3,19 @@
 #include <optional>
 #include <span>
 
-#include "skein/layer/reasoning/agent/execution_monitor.h"
+#include "skein/layer/reasoning/trajectory/execution_monitor.h"
 #include "skein/layer/reasoning/agent/launch.h"
-#include "skein/layer/reasoning/agent/return_planner.h"
-#include "skein/layer/reasoning/agent/zone_monitor.h"
+#include "skein/layer/reasoning/trajectory/return_planner.h"
+#include "skein/layer/reasoning/trajectory/zone_monitor.h"
 #include "skein/role/terrain.h"
 
 namespace skein::reasoning {
 
-/// Keeps the flight of an aircraft safe, whatever its task: it learns of no-fly zones and
-/// plans returns around them, takes off, and watches how plans are carried out.
+/// What every flight needs, whatever its task: learns of no-fly zones and plans returns
+/// around them, takes off, and watches how plans are carried out.
 ///
 /// In each step an agent calls listen(); as long as there is a navigation estimate
-/// may_fly(), then flies its task where the answer is yes, and finish().
+/// may_fly(), then its planners where the answer is yes, and finish().
 class FlightSafety {
  public:
   /// @param zones  no-fly zones in force from the start, copied.
@@ -33,16 +33,13 @@ class FlightSafety {
 
   /// Plans returns, and takes an aircraft that stands on the ground up to an altitude
   /// unless a zone forbids it.
-  /// @returns  whether the task may command: it stands or takes off otherwise.
-  bool may_fly(const AgentInput& in, double altitude_msl, AgentOutput& out);
+  /// @param may_stand  what it is to fly lets it stand on the ground.
+  /// @returns  whether it may be commanded: else it stands, or takes off.
+  bool may_fly(const AgentInput& in, double altitude_msl, bool may_stand,
+               AgentOutput& out);
 
-  /// Keeps what a task that knows nothing of zones has commanded last out of them: where
-  /// it would lead into one, `out.command` leads around; afterwards the command is given
-  /// again.
-  void keep_out(const AgentInput& in, AgentOutput& out);
-
-  /// What has been commanded before is not given again: another task begins.
-  void forget_setpoint() { setpoint_.reset(); }
+  /// Another task has come: an aircraft that has landed takes off again for it.
+  void allow_launch(const AgentInput& in) { launch_.allow(in); }
 
   /// Reports zones that are entered or avoided, and plans that are left.
   void finish(const AgentInput& in, AgentOutput& out);
@@ -70,7 +67,6 @@ class FlightSafety {
   EntityId self_;
   std::optional<Vec2> home_;
   bool news_ = false, began_on_ground_ = false;
-  std::optional<AutopilotCommand> setpoint_;  // the last, as the task gave it
 };
 
 }  // namespace skein::reasoning

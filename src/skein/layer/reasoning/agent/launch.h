@@ -19,6 +19,11 @@ class Launch {
   /// @returns         whether it is still being done; then nothing else may be commanded.
   bool takes_off(const AgentInput& in, double altitude, AgentOutput& out);
 
+  /// An aircraft that stands on the ground, having flown before, may take off again.
+  void allow(const AgentInput& in) {
+    if (in.autopilot.on_ground && state_ == State::kFlies) state_ = State::kNew;
+  }
+
  private:
   enum class State { kNew, kTakesOff, kFlies };
   State state_ = State::kNew;

@@ -6,8 +6,10 @@
 
 #include "skein/layer/reasoning/agent/fire_readings.h"
 #include "skein/layer/reasoning/agent/flight_safety.h"
+#include "skein/layer/reasoning/agent/loiter_planner.h"
+#include "skein/layer/reasoning/agent/planner_chain.h"
 #include "skein/layer/reasoning/agent/status_report.h"
-#include "skein/layer/reasoning/agent/task_executor.h"
+#include "skein/layer/reasoning/agent/task_planner.h"
 #include "skein/role/agent.h"
 
 namespace skein::reasoning {
@@ -22,37 +24,39 @@ struct OnboardAgentOptions {
 
 /// The agent on board of an aircraft, whatever its task.
 ///
-/// It flies the newest task it has received; without messages it goes on with the last,
-/// and before the first it circles where it began. It sends the readings of its fire
-/// sensor and a report each second to the station. It takes off first, as long as no
-/// no-fly zone forbids it, and whatever it flies stays out of zones (FlightSafety).
+/// It flies the newest task it has received (TaskPlanner) by a chain of planners that
+/// always have something to fly (PlannerChain); without messages it goes on with the last
+/// task, and before the first it circles where it began. It sends the readings of its
+/// fire sensor and a report each second to the station. It takes off first, as long as no
+/// no-fly zone forbids it (FlightSafety).
 class OnboardAgent final : public Agent {
  public:
   /// @param station  who gets its reports.
   /// @param zones    no-fly zones in force from the start, copied.
   /// @param make     makes the executors of tasks.
   OnboardAgent(const OnboardAgentOptions& options, EntityId station,
-               const TaskContext& context, std::span<const Zone> zones, MakeTask make);
+               const FlightContext& context, std::span<const Zone> zones, MakeTask make);
 
   void step(const AgentInput& in, AgentOutput& out) override;
 
-  /// Of the newest task that it has taken; 0: none.
-  std::uint32_t task_number() const { return number_; }
-  bool task_done() const { return executor_ && executor_->done(); }
+  /// Of the newest order that it has received; 0: none.
+  std::uint32_t task_number() const { return tasks_.order(); }
+  bool task_done() const { return tasks_.state() == TaskState::kDone; }
 
  private:
-  void take(const Task& task, Time now, AgentOutput& out);
   void fly(const TaskStep& step, AgentOutput& out);
   double altitude_to_take_off_to(const NavEstimate& nav) const;
 
   OnboardAgentOptions options_;
-  TaskContext context_;
-  MakeTask make_;
+  FlightContext context_;
   FlightSafety safety_;
+  Beliefs beliefs_;
   FireReadings readings_;
   StatusReport report_;
-  std::uint32_t number_ = 0;  // of the newest task; 0: none was received
-  std::unique_ptr<TaskExecutor> executor_;
+  TaskPlanner tasks_;
+  LoiterPlanner loiter_;
+  PlannerChain chain_;
+  IntentCounter intents_;
 };
 
 }  // namespace skein::reasoning

@@ -90,7 +90,7 @@ void OperatorOrders::renumber(Member& member, AircraftReport& report) const {
   if (member.taken) report.obeys = false;
   const bool missions = !member.taken && report.task_number > member.offset;
   const std::uint32_t number = missions ? report.task_number - member.offset : 0;
-  if (number == 0) report.task_done = false;
+  if (number == 0) report.task_state = TaskState::kNone;
   report.task_number = number;
 }
 

@@ -4,15 +4,9 @@
 #include <optional>
 
 #include "skein/base/id.h"
-#include "skein/data/agent_step.h"
+#include "skein/layer/reasoning/agent/task_planner.h"
 
 namespace skein::reasoning {
-
-/// How far an aircraft is with what it has been asked to do.
-struct TaskProgress {
-  std::uint32_t number = 0;  ///< of the task; 0: none was received
-  bool done = false;
-};
 
 /// Reports to the ground station where an aircraft is and what it does, evenly in time.
 class StatusReport {
@@ -23,8 +17,8 @@ class StatusReport {
   /// To be called at each step; needs in.nav.
   /// @param zone_changes  it acknowledges the changes of zones up to this number.
   /// @returns             whether it has reported.
-  bool step(const AgentInput& in, const FlightLimits& limits,
-            const TaskProgress& progress, std::uint32_t zone_changes, AgentOutput& out);
+  bool step(const AgentInput& in, const FlightLimits& limits, const TaskPlanner& tasks,
+            std::uint32_t zone_changes, AgentOutput& out);
 
  private:
   EntityId station_;

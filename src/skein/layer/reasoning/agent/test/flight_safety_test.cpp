@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "skein/layer/reasoning/agent/test/test_flight.h"
+#include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
 namespace skein::reasoning {
 namespace {

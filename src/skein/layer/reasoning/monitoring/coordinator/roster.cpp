@@ -32,7 +32,7 @@ bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
   member->status.limits = report.limits;
   member->reported_task = report.task_number;
   member->status.task_done =
-      report.task_done && report.task_number == member->status.task.number;
+      report.task_state == TaskState::kDone && report.task_number == member->status.task.number;
   return true;
 }
 

@@ -116,7 +116,12 @@ CoverageResult described(const CoverageQuery& query, const SweepTask& task,
     result.longest = std::max(result.longest, result.times.back());
     result.total += result.times.back();
     result.in_zones += time_within(plan, query.zones);
-    for (const int visit : sweep.routes[a]) result.on_lines += costs.along(visit);
+    std::vector<Vec2>& ends = result.line_ends.emplace_back();
+    for (const int visit : sweep.routes[a]) {
+      result.on_lines += costs.along(visit);
+      ends.push_back(costs.entry(visit).position);
+      ends.push_back(costs.exit(visit).position);
+    }
   }
   result.bearing = half_turn(sweep.bearing);
   result.lines = static_cast<int>(sweep.lines.size());

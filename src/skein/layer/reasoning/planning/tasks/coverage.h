@@ -63,6 +63,8 @@ struct CoverageResult {
   std::string reason = {};        ///< for people; empty when planned
   std::vector<FlightPlan> plans;  ///< of each aircraft; empty for one that has no line
   std::vector<double> times;      ///< of each plan [s]
+  /// Begin and end of each line that an aircraft flies, in its order, over ground [m].
+  std::vector<std::vector<Vec2>> line_ends;
   bool stopped = false;           ///< by the watch: there may be better ones
   double longest = 0;             ///< of these: when the survey is done [s]
   double total = 0;               ///< their sum [s]

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <functional>
 
-#include "skein/layer/reasoning/agent/altitude.h"
+#include "skein/layer/reasoning/trajectory/altitude.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
-#include "skein/layer/reasoning/agent/test/test_flight.h"
-#include "skein/layer/reasoning/task/course_task.h"
-#include "skein/layer/reasoning/task/edge_task.h"
-#include "skein/layer/reasoning/task/line_task.h"
-#include "skein/layer/reasoning/task/point_task.h"
+#include "skein/layer/reasoning/trajectory/test/test_flight.h"
+#include "skein/layer/reasoning/task/course/course_task.h"
+#include "skein/layer/reasoning/task/edge/edge_task.h"
+#include "skein/layer/reasoning/task/line/line_task.h"
+#include "skein/layer/reasoning/task/go_to/go_to_task.h"
 
 namespace skein::reasoning {
 namespace {
@@ -73,7 +73,7 @@ class Mission {
 
   test::FlatGround ground;
   test::TestAircraft aircraft;
-  TaskContext context;
+  FlightContext context;
   OnboardAgent agent;
   std::optional<double> own_angle;
   std::vector<Message> inbox;

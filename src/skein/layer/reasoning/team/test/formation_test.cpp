@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "skein/layer/reasoning/agent/onboard_agent.h"
-#include "skein/layer/reasoning/task/route_task.h"
-#include "skein/layer/reasoning/team/follow_task.h"
+#include "skein/layer/reasoning/task/route/route_task.h"
+#include "skein/layer/reasoning/task/follow/follow_task.h"
 #include "skein/layer/reasoning/team/formation_control.h"
 
 namespace skein::reasoning {
@@ -133,7 +133,7 @@ class FormationTasks : public testing::Test {
   double altitude = 150, climb = 0;
   FailsafeReaction reaction = FailsafeReaction::kNone;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
-  TaskContext context{EntityId{2}, FlightLimits{}, &ground, nullptr, 120};
+  FlightContext context{EntityId{2}, FlightLimits{}, &ground, nullptr, 120};
   MakeTask make = [this](const TaskKind& task) -> std::unique_ptr<TaskExecutor> {
     if (const auto* route = std::get_if<FlyRoute>(&task))
       return std::make_unique<RouteTask>(context, *route, false);

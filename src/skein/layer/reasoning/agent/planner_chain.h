@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "skein/data/planner_change.h"
+#include "skein/layer/reasoning/agent/task_executor.h"
+#include "skein/layer/reasoning/trajectory/trajectory_planner.h"
+
+namespace skein::reasoning {
+
+/// A planner of the chain.
+class PlannerOfChain {
+ public:
+  virtual ~PlannerOfChain() = default;
+
+  /// What shall be flown.
+  /// @param given  by the planner before; null: by the first only.
+  /// @returns  `given` itself to pass it on, which who is still computing does too; else
+  ///           what is flown instead, good until the next call.
+  virtual const FlightIntent* plan(const FlightIntent* given, const TaskStep& step,
+                                   AgentOutput& out) = 0;
+
+  /// What it said was replaced by a planner behind it.
+  virtual void replaced() {}
+
+  /// Why the last answer was what it was; lives as long as the program.
+  virtual std::string_view reason() const = 0;
+};
+
+/// Keeps apart from others. Nothing does so yet: what it is given goes on as it is.
+class SeparationPlanner final : public PlannerOfChain {
+ public:
+  const FlightIntent* plan(const FlightIntent* given, const TaskStep&,
+                           AgentOutput&) override {
+    return given;
+  }
+  std::string_view reason() const override { return {}; }
+};
+
+/// The backbone of a step on board: loiter, task, separation, trajectory, autopilot. Each
+/// planner modifies or replaces what it is handed, or passes it on, so that there is
+/// always something to fly; who does what, and why, is recorded whenever it changes.
+class PlannerChain {
+ public:
+  /// @param loiter, task  outlive it.
+  PlannerChain(const FlightContext& context, PlannerOfChain& loiter, PlannerOfChain& task)
+      : links_{&loiter, &task, &separation_}, trajectory_(context) {}
+  PlannerChain(const PlannerChain&) = delete;
+  PlannerChain& operator=(const PlannerChain&) = delete;
+
+  /// Commands what is flown.
+  void fly(const TaskStep& step, AgentOutput& out);
+
+  /// The aircraft stands or takes off: nobody is asked.
+  void stand(std::string_view reason, AgentOutput& out);
+
+  const FlightProgress& progress() const { return trajectory_.progress(); }
+
+ private:
+  struct Said {
+    PlannerVerdict verdict = PlannerVerdict::kPassedOn;
+    std::string_view reason;
+    bool operator==(const Said&) const = default;
+  };
+  void note(PlannerLink link, const Said& said, AgentOutput& out);
+
+  SeparationPlanner separation_;
+  std::array<PlannerOfChain*, kPlannerLinks - 1> links_;
+  TrajectoryPlanner trajectory_;
+  std::array<Said, kPlannerLinks> said_{};
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,131 @@
+#include "skein/layer/reasoning/agent/task_planner.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kRestAgain = 20;  // what is left, unchanged [s]
+
+}  // namespace
+
+void TaskPlanner::begin(const TaskKind& task) {
+  auto made = make_(task);
+  if (!made) return;
+  executor_ = std::move(made).value();
+  kind_ = kind_of(task);
+  state_ = TaskState::kFlying;
+}
+
+bool TaskPlanner::receive(const AgentInput& in, AgentOutput& out) {
+  bool other = false;
+  for (const Message& message : in.inbox) {
+    if (const auto* task = std::get_if<Task>(&message.content))
+      other = take(*task, in.now, out) || other;
+    else if (const auto* change = std::get_if<TaskChange>(&message.content))
+      obey(*change, in.now, out);
+  }
+  return other;
+}
+
+bool TaskPlanner::take(const Task& task, Time now, AgentOutput& out) {
+  if (order_ > 0 && task.number <= order_) return false;
+  order_ = number_ = task.number;
+  kind_ = kind_of(task.what);
+  auto made = make_(task.what);
+  if (!made) {
+    executor_.reset();
+    state_ = TaskState::kImpossible;
+    out.events.push_back(
+        {now, self_, "task-refused", fmt::format("{}: {}", kind_, made.error().message)});
+    Message report;
+    report.to = station_;
+    report.content = TaskReport{number_, state_, made.error().message, task.what};
+    out.outbox.push_back(std::move(report));
+    return true;
+  }
+  executor_ = std::move(made).value();
+  state_ = TaskState::kFlying;
+  out.events.push_back({now, self_, "task", fmt::format("task {}: {}", number_, kind_)});
+  return true;
+}
+
+void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
+  if (change.number <= order_) return;
+  order_ = change.number;
+  if (!executor_) return;
+  switch (change.action) {
+    case TaskAction::kPause:
+      if (state_ != TaskState::kFlying) return;
+      executor_->interrupt();
+      return set(TaskState::kPaused, now, "task-paused", {}, out);
+    case TaskAction::kResume:
+      if (state_ != TaskState::kPaused) return;
+      return set(TaskState::kFlying, now, "task-resumed", {}, out);
+    case TaskAction::kCancel:
+      executor_.reset();
+      return set(TaskState::kNone, now, "task-cancelled", {}, out);
+  }
+}
+
+void TaskPlanner::set(TaskState state, Time now, const char* event,
+                      std::string_view why, AgentOutput& out) {
+  state_ = state;
+  std::string text = fmt::format("task {}: {}", number_, kind_);
+  if (!why.empty()) text.append(": ").append(why);
+  out.events.push_back({now, self_, event, std::move(text)});
+}
+
+void TaskPlanner::listen(const TaskStep& step) {
+  if (executor_) executor_->listen(step);
+}
+
+const FlightIntent* TaskPlanner::plan(const FlightIntent* given, const TaskStep& step,
+                                      AgentOutput& out) {
+  computing_ = false;
+  if (!executor_ || !flies()) return given;
+  const FlightIntent* own = executor_->plan(step, out);
+  const TaskProgress progress = executor_->progress(step.in);
+  if (!progress.impossible.empty()) {
+    set(TaskState::kImpossible, step.in.now, "task-impossible", progress.impossible, out);
+    return given;
+  }
+  if (progress.done && state_ == TaskState::kFlying)
+    set(TaskState::kDone, step.in.now, "task-done", {}, out);
+  computing_ = !own;
+  return own ? own : given;
+}
+
+std::string_view TaskPlanner::reason() const {
+  if (state_ == TaskState::kPaused) return "paused";
+  if (state_ == TaskState::kImpossible) return "impossible";
+  if (computing_) return "planning";
+  return executor_ ? kind_ : std::string_view();
+}
+
+TaskProgress TaskPlanner::progress(const AgentInput& in) const {
+  return executor_ ? executor_->progress(in) : TaskProgress();
+}
+
+std::optional<double> TaskPlanner::altitude_msl() const {
+  return executor_ ? executor_->altitude_msl() : std::nullopt;
+}
+
+void TaskPlanner::report(const AgentInput& in, AgentOutput& out) {
+  if (!executor_ || number_ == 0) return;
+  const Reported now{state_, number_, executor_->version()};
+  // Who knows the order knows what is left of it until that changes.
+  if (now.version == 0 && state_ != TaskState::kImpossible) return;
+  if (now == reported_ && (in.now < report_again_ || !flies())) return;
+  reported_ = now;
+  report_again_ = in.now + Time::from_seconds(kRestAgain);
+  Message report;
+  report.to = station_;
+  report.content = TaskReport{number_, state_, executor_->progress(in).impossible,
+                              executor_->rest()};
+  out.outbox.push_back(std::move(report));
+}
+
+}  // namespace skein::reasoning

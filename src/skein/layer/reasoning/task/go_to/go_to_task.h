@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "skein/layer/reasoning/task/planned_task.h"
+
+namespace skein::reasoning {
+
+/// Flies to a point by the quickest path in the wind, then circles it.
+///
+/// While the point lies in a no-fly zone, the nearest place where the aircraft can circle
+/// takes its place, named in an event "task-moved".
+class GoToTask : public PlannedTask {
+ public:
+  GoToTask(const FlightContext& context, const FlyTo& order)
+      : GoToTask(context, order.point) {}
+
+  TaskProgress progress(const AgentInput& in) const override;
+  TaskKind rest() const override { return FlyTo{point_}; }
+
+ protected:
+  GoToTask(const FlightContext& context, const Vec2& point);
+
+  Part plan_part(const Start& start, const TaskStep& step) override;
+  const FlightIntent* before(const TaskStep& step, AgentOutput& out) override;
+  bool finish(const TaskStep& step, AgentOutput& out) override;
+  std::optional<Vec2> end_place() const override { return place_; }
+
+  const Vec2& point() const { return point_; }
+  const Vec2& place() const { return place_; }
+
+ private:
+  Vec2 point_;
+  Vec2 place_;                    // that is flown to
+  std::optional<double> length_;  // of the first path [s]
+};
+
+}  // namespace skein::reasoning

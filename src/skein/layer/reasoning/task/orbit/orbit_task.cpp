@@ -1,0 +1,104 @@
+#include "skein/layer/reasoning/task/orbit/orbit_task.h"
+
+#include <algorithm>
+
+#include "skein/layer/reasoning/planning/tasks/orbit.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kChunk = 120;      // of an orbit, planned at a time [s]
+constexpr double kOffTarget = 12;   // the target, from where it was planned to be [m]
+constexpr double kAimAgain = 4;     // after the last aim, at the earliest [s]
+constexpr double kTolerance = 5;    // of the distance on a circle [m]
+constexpr double kRoom = 1.02;      // of the smallest circle
+constexpr double kReserve = 1.25;   // of turn radii, for a circle that is to be small
+
+}  // namespace
+
+OrbitTask::OrbitTask(const FlightContext& context, const Orbit& order)
+    : PlannedTask(context, {}),
+      order_(order),
+      radius_(order.radius > 0 ? order.radius : kReserve * context.limits.turn_radius) {}
+
+Vec2 OrbitTask::target_at(const TaskStep& step, Time time) const {
+  if (order_.object)
+    if (const auto belief = step.beliefs.objects().find(*order_.object))
+      return position_at(*belief, time);
+  return order_.point;
+}
+
+Vec2 OrbitTask::target_velocity(const TaskStep& step) const {
+  if (order_.object)
+    if (const auto belief = step.beliefs.objects().find(*order_.object))
+      return belief->velocity;
+  return Vec2::Zero();
+}
+
+const FlightIntent* OrbitTask::before(const TaskStep& step, AgentOutput&) {
+  const Time now = now_ = step.in.now;
+  if (arrived_ && order_.duration > 0 &&
+      (now - *arrived_).seconds() >= order_.duration) {
+    order_.point = target_at(step, now);
+    set_done();
+    return nullptr;
+  }
+  if (!order_.object || (now - aimed_at_).seconds() < kAimAgain) return nullptr;
+  const Vec2 planned = aim_ + (now - aimed_at_).seconds() * aim_velocity_;
+  if ((target_at(step, now) - planned).norm() > kOffTarget) renew();
+  return nullptr;
+}
+
+PlannedTask::Part OrbitTask::plan_part(const Start& start, const TaskStep& step) {
+  const Time begin = Time::from_seconds(start.time);
+  planning::OrbitQuery query;
+  query.kind = order_.weave ? planning::OrbitKind::kWeave : planning::OrbitKind::kCircle;
+  query.target.at = {start.time, target_at(step, begin)};
+  query.target.velocity = target_velocity(step);
+  query.radius = radius_;
+  query.tolerance = kTolerance;
+  query.duration = kChunk;
+  query.altitude_msl = -start.state.p_N.z();
+  query.start_time = start.time;
+  query.start = start.state;
+  query.limits = start.limits;
+  query.wind = start.wind;
+  planning::OrbitResult result = planning::plan_orbit(query);
+  if (result.outcome == planning::OrbitOutcome::kRadiusTooSmall &&
+      result.min_radius > 0) {
+    query.radius = kRoom * result.min_radius;
+    result = planning::plan_orbit(query);
+  }
+  aimed_at_ = step.in.now;
+  aim_ = target_at(step, step.in.now);
+  aim_velocity_ = query.target.velocity;
+  Part part;
+  part.last = false;
+  part.why_not = result.reason;
+  part.plan = std::move(result.plan);
+  if (!part.plan.empty()) part.milestones.push_back(result.entry_time);
+  return part;
+}
+
+void OrbitTask::pass(const TaskStep& step) {
+  if (!arrived_) arrived_ = step.in.now;
+}
+
+TaskProgress OrbitTask::progress(const AgentInput& in) const {
+  TaskProgress progress = PlannedTask::progress(in);
+  if (order_.duration <= 0 || progress.done || !arrived_) return progress;
+  const double with = (now_ - *arrived_).seconds();
+  progress.share = std::clamp(with / order_.duration, 0.0, 1.0);
+  progress.time_to_go = std::max(0.0, order_.duration - with);
+  return progress;
+}
+
+TaskKind OrbitTask::rest() const {
+  Orbit rest = order_;
+  if (arrived_ && rest.duration > 0)
+    rest.duration = std::max(1.0, rest.duration - (now_ - *arrived_).seconds());
+  return rest;
+}
+
+}  // namespace skein::reasoning

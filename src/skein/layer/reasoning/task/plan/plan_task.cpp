@@ -1,0 +1,76 @@
+#include "skein/layer/reasoning/task/plan/plan_task.h"
+
+#include "skein/layer/reasoning/planning/tasks/join.h"
+#include "skein/layer/reasoning/planning/tasks/timed_flight.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+PlannedTaskOptions as_it_is() {
+  PlannedTaskOptions options;
+  options.over_ground = false;
+  options.for_wind = false;
+  return options;
+}
+
+}  // namespace
+
+PlanTask::PlanTask(const FlightContext& context, const FlyPlan& order)
+    : PlannedTask(context, as_it_is()), order_(order) {}
+
+std::optional<double> PlanTask::altitude_msl() const {
+  return -order_.plan[next_].p_N.z();
+}
+
+double PlanTask::altitude_of_plans(const NavEstimate& nav) const {
+  return -nav.p_N.z();
+}
+
+PlannedTask::Part PlanTask::plan_part(const Start& start, const TaskStep&) {
+  Part part;
+  FlightPlan rest(order_.plan.begin() + static_cast<std::ptrdiff_t>(next_),
+                  order_.plan.end());
+  const FlightState begin{rest.front().p_N, rest.front().heading};
+  part.plan = planning::join(start.state, begin, start.limits, start.wind, start.time);
+  const bool there = (start.state.p_N - begin.p_N).norm() < 1;
+  if (part.plan.empty() && !there) {
+    part.why_not = "there is no path to the start of the plan in this wind";
+    return part;
+  }
+  if (!order_.any_time && model::start_of(rest) > start.time) {
+    planning::TimedLeg leg{start.state, begin, start.time, start.limits, start.wind, true};
+    planning::TimedFlight timed = planning::arrive_at(leg, model::start_of(rest));
+    if (!timed.plan.empty()) part.plan = std::move(timed.plan);
+  }
+  const double at = part.plan.empty() ? start.time : model::end_time_of(part.plan);
+  rest = model::starting_at(std::move(rest), at);
+  on_it_ = false;
+  part.milestones.push_back(at);
+  for (const FlightElement& e : rest) part.milestones.push_back(e.start + e.duration);
+  part.plan.insert(part.plan.end(), rest.begin(), rest.end());
+  return part;
+}
+
+// Its start, then the end of each element.
+void PlanTask::pass(const TaskStep&) {
+  if (on_it_ && next_ + 1 < order_.plan.size()) ++next_;
+  on_it_ = true;
+}
+
+TaskProgress PlanTask::progress(const AgentInput& in) const {
+  TaskProgress progress = PlannedTask::progress(in);
+  if (!progress.done)
+    progress.share =
+        static_cast<double>(next_) / static_cast<double>(order_.plan.size());
+  return progress;
+}
+
+TaskKind PlanTask::rest() const {
+  FlyPlan rest = order_;
+  rest.plan.erase(rest.plan.begin(),
+                  rest.plan.begin() + static_cast<std::ptrdiff_t>(next_));
+  return rest;
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "skein/data/zone.h"
+#include "skein/geo/vec.h"
+
+namespace skein::reasoning {
+
+/// A line of a survey that is still to be flown.
+struct SurveyLine {
+  Vec2 begin = Vec2::Zero(), end = Vec2::Zero();  ///< [m]
+  int missed = 0;  ///< times that it was flown too far aside
+};
+
+/// What is left of a survey: lines in the order in which they are flown, and what of them
+/// no-fly zones forbid.
+class SurveyLines {
+ public:
+  /// @param ends  begin and end of each line.
+  explicit SurveyLines(std::span<const Vec2> ends);
+
+  /// Lines and parts of lines that can be flown now.
+  const std::vector<SurveyLine>& left() const { return left_; }
+
+  /// Those within zones.
+  const std::vector<SurveyLine>& forbidden() const { return forbidden_; }
+
+  double length_left() const;  ///< of these [m]
+  double length() const { return length_; }  ///< of all at the beginning [m]
+  double length_forbidden() const;           ///< within zones [m]
+
+  /// Other zones count from now on: parts of lines within them are put aside, others come
+  /// back, behind those that are left.
+  /// @param margin  kept from zones [m].
+  void regard(std::span<const Zone> zones, double margin);
+
+  /// The first line has been flown.
+  void flown();
+  /// The first line was flown too far aside: it is flown again at the end, once.
+  void missed();
+  /// The first line has been flown up to a place on it.
+  void flown_to(const Vec2& place);
+
+ private:
+  std::vector<SurveyLine> left_;
+  std::vector<SurveyLine> forbidden_;
+  double length_ = 0;
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,185 @@
+#include "skein/layer/reasoning/task/survey/survey_task.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "skein/layer/reasoning/planning/tasks/coverage.h"
+#include "skein/layer/reasoning/planning/tasks/join.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kAside = 0.1;  // of the swath, off a line that still counts as flown
+
+}  // namespace
+
+SurveyTask::SurveyTask(const FlightContext& context, const Survey& order)
+    : PlannedTask(context, {}),
+      order_(order),
+      aside_(order.swath * std::max(kAside, order.overlap / 2)) {
+  if (!order.lines.empty()) lines_.emplace(order.lines);
+}
+
+void SurveyTask::listen(const TaskStep& step) {
+  here_ = geo::horizontal(step.in.nav->p_N);
+  if (!on_line_ || !lines_ || lines_->left().empty()) return;
+  const SurveyLine& line = lines_->left().front();
+  const Vec2 along = (line.end - line.begin).normalized();
+  farthest_ = std::max(farthest_, std::abs(geo::cross(along, here_ - line.begin)));
+}
+
+// Takes from the line that is being flown what has been flown of it.
+// @returns whether the aircraft is on what is left of it.
+bool SurveyTask::cut_line() {
+  if (!on_line_) return false;
+  on_line_ = false;
+  ++version_;
+  if (farthest_ > aside_) return false;
+  lines_->flown_to(here_);
+  return !lines_->left().empty() &&
+         (lines_->left().front().begin - here_).norm() <= 2 * aside_;
+}
+
+void SurveyTask::interrupt() {
+  cut_line();
+  PlannedTask::interrupt();
+}
+
+bool SurveyTask::zones_changed(const TaskStep& step) {
+  ZoneMonitor& zones = step.safety.zones();
+  if (zones.zones().empty() && zones_.empty()) return false;
+  std::vector<Zone> now = zones.counting();
+  const bool same = std::equal(now.begin(), now.end(), zones_.begin(), zones_.end(),
+                               [](const Zone& a, const Zone& b) { return a.name == b.name; });
+  zones_ = std::move(now);
+  return !same;
+}
+
+// Lines are cut anew where other zones forbid them.
+const FlightIntent* SurveyTask::before(const TaskStep& step, AgentOutput&) {
+  if (!zones_changed(step) || !lines_) return nullptr;
+  cut_line();
+  lines_->regard(zones_, step.safety.zones().margin());
+  ++version_;
+  renew();
+  return nullptr;
+}
+
+bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
+                            std::string& why_not) {
+  planning::CoverageQuery query;
+  query.area = order_.area;
+  query.holes = order_.holes;
+  query.zones = zones_;
+  query.swath = order_.swath;
+  query.overlap = order_.overlap;
+  query.zone_distance = zones_.empty() ? 0 : step.safety.zones().margin();
+  query.altitude_msl = -start.state.p_N.z();
+  query.start_time = start.time;
+  query.limits = start.limits;
+  query.wind = start.wind;
+  query.aircraft = {{start.state, std::nullopt}};
+  query.planner = context().planner.get();
+  const planning::CoverageResult result = planning::plan_coverage(query);
+  if (result.line_ends.empty() || result.line_ends.front().empty()) {
+    why_not = result.reason.empty() ? std::string(name_of(result.outcome))
+                                    : result.reason;
+    return false;
+  }
+  lines_.emplace(result.line_ends.front());
+  ++version_;
+  return true;
+}
+
+// All lines that are left, joined by the quickest connections. Around zones the
+// trajectory planner leads, from one end of a line to the next.
+PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step) {
+  Part part;
+  if (start.wind.norm() >= start.limits.airspeed) {
+    part.why_not = fmt::format("the wind of {:.1f} m/s is too strong to survey at "
+                               "{:.1f} m/s",
+                               start.wind.norm(), start.limits.airspeed);
+    return part;
+  }
+  bool on_line = cut_line();
+  if (!lines_ && !plan_lines(start, step, part.why_not)) {
+    part.never = zones_.empty();
+    return part;
+  }
+  const model::AirMotion air = planning::motion_of(start.limits, start.wind);
+  const double down = start.state.p_N.z();
+  FlightState here = start.state;
+  double now = start.time;
+  for (const SurveyLine& line : lines_->left()) {
+    FlightElement along = planning::straight(line.begin, line.end, down, air, now);
+    // On the line as it is: a connection back to its begin would be a full circle.
+    const FlightPlan to = std::exchange(on_line, false)
+                              ? FlightPlan()
+                              : planning::join(here, {along.p_N, along.heading},
+                                               start.limits, start.wind, now);
+    part.plan.insert(part.plan.end(), to.begin(), to.end());
+    if (!to.empty()) along.start = model::end_time_of(to);
+    part.plan.push_back(along);
+    part.milestones.push_back(along.start);
+    now = along.start + along.duration;
+    part.milestones.push_back(now);
+    here = planning::end_state(part.plan);
+  }
+  part.nothing = part.plan.empty();
+  return part;
+}
+
+// Begins and ends of lines, in turn.
+void SurveyTask::pass(const TaskStep&) {
+  if (!on_line_) {
+    on_line_ = true;
+    farthest_ = 0;
+    return;
+  }
+  on_line_ = false;
+  ++version_;
+  if (farthest_ <= aside_)
+    lines_->flown();
+  else
+    lines_->missed();
+}
+
+bool SurveyTask::finish(const TaskStep& step, AgentOutput& out) {
+  if (!lines_->left().empty()) return false;
+  const double forbidden = lines_->length_forbidden();
+  if (forbidden > 0)
+    out.events.push_back(
+        {step.in.now, context().self, "survey-incomplete",
+         fmt::format("{:.0f} % of its lines lie in no-fly zones",
+                     100 * forbidden / std::max(lines_->length(), forbidden))});
+  return true;
+}
+
+TaskProgress SurveyTask::progress(const AgentInput& in) const {
+  TaskProgress progress = PlannedTask::progress(in);
+  if (lines_ && !progress.done && lines_->length() > 0)
+    progress.share = std::clamp(
+        1 - (lines_->length_left() + lines_->length_forbidden()) / lines_->length(), 0.0,
+        1.0);
+  return progress;
+}
+
+TaskKind SurveyTask::rest() const {
+  Survey rest = order_;
+  rest.lines.clear();
+  if (!lines_) return rest;
+  SurveyLines left = *lines_;
+  if (on_line_ && farthest_ <= aside_) left.flown_to(here_);
+  for (const auto* lines : {&left.left(), &left.forbidden()})
+    for (const SurveyLine& line : *lines) {
+      rest.lines.push_back(line.begin);
+      rest.lines.push_back(line.end);
+    }
+  return rest;
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,77 @@
+#include "skein/layer/reasoning/trajectory/steering_flight.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "skein/base/math.h"
+#include "skein/layer/reasoning/trajectory/altitude.h"
+#include "skein/model/path/wind_triangle.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kCircleReserve = 1.1;  // of turn radii over ground: room to correct
+constexpr double kMovedPlace = 1;        // nearer is the same place [m]
+
+double altitude_for(const std::optional<double>& own, const FlightContext& context,
+                    const NavEstimate& nav) {
+  return own ? *own
+             : altitude_over(*context.map, geo::horizontal(nav.p_N),
+                             geo::horizontal(nav.v_N), context.altitude_agl,
+                             context.limits.climb_rate);
+}
+
+}  // namespace
+
+void steer(const Steering& intent, const FlightContext& context,
+           const TrajectoryStep& step, AgentOutput& out) {
+  const NavEstimate& nav = *step.in.nav;
+  AutopilotCommand command;
+  command.altitude_msl = altitude_for(intent.altitude_msl, context, nav);
+  command.airspeed = intent.airspeed;
+  command.guidance =
+      step.zones.keep_out(intent.guidance, intent.course, nav, command.altitude_msl);
+  out.command = std::move(command);
+}
+
+void CirclingFlight::step(const Circling& intent, const TrajectoryStep& step,
+                          AgentOutput& out) {
+  const NavEstimate& nav = *step.in.nav;
+  if (centre_ != intent.centre) centre_ = place_ = intent.centre;
+  const double altitude = altitude_for(intent.altitude_msl, context_, nav);
+  const Vec2 allowed = step.zones.allowed(*centre_, nav, altitude);
+  if ((allowed - place_).norm() > kMovedPlace) {
+    place_ = allowed;
+    out.events.push_back(
+        {step.in.now, context_.self, "task-moved",
+         allowed == *centre_
+             ? std::string("no zone forbids the place of the task any more")
+             : fmt::format("the place of the task lies in a no-fly zone: {:.0f} m north, "
+                           "{:.0f} m east instead",
+                           allowed.x(), allowed.y())});
+  }
+  Steering steering = circle_at(place_, nav, context_.limits);
+  steering.altitude_msl = altitude;
+  steer(steering, context_, step, out);
+}
+
+double wide_radius(const FlightLimits& limits, const Vec2& wind) {
+  return kCircleReserve *
+         model::ground_turn_radius(limits.turn_radius, limits.airspeed, wind.norm());
+}
+
+Steering circle_at(const Vec2& centre, const NavEstimate& nav,
+                   const FlightLimits& limits) {
+  const double radius = wide_radius(limits, nav.wind_N);
+  const Vec2 out = geo::horizontal(nav.p_N) - centre;
+  Steering steering;
+  steering.guidance = Circle{centre, radius, true};
+  // Tangential on the circle, straight to it from afar.
+  steering.course =
+      geo::bearing(out) + geo::kPi / 2 + math::atan2(out.norm() - radius, radius);
+  return steering;
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,153 @@
+#include "skein/layer/reasoning/trajectory/zone_avoidance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/base/math.h"
+#include "skein/geo/clip.h"
+#include "skein/model/path/wind_triangle.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kStep = 0.25;           // of the preview [s]
+constexpr int kCourses = 36;             // that are tried around the compass
+constexpr double kHeadingGain = 1.2;     // of autopilots: rad/s per rad of error
+constexpr double kRadiusReserve = 1.15;  // of the escape circle: room to correct
+
+}  // namespace
+
+ZoneAvoidance::ZoneAvoidance(const ZoneAvoidanceOptions& options,
+                             const FlightLimits& limits, std::span<const Zone> zones)
+    : options_(options), limits_(limits), border_(geo::Region{}) {
+  set_zones(zones);
+}
+
+void ZoneAvoidance::set_zones(std::span<const Zone> zones) {
+  zones_.assign(zones.begin(), zones.end());
+  counts_.assign(zones_.size(), true);
+  draw_border();
+}
+
+void ZoneAvoidance::draw_border() {
+  geo::Region rings;
+  for (const Zone& zone : counting()) rings.push_back(outline(zone));
+  border_ = geo::BoundaryIndex(geo::clean_touching(rings, geo::FillRule::kNonZero));
+}
+
+bool ZoneAvoidance::regard(const NavEstimate& nav, std::optional<double> altitude_msl) {
+  const double here = -nav.p_N.z(), there = altitude_msl.value_or(here);
+  const double low = std::min(here, there) - options_.vertical_margin;
+  const double high = std::max(here, there) + options_.vertical_margin;
+  const double now = nav.time.seconds();
+  bool changed = false;
+  for (std::size_t k = 0; k < zones_.size(); ++k) {
+    const bool counts = concerns(zones_[k], low, high, now, now + options_.lead);
+    changed = changed || counts != counts_[k];
+    counts_[k] = counts;
+  }
+  if (changed) draw_border();
+  return changed;
+}
+
+std::vector<Zone> ZoneAvoidance::counting() const {
+  std::vector<Zone> all;
+  for (std::size_t k = 0; k < zones_.size(); ++k)
+    if (counts_[k]) all.push_back(zones_[k]);
+  return all;
+}
+
+double ZoneAvoidance::circle_radius(const NavEstimate& nav) const {
+  return kRadiusReserve * model::ground_turn_radius(limits_.turn_radius, limits_.airspeed,
+                                                    nav.wind_N.norm());
+}
+
+double ZoneAvoidance::distance(const Vec2& p) const {
+  return border_.empty() ? math::kInfinity : border_.signed_distance(p);
+}
+
+// The state after the preview when turning to `course` now; `nearest` becomes the
+// smallest distance to a zone in between.
+ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
+                                        double& nearest) const {
+  const double airspeed = limits_.airspeed;
+  const double fastest = airspeed / limits_.turn_radius;
+  const double setpoint =
+      model::heading_for_course(course, airspeed, nav.wind_N).value_or(course);
+  Vec2 p = geo::horizontal(nav.p_N);
+  double heading = nav.heading;
+  Vec2 v = geo::horizontal(nav.v_N);
+  for (double t = 0; t < options_.preview - kStep / 2; t += kStep) {
+    const double rate =
+        std::clamp(kHeadingGain * geo::wrap_pi(setpoint - heading), -fastest, fastest);
+    v = airspeed * geo::unit(heading + rate * kStep / 2) + nav.wind_N;
+    heading += rate * kStep;
+    p += kStep * v;
+    nearest = std::min(nearest, distance(p));
+  }
+  return {p, geo::bearing(airspeed * geo::unit(heading) + nav.wind_N)};
+}
+
+ZoneAvoidance::Escape ZoneAvoidance::best_escape(const State& state) const {
+  Escape best;
+  best.clearance = -math::kInfinity;
+  for (const bool clockwise : {true, false}) {
+    const double side = clockwise ? 1 : -1;
+    const Vec2 centre =
+        state.position + side * radius_ * geo::turned_right(geo::unit(state.course));
+    const double clearance = distance(centre) - radius_ - options_.margin;
+    if (clearance > best.clearance) best = {{centre, radius_, clockwise}, clearance};
+  }
+  return best;
+}
+
+double ZoneAvoidance::slack(const NavEstimate& nav, double course) const {
+  double nearest = math::kInfinity;
+  const State end = fly(nav, course, nearest);
+  return std::min(nearest - options_.margin, best_escape(end).clearance);
+}
+
+decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
+    const decltype(AutopilotCommand::guidance)& setpoint, double course,
+    const NavEstimate& nav, std::optional<double> altitude_msl) {
+  deflecting_ = false;
+  if (empty()) return setpoint;
+  regard(nav, altitude_msl);
+  if (border_.empty()) {
+    side_ = 0;
+    return setpoint;
+  }
+  const Vec2 position = geo::horizontal(nav.p_N);
+  radius_ = circle_radius(nav);
+  const double here = distance(position);
+  deflecting_ = here < 0;
+  if (deflecting_)
+    return HoldCourse{geo::bearing(border_.nearest(position).point - position)};
+  const double reach = options_.preview * (limits_.airspeed + nav.wind_N.norm());
+  const bool far = here > reach + 2 * radius_ + options_.margin;
+  if (far || slack(nav, course) >= 0) {
+    side_ = 0;
+    return setpoint;
+  }
+
+  deflecting_ = true;
+  double best_slack = -math::kInfinity, best_course = course;
+  for (int k = 1; k < kCourses; ++k) {
+    // The chosen side first, a full circle; before the choice, both sides in turn.
+    const int side = side_ != 0 ? side_ : (k % 2 == 1 ? 1 : -1);
+    const int steps = side_ != 0 ? k : (k + 1) / 2;
+    const double tried = geo::wrap_pi(course + side * steps * 2 * geo::kPi / kCourses);
+    const double value = slack(nav, tried);
+    if (value >= 0) {
+      side_ = side;
+      return HoldCourse{tried};
+    }
+    if (value > best_slack) best_slack = value, best_course = tried;
+  }
+  // No course keeps the circle open after the preview: fly the one that is open now.
+  const Escape escape = best_escape({position, geo::bearing(geo::horizontal(nav.v_N))});
+  if (escape.clearance >= best_slack) return escape.circle;
+  return HoldCourse{best_course};
+}
+
+}  // namespace skein::reasoning
