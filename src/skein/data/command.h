@@ -21,13 +21,21 @@ namespace skein {
 struct TaskCommand {
   std::string aircraft;
   TaskKind what = Loiter{};
+  /// Names of those that the task is about, in the order of its entities: the leader, the
+  /// two that a relay is between. Empty: `what` has their numbers.
+  std::vector<std::string> others = {};
+  /// With a plan to be flown; who reads commands loads it into `what`. Empty: it is there.
+  std::string file = {};
 };
 
 constexpr auto describe(const TaskCommand*) {
   using T = TaskCommand;
   return described<T>({"task"}, "One aircraft shall do this until the mission resumes.",
                       field("aircraft", &T::aircraft, "who"),
-                      field("what", &T::what, Storage::kJson, "what to do"));
+                      field("what", &T::what, Storage::kJson, "what to do"),
+                      field("others", &T::others, Storage::kJson,
+                            "names of those it is about; empty: it has their numbers"),
+                      field("file", &T::file, "with the plan of a fly_plan"));
 }
 
 /// The mission gives no more orders, or goes on and has all aircraft again.
@@ -121,10 +129,28 @@ constexpr auto describe(const RemoveCommand*) {
                                   field("aircraft", &RemoveCommand::aircraft, "who"));
 }
 
+/// The task that an aircraft has is paused, goes on, is cancelled, or another gets what is
+/// left of it.
+struct TaskChangeCommand {
+  std::string aircraft;
+  TaskAction action = TaskAction::kPause;
+  std::string to = {};  ///< of a cancelled task: who goes on with it; empty: nobody
+};
+
+constexpr auto describe(const TaskChangeCommand*) {
+  using T = TaskChangeCommand;
+  return described<T>({"change_task"},
+                      "The task of an aircraft is paused, resumed, cancelled, or another "
+                      "gets what is left of it.",
+                      field("aircraft", &T::aircraft, "whose task"),
+                      field("action", &T::action, "what becomes of it"),
+                      field("to", &T::to, "who goes on with it; empty: nobody"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
-using Command =
-    std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
-                 SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand>;
+using Command = std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand,
+                             StepCommand, SpeedCommand, FaultCommand, WindCommand,
+                             AddCommand, RemoveCommand, TaskChangeCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

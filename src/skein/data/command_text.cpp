@@ -7,6 +7,7 @@
 #include <string>
 
 #include "skein/data/json.h"
+#include "skein/data/task_text.h"
 #include "skein/data/words.h"
 #include "skein/data/zone_command.h"
 
@@ -19,28 +20,23 @@ constexpr double kMaxSpeedFactor = 1e9;
 constexpr double kMaxWind = 100;  // [m/s]
 constexpr double kMaxCount = 1e6;
 
-Error wrong(std::string message, const char* usage) {
-  return {ErrorCode::kBadInput, "", std::move(message), usage};
+Error wrong(std::string message, std::string usage) {
+  return {ErrorCode::kBadInput, "", std::move(message), std::move(usage)};
 }
 
 constexpr const char* kUsage =
     "Commands: zone, task, mission, pause, resume, step, speed, fault, repair, wind, "
     "add, "
     "remove.";
-constexpr const char* kTaskUsage =
-    "Say: task AIRCRAFT, then loiter, fly_to NORTH,EAST; course DEGREES; line, route, "
-    "tour "
-    "NORTH,EAST NORTH,EAST ... [laps N]; follow_edge NORTH,EAST clockwise or "
-    "counterclockwise.";
+std::string task_hint() {
+  std::string hint = "Say: task AIRCRAFT pause, resume, cancel, give AIRCRAFT";
+  for (const auto& [usage, help] : task_usage()) hint += "; " + usage;
+  return hint + ".";
+}
 
 std::optional<double> finite_number(std::string_view word) {
   const auto value = words::number(word);
   return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-std::optional<Vec2> finite_place(std::string_view word) {
-  const auto value = words::place(word);
-  return value && value->allFinite() ? value : std::nullopt;
 }
 
 // A count from 1 on.
@@ -51,71 +47,26 @@ std::optional<int> count(std::string_view word) {
   return static_cast<int>(*value);
 }
 
-// All words as places; empty when one is none.
-std::vector<Vec2> places(Words given) {
-  std::vector<Vec2> all;
-  for (const std::string_view word : given) {
-    const auto point = finite_place(word);
-    if (!point) return {};
-    all.push_back(*point);
-  }
-  return all;
-}
-
-std::optional<TaskKind> route(Words given) {
-  FlyRoute route;
-  if (given.size() > 2 && given[given.size() - 2] == "laps") {
-    const auto laps = count(given.back());
-    if (!laps) return std::nullopt;
-    route.laps = *laps;
-    given = given.first(given.size() - 2);
-  }
-  route.points = places(given);
-  if (route.points.empty()) return std::nullopt;
-  return route;
-}
-
-std::optional<TaskKind> tour(Words given) {
-  const auto order = route(given);
-  if (!order) return std::nullopt;
-  const FlyRoute& through = std::get<FlyRoute>(*order);
-  if (through.points.size() < 2) return std::nullopt;
-  return FlyTour{through.points, through.laps};
-}
-
-std::optional<TaskKind> follow_edge(Words given) {
-  if (given.size() != 2) return std::nullopt;
-  const auto start = finite_place(given[0]);
-  const bool clockwise = given[1] == "clockwise";
-  if (!start || (!clockwise && given[1] != "counterclockwise")) return std::nullopt;
-  FollowEdge edge;
-  edge.clockwise = clockwise;
-  edge.start = *start;
-  return edge;
-}
-
-std::optional<TaskKind> task_kind(std::string_view kind, Words given) {
-  const auto point = given.size() == 1 ? finite_place(given[0]) : std::nullopt;
-  if (kind == "loiter" && point) return Loiter{*point};
-  if (kind == "fly_to" && point) return FlyTo{*point};
-  const auto course = given.size() == 1 ? finite_number(given[0]) : std::nullopt;
-  if (kind == "course" && course) return FlyCourse{geo::radians(*course)};
-  if (kind == "line")
-    if (auto points = places(given); points.size() >= 2)
-      return FollowLine{std::move(points)};
-  if (kind == "route") return route(given);
-  if (kind == "tour") return tour(given);
-  if (kind == "follow_edge") return follow_edge(given);
+// An order about the task that an aircraft has.
+std::optional<TaskChangeCommand> task_change(Words given) {
+  const std::string aircraft(given[0]);
+  for (const TaskAction action :
+       {TaskAction::kPause, TaskAction::kResume, TaskAction::kCancel})
+    if (given.size() == 2 && given[1] == name_of(action))
+      return TaskChangeCommand{aircraft, action, {}};
+  if (given.size() == 3 && given[1] == "give")
+    return TaskChangeCommand{aircraft, TaskAction::kCancel, std::string(given[2])};
   return std::nullopt;
 }
 
 Result<Command> task(Words given) {
-  if (given.size() < 3) return wrong("a task needs an aircraft and a kind.", kTaskUsage);
-  auto what = task_kind(given[1], given.subspan(2));
-  if (!what)
-    return wrong(fmt::format("\"{}\" is no task, or its values are wrong.", given[1]),
-                 kTaskUsage);
-  return Command(TaskCommand{std::string(given[0]), *std::move(what)});
+  if (given.size() < 2) return wrong("a task needs an aircraft and a kind.", task_hint());
+  if (auto change = task_change(given)) return Command(*std::move(change));
+  auto text = parse_task(given[1], given.subspan(2));
+  if (!text) return wrong(text.error().message, task_hint());
+  TaskText& said = text.value();
+  return Command(TaskCommand{std::string(given[0]), std::move(said.what),
+                             std::move(said.others), std::move(said.file)});
 }
 
 Result<Command> speed(Words given) {
@@ -175,15 +126,11 @@ struct ValueCheck {
                                       : fmt::format("wind is at most {} m/s.", kMaxWind);
   }
   std::string operator()(const TaskCommand& c) {
-    const auto* route = std::get_if<FlyRoute>(&c.what);
+    // Names become numbers, and files plans, later.
+    if (!c.others.empty() || !c.file.empty()) return "";
     const auto* followed = std::get_if<FollowLine>(&c.what);
-    if (route && (route->points.empty() || route->laps < 1))
-      return "a route has a point or more, and one lap or more.";
     if (followed && followed->points.size() < 2) return "a line has two points or more.";
-    const auto* tour = std::get_if<FlyTour>(&c.what);
-    if (tour && (tour->points.size() < 2 || tour->laps < 1))
-      return "a tour has two points or more, and one lap or more.";
-    return "";
+    return task_error(c.what);
   }
   std::string operator()(const ZoneChange& c) {
     return c.number == 0 ? "" : "the ground station numbers changes, not the operator.";

@@ -10,12 +10,9 @@ namespace skein {
 /// A command as a person writes it, in a terminal or a scenario:
 ///
 ///   zone on|off NAME ...                        see data/zone_command.h
-///   task AIRCRAFT loiter NORTH,EAST
-///   task AIRCRAFT fly_to NORTH,EAST
-///   task AIRCRAFT course DEGREES
-///   task AIRCRAFT line NORTH,EAST NORTH,EAST ...
-///   task AIRCRAFT route NORTH,EAST NORTH,EAST ... [laps N]
-///   task AIRCRAFT follow_edge NORTH,EAST clockwise|counterclockwise
+///   task AIRCRAFT KIND ...                      see data/task_text.h
+///   task AIRCRAFT pause|resume|cancel           the task that it has
+///   task AIRCRAFT give AIRCRAFT                 what is left of it, to another
 ///   mission pause|resume
 ///   pause      resume      step [N]      speed fast|real|FACTOR
 ///   fault AIRCRAFT PART     repair AIRCRAFT PART        such as: motor, sensor imu, link

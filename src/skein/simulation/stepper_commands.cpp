@@ -44,6 +44,13 @@ void Stepper::obey(Time now, const Command& command) {
     void operator()(const TaskCommand& c) const {
       with_aircraft(c.aircraft, [&](std::size_t) { pass_on_to_stations(); });
     }
+    void operator()(const TaskChangeCommand& c) const {
+      with_aircraft(c.aircraft, [&](std::size_t) {
+        if (!c.to.empty() && !run.find(c.to))
+          return run.refuse(now, fmt::format("there is no aircraft \"{}\".", c.to));
+        pass_on_to_stations();
+      });
+    }
     void operator()(const MissionCommand&) const { pass_on_to_stations(); }
     // The clock is the run loop's.
     void operator()(const PauseCommand&) const {}

@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "skein/layer/reasoning/trajectory/steering_flight.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
 namespace skein::reasoning {
 namespace {
 
-// A task that says once which course to hold, and knows nothing of zones.
+// Flies north whatever comes.
 struct Straight {
   AgentOutput step(double time, const std::vector<Message>& inbox = {}) {
     const NavEstimate nav = aircraft.nav(Time::from_seconds(time));
@@ -18,10 +19,11 @@ struct Straight {
     in.autopilot.on_ground = on_ground;
     AgentOutput out;
     safety.listen(in, out);
-    if (safety.may_fly(in, 220, out)) {
-      if (!commanded) out.command = AutopilotCommand{HoldCourse{0}, 220, {}};
-      commanded = true;
-      safety.keep_out(in, out);
+    if (safety.may_fly(in, 220, false, out)) {
+      Steering north;
+      north.altitude_msl = 220;
+      steer(north, context,
+            {in, safety.zones(), safety.returns(), safety.off_plan(), safety.news()}, out);
     }
     safety.finish(in, out);
     if (out.command) aircraft.obey(*out.command);
@@ -29,7 +31,8 @@ struct Straight {
   }
   test::FlatGround ground;
   test::TestAircraft aircraft;
-  bool on_ground = false, commanded = false;
+  bool on_ground = false;
+  FlightContext context{EntityId{1}, FlightLimits{}, &ground, nullptr, 120};
   FlightSafety safety{{}, {}, EntityId{1}, FlightLimits{}, ground, {}};
 };
 

@@ -24,7 +24,7 @@ class GoToTask : public PlannedTask {
   Part plan_part(const Start& start, const TaskStep& step) override;
   const FlightIntent* before(const TaskStep& step, AgentOutput& out) override;
   bool finish(const TaskStep& step, AgentOutput& out) override;
-  std::optional<Vec2> end_place() const override { return place_; }
+  std::optional<Vec2> end_place() const override { return point_; }
 
   const Vec2& point() const { return point_; }
   const Vec2& place() const { return place_; }

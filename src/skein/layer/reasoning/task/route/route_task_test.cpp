@@ -22,8 +22,8 @@ struct Harness {
   explicit Harness(bool lands = false)
       : agent({.first_task = FlyRoute{{{400, 400}, {400, 0}, {0, 400}}, 5, {}}},
               EntityId{7}, context, {}, [this, lands](const TaskKind& task) {
-                return std::make_unique<RouteTask>(context, std::get<FlyRoute>(task),
-                                                   lands);
+                return Result<std::unique_ptr<TaskExecutor>>(
+                    std::make_unique<RouteTask>(context, std::get<FlyRoute>(task), lands));
               }) {}
   AgentOutput at(double time, bool done = false) {
     nav.time = Time::from_seconds(time);
@@ -63,8 +63,10 @@ TEST(RouteTask, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
     const AgentOutput out = harness.at(0.25 * k, k >= 10);
     for (const Message& message : out.outbox) {
       EXPECT_EQ(message.to, EntityId{7});
-      done = std::get<AircraftReport>(message.content).task_done;
-      ++reports;
+      if (const auto* report = std::get_if<AircraftReport>(&message.content)) {
+        done = report->task_share == 1;
+        ++reports;
+      }
     }
     for (const Event& event : out.events) events += event.kind == "route-done";
   }
@@ -86,7 +88,8 @@ TEST(RouteTask, TakesOffAndLandsWhereItStood) {
   EXPECT_TRUE(
       std::holds_alternative<FlyWaypoints>(harness.at(60, true).command->guidance));
   EXPECT_FALSE(harness.at(61).command);
-  const auto down = harness.at(300, true);
+  EXPECT_FALSE(harness.at(300, true).command);
+  const auto down = harness.at(300.5, true);
   EXPECT_EQ(std::get<Land>(down.command->guidance).point, Vec2(30, 20));
   EXPECT_EQ(std::get<Land>(down.command->guidance).ground_msl, 10);
   EXPECT_FALSE(harness.at(301, true).command);

@@ -10,6 +10,7 @@
 #include "skein/layer/reasoning/task/course/course_task.h"
 #include "skein/layer/reasoning/task/edge/edge_task.h"
 #include "skein/layer/reasoning/task/line/line_task.h"
+#include "skein/layer/reasoning/task/stay/stay_task.h"
 #include "skein/layer/reasoning/task/go_to/go_to_task.h"
 
 namespace skein::reasoning {
@@ -29,19 +30,19 @@ class Mission {
     aircraft.wind = wind;
   }
 
-  std::unique_ptr<TaskExecutor> make(const TaskKind& task) const {
-    using Goal = PointTask::Goal;
+  Result<std::unique_ptr<TaskExecutor>> make(const TaskKind& task) const {
+    using Made = std::unique_ptr<TaskExecutor>;
     if (const auto* order = std::get_if<Loiter>(&task))
-      return std::make_unique<PointTask>(context, order->centre, Goal::kCircle);
+      return Made(std::make_unique<StayTask>(*order));
     if (const auto* order = std::get_if<FlyTo>(&task))
-      return std::make_unique<PointTask>(context, order->point, Goal::kReach);
+      return Made(std::make_unique<GoToTask>(context, *order));
     if (const auto* order = std::get_if<FlyCourse>(&task))
-      return std::make_unique<CourseTask>(context, order->course);
+      return Made(std::make_unique<CourseTask>(context, *order));
     if (const auto* order = std::get_if<FollowLine>(&task))
-      return std::make_unique<LineTask>(context, *order);
+      return Made(std::make_unique<LineTask>(context, *order));
     FollowEdge order = std::get<FollowEdge>(task);
     order.angle = own_angle.value_or(order.angle);
-    return std::make_unique<EdgeTask>(context, EdgeFollowerOptions{}, order);
+    return Made(std::make_unique<EdgeTask>(context, EdgeFollowerOptions{}, order));
   }
 
   void send(std::uint32_t number, decltype(Task::what) what) {
@@ -132,7 +133,7 @@ TEST(GuidedTask, FliesThroughAPointInWindAndSaysSo) {
     EXPECT_LT(nearest, 30);  // looked at once a second: up to 28 m apart
     const auto report = contents<AircraftReport>(mission.second());
     ASSERT_EQ(report.size(), 1U);
-    EXPECT_TRUE(report[0].task_done);
+    EXPECT_EQ(report[0].task_state, TaskState::kDone);
     EXPECT_EQ(report[0].task_number, 1U);
     // Then it stays near.
     mission.fly(60, [&] {

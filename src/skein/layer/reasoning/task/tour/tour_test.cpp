@@ -60,8 +60,8 @@ struct Flight {
   explicit Flight(const TourOptions& options, int laps = 2)
       : agent({.first_task = FlyTour{kTriangle, laps}}, EntityId{0}, context, {},
               [this, options](const TaskKind& task) {
-                return std::make_unique<TourTask>(context, std::get<FlyTour>(task),
-                                                  options);
+                return Result<std::unique_ptr<TaskExecutor>>(
+                    std::make_unique<TourTask>(context, std::get<FlyTour>(task), options));
               }) {
     nav.p_N = {-200, 50, -150};
     nav.heading = 0.4;
@@ -104,12 +104,13 @@ TEST(TourTask, CirclesThenFliesAllLapsWithoutAGap) {
   ASSERT_TRUE(first.command);
   EXPECT_TRUE(std::holds_alternative<HoldPosition>(first.command->guidance));
   EXPECT_EQ(first.command->altitude_msl, 150);
-  EXPECT_FALSE(flight.step(29.5).command);
+  EXPECT_TRUE(std::holds_alternative<HoldPosition>(flight.step(29.5).command->guidance));
   int plans = 0;
   std::vector<double> nearest(3, 1e9);
   Vec3 last = flight.nav.p_N;
   for (double time = 30; time < 600 && !flight.has_reported("route-done"); time += 0.5) {
-    plans += flight.step(time).command.has_value();
+    const AgentOutput out = flight.step(time);
+    plans += out.command && std::holds_alternative<FollowPlan>(out.command->guidance);
     // 15 m/s of air, 5 of wind, half a second.
     EXPECT_LT((flight.nav.p_N - last).norm(), 10.1) << time;
     last = flight.nav.p_N;
@@ -160,12 +161,14 @@ TEST(TourTask, PlansAgainWhenItsPlanIsRefused) {
   // The autopilot goes on with what it flew before, which it may have done.
   flight.curve = {};
   flight.in.command_fate.state = CommandFate::State::kRefused;
-  for (double time = 0.5; time < 10.5; time += 0.5)
-    EXPECT_FALSE(flight.step(time).command) << time;
-  const AgentOutput again = flight.step(10.5);
+  flight.step(0.5);
+  for (double time = 1; time < 11; time += 0.5)
+    EXPECT_TRUE(std::holds_alternative<Circle>(flight.step(time).command->guidance))
+        << time;
+  const AgentOutput again = flight.step(11);
   ASSERT_TRUE(again.command);
   const auto& plan = std::get<FollowPlan>(again.command->guidance).plan;
-  EXPECT_EQ(plan.front().time.seconds(), 10.5);
+  EXPECT_EQ(plan.front().time.seconds(), 11);
   EXPECT_FALSE(flight.has_reported("route-done"));
 }
 

@@ -37,7 +37,7 @@ FormationOptions three(bool direct) {
 Message report(EntityId from, std::uint32_t task, const NavEstimate& at) {
   Message message;
   message.from = from;
-  message.content = AircraftReport{at, {}, task, false};
+  message.content = AircraftReport{at, {}, task};
   return message;
 }
 
@@ -134,12 +134,13 @@ class FormationTasks : public testing::Test {
   FailsafeReaction reaction = FailsafeReaction::kNone;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FlightContext context{EntityId{2}, FlightLimits{}, &ground, nullptr, 120};
-  MakeTask make = [this](const TaskKind& task) -> std::unique_ptr<TaskExecutor> {
+  MakeTask make = [this](const TaskKind& task) -> Result<std::unique_ptr<TaskExecutor>> {
+    using Made = std::unique_ptr<TaskExecutor>;
     if (const auto* route = std::get_if<FlyRoute>(&task))
-      return std::make_unique<RouteTask>(context, *route, false);
+      return Made(std::make_unique<RouteTask>(context, *route, false));
     if (const auto* order = std::get_if<FollowLeader>(&task))
-      return std::make_unique<FollowTask>(context, *order, 8);
-    return nullptr;
+      return Made(std::make_unique<FollowTask>(context, *order, 8));
+    return Error{ErrorCode::kBadInput, "", "it cannot.", ""};
   };
   std::optional<OnboardAgent> wingman{
       std::in_place, OnboardAgentOptions{}, EntityId{0}, context, zones, make};
@@ -166,7 +167,8 @@ TEST_F(FormationTasks, FollowsEachNewPositionOfItsLeaderAndNoOther) {
     message.content = TeamPosition{of, nav(time, {100, 0, -200}, v)};
     return message;
   };
-  EXPECT_FALSE(step(1, {position(EntityId{7}, 1, {20, 0, 0})}).command);
+  EXPECT_TRUE(std::holds_alternative<HoldPosition>(
+      step(1, {position(EntityId{7}, 1, {20, 0, 0})}).command->guidance));
   const auto out = step(1.5, {position(EntityId{1}, 1, {20, 0, 0})});
   const Plan& plan = std::get<FollowPlan>(out.command->guidance).plan;
   // From where it is to behind its leader.
@@ -183,8 +185,12 @@ TEST_F(FormationTasks, FollowsEachNewPositionOfItsLeaderAndNoOther) {
       step(2, {position(EntityId{1}, 2, {20 * std::cos(0.5), 20 * std::sin(0.5), 0})});
   const Plan& bent = std::get<FollowPlan>(turning.command->guidance).plan;
   EXPECT_GT(bent.back().p_N.y(), same.back().p_N.y() + 20);
-  EXPECT_TRUE(step(6.9, {}).command);
-  EXPECT_FALSE(step(7.1, {}).command) << "nothing was received for five seconds";
+  const auto end_of_plan = [&](double time) {
+    return std::get<FollowPlan>(step(time, {}).command->guidance).plan.back().time;
+  };
+  EXPECT_EQ(end_of_plan(6.9), Time::from_seconds(6.9 + 8));
+  EXPECT_EQ(end_of_plan(7.1), Time::from_seconds(6.9 + 8))
+      << "nothing was received for five seconds: the last plan is flown to its end";
 }
 
 TEST_F(FormationTasks, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
@@ -223,14 +229,16 @@ TEST_F(FormationTasks, ReportsThatItDoesNotObeyWhereAFailsafeHasLandedIt) {
 
 TEST_F(FormationTasks, SwapsRolesAndKeepsTheNewestOrder) {
   step(0, {task(5, FollowLeader{EntityId{1}, {-30, 20}})});
-  EXPECT_FALSE(step(1, {task(4, FlyRoute{{{0, 0}, {1, 1}}, 1, {}})}).command);
+  EXPECT_TRUE(std::holds_alternative<HoldPosition>(
+      step(1, {task(4, FlyRoute{{{0, 0}, {1, 1}}, 1, {}})}).command->guidance));
   EXPECT_TRUE(std::holds_alternative<FlyWaypoints>(
       step(2, {task(6, FlyRoute{{{0, 0}, {1, 1}}, 1, {}})}).command->guidance));
 }
 
 TEST_F(FormationTasks, RefusesWhatItCannotDo) {
   const AgentOutput out = step(0, {task(1, FollowEdge{})});
-  EXPECT_FALSE(out.command);
+  ASSERT_TRUE(out.command) << "it circles";
+  EXPECT_TRUE(std::holds_alternative<Circle>(out.command->guidance));
   ASSERT_EQ(out.events.size(), 1u);
   EXPECT_EQ(out.events[0].kind, "task-refused");
 }
@@ -249,13 +257,12 @@ TEST_F(FormationTasks, TakesOffBeforeItLeads) {
 TEST_F(FormationTasks, FollowingTurnsAwayFromAZone) {
   zones = {{geo::Ring{{60, -300}, {60, 300}, {400, 300}, {400, -300}}}};
   wingman.emplace(OnboardAgentOptions{}, EntityId{0}, context, zones, make);
-  step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})});
+  const auto events = step(0, {task(1, FollowLeader{EntityId{1}, {-30, 20}})}).events;
   Message message;
   message.content = TeamPosition{EntityId{1}, nav(1, {100, 0, -200}, {20, 0, 0})};
   const auto out = step(1, {message});
   EXPECT_FALSE(std::holds_alternative<FollowPlan>(out.command->guidance));
-  ASSERT_EQ(out.events.size(), 1u);
-  EXPECT_EQ(out.events[0].kind, "zone");
+  ASSERT_EQ(events.back().kind, "zone") << "it turns away while it waits";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "skein/data/autopilot.h"
 #include "skein/data/vehicle.h"
 #include "skein/model/path/path_geometry.h"
+#include "skein/model/path/plan_curve.h"
 #include "skein/model/path/wind_triangle.h"
 #include "skein/role/terrain.h"
 
@@ -47,7 +48,15 @@ class TestAircraft {
     const auto* now = std::get_if<FollowPath>(&command.guidance);
     const auto* then = std::get_if<FollowPath>(&next.guidance);
     const bool same = now && then && now->path.front().start == then->path.front().start;
-    if (!same) along_ = 0, status = {};
+    const auto* plan = std::get_if<FollowPlan>(&next.guidance);
+    const auto* flown = std::get_if<FollowPlan>(&command.guidance);
+    const bool same_plan = plan && flown && plan->plan.size() == flown->plan.size() &&
+                           plan->plan.back().time == flown->plan.back().time;
+    if (!same && !same_plan) along_ = 0, status = {};
+    if (plan && !same_plan) {
+      curve_.assign(plan->plan);
+      on_curve_ = curve_.start();
+    }
     command = next;
   }
 
@@ -65,7 +74,9 @@ class TestAircraft {
     heading += turn / 2;
     p.head<2>() += dt * velocity();
     heading += turn / 2;
-    p.z() += std::clamp(-command.altitude_msl - p.z(), -3 * dt, 3 * dt);
+    const bool planned = std::holds_alternative<FollowPlan>(command.guidance);
+    const double down = planned ? curve_.at(on_curve_).p_N.z() : -command.altitude_msl;
+    p.z() += std::clamp(down - p.z(), -3 * dt, 3 * dt);
   }
 
  private:
@@ -83,6 +94,12 @@ class TestAircraft {
              side * (geo::kPi / 2 + 0.8 * ahead +
                      std::atan2(out.norm() - circle->radius, 3 * velocity().norm()));
     }
+    if (const auto* hold = std::get_if<HoldPosition>(&command.guidance)) {
+      const Vec2 out = position() - hold->point;
+      return geo::bearing(out) + geo::kPi / 2 +
+             std::atan2(out.norm() - 1.3 * kRadius, 3 * velocity().norm());
+    }
+    if (std::holds_alternative<FollowPlan>(command.guidance)) return course_on_plan();
     const Path& path = std::get<FollowPath>(command.guidance).path;
     const auto at = model::project(path, position(), along_ - 50, along_ + 100);
     along_ = at.along;
@@ -93,8 +110,27 @@ class TestAircraft {
     return geo::bearing(ahead);
   }
 
+  // Along the plan's line at its own airspeed, then around its end.
+  double course_on_plan() {
+    on_curve_ = std::min(curve_.follow(position(), on_curve_), curve_.end());
+    const auto here = curve_.at(on_curve_);
+    const Vec2 left = geo::horizontal(curve_.at(curve_.end()).p_N) - position();
+    status.follows = !status.done;
+    if (on_curve_ >= curve_.end() - 0.05 && left.dot(geo::horizontal(here.v_N)) <= 0)
+      status.done = true;
+    if (status.done)
+      return geo::bearing(-left) + geo::kPi / 2 +
+             std::atan2(left.norm() - 1.3 * kRadius, 3 * velocity().norm());
+    const Vec2 ahead =
+        geo::horizontal(curve_.at(std::min(on_curve_ + 2, curve_.end() + 2)).p_N) -
+        position();
+    return geo::bearing(ahead);
+  }
+
   double roll_ = 0;
   double along_ = 0;
+  model::PlanCurve curve_;
+  double on_curve_ = 0;
 };
 
 }  // namespace skein::reasoning::test
