@@ -228,8 +228,7 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
                    folder, arguments.overwrite);
   if (!opened) return say_error(opened.error());
   record::RunRecorder& recorder = *opened.value();
-  const auto patch = assemble::sample_terrain(*ready.world.terrain,
-                                              scenario.monitoring.prior.origin, 4000);
+  const auto patch = assemble::sample_terrain(*ready.world.terrain, ready.map_centre, 4000);
   recorder.store_terrain(patch.rows, patch.rows, patch.low, patch.spacing, patch.heights);
 
   const auto simulated = simulate(ready, recorder, arguments, stop);

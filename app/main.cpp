@@ -39,7 +39,7 @@ Examples:
 constexpr const char* kCheckExamples = R"(
 Examples:
   skein check scenarios/wildfire.yaml
-  skein check scenarios/wildfire.yaml --set monitoring.estimator=ensemble
+  skein check scenarios/wildfire.yaml --set missions[0].estimator=ensemble
   skein check scenarios/wildfire.yaml --print > full.yaml     with all defaults)";
 
 constexpr const char* kListExamples = R"(

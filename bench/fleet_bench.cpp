@@ -59,7 +59,7 @@ std::vector<double> run_fleet(const std::string& plant, const std::string& senso
       "duration_s: {}\n"
       "environment: {{wind: {{kind: uniform, speed_mps: 5, from_deg: 250}}, "
       "turbulence: {}, fire: none}}\n"
-      "station: {{agent: listener}}\n"
+      "missions: []\n"
       "record: {{rate_hz: 1}}\n"
       "aircraft:\n"
       "  - {{count: {}, plant: {}, autopilot: skein, sensors: [{}], agent: route,\n"

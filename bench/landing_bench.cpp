@@ -64,7 +64,7 @@ void landing(benchmark::State& state, const char* aircraft, double wind,
       "duration_s: 500\n"
       "environment: {{terrain: flat, fire: none, turbulence: {},\n"
       "  wind: {{kind: uniform, speed_mps: {}, from_deg: 0}}}}\n"
-      "station: {{agent: listener}}\n"
+      "missions: []\n"
       "aircraft:\n"
       "  - {{count: {}, plant: {{kind: fixed-wing, aircraft: {}}}, autopilot: skein,\n"
       "     sensors: [flight], altitude_agl_m: 100,\n"

@@ -15,7 +15,7 @@ class PluginProgram : public Program {
     return write("mine.yaml",
                  "name: mine\nduration_s: 60\nplugins: ['" + std::string(kPlugin) +
                      "']\n" + "aircraft: [{sensors: [gnss, air-data, radiometer]}]\n" +
-                     "monitoring: {strategy: gus, estimator: circle}\n" + more);
+                     "missions: [{kind: perimeter, strategy: gus, estimator: circle}]\n" + more);
   }
   static std::string hash_of(const fs::path& run) {
     return nlohmann::json::parse(read_file(run / "summary.json")).at("content_hash");
@@ -52,7 +52,7 @@ TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {
 
   // The plugin of the command line is the scenario's from then on.
   const fs::path plain =
-      write("plain.yaml", "duration_s: 60\nmonitoring: {estimator: circle}\n");
+      write("plain.yaml", "duration_s: 60\nmissions: [{kind: perimeter, estimator: circle}]\n");
   ASSERT_EQ(run({"check", plain.string()}).status, 2);
   const Finished given =
       run({"run", plain.string(), "--plugin", kPlugin, "--out", "given"});
@@ -69,7 +69,7 @@ TEST_F(PluginProgram, WrongKeysAndKindsAreReportedLikeOurs) {
   EXPECT_NE(range.err.find("2 must be above 0 and below 1"), std::string::npos)
       << range.err;
   const Finished kind =
-      run({"check", scenario().string(), "--set", "monitoring.estimator=cirkle"});
+      run({"check", scenario().string(), "--set", "missions[0].estimator=cirkle"});
   EXPECT_EQ(kind.status, 2);
   EXPECT_NE(kind.err.find("Did you mean \"circle\"?"), std::string::npos) << kind.err;
 }

@@ -101,7 +101,7 @@ aircraft:
   - {name: simple, count: 4, plant: performance}
   - {name: point, count: 4}
 radio: {kind: ideal, loss: 0.1}
-monitoring: {estimator: joint, strategy: sweep}
+missions: [{kind: perimeter, estimator: joint, strategy: sweep}]
 )";
 
 TEST_F(SameBytes, OfAFleetWithSixDegreesOfFreedom) {
@@ -122,9 +122,9 @@ TEST_F(SameBytes, OfEveryEstimatorAndStrategy) {
                           "environment: {wind: {kind: uniform, speed_mps: 3}}\n");
   for (const char* estimator : {"ensemble", "qkf", "mle", "map", "ukf", "particle"})
     expect_same(file.string(),
-                {"--set", std::string("monitoring.estimator=") + estimator});
+                {"--set", std::string("missions[0].estimator=") + estimator});
   for (const char* strategy : {"gus", "gus-rate", "partition", "ellipse"})
-    expect_same(file.string(), {"--set", std::string("monitoring.strategy=") + strategy});
+    expect_same(file.string(), {"--set", std::string("missions[0].strategy=") + strategy});
 }
 
 // Terrain from a raster in Universal Transverse Mercator coordinates, which another
@@ -176,7 +176,7 @@ aircraft:
     plant: {{kind: fixed-wing, aircraft: aerosonde}}
     autopilot: skein
     sensors: [flight, fire]
-monitoring: {{estimator: ensemble, strategy: sweep}}
+missions: [{{kind: perimeter, estimator: ensemble, strategy: sweep}}]
 )",
                                                 ground.string(), wind.string()));
   expect_same(file.string());

@@ -65,7 +65,7 @@ TEST_F(Program, AFailedRunOfAStudyCanBeReplayed) {
   const Finished failed =
       run({"study", "monitoring", "--out", "m", "--seeds", "1", "--only-cases", "no-wind",
            "--estimators", "ensemble", "--strategies", "gus", "--threads", "1", "--set",
-           ("monitoring.estimator={kind: ensemble, members: 200, cell_m: 5, "
+           ("missions[0].estimator={kind: ensemble, members: 200, cell_m: 5, "
             "max_nodes: 200000}"),
            "--set", "duration_s=10"},
           RLIM_INFINITY, 350'000'000);

@@ -38,7 +38,7 @@ TEST_F(Program, ListsKindsAndTheirKeys) {
   EXPECT_EQ(run({"list", "elephants"}).status, 2);
   const auto schema = nlohmann::json::parse(run({"schema"}).out, nullptr, false);
   ASSERT_FALSE(schema.is_discarded());
-  EXPECT_TRUE(schema["properties"].contains("monitoring"));
+  EXPECT_TRUE(schema["properties"].contains("missions"));
 }
 
 TEST_F(Program, TheDocumentationOfKeysIsUpToDate) {
@@ -240,8 +240,8 @@ TEST_F(Program, StaysWithinItsFolderWhateverTheName) {
 TEST_F(Program, SaysWhenMemoryIsNotEnough) {
   if (!kMemoryCanBeLimited) GTEST_SKIP() << "needs a limit of memory";
   const auto file = write("s.yaml",
-                          "duration_s: 5\nmonitoring: {estimator: {kind: ensemble, "
-                          "members: 200, cell_m: 5, max_nodes: 200000}}\n");
+                          "duration_s: 5\nmissions: [{kind: perimeter, estimator: {kind: ensemble, "
+                          "members: 200, cell_m: 5, max_nodes: 200000}}]\n");
   const Finished big = run({"run", file.string()}, RLIM_INFINITY, 350'000'000);
   EXPECT_EQ(big.status, 1) << big.err;
   EXPECT_NE(big.err.find("not enough memory"), std::string::npos) << big.err;

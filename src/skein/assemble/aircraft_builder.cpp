@@ -92,13 +92,13 @@ std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& s
 }
 
 Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
-                                                 EntityId self) {
+                                                 EntityId self, EntityId station) {
   const auto group_index = static_cast<std::size_t>(&group - scenario_.aircraft.data());
   const std::string& name = names_.at(group_index).at(static_cast<std::size_t>(index));
   AircraftContext context;
   context.seed = scenario_.seed;
   context.self = self;
-  context.station = station_;
+  context.station = station;
   context.agent_period = group.agent_period;
   context.altitude_agl = group.altitude_agl;
   context.map = map_;
@@ -126,7 +126,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.initial = as_estimate(vehicle.state, Time());
   context.on_ground = vehicle.state.on_ground;
 
-  context.hears_station = heartbeat(scenario_) > Time();
+  context.hears_station = heartbeat(scenario_, scenario_.stations[station_of(scenario_, group)]) > Time();
   for (const scenario::Choice& sensor : group.sensors)
     context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
   context.gains = gains_of(group.plant);
@@ -148,6 +148,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
+  last_ = {self, name, group.name, context.has_camera, context.has_fire_sensor};
   simulation::Entity entity;
   entity.name = name;
   entity.kind = "aircraft";
@@ -244,6 +245,7 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
       of_kind[part.kind] = context.instance + 1;
       const bool payload = part.sensor->payload();
       context.has_camera |= part.sensor->finds_objects();
+      context.has_fire_sensor |= part.sensor->senses_fire();
       (payload ? parts.payload : parts.sensors).push_back(part.kind);
       (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));
     }

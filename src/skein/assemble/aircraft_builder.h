@@ -30,22 +30,24 @@ class AircraftBuilder {
   /// All references outlive the builder.
   AircraftBuilder(const scenario::Scenario& scenario, const KindsByRole& kinds,
                   std::shared_ptr<const Terrain> map, const std::vector<Zone>& zones,
-                  const WindField& wind, EntityId station)
+                  const WindField& wind)
       : scenario_(scenario),
         kinds_(kinds),
         map_(std::move(map)),
         zones_(zones),
         wind_(wind),
-        station_(station),
         planner_(std::make_shared<planning::AaStar>()),
         names_(aircraft_names(scenario)) {}
 
-  /// Aircraft `index` of `group`, which becomes entity `self`.
+  /// Aircraft `index` of `group`, which becomes entity `self` and reports to `station`.
   /// Fails: what a part cannot be made from; a start inside terrain or a no-fly zone;
   ///        parts that do not fit together, or that cannot fail because they are not
   ///        there.
   Result<simulation::Entity> make(const scenario::AircraftGroup& group, int index,
-                                  EntityId self);
+                                  EntityId self, EntityId station);
+
+  /// The last that was made, as missions choose theirs.
+  const TeamAircraft& last() const { return last_; }
 
  private:
   // What an autopilot and planners know: the plant as its group has it.
@@ -63,11 +65,11 @@ class AircraftBuilder {
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;
-  EntityId station_;
   std::shared_ptr<const PathPlanner> planner_;
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
   std::vector<std::vector<std::string>> names_;                // of each group
+  TeamAircraft last_;
 };
 
 }  // namespace skein::assemble

@@ -84,11 +84,12 @@ void check_delays(const SkeinChoice& choice, const Scenario& scenario,
                   const AircraftGroup& group, const simulation::VehicleParts& vehicle,
                   std::vector<Error>& found) {
   const double step = scenario.step.seconds();
-  const Time beat = heartbeat(scenario);
+  const scenario::Station& station = scenario.stations[station_of(scenario, group)];
+  const Time beat = heartbeat(scenario, station);
   if (beat > Time())
     check_delay("link", choice.options.failsafe.link.delay,
-                std::max({beat.seconds(), step, scenario.station.agent_period.seconds()}),
-                "the ground station is received again (station.heartbeat_s)", found);
+                std::max({beat.seconds(), step, station.agent_period.seconds()}),
+                "the ground station is received again (stations: heartbeat_s)", found);
   double oldest = 0;
   for (const scenario::Choice& sensor : group.sensors) {
     const auto age = position_age(sensor, vehicle.step.seconds());
@@ -174,8 +175,17 @@ void warn_about_rotors(const SkeinChoice& choice, const AircraftGroup& group,
 
 }  // namespace
 
-Time heartbeat(const Scenario& scenario) {
-  if (scenario.station.heartbeat) return *scenario.station.heartbeat;
+std::size_t station_of(const Scenario& scenario, const AircraftGroup& group) {
+  const auto named = std::find_if(
+      scenario.stations.begin(), scenario.stations.end(),
+      [&](const scenario::Station& s) { return s.name == group.station; });
+  return named == scenario.stations.end()
+             ? 0
+             : static_cast<std::size_t>(named - scenario.stations.begin());
+}
+
+Time heartbeat(const Scenario& scenario, const scenario::Station& station) {
+  if (station.heartbeat) return *station.heartbeat;
   const bool watched =
       std::any_of(scenario.aircraft.begin(), scenario.aircraft.end(),
                   [](const AircraftGroup& g) { return g.autopilot.kind == "skein"; });
@@ -206,9 +216,9 @@ std::vector<std::string> warnings(const Scenario& scenario, const AircraftGroup&
   if (group.autopilot.kind != "skein") return found;
   const auto& choice = group.autopilot.as<SkeinChoice>();
   const autopilot::FailsafeRule& link = choice.options.failsafe.link;
-  if (heartbeat(scenario) <= Time() && link.reaction != FailsafeReaction::kNone)
+  if (heartbeat(scenario, scenario.stations[station_of(scenario, group)]) <= Time() && link.reaction != FailsafeReaction::kNone)
     found.push_back(fmt::format(
-        "station.heartbeat_s: the station sends no heartbeats. Where {:.6g} s pass "
+        "stations: heartbeat_s: the station sends no heartbeats. Where {:.6g} s pass "
         "without an order the failsafe link of {} acts.",
         link.delay, aircraft.name));
   warn_about_rotors(choice, group, aircraft, found);

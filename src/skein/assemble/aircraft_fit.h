@@ -9,9 +9,12 @@
 
 namespace skein::assemble {
 
-/// Between the station's heartbeats, as the scenario says or as its autopilots need; 0 =
-/// none.
-Time heartbeat(const scenario::Scenario& scenario);
+/// Index of the ground station that a group belongs to.
+std::size_t station_of(const scenario::Scenario& scenario,
+                       const scenario::AircraftGroup& group);
+
+/// Between a station's heartbeats, as the scenario says or as autopilots need; 0 = none.
+Time heartbeat(const scenario::Scenario& scenario, const scenario::Station& station);
 
 /// What of a ready aircraft does not go together, all of it: an altitude where the air
 /// does not carry it, sensors that its autopilot

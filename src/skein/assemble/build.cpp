@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/aircraft_fit.h"
@@ -13,9 +14,10 @@
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
-#include "skein/layer/reasoning/agent/heartbeat.h"
-#include "skein/layer/reasoning/agent/operator_orders.h"
-#include "skein/layer/reasoning/agent/zone_server.h"
+#include "skein/exchange/plan_reading.h"
+#include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/layer/reasoning/station/ground_station.h"
+#include "skein/layer/reasoning/station/nearest_allocator.h"
 #include "skein/role/radio.h"
 #include "skein/scenario/zones.h"
 #include "skein/simulation/commanded_wind.h"
@@ -25,8 +27,6 @@ namespace {
 
 using scenario::AircraftGroup;
 using scenario::Scenario;
-
-constexpr EntityId kStation{0};
 
 // Wraps a shared terrain as the world's own: agents carry it as their map.
 class SharedTerrain : public Terrain {
@@ -81,14 +81,15 @@ class Builder {
     build_.warnings = sampling_warnings(scenario_, kinds_.table());
     for (std::string& warning : scenario::zone_warnings(scenario_.environment))
       build_.warnings.push_back(std::move(warning));
-    if (team().empty())
+    if (std::all_of(scenario_.aircraft.begin(), scenario_.aircraft.end(),
+                    [](const AircraftGroup& group) { return group.count == 0; }))
       build_.warnings.emplace_back(
           "no aircraft: nothing is flown, and nobody watches the fire. Give aircraft a "
           "group with a count above 0.");
     build_.world.zones = zones_;
     environment();
-    note(station());
     aircraft();
+    stations();
     objects();
     note(radio());
     if (!errors_.empty()) return together(errors_);
@@ -124,25 +125,79 @@ class Builder {
     if (note(fire)) build_.world.fire = std::move(fire).value();
   }
 
-  Result<void> station() {
-    StationContext context{scenario_, kinds_.kinds(), team(), zones_};
-    auto agent = kinds_.kinds().station_agent.make(scenario_.station.agent, context);
-    if (!agent) return agent.error();
-    simulation::Entity entity;
-    entity.name = "station";
-    entity.kind = "station";
-    entity.agent = std::move(agent).value();
-    entity.agent = std::make_unique<reasoning::ZoneServer>(server_options(),
-                                                           std::move(entity.agent));
-    entity.agent = std::make_unique<reasoning::OperatorOrders>(named_team(),
-                                                               std::move(entity.agent));
-    if (const Time period = heartbeat(scenario_); period > Time())
-      entity.agent = std::make_unique<reasoning::HeartbeatSender>(std::move(entity.agent),
-                                                                  context.team, period);
-    entity.agent_period = scenario_.station.agent_period;
-    entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
-    build_.world.entities.push_back(std::move(entity));
-    return {};
+  // Entities are the stations, then the aircraft.
+  void stations() {
+    std::vector<simulation::Entity> all;
+    auto wanted = missions();
+    build_.map_centre = scenario_.stations.front().position;
+    if (!wanted.front().empty())
+      build_.map_centre = wanted.front().front().mission->demand().place.value_or(
+          build_.map_centre);
+    for (std::size_t k = 0; k < scenario_.stations.size(); ++k) {
+      const scenario::Station& station = scenario_.stations[k];
+      simulation::Entity& entity = all.emplace_back();
+      entity.name = station.name;
+      entity.kind = "station";
+      entity.agent = ground_station(teams_[k], std::move(wanted[k]));
+      entity.agent_period = station.agent_period;
+      entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
+    }
+    for (simulation::Entity& each : build_.world.entities) all.push_back(std::move(each));
+    build_.world.entities = std::move(all);
+  }
+
+  std::unique_ptr<Agent> ground_station(const StationTeam& station,
+                                        std::vector<reasoning::PlannedMission> missions) {
+    const scenario::Station& described = scenario_.stations[station.id.value];
+    reasoning::GroundStationOptions options;
+    for (const TeamAircraft& each : station.team)
+      options.team.push_back({each.id, each.name});
+    options.position.p_N = place_of(described);
+    options.heartbeat = heartbeat(scenario_, described);
+    options.zones = server_options(station);
+    return std::make_unique<reasoning::GroundStation>(
+        options, std::move(missions), std::make_unique<reasoning::NearestAllocator>());
+  }
+
+  // Where its antenna is.
+  Vec3 place_of(const scenario::Station& station) const {
+    const Vec2& at = station.position;
+    return {at.x(), at.y(), -(map_->elevation_msl(at) + station.antenna_agl)};
+  }
+
+  // Of each station.
+  std::vector<std::vector<reasoning::PlannedMission>> missions() {
+    MissionContext context{scenario_.seed,
+                           kinds_.kinds(),
+                           teams_,
+                           zones_,
+                           {},
+                           std::make_shared<planning::AaStar>(),
+                           scenario_.record.metrics_period,
+                           [this](const std::string& file) {
+                             return exchange::read_plan(file, frame_);
+                           }};
+    for (const scenario::PlacedObject& object : scenario_.environment.objects)
+      context.objects.push_back(object.name);
+    std::vector<std::vector<reasoning::PlannedMission>> all(teams_.size());
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < scenario_.missions.size(); ++k) {
+      auto made = kinds_.kinds().mission.make(scenario_.missions[k], context);
+      if (made && !names.insert(made.value()->name).second)
+        made = Error{ErrorCode::kBadInput, "name",
+                     fmt::format("another mission is called \"{}\" too.",
+                                 made.value()->name),
+                     "Give each a name of its own."};
+      if (made) {
+        all[made.value()->station.value].push_back(std::move(*made.value()));
+        continue;
+      }
+      Error error = made.error();
+      error.place = fmt::format("missions[{}]{}{}", k, error.place.empty() ? "" : ".",
+                                error.place);
+      errors_.push_back(error);
+    }
+    return all;
   }
 
   // What the scenario commands by itself.
@@ -161,9 +216,9 @@ class Builder {
   }
 
   // Who says which zones are in force.
-  reasoning::ZoneServerOptions server_options() const {
+  reasoning::ZoneServerOptions server_options(const StationTeam& station) const {
     reasoning::ZoneServerOptions options;
-    options.team = team();
+    for (const TeamAircraft& each : station.team) options.team.push_back(each.id);
     options.known = options.drawn = zones_;
     for (const scenario::NoFlightZone& described : scenario_.environment.zones) {
       const Zone zone = scenario::to_zone(described);
@@ -172,33 +227,22 @@ class Builder {
     return options;
   }
 
-  std::vector<reasoning::NamedAircraft> named_team() const {
-    const std::vector<EntityId> ids = team();
-    std::vector<reasoning::NamedAircraft> all;
-    for (const std::vector<std::string>& group : aircraft_names(scenario_))
-      for (const std::string& name : group) all.push_back({ids[all.size()], name});
-    return all;
-  }
-
-  std::vector<EntityId> team() const {
-    std::vector<EntityId> all;
-    std::uint32_t next = kStation.value + 1;
-    for (const AircraftGroup& group : scenario_.aircraft)
-      for (int i = 0; i < group.count; ++i) all.push_back(EntityId{next++});
-    return all;
-  }
-
   void aircraft() {
-    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
-                            kStation);
-    for (const AircraftGroup& group : scenario_.aircraft)
+    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind);
+    const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
+    for (std::uint32_t k = 0; k < first; ++k)
+      teams_.push_back({EntityId{k}, scenario_.stations[k].name, {}});
+    for (const AircraftGroup& group : scenario_.aircraft) {
+      StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {
-        auto made = builder.make(
-            group, i, EntityId{static_cast<std::uint32_t>(build_.world.entities.size())});
+        const auto next = static_cast<std::uint32_t>(build_.world.entities.size());
+        auto made = builder.make(group, i, EntityId{first + next}, station.id);
         if (!note(made)) break;  // the others of its group are alike
         if (!note_fit(group, i, made.value())) break;
+        station.team.push_back(builder.last());
         build_.world.entities.push_back(std::move(made).value());
       }
+    }
   }
 
   bool note_fit(const AircraftGroup& group, int index,
@@ -226,11 +270,11 @@ class Builder {
     std::vector<const Vehicle*> vehicles;
     for (const simulation::Entity& entity : build_.world.entities)
       vehicles.push_back(entity.vehicle.get());
-    const Vec2 at = scenario_.station.position;
-    const Vec3 antenna(at.x(), at.y(),
-                       -(map_->elevation_msl(at) + scenario_.station.antenna_agl));
-    context.position = [vehicles, antenna](EntityId id) -> std::optional<Vec3> {
-      if (id == kStation) return antenna;
+    std::vector<Vec3> antennas;
+    for (const scenario::Station& station : scenario_.stations)
+      antennas.push_back(place_of(station));
+    context.position = [vehicles, antennas](EntityId id) -> std::optional<Vec3> {
+      if (id.value < antennas.size()) return antennas[id.value];
       if (id.value >= vehicles.size() || !vehicles[id.value]) return std::nullopt;
       // Radio waves leave from where it is, known or not.
       const VehicleState* truth = vehicles[id.value]->truth();
@@ -247,6 +291,7 @@ class Builder {
   geo::LocalFrame frame_;
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
+  std::vector<StationTeam> teams_;  // of each station
   Build build_;
   std::vector<Error> errors_;
 };

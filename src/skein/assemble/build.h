@@ -19,6 +19,8 @@ struct Build {
   simulation::RunOptions options;  ///< speed and threads are the caller's
   /// What was repaired in outside data, and what cannot be done as asked for.
   std::vector<std::string> warnings;
+  /// Middle of maps: where the first mission is flown, else at the first station [m].
+  Vec2 map_centre = Vec2::Zero();
 };
 
 /// Makes the world of a scenario that has passed the reader's checks. Entity 0 is the

@@ -11,9 +11,11 @@
 
 #include "skein/assemble/aircraft_gains.h"
 #include "skein/base/id.h"
+#include "skein/base/result.h"
 #include "skein/base/time.h"
 #include "skein/data/airframe.h"
 #include "skein/data/fire.h"
+#include "skein/data/flight_plan.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone.h"
 #include "skein/geo/local_frame.h"
@@ -22,9 +24,6 @@ namespace skein {
 class PathPlanner;
 class Terrain;
 class WindField;
-namespace scenario {
-struct Scenario;
-}
 }  // namespace skein
 
 namespace skein::assemble {
@@ -60,17 +59,37 @@ struct AircraftContext {
   bool hears_station = false;                  ///< the station sends heartbeats
   bool has_position = false;                   ///< a sensor says where it is
   bool has_camera = false;                     ///< a sensor finds objects
+  bool has_fire_sensor = false;                ///< a sensor looks at the fire
   std::uint8_t fitted = 0;                     ///< bit k: FlightSensor k is on board
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common
   double parameter_spread = 0;  ///< of the plant's parameters, at most
 };
 
-/// What every ground station's agent is given besides its options.
-struct StationContext {
-  const scenario::Scenario& scenario;
-  const KindsByRole& kinds;    ///< of its parts
-  std::vector<EntityId> team;  ///< all aircraft
-  const std::vector<Zone>& zones;
+/// An aircraft of a ground station, as missions choose theirs.
+struct TeamAircraft {
+  EntityId id;
+  std::string name, group;
+  bool has_camera = false, has_fire_sensor = false;
+};
+
+/// A ground station with its aircraft.
+struct StationTeam {
+  EntityId id;
+  std::string name;
+  std::vector<TeamAircraft> team;
+};
+
+/// What every mission is given besides its options.
+struct MissionContext {
+  std::uint64_t seed = 0;
+  const KindsByRole& kinds;  ///< of its parts
+  std::vector<StationTeam> stations;
+  const std::vector<Zone>& zones;  ///< in force from the start
+  std::vector<std::string> objects;  ///< names of the environment's, by their numbers
+  std::shared_ptr<const PathPlanner> planner;
+  Time metrics_period;
+  /// The plan in a file.
+  std::function<Result<FlightPlan>(const std::string& file)> read_plan;
 };
 
 /// What every radio is given besides its options.

@@ -13,7 +13,7 @@ void for_each_role(Visit visit) {
   using K = KindsByRole;
   const auto all = [&visit](auto... role) { (visit(role), ...); };
   all(&K::terrain, &K::wind, &K::turbulence, &K::fire, &K::plant, &K::autopilot,
-      &K::sensor, &K::agent, &K::station_agent, &K::radio, &K::estimator, &K::strategy,
+      &K::sensor, &K::agent, &K::mission, &K::radio, &K::estimator, &K::strategy,
       &K::planner);
 }
 
@@ -27,7 +27,7 @@ KindsByRole own_kinds() {
   kinds.autopilot = autopilot_kinds();
   kinds.sensor = sensor_kinds();
   kinds.agent = agent_kinds();
-  kinds.station_agent = station_agent_kinds();
+  kinds.mission = mission_kinds();
   kinds.radio = radio_kinds();
   kinds.estimator = estimator_kinds();
   kinds.strategy = strategy_kinds();

@@ -27,7 +27,7 @@ struct KindsByRole {
   Kinds<Autopilot, AircraftContext> autopilot{"autopilot"};
   Kinds<Sensor, AircraftContext> sensor{"sensor"};
   Kinds<Agent, AircraftContext> agent{"agent"};
-  Kinds<Agent, StationContext> station_agent{"station-agent"};
+  Kinds<reasoning::PlannedMission, MissionContext> mission{"mission"};
   Kinds<Radio, RadioContext> radio{"radio"};
   Kinds<PerimeterEstimator, EstimatorContext> estimator{"estimator"};
   Kinds<MonitoringStrategy, StrategyContext> strategy{"strategy"};

@@ -15,6 +15,9 @@ class Sensor;
 class Terrain;
 class Turbulence;
 class WindField;
+namespace reasoning {
+struct PlannedMission;
+}
 }  // namespace skein
 
 namespace skein::assemble {
@@ -31,7 +34,7 @@ Kinds<Autopilot, AircraftContext> autopilot_kinds();
 Kinds<Sensor, AircraftContext> sensor_kinds();
 Kinds<Agent, AircraftContext> agent_kinds();
 Kinds<Turbulence, AircraftContext> turbulence_kinds();
-Kinds<Agent, StationContext> station_agent_kinds();
+Kinds<reasoning::PlannedMission, MissionContext> mission_kinds();
 Kinds<Radio, RadioContext> radio_kinds();
 Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds();
 Kinds<MonitoringStrategy, StrategyContext> strategy_kinds();

@@ -53,8 +53,8 @@ Result<std::vector<std::string>> fit_recorded_scenario(const fs::path& data) {
       fmt::format("origin.longitude_deg={:.6f}", fire.origin.longitude_deg),
       // Whole seconds, so that periods fit in.
       fmt::format("duration_s={}", std::floor(fire.duration)),
-      fmt::format("monitoring.prior.radius_m={:.0f}", radius),
-      fmt::format("monitoring.prior.radius_sd_m={:.0f}", 0.4 * radius),
+      fmt::format("missions[0].prior.radius_m={:.0f}", radius),
+      fmt::format("missions[0].prior.radius_sd_m={:.0f}", 0.4 * radius),
       fmt::format("aircraft[0].start.distance_m={:.0f}", 2 * radius + 600)};
   if (fire.start_utc && *fire.start_utc >= 0)  // scenarios have dates from 1970 on
     overrides.push_back(

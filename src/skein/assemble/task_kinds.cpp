@@ -22,7 +22,7 @@ namespace skein::assemble {
 namespace {
 
 using namespace reasoning;
-using Made = Result<std::unique_ptr<TaskExecutor>>;
+using MadeTask = Result<std::unique_ptr<TaskExecutor>>;
 
 Error cannot(std::string why) {
   return {ErrorCode::kBadInput, "", std::move(why), ""};
@@ -31,50 +31,50 @@ Error cannot(std::string why) {
 // An overload for each kind: the compiler names one that is missing.
 struct TaskMaker {
   template <class Executor, class... Arguments>
-  static Made make(Arguments&&... arguments) {
+  static MadeTask make(Arguments&&... arguments) {
     return std::unique_ptr<TaskExecutor>(
         std::make_unique<Executor>(std::forward<Arguments>(arguments)...));
   }
 
-  Made operator()(const Loiter& t) const { return make<StayTask>(t); }
-  Made operator()(const Hold& t) const { return make<StayTask>(t); }
-  Made operator()(const FlyTo& t) const { return make<GoToTask>(context, t); }
-  Made operator()(const FollowEdge& t) const {
+  MadeTask operator()(const Loiter& t) const { return make<StayTask>(t); }
+  MadeTask operator()(const Hold& t) const { return make<StayTask>(t); }
+  MadeTask operator()(const FlyTo& t) const { return make<GoToTask>(context, t); }
+  MadeTask operator()(const FollowEdge& t) const {
     FollowEdge own = t;
     own.angle = options.edge_angle.value_or(t.angle);
     return make<EdgeTask>(context, options.edge, own);
   }
-  Made operator()(const FollowLine& t) const { return make<LineTask>(context, t); }
-  Made operator()(const FlyCourse& t) const { return make<CourseTask>(context, t); }
-  Made operator()(const FlyRoute& t) const {
+  MadeTask operator()(const FollowLine& t) const { return make<LineTask>(context, t); }
+  MadeTask operator()(const FlyCourse& t) const { return make<CourseTask>(context, t); }
+  MadeTask operator()(const FlyRoute& t) const {
     return make<RouteTask>(context, t, options.lands);
   }
-  Made operator()(const FollowLeader& t) const {
+  MadeTask operator()(const FollowLeader& t) const {
     if (t.leader == context.self) return cannot("an aircraft cannot follow itself.");
     return make<FollowTask>(context, t, options.follow_horizon);
   }
-  Made operator()(const FlyTour& t) const {
+  MadeTask operator()(const FlyTour& t) const {
     return make<TourTask>(context, t, options.tour);
   }
-  Made operator()(const Survey& t) const { return make<SurveyTask>(context, t); }
-  Made operator()(const Patrol& t) const { return make<PatrolTask>(context, t); }
-  Made operator()(const Orbit& t) const {
+  MadeTask operator()(const Survey& t) const { return make<SurveyTask>(context, t); }
+  MadeTask operator()(const Patrol& t) const { return make<PatrolTask>(context, t); }
+  MadeTask operator()(const Orbit& t) const {
     if (t.object && !options.has_camera)
       return cannot("it has no camera to see an object with.");
     return make<OrbitTask>(context, t);
   }
-  Made operator()(const Measure& t) const { return make<MeasureTask>(context, t); }
-  Made operator()(const Rendezvous& t) const {
+  MadeTask operator()(const Measure& t) const { return make<MeasureTask>(context, t); }
+  MadeTask operator()(const Rendezvous& t) const {
     return make<RendezvousTask>(context, t);
   }
-  Made operator()(const Relay& t) const {
+  MadeTask operator()(const Relay& t) const {
     if (t.first == context.self || t.second == context.self)
       return cannot("an aircraft is no relay to itself.");
     return make<RelayTask>(t);
   }
-  Made operator()(const FlyPlan& t) const { return make<PlanTask>(context, t); }
-  Made operator()(const ReturnHome&) const { return make<ReturnTask>(context); }
-  Made operator()(const LandAt& t) const { return make<LandTask>(context, t); }
+  MadeTask operator()(const FlyPlan& t) const { return make<PlanTask>(context, t); }
+  MadeTask operator()(const ReturnHome&) const { return make<ReturnTask>(context); }
+  MadeTask operator()(const LandAt& t) const { return make<LandTask>(context, t); }
 
   const FlightContext& context;
   const TaskOptions& options;

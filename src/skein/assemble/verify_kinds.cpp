@@ -17,6 +17,7 @@
 #include "skein/role/radio.h"
 #include "skein/role/sensor.h"
 #include "skein/role/turbulence.h"
+#include "skein/layer/reasoning/station/mission_control.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {
@@ -93,15 +94,21 @@ class Stage {
     context.shared = &shared_;
     return context;
   }
-  StationContext station() const {
-    return {scenario_, kinds_.kinds(), {EntityId{1}, EntityId{2}}, zones_};
+  MissionContext missions() const {
+    MissionContext context{kSeed, kinds_.kinds(), {}, zones_, {}, {}, {}, {}};
+    context.stations = {{EntityId{0}, "station", {}}};
+    for (std::uint32_t k = 1; k <= 2; ++k)
+      context.stations.front().team.push_back(
+          {EntityId{k}, fmt::format("scout-{}", k), "scout", true, true});
+    context.planner = std::make_shared<planning::AaStar>();
+    context.metrics_period = Time::from_seconds(5);
+    return context;
   }
   static RadioContext radio() {
     return {kSeed, [](EntityId id) -> std::optional<Vec3> {
               return Vec3(200.0 * id.value, 0, -100);
             }};
   }
-  const PerimeterPrior& prior() const { return scenario_.monitoring.prior; }
 
   static NavEstimate start(const FlightLimits& limits) {
     NavEstimate nav;
@@ -117,9 +124,9 @@ class Stage {
       return contract::agent_violations(make, has_vehicle ? &nav : nullptr);
     };
   }
-  auto estimator_suite() const {
-    return [this](const contract::Make<PerimeterEstimator>& make) {
-      return contract::estimator_violations(make, prior());
+  static auto estimator_suite() {
+    return [](const contract::Make<PerimeterEstimator>& make) {
+      return contract::estimator_violations(make, PerimeterPrior());
     };
   }
   static auto radio_suite() {
@@ -159,7 +166,7 @@ KindVerdict Stage::autopilot_verdict(const scenario::Kind& kind) const {
 }
 
 KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) const {
-  const scenario::Choice choice{kind.name, kind.options->prototype};
+  const scenario::Choice choice = scenario::default_choice(kinds_.table(), role, kind.name);
   const KindsByRole& all = kinds_.kinds();
   KindVerdict verdict{role, kind.name, "there is no suite for its role.", {}};
   const auto test = [&verdict](const auto& subject, auto suite) {
@@ -176,15 +183,18 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
   if (role == "autopilot") return autopilot_verdict(kind);
   if (role == "sensor") test(subject(all.sensor, choice), contract::sensor_violations);
   if (role == "agent") test(subject(all.agent, choice), agent_suite(true));
-  if (role == "station-agent")
-    test(Subject<Agent, StationContext>{all.station_agent, choice, station()},
-         agent_suite(false));
+  if (role == "mission")
+    test(Subject<reasoning::PlannedMission, MissionContext>{all.mission, choice, missions()},
+         [this](const contract::Make<reasoning::PlannedMission>& make) {
+           return agent_suite(false)(
+               [make] { return std::unique_ptr<Agent>(std::move(make()->mission)); });
+         });
   if (role == "radio")
     test(Subject<Radio, RadioContext>{all.radio, choice, radio()}, radio_suite());
   if (role == "estimator")
     test(
         Subject<PerimeterEstimator, EstimatorContext>{
-            all.estimator, choice, {kSeed, prior()}},
+            all.estimator, choice, {kSeed, PerimeterPrior()}},
         estimator_suite());
   if (role == "planner")
     test(Subject<PathPlanner, PlannerContext>{all.planner, choice, {}},

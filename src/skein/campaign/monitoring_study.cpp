@@ -23,15 +23,15 @@ std::vector<Variant> monitoring_cases() {
       {"wind-1.0-known",
        "3 m/s, wind 1.0 m/s that the estimator is given, 1,800 s",
        {"environment.fire.wind_mps=[0.707107, 0.707107]",
-        "monitoring.prior.wind_mps=[0.707107, 0.707107]",
-        "monitoring.prior.wind_sd_mps=0.05", "duration_s=1800"}},
+        "missions[0].prior.wind_mps=[0.707107, 0.707107]",
+        "missions[0].prior.wind_sd_mps=0.05", "duration_s=1800"}},
       {"slow",
        "0.2 m/s with errors up to 0.02 m/s, wind 0.1 m/s that the estimator is not "
        "given, 3,600 s",
        {"environment.fire.rate_mps=0.2", "environment.fire.rate_error_mps=0.02",
         "environment.fire.wind_mps=[0.0707107, 0.0707107]",
-        "monitoring.prior.rate_mps=0.2", "monitoring.prior.rate_sd_mps=0.0116",
-        "monitoring.prior.wind_sd_mps=0.1"}},
+        "missions[0].prior.rate_mps=0.2", "missions[0].prior.rate_sd_mps=0.0116",
+        "missions[0].prior.wind_sd_mps=0.1"}},
       {"rate-2.4",
        "the estimator is given 3 m/s, the fire spreads with 2.4 m/s, 1,800 s",
        {"environment.fire.rate_mps=2.4", "duration_s=1800"}},
@@ -54,21 +54,21 @@ bool of_the_thesis(const std::string& estimator) {
 
 std::vector<Variant> monitoring_strategies() {
   return {
-      {"gus", "the thesis's routing", {"monitoring.strategy=gus"}},
-      {"gus-rate", "the same per second of flight", {"monitoring.strategy=gus-rate"}},
-      {"ellipse", "to the largest major axis", {"monitoring.strategy=ellipse"}},
+      {"gus", "the thesis's routing", {"missions[0].strategy=gus"}},
+      {"gus-rate", "the same per second of flight", {"missions[0].strategy=gus-rate"}},
+      {"ellipse", "to the largest major axis", {"missions[0].strategy=ellipse"}},
       {"tracking-predicted",
        "benchmark, reading (i): follows its own predicted edge",
-       {"monitoring.strategy={kind: tracking, predicted: true}",
-        "monitoring.forced_crossing_s=0"}},
+       {"missions[0].strategy={kind: tracking, predicted: true}",
+        "missions[0].forced_crossing_s=0"}},
       {"tracking-binary",
        "benchmark, reading (ii): finds the real edge with the binary sensor",
-       {"monitoring.strategy=tracking"}},
+       {"missions[0].strategy=tracking"}},
       {"tracking-ideal",
        "benchmark, reading (iii): ideal edge follower",
-       {"monitoring.strategy=tracking", "aircraft[0].sensors[3]=edge-finder"}},
-      {"partition", "each aircraft its own arc", {"monitoring.strategy=partition"}},
-      {"sweep", "arc sweeps along the real edge", {"monitoring.strategy=sweep"}},
+       {"missions[0].strategy=tracking", "aircraft[0].sensors[3]=edge-finder"}},
+      {"partition", "each aircraft its own arc", {"missions[0].strategy=partition"}},
+      {"sweep", "arc sweeps along the real edge", {"missions[0].strategy=sweep"}},
   };
 }
 
@@ -76,7 +76,7 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
                                         const scenario::KindTable& kinds) {
   std::vector<Variant> estimators;
   for (const std::string& name : kinds.names("estimator"))
-    estimators.push_back({name, "", {"monitoring.estimator=" + name}});
+    estimators.push_back({name, "", {"missions[0].estimator=" + name}});
   const auto cases = select(monitoring_cases(), study.cases, "case");
   if (!cases) return cases.error();
   const auto chosen = select(estimators, study.estimators, "estimator");

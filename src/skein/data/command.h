@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -38,15 +39,28 @@ constexpr auto describe(const TaskCommand*) {
                       field("file", &T::file, "with the plan of a fly_plan"));
 }
 
-/// The mission gives no more orders, or goes on and has all aircraft again.
+/// What becomes of a mission.
+enum class MissionAction : std::uint8_t {
+  kPause,   ///< it gives no more orders, its aircraft circle where they are
+  kResume,  ///< it goes on and has all its aircraft again, the operator's too
+  kStart,   ///< it begins now, whatever its own condition is
+  kEnd,     ///< it is over, its aircraft are free
+};
+constexpr auto names_of(const MissionAction*) {
+  return std::to_array<std::string_view>({"pause", "resume", "start", "end"});
+}
+
+/// A mission, or all of them, is paused, goes on, begins or ends.
 struct MissionCommand {
-  bool paused = true;  ///< aircraft circle where they are
+  MissionAction action = MissionAction::kPause;
+  std::string mission = {};  ///< its name; empty: all
 };
 
 constexpr auto describe(const MissionCommand*) {
   using T = MissionCommand;
-  return described<T>({"mission"}, "The mission stops giving orders, or goes on.",
-                      field("paused", &T::paused, "it stops, and its aircraft circle"));
+  return described<T>({"mission"}, "A mission is paused, goes on, begins or ends.",
+                      field("action", &T::action, "what becomes of it"),
+                      field("mission", &T::mission, "its name; empty: all"));
 }
 
 /// Simulated time stands still, or goes on.

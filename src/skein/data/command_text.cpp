@@ -106,9 +106,13 @@ Result<Command> fault(Words given, bool fails) {
 }
 
 Result<Command> mission(Words given) {
-  if (given.size() != 1 || (given[0] != "pause" && given[0] != "resume"))
-    return wrong("a mission is paused or resumed.", "Say: mission pause");
-  return Command(MissionCommand{given[0] == "pause"});
+  for (const MissionAction action : {MissionAction::kPause, MissionAction::kResume,
+                                     MissionAction::kStart, MissionAction::kEnd})
+    if ((given.size() == 1 || given.size() == 2) && given[0] == name_of(action))
+      return Command(MissionCommand{
+          action, given.size() == 2 ? std::string(given[1]) : std::string()});
+  return wrong("a mission is paused, resumed, started or ended.",
+               "Say: mission pause, or mission pause NAME; resume, start, end.");
 }
 
 // What the types of its fields leave open: empty when it can be obeyed.

@@ -13,7 +13,7 @@ namespace skein {
 ///   task AIRCRAFT KIND ...                      see data/task_text.h
 ///   task AIRCRAFT pause|resume|cancel           the task that it has
 ///   task AIRCRAFT give AIRCRAFT                 what is left of it, to another
-///   mission pause|resume
+///   mission pause|resume|start|end [NAME]      without a name: all missions
 ///   pause      resume      step [N]      speed fast|real|FACTOR
 ///   fault AIRCRAFT PART     repair AIRCRAFT PART        such as: motor, sensor imu, link
 ///   wind SPEED FROM_DEGREES      on top of the scenario's; wind off

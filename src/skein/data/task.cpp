@@ -117,6 +117,13 @@ std::string_view kind_of(const TaskKind& task) {
   return std::visit([]<class T>(const T&) { return kind_of<T>(); }, task);
 }
 
+void bind_others(TaskKind& task, std::span<const EntityId> others) {
+  if (auto* follow = std::get_if<FollowLeader>(&task); follow && others.size() == 1)
+    follow->leader = others[0];
+  else if (auto* relay = std::get_if<Relay>(&task); relay && others.size() == 2)
+    *relay = {others[0], others[1]};
+}
+
 std::string task_error(const TaskKind& task) {
   return std::visit(ErrorOf(), task);
 }

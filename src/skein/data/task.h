@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -20,6 +21,9 @@ using TaskKind =
 
 /// The word for a task.
 std::string_view kind_of(const TaskKind& task);
+
+/// Puts numbers of entities into a task, in the order in which it is about them.
+void bind_others(TaskKind& task, std::span<const EntityId> others);
 
 /// What is wrong with the values of a task, for people; empty when it says something to
 /// fly.

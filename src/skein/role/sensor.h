@@ -35,6 +35,9 @@ class Sensor {
   /// Whether it finds objects on the ground.
   virtual bool finds_objects() const { return false; }
 
+  /// Whether it says where a fire is.
+  virtual bool senses_fire() const { return false; }
+
   /// Appends what the sensor has to say at `view.now`; nothing between its samples.
   virtual void sample(const SensorView& view, std::vector<SensorSample>& out) = 0;
 };

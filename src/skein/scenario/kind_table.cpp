@@ -79,4 +79,12 @@ std::vector<std::string> KindTable::roles() const {
   return roles;
 }
 
+Choice default_choice(const KindTable& kinds, std::string_view role,
+                      std::string_view name) {
+  Choice choice{std::string(name), {}};
+  Problems unused({"defaults"});
+  Reader(kinds, {}, unused).complete(Type{ChoiceType{std::string(role)}}, &choice);
+  return choice;
+}
+
 }  // namespace skein::scenario

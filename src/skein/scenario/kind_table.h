@@ -54,4 +54,8 @@ class KindTable {
   std::map<std::string, std::vector<Kind>, std::less<>> kinds_;
 };
 
+/// A kind as a scenario has it that says nothing but its name. It must exist.
+Choice default_choice(const KindTable& kinds, std::string_view role,
+                      std::string_view name);
+
 }  // namespace skein::scenario

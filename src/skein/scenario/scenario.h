@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/fire.h"
 #include "skein/geo/local_frame.h"
 #include "skein/geo/polygon.h"
 #include "skein/scenario/choice.h"
@@ -120,6 +119,7 @@ struct AircraftGroup {
   Choice autopilot{"path"};
   std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
   Choice agent{"scout"};
+  std::string station;        ///< that it belongs to; empty: the first
   double altitude_agl = 120;  ///< [m]
   Time agent_period = Time::from_seconds(0.5);
   Start start;
@@ -131,30 +131,13 @@ struct AircraftGroup {
   std::vector<RandomFailure> random_failures;
 };
 
-/// The ground station, which keeps the belief and gives the orders.
+/// A ground station, which pursues missions and gives orders.
 struct Station {
+  std::string name = "station";
   Vec2 position = Vec2::Zero();  ///< [m]
   double antenna_agl = 5;        ///< height above the ground [m]
-  Choice agent{"coordinator"};
   Time agent_period = Time::from_seconds(0.5);
   std::optional<Time> heartbeat;  ///< between heartbeats; none: as autopilots need
-};
-
-/// From the start until an aircraft first crosses the perimeter.
-struct Deployment {
-  std::vector<double> courses;  ///< of the transects [rad]; empty: to the fire's origin
-  Time limit = Time::from_seconds(600);
-};
-
-/// Keeping the perimeter of a fire known.
-struct Monitoring {
-  Choice estimator{"adaptive"};
-  Choice strategy{"sweep"};
-  PerimeterPrior prior;
-  Deployment deployment;
-  Time forced_crossing = Time::from_seconds(300);  ///< 0 = off
-  Time lost_after = Time::from_seconds(5);
-  Time late_window = Time::from_seconds(60);
 };
 
 struct Recording {
@@ -183,8 +166,8 @@ struct Scenario {
   Environment environment;
   std::vector<AircraftGroup> aircraft = {AircraftGroup{}};
   Choice radio{"ideal"};
-  Station station;
-  Monitoring monitoring;
+  std::vector<Station> stations = {Station{}};
+  std::vector<Choice> missions = {{"perimeter"}};
   std::vector<PlannedCommand> commands;
   Recording record;
 };

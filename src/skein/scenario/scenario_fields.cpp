@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "skein/data/command_text.h"
 #include "skein/scenario/numbers.h"
@@ -244,6 +245,8 @@ Fields<AircraftGroup> aircraft_fields() {
       .kind("sensors", &T::sensors, "sensor", "What it senses with.")
       .items({.at_most = 50})
       .kind("agent", &T::agent, "agent", "What reasons on board.")
+      .text("station", &T::station,
+            "Ground station that it belongs to. Empty: the first.")
       .number("altitude_agl_m", &T::altitude_agl, "Flight altitude above ground.",
               {.above = 0, .at_most = 20000})
       .duration_s("agent_period_s", &T::agent_period,
@@ -284,66 +287,16 @@ Fields<AircraftGroup> aircraft_fields() {
 Fields<Station> station_fields() {
   using T = Station;
   return Fields<T>()
-      .point("position_m", &T::position, "Where the ground station stands.")
+      .text("name", &T::name, "What it is called; each name once.")
+      .point("position_m", &T::position, "Where it stands.")
       .number("antenna_agl_m", &T::antenna_agl, "Height of its antenna above ground.",
               {.at_least = 0, .at_most = 1000})
-      .kind("agent", &T::agent, "station-agent", "What reasons on the ground.")
       .duration_s("agent_period_s", &T::agent_period, "Time between two decisions.",
                   kPeriod)
       .duration_s("heartbeat_s", &T::heartbeat,
-                  "Time between two heartbeats to each aircraft; 0: none. Null: 1 s "
-                  "where an autopilot watches the link, else none.",
+                  "Time between two heartbeats to each of its aircraft; 0: none. Null: 1 "
+                  "s where an autopilot watches the link, else none.",
                   {.at_least = 0, .at_most = 3600});
-}
-
-Fields<PerimeterPrior> prior_fields() {
-  using T = PerimeterPrior;
-  return Fields<T>()
-      .point("origin_m", &T::origin, "Believed origin of the fire.")
-      .number("radius_m", &T::radius, "Believed distance of the perimeter at the start.",
-              kLength)
-      .number("radius_sd_m", &T::radius_sd, "Its standard deviation.", kLength)
-      .number("rate_mps", &T::rate, "Believed rate of spread.",
-              {.at_least = 0, .at_most = 100})
-      .number("rate_sd_mps", &T::rate_sd, "Its standard deviation.",
-              {.at_least = 0, .at_most = 100})
-      .point("wind_mps", &T::wind,
-             "Believed drift of the perimeter, towards where it moves.",
-             {.at_least = -100, .at_most = 100})
-      .number("wind_sd_mps", &T::wind_sd,
-              "Standard deviation of the drift that is not known, per axis.",
-              {.at_least = 0, .at_most = 100});
-}
-
-Fields<Deployment> deployment_fields() {
-  using T = Deployment;
-  return Fields<T>()
-      .angle_deg("courses_deg", &T::courses,
-                 "Courses of the transects, one for each aircraft, repeated when there "
-                 "are fewer. Empty: each flies to the believed origin.",
-                 kBearing)
-      .items({.at_most = 10000})
-      .duration_s("limit_s", &T::limit, "A transect without a crossing ends after this.",
-                  kPositive);
-}
-
-Fields<Monitoring> monitoring_fields() {
-  using T = Monitoring;
-  return Fields<T>()
-      .kind("estimator", &T::estimator, "estimator", "What keeps the belief.")
-      .kind("strategy", &T::strategy, "strategy", "What sends the aircraft.")
-      .object("prior", &T::prior, prior_fields(),
-              "What is known before the first reading.")
-      .object("deployment", &T::deployment, deployment_fields(),
-              "Until the first crossing.")
-      .duration_s("forced_crossing_s", &T::forced_crossing,
-                  "An aircraft without a crossing for this long is sent to cross. 0: "
-                  "never.",
-                  kNotNegative)
-      .duration_s("lost_after_s", &T::lost_after,
-                  "An aircraft silent for this long counts as lost.", kPositive)
-      .duration_s("late_window_s", &T::late_window, "Readings this late still count.",
-                  kNotNegative);
 }
 
 Fields<Recording> record_fields() {
@@ -391,7 +344,9 @@ std::vector<RuleViolation> period_errors(const Scenario& scenario,
                                     seconds_text(*flight_step), seconds_text(step)),
                         {"step_s"}});
   }
-  check("station.agent_period_s", scenario.station.agent_period);
+  for (std::size_t i = 0; i < scenario.stations.size(); ++i)
+    check(fmt::format("stations[{}].agent_period_s", i),
+          scenario.stations[i].agent_period);
   check("record.metrics_period_s", scenario.record.metrics_period);
   if (!valid("record.rate_hz")) return errors;
   // A rate is a rounded number: 3.33333 means every third step of 0.1 s.
@@ -405,6 +360,28 @@ std::vector<RuleViolation> period_errors(const Scenario& scenario,
              "(step_s); the nearest is {:.6g}.",
              scenario.record.rate_hz, seconds_text(step), 1 / nearest),
          {"step_s"}});
+  return errors;
+}
+
+// Stations of one name, and names of none.
+std::vector<RuleViolation> station_errors(const Scenario& scenario,
+                                          const ValidValues& valid) {
+  std::vector<RuleViolation> errors;
+  if (!valid("stations")) return errors;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < scenario.stations.size(); ++i)
+    if (!names.insert(scenario.stations[i].name).second)
+      errors.push_back({fmt::format("stations[{}].name", i),
+                        fmt::format("another station is called \"{}\" too.",
+                                    scenario.stations[i].name),
+                        {"stations"}});
+  for (std::size_t i = 0; i < scenario.aircraft.size(); ++i) {
+    const std::string& name = scenario.aircraft[i].station;
+    if (!name.empty() && names.count(name) == 0)
+      errors.push_back({fmt::format("aircraft[{}].station", i),
+                        fmt::format("there is no station \"{}\".", name),
+                        {"stations"}});
+  }
   return errors;
 }
 
@@ -446,13 +423,16 @@ Fields<Scenario> scenario_fields() {
       .object("aircraft", &T::aircraft, aircraft_fields(), "Groups of equal aircraft.")
       .items(kMaxGroups)
       .kind("radio", &T::radio, "radio", "The channel between all of them.")
-      .object("station", &T::station, station_fields(), "The ground station.")
-      .object("monitoring", &T::monitoring, monitoring_fields(), "The mission.")
+      .object("stations", &T::stations, station_fields(), "Ground stations.")
+      .items({.at_least = 1, .at_most = 100})
+      .kind("missions", &T::missions, "mission", "What is wanted of the aircraft.")
+      .items({.at_most = 1000})
       .object("commands", &T::commands, command_fields(),
               "What the scenario commands by itself, as an operator would.")
       .items({.at_most = 10000})
       .object("record", &T::record, record_fields(), "What is stored.")
-      .rules_of_valid(period_errors);
+      .rules_of_valid(period_errors)
+      .rules_of_valid(station_errors);
 }
 
 }  // namespace skein::scenario

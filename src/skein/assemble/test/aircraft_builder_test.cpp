@@ -82,7 +82,7 @@ TEST(AircraftBuilder, SaysWhyPartsDoNotFit) {
   EXPECT_NE(refusal("aircraft: [{start: {on_ground: true}}]").find("cannot stand"),
             std::string::npos);
   EXPECT_NE(refusal("step_s: 0.016\nrecord: {rate_hz: 62.5, metrics_period_s: 0.16}\n"
-                    "station: {agent_period_s: 0.16}\n"
+                    "stations: [{agent_period_s: 0.16}]\n"
                     "aircraft: [{plant: fixed-wing, autopilot: skein, sensors: [flight], "
                     "agent_period_s: 0.16}]")
                 .find("flight_step_s"),

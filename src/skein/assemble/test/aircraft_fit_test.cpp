@@ -59,7 +59,7 @@ TEST(AircraftFit, FailsafesWaitForLongerThanTheirSensorsAreSilent) {
   expect_said(skein("failsafe: {link: {delay_s: 0}}"),
               "autopilot.failsafe.link.delay_s: 0 must be above 1");
   expect_said(skein("failsafe: {link: {delay_s: 5}}"), "must be above 10",
-              "station: {heartbeat_s: 10}");
+              "stations: [{heartbeat_s: 10}]");
   // 5 fixes a second, 0.1 s late.
   expect_said(skein("failsafe: {gnss: {delay_s: 0}}"),
               "autopilot.failsafe.gnss.delay_s: 0 must be above 0.3");
@@ -70,7 +70,7 @@ TEST(AircraftFit, FailsafesWaitForLongerThanTheirSensorsAreSilent) {
   EXPECT_EQ(said_of(skein("failsafe: {link: {delay_s: 1.5}, gnss: {delay_s: 0.5}}")), "");
   // Without heartbeats nothing is known of how often the station is received.
   EXPECT_EQ(
-      said_of(skein("failsafe: {link: {delay_s: 0.5}}"), "station: {heartbeat_s: 0}"),
+      said_of(skein("failsafe: {link: {delay_s: 0.5}}"), "stations: [{heartbeat_s: 0}]"),
       "");
 }
 
@@ -168,7 +168,7 @@ TEST(AircraftFit, SlowRotorsGiveAWarning) {
 
 TEST(AircraftFit, AStationWithoutHeartbeatsGivesAWarning) {
   const auto silent =
-      doubts_of(skein("rounds_corners: true"), "station: {heartbeat_s: 0}");
+      doubts_of(skein("rounds_corners: true"), "stations: [{heartbeat_s: 0}]");
   ASSERT_EQ(silent.size(), 1u);
   EXPECT_NE(silent[0].find("failsafe link of scout-1 acts"), std::string::npos);
   EXPECT_TRUE(doubts_of(skein("rounds_corners: true")).empty());

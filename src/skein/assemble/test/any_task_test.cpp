@@ -14,7 +14,7 @@ std::string scenario_of(const char* plant, const char* agent) {
 seed: 5
 duration_s: 760
 environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 4, from_deg: 130}}}}
-station: {{agent: listener}}
+missions: []
 aircraft:
   - name: a
     plant: {}
@@ -73,7 +73,7 @@ TEST(AnyTask, ThatCannotBeFlownIsRefused) {
   const FlightLog log = fly(R"(
 duration_s: 20
 environment: {terrain: flat, fire: none}
-station: {agent: listener}
+missions: []
 aircraft: [{name: a, agent: scout}]
 commands:
   - {at_s: 5, do: '{"kind": "task", "aircraft": "a-1", "what": {"kind": "follow_leader", "leader_id": 1}}'}

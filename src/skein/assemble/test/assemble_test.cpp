@@ -41,8 +41,8 @@ TEST(Kinds, EveryKindHasDefaultsThatAreAllowedAndCanBeMade) {
   EXPECT_GE(table.of("strategy").size(), 6u);
   for (const auto& kind : table.of("estimator"))
     for (const auto& strategy : table.of("strategy"))
-      EXPECT_TRUE(build(read("duration_s: 1\nmonitoring: {estimator: " + kind.name +
-                             ", strategy: " + strategy.name + "}"),
+      EXPECT_TRUE(build(read("duration_s: 1\nmissions: [{kind: perimeter, estimator: " + kind.name +
+                             ", strategy: " + strategy.name + "}]"),
                         KindRegistry())
                       .ok())
           << kind.name << " " << strategy.name;
@@ -160,7 +160,7 @@ TEST(Kinds, HaveRoundDefaultsInTheUnitsOfTheirKeys) {
 // All keys of a choice stand for something: other kinds' keys are unknown.
 TEST(Kinds, HaveOnlyTheKeysThatTheyUse) {
   const auto problem = [](const std::string& estimator) {
-    return problems_of("monitoring: {estimator: {" + estimator + "}}");
+    return problems_of("missions: [{kind: perimeter, estimator: {" + estimator + "}}]");
   };
   for (const char* good :
        {"kind: qkf, control_points: 90", "kind: joint, control_points: 90",
@@ -173,7 +173,7 @@ TEST(Kinds, HaveOnlyTheKeysThatTheyUse) {
         "kind: point-reset, gate_sigmas: 2", "kind: ensemble, control_points: 90"})
     EXPECT_NE(problem(bad).find("unknown key. The kind \""), std::string::npos)
         << problem(bad);
-  EXPECT_NE(problems_of("monitoring: {control_points: 60}").find("unknown key"),
+  EXPECT_NE(problems_of("missions: [{kind: perimeter, control_points: 60}]").find("unknown key"),
             std::string::npos);
 }
 
@@ -223,16 +223,16 @@ TEST(Run, TakesNoAircraftAndHardlyAnyTime) {
 TEST(Kinds, AnEnsembleThatIsTooLargeIsRefusedBeforeItTakesMemory) {
   const auto problems = [](const std::string& ensemble) {
     return scenario::read_scenario_text(
-               "monitoring: {estimator: {kind: ensemble, cell_m: "
+               "missions: [{kind: perimeter, estimator: {kind: ensemble, cell_m: "
                "0.5, " +
-                   ensemble + "}}",
+                   ensemble + "}}]",
                "test", ".", kind_table())
         .report();
   };
   EXPECT_EQ(problems("members: 40, max_nodes: 1000000"), "");
   EXPECT_EQ(
       problems("members: 50, max_nodes: 1000000"),
-      "test:1:68 monitoring.estimator.max_nodes: 1000000 nodes of 50 members are too "
+      "test:1:68 missions[0].estimator.max_nodes: 1000000 nodes of 50 members are too "
       "much memory; at most 800000 nodes are allowed for so many members.\n1 "
       "problem; nothing was run.\n");
   EXPECT_NE(problems("max_nodes: 10000000"), "");
@@ -241,7 +241,7 @@ TEST(Kinds, AnEnsembleThatIsTooLargeIsRefusedBeforeItTakesMemory) {
 TEST(Kinds, TooManyParticlesAreRefusedBeforeTheyTakeMemory) {
   const auto problems = [](const std::string& particles) {
     return scenario::read_scenario_text(
-               "monitoring: {estimator: {kind: particle, " + particles + "}}", "test",
+               "missions: [{kind: perimeter, estimator: {kind: particle, " + particles + "}}]", "test",
                ".", kind_table())
         .report();
   };

@@ -54,7 +54,7 @@ environment:
   terrain: flat
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
   fire: none
-station: {{agent: formation}}
+missions: [formation]
 aircraft:
   - plant: {}
     autopilot: {{kind: skein, {}}}

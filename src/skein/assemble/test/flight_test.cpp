@@ -35,7 +35,7 @@ environment:
   wind: {{kind: uniform, speed_mps: {}, from_deg: 250}}
   turbulence: {}
   fire: none
-station: {{agent: formation}}
+missions: [formation]
 aircraft:
   - plant: {}
     autopilot: skein

@@ -15,7 +15,7 @@ std::string scenario_of(const char* plant, const char* agent, const char* more =
 seed: 3
 duration_s: 420
 environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 3, from_deg: 0}}, turbulence: {{kind: dryden, intensity: light}}{}}}
-station: {{agent: listener}}
+missions: []
 aircraft:
   - name: a
     plant: {}
@@ -64,7 +64,7 @@ environment:
   terrain: {{kind: hill, height_m: 300, width_m: 400, centre_m: [0, 0]}}
   wind: {{kind: uniform, speed_mps: 0, from_deg: 0}}
   fire: none
-station: {{agent: listener}}
+missions: []
 aircraft:
   - plant: {{kind: fixed-wing, aircraft: {}}}
     autopilot: skein

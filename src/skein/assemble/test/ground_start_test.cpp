@@ -53,7 +53,7 @@ FlightLog stand(const char* aircraft, bool held) {
 seed: 5
 duration_s: 4.9
 environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 8, from_deg: 90}}, turbulence: {{kind: dryden, intensity: severe}}}}
-station: {{agent: listener}}
+missions: []
 aircraft:
   - plant: {{kind: fixed-wing, aircraft: {}}}
     autopilot: skein

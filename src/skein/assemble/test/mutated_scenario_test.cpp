@@ -101,7 +101,7 @@ TEST(MutatedScenario, EveryPeriodMayBeAnything) {
   const scenario::KindTable kinds = kind_table();
   for (const char* path :
        {"step_s", "duration_s", "environment.period_s", "aircraft[0].agent_period_s",
-        "aircraft[0].flight_step_s", "station.agent_period_s", "record.rate_hz",
+        "aircraft[0].flight_step_s", "stations[0].agent_period_s", "record.rate_hz",
         "record.metrics_period_s", "record.perimeter_period_s"})
     for (const char* value : kValues) {
       const auto outcome = scenario::read_scenario_text(

@@ -39,7 +39,7 @@ TEST(RecordedScenario, TakesPlaceSizeDurationAndDateFromTheData) {
   EXPECT_TRUE(has("origin.latitude_deg=38.9000"));
   EXPECT_TRUE(has("origin.longitude_deg=-121.0000"));
   // 1,110 m by 868 m: the circle of that area has a radius of 554 m.
-  EXPECT_TRUE(has("monitoring.prior.radius_m=554"));
+  EXPECT_TRUE(has("missions[0].prior.radius_m=554"));
   EXPECT_TRUE(has("environment.terrain=flat"));
 }
 

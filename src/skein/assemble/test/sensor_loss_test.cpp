@@ -34,7 +34,7 @@ FlightLog flown(const Case& c) {
 seed: {}
 duration_s: {}
 environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: {}, from_deg: {}}}, turbulence: {{kind: dryden, intensity: light}}}}
-station: {{agent: listener}}
+missions: []
 aircraft:
   - plant: {}
     autopilot: skein

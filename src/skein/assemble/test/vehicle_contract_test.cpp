@@ -26,7 +26,7 @@ std::unique_ptr<Vehicle> vehicle_of(const Flown& flown) {
       fmt::format(R"(
 duration_s: 60
 environment: {{terrain: flat, wind: {{kind: uniform, speed_mps: 0}}, fire: none}}
-station: {{agent: formation}}
+missions: [formation]
 aircraft:
   - plant: {}
     autopilot: {}

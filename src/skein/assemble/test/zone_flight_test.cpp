@@ -25,7 +25,7 @@ environment:
   fire: none
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
   zones: [{}]
-station: {{agent: listener}}
+missions: []
 {}
 aircraft:
   - name: a
@@ -91,7 +91,7 @@ environment:
   zones:
     - {{name: route, centre_m: [500, 10], radius_m: 80, active: false, switches: [{{at_s: 14}}]}}
     - {{name: home, centre_m: [-10, 0], radius_m: 60, active: false, switches: [{{at_s: 60}}]}}
-station: {{agent: listener}}
+missions: []
 aircraft:
   - name: a
     plant: {}
@@ -127,7 +127,7 @@ environment:
   fire: none
   wind: {{kind: uniform, speed_mps: 5, from_deg: 250}}
   zones: [{{name: corner, centre_m: [1500, 0], radius_m: 200, active: false, switches: [{{at_s: 20}}]}}]
-station: {{agent: listener}}
+missions: []
 aircraft:
   - name: a
     {}
@@ -273,7 +273,7 @@ environment:
     - {name: two, ring_m: [[500, -900], [800, -900], [800, 900], [500, 900]],
        active: false, switches: [{at_s: 20}]}
 radio: {kind: ideal, loss: 0.3}
-station: {agent: listener}
+missions: []
 aircraft:
   - {name: a, count: 30, agent: {kind: route, points_m: [[0, 0], [1500, 0]], laps: 4}}
   - {name: b, count: 10, agent: scout}

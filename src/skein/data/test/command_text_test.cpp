@@ -32,8 +32,9 @@ TEST(CommandText, SaysEveryCommand) {
   EXPECT_DOUBLE_EQ(
       std::get<FlyCourse>(parsed<TaskCommand>("task a course 90").what).course,
       geo::kPi / 2);
-  EXPECT_TRUE(parsed<MissionCommand>("mission pause").paused);
-  EXPECT_FALSE(parsed<MissionCommand>("mission resume").paused);
+  EXPECT_EQ(parsed<MissionCommand>("mission pause").action, MissionAction::kPause);
+  EXPECT_EQ(parsed<MissionCommand>("mission resume").mission, "");
+  EXPECT_EQ(parsed<MissionCommand>("mission start fire").mission, "fire");
   EXPECT_TRUE(parsed<PauseCommand>("pause").paused);
   EXPECT_FALSE(parsed<PauseCommand>("resume").paused);
   EXPECT_EQ(parsed<StepCommand>("step").steps, 1u);

@@ -18,6 +18,7 @@ class EdgeFinder final : public Sensor {
   /// Cost: linear in the points of the boundary.
   void sample(const SensorView& view, std::vector<SensorSample>& out) override;
   bool payload() const override { return true; }
+  bool senses_fire() const override { return true; }
 
  private:
   EdgeFinderOptions options_;

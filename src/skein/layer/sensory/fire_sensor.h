@@ -24,6 +24,7 @@ class FireSensor final : public Sensor {
              std::uint32_t instance = 0);
   void sample(const SensorView& view, std::vector<SensorSample>& out) override;
   bool payload() const override { return true; }
+  bool senses_fire() const override { return true; }
 
  private:
   FireSensorOptions options_;

@@ -47,25 +47,25 @@ TEST(Description, NarrowsIntegersToTheirType) {
 }
 
 TEST(Description, LimitsListsOfStructs) {
-  std::string many = "monitoring: {estimator: {kind: joint, layers: [";
+  std::string many = "radio: {kind: joint, layers: [";
   for (int i = 0; i <= 10000; ++i) many += "{},";
   EXPECT_EQ(
-      problems_of(many + "]}}"),
-      "test.yaml:1:47 monitoring.estimator.layers: 10001 elements; needs a list, at "
+      problems_of(many + "]}"),
+      "test.yaml:1:30 radio.layers: 10001 elements; needs a list, at "
       "most 10000, each keys with values.\n");
 }
 
 TEST(Description, NamesTheLineOfAKindThatLacksARequiredKey) {
   KindTable kinds = fake_kinds();
-  kinds.add("estimator", "strict", "",
+  kinds.add("radio", "strict", "",
             Fields<QkfOptions>()
                 .number("gain", &QkfOptions::gain, "", {.above = 0})
                 .required());
   const ReadOutcome outcome = read_scenario_text(
-      "name: x\nmonitoring: {estimator: strict}", "a.yaml", "/", kinds);
+      "name: x\nradio: strict", "a.yaml", "/", kinds);
   ASSERT_EQ(outcome.problems.size(), 1u);
   EXPECT_EQ(outcome.problems[0].text(),
-            "a.yaml:2:25 monitoring.estimator.gain: is missing; needs a number above 0.");
+            "a.yaml:2:8 radio.gain: is missing; needs a number above 0.");
 }
 
 TEST(Schema, DescribesKeysRangesAndKinds) {
@@ -79,7 +79,7 @@ TEST(Schema, DescribesKeysRangesAndKinds) {
   const auto& group = schema["properties"]["aircraft"]["items"]["properties"];
   EXPECT_EQ(group["plant"]["$ref"], "#/$defs/kind-of-plant");
   EXPECT_EQ(group["failures"]["items"]["required"][0], "at_s");
-  const auto& kinds = schema["$defs"]["kind-of-estimator"]["oneOf"];
+  const auto& kinds = schema["$defs"]["kind-of-radio"]["oneOf"];
   ASSERT_EQ(kinds.size(), 6u);  // each by name alone and with keys
   EXPECT_EQ(kinds[0]["const"], "joint");
   EXPECT_EQ(kinds[1]["properties"]["airspeed_mps"]["exclusiveMinimum"], 0);
@@ -92,7 +92,7 @@ TEST(Markdown, HasARowForEveryKey) {
        {"| `step_s` | a number from 0.001 to 10 [s] | `0.1` | Time step of the simu",
         "### aircraft[].start\n", "| `sensors` | list of [sensor](#sensor) | `[gnss, ",
         "| `at_s` | a number from 0 to 4000000 [s] | required | When it happens. |\n",
-        "#### estimator: qkf\n", "| `colour` | red or green | `red` | A \\| B. |\n",
+        "#### radio: qkf\n", "| `colour` | red or green | `red` | A \\| B. |\n",
         "### joint.layers[]\n", "<br>`heun`: second order"}) {
     EXPECT_NE(text.find(row), std::string::npos) << row << "\n" << text;
   }

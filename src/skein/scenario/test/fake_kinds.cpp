@@ -36,10 +36,11 @@ Fields<FakeOptions> fake_fields() {
 
 KindTable fake_kinds() {
   KindTable kinds;
-  kinds.add("estimator", "joint", "One Gaussian.", fake_fields())
-      .add("estimator", "qkf", "The thesis's filter.",
+  kinds.add("radio", "joint", "One Gaussian.", fake_fields())
+      .add("radio", "qkf", "The thesis's filter.",
            Fields<QkfOptions>().number("gain", &QkfOptions::gain, "Gain.", {.above = 0}))
-      .add("estimator", "adaptive", "Either.", fake_fields())
+      .add("radio", "ideal", "By default.", fake_fields())
+      .add("terrain", "joint", "One more.", fake_fields())
       .add("plant", "kinematic", "Points.", fake_fields());
   // Whatever else a scenario chooses by default has no options here.
   const Scenario defaults;
@@ -52,9 +53,7 @@ KindTable fake_kinds() {
   add("fire", defaults.environment.fire);
   add("radio", defaults.radio);
   add("turbulence", defaults.environment.turbulence);
-  add("station-agent", defaults.station.agent);
-  add("estimator", defaults.monitoring.estimator);
-  add("strategy", defaults.monitoring.strategy);
+  for (const Choice& mission : defaults.missions) add("mission", mission);
   add("plant", group.plant);
   add("autopilot", group.autopilot);
   add("agent", group.agent);

@@ -17,8 +17,8 @@ TEST(Override, ReplacesWhatTheFileSays) {
 TEST(Override, ChangesTheDefaultWhereTheFileSaysNothing) {
   const Scenario s =
       read_good("name: x", {"aircraft[0].count=5", "aircraft[0].plant.airspeed_mps=33",
-                            "monitoring.estimator.harmonics=7",
-                            "monitoring.prior.radius_m=80", "aircraft[1].name=late"});
+                            "radio.harmonics=7",
+                            "origin.latitude_deg=48", "aircraft[1].name=late"});
   ASSERT_EQ(s.aircraft.size(), 2u);
   EXPECT_EQ(s.aircraft[0].count, 5);
   // The rest of the default group stays.
@@ -26,8 +26,8 @@ TEST(Override, ChangesTheDefaultWhereTheFileSaysNothing) {
   EXPECT_EQ(s.aircraft[0].plant.as<FakeOptions>().airspeed, 33);
   EXPECT_EQ(s.aircraft[0].plant.as<FakeOptions>().harmonics, FakeOptions{}.harmonics);
   EXPECT_EQ(s.aircraft[1].name, "late");
-  EXPECT_EQ(s.monitoring.estimator.as<FakeOptions>().harmonics, 7);
-  EXPECT_EQ(s.monitoring.prior.radius, 80);
+  EXPECT_EQ(s.radio.as<FakeOptions>().harmonics, 7);
+  EXPECT_EQ(s.origin.latitude_deg, 48);
 }
 
 TEST(Override, FillsInTheDefaultElementsThatItLeavesAlone) {
@@ -39,16 +39,16 @@ TEST(Override, FillsInTheDefaultElementsThatItLeavesAlone) {
 
 TEST(Override, SetsKeysOfAKindGivenByNameAlone) {
   const Scenario s =
-      read_good("monitoring: {estimator: qkf}", {"monitoring.estimator.gain=3"});
-  EXPECT_EQ(s.monitoring.estimator.as<QkfOptions>().gain, 3);
+      read_good("radio: qkf", {"radio.gain=3"});
+  EXPECT_EQ(s.radio.as<QkfOptions>().gain, 3);
 }
 
 TEST(Override, TakesListsAndKeysAsValues) {
   const Scenario s =
-      read_good("name: x", {"station.position_m=[1, 2]",
-                            "monitoring.estimator={kind: qkf, gain: 4}", "aircraft=[]"});
-  EXPECT_EQ(s.station.position, Vec2(1, 2));
-  EXPECT_EQ(s.monitoring.estimator.as<QkfOptions>().gain, 4);
+      read_good("name: x", {"stations[0].position_m=[1, 2]",
+                            "radio={kind: qkf, gain: 4}", "aircraft=[]"});
+  EXPECT_EQ(s.stations.at(0).position, Vec2(1, 2));
+  EXPECT_EQ(s.radio.as<QkfOptions>().gain, 4);
   EXPECT_TRUE(s.aircraft.empty());
 }
 
@@ -58,9 +58,9 @@ TEST(Override, MendsAProblemOfTheFile) {
 
 TEST(Override, ReportsUnknownPathsAndBadValues) {
   EXPECT_EQ(
-      problems_of("name: x", {"monitoring.estimater=qkf", "seed=-1"}),
-      "--set monitoring.estimater=qkf monitoring.estimater: unknown key. Did you mean "
-      "\"estimator\"?\n"
+      problems_of("name: x", {"environment.tarrain=qkf", "seed=-1"}),
+      "--set environment.tarrain=qkf environment.tarrain: unknown key. Did you mean "
+      "\"terrain\"?\n"
       "--set seed=-1 seed: -1 must be at least 0. The default is 1.\n");
   EXPECT_EQ(
       problems_of("name: x", {"seed=18446744073709551615"}),

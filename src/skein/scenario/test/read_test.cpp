@@ -11,8 +11,8 @@
 namespace skein::scenario::test {
 namespace {
 
-const FakeOptions& estimator_of(const Scenario& scenario) {
-  return scenario.monitoring.estimator.as<FakeOptions>();
+const FakeOptions& radio_of(const Scenario& scenario) {
+  return scenario.radio.as<FakeOptions>();
 }
 
 TEST(Read, GivesEveryDefaultToAThreeLineScenario) {
@@ -35,28 +35,27 @@ TEST(Read, TakesARunWithoutAircraftButNotOneWithoutTime) {
 
 TEST(Read, TakesEveryTypeOfKey) {
   const Scenario s = read_good(R"(
-monitoring:
-  estimator:
-    kind: joint
-    airspeed_mps: 2.5e1
-    bank_deg: 45
-    timeout_s: 0.1
-    delay_s: +.5
-    harmonics: 0
-    robust: false
-    label: 12
-    colour: green
-    method: euler
-    drift_mps: [-1, 2]
-    map: CMakeLists.txt
-    gains: [0, 1e3]
-    points_m: [[1, 2], [3, 4]]
-    layers:
-      - {height_m: 50}
-      - speed_mps: 9
-    limit_m: 4
-    extra: {}
-    courses_deg: []
+radio:
+  kind: joint
+  airspeed_mps: 2.5e1
+  bank_deg: 45
+  timeout_s: 0.1
+  delay_s: +.5
+  harmonics: 0
+  robust: false
+  label: 12
+  colour: green
+  method: euler
+  drift_mps: [-1, 2]
+  map: CMakeLists.txt
+  gains: [0, 1e3]
+  points_m: [[1, 2], [3, 4]]
+  layers:
+    - {height_m: 50}
+    - speed_mps: 9
+  limit_m: 4
+  extra: {}
+  courses_deg: []
 )");
   FakeOptions requested;
   requested.airspeed = 25;
@@ -77,14 +76,14 @@ monitoring:
   requested.limit = 4;
   requested.extra = Layer{};
   requested.courses = {};
-  EXPECT_EQ(estimator_of(s), requested);
+  EXPECT_EQ(radio_of(s), requested);
 }
 
 TEST(Read, TakesAKindByItsNameAlone) {
-  const Scenario s = read_good("monitoring: {estimator: qkf}\nradio: ideal");
-  EXPECT_EQ(s.monitoring.estimator.as<QkfOptions>().gain, 1);
-  EXPECT_NO_THROW(s.radio.as<NoOptions>());
-  EXPECT_THROW(s.radio.as<QkfOptions>(), Bug);
+  const Scenario s = read_good("radio: qkf\nenvironment: {wind: uniform}");
+  EXPECT_EQ(s.radio.as<QkfOptions>().gain, 1);
+  EXPECT_NO_THROW(s.environment.wind.as<NoOptions>());
+  EXPECT_THROW(s.environment.wind.as<QkfOptions>(), Bug);
 }
 
 TEST(Read, TakesAnchorsAndAliases) {
@@ -97,17 +96,17 @@ TEST(Read, TakesAnchorsAndAliases) {
 
 TEST(Read, ReportsAllProblemsAtOnceInTheOrderOfTheirPlaces) {
   EXPECT_EQ(
-      problems_of("monitoring:\n"
-                  "  estimator: {kind: joint, airspeed_mps: -1.2}\n"
-                  "  stratgy: gus-rate\n"
+      problems_of("environment:\n"
+                  "  terrain: {kind: joint, airspeed_mps: -1.2}\n"
+                  "  tarrain: gus-rate\n"
                   "aircraft:\n"
                   "  - count: two\n"
                   "  - plant:\n"
                   "      kind: kinematic\n"
                   "      harmonics: 31\n"),
-      "test.yaml:2:42 monitoring.estimator.airspeed_mps: -1.2 must be above 0 and at "
+      "test.yaml:2:40 environment.terrain.airspeed_mps: -1.2 must be above 0 and at "
       "most 100. The default is 20.\n"
-      "test.yaml:3:3 monitoring.stratgy: unknown key. Did you mean \"strategy\"?\n"
+      "test.yaml:3:3 environment.tarrain: unknown key. Did you mean \"terrain\"?\n"
       "test.yaml:5:12 aircraft[0].count: found \"two\", needs a whole number from 0 "
       "to 10000. The default is 1.\n"
       "test.yaml:8:18 aircraft[1].plant.harmonics: 31 must be from 0 to 30. The "
@@ -198,8 +197,8 @@ INSTANTIATE_TEST_SUITE_P(
              "kg."},
         Case{"seed_m: 90",
              "test.yaml:1:1 seed_m: unknown key. The key is \"seed\", without a unit."},
-        Case{"monitoring: {estimator: {kind: joint, airspeed_kmh: 72}}",
-             "test.yaml:1:39 monitoring.estimator.airspeed_kmh: unknown key. The unit "
+        Case{"radio: {kind: joint, airspeed_kmh: 72}",
+             "test.yaml:1:22 radio.airspeed_kmh: unknown key. The unit "
              "here "
              "is m/s, not km/h: write \"airspeed_mps: 20\"."},
         Case{
@@ -207,18 +206,18 @@ INSTANTIATE_TEST_SUITE_P(
             "test.yaml:2:1: the key \"seed\" stands here a second time; first in line 1. "
             "Remove one of the two."},
         Case{"? [a]\n: 1\nname: x", "test.yaml:1:3: a key must be a word."},
-        Case{"monitoring: {estimator: joitn}",
-             "test.yaml:1:25 monitoring.estimator: unknown kind of estimator: \"joitn\". "
-             "Did you mean \"joint\"? Kinds: joint, qkf or adaptive."},
-        Case{"monitoring: {estimator: {gain: 2}}",
-             "test.yaml:1:25 monitoring.estimator: has no \"kind\". Kinds: joint, qkf or "
-             "adaptive."},
+        Case{"radio: joitn",
+             "test.yaml:1:8 radio: unknown kind of radio: \"joitn\". "
+             "Did you mean \"joint\"? Kinds: joint, qkf or ideal."},
+        Case{"radio: {gain: 2}",
+             "test.yaml:1:8 radio: has no \"kind\". Kinds: joint, qkf or "
+             "ideal."},
         Case{
-            "monitoring: {estimator: [qkf]}",
-            "test.yaml:1:25 monitoring.estimator: found a list, needs the name of a kind "
-            "of estimator, or its keys with \"kind\". Kinds: joint, qkf or adaptive."},
-        Case{"monitoring: {estimator: {kind: qkf, harmonics: 2}}",
-             "test.yaml:1:37 monitoring.estimator.harmonics: unknown key. The kind "
+            "radio: [qkf]",
+            "test.yaml:1:8 radio: found a list, needs the name of a kind "
+            "of radio, or its keys with \"kind\". Kinds: joint, qkf or ideal."},
+        Case{"radio: {kind: qkf, harmonics: 2}",
+             "test.yaml:1:20 radio.harmonics: unknown key. The kind "
              "\"joint\" has it, \"qkf\" has not."},
         Case{"radio: {kind: ideal, speed: 2}",
              "test.yaml:1:22 radio.speed: unknown key. Known here: kind."},
@@ -271,11 +270,11 @@ INSTANTIATE_TEST_SUITE_P(
              "test.yaml:1:25 environment.zones_m[0]: 2 elements; needs a list, at least "
              "3, "
              "each [north, east]."},
-        Case{"monitoring: {estimator: {kind: joint, map: no.tif}}",
-             "test.yaml:1:44 monitoring.estimator.map: \"" SKEIN_SOURCE_DIR
+        Case{"radio: {kind: joint, map: no.tif}",
+             "test.yaml:1:27 radio.map: \"" SKEIN_SOURCE_DIR
              "/no.tif\" does not exist."},
-        Case{"monitoring: {estimator: {kind: joint, map: src}}",
-             "test.yaml:1:44 monitoring.estimator.map: \"" SKEIN_SOURCE_DIR
+        Case{"radio: {kind: joint, map: src}",
+             "test.yaml:1:27 radio.map: \"" SKEIN_SOURCE_DIR
              "/src\" is a folder."},
         Case{"aircraft: [{failures: [{kind: land}]}]",
              "test.yaml:1:24 aircraft[0].failures[0].at_s: is missing; needs a number "
@@ -372,10 +371,10 @@ TEST(ReadFile, FindsFilesBesideTheScenario) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "map.txt") << "x";
   std::ofstream(folder / "a.yaml")
-      << "monitoring: {estimator: {kind: joint, map: ./map.txt}}\n";
+      << "radio: {kind: joint, map: ./map.txt}\n";
   const ReadOutcome outcome = read_scenario(folder / "a.yaml", fake_kinds());
   ASSERT_EQ(outcome.report(), "");
-  EXPECT_EQ(estimator_of(*outcome.scenario).map, (folder / "map.txt").string());
+  EXPECT_EQ(radio_of(*outcome.scenario).map, (folder / "map.txt").string());
   std::filesystem::remove_all(folder);
 }
 

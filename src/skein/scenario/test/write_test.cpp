@@ -18,14 +18,14 @@ std::string write(const Scenario& scenario) {
   return write_scenario(scenario, fake_kinds());
 }
 
-Scenario with_estimator(const FakeOptions& options) {
+Scenario with_radio(const FakeOptions& options) {
   Scenario scenario;
-  scenario.monitoring.estimator = {"joint", options};
+  scenario.radio = {"joint", options};
   return scenario;
 }
 
 FakeOptions round_trip(const FakeOptions& options) {
-  return read_good(write(with_estimator(options))).monitoring.estimator.as<FakeOptions>();
+  return read_good(write(with_radio(options))).radio.as<FakeOptions>();
 }
 
 TEST(Write, GivesAFileThatReadsAsTheSameScenario) {
@@ -39,7 +39,7 @@ TEST(Write, GivesAFileThatReadsAsTheSameScenario) {
       "aircraft:\n"
       "  - {count: 0, leave_s: 5, start: {heading_deg: 359.9, first_bearing_deg: 0.1}}\n"
       "  - {sensors: [], failures: [{at_s: 1}, {at_s: 2, kind: land, until_s: 3}]}\n"
-      "monitoring: {estimator: qkf, deployment: {courses_deg: [10, -20.7]}}\n");
+      "radio: {kind: joint, courses_deg: [10, -20.7]}\n");
   const std::string text = write(s);
   const Scenario again = read_good(text);
   EXPECT_EQ(write(again), text);
@@ -48,25 +48,25 @@ TEST(Write, GivesAFileThatReadsAsTheSameScenario) {
   EXPECT_EQ(again.duration, Time::from_ns(1));
   EXPECT_EQ(again.environment.zone_rings, s.environment.zone_rings);
   EXPECT_EQ(again.aircraft.at(0).start.heading, s.aircraft.at(0).start.heading);
-  EXPECT_EQ(again.monitoring.deployment.courses, s.monitoring.deployment.courses);
+  EXPECT_EQ(again.radio.as<FakeOptions>().courses, s.radio.as<FakeOptions>().courses);
 }
 
 TEST(Write, FillsInEveryDefault) {
   const std::string text = write(read_good("name: x"));
   EXPECT_NE(text.find("\nduration_s: 3600\nstep_s: 0.1\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\naircraft:\n  - name: scout\n    count: 1\n"), std::string::npos);
-  EXPECT_NE(text.find("    kind: adaptive\n    airspeed_mps: 20\n"), std::string::npos);
+  EXPECT_NE(text.find("\nradio:\n  kind: ideal\n  airspeed_mps: 20\n"), std::string::npos);
   EXPECT_NE(text.find("    sensors: [gnss, "), std::string::npos) << text;
   EXPECT_NE(text.find("    leave_s: null\n"), std::string::npos);
 }
 
 TEST(Write, KeepsAbsoluteFilePaths) {
   const Scenario s =
-      read_good("monitoring: {estimator: {kind: joint, map: CMakeLists.txt}}");
+      read_good("radio: {kind: joint, map: CMakeLists.txt}");
   const ReadOutcome moved =
       read_scenario_text(write(s), "run.yaml", "/somewhere/else", fake_kinds());
   ASSERT_EQ(moved.report(), "");
-  EXPECT_EQ(moved.scenario->monitoring.estimator.as<FakeOptions>().map,
+  EXPECT_EQ(moved.scenario->radio.as<FakeOptions>().map,
             SKEIN_SOURCE_DIR "/CMakeLists.txt");
 }
 
@@ -75,8 +75,8 @@ TEST(Write, KeepsAbsoluteFilePaths) {
 TEST(Write, KeepsTheBitsOfDefaultAngles) {
   const Scenario first = read_good("name: x");
   const Scenario second = read_good(write(first));
-  const auto& a = first.monitoring.estimator.as<FakeOptions>();
-  const auto& b = second.monitoring.estimator.as<FakeOptions>();
+  const auto& a = first.radio.as<FakeOptions>();
+  const auto& b = second.radio.as<FakeOptions>();
   EXPECT_EQ(a, b);
   EXPECT_NEAR(a.bank, FakeOptions{}.bank, 1e-15);  // one rounding
 }

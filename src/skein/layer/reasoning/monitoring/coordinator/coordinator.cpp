@@ -61,6 +61,12 @@ void Coordinator::step(const AgentInput& in, AgentOutput& out) {
   record_belief(in.now, out);
 }
 
+MissionDemand Coordinator::demand() const {
+  MissionDemand demand;
+  demand.place = options_.origin;
+  return demand;
+}
+
 void Coordinator::record_belief(Time now, AgentOutput& out) {
   if (now < next_record_) return;
   next_record_ = std::max(next_record_ + options_.record_period, now);

@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/monitoring/confidence/confidence_monitor.h"
 #include "skein/layer/reasoning/monitoring/coordinator/belief.h"
 #include "skein/layer/reasoning/monitoring/coordinator/roster.h"
-#include "skein/role/agent.h"
+#include "skein/role/mission.h"
 #include "skein/role/monitoring_strategy.h"
 
 namespace skein::monitoring {
@@ -28,7 +28,7 @@ struct CoordinatorOptions {
   Time record_period = Time::from_seconds(5);
 };
 
-/// The ground station's agent of a perimeter mission: keeps the belief from all readings,
+/// A perimeter mission: keeps the belief from all readings,
 /// runs the deployment phase, lets the strategy decide, and orders the aircraft about.
 ///
 /// Deployment: each aircraft flies its transect until its first crossing; then it is
@@ -41,13 +41,14 @@ struct CoordinatorOptions {
 /// Warnings about the belief become events: "outlier" (readings set aside), "too-late"
 /// (readings older than `late_window`), "over-confident" and "trusted" (see
 /// ConfidenceMonitor), "hand-over" (the estimator went over to another method).
-class Coordinator : public Agent {
+class Coordinator : public Mission {
  public:
   Coordinator(const CoordinatorOptions& options,
               std::unique_ptr<PerimeterEstimator> estimator,
               std::unique_ptr<MonitoringStrategy> strategy);
 
   void step(const AgentInput& in, AgentOutput& out) override;
+  MissionDemand demand() const override;
 
  private:
   // A number that grows and is reported now and then.

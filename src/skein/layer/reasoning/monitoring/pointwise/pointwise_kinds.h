@@ -10,7 +10,7 @@ namespace skein::monitoring {
 
 /// One pointwise estimator that a user can choose.
 struct PointwiseKind {
-  const char* name;  ///< as in a scenario's monitoring.estimator
+  const char* name;  ///< as in a scenario's missions[0].estimator
   const char* help;
   std::unique_ptr<PointRule> (*make_rule)(const PointwiseOptions&, std::uint64_t seed);
   bool needs_crossings =

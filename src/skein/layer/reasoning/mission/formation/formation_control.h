@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skein/data/task.h"
-#include "skein/role/agent.h"
+#include "skein/role/mission.h"
 
 namespace skein::reasoning {
 
@@ -26,13 +26,14 @@ struct FormationOptions {
   bool direct = false;
 };
 
-/// The ground station's agent of a flight in formation: says who leads and who follows,
-/// again until it is confirmed, and passes the leader's position on to the followers.
-class FormationControl final : public Agent {
+/// A flight in formation: says who leads and who follows, again until it is confirmed.
+/// The followers hear of the leader's position from itself or from the station.
+class FormationControl final : public Mission {
  public:
   explicit FormationControl(const FormationOptions& options);
 
   void step(const AgentInput& in, AgentOutput& out) override;
+  MissionDemand demand() const override;
 
  private:
   struct Member {

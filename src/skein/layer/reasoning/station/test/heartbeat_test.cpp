@@ -1,23 +1,15 @@
-#include "skein/layer/reasoning/agent/heartbeat.h"
+#include "skein/layer/reasoning/station/heartbeat.h"
 
 #include <gtest/gtest.h>
 
 namespace skein::reasoning {
 namespace {
 
-class Quiet final : public Agent {
- public:
-  void step(const AgentInput&, AgentOutput&) override {}
-};
-
 TEST(HeartbeatSender, ReachesEachAircraftOncePerPeriodHoweverLongTheSteps) {
-  HeartbeatSender station(std::make_unique<Quiet>(), {EntityId{1}, EntityId{2}},
-                          Time::from_seconds(1));
+  HeartbeatSender station({EntityId{1}, EntityId{2}}, Time::from_seconds(1));
   AgentOutput out;
   for (int k = 0; k <= 40; ++k) {
-    AgentInput in;
-    in.now = Time::from_seconds(0.25 * k);
-    station.step(in, out);
+    station.step(Time::from_seconds(0.25 * k), out);
   }
   ASSERT_EQ(out.outbox.size(), 2u * 11);
   EXPECT_EQ(out.outbox[0].to, EntityId{1});
@@ -26,9 +18,7 @@ TEST(HeartbeatSender, ReachesEachAircraftOncePerPeriodHoweverLongTheSteps) {
 
   out.outbox.clear();
   for (int k = 0; k < 5; ++k) {
-    AgentInput in;
-    in.now = Time::from_seconds(20 + 3 * k);  // longer than the period
-    station.step(in, out);
+    station.step(Time::from_seconds(20 + 3 * k), out);  // longer than the period
   }
   EXPECT_EQ(out.outbox.size(), 2u * 5);
 }

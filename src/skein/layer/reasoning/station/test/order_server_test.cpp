@@ -1,6 +1,9 @@
-#include "skein/layer/reasoning/agent/operator_orders.h"
+#include "skein/layer/reasoning/station/order_server.h"
 
 #include <gtest/gtest.h>
+
+#include "skein/layer/reasoning/station/ground_station.h"
+#include "skein/layer/reasoning/station/nearest_allocator.h"
 
 namespace skein::reasoning {
 namespace {
@@ -8,17 +11,19 @@ namespace {
 constexpr EntityId kFirst{1}, kSecond{2};
 
 // A mission that gives every aircraft one order, and again while it is not confirmed.
-class Mission final : public Agent {
+class Repeated final : public Mission {
  public:
-  explicit Mission(std::vector<AircraftReport>& reports) : reports_(reports) {}
+  explicit Repeated(std::vector<AircraftReport>& reports) : reports_(reports) {}
 
   void step(const AgentInput& in, AgentOutput& out) override {
     reports_.clear();
     for (const Message& message : in.inbox)
-      reports_.push_back(std::get<AircraftReport>(message.content));
+      if (const auto* report = std::get_if<AircraftReport>(&message.content))
+        reports_.push_back(*report);
     for (const EntityId id : {kFirst, kSecond})
       out.outbox.push_back({{}, id, 0, Time(), Task{number, FlyTo{{1000, 0}}}});
   }
+  MissionDemand demand() const override { return {}; }
   std::uint32_t number = 1;
 
  private:
@@ -29,19 +34,26 @@ class Mission final : public Agent {
 struct Aircraft {
   Task task;
   void take(const Message& message) {
-    const Task& order = std::get<Task>(message.content);
-    if (order.number > task.number) task = order;
+    const auto* order = std::get_if<Task>(&message.content);
+    if (order && order->number > task.number) task = *order;
   }
   bool flies_to() const { return std::holds_alternative<FlyTo>(task.what); }
 };
 
-class OperatorOrdersTest : public testing::Test {
+class Orders : public testing::Test {
  protected:
-  OperatorOrdersTest() {
-    auto mission = std::make_unique<Mission>(reports_);
+  Orders() {
+    auto mission = std::make_unique<Repeated>(reports_);
     mission_ = mission.get();
-    server_ = std::make_unique<OperatorOrders>(
-        std::vector<NamedAircraft>{{kFirst, "a"}, {kSecond, "b"}}, std::move(mission));
+    GroundStationOptions options;
+    options.team = {{kFirst, "a"}, {kSecond, "b"}};
+    std::vector<PlannedMission> missions(1);
+    missions[0].name = "mission";
+    missions[0].mission = std::move(mission);
+    missions[0].candidates = {kFirst, kSecond};
+    missions[0].start = Time();
+    server_ = std::make_unique<GroundStation>(options, std::move(missions),
+                                              std::make_unique<NearestAllocator>());
   }
 
   // One second: the aircraft report, the server acts, its orders arrive.
@@ -64,13 +76,13 @@ class OperatorOrdersTest : public testing::Test {
   }
 
   std::vector<AircraftReport> reports_;
-  Mission* mission_ = nullptr;
-  std::unique_ptr<OperatorOrders> server_;
+  Repeated* mission_ = nullptr;
+  std::unique_ptr<GroundStation> server_;
   Aircraft aircraft_[2];
   Time now_;
 };
 
-TEST_F(OperatorOrdersTest, ATaskedAircraftIsTheOperatorsUntilTheMissionResumes) {
+TEST_F(Orders, ATaskedAircraftIsTheOperatorsUntilTheMissionResumes) {
   second();
   second();
   EXPECT_EQ(reports_[0].task_number, 1u);
@@ -87,7 +99,7 @@ TEST_F(OperatorOrdersTest, ATaskedAircraftIsTheOperatorsUntilTheMissionResumes) 
   second();
   EXPECT_TRUE(std::holds_alternative<FlyCourse>(aircraft_[0].task.what));
 
-  second({MissionCommand{false}});
+  second({MissionCommand{MissionAction::kResume}});
   EXPECT_EQ(reports_[0].task_number, 0u) << "it works on none of the mission's orders";
   second();
   EXPECT_TRUE(aircraft_[0].flies_to());
@@ -95,13 +107,13 @@ TEST_F(OperatorOrdersTest, ATaskedAircraftIsTheOperatorsUntilTheMissionResumes) 
   EXPECT_TRUE(reports_[0].obeys);
 }
 
-TEST_F(OperatorOrdersTest, APausedMissionCirclesAndGoesOnWithTheSameOrder) {
+TEST_F(Orders, APausedMissionCirclesAndGoesOnWithTheSameOrder) {
   second();
-  second({MissionCommand{true}});
+  second({MissionCommand{MissionAction::kPause}});
   for (const Aircraft& one : aircraft_)
     EXPECT_TRUE(std::holds_alternative<Loiter>(one.task.what));
   second();
-  second({MissionCommand{false}});
+  second({MissionCommand{MissionAction::kResume}});
   second();
   for (const Aircraft& one : aircraft_) EXPECT_TRUE(one.flies_to());
   second();
@@ -109,17 +121,17 @@ TEST_F(OperatorOrdersTest, APausedMissionCirclesAndGoesOnWithTheSameOrder) {
   EXPECT_EQ(reports_[1].task_number, 1u);
 }
 
-TEST_F(OperatorOrdersTest, AnOrderThatIsLostIsSentAgain) {
+TEST_F(Orders, AnOrderThatIsLostIsSentAgain) {
   second();
   second({TaskCommand{"b", Loiter{{5, 5}}}}, false);
   for (int k = 0; k < 4; ++k) second();
   EXPECT_TRUE(std::holds_alternative<Loiter>(aircraft_[1].task.what));
 }
 
-TEST_F(OperatorOrdersTest, OrdersOfBothHoldOverAndOver) {
+TEST_F(Orders, OrdersOfBothHoldOverAndOver) {
   for (std::uint32_t round = 1; round < 20; ++round) {
     mission_->number = round;
-    second({MissionCommand{false}});
+    second({MissionCommand{MissionAction::kResume}});
     second();
     second();
     ASSERT_TRUE(aircraft_[0].flies_to()) << round;
@@ -128,6 +140,38 @@ TEST_F(OperatorOrdersTest, OrdersOfBothHoldOverAndOver) {
       second({TaskCommand{"a", FlyCourse{double(k)}}});
     if (round % 4 == 0) continue;
     ASSERT_TRUE(std::holds_alternative<FlyCourse>(aircraft_[0].task.what)) << round;
+  }
+}
+
+// Followers are sent the positions of whom they follow, unless that does so itself.
+TEST(OrderServer, PassesOnThePositionsOfThoseThatATaskIsAbout) {
+  for (const bool direct : {false, true}) {
+    OrderServer server({{kFirst, "a"}, {kSecond, "b"}}, 0, {});
+    AgentOutput out;
+    FlyRoute route{{{0, 0}, {100, 0}}, 1, {}};
+    if (direct) route.report_to.push_back(kSecond);
+    server.order(0, route, OrderServer::Holder::kOperator, Time(), out);
+    server.order(1, FollowLeader{kFirst, {-30, 0}}, OrderServer::Holder::kOperator,
+                 Time(), out);
+    out = {};
+    AircraftReport report;
+    report.nav.p_N = {5, 6, -7};
+    const std::vector<Message> inbox{{kFirst, {}, 0, Time(), report},
+                                     {kSecond, {}, 0, Time(), AircraftReport()}};
+    AgentInput in;
+    in.inbox = inbox;
+    server.listen(in, out);
+    std::vector<TeamPosition> positions;
+    for (const Message& message : out.outbox)
+      if (const auto* position = std::get_if<TeamPosition>(&message.content)) {
+        EXPECT_EQ(message.to, kSecond);
+        positions.push_back(*position);
+      }
+    ASSERT_EQ(positions.size(), direct ? 0u : 1u);
+    if (!direct) {
+      EXPECT_EQ(positions[0].aircraft, kFirst);
+      EXPECT_EQ(positions[0].nav.p_N, Vec3(5, 6, -7));
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/team/formation_control.h"
+#include "skein/layer/reasoning/mission/formation/formation_control.h"
 
 #include <fmt/format.h>
 
@@ -32,19 +32,18 @@ void FormationControl::step(const AgentInput& in, AgentOutput& out) {
     if (!report || sender == options_.team.end()) continue;
     const auto k = static_cast<std::size_t>(sender - options_.team.begin());
     members_[k].confirmed = report->task_number;
-    if (k != leader_ || options_.direct) continue;
-    for (std::size_t other = 0; other < members_.size(); ++other) {
-      if (other == k) continue;
-      Message position;
-      position.to = options_.team[other];
-      position.content = TeamPosition{message.from, report->nav};
-      out.outbox.push_back(std::move(position));
-    }
   }
   for (std::size_t k = 0; k < members_.size(); ++k)
     if (members_[k].task.number != members_[k].confirmed &&
         (in.now - members_[k].sent).seconds() >= kResendAfter)
       send(k, in.now, out);
+}
+
+MissionDemand FormationControl::demand() const {
+  MissionDemand demand;
+  demand.max = static_cast<int>(options_.team.size());
+  demand.place = options_.route.front();
+  return demand;
 }
 
 void FormationControl::appoint(std::size_t leader, Time now, AgentOutput& out) {

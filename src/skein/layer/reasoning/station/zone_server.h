@@ -1,12 +1,11 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "skein/data/zone_set.h"
-#include "skein/role/agent.h"
+#include "skein/data/agent_step.h"
 
 namespace skein::reasoning {
 
@@ -19,22 +18,22 @@ struct ZoneServerOptions {
   double resend_slow = 10;  ///< to one whose link is down [s]
 };
 
-/// A ground station's agent that also says which no-fly zones are in force.
+/// The part of a ground station that says which no-fly zones are in force.
 ///
 /// Commands (ZoneChange without number) become numbered changes, which go to each
 /// aircraft of the team at once. Each AircraftReport acknowledges them up to a number;
 /// what is not acknowledged is sent again. So a message that is lost delays a change, and
-/// leaves nobody without it. The station's own agent receives a change in the same step,
-/// as a message.
+/// leaves nobody without it.
 ///
 /// Events: "zone-on" and "zone-off", "zone-refused" with the reason, and "zones-known"
 /// when all in contact have acknowledged the last change.
-class ZoneServer final : public Agent {
+class ZoneServer {
  public:
-  /// @param station  what reasons on the ground.
-  ZoneServer(const ZoneServerOptions& options, std::unique_ptr<Agent> station);
+  explicit ZoneServer(const ZoneServerOptions& options);
 
-  void step(const AgentInput& in, AgentOutput& out) override;
+  /// Takes in reports and commands, and sends what is new or has not been acknowledged.
+  /// @param changes  those of this step are appended, for the station's missions.
+  void step(const AgentInput& in, std::vector<Message>& changes, AgentOutput& out);
 
  private:
   struct Listener {
@@ -49,7 +48,6 @@ class ZoneServer final : public Agent {
   void report_when_known(Time now, AgentOutput& out);
 
   ZoneServerOptions options_;
-  std::unique_ptr<Agent> station_;
   std::map<std::string, Zone> drawn_;
   ZoneSet known_;
   std::vector<ZoneChange> changes_;  // number k at k - 1

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_server.h"
+#include "skein/layer/reasoning/station/zone_server.h"
 
 #include <gtest/gtest.h>
 
@@ -26,21 +26,9 @@ ZoneChange by_name(bool on, const std::string& name) {
   return {0, on, zone};
 }
 
-// Notes what it receives.
-class Ear final : public Agent {
- public:
-  explicit Ear(std::vector<Message>& heard) : heard_(heard) {}
-  void step(const AgentInput& in, AgentOutput&) override {
-    heard_.insert(heard_.end(), in.inbox.begin(), in.inbox.end());
-  }
-
- private:
-  std::vector<Message>& heard_;
-};
-
 struct Server {
   explicit Server(ZoneServerOptions options = {})
-      : agent(with_team(std::move(options)), std::make_unique<Ear>(heard)) {}
+      : server(with_team(std::move(options))) {}
 
   static ZoneServerOptions with_team(ZoneServerOptions options) {
     options.team = {EntityId{1}, EntityId{2}};
@@ -53,7 +41,7 @@ struct Server {
     in.now = Time::from_seconds(time);
     in.inbox = inbox;
     AgentOutput out;
-    agent.step(in, out);
+    server.step(in, heard, out);
     inbox.clear();
     return out;
   }
@@ -64,7 +52,7 @@ struct Server {
     inbox.back().content = report;
   }
   std::vector<Message> heard, inbox;
-  ZoneServer agent;
+  ZoneServer server;
 };
 
 // "number>to" of all zone messages.

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/agent/zone_server.h"
+#include "skein/layer/reasoning/station/zone_server.h"
 
 #include <fmt/format.h>
 
@@ -17,27 +17,23 @@ bool has_shape(const Zone& zone) {
 
 }  // namespace
 
-ZoneServer::ZoneServer(const ZoneServerOptions& options, std::unique_ptr<Agent> station)
-    : options_(options), station_(std::move(station)), known_(options.known) {
+ZoneServer::ZoneServer(const ZoneServerOptions& options)
+    : options_(options), known_(options.known) {
   for (const Zone& zone : options_.drawn) drawn_[zone.name] = zone;
   for (const EntityId id : options_.team) team_.push_back({.id = id});
 }
 
-void ZoneServer::step(const AgentInput& in, AgentOutput& out) {
+void ZoneServer::step(const AgentInput& in, std::vector<Message>& changes,
+                      AgentOutput& out) {
   const std::size_t before = changes_.size();
   for (const Message& message : in.inbox) take_report(message, in.now);
   for (const Command& command : in.commands)
     if (const auto* change = std::get_if<ZoneChange>(&command))
       issue(*change, in.now, out);
-
-  std::vector<Message> inbox(in.inbox.begin(), in.inbox.end());
   for (std::size_t k = before; k < changes_.size(); ++k) {
-    inbox.emplace_back().content = changes_[k];
-    inbox.back().sent = in.now;
+    changes.emplace_back().content = changes_[k];
+    changes.back().sent = in.now;
   }
-  AgentInput rest = in;
-  rest.inbox = inbox;
-  station_->step(rest, out);
   send_missing(in.now, out);
   report_when_known(in.now, out);
 }

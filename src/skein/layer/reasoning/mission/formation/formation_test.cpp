@@ -5,7 +5,7 @@
 #include "skein/layer/reasoning/agent/onboard_agent.h"
 #include "skein/layer/reasoning/task/route/route_task.h"
 #include "skein/layer/reasoning/task/follow/follow_task.h"
-#include "skein/layer/reasoning/team/formation_control.h"
+#include "skein/layer/reasoning/mission/formation/formation_control.h"
 
 namespace skein::reasoning {
 namespace {
@@ -63,31 +63,6 @@ TEST(FormationControl, AppointsLeaderAndFollowersAndSwapsThem) {
       std::holds_alternative<FlyRoute>(std::get<Task>(out.outbox[2].content).what));
   ASSERT_EQ(out.events.size(), 1u);
   EXPECT_EQ(out.events[0].kind, "leader");
-}
-
-TEST(FormationControl, PassesTheLeadersPositionOnUnlessTheLeaderDoes) {
-  for (const bool direct : {false, true}) {
-    FormationControl control(three(direct));
-    AgentOutput out;
-    control.step({}, out);
-    EXPECT_EQ(
-        std::get<FlyRoute>(std::get<Task>(out.outbox[0].content).what).report_to.size(),
-        direct ? 2u : 0u);
-    out = {};
-    const std::vector<Message> inbox = {
-        report(EntityId{1}, 1, nav(1, {5, 6, -7}, {1, 0, 0})),
-        report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero())),
-        report(EntityId{3}, 1, nav(1, Vec3::Zero(), Vec3::Zero())),
-        report(EntityId{9}, 1, nav(1, Vec3::Zero(), Vec3::Zero()))};
-    AgentInput in;
-    in.now = Time::from_seconds(10);
-    in.inbox = inbox;
-    control.step(in, out);
-    ASSERT_EQ(out.outbox.size(), direct ? 0u : 2u);
-    if (!direct) {
-      EXPECT_EQ(std::get<TeamPosition>(out.outbox[1].content).nav.p_N, Vec3(5, 6, -7));
-    }
-  }
 }
 
 TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {

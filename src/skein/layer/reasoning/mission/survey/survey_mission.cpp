@@ -1,0 +1,196 @@
+#include "skein/layer/reasoning/mission/survey/survey_mission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "skein/geo/polygon.h"
+#include "skein/layer/reasoning/planning/tasks/coverage.h"
+#include "skein/layer/reasoning/planning/tasks/survey_sharing.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kRadiusFactor = 1.1;  // of planned turns, as SurveyTask flies them
+constexpr double kShareAgain = 30;     // at the earliest [s]
+constexpr std::size_t kWorthSharing = 4;  // lines that somebody has left, times two ends
+
+FlightState state_of(const NavEstimate& nav) {
+  return {nav.p_N, nav.heading};
+}
+
+}  // namespace
+
+SurveyMission::SurveyMission(const std::vector<EntityId>& team,
+                             SurveyMissionOptions options)
+    : TeamMission(team),
+      options_(std::move(options)),
+      zones_(options_.zones),
+      has_lines_(team.size(), false) {}
+
+MissionDemand SurveyMission::demand() const {
+  MissionDemand demand;
+  if (done_) demand.max = 0;
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& p : options_.survey.area) middle += p;
+  demand.place = middle / static_cast<double>(options_.survey.area.size());
+  return demand;
+}
+
+std::vector<TeamMission::Aircraft*> SurveyMission::own() {
+  std::vector<Aircraft*> own;
+  for (Aircraft& each : team())
+    if (each.mine) own.push_back(&each);
+  return own;
+}
+
+Vec2 SurveyMission::wind() const {
+  Vec2 sum = Vec2::Zero();
+  for (const Aircraft& each : team())
+    if (each.mine) sum += each.nav.wind_N;
+  return sum / std::max(1, mine());
+}
+
+// Of the slowest and widest of them.
+FlightLimits SurveyMission::limits() const {
+  std::optional<FlightLimits> all;
+  for (const Aircraft& each : team()) {
+    if (!each.mine) continue;
+    if (!all) all = each.limits;
+    all->airspeed = std::min(all->airspeed, each.limits.airspeed);
+    all->turn_radius = std::max(all->turn_radius, each.limits.turn_radius);
+  }
+  FlightLimits limits = all.value_or(FlightLimits());
+  limits.turn_radius *= kRadiusFactor;
+  return limits;
+}
+
+void SurveyMission::pursue(const AgentInput& in, AgentOutput& out) {
+  for (const Message& message : in.inbox)
+    if (const auto* change = std::get_if<ZoneChange>(&message.content))
+      zones_.take(*change);
+  if (done_ || mine() == 0) return;
+  if (!begun_) begun_ = in.now;
+  if (!planned_) {
+    if ((in.now - *begun_).seconds() >= options_.settling) plan(in.now, out);
+    return;
+  }
+  // Lines of those that are gone.
+  for (std::size_t k = 0; k < team().size(); ++k) {
+    if (!has_lines_[k] || team()[k].mine) continue;
+    has_lines_[k] = false;
+    const std::vector<Vec2> left = left_of(team()[k]);
+    nobodys_.insert(nobodys_.end(), left.begin(), left.end());
+  }
+  if (must_share(in.now)) share_anew(in.now, out);
+  done_ = nobodys_.empty();
+  for (std::size_t k = 0; k < team().size(); ++k)
+    if (has_lines_[k] && !team()[k].has_done()) done_ = false;
+  if (done_)
+    out.events.push_back({in.now, EntityId{}, "surveyed", "all lines have been flown"});
+}
+
+void SurveyMission::plan(Time now, AgentOutput& out) {
+  const std::vector<Aircraft*> who = own();
+  planning::CoverageQuery query;
+  query.area = options_.survey.area;
+  query.holes = options_.survey.holes;
+  query.swath = options_.survey.swath;
+  query.overlap = options_.survey.overlap;
+  query.bearing = options_.bearing;
+  query.zones.assign(zones_.zones().begin(), zones_.zones().end());
+  query.zone_distance = query.zones.empty() ? 0 : options_.zone_margin;
+  query.altitude_msl = -who.front()->nav.p_N.z();
+  query.start_time = now.seconds();
+  query.limits = limits();
+  query.wind = wind();
+  query.planner = options_.planner.get();
+  query.aircraft.clear();
+  for (const Aircraft* each : who) {
+    FlightState start = state_of(each->nav);
+    start.p_N.z() = who.front()->nav.p_N.z();
+    query.aircraft.push_back({start, std::nullopt});
+  }
+  const planning::CoverageResult result = planning::plan_coverage(query);
+  if (result.line_ends.empty()) {
+    if (std::exchange(why_not_, result.reason) != result.reason)
+      out.events.push_back({now, EntityId{}, "no-plan",
+                            fmt::format("{}: {}", name_of(result.outcome), result.reason)});
+    return;
+  }
+  planned_ = true;
+  shared_ = now;
+  out.events.push_back(
+      {now, EntityId{}, "planned",
+       fmt::format("a survey of {} lines by {} aircraft in {:.0f} s, {:.1f} % of {:.2f} "
+                   "km^2",
+                   result.lines, who.size(), result.longest, 100 * result.covered_share,
+                   result.area / 1e6)});
+  give(who, result.line_ends, now, out);
+}
+
+std::vector<Vec2> SurveyMission::left_of(const Aircraft& aircraft) const {
+  if (aircraft.has_done()) return {};
+  const auto* survey = std::get_if<Survey>(&rest_of(aircraft));
+  return survey ? survey->lines : std::vector<Vec2>();
+}
+
+// Somebody has nothing to do while there are lines that nobody has, or more than a few
+// that another has.
+bool SurveyMission::must_share(Time now) const {
+  if ((now - shared_).seconds() < kShareAgain && nobodys_.empty()) return false;
+  bool idle = false, many = false;
+  for (std::size_t k = 0; k < team().size(); ++k) {
+    const Aircraft& each = team()[k];
+    if (!each.mine) continue;
+    if (!has_lines_[k] || each.has_done()) idle = true;
+    if (has_lines_[k] && left_of(each).size() > kWorthSharing) many = true;
+  }
+  return !nobodys_.empty() || (idle && many);
+}
+
+void SurveyMission::share_anew(Time now, AgentOutput& out) {
+  const std::vector<Aircraft*> who = own();
+  std::vector<Vec2> lines = std::exchange(nobodys_, {});
+  std::vector<FlightState> starts;
+  for (const Aircraft* each : who) {
+    const auto k = static_cast<std::size_t>(each - team().data());
+    if (has_lines_[k]) {
+      const std::vector<Vec2> left = left_of(*each);
+      lines.insert(lines.end(), left.begin(), left.end());
+    }
+    starts.push_back(state_of(each->nav));
+  }
+  shared_ = now;
+  const auto shares = planning::share_survey(lines, starts, limits(), wind());
+  const bool any = std::any_of(shares.begin(), shares.end(),
+                               [](const auto& share) { return !share.empty(); });
+  if (!any) {
+    nobodys_ = lines;  // the wind is too strong just now
+    return;
+  }
+  out.events.push_back({now, EntityId{}, "shared",
+                        fmt::format("{} lines among {} aircraft", lines.size() / 2,
+                                    who.size())});
+  give(who, shares, now, out);
+}
+
+void SurveyMission::give(const std::vector<Aircraft*>& who,
+                         const std::vector<std::vector<Vec2>>& lines, Time now,
+                         AgentOutput& out) {
+  for (std::size_t k = 0; k < who.size(); ++k) {
+    const auto index = static_cast<std::size_t>(who[k] - team().data());
+    const bool had = has_lines_[index];
+    has_lines_[index] = !lines[k].empty();
+    if (lines[k].empty()) {
+      if (had && !who[k]->has_done()) order(*who[k], Hold{}, now, out);
+      continue;
+    }
+    Survey survey = options_.survey;
+    survey.lines = lines[k];
+    order(*who[k], std::move(survey), now, out);
+  }
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,115 @@
+#include "skein/layer/reasoning/mission/tasks/task_mission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace skein::reasoning {
+namespace {
+
+// Where a task takes place, for who is near.
+std::optional<Vec2> place_of(const TaskKind& task) {
+  struct Visitor {
+    using Place = std::optional<Vec2>;
+    static Place first(const std::vector<Vec2>& points) {
+      return points.empty() ? Place() : Place(points.front());
+    }
+    Place operator()(const Loiter& t) const { return t.centre; }
+    Place operator()(const FlyTo& t) const { return t.point; }
+    Place operator()(const FollowEdge& t) const { return t.start; }
+    Place operator()(const FollowLine& t) const { return first(t.points); }
+    Place operator()(const FlyCourse&) const { return {}; }
+    Place operator()(const FlyRoute& t) const { return first(t.points); }
+    Place operator()(const FollowLeader&) const { return {}; }
+    Place operator()(const FlyTour& t) const { return first(t.points); }
+    Place operator()(const Hold&) const { return {}; }
+    Place operator()(const Survey& t) const { return first(t.area); }
+    Place operator()(const Patrol& t) const { return first(t.line); }
+    Place operator()(const Orbit& t) const { return t.point; }
+    Place operator()(const Measure& t) const { return t.point; }
+    Place operator()(const Rendezvous& t) const { return t.point; }
+    Place operator()(const Relay&) const { return {}; }
+    Place operator()(const FlyPlan& t) const {
+      return t.plan.empty() ? Place() : Place(geo::horizontal(t.plan.front().p_N));
+    }
+    Place operator()(const ReturnHome&) const { return {}; }
+    Place operator()(const LandAt& t) const {
+      return t.at_home ? Place() : Place(t.place);
+    }
+  };
+  return std::visit(Visitor(), task);
+}
+
+}  // namespace
+
+TaskMission::TaskMission(const std::vector<EntityId>& team, std::vector<ListedTask> tasks)
+    : TeamMission(team) {
+  for (ListedTask& task : tasks) entries_.push_back({std::move(task), {}, false});
+}
+
+MissionDemand TaskMission::demand() const {
+  MissionDemand demand;
+  demand.max = 0;
+  for (const Entry& entry : entries_)
+    if (!entry.over) ++demand.max;
+  demand.min = std::min(1, demand.max);
+  for (const Entry& entry : entries_)
+    if (!entry.over && !entry.flown_by && !demand.place)
+      demand.place = place_of(entry.task.what);
+  return demand;
+}
+
+bool TaskMission::done() const {
+  return std::all_of(entries_.begin(), entries_.end(),
+                     [](const Entry& entry) { return entry.over; });
+}
+
+void TaskMission::pursue(const AgentInput& in, AgentOutput& out) {
+  for (Entry& entry : entries_) look_at(entry, in.now, out);
+  for (Entry& entry : entries_) {
+    if (entry.over || entry.flown_by) continue;
+    Aircraft* who = free_for(entry);
+    if (!who) continue;
+    entry.flown_by = who->id;
+    order(*who, entry.task.what, in.now, out);
+  }
+}
+
+void TaskMission::look_at(Entry& entry, Time now, AgentOutput& out) {
+  if (!entry.flown_by || entry.over) return;
+  const auto who = std::find_if(team().begin(), team().end(), [&](const Aircraft& a) {
+    return a.id == *entry.flown_by;
+  });
+  if (!who->mine) {
+    // Another goes on with what is left.
+    if (!who->has_done()) entry.task.what = rest_of(*who);
+    entry.over = who->has_done();
+    entry.flown_by.reset();
+    return;
+  }
+  if (who->confirmed != who->task.number) return;
+  const bool impossible = who->state == TaskState::kImpossible;
+  entry.over = impossible || who->state == TaskState::kDone;
+  if (!entry.over) return;
+  out.events.push_back({now, who->id, impossible ? "task-given-up" : "task-over",
+                        fmt::format("{}", kind_of(entry.task.what))});
+}
+
+TeamMission::Aircraft* TaskMission::free_for(const Entry& entry) {
+  const auto place = place_of(entry.task.what);
+  Aircraft* best = nullptr;
+  for (Aircraft& each : team()) {
+    const bool busy = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
+      return !e.over && e.flown_by == each.id;
+    });
+    if (!each.mine || busy || (entry.task.aircraft && *entry.task.aircraft != each.id))
+      continue;
+    const auto distance = [&](const Aircraft& a) {
+      return place ? (geo::horizontal(a.nav.p_N) - *place).norm() : 0;
+    };
+    if (!best || distance(each) < distance(*best)) best = &each;
+  }
+  return best;
+}
+
+}  // namespace skein::reasoning

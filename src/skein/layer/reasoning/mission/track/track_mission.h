@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "skein/layer/reasoning/belief/object_memory.h"
+#include "skein/layer/reasoning/mission/team_mission.h"
+
+namespace skein::reasoning {
+
+struct TrackMissionOptions {
+  /// Objects to be tracked; empty: every one that anybody sees.
+  std::vector<std::uint32_t> objects;
+  double radius = 0;   ///< of the circles [m]; 0: as small as the aircraft can
+  bool weave = false;  ///< S-turns instead
+  double lost_after = 120;  ///< an object unseen for so long is given up [s]
+};
+
+/// Keeps an aircraft with each object that has been seen, as far as it is given some; it
+/// asks for as many as there are objects. Those that others see are passed on to the
+/// aircraft that tracks them.
+class TrackMission final : public TeamMission {
+ public:
+  TrackMission(const std::vector<EntityId>& team, TrackMissionOptions options)
+      : TeamMission(team), options_(std::move(options)) {}
+
+  MissionDemand demand() const override;
+
+ private:
+  void pursue(const AgentInput& in, AgentOutput& out) override;
+  bool wanted(std::uint32_t object) const;
+  void listen_for_objects(const AgentInput& in, AgentOutput& out);
+  void assign(Time now, AgentOutput& out);
+
+  TrackMissionOptions options_;
+  ObjectMemory memory_;
+  struct Target {
+    Time seen;
+    std::optional<EntityId> tracker;
+  };
+  std::map<std::uint32_t, Target> targets_;
+};
+
+}  // namespace skein::reasoning

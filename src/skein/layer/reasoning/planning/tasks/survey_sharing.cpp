@@ -1,0 +1,28 @@
+#include "skein/layer/reasoning/planning/tasks/survey_sharing.h"
+
+#include "skein/layer/reasoning/planning/tasks/join.h"
+#include "skein/layer/reasoning/planning/tasks/line_sharing.h"
+
+namespace skein::planning {
+
+std::vector<std::vector<Vec2>> share_survey(std::span<const Vec2> ends,
+                                            const std::vector<FlightState>& starts,
+                                            const FlightLimits& limits, const Vec2& wind) {
+  std::vector<std::vector<Vec2>> shares(starts.size());
+  std::vector<SweepLine> lines;
+  for (std::size_t k = 0; k + 1 < ends.size(); k += 2)
+    if ((ends[k + 1] - ends[k]).norm() > 0) lines.push_back({ends[k], ends[k + 1], 0});
+  if (lines.empty() || starts.empty() || wind.norm() >= limits.airspeed) return shares;
+  std::vector<RouteEnds> from(starts.size());
+  for (std::size_t a = 0; a < starts.size(); ++a) from[a].start = pose_of(starts[a]);
+  LineCosts costs(std::move(lines), motion_of(limits, wind), std::move(from));
+  const std::vector<Route> routes = share_lines(costs, {});
+  for (std::size_t a = 0; a < starts.size(); ++a)
+    for (const int visit : routes[a]) {
+      shares[a].push_back(costs.entry(visit).position);
+      shares[a].push_back(costs.exit(visit).position);
+    }
+  return shares;
+}
+
+}  // namespace skein::planning

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "skein/layer/reasoning/station/heartbeat.h"
+#include "skein/layer/reasoning/station/mission_control.h"
+#include "skein/layer/reasoning/station/zone_server.h"
+
+namespace skein::reasoning {
+
+struct GroundStationOptions {
+  std::vector<NamedAircraft> team;  ///< its aircraft
+  NavEstimate position;             ///< of itself
+  Time heartbeat;                   ///< between two heartbeats; 0: none
+  ZoneServerOptions zones;
+};
+
+/// The agent of a ground station: says which no-fly zones are in force, pursues its
+/// missions, obeys the operator, and sends heartbeats.
+class GroundStation final : public Agent {
+ public:
+  GroundStation(const GroundStationOptions& options, std::vector<PlannedMission> missions,
+                std::unique_ptr<const Allocator> allocator);
+
+  void step(const AgentInput& in, AgentOutput& out) override;
+
+ private:
+  ZoneServer zones_;
+  OrderServer orders_;
+  MissionControl missions_;
+  HeartbeatSender heartbeat_;
+};
+
+}  // namespace skein::reasoning

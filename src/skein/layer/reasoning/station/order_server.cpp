@@ -1,0 +1,201 @@
+#include "skein/layer/reasoning/station/order_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kResendAfter = 3;     // an order not confirmed by now is sent again [s]
+constexpr double kPositionPeriod = 1;  // of the station's own, to relays [s]
+constexpr EntityId kStation{0};
+
+}  // namespace
+
+OrderServer::OrderServer(const std::vector<NamedAircraft>& team, std::size_t missions,
+                         const NavEstimate& position)
+    : position_(position) {
+  for (const NamedAircraft& who : team) {
+    Member& member = members_.emplace_back();
+    member.who = who;
+    member.numbers.resize(missions);
+  }
+}
+
+OrderServer::Member* OrderServer::find(EntityId id) {
+  const auto found = std::find_if(members_.begin(), members_.end(),
+                                  [&](const Member& m) { return m.who.id == id; });
+  return found == members_.end() ? nullptr : &*found;
+}
+
+void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
+  for (const Message& message : in.inbox) {
+    Member* member = find(message.from);
+    if (!member) continue;
+    if (const auto* report = std::get_if<AircraftReport>(&message.content)) {
+      member->place = geo::horizontal(report->nav.p_N);
+      member->heard = in.now;
+      member->obeys = report->obeys;
+      member->state = report->task_state;
+      member->confirmed = report->task_number;
+      forward(report->nav, message.from, out);
+      while (!member->open.empty() &&
+             std::visit(
+                 [&]<class T>(const T& content) {
+                   if constexpr (std::is_same_v<T, Task> || std::is_same_v<T, TaskChange>)
+                     return content.number <= member->confirmed;
+                   return true;
+                 },
+                 member->open.front().content)) {
+        member->open.pop_front();
+        send_next(*member, in.now, out);
+      }
+    } else if (const auto* left = std::get_if<TaskReport>(&message.content)) {
+      member->reported = *left;
+    }
+  }
+  if (in.now < next_position_) return;
+  next_position_ = in.now + Time::from_seconds(kPositionPeriod);
+  position_.time = in.now;
+  forward(position_, kStation, out);
+}
+
+// To those whose task is about the one that has reported.
+void OrderServer::forward(const NavEstimate& nav, EntityId of, AgentOutput& out) const {
+  for (const Member& member : members_) {
+    if (member.who.id == of) continue;
+    const auto* follows = std::get_if<FollowLeader>(&member.task.what);
+    const auto* relays = std::get_if<Relay>(&member.task.what);
+    const bool wants = (follows && follows->leader == of) ||
+                       (relays && (relays->first == of || relays->second == of));
+    if (!wants) continue;
+    // A leader may report by itself.
+    const auto leader = std::find_if(members_.begin(), members_.end(),
+                                     [&](const Member& m) { return m.who.id == of; });
+    if (leader != members_.end())
+      if (const auto* route = std::get_if<FlyRoute>(&leader->task.what);
+          route && std::count(route->report_to.begin(), route->report_to.end(),
+                              member.who.id) > 0)
+        continue;
+    Message position;
+    position.to = member.who.id;
+    position.content = TeamPosition{of, nav};
+    out.outbox.push_back(std::move(position));
+  }
+}
+
+void OrderServer::give(std::size_t index, std::optional<std::size_t> mission) {
+  Member& member = members_[index];
+  const bool same = mission ? has(member, *mission) : member.holder == Holder::kNobody;
+  if (same) return;
+  member.holder = mission ? Holder::kMission : Holder::kNobody;
+  if (!mission) return;
+  member.open.clear();
+  member.mission = *mission;
+  Member::Numbers& numbers = member.numbers[*mission];
+  // Whatever order the mission gives next, its last one again included, must be higher.
+  if (member.highest > 0 || numbers.order > 0)
+    numbers.offset = member.highest + 1 - numbers.order;
+}
+
+void OrderServer::order(std::size_t index, TaskKind what, Holder holder, Time now,
+                        AgentOutput& out) {
+  Member& member = members_[index];
+  member.holder = holder;
+  member.open.clear();  // the newest counts
+  member.task = {++member.highest, std::move(what)};
+  out.events.push_back({now, member.who.id, "ordered",
+                        fmt::format("{} by the {}", kind_of(member.task.what),
+                                    holder == Holder::kOperator ? "operator" : "station")});
+  queue(member, {EntityId{}, member.who.id, 0, Time(), member.task}, now, out);
+}
+
+void OrderServer::order(std::size_t index, TaskAction action, Time now,
+                        AgentOutput& out) {
+  Member& member = members_[index];
+  member.holder = Holder::kOperator;
+  out.events.push_back(
+      {now, member.who.id, "ordered", fmt::format("{} by the operator", name_of(action))});
+  queue(member,
+        {EntityId{}, member.who.id, 0, Time(), TaskChange{++member.highest, action}}, now,
+        out);
+}
+
+// One after the other: an order about a task must not overtake the task.
+void OrderServer::queue(Member& member, Message message, Time now, AgentOutput& out) {
+  member.open.push_back(std::move(message));
+  if (member.open.size() == 1) send_next(member, now, out);
+}
+
+void OrderServer::send_next(Member& member, Time now, AgentOutput& out) {
+  if (member.open.empty()) return;
+  member.sent = now;
+  out.outbox.push_back(member.open.front());
+}
+
+void OrderServer::resend(Time now, AgentOutput& out) {
+  for (Member& member : members_)
+    if ((now - member.sent).seconds() >= kResendAfter) send_next(member, now, out);
+}
+
+TaskKind OrderServer::rest_of_task(std::size_t index) const {
+  const Member& member = members_[index];
+  return member.reported.number == member.task.number && member.task.number > 0
+             ? member.reported.rest
+             : member.task.what;
+}
+
+bool OrderServer::has(const Member& member, std::size_t mission) const {
+  return member.holder == Holder::kMission && member.mission == mission;
+}
+
+void OrderServer::run(std::size_t index, Mission& mission, const AgentInput& in,
+                      AgentOutput& out) {
+  std::vector<Message> inbox;
+  inbox.reserve(in.inbox.size());
+  for (const Message& message : in.inbox) inbox.push_back(renumbered(message, index));
+  AgentInput own = in;
+  own.inbox = inbox;
+  const auto before = static_cast<std::ptrdiff_t>(out.outbox.size());
+  mission.step(own, out);
+  const auto dropped =
+      std::remove_if(out.outbox.begin() + before, out.outbox.end(),
+                     [&](Message& message) { return !may_pass(message, index); });
+  out.outbox.erase(dropped, out.outbox.end());
+}
+
+// What a mission is given of an aircraft, in its own numbers.
+Message OrderServer::renumbered(const Message& message, std::size_t mission) {
+  Message own = message;
+  Member* member = find(message.from);
+  if (!member) return own;
+  const std::uint32_t offset = member->numbers[mission].offset;
+  const auto to_own = [&](std::uint32_t number) {
+    return has(*member, mission) && number > offset ? number - offset : 0;
+  };
+  if (auto* report = std::get_if<AircraftReport>(&own.content)) {
+    if (!has(*member, mission)) report->obeys = false;
+    report->task_number = to_own(report->task_number);
+    if (report->task_number == 0) report->task_state = TaskState::kNone;
+  } else if (auto* left = std::get_if<TaskReport>(&own.content)) {
+    left->number = to_own(left->number);
+  }
+  return own;
+}
+
+bool OrderServer::may_pass(Message& message, std::size_t mission) {
+  auto* task = std::get_if<Task>(&message.content);
+  Member* member = task ? find(message.to) : nullptr;
+  if (!member) return true;
+  Member::Numbers& numbers = member->numbers[mission];
+  numbers.order = std::max(numbers.order, task->number);
+  if (!has(*member, mission)) return false;
+  task->number += numbers.offset;
+  member->highest = std::max(member->highest, task->number);
+  if (task->number >= member->task.number) member->task = *task;
+  return true;
+}
+
+}  // namespace skein::reasoning
