@@ -128,10 +128,12 @@ export interface Report {
   limits_fastest_mps: number | null; // level flight
   limits_sink_rate_mps: number | null; // largest
   limits_min_density_kg_m3: number | null; // of air that carries it; 0: any
-  task_number: number; // that it works on; 0: none yet
-  task_done: boolean; // that task is done
+  task_number: number; // the newest order; 0: none yet
+  task_state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is with its task
   obeys: boolean; // no pilot and no failsafe flies
   zone_changes: number; // it knows all changes up to this number
+  task_share: number | null; // of its task that is done
+  task_time_to_go_s: number | null; // until its task is done; null: not known, or without end
 }
 
 /** Circle a point until another order comes. */
@@ -186,10 +188,94 @@ export interface FlyTour {
   laps: number; // times around
 }
 
+/** Stay where the aircraft is when the order comes. */
+export interface Hold {
+}
+
+/** See all of an area. */
+export interface Survey {
+  area: [number, number][]; // its corners
+  holes: [number, number][][]; // not to be seen, may be flown over
+  swath_m: number | null; // width that is seen
+  overlap: number | null; // of it, that neighbouring lines have in common
+  lines: [number, number][]; // begin and end of each line that is left; empty: all, as it finds best
+}
+
+/** Fly along a line again and again. */
+export interface Patrol {
+  line: [number, number][]; // its points
+  closed: boolean; // around, instead of there and back
+  offset_m: number | null; // to the right of the line
+  rounds: number; // there and back, or around; 0: until another order
+}
+
+/** Stay with a point or an object on the ground and look at it. */
+export interface Orbit {
+  north_m: number | null; // where it is, or was seen last
+  east_m: number | null; // where it is, or was seen last
+  object: number | null; // which object, as cameras number them; null: none
+  radius_m: number | null; // of the circle; 0: the smallest
+  weave: boolean; // S-turns along its track instead of a circle
+  duration_s: number | null; // with it; 0: until another order
+}
+
+/** Fly to a point, stay there for a time and report. */
+export interface Measure {
+  north_m: number | null; // the point
+  east_m: number | null; // the point
+  stay_s: number | null; // near it
+}
+
+/** Be at a point at a time, and stay there. */
+export interface Rendezvous {
+  north_m: number | null; // the point
+  east_m: number | null; // the point
+  time_s: number; // of the run, when to be there
+  course_deg: number | null; // over ground there; null: any
+}
+
+/** Stay between two others, so that they receive each other. */
+export interface Relay {
+  first_id: number; // aircraft or ground station
+  second_id: number; // the other
+}
+
+/** One piece of a flight through air that moves evenly. */
+export interface FlightElement {
+  start_s: number | null; // when it begins
+  duration_s: number | null; // how long it lasts
+  north_m: number | null; // where it begins
+  east_m: number | null; // where it begins
+  altitude_msl_m: number | null; // where it begins
+  heading_deg: number | null; // at the start, through the air
+  airspeed_mps: number | null; // horizontal
+  turn_rate_dps: number | null; // right positive
+  climb_rate_mps: number | null; // upwards
+  wind_north_mps: number | null; // that it was planned in
+  wind_east_mps: number | null; // that it was planned in
+}
+
+/** Fly a plan of turns and straights as it is. */
+export interface FlyPlan {
+  plan: FlightElement[]; // its elements
+  any_time: boolean; // begun when the aircraft is at its start; else in time
+}
+
+/** Fly home and stay above. */
+export interface Return {
+}
+
+/** Land. */
+export interface Land {
+  at_home: boolean; // where the flight began
+  north_m: number | null; // else here
+  east_m: number | null; // else here
+}
+
 /** One order for one aircraft. */
 export interface Task {
   task_number: number; // the newest counts
-  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
 }
 
 /** The sender is there, nothing more. */
@@ -239,13 +325,36 @@ export interface Plugin {
   coded: number[]; // its bytes
 }
 
+/** An order about the task that an aircraft has. */
+export interface TaskChange {
+  task_number: number; // the newest counts
+  action: "pause" | "resume" | "cancel"; // pause, resume or cancel
+}
+
+/** What an aircraft has still to do of its task. */
+export interface TaskReport {
+  task_number: number; // of the task
+  state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is
+  reason: string; // why it is impossible; else empty
+  rest: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what is left of it
+}
+
+/** Where somebody has seen an object. */
+export interface Sighting {
+  object_id: number; // which
+  time_s: number; // when
+  north_m: number | null; // where it was believed
+  east_m: number | null; // where it was believed
+  position_sd_m: number | null; // per axis
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived
@@ -350,12 +459,15 @@ export interface RangeScan {
 /** One aircraft shall do this until the mission resumes. */
 export interface TaskCommand {
   aircraft: string; // who
-  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
+  others: string[]; // names of those it is about; empty: it has their numbers
+  file: string; // with the plan of a fly_plan
 }
 
-/** The mission stops giving orders, or goes on. */
+/** A mission is paused, goes on, begins or ends. */
 export interface Mission {
-  paused: boolean; // it stops, and its aircraft circle
+  action: "pause" | "resume" | "start" | "end"; // what becomes of it
+  mission: string; // its name; empty: all
 }
 
 /** Simulated time stands still, or goes on. */
@@ -396,11 +508,18 @@ export interface Remove {
   aircraft: string; // who
 }
 
+/** The task of an aircraft is paused, resumed, cancelled, or another gets what is left of it. */
+export interface ChangeTask {
+  aircraft: string; // whose task
+  action: "pause" | "resume" | "cancel"; // what becomes of it
+  to: string; // who goes on with it; empty: nobody
+}
+
 /** A command that somebody gave. */
 export interface CommandRecord {
   time_s: number; // it counts from this step on
   sender: string; // who gave it
-  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove)
+  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask)
 }
 
 /** A value that a plugin has recorded. */
@@ -408,4 +527,13 @@ export interface PluginRecord {
   time_s: number; // when
   plugin_kind: string; // what it is
   coded: number[]; // its bytes
+}
+
+/** What the planners on board make of what shall be flown, whenever that changes. */
+export interface Planner {
+  time_s: number; // from when on
+  entity_id: number; // whose planner
+  link: "loiter" | "task" | "separation" | "trajectory"; // which planner of the chain
+  verdict: "passed-on" | "modified" | "replaced"; // what it does with what it is handed
+  reason: string; // why
 }

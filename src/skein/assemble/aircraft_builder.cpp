@@ -148,7 +148,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
-  last_ = {self, name, group.name, context.has_camera, context.has_fire_sensor};
+  last_ = {self, name, group.name, geo::horizontal(context.initial.p_N), context.has_camera, context.has_fire_sensor};
   simulation::Entity entity;
   entity.name = name;
   entity.kind = "aircraft";

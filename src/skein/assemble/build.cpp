@@ -151,7 +151,7 @@ class Builder {
     const scenario::Station& described = scenario_.stations[station.id.value];
     reasoning::GroundStationOptions options;
     for (const TeamAircraft& each : station.team)
-      options.team.push_back({each.id, each.name});
+      options.team.push_back({each.id, each.name, each.place});
     options.position.p_N = place_of(described);
     options.heartbeat = heartbeat(scenario_, described);
     options.zones = server_options(station);

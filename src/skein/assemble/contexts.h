@@ -69,6 +69,7 @@ struct AircraftContext {
 struct TeamAircraft {
   EntityId id;
   std::string name, group;
+  Vec2 place = Vec2::Zero();  ///< where it begins [m]
   bool has_camera = false, has_fire_sensor = false;
 };
 

@@ -99,7 +99,7 @@ class Stage {
     context.stations = {{EntityId{0}, "station", {}}};
     for (std::uint32_t k = 1; k <= 2; ++k)
       context.stations.front().team.push_back(
-          {EntityId{k}, fmt::format("scout-{}", k), "scout", true, true});
+          {EntityId{k}, fmt::format("scout-{}", k), "scout", {}, true, true});
     context.planner = std::make_shared<planning::AaStar>();
     context.metrics_period = Time::from_seconds(5);
     return context;

@@ -232,7 +232,7 @@ TEST(Kinds, AnEnsembleThatIsTooLargeIsRefusedBeforeItTakesMemory) {
   EXPECT_EQ(problems("members: 40, max_nodes: 1000000"), "");
   EXPECT_EQ(
       problems("members: 50, max_nodes: 1000000"),
-      "test:1:68 missions[0].estimator.max_nodes: 1000000 nodes of 50 members are too "
+      "test:1:84 missions[0].estimator.max_nodes: 1000000 nodes of 50 members are too "
       "much memory; at most 800000 nodes are allowed for so many members.\n1 "
       "problem; nothing was run.\n");
   EXPECT_NE(problems("max_nodes: 10000000"), "");

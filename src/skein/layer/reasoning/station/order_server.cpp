@@ -20,6 +20,7 @@ OrderServer::OrderServer(const std::vector<NamedAircraft>& team, std::size_t mis
   for (const NamedAircraft& who : team) {
     Member& member = members_.emplace_back();
     member.who = who;
+    member.place = who.place;
     member.numbers.resize(missions);
   }
 }
@@ -98,6 +99,7 @@ void OrderServer::give(std::size_t index, std::optional<std::size_t> mission) {
   // Whatever order the mission gives next, its last one again included, must be higher.
   if (member.highest > 0 || numbers.order > 0)
     numbers.offset = member.highest + 1 - numbers.order;
+  numbers.first = member.highest + 1;
 }
 
 void OrderServer::order(std::size_t index, TaskKind what, Holder holder, Time now,
@@ -171,9 +173,10 @@ Message OrderServer::renumbered(const Message& message, std::size_t mission) {
   Message own = message;
   Member* member = find(message.from);
   if (!member) return own;
-  const std::uint32_t offset = member->numbers[mission].offset;
+  const Member::Numbers& numbers = member->numbers[mission];
   const auto to_own = [&](std::uint32_t number) {
-    return has(*member, mission) && number > offset ? number - offset : 0;
+    const bool own_order = has(*member, mission) && number >= numbers.first;
+    return own_order ? number - numbers.offset : 0;
   };
   if (auto* report = std::get_if<AircraftReport>(&own.content)) {
     if (!has(*member, mission)) report->obeys = false;

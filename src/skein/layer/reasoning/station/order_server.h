@@ -14,6 +14,7 @@ namespace skein::reasoning {
 struct NamedAircraft {
   EntityId id;
   std::string name;
+  Vec2 place = Vec2::Zero();  ///< where it begins [m]
 };
 
 /// The part of a ground station that sends orders to its aircraft: those of the mission
@@ -41,6 +42,7 @@ class OrderServer {
     struct Numbers {
       std::uint32_t order = 0;   // the mission's own last number
       std::uint32_t offset = 0;  // from these to those sent
+      std::uint32_t first = 0;   // sent since it has the aircraft
     };
     std::vector<Numbers> numbers;  // of each mission
     std::uint32_t highest = 0;     // of all orders so far

@@ -106,7 +106,9 @@ class Control : public testing::Test {
   }
   GroundStation make(std::vector<PlannedMission> missions) {
     GroundStationOptions options;
-    options.team = {{EntityId{1}, "a"}, {EntityId{2}, "b"}, {EntityId{3}, "c"}};
+    options.team = {{EntityId{1}, "a", {0, 0}},
+                    {EntityId{2}, "b", {100, 0}},
+                    {EntityId{3}, "c", {200, 0}}};
     return {options, std::move(missions), std::make_unique<NearestAllocator>()};
   }
   std::vector<PlannedMission> two(int min_of_second) {

@@ -46,7 +46,7 @@ class Orders : public testing::Test {
     auto mission = std::make_unique<Repeated>(reports_);
     mission_ = mission.get();
     GroundStationOptions options;
-    options.team = {{kFirst, "a"}, {kSecond, "b"}};
+    options.team = {{kFirst, "a", {}}, {kSecond, "b", {}}};
     std::vector<PlannedMission> missions(1);
     missions[0].name = "mission";
     missions[0].mission = std::move(mission);
@@ -146,7 +146,7 @@ TEST_F(Orders, OrdersOfBothHoldOverAndOver) {
 // Followers are sent the positions of whom they follow, unless that does so itself.
 TEST(OrderServer, PassesOnThePositionsOfThoseThatATaskIsAbout) {
   for (const bool direct : {false, true}) {
-    OrderServer server({{kFirst, "a"}, {kSecond, "b"}}, 0, {});
+    OrderServer server({{kFirst, "a", {}}, {kSecond, "b", {}}}, 0, {});
     AgentOutput out;
     FlyRoute route{{{0, 0}, {100, 0}}, 1, {}};
     if (direct) route.report_to.push_back(kSecond);
