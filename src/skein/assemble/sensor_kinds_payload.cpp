@@ -70,6 +70,9 @@ Fields<sensory::CameraOptions> camera_fields() {
                  {.above = 0, .below = 170})
       .angle_deg("length_deg", &T::length, "Field of view along.",
                  {.above = 0, .below = 170})
+      .boolean("gimbal", &T::gimbal,
+               "It looks straight down whatever the aircraft does; else it is fixed to "
+               "the body and moves with roll and pitch.")
       .number("range_m", &T::range, "Furthest at which objects can be made out.",
               {.above = 0, .at_most = 1e5})
       .number("detection", &T::detection,

@@ -69,6 +69,233 @@ TEST(AnyTask, IsFlownByEveryAircraftThatTakesOrders) {
     }
 }
 
+// Every plant, with a camera and a fire sensor.
+constexpr const char* kPlants[] = {
+    "kinematic\n    sensors: [gnss, air-data, fire, {kind: camera, gimbal: true, width_deg: 120, length_deg: 120}]",
+    "multirotor\n    autopilot: skein\n    sensors: [flight, fire, {kind: camera, gimbal: true, width_deg: 120, length_deg: 120}]",
+    "{kind: fixed-wing, aircraft: bixler}\n    autopilot: skein\n"
+    "    sensors: [flight, fire, {kind: camera, gimbal: true, width_deg: 120, length_deg: 120}]"};
+
+// One task of an aircraft in wind, ordered after half a minute, when it knows the wind.
+FlightLog fly_task(const char* plant, const std::string& task, int duration,
+                   const std::string& more = "") {
+  return fly(fmt::format(R"(
+seed: 9
+duration_s: {}
+environment:
+  terrain: flat
+  fire: none
+  wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
+  objects: [{{name: walker, position_m: [200, 150], velocity_mps: [0.8, -0.6]}}]
+missions: []
+stations: [{{position_m: [0, 600]}}]
+aircraft:
+  - name: a
+    plant: {}
+    altitude_agl_m: 80
+    start: {{placement: list, positions_m: [[0, 0]], heading_deg: 90}}
+commands:
+  - {{at_s: 30, do: "task a-1 {}"}}
+{})",
+                         duration, plant, task, more));
+}
+
+bool says(const FlightLog& log, const std::string& kind) {
+  return log.find(kind) != nullptr;
+}
+
+TEST(AnyTask, HoldStaysWhereTheAircraftIs) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly_task(plant, "hold", 150);
+    Vec2 then = Vec2::Zero();
+    for (const FlightRow& row : log.rows.at(1)) {
+      if (row.time.seconds() <= 30.5) then = geo::horizontal(row.truth.p_N);
+      if (row.time.seconds() > 60)
+        EXPECT_LT((geo::horizontal(row.truth.p_N) - then).norm(), 320) << log.story();
+    }
+  }
+}
+
+TEST(AnyTask, SurveySeesAllOfItsArea) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log =
+        fly_task(plant, "survey 100,100 500,100 500,500 100,500 swath 100 overlap 0.1", 900);
+    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    // By the truth: every place is within half a swath of the flight.
+    for (double north = 105; north < 500; north += 10)
+      for (double east = 105; east < 500; east += 10)
+        ASSERT_LT(nearest(log, {north, east}, 30, 900), 51) << north << " " << east;
+  }
+}
+
+TEST(AnyTask, PatrolFliesAlongItsLineAgainAndAgain) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly_task(plant, "patrol 0,200 600,200 rounds 2", 700);
+    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    for (double north = 0; north <= 600; north += 50) {
+      int passes = 0;
+      bool near = false;
+      for (const FlightRow& row : log.rows.at(1)) {
+        const double d = (geo::horizontal(row.truth.p_N) - Vec2(north, 200)).norm();
+        if (d < 25 && !near) ++passes;
+        near = near ? d < 45 : d < 25;
+      }
+      EXPECT_GE(passes, north == 0 || north == 600 ? 2 : 4) << north;
+    }
+  }
+}
+
+TEST(AnyTask, OrbitStaysWithAPointForItsTime) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly_task(plant, "orbit 300,-300 radius 120 duration 100", 260);
+    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    int there = 0;
+    for (const FlightRow& row : log.rows.at(1)) {
+      const double d = (geo::horizontal(row.truth.p_N) - Vec2(300, -300)).norm();
+      there += std::abs(d - 120) < 12;
+    }
+    EXPECT_GT(static_cast<double>(there) / static_cast<double>(log.rows.at(1).size()),
+              80.0 / 260);
+  }
+}
+
+TEST(AnyTask, OrbitFollowsAnObjectThatItSees) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly_task(plant, "orbit 225,130 object 0", 300);
+    double worst = 0;
+    for (const FlightRow& row : log.rows.at(1)) {
+      const double t = row.time.seconds();
+      if (t < 120) continue;
+      const Vec2 walker = Vec2(200, 150) + t * Vec2(0.8, -0.6);
+      worst = std::max(worst, (geo::horizontal(row.truth.p_N) - walker).norm());
+    }
+    EXPECT_LT(worst, 120) << log.story();
+  }
+}
+
+TEST(AnyTask, MeasureStaysAndReports) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly_task(plant, "measure -200,300 stay 30", 220);
+    ASSERT_TRUE(says(log, "measured")) << log.story();
+    EXPECT_TRUE(says(log, "task-done"));
+    EXPECT_NE(log.find("measured")->text.find("fire readings inside"), std::string::npos);
+  }
+}
+
+TEST(AnyTask, RendezvousArrivesInTime) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly_task(plant, "rendezvous 500,200 time 150", 220);
+    ASSERT_TRUE(says(log, "arrived")) << log.story();
+    EXPECT_LT(nearest(log, {500, 200}, 148, 152), 45) << log.story();
+    // Nobody flies 500 m in ten seconds.
+    EXPECT_TRUE(says(fly_task(plant, "rendezvous 500,200 time 40", 60), "late"));
+  }
+}
+
+TEST(AnyTask, RelayStaysHalfWay) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly(fmt::format(R"(
+duration_s: 240
+environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 3, from_deg: 0}}}}
+missions: []
+stations: [{{position_m: [0, 1000]}}]
+aircraft:
+  - name: a
+    plant: {}
+    altitude_agl_m: 80
+    start: {{placement: list, positions_m: [[0, 0]], heading_deg: 90}}
+  - {{name: b, start: {{placement: list, positions_m: [[0, -600]]}}}}
+commands:
+  - {{at_s: 10, do: "task b-1 hold"}}
+  - {{at_s: 10, do: "task a-1 relay station b-1"}}
+)",
+                                          plant));
+    for (const FlightRow& row : log.rows.at(1))
+      if (row.time.seconds() > 120)
+        EXPECT_LT((geo::horizontal(row.truth.p_N) - Vec2(0, 200)).norm(), 250)
+            << log.story();
+  }
+}
+
+TEST(AnyTask, ReturnStaysAboveHomeAndLandStands) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog home = fly_task(plant, "fly_to 600,300", 300,
+                                    "  - {at_s: 110, do: \"task a-1 return\"}\n");
+    EXPECT_LT(nearest(home, {600, 300}, 30, 110), 30) << home.story();
+    for (const FlightRow& row : home.rows.at(1))
+      if (row.time.seconds() > 240)
+        EXPECT_LT(geo::horizontal(row.truth.p_N).norm(), 250) << home.story();
+  }
+  for (const char* plant : {kPlants[1], kPlants[2]}) {
+    SCOPED_TRACE(plant);
+    const FlightLog down = fly_task(plant, "land -100,100", 300,
+                                    "  - {at_s: 270, do: \"task a-1 fly_to 300,0\"}\n");
+    EXPECT_TRUE(says(down, "landed")) << down.story();
+    EXPECT_TRUE(says(down, "task-done")) << down.story();
+    EXPECT_TRUE(says(down, "took-off")) << "for the next task" << down.story();
+  }
+}
+
+TEST(AnyTask, IsPausedResumedCancelledAndHandedOver) {
+  for (const char* plant : kPlants) {
+    SCOPED_TRACE(plant);
+    const FlightLog log = fly_task(
+        plant, "survey 100,100 500,100 500,500 100,500 swath 100 overlap 0.1", 1100,
+        "  - {at_s: 100, do: \"task a-1 pause\"}\n"
+        "  - {at_s: 160, do: \"task a-1 resume\"}\n");
+    EXPECT_TRUE(says(log, "task-paused")) << log.story();
+    EXPECT_TRUE(says(log, "task-resumed"));
+    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    for (double north = 105; north < 500; north += 10)
+      for (double east = 105; east < 500; east += 10)
+        ASSERT_LT(nearest(log, {north, east}, 30, 1100), 51) << north << " " << east;
+  }
+}
+
+TEST(AnyTask, ThatAnotherHasBegunIsFinishedNotRepeated) {
+  const FlightLog log = fly(R"(
+duration_s: 900
+environment: {terrain: flat, fire: none, wind: {kind: uniform, speed_mps: 3, from_deg: 0}}
+missions: []
+aircraft:
+  - {name: a, altitude_agl_m: 80, start: {placement: list, positions_m: [[0, 0]]}}
+  - {name: b, altitude_agl_m: 80, start: {placement: list, positions_m: [[-300, 0]]}}
+commands:
+  - {at_s: 10, do: "task a-1 survey 100,100 900,100 900,900 100,900 swath 100 overlap 0.1"}
+  - {at_s: 300, do: "task a-1 give b-1"}
+)");
+  double by_first = 0, by_both = 0, again = 0, cells = 0;
+  const auto seen = [&](std::size_t who, const Vec2& p, double from, double until) {
+    for (const FlightRow& row : log.rows.at(who))
+      if (row.time.seconds() > from && row.time.seconds() < until &&
+          (geo::horizontal(row.truth.p_N) - p).norm() < 51)
+        return true;
+    return false;
+  };
+  for (double north = 105; north < 900; north += 10)
+    for (double east = 105; east < 900; east += 10) {
+      const bool first = seen(1, {north, east}, 10, 300);
+      const bool second = seen(2, {north, east}, 300, 900);
+      ++cells;
+      by_first += first;
+      by_both += first || second;
+      again += first && second;
+    }
+  EXPECT_EQ(by_both, cells) << log.story();
+  EXPECT_GT(by_first / cells, 0.25);
+  // Turns at the ends of lines reach over what has been seen.
+  EXPECT_LT(again / by_first, 0.35);
+}
+
 TEST(AnyTask, ThatCannotBeFlownIsRefused) {
   const FlightLog log = fly(R"(
 duration_s: 20

@@ -39,14 +39,20 @@ void Camera::sample(const SensorView& view, std::vector<SensorSample>& out) {
   detections_.release(view.now, out);
 }
 
+Quat Camera::attitude(const SensorView& view) const {
+  const Quat& q_NB = view.vehicle.q_NB;
+  return options_.gimbal ? geo::from_euler({0, 0, geo::to_euler(q_NB).yaw}) : q_NB;
+}
+
 FootprintSample Camera::footprint(const SensorView& view) const {
   FootprintSample sample{view.now};
+  const Quat q_NS = attitude(view);
   const std::array<Vec3, 4> corners_B{{{front_, -right_, 1},
                                        {front_, right_, 1},
                                        {-front_, right_, 1},
                                        {-front_, -right_, 1}}};
   for (std::size_t i = 0; i < corners_B.size(); ++i) {
-    const Vec3 ray_N = view.vehicle.q_NB * corners_B[i].normalized();
+    const Vec3 ray_N = q_NS * corners_B[i].normalized();
     const double distance =
         ray_cast(view.terrain, view.vehicle.p_N, ray_N, options_.range)
             .value_or(options_.range);
@@ -56,12 +62,13 @@ FootprintSample Camera::footprint(const SensorView& view) const {
 }
 
 void Camera::find_objects(const SensorView& view, std::vector<SensorSample>& out) {
+  const Quat q_SN = attitude(view).conjugate();
   for (const GroundObject& object : view.objects) {
     const Vec2 at = object.at(view.now);
     const Vec3 object_N{at.x(), at.y(), -view.terrain.elevation_msl(at)};
     const Vec3 away_N = object_N - view.vehicle.p_N;
     const double distance = away_N.norm();
-    const Vec3 away_B = view.vehicle.q_NB.conjugate() * away_N;
+    const Vec3 away_B = q_SN * away_N;
     if (distance > options_.range || away_B.z() <= 0 ||
         std::abs(away_B.x()) > front_ * away_B.z() ||
         std::abs(away_B.y()) > right_ * away_B.z() || hidden(view, away_N, distance))

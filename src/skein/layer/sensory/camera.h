@@ -15,6 +15,7 @@ struct CameraOptions {
   double latency = 0.2;              ///< [s]; with what is found in them
   double width = geo::radians(60);   ///< field of view across, left to right [rad]
   double length = geo::radians(45);  ///< field of view along, front to back [rad]
+  bool gimbal = false;  ///< keeps it looking straight down, its top towards the nose
   double range = 500;                ///< furthest at which objects can be made out [m]
   double detection = 0.8;  ///< probability that a visible object is found, per picture
   double position_sd = 1;  ///< of a found position per axis [m]
@@ -23,7 +24,7 @@ struct CameraOptions {
 };
 
 /// Camera that looks along the body's down axis, so that its picture moves with roll and
-/// pitch.
+/// pitch, unless a gimbal takes these out.
 ///
 /// The footprint is where the rays through the picture's corners meet the terrain: front
 /// left, front right, back right, back left. A ray that meets nothing within the range
@@ -44,6 +45,7 @@ class Camera final : public Sensor {
   bool finds_objects() const override { return true; }
 
  private:
+  Quat attitude(const SensorView& view) const;  // of the camera
   FootprintSample footprint(const SensorView& view) const;
   void find_objects(const SensorView& view, std::vector<SensorSample>& out);
 

@@ -9,6 +9,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kStraightStep = 4;  // between looks at the ground on straights [s]
+constexpr double kReserve = 0.75;    // of the rates: the curve may be steeper in between
 
 }  // namespace
 
@@ -22,8 +23,8 @@ Plan drape(const FlightPlan& plan, const Terrain& ground, double height,
     const double setpoint =
         altitude_over(ground, geo::horizontal(point.p_N), geo::horizontal(point.v_N),
                       height, limits.climb_rate);
-    altitude = std::clamp(setpoint, altitude - limits.sink_rate * dt,
-                          altitude + limits.climb_rate * dt);
+    altitude = std::clamp(setpoint, altitude - kReserve * limits.sink_rate * dt,
+                          altitude + kReserve * limits.climb_rate * dt);
     before = point.time;
     point.p_N.z() = -altitude;
   }

@@ -9,6 +9,8 @@ namespace skein::reasoning {
 namespace {
 
 constexpr int kRoundsAtATime = 3;
+constexpr double kWorthIt = 2;     // straight that is worth coming back to [s]
+constexpr double kRounding = 1e-6;  // [s]
 
 }  // namespace
 
@@ -27,7 +29,9 @@ PlannedTask::Part PatrolTask::plan_part(const Start& start, const TaskStep&) {
   query.altitude_msl = -start.state.p_N.z();
   query.start_time = start.time;
   query.starts = {start.state};
+  // At cruise airspeed from the beginning: no aircraft changes it at once.
   query.limits = start.limits;
+  query.limits.slowest = query.limits.fastest = start.limits.airspeed;
   query.wind = start.wind;
   planning::PatrolResult result = planning::plan_patrol(query);
   Part part;
@@ -38,13 +42,20 @@ PlannedTask::Part PatrolTask::plan_part(const Start& start, const TaskStep&) {
     return part;
   }
   part.plan = std::move(result.plans.front());
-  const double end = model::end_time_of(part.plan);
-  part.milestones.push_back(result.begins.front());
-  ends_round_.push_back(false);
-  for (int k = 1; k <= query.rounds; ++k) {
-    const double time = result.begins.front() + k * result.round_time;
-    part.milestones.push_back(k == query.rounds ? end : std::min(time, end));
-    ends_round_.push_back(true);
+  // Where the line is joined and left, so that detours come back to it.
+  const double begin = result.begins.front(), end = model::end_time_of(part.plan);
+  for (const FlightElement& e : part.plan)
+    if (e.turn_rate == 0 && e.duration > kWorthIt && e.start >= begin - kRounding)
+      for (const double time : {e.start, e.start + e.duration})
+        if (part.milestones.empty() || time > part.milestones.back() + kRounding)
+          part.milestones.push_back(time);
+  if (part.milestones.empty() || part.milestones.back() < end - kRounding)
+    part.milestones.push_back(end);
+  double round = begin + result.round_time;
+  for (const double time : part.milestones) {
+    const bool over = time >= std::min(round, end) - kRounding;
+    ends_round_.push_back(over);
+    if (over) round += result.round_time;
   }
   planned_ += query.rounds;
   part.last = order_.rounds != 0 && planned_ >= order_.rounds;

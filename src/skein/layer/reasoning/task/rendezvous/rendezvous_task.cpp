@@ -16,7 +16,17 @@ constexpr double kSlowest = 0.5;     // of cruise, for who can hover: still a fl
 constexpr double kGap = 2;           // a later time that is tried instead [s]
 constexpr int kTries = 30;
 
+// Off its plan it makes another that is there in time.
+PlannedTaskOptions there_in_time() {
+  PlannedTaskOptions options;
+  options.rejoins = false;
+  return options;
+}
+
 }  // namespace
+
+RendezvousTask::RendezvousTask(const FlightContext& context, const Rendezvous& order)
+    : PlannedTask(context, there_in_time()), order_(order) {}
 
 const FlightIntent* RendezvousTask::before(const TaskStep& step, AgentOutput& out) {
   if (late_by_ > kLate && std::abs(late_by_ - said_late_) > kLate) {

@@ -9,8 +9,7 @@ namespace skein::reasoning {
 /// Then it stays there.
 class RendezvousTask final : public PlannedTask {
  public:
-  RendezvousTask(const FlightContext& context, const Rendezvous& order)
-      : PlannedTask(context, {}), order_(order) {}
+  RendezvousTask(const FlightContext& context, const Rendezvous& order);
 
   TaskKind rest() const override { return order_; }
 
