@@ -44,7 +44,8 @@ const FlightIntent* PlannedTask::plan(const TaskStep& step, AgentOutput& out) {
     if (flight.refused) {
       // The autopilot has reported why.
       renew();
-      if (++refusals_ >= kMaxRefusals) impossible_ = "the autopilot refuses its plans";
+      // What was led around a zone may be flown from elsewhere.
+      if (!flight.mended && ++refusals_ >= kMaxRefusals) impossible_ = "the autopilot refuses its plans";
       try_again_ = step.in.now + Time::from_seconds(kTryAgain);
     } else if (flight.done && last_) {
       if (finish(step, out)) {

@@ -14,7 +14,8 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookAgain = 10;   // after the last try, at the earliest [s]
+constexpr double kLookAgain = 10;   // after the first failure to mend [s]
+constexpr double kLongestWait = 60; // after others [s]
 constexpr double kCourseAhead = 3;  // whose bearing is the course of a plan [s]
 
 }  // namespace
@@ -41,13 +42,12 @@ double PlanFlight::altitude_msl(double time) const {
 
 void PlanFlight::step(const TrajectoryStep& step, AgentOutput& out) {
   const AgentInput& in = step.in;
-  if (state_ != State::kNew && in.command_fate.state == CommandFate::State::kRefused) {
-    // What was flown before goes on, through a zone perhaps.
-    state_ = state_ == State::kAsPlanned ? State::kRefused : State::kBySight;
-  }
+  if (state_ != State::kNew && in.command_fate.state == CommandFate::State::kRefused)
+    state_ = State::kRefused;
   if (state_ == State::kRefused) return;
   step.zones.regard(*in.nav, altitude_msl(in.now.seconds()));
   look(step, out);
+  changed_ = changed_ || state_ == State::kMended || state_ == State::kBySight;
   if (state_ == State::kBySight) lead_by_sight(step, out);
 }
 
@@ -72,7 +72,9 @@ void PlanFlight::look(const TrajectoryStep& step, AgentOutput& out) {
     state_ = State::kAsPlanned;
     return give(step, out);
   }
-  look_again_ = in.now + Time::from_seconds(kLookAgain);
+  if (changed) wait_ = 0;
+  wait_ = std::clamp(2 * wait_, kLookAgain, kLongestWait);
+  look_again_ = in.now + Time::from_seconds(wait_);
   if (!mend(step, out)) {
     // Without zones there is nothing to be led around.
     state_ = step.zones.zones().empty() ? State::kAsPlanned : State::kBySight;
@@ -80,6 +82,7 @@ void PlanFlight::look(const TrajectoryStep& step, AgentOutput& out) {
     return;
   }
   state_ = State::kMended;
+  wait_ = 0;
   give(step, out);
 }
 
@@ -146,7 +149,7 @@ void PlanFlight::report(const AgentInput& in, FlightProgress& progress) const {
   const double reached = in_time_ || !follows ? now : now - in.autopilot.time_error;
   progress.refused = state_ == State::kRefused;
   progress.by_sight = state_ == State::kBySight;
-  progress.mended = progress.by_sight || state_ == State::kMended;
+  progress.mended = changed_;
   const auto ahead = std::upper_bound(milestones_.begin(), milestones_.end(), reached);
   progress.passed = total_ - static_cast<std::size_t>(milestones_.end() - ahead);
   progress.time_to_go = std::max(0.0, milestones_.back() - reached);

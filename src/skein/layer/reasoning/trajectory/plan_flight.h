@@ -13,9 +13,10 @@ namespace skein::reasoning {
 /// Where a no-fly zone comes to lie on the rest of the plan, or the aircraft has left it,
 /// the plan is mended leg by leg: left for a while and joined again before the next
 /// milestone that is not blocked; what comes after is flown that much later
-/// (planning::repair). Where no mending is found, or the autopilot refuses what was
-/// mended, the zone avoidance leads the aircraft along the plan by sight, and mending is
-/// tried again ten seconds later. An aircraft within a zone leaves it first.
+/// (planning::repair). Where no mending is found, the zone avoidance leads the aircraft
+/// along the plan by sight, and mending is tried again ten seconds later, then less and
+/// less often. An aircraft within a zone leaves it first. A plan that the autopilot
+/// refuses is not flown any more: who has made it must make another.
 class PlanFlight {
  public:
   /// @param itinerary  its plan is not empty; milestones end with the plan.
@@ -47,6 +48,8 @@ class PlanFlight {
   State state_ = State::kNew;
   Plan given_;  // to the autopilot
   Time given_at_, look_again_;
+  double wait_ = 0;      // after the last failure to mend [s]
+  bool changed_ = false; // it is not flown as it was given
 };
 
 }  // namespace skein::reasoning

@@ -26,11 +26,20 @@ Airspace airspace_of(const FlightPlan& plan, const TrajectoryStep& step) {
   return airspace;
 }
 
-PathQuery query_of(const Airspace& airspace, const TrajectoryStep& step,
-                   const FlightContext& context) {
+double airspeed_at(const FlightPlan& plan, double time) {
+  for (const FlightElement& e : plan)
+    if (e.start + e.duration > time) return e.airspeed;
+  return plan.back().airspeed;
+}
+
+// At the airspeed of the plan, with the same bank.
+PathQuery query_of(const Airspace& airspace, const FlightPlan& plan,
+                   const TrajectoryStep& step, const FlightContext& context) {
   PathQuery query;
   query.limits = context.limits;
-  query.limits.turn_radius *= kMendedRadius;
+  query.limits.airspeed = airspeed_at(plan, step.in.now.seconds());
+  query.limits.turn_radius *=
+      kMendedRadius * std::pow(query.limits.airspeed / context.limits.airspeed, 2);
   query.wind = step.in.nav->wind_N;
   query.start_time = step.in.now.seconds();
   query.ground_clearance = context.altitude_agl / 2;
@@ -51,7 +60,7 @@ class Mending {
   Mending(const FlightPlan& plan, const std::vector<double>& milestones,
           const TrajectoryStep& step, const FlightContext& context)
       : airspace_(airspace_of(plan, step)),
-        query_(query_of(airspace_, step, context)),
+        query_(query_of(airspace_, plan, step, context)),
         map_(query_),
         rest_(plan),
         milestones_(milestones) {}
@@ -152,7 +161,7 @@ bool comes_into_zone(const FlightPlan& plan, double after, const TrajectoryStep&
   const FlightPlan rest = planning::part_of(plan, after, model::end_time_of(plan));
   if (rest.empty()) return false;
   const Airspace airspace = airspace_of(plan, step);
-  const PathQuery query = query_of(airspace, step, context);
+  const PathQuery query = query_of(airspace, plan, step, context);
   return planning::AirspaceMap(query).first_meeting(rest).has_value();
 }
 

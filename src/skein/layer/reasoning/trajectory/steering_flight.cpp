@@ -13,7 +13,8 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kCircleReserve = 1.1;  // of turn radii over ground: room to correct
-constexpr double kMovedPlace = 1;        // nearer is the same place [m]
+constexpr double kMovedPlace = 1;         // nearer is the same place [m]
+constexpr double kWorthSaying = 100;      // another place instead is reported [m]
 
 double altitude_for(const std::optional<double>& own, const FlightContext& context,
                     const NavEstimate& nav) {
@@ -39,20 +40,20 @@ void steer(const Steering& intent, const FlightContext& context,
 void CirclingFlight::step(const Circling& intent, const TrajectoryStep& step,
                           AgentOutput& out) {
   const NavEstimate& nav = *step.in.nav;
-  if (centre_ != intent.centre) centre_ = place_ = intent.centre;
   const double altitude = altitude_for(intent.altitude_msl, context_, nav);
-  const Vec2 allowed = step.zones.allowed(*centre_, nav, altitude);
-  if ((allowed - place_).norm() > kMovedPlace) {
-    place_ = allowed;
+  const Vec2 place = step.zones.allowed(intent.centre, nav, altitude);
+  const bool moved = (place - intent.centre).norm() > kMovedPlace;
+  // Of a place that moves only now and then.
+  if (moved != said_.has_value() || (moved && (place - *said_).norm() > kWorthSaying)) {
     out.events.push_back(
         {step.in.now, context_.self, "task-moved",
-         allowed == *centre_
-             ? std::string("no zone forbids the place of the task any more")
-             : fmt::format("the place of the task lies in a no-fly zone: {:.0f} m north, "
-                           "{:.0f} m east instead",
-                           allowed.x(), allowed.y())});
+         moved ? fmt::format("the place of the task lies in a no-fly zone: {:.0f} m "
+                             "north, {:.0f} m east instead",
+                             place.x(), place.y())
+               : std::string("no zone forbids the place of the task any more")});
+    said_ = moved ? std::optional(place) : std::nullopt;
   }
-  Steering steering = circle_at(place_, nav, context_.limits);
+  Steering steering = circle_at(place, nav, context_.limits);
   steering.altitude_msl = altitude;
   steer(steering, context_, step, out);
 }

@@ -22,8 +22,7 @@ class CirclingFlight {
 
  private:
   FlightContext context_;
-  std::optional<Vec2> centre_;  // as asked for
-  Vec2 place_ = Vec2::Zero();   // as flown
+  std::optional<Vec2> said_;  // the place that was taken instead, as last reported
 };
 
 /// Clockwise around a point, with room to correct in the wind.

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "skein/geo/clip.h"
+#include "skein/layer/reasoning/trajectory/grown_zone.h"
 #include "skein/layer/reasoning/trajectory/round_trip.h"
 
 namespace skein::reasoning {
 namespace {
 
-constexpr double kGrownTolerance = 1;  // of the arcs around grown corners [m]
 constexpr double kMinRoom = 3;         // from a grown zone to the ends of a path [m]
 
 }  // namespace
@@ -64,19 +63,8 @@ std::vector<Zone> ZoneMonitor::obstacles(const Vec2& from, const Vec2& to) const
     const geo::Ring around = outline(zone);
     const double room =
         std::min(distance_between(from, from, around), distance_between(to, to, around));
-    const double margin = std::min(options_.margin, room - kMinRoom);
-    if (auto* disc = std::get_if<Disc>(&zone.area)) {
-      disc->radius += std::max(margin, 0.0);
-    } else if (margin > 0) {
-      // What the zone surrounds closely is filled: a planner's ring has no holes.
-      const geo::Region region = geo::grown({around}, margin, kGrownTolerance);
-      zone.area = *std::max_element(region.begin(), region.end(),
-                                    [](const geo::Ring& a, const geo::Ring& b) {
-                                      return geo::signed_area(a) < geo::signed_area(b);
-                                    });
-    }
-    zone.floor_msl -= options_.vertical_margin;
-    zone.ceiling_msl += options_.vertical_margin;
+    zone = reasoning::grown(zone, std::min(options_.margin, room - kMinRoom),
+                            options_.vertical_margin);
   }
   return grown;
 }

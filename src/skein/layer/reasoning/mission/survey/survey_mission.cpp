@@ -8,11 +8,13 @@
 #include "skein/geo/polygon.h"
 #include "skein/layer/reasoning/planning/tasks/coverage.h"
 #include "skein/layer/reasoning/planning/tasks/survey_sharing.h"
+#include "skein/layer/reasoning/trajectory/grown_zone.h"
 
 namespace skein::reasoning {
 namespace {
 
 constexpr double kRadiusFactor = 1.1;  // of planned turns, as SurveyTask flies them
+constexpr double kVertical = 20;       // kept from floors and ceilings [m]
 constexpr double kShareAgain = 30;     // at the earliest [s]
 constexpr std::size_t kWorthSharing = 4;  // lines that somebody has left, times two ends
 
@@ -99,8 +101,9 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
   query.swath = options_.survey.swath;
   query.overlap = options_.survey.overlap;
   query.bearing = options_.bearing;
-  query.zones.assign(zones_.zones().begin(), zones_.zones().end());
-  query.zone_distance = query.zones.empty() ? 0 : options_.zone_margin;
+  // Turns keep out of the margin as lines do.
+  for (const Zone& zone : zones_.zones())
+    query.zones.push_back(grown(zone, options_.zone_margin, kVertical));
   query.altitude_msl = -who.front()->nav.p_N.z();
   query.start_time = now.seconds();
   query.limits = limits();

@@ -12,6 +12,7 @@ constexpr double kChunk = 120;      // of an orbit, planned at a time [s]
 constexpr double kOffTarget = 12;   // the target, from where it was planned to be [m]
 constexpr double kAimAgain = 4;     // after the last aim, at the earliest [s]
 constexpr double kTolerance = 5;    // of the distance on a circle [m]
+constexpr double kBesideZones = 1.5;  // of the radius: room for the way to the circle
 constexpr double kRoom = 1.02;      // of the smallest circle
 constexpr double kReserve = 1.25;   // of turn radii, for a circle that is to be small
 
@@ -44,9 +45,17 @@ const FlightIntent* OrbitTask::before(const TaskStep& step, AgentOutput&) {
     set_done();
     return nullptr;
   }
+  const Vec2 target = target_at(step, now);
+  const ZoneMonitor& zones = step.safety.zones();
+  if (!zones.zones().empty() &&
+      zones.distance(target) < kBesideZones * radius_ + zones.margin()) {
+    renew();
+    beside_.what = Circling{target, {}};
+    return &beside_;
+  }
   if (!order_.object || (now - aimed_at_).seconds() < kAimAgain) return nullptr;
   const Vec2 planned = aim_ + (now - aimed_at_).seconds() * aim_velocity_;
-  if ((target_at(step, now) - planned).norm() > kOffTarget) renew();
+  if ((target - planned).norm() > kOffTarget) renew();
   return nullptr;
 }
 

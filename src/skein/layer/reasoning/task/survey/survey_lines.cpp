@@ -3,40 +3,42 @@
 #include <algorithm>
 #include <utility>
 
-#include "skein/layer/reasoning/trajectory/round_trip.h"
+#include "skein/layer/reasoning/planning/tasks/zone_lines.h"
 
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLook = 5;      // between places of a line that are looked at [m]
 constexpr double kShortest = 1;  // shorter parts of lines are none [m]
 
 double length_of(const SurveyLine& line) {
   return (line.end - line.begin).norm();
 }
 
-bool forbidden(const Vec2& p, std::span<const Zone> zones, double margin) {
-  return std::any_of(zones.begin(), zones.end(), [&](const Zone& zone) {
-    return covers(zone, p) || distance_between(p, p, outline(zone)) < margin;
-  });
-}
-
-// Divides a line where it enters and leaves zones.
-void divide(const SurveyLine& line, std::span<const Zone> zones, double margin,
-            std::vector<SurveyLine>& free, std::vector<SurveyLine>& blocked) {
-  const Vec2 along = line.end - line.begin;
-  const int looks = std::max(1, static_cast<int>(along.norm() / kLook));
-  const auto at = [&](int k) { return Vec2(line.begin + along * (double(k) / looks)); };
-  int from = 0;
-  bool inside = forbidden(line.begin, zones, margin);
-  for (int k = 1; k <= looks; ++k) {
-    const bool now = forbidden(at(k), zones, margin);
-    if (now == inside && k < looks) continue;
-    const SurveyLine part{at(from), at(k), line.missed};
-    if (length_of(part) >= kShortest) (inside ? blocked : free).push_back(part);
-    from = k;
-    inside = now;
+// Divides a line into what can be flown, ends included, and the rest.
+void divide(const SurveyLine& line, const planning::ZoneRings& zones,
+            const planning::ZoneRoom& room, std::vector<SurveyLine>& free,
+            std::vector<SurveyLine>& blocked) {
+  const double length = length_of(line);
+  const Vec2 along = (line.end - line.begin) / length;
+  std::vector<planning::Span> spans;
+  for (const planning::SweepLine& part :
+       planning::clear_of({{line.begin, line.end, 0}}, zones, room)) {
+    const double a = (part.a - line.begin).dot(along), b = (part.b - line.begin).dot(along);
+    spans.push_back({std::min(a, b), std::max(a, b)});
   }
+  std::sort(spans.begin(), spans.end(),
+            [](const auto& a, const auto& b) { return a.low < b.low; });
+  double done = 0;
+  const auto add = [&](double from, double to, std::vector<SurveyLine>& parts) {
+    if (to - from >= kShortest)
+      parts.push_back({line.begin + from * along, line.begin + to * along, line.missed});
+  };
+  for (const planning::Span& span : spans) {
+    add(done, span.low, blocked);
+    add(span.low, span.high, free);
+    done = span.high;
+  }
+  add(done, length, blocked);
 }
 
 }  // namespace
@@ -62,15 +64,18 @@ double SurveyLines::length_forbidden() const {
   return sum;
 }
 
-void SurveyLines::regard(std::span<const Zone> zones, double margin) {
+void SurveyLines::regard(std::span<const Zone> zones, double turn_radius) {
   std::vector<SurveyLine> all = std::exchange(left_, {});
   all.insert(all.end(), forbidden_.begin(), forbidden_.end());
   forbidden_.clear();
+  std::vector<geo::Ring> rings;
+  for (const Zone& zone : zones) rings.push_back(outline(zone));
+  const planning::ZoneRings borders(std::move(rings));
   for (const SurveyLine& line : all) {
     if (zones.empty())
       left_.push_back(line);
     else
-      divide(line, zones, margin, left_, forbidden_);
+      divide(line, borders, {0, turn_radius}, left_, forbidden_);
   }
 }
 

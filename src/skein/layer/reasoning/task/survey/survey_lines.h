@@ -32,10 +32,12 @@ class SurveyLines {
   double length() const { return length_; }  ///< of all at the beginning [m]
   double length_forbidden() const;           ///< within zones [m]
 
-  /// Other zones count from now on: parts of lines within them are put aside, others come
-  /// back, behind those that are left.
-  /// @param margin  kept from zones [m].
-  void regard(std::span<const Zone> zones, double margin);
+  /// Other zones count from now on: parts of lines within them, and where they leave no
+  /// room to turn at the end of a line, are put aside; others come back, behind those
+  /// that are left.
+  /// @param zones        with the margin that is kept from them.
+  /// @param turn_radius  over ground [m].
+  void regard(std::span<const Zone> zones, double turn_radius);
 
   /// The first line has been flown.
   void flown();

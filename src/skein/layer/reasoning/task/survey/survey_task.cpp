@@ -8,12 +8,15 @@
 
 #include "skein/layer/reasoning/planning/tasks/coverage.h"
 #include "skein/layer/reasoning/planning/tasks/join.h"
+#include "skein/layer/reasoning/trajectory/grown_zone.h"
+#include "skein/layer/reasoning/trajectory/steering_flight.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 namespace {
 
 constexpr double kAside = 0.1;  // of the swath, off a line that still counts as flown
+constexpr double kBeside = 5;   // more than the margin, for rounded corners [m]
 
 }  // namespace
 
@@ -59,11 +62,20 @@ bool SurveyTask::zones_changed(const TaskStep& step) {
   return !same;
 }
 
+// Turns keep out of the margin as lines do.
+std::vector<Zone> SurveyTask::grown_zones(const TaskStep& step) const {
+  std::vector<Zone> all;
+  for (const Zone& zone : zones_)
+    all.push_back(grown(zone, step.safety.zones().margin() + kBeside, 0));
+  return all;
+}
+
 // Lines are cut anew where other zones forbid them.
 const FlightIntent* SurveyTask::before(const TaskStep& step, AgentOutput&) {
   if (!zones_changed(step) || !lines_) return nullptr;
   cut_line();
-  lines_->regard(zones_, step.safety.zones().margin());
+  lines_->regard(grown_zones(step),
+                 wide_radius(context().limits, step.in.nav->wind_N));
   ++version_;
   renew();
   return nullptr;
@@ -74,10 +86,9 @@ bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
   planning::CoverageQuery query;
   query.area = order_.area;
   query.holes = order_.holes;
-  query.zones = zones_;
+  query.zones = grown_zones(step);
   query.swath = order_.swath;
   query.overlap = order_.overlap;
-  query.zone_distance = zones_.empty() ? 0 : step.safety.zones().margin();
   query.altitude_msl = -start.state.p_N.z();
   query.start_time = start.time;
   query.limits = start.limits;

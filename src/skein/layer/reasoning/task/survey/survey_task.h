@@ -31,6 +31,7 @@ class SurveyTask final : public PlannedTask {
   const FlightIntent* before(const TaskStep& step, AgentOutput& out) override;
   bool plan_lines(const Start& start, const TaskStep& step, std::string& why_not);
   bool zones_changed(const TaskStep& step);
+  std::vector<Zone> grown_zones(const TaskStep& step) const;
   bool cut_line();
 
   Survey order_;
