@@ -9,6 +9,7 @@
 #include "app/version.h"
 #include "skein/assemble/build.h"
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/read_command.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
 #include "skein/record/replay.h"
@@ -150,8 +151,11 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
 
 // Runs to the end; whether it was interrupted.
 Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
-                      const RunArguments& arguments, const std::atomic<bool>& stop) {
+                      const geo::LocalFrame& frame, const RunArguments& arguments,
+                      const std::atomic<bool>& stop) {
   hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
+  console.read_with(
+      [&frame](std::string_view line) { return assemble::read_command(line, frame); });
   const auto outcome = simulation::run(ready.world, ready.options, recorder, console);
   if (!outcome) return outcome.error();
   recorder.set_figure("deadline_misses",
@@ -213,6 +217,8 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   if (!order) return kBadUsage;
   const scenario::Scenario& scenario = order->scenario;
 
+  const auto frame = geo::LocalFrame::at(scenario.origin);
+  if (!frame) return say_error(frame.error());
   auto built = assemble::build(scenario, order->kinds);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
@@ -228,10 +234,11 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
                    folder, arguments.overwrite);
   if (!opened) return say_error(opened.error());
   record::RunRecorder& recorder = *opened.value();
-  const auto patch = assemble::sample_terrain(*ready.world.terrain, ready.map_centre, 4000);
+  const auto patch =
+      assemble::sample_terrain(*ready.world.terrain, ready.map_centre, 4000);
   recorder.store_terrain(patch.rows, patch.rows, patch.low, patch.spacing, patch.heights);
 
-  const auto simulated = simulate(ready, recorder, arguments, stop);
+  const auto simulated = simulate(ready, recorder, frame.value(), arguments, stop);
   const bool interrupted =
       simulated ? simulated.value() || (order->recorded && order->recorded->interrupted)
                 : true;

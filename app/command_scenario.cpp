@@ -12,6 +12,7 @@
 #include "skein/assemble/verify_kinds.h"
 #include "skein/base/check.h"
 #include "skein/base/log.h"
+#include "skein/data/task_text.h"
 #include "skein/record/record_text.h"
 #include "skein/scenario/markdown.h"
 #include "skein/scenario/scenario_file.h"
@@ -130,6 +131,12 @@ int schema_command(const std::string& document, const std::vector<std::string>& 
 int keys_command(const std::string& document, const std::vector<std::string>& plugins) {
   if (document == "records") {
     print("{}", record::records_markdown());
+    return kDone;
+  }
+  if (document == "tasks") {
+    print(
+        "| as a command, after `task AIRCRAFT` | what the aircraft does |\n|---|---|\n");
+    for (const auto& [usage, help] : task_usage()) print("| `{}` | {} |\n", usage, help);
     return kDone;
   }
   const auto kinds = load_kinds(plugins);

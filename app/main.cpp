@@ -211,11 +211,15 @@ Command add_description(CLI::App& program, const char* name, const char* help,
   };
   auto* command = program.add_subcommand(name, help);
   const auto given = std::make_shared<Given>();
-  command
-      ->add_option("of", given->document,
-                   "Of which files: scenario or aircraft; records: what runs leave "
-                   "behind.")
-      ->check(CLI::IsMember({"scenario", "aircraft", "records"}));
+  std::vector<std::string> documents = {"scenario", "aircraft", "records"};
+  std::string which =
+      "Of which files: scenario or aircraft; records: what runs leave behind";
+  if (std::string_view(name) == "keys") {
+    documents.emplace_back("tasks");
+    which += "; tasks: how orders are written";
+  }
+  command->add_option("of", given->document, which + ".")
+      ->check(CLI::IsMember(documents));
   add_plugin_option(*command, given->plugins);
   command->footer(examples);
   return {command,

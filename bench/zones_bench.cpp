@@ -7,9 +7,9 @@
 
 #include "skein/base/random.h"
 #include "skein/data/airspace.h"
+#include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/trajectory/detour_planner.h"
 #include "skein/layer/reasoning/trajectory/zone_avoidance.h"
-#include "skein/layer/reasoning/planning/search/aa_star.h"
 
 namespace skein {
 namespace {

@@ -15,7 +15,8 @@ class PluginProgram : public Program {
     return write("mine.yaml",
                  "name: mine\nduration_s: 60\nplugins: ['" + std::string(kPlugin) +
                      "']\n" + "aircraft: [{sensors: [gnss, air-data, radiometer]}]\n" +
-                     "missions: [{kind: perimeter, strategy: gus, estimator: circle}]\n" + more);
+                     "missions: [{kind: perimeter, strategy: gus, estimator: circle}]\n" +
+                     more);
   }
   static std::string hash_of(const fs::path& run) {
     return nlohmann::json::parse(read_file(run / "summary.json")).at("content_hash");
@@ -51,8 +52,8 @@ TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {
   EXPECT_EQ(hash_of(folder_ / "first"), hash_of(folder_ / "again"));
 
   // The plugin of the command line is the scenario's from then on.
-  const fs::path plain =
-      write("plain.yaml", "duration_s: 60\nmissions: [{kind: perimeter, estimator: circle}]\n");
+  const fs::path plain = write(
+      "plain.yaml", "duration_s: 60\nmissions: [{kind: perimeter, estimator: circle}]\n");
   ASSERT_EQ(run({"check", plain.string()}).status, 2);
   const Finished given =
       run({"run", plain.string(), "--plugin", kPlugin, "--out", "given"});

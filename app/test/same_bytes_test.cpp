@@ -124,7 +124,8 @@ TEST_F(SameBytes, OfEveryEstimatorAndStrategy) {
     expect_same(file.string(),
                 {"--set", std::string("missions[0].estimator=") + estimator});
   for (const char* strategy : {"gus", "gus-rate", "partition", "ellipse"})
-    expect_same(file.string(), {"--set", std::string("missions[0].strategy=") + strategy});
+    expect_same(file.string(),
+                {"--set", std::string("missions[0].strategy=") + strategy});
 }
 
 // Terrain from a raster in Universal Transverse Mercator coordinates, which another

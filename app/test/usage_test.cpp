@@ -47,6 +47,8 @@ TEST_F(Program, TheDocumentationOfKeysIsUpToDate) {
   EXPECT_EQ(run({"keys", "records"}).out,
             read_file(SKEIN_SOURCE_DIR "/docs/record-tables.md"))
       << "Renew it: build/release/skein keys records > docs/record-tables.md";
+  EXPECT_EQ(run({"keys", "tasks"}).out, read_file(SKEIN_SOURCE_DIR "/docs/task-kinds.md"))
+      << "Renew it: build/release/skein keys tasks > docs/task-kinds.md";
   EXPECT_EQ(run({"schema", "records"}).out,
             read_file(SKEIN_SOURCE_DIR "/web/report/records.ts"))
       << "Renew it: build/release/skein schema records > web/report/records.ts";
@@ -239,9 +241,10 @@ TEST_F(Program, StaysWithinItsFolderWhateverTheName) {
 
 TEST_F(Program, SaysWhenMemoryIsNotEnough) {
   if (!kMemoryCanBeLimited) GTEST_SKIP() << "needs a limit of memory";
-  const auto file = write("s.yaml",
-                          "duration_s: 5\nmissions: [{kind: perimeter, estimator: {kind: ensemble, "
-                          "members: 200, cell_m: 5, max_nodes: 200000}}]\n");
+  const auto file =
+      write("s.yaml",
+            "duration_s: 5\nmissions: [{kind: perimeter, estimator: {kind: ensemble, "
+            "members: 200, cell_m: 5, max_nodes: 200000}}]\n");
   const Finished big = run({"run", file.string()}, RLIM_INFINITY, 350'000'000);
   EXPECT_EQ(big.status, 1) << big.err;
   EXPECT_NE(big.err.find("not enough memory"), std::string::npos) << big.err;

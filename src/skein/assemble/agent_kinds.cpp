@@ -8,8 +8,8 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/task_kinds.h"
-#include "skein/layer/reasoning/trajectory/altitude.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
+#include "skein/layer/reasoning/trajectory/altitude.h"
 #include "skein/layer/reasoning/trajectory/round_trip.h"
 
 namespace skein::assemble {
@@ -156,9 +156,7 @@ std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftConte
   tasks.has_camera = c.has_camera;
   return std::make_unique<reasoning::OnboardAgent>(
       options, c.station, context, c.zones,
-      [context, tasks](const TaskKind& task) {
-        return make_task(task, context, tasks);
-      });
+      [context, tasks](const TaskKind& task) { return make_task(task, context, tasks); });
 }
 
 // Zones that forbid these altitudes at any time.

@@ -126,7 +126,8 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.initial = as_estimate(vehicle.state, Time());
   context.on_ground = vehicle.state.on_ground;
 
-  context.hears_station = heartbeat(scenario_, scenario_.stations[station_of(scenario_, group)]) > Time();
+  context.hears_station =
+      heartbeat(scenario_, scenario_.stations[station_of(scenario_, group)]) > Time();
   for (const scenario::Choice& sensor : group.sensors)
     context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
   context.gains = gains_of(group.plant);
@@ -148,7 +149,12 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
-  last_ = {self, name, group.name, geo::horizontal(context.initial.p_N), context.has_camera, context.has_fire_sensor};
+  last_ = {self,
+           name,
+           group.name,
+           geo::horizontal(context.initial.p_N),
+           context.has_camera,
+           context.has_fire_sensor};
   simulation::Entity entity;
   entity.name = name;
   entity.kind = "aircraft";

@@ -176,9 +176,9 @@ void warn_about_rotors(const SkeinChoice& choice, const AircraftGroup& group,
 }  // namespace
 
 std::size_t station_of(const Scenario& scenario, const AircraftGroup& group) {
-  const auto named = std::find_if(
-      scenario.stations.begin(), scenario.stations.end(),
-      [&](const scenario::Station& s) { return s.name == group.station; });
+  const auto named =
+      std::find_if(scenario.stations.begin(), scenario.stations.end(),
+                   [&](const scenario::Station& s) { return s.name == group.station; });
   return named == scenario.stations.end()
              ? 0
              : static_cast<std::size_t>(named - scenario.stations.begin());
@@ -216,7 +216,8 @@ std::vector<std::string> warnings(const Scenario& scenario, const AircraftGroup&
   if (group.autopilot.kind != "skein") return found;
   const auto& choice = group.autopilot.as<SkeinChoice>();
   const autopilot::FailsafeRule& link = choice.options.failsafe.link;
-  if (heartbeat(scenario, scenario.stations[station_of(scenario, group)]) <= Time() && link.reaction != FailsafeReaction::kNone)
+  if (heartbeat(scenario, scenario.stations[station_of(scenario, group)]) <= Time() &&
+      link.reaction != FailsafeReaction::kNone)
     found.push_back(fmt::format(
         "stations: heartbeat_s: the station sends no heartbeats. Where {:.6g} s pass "
         "without an order the failsafe link of {} acts.",

@@ -9,12 +9,12 @@
 #include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/aircraft_fit.h"
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/read_command.h"
 #include "skein/assemble/sampling.h"
-#include "skein/data/command_text.h"
+#include "skein/exchange/plan_reading.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
-#include "skein/exchange/plan_reading.h"
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
@@ -131,8 +131,8 @@ class Builder {
     auto wanted = missions();
     build_.map_centre = scenario_.stations.front().position;
     if (!wanted.front().empty())
-      build_.map_centre = wanted.front().front().mission->demand().place.value_or(
-          build_.map_centre);
+      build_.map_centre =
+          wanted.front().front().mission->demand().place.value_or(build_.map_centre);
     for (std::size_t k = 0; k < scenario_.stations.size(); ++k) {
       const scenario::Station& station = scenario_.stations[k];
       simulation::Entity& entity = all.emplace_back();
@@ -167,16 +167,15 @@ class Builder {
 
   // Of each station.
   std::vector<std::vector<reasoning::PlannedMission>> missions() {
-    MissionContext context{scenario_.seed,
-                           kinds_.kinds(),
-                           teams_,
-                           zones_,
-                           {},
-                           std::make_shared<planning::AaStar>(),
-                           scenario_.record.metrics_period,
-                           [this](const std::string& file) {
-                             return exchange::read_plan(file, frame_);
-                           }};
+    MissionContext context{
+        scenario_.seed,
+        kinds_.kinds(),
+        teams_,
+        zones_,
+        {},
+        std::make_shared<planning::AaStar>(),
+        scenario_.record.metrics_period,
+        [this](const std::string& file) { return exchange::read_plan(file, frame_); }};
     for (const scenario::PlacedObject& object : scenario_.environment.objects)
       context.objects.push_back(object.name);
     std::vector<std::vector<reasoning::PlannedMission>> all(teams_.size());
@@ -184,32 +183,34 @@ class Builder {
     for (std::size_t k = 0; k < scenario_.missions.size(); ++k) {
       auto made = kinds_.kinds().mission.make(scenario_.missions[k], context);
       if (made && !names.insert(made.value()->name).second)
-        made = Error{ErrorCode::kBadInput, "name",
-                     fmt::format("another mission is called \"{}\" too.",
-                                 made.value()->name),
-                     "Give each a name of its own."};
+        made = Error{
+            ErrorCode::kBadInput, "name",
+            fmt::format("another mission is called \"{}\" too.", made.value()->name),
+            "Give each a name of its own."};
       if (made) {
         all[made.value()->station.value].push_back(std::move(*made.value()));
         continue;
       }
       Error error = made.error();
-      error.place = fmt::format("missions[{}]{}{}", k, error.place.empty() ? "" : ".",
-                                error.place);
+      error.place =
+          fmt::format("missions[{}]{}{}", k, error.place.empty() ? "" : ".", error.place);
       errors_.push_back(error);
     }
     return all;
   }
 
   // What the scenario commands by itself.
-  std::vector<CommandRecord> commands() const {
+  std::vector<CommandRecord> commands() {
     std::vector<CommandRecord> all;
     for (const scenario::NoFlightZone& zone : scenario_.environment.zones)
       for (const scenario::ZoneSwitch& change : zone.switches)
         all.push_back(
             {change.at, "scenario", ZoneChange{0, change.on, scenario::to_zone(zone)}});
-    for (const scenario::PlannedCommand& planned : scenario_.commands)
-      if (auto command = parse_command(planned.text))
+    for (const scenario::PlannedCommand& planned : scenario_.commands) {
+      auto command = read_command(planned.text, frame_);
+      if (note(command))
         all.push_back({planned.at, "scenario", std::move(command).value()});
+    }
     std::stable_sort(all.begin(), all.end(),
                      [](const auto& a, const auto& b) { return a.time < b.time; });
     return all;

@@ -85,7 +85,7 @@ struct MissionContext {
   std::uint64_t seed = 0;
   const KindsByRole& kinds;  ///< of its parts
   std::vector<StationTeam> stations;
-  const std::vector<Zone>& zones;  ///< in force from the start
+  const std::vector<Zone>& zones;    ///< in force from the start
   std::vector<std::string> objects;  ///< names of the environment's, by their numbers
   std::shared_ptr<const PathPlanner> planner;
   Time metrics_period;

@@ -21,10 +21,10 @@ Result<MissionTeam> team_of(const MissionSchedule& schedule,
   for (const std::string& name : schedule.aircraft)
     if (std::none_of(station->team.begin(), station->team.end(),
                      [&](const TeamAircraft& each) { return named(each, name); }))
-      return Error{ErrorCode::kBadInput, "aircraft",
-                   fmt::format("the station has neither a group nor an aircraft \"{}\".",
-                               name),
-                   "Aircraft are called GROUP-1, GROUP-2, ..."};
+      return Error{
+          ErrorCode::kBadInput, "aircraft",
+          fmt::format("the station has neither a group nor an aircraft \"{}\".", name),
+          "Aircraft are called GROUP-1, GROUP-2, ..."};
   MissionTeam made{&*station, {}};
   std::vector<EntityId>& ids = made.candidates;
   for (const TeamAircraft& each : station->team) {

@@ -15,9 +15,9 @@
 namespace skein::assemble {
 namespace {
 
+using reasoning::PlannedMission;
 using scenario::Choice;
 using scenario::Fields;
-using reasoning::PlannedMission;
 using MadeMission = Result<std::unique_ptr<PlannedMission>>;
 
 constexpr scenario::Range kLength{.above = 0, .at_most = 1e6};

@@ -62,8 +62,9 @@ MadeTeam make_survey(const SurveyChoice& choice, const MissionContext& c) {
   options.planner = c.planner;
   if (std::string error = task_error(options.survey); !error.empty())
     return Error{ErrorCode::kBadInput, "area_m", std::move(error), ""};
-  return planned("survey", choice, who.value(),
-                 std::make_unique<SurveyMission>(who.value().candidates, std::move(options)));
+  return planned(
+      "survey", choice, who.value(),
+      std::make_unique<SurveyMission>(who.value().candidates, std::move(options)));
 }
 
 struct TrackChoice : MissionSchedule {
@@ -87,8 +88,7 @@ Fields<TrackChoice> track_fields() {
                   {.at_least = 0, .at_most = 1e5})
           .boolean("weave", &T::weave, "S-turns along their tracks instead of circles.")
           .duration_s("lost_after_s", &T::lost_after,
-                      "One that nobody has seen for so long is given up.",
-                      {.above = 0}));
+                      "One that nobody has seen for so long is given up.", {.above = 0}));
 }
 
 MadeTeam make_track(const TrackChoice& choice, const MissionContext& c) {
@@ -105,8 +105,9 @@ MadeTeam make_track(const TrackChoice& choice, const MissionContext& c) {
                    fmt::format("the environment has no object \"{}\".", name), ""};
     options.objects.push_back(static_cast<std::uint32_t>(found - c.objects.begin()));
   }
-  return planned("track", choice, who.value(),
-                 std::make_unique<TrackMission>(who.value().candidates, std::move(options)));
+  return planned(
+      "track", choice, who.value(),
+      std::make_unique<TrackMission>(who.value().candidates, std::move(options)));
 }
 
 struct PatrolChoice : MissionSchedule {
@@ -177,9 +178,10 @@ Fields<TaskChoice> task_fields() {
   return Fields<T>()
       .text("task", &T::text,
             "The task, as in the command `task AIRCRAFT ...`: see docs/commands.md.")
-      .file("plan", &T::plan,
-            "A plan that is flown as it is, instead: GeoJSON or CSV as `skein plan` writes "
-            "them. Null: a task.")
+      .file(
+          "plan", &T::plan,
+          "A plan that is flown as it is, instead: GeoJSON or CSV as `skein plan` writes "
+          "them. Null: a task.")
       .text("aircraft", &T::aircraft,
             "Name of the aircraft that flies it. Empty: the nearest that is free.")
       .rule("task", [](const T& t) {
@@ -256,19 +258,23 @@ MadeTeam make_tasks(const TasksChoice& choice, const MissionContext& c) {
 }  // namespace
 
 void add_team_missions(Kinds<PlannedMission, MissionContext>& kinds) {
-  kinds.add("survey", "Sees all of an area.", survey_fields(),
-            [](const SurveyChoice& o, const MissionContext& c) { return make_survey(o, c); });
-  kinds.add("track", "Keeps objects on the ground in view.", track_fields(),
-            [](const TrackChoice& o, const MissionContext& c) { return make_track(o, c); });
-  kinds.add("patrol", "Flies along a line again and again, evenly spaced.",
-            patrol_fields(),
-            [](const PatrolChoice& o, const MissionContext& c) { return make_patrol(o, c); });
+  kinds.add(
+      "survey", "Sees all of an area.", survey_fields(),
+      [](const SurveyChoice& o, const MissionContext& c) { return make_survey(o, c); });
+  kinds.add(
+      "track", "Keeps objects on the ground in view.", track_fields(),
+      [](const TrackChoice& o, const MissionContext& c) { return make_track(o, c); });
+  kinds.add(
+      "patrol", "Flies along a line again and again, evenly spaced.", patrol_fields(),
+      [](const PatrolChoice& o, const MissionContext& c) { return make_patrol(o, c); });
   kinds.add("tour", "Each aircraft flies through points, on curves planned for the wind.",
-            tour_mission_fields(), [](const TourMissionChoice& o, const MissionContext& c) {
+            tour_mission_fields(),
+            [](const TourMissionChoice& o, const MissionContext& c) {
               return make_tour(o, c);
             });
-  kinds.add("tasks", "An explicit list of tasks.", tasks_fields(),
-            [](const TasksChoice& o, const MissionContext& c) { return make_tasks(o, c); });
+  kinds.add(
+      "tasks", "An explicit list of tasks.", tasks_fields(),
+      [](const TasksChoice& o, const MissionContext& c) { return make_tasks(o, c); });
 }
 
 }  // namespace skein::assemble

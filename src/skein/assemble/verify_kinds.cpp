@@ -8,6 +8,7 @@
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/layer/reasoning/station/mission_control.h"
 #include "skein/role/agent.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/monitoring_strategy.h"
@@ -17,7 +18,6 @@
 #include "skein/role/radio.h"
 #include "skein/role/sensor.h"
 #include "skein/role/turbulence.h"
-#include "skein/layer/reasoning/station/mission_control.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {
@@ -166,7 +166,8 @@ KindVerdict Stage::autopilot_verdict(const scenario::Kind& kind) const {
 }
 
 KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) const {
-  const scenario::Choice choice = scenario::default_choice(kinds_.table(), role, kind.name);
+  const scenario::Choice choice =
+      scenario::default_choice(kinds_.table(), role, kind.name);
   const KindsByRole& all = kinds_.kinds();
   KindVerdict verdict{role, kind.name, "there is no suite for its role.", {}};
   const auto test = [&verdict](const auto& subject, auto suite) {
@@ -184,7 +185,8 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
   if (role == "sensor") test(subject(all.sensor, choice), contract::sensor_violations);
   if (role == "agent") test(subject(all.agent, choice), agent_suite(true));
   if (role == "mission")
-    test(Subject<reasoning::PlannedMission, MissionContext>{all.mission, choice, missions()},
+    test(Subject<reasoning::PlannedMission, MissionContext>{all.mission, choice,
+                                                            missions()},
          [this](const contract::Make<reasoning::PlannedMission>& make) {
            return agent_suite(false)(
                [make] { return std::unique_ptr<Agent>(std::move(make()->mission)); });

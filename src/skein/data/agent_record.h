@@ -11,7 +11,8 @@ namespace skein {
 
 /// What an agent may want to have recorded besides events: what it has measured or found,
 /// zones that it has put into force or taken back, what it believes about a boundary now,
-/// what its planners do, a plugin's own. The simulation adds when, who, and what was true.
+/// what its planners do, a plugin's own. The simulation adds when, who, and what was
+/// true.
 using AgentRecord = std::variant<FireReading, Crossing, ZoneChange, BoundaryEstimate,
                                  PluginRecord, PlannerChange>;
 

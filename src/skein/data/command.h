@@ -25,7 +25,8 @@ struct TaskCommand {
   /// Names of those that the task is about, in the order of its entities: the leader, the
   /// two that a relay is between. Empty: `what` has their numbers.
   std::vector<std::string> others = {};
-  /// With a plan to be flown; who reads commands loads it into `what`. Empty: it is there.
+  /// With a plan to be flown; who reads commands loads it into `what`. Empty: it is
+  /// there.
   std::string file = {};
 };
 
@@ -143,8 +144,8 @@ constexpr auto describe(const RemoveCommand*) {
                                   field("aircraft", &RemoveCommand::aircraft, "who"));
 }
 
-/// The task that an aircraft has is paused, goes on, is cancelled, or another gets what is
-/// left of it.
+/// The task that an aircraft has is paused, goes on, is cancelled, or another gets what
+/// is left of it.
 struct TaskChangeCommand {
   std::string aircraft;
   TaskAction action = TaskAction::kPause;

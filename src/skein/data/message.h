@@ -85,9 +85,9 @@ constexpr auto describe(const PluginPayload*) {
 
 /// What a message may say. New kinds go to the end: the place in this list is part of
 /// the wire form.
-using MessageContent = std::variant<FireReading, AircraftReport, Task, Heartbeat,
-                                    TeamPosition, ZoneChange, PluginPayload, TaskChange,
-                                    TaskReport, ObjectSighting>;
+using MessageContent =
+    std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
+                 PluginPayload, TaskChange, TaskReport, ObjectSighting>;
 
 /// A message between agents. `number` counts the sender's messages.
 struct Message {

@@ -128,16 +128,16 @@ constexpr auto describe(const PlannerRecord*) {
   return described<T>(
       {"planner", "planners"},
       "What the planners on board make of what shall be flown, whenever that changes.",
-      field("time", &T::time, "from when on"), field("entity_id", &T::id, "whose planner"),
+      field("time", &T::time, "from when on"),
+      field("entity_id", &T::id, "whose planner"),
       field("", &T::change, "which planner, and what it does"));
 }
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record =
-    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
-                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
-                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
-                 PlannerRecord>;
+using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
+                            Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
+                            GroundObject, Detection, Footprint, RangeScan, CommandRecord,
+                            PluginRecord, PlannerRecord>;
 
 }  // namespace skein

@@ -30,8 +30,12 @@ std::string duration_error(double seconds) {
 
 // An overload for each kind: the compiler names one that is missing.
 struct ErrorOf {
-  static std::string place(const Vec2& p) { return usable(p) ? "" : "the point is no place."; }
-  static std::string laps(int count) { return count >= 1 ? "" : "it has one lap or more."; }
+  static std::string place(const Vec2& p) {
+    return usable(p) ? "" : "the point is no place.";
+  }
+  static std::string laps(int count) {
+    return count >= 1 ? "" : "it has one lap or more.";
+  }
 
   std::string operator()(const Loiter& t) const { return place(t.centre); }
   std::string operator()(const FlyTo& t) const { return place(t.point); }
@@ -46,7 +50,8 @@ struct ErrorOf {
     return std::isfinite(t.course) ? "" : "the course is none.";
   }
   std::string operator()(const FlyRoute& t) const {
-    if (auto error = points_error(t.points, 1, "a route has a point or more."); !error.empty())
+    if (auto error = points_error(t.points, 1, "a route has a point or more.");
+        !error.empty())
       return error;
     return laps(t.laps);
   }

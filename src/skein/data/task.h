@@ -14,10 +14,9 @@ namespace skein {
 
 /// What an aircraft may be asked to do. New kinds go to the end: the place in this list
 /// is part of the wire form.
-using TaskKind =
-    std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse, FlyRoute, FollowLeader,
-                 FlyTour, Hold, Survey, Patrol, Orbit, Measure, Rendezvous, Relay, FlyPlan,
-                 ReturnHome, LandAt>;
+using TaskKind = std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse, FlyRoute,
+                              FollowLeader, FlyTour, Hold, Survey, Patrol, Orbit, Measure,
+                              Rendezvous, Relay, FlyPlan, ReturnHome, LandAt>;
 
 /// The word for a task.
 std::string_view kind_of(const TaskKind& task);
@@ -64,7 +63,7 @@ constexpr auto describe(const TaskChange*) {
 
 /// How far an aircraft is with its task.
 enum class TaskState : std::uint8_t {
-  kNone,        ///< it has none
+  kNone,  ///< it has none
   kFlying,
   kPaused,
   kDone,

@@ -178,9 +178,9 @@ struct Orbit {
   Vec2 point = Vec2::Zero();  ///< where it is, or was seen last [m]
   /// Which object it is about, as cameras number them; none: the point.
   std::optional<std::uint32_t> object = {};
-  double radius = 0;   ///< of the circle [m]; 0: as small as the aircraft can
-  bool weave = false;  ///< S-turns along its track instead of a circle
-  double duration = 0; ///< with it [s]; 0: until another order
+  double radius = 0;    ///< of the circle [m]; 0: as small as the aircraft can
+  bool weave = false;   ///< S-turns along its track instead of a circle
+  double duration = 0;  ///< with it [s]; 0: until another order
 };
 
 constexpr auto describe(const Orbit*) {
@@ -209,18 +209,18 @@ constexpr auto describe(const Measure*) {
 
 /// Be at a point at a time, and stay there.
 struct Rendezvous {
-  Vec2 point = Vec2::Zero();         ///< [m]
-  Time time;                         ///< of the run, when to be there
+  Vec2 point = Vec2::Zero();          ///< [m]
+  Time time;                          ///< of the run, when to be there
   std::optional<double> course = {};  ///< over ground there [rad]; none: any
 };
 
 constexpr auto describe(const Rendezvous*) {
   using T = Rendezvous;
-  return described<T>({"rendezvous"}, "Be at a point at a time, and stay there.",
-                      field("", &T::point, axes::kPlace, "the point"),
-                      field("time", &T::time, "of the run, when to be there"),
-                      field("course", &T::course, unit::kDegree,
-                            "over ground there; null: any"));
+  return described<T>(
+      {"rendezvous"}, "Be at a point at a time, and stay there.",
+      field("", &T::point, axes::kPlace, "the point"),
+      field("time", &T::time, "of the run, when to be there"),
+      field("course", &T::course, unit::kDegree, "over ground there; null: any"));
 }
 
 /// Stay between two others, so that they receive each other.
@@ -230,7 +230,8 @@ struct Relay {
 
 constexpr auto describe(const Relay*) {
   using T = Relay;
-  return described<T>({"relay"}, "Stay between two others, so that they receive each other.",
+  return described<T>({"relay"},
+                      "Stay between two others, so that they receive each other.",
                       field("first_id", &T::first, "aircraft or ground station"),
                       field("second_id", &T::second, "the other"));
 }

@@ -61,12 +61,13 @@ class Filler {
       error_ = fmt::format("it needs {} name{} of aircraft.", entities(),
                            entities() == 1 ? "" : "s");
     if (!error_.empty())
-      return Error{ErrorCode::kBadInput, "",
-                   fmt::format("{}: {}", kind_of<T>(), error_), ""};
+      return Error{ErrorCode::kBadInput, "", fmt::format("{}: {}", kind_of<T>(), error_),
+                   ""};
     if constexpr (std::is_same_v<T, LandAt>) task_.at_home = places_ == 0;
     if constexpr (std::is_same_v<T, Orbit>)
       if (places_ == 0 && !task_.object)
-        return Error{ErrorCode::kBadInput, "", "orbit: it needs a place or an object.", ""};
+        return Error{ErrorCode::kBadInput, "", "orbit: it needs a place or an object.",
+                     ""};
     text_.what = std::move(task_);
     return std::move(text_);
   }
@@ -133,7 +134,8 @@ class Filler {
       }
     });
     ++places_;
-    if (!used || !place.allFinite()) error_ = "it has a place too many, or one that is none.";
+    if (!used || !place.allFinite())
+      error_ = "it has a place too many, or one that is none.";
     return 1;
   }
 
@@ -214,12 +216,12 @@ std::string usage_of() {
 
 Result<TaskText> parse_task(std::string_view kind, Words words) {
   std::optional<Result<TaskText>> parsed;
-  type_traits::for_each_alternative(static_cast<const TaskKind*>(nullptr),
-                                    [&]<class T>() {
-                                      const std::string_view own = kind_of<T>();
-                                      if (!parsed && (kind == own || kind == short_kind(own)))
-                                        parsed.emplace(Filler<T>().fill(words));
-                                    });
+  type_traits::for_each_alternative(
+      static_cast<const TaskKind*>(nullptr), [&]<class T>() {
+        const std::string_view own = kind_of<T>();
+        if (!parsed && (kind == own || kind == short_kind(own)))
+          parsed.emplace(Filler<T>().fill(words));
+      });
   if (!parsed)
     return Error{ErrorCode::kBadInput, "", fmt::format("\"{}\" is no task.", kind), ""};
   if (*parsed && parsed->value().file.empty())
@@ -232,11 +234,10 @@ Result<TaskText> parse_task(std::string_view kind, Words words) {
 
 std::vector<std::pair<std::string, std::string>> task_usage() {
   std::vector<std::pair<std::string, std::string>> all;
-  type_traits::for_each_alternative(static_cast<const TaskKind*>(nullptr),
-                                    [&]<class T>() {
-                                      all.emplace_back(usage_of<T>(),
-                                                       std::string(kDescription<T>.help));
-                                    });
+  type_traits::for_each_alternative(
+      static_cast<const TaskKind*>(nullptr), [&]<class T>() {
+        all.emplace_back(usage_of<T>(), std::string(kDescription<T>.help));
+      });
   return all;
 }
 

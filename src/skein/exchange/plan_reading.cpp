@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMaxGap = 1;           // between elements that join [m] and [s]
+constexpr double kMaxGap = 1;  // between elements that join [m] and [s]
 constexpr std::size_t kMaxElements = 100'000;
 constexpr const char* kHint =
     "Write it with `skein plan ... --out FILE.geojson`, or .csv, with --origin and "
@@ -49,9 +49,10 @@ Result<FlightPlan> checked(FlightPlan plan, const std::string& place) {
     const double gap = (model::end_of(before).p_N - plan[k].p_N).norm();
     const double late = plan[k].start - (before.start + before.duration);
     if (gap > kMaxGap || std::abs(late) > kMaxGap)
-      return wrong(place, fmt::format("element {} begins {:.1f} m and {:.1f} s from where "
-                                      "the one before it ends.",
-                                      k, gap, late));
+      return wrong(place,
+                   fmt::format("element {} begins {:.1f} m and {:.1f} s from where "
+                               "the one before it ends.",
+                               k, gap, late));
   }
   return plan;
 }
@@ -78,7 +79,8 @@ class GeoJsonPlan {
     e.heading = geo::radians(is.at("headings_deg").at(0).get<double>());
     e.airspeed = is.at("airspeed_mps").get<double>();
     e.climb_rate = is.at("climb_mps").get<double>();
-    e.wind = {is.at("wind_north_mps").get<double>(), is.at("wind_east_mps").get<double>()};
+    e.wind = {is.at("wind_north_mps").get<double>(),
+              is.at("wind_east_mps").get<double>()};
     if (is.contains("turn_radius_m")) {
       const bool left = is.at("kind").get<std::string>() == "left turn";
       e.turn_rate = (left ? -1 : 1) * e.airspeed / is.at("turn_radius_m").get<double>();
@@ -111,9 +113,9 @@ enum Column {
   kColumns
 };
 constexpr std::array<std::string_view, kColumns> kNames = {
-    "element",     "time_s",       "east_m",      "north_m",    "altitude_m",
-    "latitude_deg", "longitude_deg", "heading_deg", "course_deg", "airspeed_mps",
-    "ground_speed_mps", "climb_mps"};
+    "element",    "time_s",       "east_m",           "north_m",
+    "altitude_m", "latitude_deg", "longitude_deg",    "heading_deg",
+    "course_deg", "airspeed_mps", "ground_speed_mps", "climb_mps"};
 using Row = std::array<std::optional<double>, kColumns>;
 
 // Rows of samples, those of an element one after the other; its end is the next row.
@@ -187,8 +189,9 @@ Result<FlightPlan> plan_from_csv(std::string_view text, const std::string& place
     if (meaning.empty()) {
       while (const auto cell = cells.next()) {
         const auto known = std::find(kNames.begin(), kNames.end(), trimmed(*cell));
-        meaning.push_back(known == kNames.end() ? (trimmed(*cell) == "plan" ? -2 : -1)
-                                                : static_cast<int>(known - kNames.begin()));
+        meaning.push_back(known == kNames.end()
+                              ? (trimmed(*cell) == "plan" ? -2 : -1)
+                              : static_cast<int>(known - kNames.begin()));
       }
       continue;
     }
@@ -205,8 +208,8 @@ Result<FlightPlan> plan_from_csv(std::string_view text, const std::string& place
       }
     }
     if (other) continue;
-    for (const Column needed : {kElement, kTime, kHeading, kCourse, kAirspeed,
-                                kGroundSpeed, kClimb, kAltitude})
+    for (const Column needed :
+         {kElement, kTime, kHeading, kCourse, kAirspeed, kGroundSpeed, kClimb, kAltitude})
       if (!row[needed] || !std::isfinite(*row[needed]))
         return wrong(fmt::format("{}:{}", place, number),
                      fmt::format("the column {} has no number.", kNames[needed]));
@@ -227,9 +230,9 @@ Result<FlightPlan> read_plan(const std::filesystem::path& file,
     return wrong(place, "plans are read from .geojson, .json and .csv files.");
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    return Error{std::filesystem::exists(file) ? ErrorCode::kUnavailable
-                                               : ErrorCode::kNotFound,
-                 place, "the file cannot be opened.", ""};
+    return Error{
+        std::filesystem::exists(file) ? ErrorCode::kUnavailable : ErrorCode::kNotFound,
+        place, "the file cannot be opened.", ""};
   std::ostringstream content;
   content << in.rdbuf();
   return csv ? plan_from_csv(content.str(), place, frame)

@@ -21,8 +21,9 @@ inline constexpr std::size_t kTruthFloats = 2;   ///< north, east [m]
 inline constexpr std::size_t kBeliefFloats = 9;  ///< the columns of a BoundaryPoint
 
 /// Of the tables, in `PRAGMA user_version`. 3: energy reserves and the payload's tables;
-/// 4: zones; 5: tables as values are described, commands.
-inline constexpr int kSchemaVersion = 5;
+/// 4: zones; 5: tables as values are described, commands; 6: planners, missions as
+/// commands name them.
+inline constexpr int kSchemaVersion = 6;
 
 /// The tables of one run, for writing. Write errors leave what was committed untouched.
 class RunDatabase {

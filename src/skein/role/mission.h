@@ -9,7 +9,7 @@ namespace skein {
 
 /// What a mission needs of the aircraft that it may have.
 struct MissionDemand {
-  int min = 1;  ///< aircraft, without which it cannot go on
+  int min = 1;                                ///< aircraft, without which it cannot go on
   int max = std::numeric_limits<int>::max();  ///< that it has a use for
   std::optional<Vec2> place = std::nullopt;   ///< where it is flown [m]; none: anywhere
 };
@@ -17,8 +17,8 @@ struct MissionDemand {
 /// What an operator wants of some aircraft, as a ground station pursues it.
 ///
 /// At each step it is given the reports of all aircraft of the station; those that it has
-/// not been allocated say in them that they do not obey. What it orders (Task) reaches its
-/// own aircraft only; the station numbers orders and repeats them until they are
+/// not been allocated say in them that they do not obey. What it orders (Task) reaches
+/// its own aircraft only; the station numbers orders and repeats them until they are
 /// acknowledged. All other messages that the station receives are its too.
 class Mission : public Agent {
  public:

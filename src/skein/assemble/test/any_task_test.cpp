@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "skein/assemble/test/whole_flight.h"
+#include "skein/exchange/plan_reading.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::assemble {
 namespace {
@@ -71,10 +73,13 @@ TEST(AnyTask, IsFlownByEveryAircraftThatTakesOrders) {
 
 // Every plant, with a camera and a fire sensor.
 constexpr const char* kPlants[] = {
-    "kinematic\n    sensors: [gnss, air-data, fire, {kind: camera, gimbal: true, width_deg: 120, length_deg: 120}]",
-    "multirotor\n    autopilot: skein\n    sensors: [flight, fire, {kind: camera, gimbal: true, width_deg: 120, length_deg: 120}]",
+    "kinematic\n    sensors: [gnss, air-data, fire, {kind: camera, gimbal: true, "
+    "width_deg: 120, length_deg: 120}]",
+    "multirotor\n    autopilot: skein\n    sensors: [flight, fire, {kind: camera, "
+    "gimbal: true, width_deg: 120, length_deg: 120}]",
     "{kind: fixed-wing, aircraft: bixler}\n    autopilot: skein\n"
-    "    sensors: [flight, fire, {kind: camera, gimbal: true, width_deg: 120, length_deg: 120}]"};
+    "    sensors: [flight, fire, {kind: camera, gimbal: true, width_deg: 120, "
+    "length_deg: 120}]"};
 
 // One task of an aircraft in wind, ordered after half a minute, when it knows the wind.
 FlightLog fly_task(const char* plant, const std::string& task, int duration,
@@ -120,8 +125,8 @@ TEST(AnyTask, HoldStaysWhereTheAircraftIs) {
 TEST(AnyTask, SurveySeesAllOfItsArea) {
   for (const char* plant : kPlants) {
     SCOPED_TRACE(plant);
-    const FlightLog log =
-        fly_task(plant, "survey 100,100 500,100 500,500 100,500 swath 100 overlap 0.1", 900);
+    const FlightLog log = fly_task(
+        plant, "survey 100,100 500,100 500,500 100,500 swath 100 overlap 0.1", 900);
     EXPECT_TRUE(says(log, "task-done")) << log.story();
     // By the truth: every place is within half a swath of the flight.
     for (double north = 105; north < 500; north += 10)
@@ -223,6 +228,21 @@ commands:
         EXPECT_LT((geo::horizontal(row.truth.p_N) - Vec2(0, 200)).norm(), 250)
             << log.story();
   }
+}
+
+TEST(AnyTask, APlanFromAFileIsFlownAsItIs) {
+  // Scenarios' own: two turns and a straight, as `skein plan connect` wrote it.
+  const std::string file = SKEIN_SOURCE_DIR "/scenarios/plans/approach.geojson";
+  const auto frame = geo::LocalFrame::at({36.989, -122.0514, 0}).value();
+  const FlightPlan plan = exchange::read_plan(file, frame).value();
+  const FlightLog log = fly_task(kPlants[0], "plan file " + file, 200);
+  EXPECT_TRUE(says(log, "task-done")) << log.story();
+  double worst = 0;
+  for (double t = model::start_of(plan); t < model::end_time_of(plan); t += 1) {
+    const Vec2 place = geo::horizontal(model::moment_at(plan, t).p_N);
+    worst = std::max(worst, nearest(log, place, 30, 200));
+  }
+  EXPECT_LT(worst, 15);  // rows are a tenth of a second apart, and the wind is another
 }
 
 TEST(AnyTask, ReturnStaysAboveHomeAndLandStands) {

@@ -41,8 +41,8 @@ TEST(Kinds, EveryKindHasDefaultsThatAreAllowedAndCanBeMade) {
   EXPECT_GE(table.of("strategy").size(), 6u);
   for (const auto& kind : table.of("estimator"))
     for (const auto& strategy : table.of("strategy"))
-      EXPECT_TRUE(build(read("duration_s: 1\nmissions: [{kind: perimeter, estimator: " + kind.name +
-                             ", strategy: " + strategy.name + "}]"),
+      EXPECT_TRUE(build(read("duration_s: 1\nmissions: [{kind: perimeter, estimator: " +
+                             kind.name + ", strategy: " + strategy.name + "}]"),
                         KindRegistry())
                       .ok())
           << kind.name << " " << strategy.name;
@@ -173,7 +173,8 @@ TEST(Kinds, HaveOnlyTheKeysThatTheyUse) {
         "kind: point-reset, gate_sigmas: 2", "kind: ensemble, control_points: 90"})
     EXPECT_NE(problem(bad).find("unknown key. The kind \""), std::string::npos)
         << problem(bad);
-  EXPECT_NE(problems_of("missions: [{kind: perimeter, control_points: 60}]").find("unknown key"),
+  EXPECT_NE(problems_of("missions: [{kind: perimeter, control_points: 60}]")
+                .find("unknown key"),
             std::string::npos);
 }
 
@@ -241,8 +242,9 @@ TEST(Kinds, AnEnsembleThatIsTooLargeIsRefusedBeforeItTakesMemory) {
 TEST(Kinds, TooManyParticlesAreRefusedBeforeTheyTakeMemory) {
   const auto problems = [](const std::string& particles) {
     return scenario::read_scenario_text(
-               "missions: [{kind: perimeter, estimator: {kind: particle, " + particles + "}}]", "test",
-               ".", kind_table())
+               "missions: [{kind: perimeter, estimator: {kind: particle, " + particles +
+                   "}}]",
+               "test", ".", kind_table())
         .report();
   };
   EXPECT_EQ(problems("particles: 1000, control_points: 5000"), "");

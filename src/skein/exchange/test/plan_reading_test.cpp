@@ -20,10 +20,11 @@ Document some_plan() {
   Document document;
   FlightPlan plan;
   model::Pose from{{120, -40}, 0.3};
-  for (const model::Pose& to : {model::Pose{{800, 500}, 2}, model::Pose{{-300, 200}, 5}}) {
+  for (const model::Pose& to :
+       {model::Pose{{800, 500}, 2}, model::Pose{{-300, 200}, 5}}) {
     const double start = plan.empty() ? 12.5 : model::end_time_of(plan);
-    const FlightPlan next = model::to_flight_plan(model::connect(from, to, air), from, air,
-                                                  start, -150);
+    const FlightPlan next =
+        model::to_flight_plan(model::connect(from, to, air), from, air, start, -150);
     plan.insert(plan.end(), next.begin(), next.end());
     from = to;
   }

@@ -77,7 +77,7 @@ std::vector<CommandRecord> TerminalConsole::commands() {
   std::vector<CommandRecord> given;
   for (const std::string& line : input_.take()) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    auto command = parse_command(line);
+    auto command = read_ ? read_(line) : parse_command(line);
     if (command) {
       given.push_back({Time(), "terminal", std::move(command).value()});
       continue;

@@ -2,9 +2,13 @@
 
 #include <atomic>
 #include <cstdio>
+#include <functional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "skein/base/result.h"
 #include "skein/layer/hmi/line_input.h"
 #include "skein/role/operator_console.h"
 
@@ -27,6 +31,11 @@ class TerminalConsole final : public OperatorConsole {
   /// @param input  descriptor to read commands from; negative: none.
   explicit TerminalConsole(const std::atomic<bool>& stop, std::FILE* out = stderr,
                            int input = -1);
+
+  /// Reads lines as commands by `read` from now on, in place of parse_command().
+  void read_with(std::function<Result<Command>(std::string_view line)> read) {
+    read_ = std::move(read);
+  }
   /// As above, given whether `out` is a terminal and how wide: for tests and odd
   /// terminals.
   TerminalConsole(const std::atomic<bool>& stop, std::FILE* out, bool is_terminal,
@@ -48,6 +57,7 @@ class TerminalConsole final : public OperatorConsole {
   int fixed_width_;  // 0 = ask the terminal
   std::string drawn_;
   LineInput input_;
+  std::function<Result<Command>(std::string_view)> read_;
 };
 
 }  // namespace skein::hmi

@@ -15,8 +15,8 @@ struct CameraOptions {
   double latency = 0.2;              ///< [s]; with what is found in them
   double width = geo::radians(60);   ///< field of view across, left to right [rad]
   double length = geo::radians(45);  ///< field of view along, front to back [rad]
-  bool gimbal = false;  ///< keeps it looking straight down, its top towards the nose
-  double range = 500;                ///< furthest at which objects can be made out [m]
+  bool gimbal = false;     ///< keeps it looking straight down, its top towards the nose
+  double range = 500;      ///< furthest at which objects can be made out [m]
   double detection = 0.8;  ///< probability that a visible object is found, per picture
   double position_sd = 1;  ///< of a found position per axis [m]
   double direction_sd =

@@ -49,10 +49,9 @@ TEST(Description, NarrowsIntegersToTheirType) {
 TEST(Description, LimitsListsOfStructs) {
   std::string many = "radio: {kind: joint, layers: [";
   for (int i = 0; i <= 10000; ++i) many += "{},";
-  EXPECT_EQ(
-      problems_of(many + "]}"),
-      "test.yaml:1:30 radio.layers: 10001 elements; needs a list, at "
-      "most 10000, each keys with values.\n");
+  EXPECT_EQ(problems_of(many + "]}"),
+            "test.yaml:1:30 radio.layers: 10001 elements; needs a list, at "
+            "most 10000, each keys with values.\n");
 }
 
 TEST(Description, NamesTheLineOfAKindThatLacksARequiredKey) {
@@ -61,8 +60,8 @@ TEST(Description, NamesTheLineOfAKindThatLacksARequiredKey) {
             Fields<QkfOptions>()
                 .number("gain", &QkfOptions::gain, "", {.above = 0})
                 .required());
-  const ReadOutcome outcome = read_scenario_text(
-      "name: x\nradio: strict", "a.yaml", "/", kinds);
+  const ReadOutcome outcome =
+      read_scenario_text("name: x\nradio: strict", "a.yaml", "/", kinds);
   ASSERT_EQ(outcome.problems.size(), 1u);
   EXPECT_EQ(outcome.problems[0].text(),
             "a.yaml:2:8 radio.gain: is missing; needs a number above 0.");

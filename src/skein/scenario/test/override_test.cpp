@@ -16,9 +16,9 @@ TEST(Override, ReplacesWhatTheFileSays) {
 
 TEST(Override, ChangesTheDefaultWhereTheFileSaysNothing) {
   const Scenario s =
-      read_good("name: x", {"aircraft[0].count=5", "aircraft[0].plant.airspeed_mps=33",
-                            "radio.harmonics=7",
-                            "origin.latitude_deg=48", "aircraft[1].name=late"});
+      read_good("name: x",
+                {"aircraft[0].count=5", "aircraft[0].plant.airspeed_mps=33",
+                 "radio.harmonics=7", "origin.latitude_deg=48", "aircraft[1].name=late"});
   ASSERT_EQ(s.aircraft.size(), 2u);
   EXPECT_EQ(s.aircraft[0].count, 5);
   // The rest of the default group stays.
@@ -38,15 +38,13 @@ TEST(Override, FillsInTheDefaultElementsThatItLeavesAlone) {
 }
 
 TEST(Override, SetsKeysOfAKindGivenByNameAlone) {
-  const Scenario s =
-      read_good("radio: qkf", {"radio.gain=3"});
+  const Scenario s = read_good("radio: qkf", {"radio.gain=3"});
   EXPECT_EQ(s.radio.as<QkfOptions>().gain, 3);
 }
 
 TEST(Override, TakesListsAndKeysAsValues) {
-  const Scenario s =
-      read_good("name: x", {"stations[0].position_m=[1, 2]",
-                            "radio={kind: qkf, gain: 4}", "aircraft=[]"});
+  const Scenario s = read_good("name: x", {"stations[0].position_m=[1, 2]",
+                                           "radio={kind: qkf, gain: 4}", "aircraft=[]"});
   EXPECT_EQ(s.stations.at(0).position, Vec2(1, 2));
   EXPECT_EQ(s.radio.as<QkfOptions>().gain, 4);
   EXPECT_TRUE(s.aircraft.empty());

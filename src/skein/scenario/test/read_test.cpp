@@ -149,10 +149,11 @@ TEST(Read, ConditionsBetweenKeysAreReportedWithEverythingElse) {
                         "metrics_period_s: 3}\nstations: [{agent_period_s: 0.3}]\n"
                         "aircraft: []\nenvironment: {period_s: 0.9}"),
             "");
-  EXPECT_EQ(problems_of("step_s: 0.3\naircraft: []\nrecord: {rate_hz: 3.33333, "
-                        "metrics_period_s: 3}"),
-            "test.yaml:1:1 stations[0].agent_period_s: 0.5 s is no whole number of steps of "
-            "0.3 s (step_s); the nearest is 0.6.\n");
+  EXPECT_EQ(
+      problems_of("step_s: 0.3\naircraft: []\nrecord: {rate_hz: 3.33333, "
+                  "metrics_period_s: 3}"),
+      "test.yaml:1:1 stations[0].agent_period_s: 0.5 s is no whole number of steps of "
+      "0.3 s (step_s); the nearest is 0.6.\n");
   EXPECT_EQ(problems_of("step_s: fast\nenvironment: {period_s: 0.25}"),
             "test.yaml:1:9 step_s: found \"fast\", needs a number from 0.001 to 10.\n");
   EXPECT_EQ(problems_of("name: x", {"aircraft[0].agent_period_s=0.25"}),
@@ -212,10 +213,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"radio: {gain: 2}",
              "test.yaml:1:8 radio: has no \"kind\". Kinds: joint, qkf or "
              "ideal."},
-        Case{
-            "radio: [qkf]",
-            "test.yaml:1:8 radio: found a list, needs the name of a kind "
-            "of radio, or its keys with \"kind\". Kinds: joint, qkf or ideal."},
+        Case{"radio: [qkf]",
+             "test.yaml:1:8 radio: found a list, needs the name of a kind "
+             "of radio, or its keys with \"kind\". Kinds: joint, qkf or ideal."},
         Case{"radio: {kind: qkf, harmonics: 2}",
              "test.yaml:1:20 radio.harmonics: unknown key. The kind "
              "\"joint\" has it, \"qkf\" has not."},
@@ -260,7 +260,8 @@ INSTANTIATE_TEST_SUITE_P(
             "test.yaml:1:32 aircraft[0].start.placement: found \"rign\", needs opposite, "
             "ring, line or list. Did you mean \"ring\"?"},
         Case{"stations: [{position_m: [1, 2, 3]}]",
-             "test.yaml:1:25 stations[0].position_m: found a list, needs [north, east]. It "
+             "test.yaml:1:25 stations[0].position_m: found a list, needs [north, east]. "
+             "It "
              "has "
              "3 elements."},
         Case{"stations: [{position_m: [1, x]}]",
@@ -271,11 +272,9 @@ INSTANTIATE_TEST_SUITE_P(
              "3, "
              "each [north, east]."},
         Case{"radio: {kind: joint, map: no.tif}",
-             "test.yaml:1:27 radio.map: \"" SKEIN_SOURCE_DIR
-             "/no.tif\" does not exist."},
+             "test.yaml:1:27 radio.map: \"" SKEIN_SOURCE_DIR "/no.tif\" does not exist."},
         Case{"radio: {kind: joint, map: src}",
-             "test.yaml:1:27 radio.map: \"" SKEIN_SOURCE_DIR
-             "/src\" is a folder."},
+             "test.yaml:1:27 radio.map: \"" SKEIN_SOURCE_DIR "/src\" is a folder."},
         Case{"aircraft: [{failures: [{kind: land}]}]",
              "test.yaml:1:24 aircraft[0].failures[0].at_s: is missing; needs a number "
              "from 0 "
@@ -291,10 +290,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"record: {rate_hz: 7}",
              "test.yaml:1:10 record.rate_hz: 7 rows a second are not one every whole "
              "number of steps of 0.1 s (step_s); the nearest is 10."},
-        Case{
-            "step_s: 0.25\nrecord: {rate_hz: 4}\nstations: [{agent_period_s: 0.3}]",
-            "test.yaml:3:13 stations[0].agent_period_s: 0.3 s is no whole number of steps of "
-            "0.25 s (step_s); the nearest is 0.25."},
+        Case{"step_s: 0.25\nrecord: {rate_hz: 4}\nstations: [{agent_period_s: 0.3}]",
+             "test.yaml:3:13 stations[0].agent_period_s: 0.3 s is no whole number of "
+             "steps of "
+             "0.25 s (step_s); the nearest is 0.25."},
         Case{"[1, 2]", "test.yaml:1:1: a scenario is a list of keys, as in \"name: x\"."},
         Case{"",
              "test.yaml:1:1: the file is empty. Give it a key, as in \"name: "
@@ -370,8 +369,7 @@ TEST(ReadFile, FindsFilesBesideTheScenario) {
   const auto folder = std::filesystem::temp_directory_path() / "skein-scenario-test";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "map.txt") << "x";
-  std::ofstream(folder / "a.yaml")
-      << "radio: {kind: joint, map: ./map.txt}\n";
+  std::ofstream(folder / "a.yaml") << "radio: {kind: joint, map: ./map.txt}\n";
   const ReadOutcome outcome = read_scenario(folder / "a.yaml", fake_kinds());
   ASSERT_EQ(outcome.report(), "");
   EXPECT_EQ(radio_of(*outcome.scenario).map, (folder / "map.txt").string());

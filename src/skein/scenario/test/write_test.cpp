@@ -55,14 +55,14 @@ TEST(Write, FillsInEveryDefault) {
   const std::string text = write(read_good("name: x"));
   EXPECT_NE(text.find("\nduration_s: 3600\nstep_s: 0.1\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\naircraft:\n  - name: scout\n    count: 1\n"), std::string::npos);
-  EXPECT_NE(text.find("\nradio:\n  kind: ideal\n  airspeed_mps: 20\n"), std::string::npos);
+  EXPECT_NE(text.find("\nradio:\n  kind: ideal\n  airspeed_mps: 20\n"),
+            std::string::npos);
   EXPECT_NE(text.find("    sensors: [gnss, "), std::string::npos) << text;
   EXPECT_NE(text.find("    leave_s: null\n"), std::string::npos);
 }
 
 TEST(Write, KeepsAbsoluteFilePaths) {
-  const Scenario s =
-      read_good("radio: {kind: joint, map: CMakeLists.txt}");
+  const Scenario s = read_good("radio: {kind: joint, map: CMakeLists.txt}");
   const ReadOutcome moved =
       read_scenario_text(write(s), "run.yaml", "/somewhere/else", fake_kinds());
   ASSERT_EQ(moved.report(), "");

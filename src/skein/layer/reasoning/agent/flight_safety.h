@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "skein/layer/reasoning/trajectory/execution_monitor.h"
 #include "skein/layer/reasoning/agent/launch.h"
+#include "skein/layer/reasoning/trajectory/execution_monitor.h"
 #include "skein/layer/reasoning/trajectory/return_planner.h"
 #include "skein/layer/reasoning/trajectory/zone_monitor.h"
 #include "skein/role/terrain.h"

@@ -37,8 +37,7 @@ void PlannerChain::note(PlannerLink link, const Said& said, AgentOutput& out) {
   Said& last = said_[static_cast<std::size_t>(link)];
   if (last == said) return;
   last = said;
-  out.records.emplace_back(
-      PlannerChange{link, said.verdict, std::string(said.reason)});
+  out.records.emplace_back(PlannerChange{link, said.verdict, std::string(said.reason)});
 }
 
 }  // namespace skein::reasoning

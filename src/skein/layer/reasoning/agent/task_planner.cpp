@@ -70,8 +70,8 @@ void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
   }
 }
 
-void TaskPlanner::set(TaskState state, Time now, const char* event,
-                      std::string_view why, AgentOutput& out) {
+void TaskPlanner::set(TaskState state, Time now, const char* event, std::string_view why,
+                      AgentOutput& out) {
   state_ = state;
   std::string text = fmt::format("task {}: {}", number_, kind_);
   if (!why.empty()) text.append(": ").append(why);
@@ -123,8 +123,8 @@ void TaskPlanner::report(const AgentInput& in, AgentOutput& out) {
   report_again_ = in.now + Time::from_seconds(kRestAgain);
   Message report;
   report.to = station_;
-  report.content = TaskReport{number_, state_, executor_->progress(in).impossible,
-                              executor_->rest()};
+  report.content =
+      TaskReport{number_, state_, executor_->progress(in).impossible, executor_->rest()};
   out.outbox.push_back(std::move(report));
 }
 

@@ -39,7 +39,9 @@ class TaskPlanner final : public PlannerOfChain {
   TaskProgress progress(const AgentInput& in) const;
 
   /// The present task flies; else it is none, paused or impossible.
-  bool flies() const { return state_ == TaskState::kFlying || state_ == TaskState::kDone; }
+  bool flies() const {
+    return state_ == TaskState::kFlying || state_ == TaskState::kDone;
+  }
   bool may_stand() const { return executor_ && executor_->may_stand(); }
   std::optional<double> altitude_msl() const;
 

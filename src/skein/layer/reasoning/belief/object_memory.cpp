@@ -7,9 +7,9 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kAcceleration = 0.7;  // of people and vehicles on foot paths [m/s^2]
-constexpr double kFirstSpeed = 2;      // standard deviation per axis when first seen [m/s]
-constexpr double kMinSd = 0.5;         // of a sighting: no camera is perfect [m]
-constexpr double kForgotten = 600;     // unseen for so long [s]
+constexpr double kFirstSpeed = 2;   // standard deviation per axis when first seen [m/s]
+constexpr double kMinSd = 0.5;      // of a sighting: no camera is perfect [m]
+constexpr double kForgotten = 600;  // unseen for so long [s]
 
 }  // namespace
 

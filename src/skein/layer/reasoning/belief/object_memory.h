@@ -33,7 +33,8 @@ class ObjectMemory {
   /// Forgets what is too old at a time.
   void forget(Time now);
 
-  /// What is believed of an object, as of its last sighting; none: not seen, or forgotten.
+  /// What is believed of an object, as of its last sighting; none: not seen, or
+  /// forgotten.
   std::optional<ObjectBelief> find(std::uint32_t object) const;
 
   std::size_t size() const { return objects_.size(); }

@@ -7,7 +7,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kRepeatAfter = 3;  // an order not confirmed by now is sent again [s]
-constexpr double kSilent = 5;       // an aircraft unheard for so long is not counted on [s]
+constexpr double kSilent = 5;  // an aircraft unheard for so long is not counted on [s]
 
 }  // namespace
 

@@ -22,7 +22,7 @@ class TeamMission : public Mission {
     FlightLimits limits;
     bool mine = false;  ///< allocated to this mission, in contact, and it obeys
     Time heard;
-    Task task;                           ///< the last that was ordered; number 0: none
+    Task task;  ///< the last that was ordered; number 0: none
     Time ordered;
     std::uint32_t confirmed = 0;         ///< number of the order that it works on
     TaskState state = TaskState::kNone;  ///< of the task, once it is confirmed
@@ -31,8 +31,9 @@ class TeamMission : public Mission {
     std::optional<TaskReport> left = {};  ///< what is left of the task, as last said
 
     bool idle() const {
-      return task.number == 0 || (confirmed == task.number && state != TaskState::kFlying &&
-                                  state != TaskState::kPaused);
+      return task.number == 0 ||
+             (confirmed == task.number && state != TaskState::kFlying &&
+              state != TaskState::kPaused);
     }
     bool has_done() const {
       return task.number > 0 && confirmed == task.number && state == TaskState::kDone;

@@ -15,7 +15,8 @@ using Member = OrderServer::Member;
 using Holder = OrderServer::Holder;
 
 // By its name, as commands have it.
-std::optional<std::size_t> find_member(const OrderServer& orders, const std::string& name) {
+std::optional<std::size_t> find_member(const OrderServer& orders,
+                                       const std::string& name) {
   const auto& members = orders.members();
   for (std::size_t k = 0; k < members.size(); ++k)
     if (members[k].who.name == name) return k;
@@ -29,7 +30,7 @@ bool is_silent(const Member& member, Time now) {
 // Puts the numbers of those that a task is about in place of their names.
 // @returns  what is wrong; empty when nothing is.
 std::string bind_names(TaskKind& what, const std::vector<std::string>& names,
-                 const OrderServer& orders) {
+                       const OrderServer& orders) {
   std::vector<EntityId> ids;
   for (const std::string& name : names) {
     const auto member = find_member(orders, name);
@@ -118,7 +119,8 @@ void MissionControl::allocate(Time now, OrderServer& orders, AgentOutput& out) {
     WantingMission& each = missions.emplace_back();
     const bool runs = slot.state == State::kRunning || slot.state == State::kPaused;
     each.demand = runs ? slot.plan.mission->demand() : MissionDemand{0, 0, {}};
-    if (runs && slot.plan.max) each.demand.max = std::min(each.demand.max, *slot.plan.max);
+    if (runs && slot.plan.max)
+      each.demand.max = std::min(each.demand.max, *slot.plan.max);
     if (runs && slot.plan.min) each.demand.min = *slot.plan.min;
     each.demand.min = std::min(each.demand.min, each.demand.max);
     each.priority = slot.plan.priority;
@@ -167,7 +169,8 @@ void MissionControl::obey(const TaskChangeCommand& command, Time now, OrderServe
   if (!who) return;
   if (command.to.empty()) return orders.order(*who, command.action, now, out);
   const auto to = find_member(orders, command.to);
-  if (!to) return refuse(now, fmt::format("\"{}\" is not of this station.", command.to), out);
+  if (!to)
+    return refuse(now, fmt::format("\"{}\" is not of this station.", command.to), out);
   if (orders.members()[*who].task.number == 0)
     return refuse(now, fmt::format("{} has no task to give.", command.aircraft), out);
   TaskKind rest = orders.rest_of_task(*who);

@@ -36,7 +36,8 @@ class MissionControl {
   MissionControl(std::vector<PlannedMission> missions,
                  std::unique_ptr<const Allocator> allocator);
 
-  /// To be called once before the first step: every aircraft has its mission from then on.
+  /// To be called once before the first step: every aircraft has its mission from then
+  /// on.
   void begin(OrderServer& orders);
 
   void step(const AgentInput& in, OrderServer& orders, AgentOutput& out);

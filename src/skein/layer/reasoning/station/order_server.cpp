@@ -42,14 +42,14 @@ void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
       member->state = report->task_state;
       member->confirmed = report->task_number;
       forward(report->nav, message.from, out);
-      while (!member->open.empty() &&
-             std::visit(
-                 [&]<class T>(const T& content) {
-                   if constexpr (std::is_same_v<T, Task> || std::is_same_v<T, TaskChange>)
-                     return content.number <= member->confirmed;
-                   return true;
-                 },
-                 member->open.front().content)) {
+      while (!member->open.empty() && std::visit(
+                                          [&]<class T>(const T& content) {
+                                            if constexpr (std::is_same_v<T, Task> ||
+                                                          std::is_same_v<T, TaskChange>)
+                                              return content.number <= member->confirmed;
+                                            return true;
+                                          },
+                                          member->open.front().content)) {
         member->open.pop_front();
         send_next(*member, in.now, out);
       }
@@ -77,8 +77,8 @@ void OrderServer::forward(const NavEstimate& nav, EntityId of, AgentOutput& out)
                                      [&](const Member& m) { return m.who.id == of; });
     if (leader != members_.end())
       if (const auto* route = std::get_if<FlyRoute>(&leader->task.what);
-          route && std::count(route->report_to.begin(), route->report_to.end(),
-                              member.who.id) > 0)
+          route &&
+          std::count(route->report_to.begin(), route->report_to.end(), member.who.id) > 0)
         continue;
     Message position;
     position.to = member.who.id;
@@ -108,9 +108,10 @@ void OrderServer::order(std::size_t index, TaskKind what, Holder holder, Time no
   member.holder = holder;
   member.open.clear();  // the newest counts
   member.task = {++member.highest, std::move(what)};
-  out.events.push_back({now, member.who.id, "ordered",
-                        fmt::format("{} by the {}", kind_of(member.task.what),
-                                    holder == Holder::kOperator ? "operator" : "station")});
+  out.events.push_back(
+      {now, member.who.id, "ordered",
+       fmt::format("{} by the {}", kind_of(member.task.what),
+                   holder == Holder::kOperator ? "operator" : "station")});
   queue(member, {EntityId{}, member.who.id, 0, Time(), member.task}, now, out);
 }
 
@@ -118,8 +119,8 @@ void OrderServer::order(std::size_t index, TaskAction action, Time now,
                         AgentOutput& out) {
   Member& member = members_[index];
   member.holder = Holder::kOperator;
-  out.events.push_back(
-      {now, member.who.id, "ordered", fmt::format("{} by the operator", name_of(action))});
+  out.events.push_back({now, member.who.id, "ordered",
+                        fmt::format("{} by the operator", name_of(action))});
   queue(member,
         {EntityId{}, member.who.id, 0, Time(), TaskChange{++member.highest, action}}, now,
         out);

@@ -32,10 +32,11 @@ class OrderServer {
   struct Member {
     NamedAircraft who;
     Holder holder = Holder::kNobody;
-    std::optional<std::size_t> mission = {};  ///< that has it, or had it before the operator
-    Vec2 place = Vec2::Zero();      ///< as last reported [m]
-    std::optional<Time> heard = {}; ///< last
-    bool obeys = false;             ///< neither a pilot nor a failsafe flies
+    std::optional<std::size_t> mission =
+        {};                          ///< that has it, or had it before the operator
+    Vec2 place = Vec2::Zero();       ///< as last reported [m]
+    std::optional<Time> heard = {};  ///< last
+    bool obeys = false;              ///< neither a pilot nor a failsafe flies
     TaskState state = TaskState::kNone;
 
     // How its orders are numbered.
@@ -50,8 +51,8 @@ class OrderServer {
     // The operator's orders that are not confirmed yet: the first is on its way.
     std::deque<Message> open;
     Time sent;
-    Task task;           // the last that was sent, with its number
-    TaskReport reported; // what is left of it, as last said
+    Task task;            // the last that was sent, with its number
+    TaskReport reported;  // what is left of it, as last said
   };
 
   /// @param missions  their number.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/zone_set.h"
 #include "skein/data/agent_step.h"
+#include "skein/data/zone_set.h"
 
 namespace skein::reasoning {
 

@@ -12,7 +12,8 @@ namespace {
 constexpr double kTryAgain = 10;  // after there was no plan, or it was refused [s]
 constexpr double kFlown = 5;      // a plan for so long is not refused any more [s]
 constexpr int kMaxRefusals = 3;
-constexpr double kPlanAhead = 10;     // the next part is planned when this little is left [s]
+constexpr double kPlanAhead =
+    10;  // the next part is planned when this little is left [s]
 constexpr double kWindChange = 2;     // of the wind, for which it plans anew [m/s]
 constexpr double kBetweenPlans = 15;  // for another wind, at least [s]
 
@@ -45,7 +46,8 @@ const FlightIntent* PlannedTask::plan(const TaskStep& step, AgentOutput& out) {
       // The autopilot has reported why.
       renew();
       // What was led around a zone may be flown from elsewhere.
-      if (!flight.mended && ++refusals_ >= kMaxRefusals) impossible_ = "the autopilot refuses its plans";
+      if (!flight.mended && ++refusals_ >= kMaxRefusals)
+        impossible_ = "the autopilot refuses its plans";
       try_again_ = step.in.now + Time::from_seconds(kTryAgain);
     } else if (flight.done && last_) {
       if (finish(step, out)) {
@@ -73,8 +75,8 @@ bool PlannedTask::must_plan(const TaskStep& step) const {
   const bool other_wind =
       options_.for_wind && (step.in.nav->wind_N - wind_).norm() > kWindChange &&
       (step.in.now - planned_).seconds() > kBetweenPlans && !step.flight.by_sight;
-  const bool off = !options_.rejoins && !options_.stubborn && step.safety.off_plan() &&
-                   !was_off_;
+  const bool off =
+      !options_.rejoins && !options_.stubborn && step.safety.off_plan() && !was_off_;
   return other_wind || off;
 }
 

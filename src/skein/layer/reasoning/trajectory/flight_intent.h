@@ -18,16 +18,18 @@ namespace skein::reasoning {
 /// Guidance for now, said anew at each step.
 struct Steering {
   decltype(AutopilotCommand::guidance) guidance = HoldCourse{};
-  double course = 0;                    ///< over ground just ahead [rad]
-  std::optional<double> altitude_msl{}; ///< [m]; none: the aircraft's height above ground
-  std::optional<double> airspeed{};     ///< [m/s]; none: cruise
+  double course = 0;  ///< over ground just ahead [rad]
+  std::optional<double>
+      altitude_msl{};                ///< [m]; none: the aircraft's height above ground
+  std::optional<double> airspeed{};  ///< [m/s]; none: cruise
 };
 
 /// Circles around a point as small as they can be flown in the wind, or hovering there;
 /// around the nearest place where that is possible while a no-fly zone forbids it.
 struct Circling {
-  Vec2 centre = Vec2::Zero();            ///< [m]
-  std::optional<double> altitude_msl{};  ///< [m]; none: the aircraft's height above ground
+  Vec2 centre = Vec2::Zero();  ///< [m]
+  std::optional<double>
+      altitude_msl{};  ///< [m]; none: the aircraft's height above ground
 };
 
 /// Straight legs between points, lap after lap, then to stay at the last of them.
@@ -45,8 +47,8 @@ struct Itinerary {
   /// Times of the plan, growing, at which the aircraft must be where the plan has it, its
   /// end last: a detour may lead from one to another, not past one.
   std::vector<double> milestones;
-  bool in_time = true;   ///< flown in time; else at cruise airspeed
-  bool rejoins = true;   ///< when it is off the plan, it joins it again by itself
+  bool in_time = true;       ///< flown in time; else at cruise airspeed
+  bool rejoins = true;       ///< when it is off the plan, it joins it again by itself
   bool over_ground = false;  ///< altitudes are not the plan's, but so high above ground
 };
 

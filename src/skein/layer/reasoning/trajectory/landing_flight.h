@@ -18,9 +18,7 @@ class LandingFlight {
   void step(const TrajectoryStep& step, AgentOutput& out);
 
   /// It stands on the ground, having been commanded to land.
-  bool done(const AgentInput& in) const {
-    return commanded_ && in.autopilot.on_ground;
-  }
+  bool done(const AgentInput& in) const { return commanded_ && in.autopilot.on_ground; }
 
  private:
   Landing landing_;

@@ -14,9 +14,9 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookAgain = 10;   // after the first failure to mend [s]
-constexpr double kLongestWait = 60; // after others [s]
-constexpr double kCourseAhead = 3;  // whose bearing is the course of a plan [s]
+constexpr double kLookAgain = 10;    // after the first failure to mend [s]
+constexpr double kLongestWait = 60;  // after others [s]
+constexpr double kCourseAhead = 3;   // whose bearing is the course of a plan [s]
 
 }  // namespace
 
@@ -136,8 +136,8 @@ void PlanFlight::lead_by_sight(const TrajectoryStep& step, AgentOutput& out) {
       geo::horizontal(model::moment_at(plan_, now + kCourseAhead).p_N - nav.p_N);
   const double altitude = altitude_msl(now);
   AutopilotCommand command;
-  command.guidance = step.zones.keep_out(FollowPlan{given_}, geo::bearing(ahead), nav,
-                                         altitude);
+  command.guidance =
+      step.zones.keep_out(FollowPlan{given_}, geo::bearing(ahead), nav, altitude);
   command.altitude_msl = altitude;
   if (!in_time_) command.airspeed = context_.limits.airspeed;
   out.command = std::move(command);

@@ -40,7 +40,7 @@ class PlanFlight {
   void lead_by_sight(const TrajectoryStep& step, AgentOutput& out);
   double altitude_msl(double time) const;
 
-  FlightPlan plan_;  // as it is flown
+  FlightPlan plan_;                 // as it is flown
   std::vector<double> milestones_;  // those that it still meets, and met since
   std::size_t total_;               // milestones of the itinerary
   bool in_time_, rejoins_, over_ground_;
@@ -48,8 +48,8 @@ class PlanFlight {
   State state_ = State::kNew;
   Plan given_;  // to the autopilot
   Time given_at_, look_again_;
-  double wait_ = 0;      // after the last failure to mend [s]
-  bool changed_ = false; // it is not flown as it was given
+  double wait_ = 0;       // after the last failure to mend [s]
+  bool changed_ = false;  // it is not flown as it was given
 };
 
 }  // namespace skein::reasoning

@@ -10,19 +10,19 @@
 #include "skein/layer/reasoning/planning/search/airspace_map.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/model/path/wind_triangle.h"
 
 namespace skein::reasoning {
 namespace {
 
 constexpr double kMendedRadius = 1.1;          // of the turn radius: room to correct
-constexpr std::int64_t kLegExpansions = 3000;   // of a search, for one leg
-constexpr int kMaxLegs = 20;                 // mended at a time
+constexpr std::int64_t kLegExpansions = 3000;  // of a search, for one leg
+constexpr int kMaxLegs = 20;                   // mended at a time
 
 Airspace airspace_of(const FlightPlan& plan, const TrajectoryStep& step) {
   Airspace airspace;
-  airspace.zones =
-      step.zones.obstacles(geo::horizontal(step.in.nav->p_N),
-                           geo::horizontal(model::end_of(plan.back()).p_N));
+  airspace.zones = step.zones.obstacles(geo::horizontal(step.in.nav->p_N),
+                                        geo::horizontal(model::end_of(plan.back()).p_N));
   return airspace;
 }
 
@@ -69,6 +69,7 @@ class Mending {
 
  private:
   bool mend_leg();
+  FlightState goal_at(double time) const;
   void keep_until(double time);
 
   Airspace airspace_;
@@ -79,6 +80,14 @@ class Mending {
   MendedPlan out_;
 };
 
+// On the plan's course: in the wind of now that may be another heading.
+FlightState Mending::goal_at(double time) const {
+  const model::FlightMoment m = model::moment_at(rest_, time);
+  const double course = geo::bearing(geo::horizontal(m.v_N));
+  return {m.p_N, model::heading_for_course(course, query_.limits.airspeed, query_.wind)
+                     .value_or(m.heading)};
+}
+
 // A leg from the query's start to the first milestone of the rest that it can reach.
 bool Mending::mend_leg() {
   const double now = query_.start_time;
@@ -86,7 +95,7 @@ bool Mending::mend_leg() {
   for (std::size_t k = 0; k < milestones_.size(); ++k) {
     const double until = milestones_[k];
     if (until <= now) continue;
-    query_.goal = state_at(rest_, until);
+    query_.goal = goal_at(until);
     if (map_.conflict_at(query_.goal.p_N, until)) {
       why = "the place to go on from lies in a no-fly zone";
       continue;
@@ -100,8 +109,7 @@ bool Mending::mend_leg() {
     model::append(out_.plan, std::move(leg.path.plan));
     const double arrival = model::end_time_of(out_.plan);
     out_.milestones.push_back(arrival);
-    FlightPlan after =
-        planning::part_of(rest_, until, model::end_time_of(rest_));
+    FlightPlan after = planning::part_of(rest_, until, model::end_time_of(rest_));
     milestones_.erase(milestones_.begin(),
                       milestones_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
     for (double& time : milestones_) time += arrival - until;
@@ -125,8 +133,9 @@ void Mending::keep_until(double time) {
 MendedPlan Mending::run(const Vec3& here, double heading) {
   const double end = model::end_time_of(rest_);
   // At the altitude of the plan: an even climb by the rest of the leg is no plan.
-  query_.start = {{here.x(), here.y(), state_at(rest_, std::min(query_.start_time, end)).p_N.z()},
-                  heading};
+  query_.start = {
+      {here.x(), here.y(), state_at(rest_, std::min(query_.start_time, end)).p_N.z()},
+      heading};
   int legs = 0;
   do {
     if (++legs > kMaxLegs || !mend_leg()) {

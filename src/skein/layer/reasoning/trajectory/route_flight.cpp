@@ -14,14 +14,14 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr std::int64_t kMaxPoints = 500;  // of one command, but for whole laps
-constexpr double kPlanAgain = 10;         // after the last try, at the earliest [s]
+constexpr std::int64_t kMaxPoints = 500;    // of one command, but for whole laps
+constexpr double kPlanAgain = 10;           // after the last try, at the earliest [s]
 constexpr std::int64_t kExpansions = 3000;  // of a planner, for one leg
-constexpr double kAimFor = 2;             // a detour is flown, then asked anew [s]
-constexpr double kPlanRadius = 1.1;       // of the turn radius: room to correct
-constexpr double kReached = 2;            // a point is, this near to it [turn radii]
-constexpr double kMinReached = 20;        // and this near at least [m]
-constexpr double kBeside = 6;             // of a corner, still passed [turn radii]
+constexpr double kAimFor = 2;               // a detour is flown, then asked anew [s]
+constexpr double kPlanRadius = 1.1;         // of the turn radius: room to correct
+constexpr double kReached = 2;              // a point is, this near to it [turn radii]
+constexpr double kMinReached = 20;          // and this near at least [m]
+constexpr double kBeside = 6;               // of a corner, still passed [turn radii]
 
 double reach(const FlightLimits& limits) {
   return std::max(kReached * limits.turn_radius, kMinReached);

@@ -13,8 +13,8 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kCircleReserve = 1.1;  // of turn radii over ground: room to correct
-constexpr double kMovedPlace = 1;         // nearer is the same place [m]
-constexpr double kWorthSaying = 100;      // another place instead is reported [m]
+constexpr double kMovedPlace = 1;       // nearer is the same place [m]
+constexpr double kWorthSaying = 100;    // another place instead is reported [m]
 
 double altitude_for(const std::optional<double>& own, const FlightContext& context,
                     const NavEstimate& nav) {

@@ -34,7 +34,8 @@ class TrajectoryPlanner {
   void begin(const FlightIntent& intent);
 
   FlightContext context_;
-  std::variant<std::monostate, CirclingFlight, RouteFlight, PlanFlight, LandingFlight, ReturnFlight>
+  std::variant<std::monostate, CirclingFlight, RouteFlight, PlanFlight, LandingFlight,
+               ReturnFlight>
       flight_;
   FlightProgress progress_;
   std::string_view change_;

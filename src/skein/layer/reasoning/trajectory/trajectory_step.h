@@ -11,8 +11,8 @@ struct TrajectoryStep {
   const AgentInput& in;  ///< with a navigation estimate
   ZoneMonitor& zones;
   const ReturnPlanner& returns;
-  bool off_plan = false;      ///< the flight has left the safety zone of its plan
-  bool zones_changed = false; ///< other zones are in force since this step
+  bool off_plan = false;       ///< the flight has left the safety zone of its plan
+  bool zones_changed = false;  ///< other zones are in force since this step
 };
 
 }  // namespace skein::reasoning

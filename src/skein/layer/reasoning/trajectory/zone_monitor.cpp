@@ -12,7 +12,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kMinRoom = 3;         // from a grown zone to the ends of a path [m]
+constexpr double kMinRoom = 3;  // from a grown zone to the ends of a path [m]
 
 }  // namespace
 

@@ -23,7 +23,8 @@ struct Straight {
       Steering north;
       north.altitude_msl = 220;
       steer(north, context,
-            {in, safety.zones(), safety.returns(), safety.off_plan(), safety.news()}, out);
+            {in, safety.zones(), safety.returns(), safety.off_plan(), safety.news()},
+            out);
     }
     safety.finish(in, out);
     if (out.command) aircraft.obey(*out.command);

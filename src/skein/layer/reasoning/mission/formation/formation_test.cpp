@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "skein/layer/reasoning/agent/onboard_agent.h"
-#include "skein/layer/reasoning/task/route/route_task.h"
-#include "skein/layer/reasoning/task/follow/follow_task.h"
 #include "skein/layer/reasoning/mission/formation/formation_control.h"
+#include "skein/layer/reasoning/task/follow/follow_task.h"
+#include "skein/layer/reasoning/task/route/route_task.h"
 
 namespace skein::reasoning {
 namespace {

@@ -13,9 +13,9 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kRadiusFactor = 1.1;  // of planned turns, as SurveyTask flies them
-constexpr double kVertical = 20;       // kept from floors and ceilings [m]
-constexpr double kShareAgain = 30;     // at the earliest [s]
+constexpr double kRadiusFactor = 1.1;     // of planned turns, as SurveyTask flies them
+constexpr double kVertical = 20;          // kept from floors and ceilings [m]
+constexpr double kShareAgain = 30;        // at the earliest [s]
 constexpr std::size_t kWorthSharing = 4;  // lines that somebody has left, times two ends
 
 FlightState state_of(const NavEstimate& nav) {
@@ -118,8 +118,9 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
   const planning::CoverageResult result = planning::plan_coverage(query);
   if (result.line_ends.empty()) {
     if (std::exchange(why_not_, result.reason) != result.reason)
-      out.events.push_back({now, EntityId{}, "no-plan",
-                            fmt::format("{}: {}", name_of(result.outcome), result.reason)});
+      out.events.push_back(
+          {now, EntityId{}, "no-plan",
+           fmt::format("{}: {}", name_of(result.outcome), result.reason)});
     return;
   }
   planned_ = true;
@@ -173,9 +174,9 @@ void SurveyMission::share_anew(Time now, AgentOutput& out) {
     nobodys_ = lines;  // the wind is too strong just now
     return;
   }
-  out.events.push_back({now, EntityId{}, "shared",
-                        fmt::format("{} lines among {} aircraft", lines.size() / 2,
-                                    who.size())});
+  out.events.push_back(
+      {now, EntityId{}, "shared",
+       fmt::format("{} lines among {} aircraft", lines.size() / 2, who.size())});
   give(who, shares, now, out);
 }
 

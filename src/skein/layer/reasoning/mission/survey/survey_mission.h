@@ -11,12 +11,12 @@
 namespace skein::reasoning {
 
 struct SurveyMissionOptions {
-  Survey survey;             ///< what is to be seen; `lines` is not used
+  Survey survey;                       ///< what is to be seen; `lines` is not used
   std::optional<double> bearing = {};  ///< of the lines [rad]; none: the quickest
-  std::vector<Zone> zones;   ///< no-fly zones in force from the start
-  double zone_margin = 30;   ///< kept from them [m]
+  std::vector<Zone> zones;             ///< no-fly zones in force from the start
+  double zone_margin = 30;             ///< kept from them [m]
   std::shared_ptr<const PathPlanner> planner;  ///< around zones; null: none
-  double settling = 10;      ///< waits for reports of all aircraft, and their wind [s]
+  double settling = 10;  ///< waits for reports of all aircraft, and their wind [s]
 };
 
 /// Sees all of an area with the aircraft it is given.
@@ -48,8 +48,8 @@ class SurveyMission final : public TeamMission {
   ZoneSet zones_;
   std::optional<Time> begun_;  // there was an aircraft
   bool planned_ = false, done_ = false;
-  std::vector<bool> has_lines_;   // of the team: it has been given some
-  std::vector<Vec2> nobodys_;     // lines of those that were lost
+  std::vector<bool> has_lines_;  // of the team: it has been given some
+  std::vector<Vec2> nobodys_;    // lines of those that were lost
   Time shared_;
   std::string why_not_;  // it could not be planned; said once
 };

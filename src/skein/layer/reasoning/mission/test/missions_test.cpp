@@ -108,7 +108,8 @@ TEST(SurveyMission, OthersGoOnWithWhatALostOneHasLeft) {
   left.lines.front() = (left.lines[0] + left.lines[1]) / 2;
   const double unseen = length_of(left.lines);
   ASSERT_GT(unseen, 1000);
-  team.aircraft[0].left = TaskReport{team.aircraft[0].task.number, TaskState::kFlying, "", left};
+  team.aircraft[0].left =
+      TaskReport{team.aircraft[0].task.number, TaskState::kFlying, "", left};
   team.second(mission);
   team.aircraft[0].silent = true;
   team.seconds(mission, 10);
@@ -127,9 +128,9 @@ TEST(SurveyMission, OneThatComesLaterGetsAShare) {
   team.aircraft[1].mine = true;
   team.seconds(mission, 40);
   ASSERT_TRUE(team.flies<Survey>(1));
-  EXPECT_NEAR(length_of(team.flies<Survey>(0)->lines) +
-                  length_of(team.flies<Survey>(1)->lines),
-              10 * 1000, 1);
+  EXPECT_NEAR(
+      length_of(team.flies<Survey>(0)->lines) + length_of(team.flies<Survey>(1)->lines),
+      10 * 1000, 1);
 }
 
 Message sighting(std::uint32_t from, std::uint32_t object, const Vec2& place, Time now) {

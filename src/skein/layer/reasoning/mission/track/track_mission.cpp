@@ -33,9 +33,9 @@ void TrackMission::pursue(const AgentInput& in, AgentOutput& out) {
     it = lost ? targets_.erase(it) : std::next(it);
   }
   for (auto& [object, target] : targets_) {
-    const auto tracker = std::find_if(team().begin(), team().end(), [&](const Aircraft& a) {
-      return target.tracker == a.id;
-    });
+    const auto tracker =
+        std::find_if(team().begin(), team().end(),
+                     [&](const Aircraft& a) { return target.tracker == a.id; });
     if (tracker == team().end() || !tracker->mine) target.tracker.reset();
   }
   assign(in.now, out);
@@ -49,10 +49,10 @@ void TrackMission::listen_for_objects(const AgentInput& in, AgentOutput& out) {
     const auto [at, first] = targets_.try_emplace(sighting->object, Target{});
     at->second.seen = std::max(at->second.seen, sighting->time);
     if (first)
-      out.events.push_back({in.now, message.from, "object-found",
-                            fmt::format("object {} at {:.0f} m north, {:.0f} m east",
-                                        sighting->object, sighting->position.x(),
-                                        sighting->position.y())});
+      out.events.push_back(
+          {in.now, message.from, "object-found",
+           fmt::format("object {} at {:.0f} m north, {:.0f} m east", sighting->object,
+                       sighting->position.x(), sighting->position.y())});
     if (at->second.tracker && *at->second.tracker != message.from) {
       Message passed_on;
       passed_on.to = *at->second.tracker;

@@ -11,8 +11,8 @@ namespace skein::reasoning {
 struct TrackMissionOptions {
   /// Objects to be tracked; empty: every one that anybody sees.
   std::vector<std::uint32_t> objects;
-  double radius = 0;   ///< of the circles [m]; 0: as small as the aircraft can
-  bool weave = false;  ///< S-turns instead
+  double radius = 0;        ///< of the circles [m]; 0: as small as the aircraft can
+  bool weave = false;       ///< S-turns instead
   double lost_after = 120;  ///< an object unseen for so long is given up [s]
 };
 

@@ -31,8 +31,8 @@ bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
   member->status.nav = report.nav;
   member->status.limits = report.limits;
   member->reported_task = report.task_number;
-  member->status.task_done =
-      report.task_state == TaskState::kDone && report.task_number == member->status.task.number;
+  member->status.task_done = report.task_state == TaskState::kDone &&
+                             report.task_number == member->status.task.number;
   return true;
 }
 

@@ -65,15 +65,15 @@ struct CoverageResult {
   std::vector<double> times;      ///< of each plan [s]
   /// Begin and end of each line that an aircraft flies, in its order, over ground [m].
   std::vector<std::vector<Vec2>> line_ends;
-  bool stopped = false;           ///< by the watch: there may be better ones
-  double longest = 0;             ///< of these: when the survey is done [s]
-  double total = 0;               ///< their sum [s]
-  double bearing = 0;             ///< of the lines [rad, [0, pi)]
-  int lines = 0;                  ///< flown
-  double on_lines = 0;            ///< time on lines, of all aircraft [s]
-  double area = 0;                ///< to be covered [m^2]
-  double covered_share = 0;       ///< of it, beside the lines
-  double in_zones = 0;            ///< time within zones [s]
+  bool stopped = false;      ///< by the watch: there may be better ones
+  double longest = 0;        ///< of these: when the survey is done [s]
+  double total = 0;          ///< their sum [s]
+  double bearing = 0;        ///< of the lines [rad, [0, pi)]
+  int lines = 0;             ///< flown
+  double on_lines = 0;       ///< time on lines, of all aircraft [s]
+  double area = 0;           ///< to be covered [m^2]
+  double covered_share = 0;  ///< of it, beside the lines
+  double in_zones = 0;       ///< time within zones [s]
   /// For a start or end in a zone, the nearest place found that is in none [m].
   std::optional<Vec2> free_place = std::nullopt;
   /// For an area that crosses itself, the same area without crossings.

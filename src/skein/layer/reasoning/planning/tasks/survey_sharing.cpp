@@ -7,7 +7,8 @@ namespace skein::planning {
 
 std::vector<std::vector<Vec2>> share_survey(std::span<const Vec2> ends,
                                             const std::vector<FlightState>& starts,
-                                            const FlightLimits& limits, const Vec2& wind) {
+                                            const FlightLimits& limits,
+                                            const Vec2& wind) {
   std::vector<std::vector<Vec2>> shares(starts.size());
   std::vector<SweepLine> lines;
   for (std::size_t k = 0; k + 1 < ends.size(); k += 2)

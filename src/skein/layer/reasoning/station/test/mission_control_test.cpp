@@ -40,7 +40,8 @@ class Gathering final : public Mission {
 
 // Aircraft that obey at once.
 struct Fleet {
-  explicit Fleet(std::uint32_t count) : tasks(count), confirmed(count, 0), silent(count) {}
+  explicit Fleet(std::uint32_t count)
+      : tasks(count), confirmed(count, 0), silent(count) {}
 
   AgentOutput second(GroundStation& station, const std::vector<Command>& commands = {}) {
     std::vector<Message> inbox;

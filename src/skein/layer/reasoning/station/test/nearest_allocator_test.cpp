@@ -27,8 +27,8 @@ WantingMission mission(const std::vector<AllocatedAircraft>& who, int priority, 
 
 // One of so many.
 std::size_t pick(RandomStream& random, std::size_t count) {
-  return std::min(count - 1, static_cast<std::size_t>(random.uniform() *
-                                                      static_cast<double>(count)));
+  return std::min(
+      count - 1, static_cast<std::size_t>(random.uniform() * static_cast<double>(count)));
 }
 
 TEST(NearestAllocator, GivesTheNearestToWhomNeedsThemAndSharesTheRest) {
@@ -50,8 +50,8 @@ TEST(NearestAllocator, TakesForTheMoreImportantFromTheLessImportantOnly) {
   auto who = in_a_row(3);
   for (AllocatedAircraft& each : who) each.owner = 0;
   const auto share = [&](int priority) {
-    return NearestAllocator().allocate(who, {mission(who, 0, 1, 100, {0, 0}),
-                                             mission(who, priority, 1, 1, {110, 0})});
+    return NearestAllocator().allocate(
+        who, {mission(who, 0, 1, 100, {0, 0}), mission(who, priority, 1, 1, {110, 0})});
   };
   EXPECT_EQ(share(1), (Owners{0, 1, 0}));
   EXPECT_EQ(share(0), (Owners{0, 0, 0}));

@@ -10,9 +10,9 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kSamePlace = 1;   // nearer is the same place [m]
-constexpr double kReached = 2;     // a point is, this near to it [turn radii]
-constexpr double kMinReached = 50; // and this near at least [m]
+constexpr double kSamePlace = 1;    // nearer is the same place [m]
+constexpr double kReached = 2;      // a point is, this near to it [turn radii]
+constexpr double kMinReached = 50;  // and this near at least [m]
 
 PlannedTaskOptions first_is_best() {
   PlannedTaskOptions own;
@@ -50,12 +50,12 @@ PlannedTask::Part GoToTask::plan_part(const Start& start, const TaskStep&) {
   const model::PointConnection path = model::connect_to_point(from, place_, air);
   Part part;
   if (path.status == model::ConnectionStatus::kFound)
-    part.plan =
-        model::to_flight_plan(path, from, air, start.time, start.state.p_N.z());
+    part.plan = model::to_flight_plan(path, from, air, start.time, start.state.p_N.z());
   if (path.status != model::ConnectionStatus::kFound)
-    part.why_not = fmt::format("the wind of {:.1f} m/s is too strong to fly to a point at "
-                               "{:.1f} m/s",
-                               start.wind.norm(), air.airspeed);
+    part.why_not = fmt::format(
+        "the wind of {:.1f} m/s is too strong to fly to a point at "
+        "{:.1f} m/s",
+        start.wind.norm(), air.airspeed);
   if (!length_ && !part.plan.empty()) length_ = model::duration(part.plan);
   return part;
 }

@@ -24,8 +24,7 @@ double altitude_to(const Vec2& place, const NavEstimate& nav,
 const FlightIntent* ReturnTask::plan(const TaskStep& step, AgentOutput&) {
   if (intent_.number == 0) {
     intent_.number = step.intents.next();
-    intent_.what =
-        Returning{altitude_to(step.safety.home(), *step.in.nav, context_)};
+    intent_.what = Returning{altitude_to(step.safety.home(), *step.in.nav, context_)};
   }
   done_ = done_ || (step.flight.number == intent_.number && step.flight.done);
   return &intent_;

@@ -70,7 +70,8 @@ Steering LineTask::along_line(const NavEstimate& nav) {
     done_ = true;
     return circle_at(order_.points.back(), nav, context().limits);
   }
-  return on_course(geo::bearing(model::pose_at(path_, along_ + ahead).position - position));
+  return on_course(
+      geo::bearing(model::pose_at(path_, along_ + ahead).position - position));
 }
 
 TaskProgress LineTask::progress(const AgentInput& in) const {

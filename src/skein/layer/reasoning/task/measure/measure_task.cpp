@@ -37,11 +37,11 @@ bool MeasureTask::finish(const TaskStep& step, AgentOutput& out) {
 
 void MeasureTask::report(const TaskStep& step, AgentOutput& out) const {
   const Vec2 wind = winds_ > 0 ? Vec2(wind_ / winds_) : step.in.nav->wind_N;
-  std::string text =
-      fmt::format("at {:.0f} m north, {:.0f} m east for {:.0f} s: wind {:.1f} m/s from "
-                  "{:.0f} degrees",
-                  place().x(), place().y(), order_.stay, wind.norm(),
-                  geo::degrees(geo::wrap_2pi(geo::bearing(-wind))));
+  std::string text = fmt::format(
+      "at {:.0f} m north, {:.0f} m east for {:.0f} s: wind {:.1f} m/s from "
+      "{:.0f} degrees",
+      place().x(), place().y(), order_.stay, wind.norm(),
+      geo::degrees(geo::wrap_2pi(geo::bearing(-wind))));
   if (readings_ > 0)
     text += fmt::format(", {} of {} fire readings inside", inside_, readings_);
   out.events.push_back({step.in.now, context().self, "measured", std::move(text)});

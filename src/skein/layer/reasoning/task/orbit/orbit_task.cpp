@@ -8,13 +8,13 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kChunk = 120;      // of an orbit, planned at a time [s]
-constexpr double kOffTarget = 12;   // the target, from where it was planned to be [m]
-constexpr double kAimAgain = 4;     // after the last aim, at the earliest [s]
-constexpr double kTolerance = 5;    // of the distance on a circle [m]
+constexpr double kChunk = 120;        // of an orbit, planned at a time [s]
+constexpr double kOffTarget = 12;     // the target, from where it was planned to be [m]
+constexpr double kAimAgain = 4;       // after the last aim, at the earliest [s]
+constexpr double kTolerance = 5;      // of the distance on a circle [m]
 constexpr double kBesideZones = 1.5;  // of the radius: room for the way to the circle
-constexpr double kRoom = 1.02;      // of the smallest circle
-constexpr double kReserve = 1.25;   // of turn radii, for a circle that is to be small
+constexpr double kRoom = 1.02;        // of the smallest circle
+constexpr double kReserve = 1.25;     // of turn radii, for a circle that is to be small
 
 }  // namespace
 
@@ -39,8 +39,7 @@ Vec2 OrbitTask::target_velocity(const TaskStep& step) const {
 
 const FlightIntent* OrbitTask::before(const TaskStep& step, AgentOutput&) {
   const Time now = now_ = step.in.now;
-  if (arrived_ && order_.duration > 0 &&
-      (now - *arrived_).seconds() >= order_.duration) {
+  if (arrived_ && order_.duration > 0 && (now - *arrived_).seconds() >= order_.duration) {
     order_.point = target_at(step, now);
     set_done();
     return nullptr;

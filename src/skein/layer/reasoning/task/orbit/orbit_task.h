@@ -26,8 +26,8 @@ class OrbitTask final : public PlannedTask {
 
   Orbit order_;
   double radius_;
-  FlightIntent beside_;  // while a zone leaves no room for the orbit
-  std::optional<Time> arrived_;   // with the target
+  FlightIntent beside_;          // while a zone leaves no room for the orbit
+  std::optional<Time> arrived_;  // with the target
   Time now_;
   // As planned for.
   Time aimed_at_;

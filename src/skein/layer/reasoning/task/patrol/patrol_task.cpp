@@ -9,7 +9,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr int kRoundsAtATime = 3;
-constexpr double kWorthIt = 2;     // straight that is worth coming back to [s]
+constexpr double kWorthIt = 2;      // straight that is worth coming back to [s]
 constexpr double kRounding = 1e-6;  // [s]
 
 }  // namespace

@@ -21,8 +21,8 @@ class PatrolTask final : public PlannedTask {
   void pass(const TaskStep&) override;
 
   Patrol order_;
-  int rounds_ = 0;   // flown
-  int planned_ = 0;  // flown and planned
+  int rounds_ = 0;                // flown
+  int planned_ = 0;               // flown and planned
   std::vector<bool> ends_round_;  // of the milestones that are planned, from the next on
 };
 

@@ -3,6 +3,7 @@
 #include "skein/layer/reasoning/planning/tasks/join.h"
 #include "skein/layer/reasoning/planning/tasks/timed_flight.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/model/path/wind_triangle.h"
 
 namespace skein::reasoning {
 namespace {
@@ -31,7 +32,11 @@ PlannedTask::Part PlanTask::plan_part(const Start& start, const TaskStep&) {
   Part part;
   FlightPlan rest(order_.plan.begin() + static_cast<std::ptrdiff_t>(next_),
                   order_.plan.end());
-  const FlightState begin{rest.front().p_N, rest.front().heading};
+  // On its course: in the wind of now that is another heading than in the plan's.
+  const double course = geo::bearing(geo::horizontal(model::moment(rest.front(), 0).v_N));
+  const FlightState begin{rest.front().p_N, model::heading_for_course(
+                                                course, start.limits.airspeed, start.wind)
+                                                .value_or(rest.front().heading)};
   part.plan = planning::join(start.state, begin, start.limits, start.wind, start.time);
   const bool there = (start.state.p_N - begin.p_N).norm() < 1;
   if (part.plan.empty() && !there) {
@@ -39,7 +44,8 @@ PlannedTask::Part PlanTask::plan_part(const Start& start, const TaskStep&) {
     return part;
   }
   if (!order_.any_time && model::start_of(rest) > start.time) {
-    planning::TimedLeg leg{start.state, begin, start.time, start.limits, start.wind, true};
+    planning::TimedLeg leg{start.state,  begin,      start.time,
+                           start.limits, start.wind, true};
     planning::TimedFlight timed = planning::arrive_at(leg, model::start_of(rest));
     if (!timed.plan.empty()) part.plan = std::move(timed.plan);
   }
@@ -61,8 +67,7 @@ void PlanTask::pass(const TaskStep&) {
 TaskProgress PlanTask::progress(const AgentInput& in) const {
   TaskProgress progress = PlannedTask::progress(in);
   if (!progress.done)
-    progress.share =
-        static_cast<double>(next_) / static_cast<double>(order_.plan.size());
+    progress.share = static_cast<double>(next_) / static_cast<double>(order_.plan.size());
   return progress;
 }
 

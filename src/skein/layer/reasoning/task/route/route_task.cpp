@@ -11,7 +11,7 @@ namespace {
 // behind.
 constexpr double kLeaderSpeed = 0.4;
 constexpr std::size_t kUnrolled = 100;  // points that are left are listed up to these
-constexpr double kReportPeriod = 1;  // of its position, to followers [s]
+constexpr double kReportPeriod = 1;     // of its position, to followers [s]
 
 Legs legs_of(const FlightContext& context, const FlyRoute& order) {
   Legs legs;
@@ -39,8 +39,7 @@ const FlightIntent* RouteTask::plan(const TaskStep& step, AgentOutput& out) {
   if (flight.number == intent_.number && !done_) {
     passed_ = begun_at_ + flight.passed;
     done_ = flight.done;
-    if (done_)
-      out.events.push_back({step.in.now, self_, "route-done", flight.ending});
+    if (done_) out.events.push_back({step.in.now, self_, "route-done", flight.ending});
   }
   if (done_ && lands_) land(step);
   return &intent_;
@@ -85,8 +84,7 @@ TaskProgress RouteTask::progress(const AgentInput&) const {
   const std::size_t total = order_.points.size() * static_cast<std::size_t>(order_.laps);
   TaskProgress progress;
   progress.done = done_;
-  progress.share =
-      done_ ? 1 : static_cast<double>(passed_) / static_cast<double>(total);
+  progress.share = done_ ? 1 : static_cast<double>(passed_) / static_cast<double>(total);
   return progress;
 }
 

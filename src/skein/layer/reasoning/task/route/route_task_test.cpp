@@ -22,8 +22,8 @@ struct Harness {
   explicit Harness(bool lands = false)
       : agent({.first_task = FlyRoute{{{400, 400}, {400, 0}, {0, 400}}, 5, {}}},
               EntityId{7}, context, {}, [this, lands](const TaskKind& task) {
-                return Result<std::unique_ptr<TaskExecutor>>(
-                    std::make_unique<RouteTask>(context, std::get<FlyRoute>(task), lands));
+                return Result<std::unique_ptr<TaskExecutor>>(std::make_unique<RouteTask>(
+                    context, std::get<FlyRoute>(task), lands));
               }) {}
   AgentOutput at(double time, bool done = false) {
     nav.time = Time::from_seconds(time);

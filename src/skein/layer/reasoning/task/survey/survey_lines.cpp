@@ -23,7 +23,8 @@ void divide(const SurveyLine& line, const planning::ZoneRings& zones,
   std::vector<planning::Span> spans;
   for (const planning::SweepLine& part :
        planning::clear_of({{line.begin, line.end, 0}}, zones, room)) {
-    const double a = (part.a - line.begin).dot(along), b = (part.b - line.begin).dot(along);
+    const double a = (part.a - line.begin).dot(along),
+                 b = (part.b - line.begin).dot(along);
     spans.push_back({std::min(a, b), std::max(a, b)});
   }
   std::sort(spans.begin(), spans.end(),

@@ -28,7 +28,7 @@ class SurveyLines {
   /// Those within zones.
   const std::vector<SurveyLine>& forbidden() const { return forbidden_; }
 
-  double length_left() const;  ///< of these [m]
+  double length_left() const;                ///< of these [m]
   double length() const { return length_; }  ///< of all at the beginning [m]
   double length_forbidden() const;           ///< within zones [m]
 

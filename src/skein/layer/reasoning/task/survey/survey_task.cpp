@@ -56,8 +56,9 @@ bool SurveyTask::zones_changed(const TaskStep& step) {
   ZoneMonitor& zones = step.safety.zones();
   if (zones.zones().empty() && zones_.empty()) return false;
   std::vector<Zone> now = zones.counting();
-  const bool same = std::equal(now.begin(), now.end(), zones_.begin(), zones_.end(),
-                               [](const Zone& a, const Zone& b) { return a.name == b.name; });
+  const bool same =
+      std::equal(now.begin(), now.end(), zones_.begin(), zones_.end(),
+                 [](const Zone& a, const Zone& b) { return a.name == b.name; });
   zones_ = std::move(now);
   return !same;
 }
@@ -74,8 +75,7 @@ std::vector<Zone> SurveyTask::grown_zones(const TaskStep& step) const {
 const FlightIntent* SurveyTask::before(const TaskStep& step, AgentOutput&) {
   if (!zones_changed(step) || !lines_) return nullptr;
   cut_line();
-  lines_->regard(grown_zones(step),
-                 wide_radius(context().limits, step.in.nav->wind_N));
+  lines_->regard(grown_zones(step), wide_radius(context().limits, step.in.nav->wind_N));
   ++version_;
   renew();
   return nullptr;
@@ -97,8 +97,8 @@ bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
   query.planner = context().planner.get();
   const planning::CoverageResult result = planning::plan_coverage(query);
   if (result.line_ends.empty() || result.line_ends.front().empty()) {
-    why_not = result.reason.empty() ? std::string(name_of(result.outcome))
-                                    : result.reason;
+    why_not =
+        result.reason.empty() ? std::string(name_of(result.outcome)) : result.reason;
     return false;
   }
   lines_.emplace(result.line_ends.front());
@@ -111,9 +111,10 @@ bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
 PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step) {
   Part part;
   if (start.wind.norm() >= start.limits.airspeed) {
-    part.why_not = fmt::format("the wind of {:.1f} m/s is too strong to survey at "
-                               "{:.1f} m/s",
-                               start.wind.norm(), start.limits.airspeed);
+    part.why_not = fmt::format(
+        "the wind of {:.1f} m/s is too strong to survey at "
+        "{:.1f} m/s",
+        start.wind.norm(), start.limits.airspeed);
     return part;
   }
   bool on_line = cut_line();

@@ -38,8 +38,8 @@ class SurveyTask final : public PlannedTask {
   double aside_;  // of a line, still seen [m]
   std::optional<SurveyLines> lines_;
   std::vector<Zone> zones_;  // that count
-  bool on_line_ = false;  // between begin and end of the first line that is left
-  double farthest_ = 0;   // from it, so far [m]
+  bool on_line_ = false;     // between begin and end of the first line that is left
+  double farthest_ = 0;      // from it, so far [m]
   Vec2 here_ = Vec2::Zero();
   std::uint32_t version_ = 0;
 };

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <functional>
 
-#include "skein/layer/reasoning/trajectory/altitude.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
-#include "skein/layer/reasoning/trajectory/test/test_flight.h"
 #include "skein/layer/reasoning/task/course/course_task.h"
 #include "skein/layer/reasoning/task/edge/edge_task.h"
+#include "skein/layer/reasoning/task/go_to/go_to_task.h"
 #include "skein/layer/reasoning/task/line/line_task.h"
 #include "skein/layer/reasoning/task/stay/stay_task.h"
-#include "skein/layer/reasoning/task/go_to/go_to_task.h"
+#include "skein/layer/reasoning/trajectory/altitude.h"
+#include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
 namespace skein::reasoning {
 namespace {

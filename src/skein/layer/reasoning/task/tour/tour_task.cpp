@@ -57,10 +57,10 @@ PlannedTask::Part TourTask::plan_part(const Start& start, const TaskStep&) {
                 std::span(courses_).subspan(first), air, options_.curves);
   Part part;
   if (lap.passes.empty()) {
-    part.why_not =
-        fmt::format("the wind of {:.1f} m/s is too strong to fly through the points at "
-                    "{:.1f} m/s",
-                    air.wind.norm(), air.airspeed);
+    part.why_not = fmt::format(
+        "the wind of {:.1f} m/s is too strong to fly through the points at "
+        "{:.1f} m/s",
+        air.wind.norm(), air.airspeed);
     return part;
   }
   planned_ += lap.passes.size();

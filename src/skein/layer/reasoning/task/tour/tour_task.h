@@ -21,7 +21,8 @@ struct TourOptions {
 /// with the wind as its autopilot then believes it to be; then stays at the end.
 class TourTask final : public PlannedTask {
  public:
-  TourTask(const FlightContext& context, const FlyTour& order, const TourOptions& options);
+  TourTask(const FlightContext& context, const FlyTour& order,
+           const TourOptions& options);
 
   TaskProgress progress(const AgentInput& in) const override;
   TaskKind rest() const override;

@@ -1,0 +1,133 @@
+// The shipped scenarios with missions, judged by the truth.
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "skein/assemble/test/whole_flight.h"
+
+namespace skein::assemble {
+namespace {
+
+// The files that it names are where it is.
+std::string shipped(const char* name) {
+  const std::string folder = SKEIN_SOURCE_DIR "/scenarios/";
+  std::ifstream in(folder + name);
+  std::ostringstream content;
+  content << in.rdbuf();
+  std::string text = content.str();
+  const std::size_t plan = text.find("plans/");
+  if (plan != std::string::npos) text.insert(plan, folder);
+  return text;
+}
+
+// Share of the cells of a rectangle that were within `reach` of an aircraft's path.
+double seen(const FlightLog& log, const Vec2& low, const Vec2& high, double reach,
+            const std::function<bool(const Vec2&)>& counts) {
+  constexpr double kCell = 20;
+  const auto rows = static_cast<std::size_t>((high.x() - low.x()) / kCell);
+  const auto columns = static_cast<std::size_t>((high.y() - low.y()) / kCell);
+  std::vector<bool> cells(rows * columns, false);
+  const auto around = static_cast<int>(reach / kCell) + 1;
+  for (const auto& [id, flight] : log.rows)
+    for (const FlightRow& row : flight) {
+      const Vec2 at = geo::horizontal(row.truth.p_N) - low;
+      const int r0 = static_cast<int>(at.x() / kCell),
+                c0 = static_cast<int>(at.y() / kCell);
+      for (int r = r0 - around; r <= r0 + around; ++r)
+        for (int c = c0 - around; c <= c0 + around; ++c) {
+          if (r < 0 || c < 0 || r >= static_cast<int>(rows) ||
+              c >= static_cast<int>(columns))
+            continue;
+          const Vec2 middle = kCell * Vec2(r + 0.5, c + 0.5);
+          if ((middle - at).norm() <= reach)
+            cells[static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c)] =
+                true;
+        }
+    }
+  double sum = 0, all = 0;
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t c = 0; c < columns; ++c) {
+      const Vec2 middle =
+          low + kCell * Vec2(static_cast<double>(r) + 0.5, static_cast<double>(c) + 0.5);
+      if (!counts(middle)) continue;
+      ++all;
+      sum += cells[r * columns + c];
+    }
+  return sum / all;
+}
+
+std::ptrdiff_t count(const FlightLog& log, const std::string& kind) {
+  return std::count_if(log.events.begin(), log.events.end(),
+                       [&](const Event& e) { return e.kind == kind; });
+}
+
+TEST(MissionFlight, SearchAndRescueSeesTheAreaAndStaysWithWhoIsFound) {
+  const FlightLog log = fly(shipped("search-and-rescue.yaml"));
+  EXPECT_EQ(count(log, "object-found"), 2) << log.story();
+  EXPECT_EQ(count(log, "object-lost"), 0) << log.story();
+  EXPECT_NE(log.find("surveyed"), nullptr) << log.story();
+  // Half a swath to either side, but for the zone with what turns beside it need.
+  const Vec2 masts(500, 500);
+  EXPECT_EQ(seen(log, {0, 0}, {2000, 2000}, 76,
+                 [&](const Vec2& p) { return (p - masts).norm() > 150 + 35 + 75; }),
+            1.0);
+  for (const auto& [id, flight] : log.rows)
+    for (const FlightRow& row : flight)
+      ASSERT_GT((geo::horizontal(row.truth.p_N) - masts).norm(), 150);
+  // In the picture of a camera that sees 120 m to each side, 95 % of the time.
+  struct Walker {
+    Vec2 start, velocity;
+  };
+  for (const Walker& walker :
+       {Walker{{450, 1500}, {0.7, -0.5}}, Walker{{1600, 300}, {-0.4, 0.9}}}) {
+    std::map<Time, bool> in_view;
+    for (const auto& [id, flight] : log.rows)
+      for (const FlightRow& row : flight) {
+        if (row.time.seconds() < 400) continue;
+        const Vec2 at = walker.start + row.time.seconds() * walker.velocity;
+        const bool near = (geo::horizontal(row.truth.p_N) - at).norm() < 120;
+        in_view[row.time] = in_view[row.time] || near;
+      }
+    const auto there = std::count_if(in_view.begin(), in_view.end(),
+                                     [](const auto& each) { return each.second; });
+    EXPECT_GT(static_cast<double>(there) / static_cast<double>(in_view.size()), 0.95);
+  }
+}
+
+TEST(MissionFlight, TwoMissionsShareAircraftThroughALossAndAZone) {
+  const FlightLog log = fly(shipped("two-missions.yaml"));
+  EXPECT_NE(log.find("surveyed"), nullptr) << log.story();
+  EXPECT_NE(log.find("shared"), nullptr) << "what the lost one has left" << log.story();
+  const Vec2 helicopter(-1700, 600);
+  EXPECT_EQ(seen(log, {-2200, 0}, {-1200, 1200}, 61,
+                 [&](const Vec2& p) { return (p - helicopter).norm() > 180 + 35 + 150; }),
+            1.0);
+  for (const auto& [id, flight] : log.rows)
+    for (const FlightRow& row : flight)
+      if (row.time.seconds() > 310 && row.time.seconds() < 900)
+        ASSERT_GT((geo::horizontal(row.truth.p_N) - helicopter).norm(), 180)
+            << row.time.seconds();
+  EXPECT_NE(log.find("allocation"), nullptr);
+}
+
+TEST(MissionFlight, TheListOfTasksIsFlownByEachKindOfAircraft) {
+  const FlightLog log = fly(shipped("tasks.yaml"));
+  EXPECT_EQ(log.find("task-refused"), nullptr) << log.story();
+  EXPECT_EQ(log.find("task-impossible"), nullptr) << log.story();
+  EXPECT_EQ(log.find("command-refused"), nullptr) << log.story();
+  EXPECT_EQ(count(log, "task-over"), 11) << log.story();
+  for (const char* kind :
+       {"fly_to", "survey", "measure", "fly_route", "fly_tour", "patrol", "orbit",
+        "rendezvous", "follow_line", "fly_plan", "follow_edge", "follow_leader", "relay",
+        "hold", "fly_course", "loiter", "land", "return"})
+    EXPECT_TRUE(std::any_of(
+        log.events.begin(), log.events.end(),
+        [&](const Event& e) { return e.kind == "task" && e.text.ends_with(kind); }))
+        << kind << log.story();
+}
+
+}  // namespace
+}  // namespace skein::assemble
