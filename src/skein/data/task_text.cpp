@@ -183,31 +183,33 @@ class Filler {
 template <class T>
 std::string usage_of() {
   std::string text(short_kind(kind_of<T>()));
-  for_each_field<T>([&]<class O, class M, class F>(const Field<O, M, F>& f) {
-    if constexpr (type_traits::kIsId<M>) text += " AIRCRAFT";
-  });
+  for_each_field<T>(
+      [&]<class O, class M, class F>([[maybe_unused]] const Field<O, M, F>& f) {
+        if constexpr (type_traits::kIsId<M>) text += " AIRCRAFT";
+      });
   bool points = false;
-  for_each_field<T>([&]<class O, class M, class F>(const Field<O, M, F>& f) {
-    if constexpr (std::is_same_v<M, Vec2>) {
-      if (f.name.empty()) {
-        if constexpr (std::is_same_v<F, Axes>)
-          text += f.form.names[0] == "forward" ? " FORWARD,RIGHT"
-                  : std::is_same_v<T, LandAt>  ? " [NORTH,EAST]"
-                                               : " NORTH,EAST";
-      }
-    } else if constexpr (kIsPoints<M>) {
-      if (!points) text += " NORTH,EAST ...";
-      points = true;
-    } else if constexpr (std::is_same_v<M, bool>) {
-      if (!std::is_same_v<T, LandAt>) text += fmt::format(" [{}]", f.name);
-    } else if constexpr (kIsNumber<M>) {
-      std::string unit;
-      if constexpr (std::is_same_v<F, Unit>)
-        unit = f.form.suffix.empty() ? "N" : std::string(f.form.suffix.substr(1));
-      if constexpr (std::is_same_v<M, Time>) unit = "s";
-      text += fmt::format(" [{} {}]", f.name, unit);
-    }
-  });
+  for_each_field<T>(
+      [&]<class O, class M, class F>([[maybe_unused]] const Field<O, M, F>& f) {
+        if constexpr (std::is_same_v<M, Vec2>) {
+          if (f.name.empty()) {
+            if constexpr (std::is_same_v<F, Axes>)
+              text += f.form.names[0] == "forward" ? " FORWARD,RIGHT"
+                      : std::is_same_v<T, LandAt>  ? " [NORTH,EAST]"
+                                                   : " NORTH,EAST";
+          }
+        } else if constexpr (kIsPoints<M>) {
+          if (!points) text += " NORTH,EAST ...";
+          points = true;
+        } else if constexpr (std::is_same_v<M, bool>) {
+          if (!std::is_same_v<T, LandAt>) text += fmt::format(" [{}]", f.name);
+        } else if constexpr (kIsNumber<M>) {
+          std::string unit;
+          if constexpr (std::is_same_v<F, Unit>)
+            unit = f.form.suffix.empty() ? "N" : std::string(f.form.suffix.substr(1));
+          if constexpr (std::is_same_v<M, Time>) unit = "s";
+          text += fmt::format(" [{} {}]", f.name, unit);
+        }
+      });
   if (std::is_same_v<T, FlyPlan>) text += " file NAME";
   return text;
 }
