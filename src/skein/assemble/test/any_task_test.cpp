@@ -116,8 +116,9 @@ TEST(AnyTask, HoldStaysWhereTheAircraftIs) {
     Vec2 then = Vec2::Zero();
     for (const FlightRow& row : log.rows.at(1)) {
       if (row.time.seconds() <= 30.5) then = geo::horizontal(row.truth.p_N);
-      if (row.time.seconds() > 60)
+      if (row.time.seconds() > 60) {
         EXPECT_LT((geo::horizontal(row.truth.p_N) - then).norm(), 320) << log.story();
+      }
     }
   }
 }
@@ -224,9 +225,10 @@ commands:
 )",
                                           plant));
     for (const FlightRow& row : log.rows.at(1))
-      if (row.time.seconds() > 120)
+      if (row.time.seconds() > 120) {
         EXPECT_LT((geo::horizontal(row.truth.p_N) - Vec2(0, 200)).norm(), 250)
             << log.story();
+      }
   }
 }
 
@@ -252,8 +254,9 @@ TEST(AnyTask, ReturnStaysAboveHomeAndLandStands) {
                                     "  - {at_s: 110, do: \"task a-1 return\"}\n");
     EXPECT_LT(nearest(home, {600, 300}, 30, 110), 30) << home.story();
     for (const FlightRow& row : home.rows.at(1))
-      if (row.time.seconds() > 240)
+      if (row.time.seconds() > 240) {
         EXPECT_LT(geo::horizontal(row.truth.p_N).norm(), 250) << home.story();
+      }
   }
   for (const char* plant : {kPlants[1], kPlants[2]}) {
     SCOPED_TRACE(plant);
@@ -294,7 +297,7 @@ commands:
   - {at_s: 300, do: "task a-1 give b-1"}
 )");
   double by_first = 0, by_both = 0, again = 0, cells = 0;
-  const auto seen = [&](std::size_t who, const Vec2& p, double from, double until) {
+  const auto seen = [&](std::uint32_t who, const Vec2& p, double from, double until) {
     for (const FlightRow& row : log.rows.at(who))
       if (row.time.seconds() > from && row.time.seconds() < until &&
           (geo::horizontal(row.truth.p_N) - p).norm() < 51)

@@ -107,9 +107,10 @@ TEST(MissionFlight, TwoMissionsShareAircraftThroughALossAndAZone) {
             1.0);
   for (const auto& [id, flight] : log.rows)
     for (const FlightRow& row : flight)
-      if (row.time.seconds() > 310 && row.time.seconds() < 900)
+      if (row.time.seconds() > 310 && row.time.seconds() < 900) {
         ASSERT_GT((geo::horizontal(row.truth.p_N) - helicopter).norm(), 180)
             << row.time.seconds();
+      }
   EXPECT_NE(log.find("allocation"), nullptr);
 }
 

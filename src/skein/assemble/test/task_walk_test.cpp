@@ -239,9 +239,10 @@ TEST(TaskWalk, HasAlwaysSomethingToFlyAndAWayOut) {
         FAIL() << "seed " << seed << ", step " << k << ", after " << walk.last();
       }
       // Now and then: out of whatever it is in.
-      if (k % 1000 == 999)
+      if (k % 1000 == 999) {
         ASSERT_TRUE(walk.reaches({500, -300}))
             << "seed " << seed << ", step " << k << ", after " << walk.last();
+      }
     }
   }
 }
