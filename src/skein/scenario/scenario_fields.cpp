@@ -16,8 +16,6 @@
 namespace skein::scenario {
 namespace {
 
-constexpr Range kPositive{.above = 0};
-constexpr Range kNotNegative{.at_least = 0};
 constexpr Range kLength{.above = 0, .at_most = 1e6};
 constexpr Range kPeriod{.at_least = 0.001, .at_most = 3600};
 constexpr Range kBearing{.at_least = -360, .at_most = 360};

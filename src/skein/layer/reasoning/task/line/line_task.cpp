@@ -64,7 +64,10 @@ Steering LineTask::along_line(const NavEstimate& nav) {
   double corner = 0;
   std::uint32_t passed = 1;
   for (const PathElement& element : path_)
-    if ((corner += element.length) <= along_) ++passed;
+    if (corner + element.length <= along_) {
+      corner += element.length;
+      ++passed;
+    }
   passed_ = passed;
   if (at.remaining < kEnd) {
     done_ = true;
