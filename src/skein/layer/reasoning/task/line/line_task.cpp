@@ -63,11 +63,11 @@ Steering LineTask::along_line(const NavEstimate& nav) {
   along_ = at.along;
   double corner = 0;
   std::uint32_t passed = 1;
-  for (const PathElement& element : path_)
-    if (corner + element.length <= along_) {
-      corner += element.length;
-      ++passed;
-    }
+  for (const PathElement& element : path_) {
+    corner += element.length;
+    if (corner > along_) break;
+    ++passed;
+  }
   passed_ = passed;
   if (at.remaining < kEnd) {
     done_ = true;
