@@ -25,7 +25,15 @@ FlightPlan rest_of(const FlightPlan& plan, double now) {
   return rest;
 }
 
+constexpr double kHovering = 2;  // times the turn radius, besides the factor
+
 }  // namespace
+
+FlightLimits planning_limits(const FlightLimits& limits, double radius_factor) {
+  FlightLimits wider = limits;
+  wider.turn_radius *= radius_factor * (limits.slowest > 0 ? 1 : kHovering);
+  return wider;
+}
 
 double PlannedTask::altitude_of_plans(const NavEstimate& nav) const {
   return altitude_over(*context_.map, geo::horizontal(nav.p_N), geo::horizontal(nav.v_N),
@@ -84,8 +92,7 @@ bool PlannedTask::must_plan(const TaskStep& step) const {
 PlannedTask::Start PlannedTask::start_of_part(const TaskStep& step, bool goes_on) const {
   const NavEstimate& nav = *step.in.nav;
   Start start;
-  start.limits = context_.limits;
-  start.limits.turn_radius *= options_.radius_factor;
+  start.limits = planning_limits(context_.limits, options_.radius_factor);
   start.wind = nav.wind_N;
   start.time = step.in.now.seconds();
   start.state = {{nav.p_N.x(), nav.p_N.y(), -altitude_of_plans(nav)}, nav.heading};

@@ -8,6 +8,7 @@
 #include "skein/geo/polygon.h"
 #include "skein/layer/reasoning/planning/tasks/coverage.h"
 #include "skein/layer/reasoning/planning/tasks/survey_sharing.h"
+#include "skein/layer/reasoning/task/planned_task.h"
 #include "skein/layer/reasoning/trajectory/grown_zone.h"
 
 namespace skein::reasoning {
@@ -63,9 +64,7 @@ FlightLimits SurveyMission::limits() const {
     all->airspeed = std::min(all->airspeed, each.limits.airspeed);
     all->turn_radius = std::max(all->turn_radius, each.limits.turn_radius);
   }
-  FlightLimits limits = all.value_or(FlightLimits());
-  limits.turn_radius *= kRadiusFactor;
-  return limits;
+  return planning_limits(all.value_or(FlightLimits()), kRadiusFactor);
 }
 
 void SurveyMission::pursue(const AgentInput& in, AgentOutput& out) {
