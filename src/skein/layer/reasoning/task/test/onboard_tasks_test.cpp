@@ -89,7 +89,7 @@ std::vector<T> contents(const AgentOutput& out) {
   return found;
 }
 
-TEST(GuidedTask, PlacesReadingsByTheEstimateAndSendsThem) {
+TEST(OnboardTask, PlacesReadingsByTheEstimateAndSendsThem) {
   Mission mission;
   mission.second();
   mission.aircraft.p = {1000, 500, -220};
@@ -106,7 +106,7 @@ TEST(GuidedTask, PlacesReadingsByTheEstimateAndSendsThem) {
   EXPECT_EQ(out.outbox.front().to, kStation);
 }
 
-TEST(GuidedTask, ReportsOnceASecond) {
+TEST(OnboardTask, ReportsOnceASecond) {
   Mission mission;
   int reports = 0;
   for (int i = 0; i < 40; ++i) {  // stepped at 4 Hz
@@ -119,7 +119,7 @@ TEST(GuidedTask, ReportsOnceASecond) {
   EXPECT_EQ(reports, 10);
 }
 
-TEST(GuidedTask, FliesThroughAPointInWindAndSaysSo) {
+TEST(OnboardTask, FliesThroughAPointInWindAndSaysSo) {
   for (const double direction : {0.0, 1.5, 3.0, -1.5}) {
     Mission mission({}, 8 * geo::unit(direction));
     mission.send(1, FlyTo{{700, -400}});
@@ -142,7 +142,7 @@ TEST(GuidedTask, FliesThroughAPointInWindAndSaysSo) {
   }
 }
 
-TEST(GuidedTask, ReachesAPointInsideItsTurningCircle) {
+TEST(OnboardTask, ReachesAPointInsideItsTurningCircle) {
   Mission mission;
   mission.send(1, FlyTo{{0, 60}});
   double nearest = 1e9;
@@ -153,7 +153,7 @@ TEST(GuidedTask, ReachesAPointInsideItsTurningCircle) {
   EXPECT_LT(nearest, 25);
 }
 
-TEST(GuidedTask, KeepsTheNewestTask) {
+TEST(OnboardTask, KeepsTheNewestTask) {
   Mission mission;
   mission.send(5, FlyCourse{1.0});
   mission.send(4, FlyCourse{-1.0});
@@ -165,7 +165,7 @@ TEST(GuidedTask, KeepsTheNewestTask) {
   EXPECT_NEAR(geo::bearing(mission.aircraft.velocity()), 1.0, 0.01);
 }
 
-TEST(GuidedTask, FollowsALineOnce) {
+TEST(OnboardTask, FollowsALineOnce) {
   Mission mission({}, {0, 6});
   FollowLine line;
   for (int i = 0; i <= 20; ++i)
@@ -184,7 +184,7 @@ TEST(GuidedTask, FollowsALineOnce) {
   EXPECT_LT(worst, 40);
 }
 
-TEST(GuidedTask, LoitersAtItsTask) {
+TEST(OnboardTask, LoitersAtItsTask) {
   Mission mission({}, {5, 0});
   mission.send(1, Loiter{{800, 800}});
   mission.fly(150);
@@ -193,12 +193,12 @@ TEST(GuidedTask, LoitersAtItsTask) {
   });
 }
 
-TEST(GuidedTask, CirclesUntilTheFirstTask) {
+TEST(OnboardTask, CirclesUntilTheFirstTask) {
   Mission mission;
   mission.fly(200, [&] { EXPECT_LT(mission.aircraft.position().norm(), 250); });
 }
 
-TEST(GuidedTask, FollowsAFire) {
+TEST(OnboardTask, FollowsAFire) {
   Mission mission({}, {3, 3});
   mission.aircraft.p = {-800, 0, -220};
   mission.send(1, FollowEdge{true, {-500, 0}, {0, -1}});
@@ -235,7 +235,7 @@ int crossings_along_edge(double angle, std::optional<double> own) {
   return crossings;
 }
 
-TEST(GuidedTask, CrossesTheEdgeAtItsOwnAngleWhateverIsOrdered) {
+TEST(OnboardTask, CrossesTheEdgeAtItsOwnAngleWhateverIsOrdered) {
   const double flat = geo::radians(25), steep = geo::radians(80);
   const int as_ordered = crossings_along_edge(flat, std::nullopt);
   const int own = crossings_along_edge(flat, steep);
@@ -247,7 +247,7 @@ TEST(GuidedTask, CrossesTheEdgeAtItsOwnAngleWhateverIsOrdered) {
             crossings_along_edge(EdgeFollowerOptions{}.angle, std::nullopt));
 }
 
-TEST(GuidedTask, NeverEntersAZoneWhateverItsTask) {
+TEST(OnboardTask, NeverEntersAZoneWhateverItsTask) {
   const std::vector<Zone> zones{
       {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}},
       {.area = geo::Ring{{600, -200}, {900, -200}, {900, 200}, {600, 200}}}};
@@ -274,7 +274,7 @@ TEST(GuidedTask, NeverEntersAZoneWhateverItsTask) {
   }
 }
 
-TEST(GuidedTask, PassesAZoneOnItsPath) {
+TEST(OnboardTask, PassesAZoneOnItsPath) {
   const std::vector<Zone> zones{
       {.area = geo::Ring{{-200, -300}, {300, -300}, {300, 300}, {-200, 300}}}};
   Mission mission(zones, {0, 4});
@@ -307,7 +307,7 @@ TEST(AltitudeOver, ClearsARidgeWithinTheClimbRate) {
   EXPECT_NEAR(altitude_over(ridge, {-5000, 0}, {20, 0}, 120, 3), 320, 0.1);
 }
 
-TEST(GuidedTask, AStationWithoutVehicleStaysSilent) {
+TEST(OnboardTask, AStationWithoutVehicleStaysSilent) {
   Mission mission;
   AgentOutput out;
   mission.agent.step({Time(), nullptr, {}, {}, {}, {}}, out);
@@ -326,7 +326,7 @@ bool says(const AgentOutput& out, const std::string& kind) {
                      [&](const Event& event) { return event.kind == kind; });
 }
 
-TEST(GuidedTask, AZoneTakesEffectInTheStepInWhichItIsReceived) {
+TEST(OnboardTask, AZoneTakesEffectInTheStepInWhichItIsReceived) {
   Mission mission;
   mission.send(1, FlyCourse{0});
   mission.fly(20);
@@ -349,7 +349,7 @@ TEST(GuidedTask, AZoneTakesEffectInTheStepInWhichItIsReceived) {
   EXPECT_TRUE(reported);
 }
 
-TEST(GuidedTask, GoesToTheNearestPlaceInsteadOfOneInAZone) {
+TEST(OnboardTask, GoesToTheNearestPlaceInsteadOfOneInAZone) {
   for (const bool circles : {false, true}) {
     Mission mission;
     if (circles)
@@ -379,7 +379,7 @@ TEST(GuidedTask, GoesToTheNearestPlaceInsteadOfOneInAZone) {
   }
 }
 
-TEST(GuidedTask, ZonesAboveAndBelowDoNotConcernIt) {
+TEST(OnboardTask, ZonesAboveAndBelowDoNotConcernIt) {
   Mission above, below, free;
   Message high = zone_on(1, {500, 0}, 200), low = high;
   std::get<ZoneChange>(high.content).zone.floor_msl = 241;
