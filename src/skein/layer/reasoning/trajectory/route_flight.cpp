@@ -6,22 +6,19 @@
 #include <utility>
 
 #include "skein/base/math.h"
-#include "skein/data/airspace.h"
+#include "skein/layer/reasoning/trajectory/leg_plan.h"
 #include "skein/layer/reasoning/trajectory/round_trip.h"
 #include "skein/model/path/flight_plan.h"
-#include "skein/model/path/wind_triangle.h"
 
 namespace skein::reasoning {
 namespace {
 
-constexpr std::int64_t kMaxPoints = 500;    // of one command, but for whole laps
-constexpr double kPlanAgain = 10;           // after the last try, at the earliest [s]
-constexpr std::int64_t kExpansions = 3000;  // of a planner, for one leg
-constexpr double kAimFor = 2;               // a detour is flown, then asked anew [s]
-constexpr double kPlanRadius = 1.1;         // of the turn radius: room to correct
-constexpr double kReached = 2;              // a point is, this near to it [turn radii]
-constexpr double kMinReached = 20;          // and this near at least [m]
-constexpr double kBeside = 6;               // of a corner, still passed [turn radii]
+constexpr std::int64_t kMaxPoints = 500;  // of one command, but for whole laps
+constexpr double kPlanAgain = 10;         // after the last try, at the earliest [s]
+constexpr double kAimFor = 2;             // a detour is flown, then asked anew [s]
+constexpr double kReached = 2;            // a point is, this near to it [turn radii]
+constexpr double kMinReached = 20;        // and this near at least [m]
+constexpr double kBeside = 6;             // of a corner, still passed [turn radii]
 
 double reach(const FlightLimits& limits) {
   return std::max(kReached * limits.turn_radius, kMinReached);
@@ -237,27 +234,9 @@ std::string RouteFlight::ending() const {
 bool RouteFlight::fly_planned(const AgentInput& in, const ZoneMonitor& zones,
                               AgentOutput& out) {
   if (!context_.planner) return false;
-  const NavEstimate& nav = *in.nav;
-  const Vec2 here = geo::horizontal(nav.p_N), goal = point(next_);
+  const Vec2 here = geo::horizontal(in.nav->p_N), goal = point(next_);
   const Vec2 on = next_ + 1 < total_ ? Vec2(point(next_ + 1) - goal) : Vec2(goal - here);
-  Airspace airspace;
-  airspace.zones = zones.obstacles(here, goal);
-  PathQuery query;
-  query.limits = context_.limits;
-  query.limits.turn_radius *= kPlanRadius;
-  if (legs_.airspeed) query.limits.airspeed = *legs_.airspeed;
-  const double course = geo::bearing(on);
-  query.start = {{here.x(), here.y(), -legs_.altitude_msl}, nav.heading};
-  query.goal = {{goal.x(), goal.y(), -legs_.altitude_msl},
-                model::heading_for_course(course, query.limits.airspeed, nav.wind_N)
-                    .value_or(course)};
-  query.start_time = in.now.seconds();
-  query.wind = nav.wind_N;
-  query.ground_clearance = legs_.ground_clearance;
-  query.airspace = &airspace;
-  query.terrain = context_.map;
-  query.budget.expansions = kExpansions;
-  PlannedPath path = context_.planner->plan(query);
+  const PlannedPath path = plan_leg(legs_, context_, in, zones, goal, geo::bearing(on));
   if (path.plan.empty()) {
     if (std::exchange(reported_, next_) != next_)
       out.events.push_back({in.now, context_.self, "no-path",
