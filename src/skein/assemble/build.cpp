@@ -150,6 +150,7 @@ class Builder {
                                         std::vector<reasoning::PlannedMission> missions) {
     const scenario::Station& described = scenario_.stations[station.id.value];
     reasoning::GroundStationOptions options;
+    options.id = station.id;
     for (const TeamAircraft& each : station.team)
       options.team.push_back({each.id, each.name, each.place});
     options.position.p_N = place_of(described);

@@ -14,7 +14,7 @@ constexpr double kForgotten = 600;  // unseen for so long [s]
 }  // namespace
 
 void ObjectMemory::add(const ObjectSighting& sighting) {
-  const double r = std::pow(std::max(sighting.position_sd, kMinSd), 2);
+  const double sd = std::max(sighting.position_sd, kMinSd), r = sd * sd;
   const auto [at, first] = objects_.try_emplace(
       sighting.object, Track{sighting.time, sighting.position, Vec2::Zero(), r, 0,
                              kFirstSpeed * kFirstSpeed});

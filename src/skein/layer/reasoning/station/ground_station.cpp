@@ -17,7 +17,7 @@ GroundStation::GroundStation(const GroundStationOptions& options,
                              std::vector<PlannedMission> missions,
                              std::unique_ptr<const Allocator> allocator)
     : zones_(options.zones),
-      orders_(options.team, missions.size(), options.position),
+      orders_(options.team, missions.size(), options.id, options.position),
       missions_(std::move(missions), std::move(allocator)),
       heartbeat_(ids_of(options.team), options.heartbeat) {
   missions_.begin(orders_);

@@ -10,6 +10,7 @@
 namespace skein::reasoning {
 
 struct GroundStationOptions {
+  EntityId id = {};                 ///< of itself
   std::vector<NamedAircraft> team;  ///< its aircraft
   NavEstimate position;             ///< of itself
   Time heartbeat;                   ///< between two heartbeats; 0: none

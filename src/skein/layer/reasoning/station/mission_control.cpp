@@ -36,7 +36,7 @@ std::string bind_names(TaskKind& what, const std::vector<std::string>& names,
     const auto member = find_member(orders, name);
     if (!member && name != "station")
       return fmt::format("there is no aircraft \"{}\".", name);
-    ids.push_back(member ? orders.members()[*member].who.id : EntityId{0});
+    ids.push_back(member ? orders.members()[*member].who.id : orders.station());
   }
   bind_others(what, ids);
   return task_error(what);

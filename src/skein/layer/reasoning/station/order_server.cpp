@@ -10,13 +10,12 @@ namespace {
 
 constexpr double kResendAfter = 3;     // an order not confirmed by now is sent again [s]
 constexpr double kPositionPeriod = 1;  // of the station's own, to relays [s]
-constexpr EntityId kStation{0};
 
 }  // namespace
 
 OrderServer::OrderServer(const std::vector<NamedAircraft>& team, std::size_t missions,
-                         const NavEstimate& position)
-    : position_(position) {
+                         EntityId station, const NavEstimate& position)
+    : station_(station), position_(position) {
   for (const NamedAircraft& who : team) {
     Member& member = members_.emplace_back();
     member.who = who;
@@ -60,7 +59,7 @@ void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
   if (in.now < next_position_) return;
   next_position_ = in.now + Time::from_seconds(kPositionPeriod);
   position_.time = in.now;
-  forward(position_, kStation, out);
+  forward(position_, station_, out);
 }
 
 // To those whose task is about the one that has reported.

@@ -56,9 +56,11 @@ class OrderServer {
   };
 
   /// @param missions  their number.
-  /// @param position  of the station itself.
+  /// @param station   itself, and where it is.
   OrderServer(const std::vector<NamedAircraft>& team, std::size_t missions,
-              const NavEstimate& position);
+              EntityId station, const NavEstimate& position);
+
+  EntityId station() const { return station_; }
 
   /// Takes in what was received.
   void listen(const AgentInput& in, AgentOutput& out);
@@ -94,6 +96,7 @@ class OrderServer {
   bool may_pass(Message& message, std::size_t mission);
 
   std::vector<Member> members_;
+  EntityId station_;
   NavEstimate position_;
   Time next_position_;
 };

@@ -25,15 +25,7 @@ FlightPlan rest_of(const FlightPlan& plan, double now) {
   return rest;
 }
 
-constexpr double kHovering = 2;  // times the turn radius, besides the factor
-
 }  // namespace
-
-FlightLimits planning_limits(const FlightLimits& limits, double radius_factor) {
-  FlightLimits wider = limits;
-  wider.turn_radius *= radius_factor * (limits.slowest > 0 ? 1 : kHovering);
-  return wider;
-}
 
 double PlannedTask::altitude_of_plans(const NavEstimate& nav) const {
   return altitude_over(*context_.map, geo::horizontal(nav.p_N), geo::horizontal(nav.v_N),

@@ -19,10 +19,6 @@ struct PlannedTaskOptions {
   bool for_wind = true;  ///< planned anew for another wind
 };
 
-/// What plans are made with: wider turns than the aircraft can fly, wider still for one
-/// that hovers, as it does not know the wind that it has to tilt against.
-FlightLimits planning_limits(const FlightLimits& limits, double radius_factor);
-
 /// A task that is flown on turns and straights planned for the wind.
 ///
 /// What is left of it is planned from where the aircraft is when it begins, after a

@@ -18,4 +18,14 @@ struct FlightContext {
   double altitude_agl = 120;                   ///< to be flown above the ground [m]
 };
 
+/// What plans are made with: wider turns than the aircraft can fly, wider still for one
+/// that hovers, as it does not know the wind that it has to tilt against.
+/// @param radius_factor  over the minimum turn radius, room to correct.
+inline FlightLimits planning_limits(const FlightLimits& limits, double radius_factor) {
+  constexpr double kHovering = 2;
+  FlightLimits wider = limits;
+  wider.turn_radius *= radius_factor * (limits.slowest > 0 ? 1 : kHovering);
+  return wider;
+}
+
 }  // namespace skein::reasoning

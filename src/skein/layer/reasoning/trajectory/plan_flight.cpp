@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "skein/data/airspace.h"
 #include "skein/layer/reasoning/trajectory/drape.h"
 #include "skein/layer/reasoning/trajectory/plan_mending.h"
 #include "skein/model/path/flight_plan.h"
-#include "skein/model/path/plan_curve.h"
 
 namespace skein::reasoning {
 namespace {

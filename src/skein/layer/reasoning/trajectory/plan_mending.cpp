@@ -36,10 +36,10 @@ double airspeed_at(const FlightPlan& plan, double time) {
 PathQuery query_of(const Airspace& airspace, const FlightPlan& plan,
                    const TrajectoryStep& step, const FlightContext& context) {
   PathQuery query;
-  query.limits = context.limits;
+  query.limits = planning_limits(context.limits, kMendedRadius);
   query.limits.airspeed = airspeed_at(plan, step.in.now.seconds());
-  query.limits.turn_radius *=
-      kMendedRadius * std::pow(query.limits.airspeed / context.limits.airspeed, 2);
+  const double ratio = query.limits.airspeed / context.limits.airspeed;
+  query.limits.turn_radius *= ratio * ratio;
   query.wind = step.in.nav->wind_N;
   query.start_time = step.in.now.seconds();
   query.ground_clearance = context.altitude_agl / 2;

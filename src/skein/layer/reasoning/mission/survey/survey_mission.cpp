@@ -8,7 +8,7 @@
 #include "skein/geo/polygon.h"
 #include "skein/layer/reasoning/planning/tasks/coverage.h"
 #include "skein/layer/reasoning/planning/tasks/survey_sharing.h"
-#include "skein/layer/reasoning/task/planned_task.h"
+#include "skein/layer/reasoning/trajectory/flight_context.h"
 #include "skein/layer/reasoning/trajectory/grown_zone.h"
 
 namespace skein::reasoning {

@@ -107,6 +107,7 @@ class Control : public testing::Test {
   }
   GroundStation make(std::vector<PlannedMission> missions) {
     GroundStationOptions options;
+    options.id = EntityId{8};
     options.team = {{EntityId{1}, "a", {0, 0}},
                     {EntityId{2}, "b", {100, 0}},
                     {EntityId{3}, "c", {200, 0}}};
@@ -199,6 +200,7 @@ TEST_F(Control, NamesOfOthersBecomeTheirNumbers) {
   fleet.second(station, {TaskCommand{"b", Relay{}, {"station", "c"}}});
   fleet.second(station);
   EXPECT_EQ(std::get<FollowLeader>(fleet.tasks[0]).leader, EntityId{3});
+  EXPECT_EQ(std::get<Relay>(fleet.tasks[1]).first, EntityId{8});
   EXPECT_EQ(std::get<Relay>(fleet.tasks[1]).second, EntityId{3});
   fleet.second(station, {TaskCommand{"b", Relay{}, {"station", "z"}}});
   EXPECT_TRUE(fleet.has_said("command-refused", "\"z\""));

@@ -146,7 +146,7 @@ TEST_F(Orders, OrdersOfBothHoldOverAndOver) {
 // Followers are sent the positions of whom they follow, unless that does so itself.
 TEST(OrderServer, PassesOnThePositionsOfThoseThatATaskIsAbout) {
   for (const bool direct : {false, true}) {
-    OrderServer server({{kFirst, "a", {}}, {kSecond, "b", {}}}, 0, {});
+    OrderServer server({{kFirst, "a", {}}, {kSecond, "b", {}}}, 0, EntityId{0}, {});
     AgentOutput out;
     FlyRoute route{{{0, 0}, {100, 0}}, 1, {}};
     if (direct) route.report_to.push_back(kSecond);

@@ -88,7 +88,10 @@ void SurveyLines::missed() {
   if (left_.empty()) return;
   SurveyLine line = left_.front();
   left_.erase(left_.begin());
-  if (line.missed++ == 0) left_.push_back(line);
+  if (line.missed++ == 0)
+    left_.push_back(line);
+  else
+    given_up_ += length_of(line);
 }
 
 void SurveyLines::flown_to(const Vec2& place) {

@@ -28,9 +28,10 @@ class SurveyLines {
   /// Those within zones.
   const std::vector<SurveyLine>& forbidden() const { return forbidden_; }
 
-  double length_left() const;                ///< of these [m]
-  double length() const { return length_; }  ///< of all at the beginning [m]
-  double length_forbidden() const;           ///< within zones [m]
+  double length_left() const;                           ///< of these [m]
+  double length() const { return length_; }             ///< of all at the beginning [m]
+  double length_forbidden() const;                      ///< within zones [m]
+  double length_given_up() const { return given_up_; }  ///< missed twice [m]
 
   /// Other zones count from now on: parts of lines within them, and where they leave no
   /// room to turn at the end of a line, are put aside; others come back, behind those
@@ -41,7 +42,8 @@ class SurveyLines {
 
   /// The first line has been flown.
   void flown();
-  /// The first line was flown too far aside: it is flown again at the end, once.
+  /// The first line was flown too far aside, or left out: it is flown again at the end,
+  /// once, then given up.
   void missed();
   /// The first line has been flown up to a place on it.
   void flown_to(const Vec2& place);
@@ -49,7 +51,7 @@ class SurveyLines {
  private:
   std::vector<SurveyLine> left_;
   std::vector<SurveyLine> forbidden_;
-  double length_ = 0;
+  double length_ = 0, given_up_ = 0;
 };
 
 }  // namespace skein::reasoning
