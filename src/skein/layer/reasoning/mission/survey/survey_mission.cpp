@@ -89,7 +89,8 @@ void SurveyMission::pursue(const AgentInput& in, AgentOutput& out) {
   for (std::size_t k = 0; k < team().size(); ++k)
     if (has_lines_[k] && !team()[k].has_done()) done_ = false;
   if (done_)
-    out.events.push_back({in.now, EntityId{}, "surveyed", "all lines have been flown"});
+    out.events.push_back(
+        {in.now, EntityId{}, "surveyed", "nothing is left that its aircraft can fly"});
 }
 
 void SurveyMission::plan(Time now, AgentOutput& out) {

@@ -15,8 +15,9 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kAside = 0.1;  // of the swath, off a line that still counts as flown
-constexpr double kBeside = 5;   // more than the margin, for rounded corners [m]
+constexpr double kAside = 0.1;   // of the swath, off a line that still counts as flown
+constexpr double kPassed = 1.5;  // before or after the end of a line [s]
+constexpr double kBeside = 5;    // more than the margin, for rounded corners [m]
 
 }  // namespace
 
@@ -29,6 +30,7 @@ SurveyTask::SurveyTask(const FlightContext& context, const Survey& order)
 
 void SurveyTask::listen(const TaskStep& step) {
   here_ = geo::horizontal(step.in.nav->p_N);
+  reach_ = aside_ + kPassed * geo::horizontal(step.in.nav->v_N).norm();
   if (!on_line_ || !lines_ || lines_->left().empty()) return;
   const SurveyLine& line = lines_->left().front();
   const Vec2 along = (line.end - line.begin).normalized();
@@ -41,7 +43,7 @@ bool SurveyTask::cut_line() {
   if (!on_line_) return false;
   on_line_ = false;
   ++version_;
-  if (farthest_ > aside_) return false;
+  if (!began_ || farthest_ > aside_) return false;
   lines_->flown_to(here_);
   return !lines_->left().empty() &&
          (lines_->left().front().begin - here_).norm() <= 2 * aside_;
@@ -145,16 +147,20 @@ PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step
   return part;
 }
 
-// Begins and ends of lines, in turn.
+// Begins and ends of lines, in turn. Those that a way around something leaves out are
+// passed too, from afar.
 void SurveyTask::pass(const TaskStep&) {
+  if (lines_->left().empty()) return;
+  const SurveyLine& line = lines_->left().front();
   if (!on_line_) {
     on_line_ = true;
+    began_ = (here_ - line.begin).norm() <= reach_;
     farthest_ = 0;
     return;
   }
   on_line_ = false;
   ++version_;
-  if (farthest_ <= aside_)
+  if (began_ && farthest_ <= aside_ && (here_ - line.end).norm() <= reach_)
     lines_->flown();
   else
     lines_->missed();
@@ -162,21 +168,27 @@ void SurveyTask::pass(const TaskStep&) {
 
 bool SurveyTask::finish(const TaskStep& step, AgentOutput& out) {
   if (!lines_->left().empty()) return false;
-  const double forbidden = lines_->length_forbidden();
+  const double forbidden = lines_->length_forbidden(),
+               given_up = lines_->length_given_up();
+  const double all = std::max(lines_->length(), forbidden + given_up);
   if (forbidden > 0)
+    out.events.push_back({step.in.now, context().self, "survey-incomplete",
+                          fmt::format("{:.0f} % of its lines lie in no-fly zones",
+                                      100 * forbidden / all)});
+  if (given_up > 0)
     out.events.push_back(
         {step.in.now, context().self, "survey-incomplete",
-         fmt::format("{:.0f} % of its lines lie in no-fly zones",
-                     100 * forbidden / std::max(lines_->length(), forbidden))});
+         fmt::format("{:.0f} % of its lines could not be flown", 100 * given_up / all)});
   return true;
 }
 
 TaskProgress SurveyTask::progress(const AgentInput& in) const {
   TaskProgress progress = PlannedTask::progress(in);
   if (lines_ && !progress.done && lines_->length() > 0)
-    progress.share = std::clamp(
-        1 - (lines_->length_left() + lines_->length_forbidden()) / lines_->length(), 0.0,
-        1.0);
+    progress.share = std::clamp(1 - (lines_->length_left() + lines_->length_forbidden() +
+                                     lines_->length_given_up()) /
+                                        lines_->length(),
+                                0.0, 1.0);
   return progress;
 }
 
@@ -185,7 +197,7 @@ TaskKind SurveyTask::rest() const {
   rest.lines.clear();
   if (!lines_) return rest;
   SurveyLines left = *lines_;
-  if (on_line_ && farthest_ <= aside_) left.flown_to(here_);
+  if (on_line_ && began_ && farthest_ <= aside_) left.flown_to(here_);
   for (const auto* lines : {&left.left(), &left.forbidden()})
     for (const SurveyLine& line : *lines) {
       rest.lines.push_back(line.begin);

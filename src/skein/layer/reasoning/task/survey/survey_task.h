@@ -10,10 +10,12 @@ namespace skein::reasoning {
 /// Flies the lines of a survey in their order; when it is given none it plans them for
 /// its area from where it is, in the wind as it then is (planning::plan_coverage).
 ///
-/// A line counts as seen when it was flown no further aside than the overlap of its
-/// neighbours allows, a tenth of the swath at least; else it is flown once more at the
-/// end. What lies in no-fly zones is put aside, and comes back with the zone's end; when
-/// only that is left, the survey is done, with an event "survey-incomplete".
+/// A line counts as seen when it was flown from its begin to its end, no further aside
+/// than the overlap of its neighbours allows, a tenth of the swath at least; else it is
+/// flown once more at the end, and given up when that fails too. What lies in no-fly
+/// zones is put aside, and comes back with the zone's end. When nothing else is left the
+/// survey is done, with an event "survey-incomplete" that says how much was not flown,
+/// and why.
 class SurveyTask final : public PlannedTask {
  public:
   SurveyTask(const FlightContext& context, const Survey& order);
@@ -40,6 +42,8 @@ class SurveyTask final : public PlannedTask {
   std::vector<Zone> zones_;  // that count
   bool on_line_ = false;     // between begin and end of the first line that is left
   double farthest_ = 0;      // from it, so far [m]
+  double reach_ = 0;         // of an end of a line that counts as flown over [m]
+  bool began_ = false;       // the line, at its begin
   Vec2 here_ = Vec2::Zero();
   std::uint32_t version_ = 0;
 };
