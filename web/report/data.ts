@@ -30,6 +30,11 @@ export interface Terrain {
   heights: Packed; // uint16, height = low + step * number, row by row from the south
 }
 
+/** A thing on the ground and how it moved. */
+export interface MovingObject extends GroundObject {
+  motions: Packed; // float32: time, north, east, velocity north and east, of each
+}
+
 /** Places are uint16: coordinate = low + step * number. */
 export interface MapData {
   low_north_m: number;
@@ -40,7 +45,7 @@ export interface MapData {
   truth: Frame[];
   belief: Frame[];
   crossings: { time_s: Packed; north: Packed; east: Packed }; // float32, uint16, uint16
-  objects: GroundObject[];
+  objects: MovingObject[];
   detections: { time_s: Packed; north: Packed; east: Packed; object: Packed }; // the same, uint16
   terrain?: Terrain;
 }

@@ -1,6 +1,6 @@
 /** Draws a scene at one time onto a canvas, north up. */
 import type { Terrain } from "./data";
-import type { Ring, Scene } from "./scene";
+import { objectAt, type Ring, type Scene } from "./scene";
 import type { Theme } from "./theme";
 
 export interface View {
@@ -244,7 +244,9 @@ function drawObjects(context: CanvasRenderingContext2D, scene: Scene, time: numb
   }
   context.globalAlpha = 1;
   for (const each of scene.objects) {
-    const [x, y] = place((each.north_m ?? 0) + time * (each.velocity_north_mps ?? 0), (each.east_m ?? 0) + time * (each.velocity_east_mps ?? 0));
+    const at = objectAt(each, time);
+    if (!at) continue;
+    const [x, y] = place(at[0], at[1]);
     context.fillStyle = found.has(each.object_id) ? theme.found : theme.paper;
     context.strokeStyle = theme.found;
     context.lineWidth = 1.6;

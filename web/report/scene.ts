@@ -25,12 +25,32 @@ export interface Pose {
   heading: number; // [rad]
 }
 
+/** A thing on the ground: time, north, east and velocity of each of its motions. */
+export interface SceneObject extends GroundObject {
+  motions: Float32Array;
+}
+
+/** Where an object is; null before it is known. */
+export function objectAt(object: SceneObject, time: number): [number, number] | null {
+  const m = object.motions;
+  let low = -1; // the last motion that has begun
+  let high = m.length / 5;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (m[5 * middle] <= time + 1e-3) low = middle;
+    else high = middle;
+  }
+  if (low < 0) return null;
+  const gone = time - m[5 * low];
+  return [m[5 * low + 1] + gone * m[5 * low + 3], m[5 * low + 2] + gone * m[5 * low + 4]];
+}
+
 const kTurn = 2 * Math.PI;
 
 export class Scene {
   readonly tracks: Track[];
   readonly crossings: { time: Float32Array; north: Float32Array; east: Float32Array };
-  readonly objects: GroundObject[];
+  readonly objects: SceneObject[];
   readonly detections: { time: Float32Array; north: Float32Array; east: Float32Array; object: Uint16Array };
   readonly terrain?: Terrain;
   readonly duration: number;
@@ -53,7 +73,7 @@ export class Scene {
       north: this.places(shorts(map.crossings.north), map.low_north_m),
       east: this.places(shorts(map.crossings.east), map.low_east_m),
     };
-    this.objects = map.objects;
+    this.objects = map.objects.map((object) => ({ ...object, motions: floats(object.motions) }));
     this.detections = {
       time: floats(map.detections.time_s),
       north: this.places(shorts(map.detections.north), map.low_north_m),
@@ -132,7 +152,10 @@ export class Scene {
     };
     for (const track of this.tracks) add(track.north, track.east);
     add(this.detections.north, this.detections.east);
-    for (const { north_m, east_m } of this.objects) add(Float32Array.of(north_m ?? 0), Float32Array.of(east_m ?? 0));
+    for (const object of this.objects) {
+      const places = [0, this.duration].map((time) => objectAt(object, time)).filter((at) => at !== null);
+      add(Float32Array.from(places, (at) => at[0]), Float32Array.from(places, (at) => at[1]));
+    }
     for (const rings of [this.truth(this.duration), this.belief(this.duration), this.truth(0)])
       for (const ring of rings) add(ring.north, ring.east);
     if (!(n0 <= n1)) return { low: [-500, -500], high: [500, 500] };

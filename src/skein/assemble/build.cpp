@@ -18,6 +18,7 @@
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
+#include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
 #include "skein/scenario/zones.h"
 #include "skein/simulation/commanded_wind.h"
@@ -260,9 +261,14 @@ class Builder {
 
   void objects() {
     std::uint32_t id = 0;
-    for (const scenario::PlacedObject& object : scenario_.environment.objects)
-      build_.world.objects.push_back(
-          {id++, object.name, object.position, object.velocity});
+    for (const scenario::PlacedObject& object : scenario_.environment.objects) {
+      auto movement = kinds_.kinds().movement.make(object.movement,
+                                                   {scenario_.seed, id, object.position});
+      if (note(movement))
+        build_.world.objects.emplace_back(GroundObject{id, object.name, object.what},
+                                          std::move(movement).value());
+      ++id;
+    }
   }
 
   Result<void> radio() {

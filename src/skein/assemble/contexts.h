@@ -40,6 +40,13 @@ struct EnvironmentContext {
   std::vector<std::string>* warnings = nullptr;  ///< what was repaired in the data
 };
 
+/// What every movement of an object on the ground is given besides its options.
+struct ObjectContext {
+  std::uint64_t seed = 0;
+  std::uint32_t object = 0;   ///< its number
+  Vec2 begin = Vec2::Zero();  ///< where it is at the start [m]
+};
+
 /// What every part of an aircraft is given besides its options.
 struct AircraftContext {
   std::uint64_t seed = 0;

@@ -23,6 +23,7 @@ struct KindsByRole {
   Kinds<WindField, EnvironmentContext> wind{"wind"};
   Kinds<Turbulence, AircraftContext> turbulence{"turbulence"};
   Kinds<Phenomenon, EnvironmentContext> fire{"fire"};
+  Kinds<MovingObject, ObjectContext> movement{"movement"};
   Kinds<Plant, AircraftContext> plant{"plant"};
   Kinds<Autopilot, AircraftContext> autopilot{"autopilot"};
   Kinds<Sensor, AircraftContext> sensor{"sensor"};

@@ -7,6 +7,7 @@ namespace skein {
 class Agent;
 class Autopilot;
 class MonitoringStrategy;
+class MovingObject;
 class PerimeterEstimator;
 class Phenomenon;
 class Plant;
@@ -29,6 +30,7 @@ struct StrategyContext {};
 Kinds<Terrain, EnvironmentContext> terrain_kinds();
 Kinds<WindField, EnvironmentContext> wind_kinds();
 Kinds<Phenomenon, EnvironmentContext> fire_kinds();
+Kinds<MovingObject, ObjectContext> movement_kinds();
 Kinds<Plant, AircraftContext> plant_kinds();
 Kinds<Autopilot, AircraftContext> autopilot_kinds();
 Kinds<Sensor, AircraftContext> sensor_kinds();

@@ -12,6 +12,7 @@
 #include "skein/role/agent.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/monitoring_strategy.h"
+#include "skein/role/moving_object.h"
 #include "skein/role/perimeter_estimator.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/plant.h"
@@ -178,6 +179,9 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
   if (role == "terrain") test(subject(all.terrain, choice), contract::terrain_violations);
   if (role == "wind") test(subject(all.wind, choice), contract::wind_violations);
   if (role == "fire") test(subject(all.fire, choice), contract::phenomenon_violations);
+  if (role == "movement")
+    test(Subject<MovingObject, ObjectContext>{all.movement, choice, {kSeed, 3, {50, 80}}},
+         contract::moving_object_violations);
   if (role == "turbulence")
     test(subject(all.turbulence, choice), contract::turbulence_violations);
   if (role == "plant") test(subject(all.plant, choice), contract::plant_violations);

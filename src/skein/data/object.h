@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
@@ -9,24 +11,56 @@
 
 namespace skein {
 
-/// A thing on the ground that cameras may find: a person, a car. Moves evenly.
+/// What a thing on the ground is, as far as a camera tells. It says how fast what is
+/// known of it grows old.
+enum class ObjectClass : std::uint8_t { kPerson, kAnimal, kVehicle, kStructure };
+
+constexpr auto names_of(const ObjectClass*) {
+  return std::to_array<std::string_view>({"person", "animal", "vehicle", "structure"});
+}
+
+/// A thing on the ground that cameras may find.
 struct GroundObject {
   std::uint32_t id = 0;
   std::string name;
-  Vec2 position = Vec2::Zero();  ///< at time 0 [m]
-  Vec2 velocity = Vec2::Zero();  ///< [m/s]
-
-  Vec2 at(Time now) const { return position + now.seconds() * velocity; }
+  ObjectClass what = ObjectClass::kPerson;
 };
 
 constexpr auto describe(const GroundObject*) {
   using T = GroundObject;
   return described<T>({"object", "objects"},
-                      "A thing on the ground (environment.objects); it moves evenly.",
+                      "A thing on the ground (environment.objects).",
                       field("object_id", &T::id, "which"),
                       field("name", &T::name, "as the scenario has it"),
-                      field("", &T::position, axes::kPlace, "at time 0"),
-                      field("", &T::velocity, axes::kVelocity, "over ground"));
+                      field("class", &T::what, "what it is"));
+}
+
+/// An object as sensors may find it now.
+struct VisibleObject {
+  std::uint32_t id = 0;  ///< GroundObject::id
+  ObjectClass what = ObjectClass::kPerson;
+  Vec2 position = Vec2::Zero();  ///< [m]
+};
+
+/// Where an object truly is at one time, and how it moves.
+struct ObjectMotion {
+  Time time;
+  std::uint32_t object = 0;      ///< GroundObject::id
+  Vec2 position = Vec2::Zero();  ///< [m]
+  Vec2 velocity = Vec2::Zero();  ///< over ground [m/s]
+
+  /// Where it is at another time, if it goes on like this [m].
+  Vec2 at(Time now) const { return position + (now - time).seconds() * velocity; }
+};
+
+constexpr auto describe(const ObjectMotion*) {
+  using T = ObjectMotion;
+  return described<T>(
+      {"object_motion", "object_motions"},
+      "How an object truly moves from now on, until the next of its rows.",
+      field("time", &T::time, "from when on"), field("object_id", &T::object, "which"),
+      field("", &T::position, axes::kPlace, "then"),
+      field("", &T::velocity, axes::kVelocity, "over ground"));
 }
 
 /// Where somebody has seen an object.
@@ -35,6 +69,7 @@ struct ObjectSighting {
   Time time;
   Vec2 position = Vec2::Zero();  ///< [m]
   double position_sd = 0;        ///< per axis [m]
+  ObjectClass what = ObjectClass::kPerson;
 };
 
 constexpr auto describe(const ObjectSighting*) {
@@ -43,7 +78,33 @@ constexpr auto describe(const ObjectSighting*) {
                       field("object_id", &T::object, "which"),
                       field("time", &T::time, "when"),
                       field("", &T::position, axes::kPlace, "where it was believed"),
-                      field("position_sd", &T::position_sd, unit::kMetre, "per axis"));
+                      field("position_sd", &T::position_sd, unit::kMetre, "per axis"),
+                      field("class", &T::what, "what it is"));
+}
+
+/// What is believed of an object.
+struct ObjectBelief {
+  std::uint32_t object = 0;      ///< GroundObject::id
+  Time time;                     ///< of the last sighting
+  Vec2 position = Vec2::Zero();  ///< then [m]
+  Vec2 velocity = Vec2::Zero();  ///< [m/s]
+  double position_sd = 0;        ///< per axis, then [m]
+  double velocity_sd = 0;        ///< per axis [m/s]
+
+  /// Where it is believed to be at a time, going on as it did [m].
+  Vec2 at(Time now) const { return position + (now - time).seconds() * velocity; }
+};
+
+constexpr auto describe(const ObjectBelief*) {
+  using T = ObjectBelief;
+  return described<T>(
+      {"object_belief"}, "What is believed of an object.",
+      field("object_id", &T::object, "which"),
+      field("seen", &T::time, "when it was last seen"),
+      field("", &T::position, axes::kPlace, "then"),
+      field("", &T::velocity, axes::kVelocity, "then"),
+      field("position_sd", &T::position_sd, unit::kMetre, "per axis, then"),
+      field("velocity_sd", &T::velocity_sd, unit::kMetrePerSecond, "per axis"));
 }
 
 }  // namespace skein

@@ -138,6 +138,6 @@ constexpr auto describe(const PlannerRecord*) {
 using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
                             Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
                             GroundObject, Detection, Footprint, RangeScan, CommandRecord,
-                            PluginRecord, PlannerRecord>;
+                            PluginRecord, PlannerRecord, ObjectMotion>;
 
 }  // namespace skein

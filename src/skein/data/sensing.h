@@ -6,6 +6,7 @@
 
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
+#include "skein/data/object.h"
 #include "skein/data/pilot.h"
 #include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
@@ -129,6 +130,7 @@ struct DetectionSample {
   std::uint32_t object = 0;      ///< which
   Vec2 position = Vec2::Zero();  ///< relative to the vehicle, axes of N [m]
   double position_sd = 0;        ///< per axis [m]
+  ObjectClass what = ObjectClass::kPerson;
 };
 
 /// Everything about the own motion, without errors: for control without an estimator.

@@ -4,12 +4,18 @@
 
 namespace skein::record {
 
+void PayloadStatistics::motion(const ObjectMotion& motion) {
+  objects_[motion.object].add(motion);
+}
+
 void PayloadStatistics::detection(const Detection& detection) {
   ++detections_;
   found_.insert(detection.object);
   const auto object = objects_.find(detection.object);
   if (object == objects_.end()) return;
-  squared_errors_ += (detection.point - object->second.at(detection.time)).squaredNorm();
+  const auto place = object->second.at(detection.time);
+  if (!place) return;
+  squared_errors_ += (detection.point - *place).squaredNorm();
   known_ += 1;
 }
 

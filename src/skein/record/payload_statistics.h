@@ -7,6 +7,7 @@
 
 #include "skein/data/object.h"
 #include "skein/data/payload.h"
+#include "skein/record/object_track.h"
 
 namespace skein::record {
 
@@ -14,7 +15,9 @@ namespace skein::record {
 /// cameras and ranging sensors.
 class PayloadStatistics {
  public:
-  void object(const GroundObject& object) { objects_[object.id] = object; }
+  void object(const GroundObject& object) { objects_[object.id]; }
+  /// Of one object in order of time.
+  void motion(const ObjectMotion& motion);
   void detection(const Detection& detection);
   void footprint() { ++pictures_; }
   void ranges() { ++scans_; }
@@ -25,7 +28,7 @@ class PayloadStatistics {
   void add_figures(std::map<std::string, double>& figures) const;
 
  private:
-  std::map<std::uint32_t, GroundObject> objects_;
+  std::map<std::uint32_t, ObjectTrack> objects_;
   std::set<std::uint32_t> found_;
   std::uint64_t detections_ = 0, pictures_ = 0, scans_ = 0;
   double squared_errors_ = 0, known_ = 0;  // of detections of known objects

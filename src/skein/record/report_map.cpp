@@ -132,9 +132,12 @@ Extent extent_of(const StoredRun& run) {
   add(run.belief, kBeliefFloats);
   for (const Crossing& crossing : run.crossings)
     extent.add(crossing.point.x(), crossing.point.y());
-  for (const GroundObject& object : run.objects)
-    for (const Time time : {Time(), Time::from_seconds(run.duration)})
-      extent.add(object.at(time).x(), object.at(time).y());
+  for (const StoredObject& each : run.objects) {
+    for (const ObjectMotion& motion : each.track.motions())
+      extent.add(motion.position.x(), motion.position.y());
+    if (const auto last = each.track.at(Time::from_seconds(run.duration)))
+      extent.add(last->x(), last->y());
+  }
   for (const Detection& detection : run.detections)
     extent.add(detection.point.x(), detection.point.y());
   return extent;
@@ -225,7 +228,16 @@ Json crossings_json(const StoredRun& run, const Extent& extent) {
 // The things on the ground, and where the aircraft believed what they found of them.
 Json objects_json(const StoredRun& run) {
   Json objects = Json::array();
-  for (const GroundObject& object : run.objects) objects.push_back(json::to_json(object));
+  for (const StoredObject& each : run.objects) {
+    Json object = json::to_json(each.object);
+    std::vector<float> motions;
+    for (const ObjectMotion& m : each.track.motions())
+      for (const double value : {m.time.seconds(), m.position.x(), m.position.y(),
+                                 m.velocity.x(), m.velocity.y()})
+        motions.push_back(static_cast<float>(value));
+    object["motions"] = packed(motions);
+    objects.push_back(std::move(object));
+  }
   return objects;
 }
 

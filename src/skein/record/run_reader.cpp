@@ -268,12 +268,27 @@ class Reader {
     return done;
   }
 
+  Result<void> object_motions() {
+    std::map<std::uint32_t, std::vector<ObjectMotion>> all;
+    auto done = records<ObjectMotion>("ORDER BY time_s", [&](const ObjectMotion& motion) {
+      all[motion.object].push_back(motion);
+      statistics_.payload().motion(motion);
+    });
+    for (StoredObject& each : run_.objects)
+      for (const ObjectMotion& motion :
+           thinned(all[each.object.id], budget_.object_motions))
+        each.track.add(motion);
+    return done;
+  }
+
   // What cameras and ranging sensors saw.
   Result<void> payload() {
     auto done = records<GroundObject>("", [this](GroundObject object) {
       statistics_.payload().object(object);
-      run_.objects.push_back(std::move(object));
+      run_.objects.push_back({std::move(object), {}});
     });
+    if (!done) return done;
+    done = object_motions();
     if (!done) return done;
     std::vector<Detection> all;
     done = records<Detection>("ORDER BY time_s", [&](const Detection& detection) {

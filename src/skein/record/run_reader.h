@@ -7,6 +7,7 @@
 
 #include "skein/record/flight_series.h"
 #include "skein/record/metrics.h"
+#include "skein/record/object_track.h"
 #include "skein/record/rows.h"
 #include "skein/record/summary.h"
 
@@ -23,6 +24,12 @@ struct StoredTrack {
 struct StoredFrame {
   double time = 0;  ///< [s]
   std::vector<std::vector<float>> rings;
+};
+
+/// A thing on the ground and how it moved.
+struct StoredObject {
+  GroundObject object;
+  ObjectTrack track;
 };
 
 /// How a run came to its end.
@@ -43,7 +50,7 @@ struct StoredRun {
   std::vector<FlightSeries> flights;
   std::vector<StoredFrame> truth, belief;
   std::vector<Crossing> crossings;
-  std::vector<GroundObject> objects;
+  std::vector<StoredObject> objects;
   std::vector<Detection> detections;
   std::vector<Event> events;                      ///< in order of time
   int events_left_out = 0;                        ///< more of the most frequent kinds
@@ -61,6 +68,7 @@ struct ReadBudget {
   int flight_samples = 500;    ///< of each
   int crossings = 6000;
   int detections = 6000;
+  int object_motions = 3000;  ///< of each object
   int events = 400;
 };
 

@@ -27,6 +27,7 @@ struct Taker {
   }
   void operator()(const Event& r) { statistics.event(r); }
   void operator()(const GroundObject& r) { statistics.payload().object(r); }
+  void operator()(const ObjectMotion& r) { statistics.payload().motion(r); }
   void operator()(const Detection& r) { statistics.payload().detection(r); }
   void operator()(const Footprint&) { statistics.payload().footprint(); }
   void operator()(const RangeScan&) { statistics.payload().ranges(); }

@@ -20,7 +20,7 @@ struct SensorView {
   const Air& air;  ///< that the vehicle is in
   const Terrain& terrain;
   const Phenomenon& fire;
-  std::span<const GroundObject> objects = {};
+  std::span<const VisibleObject> objects = {};
 };
 
 /// One sensor of one vehicle, with its errors, rate and random stream.

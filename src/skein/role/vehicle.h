@@ -23,7 +23,7 @@ struct Surroundings {
   const Terrain& terrain;
   const WindField& wind;
   const Phenomenon& fire;
-  std::span<const GroundObject> objects = {};
+  std::span<const VisibleObject> objects = {};
 };
 
 /// Something that happened to a vehicle, for the records.

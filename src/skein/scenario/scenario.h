@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
+#include "skein/data/object.h"
 #include "skein/geo/local_frame.h"
 #include "skein/geo/polygon.h"
 #include "skein/scenario/choice.h"
@@ -16,8 +17,9 @@ namespace skein::scenario {
 /// A thing on the ground, for cameras to find.
 struct PlacedObject {
   std::string name = "object";
+  ObjectClass what = ObjectClass::kPerson;
   Vec2 position = Vec2::Zero();  ///< at the start [m]
-  Vec2 velocity = Vec2::Zero();  ///< [m/s]
+  Choice movement{"standing"};
 };
 
 /// A single gust that every aircraft meets: it rises and falls as 1 - cos.

@@ -88,8 +88,13 @@ Fields<PlacedObject> object_fields() {
   return Fields<T>()
       .text("name", &T::name, "What it is.")
       .point("position_m", &T::position, "Where it is at the start.")
-      .point("velocity_mps", &T::velocity, "How it moves.",
-             {.at_least = -100, .at_most = 100});
+      .word("class", &T::what,
+            "What it is: how fast what is known of it grows old follows from that.",
+            {{"person", ObjectClass::kPerson, "remembered for 10 minutes"},
+             {"animal", ObjectClass::kAnimal, "remembered for 5 minutes"},
+             {"vehicle", ObjectClass::kVehicle, "remembered for 5 minutes"},
+             {"structure", ObjectClass::kStructure, "stands; never forgotten"}})
+      .kind("movement", &T::movement, "movement", "How it moves.");
 }
 
 Fields<Environment> environment_fields() {

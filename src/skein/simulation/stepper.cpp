@@ -52,23 +52,25 @@ Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
       options_(options),
       recorder_(recorder),
       arena_(options.threads),
+      objects_(world.objects),
       states_(world.entities.size()) {}
 
 Surroundings Stepper::surroundings() const {
-  return {*world_.terrain, *world_.wind, *world_.fire, world_.objects};
+  return {*world_.terrain, *world_.wind, *world_.fire, objects_.visible()};
 }
 
 void Stepper::introduce() {
   for (std::size_t i = 0; i < world_.entities.size(); ++i)
     recorder_.record(
         EntityRecord{id_of(i), world_.entities[i].name, world_.entities[i].kind});
-  for (const GroundObject& object : world_.objects) recorder_.record(object);
+  for (const WorldObject& each : world_.objects) recorder_.record(each.object);
   for (const Zone& zone : world_.zones)
     recorder_.record(ZoneRecord{Time(), {0, true, zone}});
 }
 
 Result<void> Stepper::step(Time now) {
   if (due(now, options_.environment_period)) world_.fire->advance(now);
+  move_objects(now);
   update_presence(now);
   update_parts(now);
   look(now);
@@ -105,6 +107,19 @@ void Stepper::for_each(Body body) {
                               });
   });
   fork_join::join();
+}
+
+void Stepper::move_objects(Time now) {
+  if (world_.objects.empty()) return;
+  aircraft_places_.clear();
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const Vehicle* vehicle = world_.entities[i].vehicle.get();
+    if (!states_[i].active || !vehicle) continue;
+    const VehicleState* truth = vehicle->truth();
+    aircraft_places_.push_back(truth ? truth->p_N : vehicle->estimate().p_N);
+  }
+  objects_.advance({now, aircraft_places_});
+  if (due(now, options_.record_period)) objects_.record(now, recorder_);
 }
 
 void Stepper::update_presence(Time now) {

@@ -10,6 +10,7 @@
 #include "skein/data/agent_step.h"
 #include "skein/role/recorder.h"
 #include "skein/role/vehicle.h"
+#include "skein/simulation/object_motions.h"
 #include "skein/simulation/refusals.h"
 #include "skein/simulation/run.h"
 #include "skein/simulation/world.h"
@@ -55,6 +56,7 @@ class Stepper {
   std::string headline() const;
 
  private:
+  void move_objects(Time now);
   void update_presence(Time now);
   void update_parts(Time now);
   void look(Time now);
@@ -85,6 +87,8 @@ class Stepper {
   const RunOptions& options_;
   Recorder& recorder_;
   oneapi::tbb::task_arena arena_;
+  ObjectMotions objects_;
+  std::vector<Vec3> aircraft_places_;
   std::vector<EntityState> states_;
   std::vector<Message> arrived_, lost_;
   std::vector<VehicleEvent> vehicle_events_;

@@ -1,6 +1,9 @@
 #include "skein/simulation/world.h"
 
+#include <utility>
+
 #include "skein/role/agent.h"
+#include "skein/role/moving_object.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/radio.h"
 #include "skein/role/terrain.h"
@@ -14,6 +17,12 @@ Entity::Entity() = default;
 Entity::Entity(Entity&&) noexcept = default;
 Entity& Entity::operator=(Entity&&) noexcept = default;
 Entity::~Entity() = default;
+
+WorldObject::WorldObject(GroundObject what, std::unique_ptr<MovingObject> moved)
+    : object(std::move(what)), movement(std::move(moved)) {}
+WorldObject::WorldObject(WorldObject&&) noexcept = default;
+WorldObject& WorldObject::operator=(WorldObject&&) noexcept = default;
+WorldObject::~WorldObject() = default;
 
 World::World() = default;
 World::World(World&&) noexcept = default;

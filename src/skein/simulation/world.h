@@ -11,6 +11,7 @@
 
 namespace skein {
 class Agent;
+class MovingObject;
 class Phenomenon;
 class Radio;
 class Terrain;
@@ -42,6 +43,17 @@ struct Entity {
   std::vector<ActiveSpan> active;    ///< in order of time; empty = never takes part
 };
 
+/// A thing on the ground.
+struct WorldObject {
+  WorldObject(GroundObject object, std::unique_ptr<MovingObject> movement);
+  WorldObject(WorldObject&&) noexcept;
+  WorldObject& operator=(WorldObject&&) noexcept;
+  ~WorldObject();
+
+  GroundObject object;
+  std::unique_ptr<MovingObject> movement;  ///< never null
+};
+
 /// Everything that exists in a run. Entity k has EntityId k.
 struct World {
   World();
@@ -54,7 +66,7 @@ struct World {
   std::unique_ptr<Phenomenon> fire;
   std::unique_ptr<Radio> radio;
   std::vector<Entity> entities;
-  std::vector<GroundObject> objects;
+  std::vector<WorldObject> objects;
   std::vector<Zone> zones;  ///< in force from the start; for the records
 };
 

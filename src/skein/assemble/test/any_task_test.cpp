@@ -91,7 +91,7 @@ environment:
   terrain: flat
   fire: none
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
-  objects: [{{name: walker, position_m: [200, 150], velocity_mps: [0.8, -0.6]}}]
+  objects: [{{name: walker, position_m: [200, 150], movement: {{kind: even, velocity_mps: [0.8, -0.6]}}}}]
 missions: []
 stations: [{{position_m: [0, 600]}}]
 aircraft:

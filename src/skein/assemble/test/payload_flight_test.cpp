@@ -9,7 +9,8 @@ namespace {
 const std::string kSearch =
     "duration_s: 60\nseed: 4\nenvironment:\n  objects:\n"
     "    - {name: car, position_m: [500, 20]}\n"
-    "    - {name: man, position_m: [900, -30], velocity_mps: [-1, 0]}\n"
+    "    - {name: man, position_m: [900, -30], movement: {kind: even, velocity_mps: [-1, "
+    "0]}}\n"
     "    - {name: lost, position_m: [500, 5000]}\n"
     "aircraft:\n  - name: scout\n"
     "    agent: {kind: route, points_m: [[3000, 0]]}\n"

@@ -63,8 +63,8 @@ FootprintSample Camera::footprint(const SensorView& view) const {
 
 void Camera::find_objects(const SensorView& view, std::vector<SensorSample>& out) {
   const Quat q_SN = attitude(view).conjugate();
-  for (const GroundObject& object : view.objects) {
-    const Vec2 at = object.at(view.now);
+  for (const VisibleObject& object : view.objects) {
+    const Vec2& at = object.position;
     const Vec3 object_N{at.x(), at.y(), -view.terrain.elevation_msl(at)};
     const Vec3 away_N = object_N - view.vehicle.p_N;
     const double distance = away_N.norm();
@@ -75,7 +75,7 @@ void Camera::find_objects(const SensorView& view, std::vector<SensorSample>& out
       continue;
     if (random_.uniform() >= options_.detection) continue;
     const double sd = math::hypot(options_.position_sd, options_.direction_sd * distance);
-    DetectionSample found{view.now, object.id, geo::horizontal(away_N), sd};
+    DetectionSample found{view.now, object.id, geo::horizontal(away_N), sd, object.what};
     const double north = random_.normal(), east = random_.normal();
     found.position += sd * Vec2(north, east);
     detections_.put(found, out);

@@ -60,9 +60,11 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
   for (int a = 1; a <= aircraft; ++a)
     recorder.record(EntityRecord{EntityId{static_cast<std::uint32_t>(a)},
                                  "uav" + std::to_string(a), "aircraft"});
-  const GroundObject car{0, "car", {40, -30}, {0.1, 0}};
+  recorder.record(GroundObject{0, "car", ObjectClass::kVehicle});
+  recorder.record(GroundObject{1, "person", ObjectClass::kPerson});  // never seen
+  const ObjectMotion car{Time(), 0, {40, -30}, {0.1, 0}};
   recorder.record(car);
-  recorder.record(GroundObject{1, "person", {-500, 0}, {0, 0}});  // never seen
+  recorder.record(ObjectMotion{Time(), 1, {-500, 0}, {0, 0}});
   std::uint64_t number = 0;
   for (int step = 0; step <= seconds * rows_per_second; ++step) {
     const Time now = Time::from_seconds(static_cast<double>(step) / rows_per_second);
@@ -104,7 +106,8 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
             0,
             {{p + Vec2(9, -9), p + Vec2(9, 9), p + Vec2(-9, 9), p + Vec2(-9, -9)}}});
         if (step % (10 * rows_per_second) == 0)
-          recorder.record(Detection{now, id, 0, car.id, car.at(now) + Vec2(3, 4), 2.5});
+          recorder.record(
+              Detection{now, id, 0, car.object, car.at(now) + Vec2(3, 4), 2.5});
         recorder.record(RangeScan{
             now,
             id,

@@ -15,6 +15,7 @@ namespace skein {
 class Agent;
 class Autopilot;
 class MonitoringStrategy;
+class MovingObject;
 class PathPlanner;
 class PerimeterEstimator;
 class Phenomenon;
@@ -48,6 +49,10 @@ Violations wind_violations(const Make<WindField>& make);
 /// What burns keeps burning; inside() and region() agree; equal ones burn alike, in
 /// steps of any number that lead to the same times.
 Violations phenomenon_violations(const Make<Phenomenon>& make);
+
+/// Its place is finite and goes on as its velocity says, within what a step may change;
+/// equal ones that see the same aircraft move alike.
+Violations moving_object_violations(const Make<MovingObject>& make);
 
 /// Finite gusts, the same for equal ones.
 Violations turbulence_violations(const Make<Turbulence>& make);

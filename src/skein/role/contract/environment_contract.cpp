@@ -1,8 +1,10 @@
-// Terrain, wind, phenomena and turbulence.
+// Terrain, wind, phenomena, things on the ground and turbulence.
 #include <cmath>
+#include <optional>
 
 #include "skein/geo/polygon.h"
 #include "skein/role/contract/checks.h"
+#include "skein/role/moving_object.h"
 #include "skein/role/turbulence.h"
 #include "skein/role/wind_field.h"
 
@@ -104,6 +106,36 @@ Violations phenomenon_violations(const Make<Phenomenon>& make) {
                         to_outline(fire->region(), places[i]) < kNear,
                     "inside() and region() disagree");
     }
+  }
+  return checks.take();
+}
+
+Violations moving_object_violations(const Make<MovingObject>& make) {
+  constexpr double kStep = 0.1;  // [s]
+  Checks checks;
+  const auto one = make(), twin = make();
+  RandomStream random = draws(5);
+  std::optional<Vec2> before, velocity;
+  for (int i = 0; i < 6000; ++i) {
+    std::vector<Vec3> aircraft;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 p = place_within(random, 1500);
+      aircraft.emplace_back(p.x(), p.y(), -100);
+    }
+    const ObjectView view{Time::from_seconds(kStep * i), aircraft};
+    one->advance(view);
+    twin->advance(view);
+    const Vec2 place = one->position(), speed = one->velocity();
+    checks.expect(place.allFinite() && speed.allFinite(), "its motion is not finite");
+    checks.expect(place == twin->position() && speed == twin->velocity(),
+                  "two equal ones do not move alike");
+    if (before) {
+      const double fastest = std::fmax(velocity->norm(), speed.norm());
+      checks.expect((place - *before).norm() <= kStep * fastest + 1e-6,
+                    "it moves further than its velocity says");
+    }
+    before = place;
+    velocity = speed;
   }
   return checks.take();
 }

@@ -31,8 +31,7 @@ Violations sensor_violations(const Make<Sensor>& make) {
   const auto sensor = make(), twin = make();
   const RollingTerrain terrain;
   GrowingDisc fire(280, 1);
-  const std::vector<GroundObject> objects = {
-      {.id = 1, .name = "car", .position = {290, 20}}};
+  const std::vector<VisibleObject> objects = {{1, ObjectClass::kVehicle, {290, 20}}};
   const bool payload = sensor->payload();
   Air air;
   air.wind_N = {3, -1, 0};

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "skein/role/agent.h"
+#include "skein/role/moving_object.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/radio.h"
 #include "skein/role/recorder.h"
@@ -131,6 +132,7 @@ class Notes : public Recorder {
   }
   std::string text, kinds, objects;
   std::vector<RangeScan> scans;
+  std::vector<ObjectMotion> motions;
   std::vector<CommandRecord> commands;
   int truths = 0, messages = 0, crossings = 0;
   std::optional<Time> full_at;
@@ -157,6 +159,7 @@ class Notes : public Recorder {
     ++crossings;
   }
   void note(const GroundObject& o) { objects += o.name + ";"; }
+  void note(const ObjectMotion& m) { motions.push_back(m); }
   void note(const RangeScan& scan) { scans.push_back(scan); }
   void note(const CommandRecord& command) { commands.push_back(command); }
 };

@@ -83,6 +83,21 @@ TEST(Run, ASensorThatFailsSpeaksOfNowWhenItIsBack) {
   EXPECT_NE(notes.text.find(" repaired  works again;"), std::string::npos) << notes.text;
 }
 
+// Comes nearer and nearer to the first aircraft, and counts how often it is moved.
+class Bystander : public MovingObject {
+ public:
+  void advance(const ObjectView& view) override {
+    ++advanced_;
+    if (!view.aircraft.empty()) place_ = geo::horizontal(view.aircraft.front());
+  }
+  Vec2 position() const override { return place_; }
+  Vec2 velocity() const override { return {advanced_, 0}; }
+
+ private:
+  int advanced_ = 0;
+  Vec2 place_ = Vec2::Zero();
+};
+
 // Payload that measures a range of its own in every step.
 class Beam : public Sensor {
  public:
@@ -103,11 +118,19 @@ TEST(Run, RecordsEachPayloadSampleOnceAndByWhichSensor) {
     parts.faults = {
         {VehicleFault::Kind::kPayload, 0, Time::from_seconds(1), Time::from_seconds(2)}};
   });
-  world.objects.push_back({4, "car", {1, 2}, {0, 0}});
+  world.objects.emplace_back(GroundObject{4, "car", ObjectClass::kVehicle},
+                             std::make_unique<Bystander>());
   Notes notes;
   Silent console;
   ASSERT_TRUE(run(world, seconds(3), notes, console).ok());
   EXPECT_EQ(notes.objects, "car;");
+  // It is moved once a step, to where the aircraft is; a motion that changes in every
+  // step is recorded as often as everything else.
+  ASSERT_EQ(static_cast<int>(notes.motions.size()), notes.truths);
+  for (std::size_t i = 1; i < notes.motions.size(); ++i) {
+    EXPECT_EQ(notes.motions[i].object, 4u);
+    EXPECT_GT(notes.motions[i].position.x(), notes.motions[i - 1].position.x());
+  }
   int first = 0, second = 0;
   Time last = Time::from_ns(-1);
   for (const RangeScan& scan : notes.scans) {

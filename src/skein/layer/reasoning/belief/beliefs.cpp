@@ -30,6 +30,7 @@ void Beliefs::see(const DetectionSample& seen, const NavEstimate& nav, AgentOutp
   sighting.position =
       geo::horizontal(nav.p_N) - ago * geo::horizontal(nav.v_N) + seen.position;
   sighting.position_sd = math::hypot(seen.position_sd, nav.position_sd);
+  sighting.what = seen.what;
   objects_.add(sighting);
   const auto [told, first] = told_.try_emplace(seen.object, seen.time);
   if (!first && (seen.time - told->second).seconds() < kTellEvery) return;

@@ -3,26 +3,49 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/base/check.h"
+#include "skein/base/math.h"
+
 namespace skein::reasoning {
 namespace {
 
-constexpr double kAcceleration = 0.7;  // of people and vehicles on foot paths [m/s^2]
-constexpr double kFirstSpeed = 2;   // standard deviation per axis when first seen [m/s]
-constexpr double kMinSd = 0.5;      // of a sighting: no camera is perfect [m]
-constexpr double kForgotten = 600;  // unseen for so long [s]
+constexpr double kMinSd = 0.5;  // of a sighting: no camera is perfect [m]
+
+// How fast what is known of a class of objects grows old.
+struct RateOfChange {
+  double acceleration;  // standard deviation per axis [m/s^2]
+  double first_speed;   // the same of the velocity when first seen [m/s]
+  double forgotten;     // unseen for so long [s]
+};
+
+RateOfChange rate_of_change(ObjectClass what) {
+  switch (what) {
+    case ObjectClass::kPerson:
+      return {0.7, 2, 600};
+    case ObjectClass::kAnimal:
+      return {1.5, 4, 300};
+    case ObjectClass::kVehicle:
+      return {1.5, 10, 300};
+    case ObjectClass::kStructure:
+      return {0, 0, math::kInfinity};
+  }
+  SKEIN_CHECK(false, static_cast<int>(what));
+  return {};
+}
 
 }  // namespace
 
 void ObjectMemory::add(const ObjectSighting& sighting) {
   const double sd = std::max(sighting.position_sd, kMinSd), r = sd * sd;
+  const RateOfChange rate = rate_of_change(sighting.what);
   const auto [at, first] = objects_.try_emplace(
       sighting.object, Track{sighting.time, sighting.position, Vec2::Zero(), r, 0,
-                             kFirstSpeed * kFirstSpeed});
+                             rate.first_speed * rate.first_speed, sighting.what});
   if (first) return;
   Track& t = at->second;
   const double dt = (sighting.time - t.time).seconds();
   if (dt < 0) return;
-  const double q = kAcceleration * kAcceleration;
+  const double q = rate.acceleration * rate.acceleration;
   t.position += dt * t.velocity;
   t.pp += 2 * dt * t.pv + dt * dt * t.vv + q * dt * dt * dt * dt / 4;
   t.pv += dt * t.vv + q * dt * dt * dt / 2;
@@ -40,7 +63,8 @@ void ObjectMemory::add(const ObjectSighting& sighting) {
 
 void ObjectMemory::forget(Time now) {
   std::erase_if(objects_, [&](const auto& entry) {
-    return (now - entry.second.time).seconds() > kForgotten;
+    return (now - entry.second.time).seconds() >
+           rate_of_change(entry.second.what).forgotten;
   });
 }
 
@@ -48,11 +72,8 @@ std::optional<ObjectBelief> ObjectMemory::find(std::uint32_t object) const {
   const auto found = objects_.find(object);
   if (found == objects_.end()) return std::nullopt;
   const Track& t = found->second;
-  return ObjectBelief{t.time, t.position, t.velocity, std::sqrt(t.pp), std::sqrt(t.vv)};
-}
-
-Vec2 position_at(const ObjectBelief& object, Time time) {
-  return object.position + (time - object.time).seconds() * object.velocity;
+  return ObjectBelief{object,     t.time,          t.position,
+                      t.velocity, std::sqrt(t.pp), std::sqrt(t.vv)};
 }
 
 }  // namespace skein::reasoning

@@ -8,23 +8,16 @@
 
 namespace skein::reasoning {
 
-/// What is believed of an object on the ground.
-struct ObjectBelief {
-  Time time;                     ///< of the last sighting
-  Vec2 position = Vec2::Zero();  ///< then [m]
-  Vec2 velocity = Vec2::Zero();  ///< [m/s]
-  double position_sd = 0;        ///< per axis, then [m]
-  double velocity_sd = 0;        ///< per axis [m/s]
-};
-
 /// Remembers the objects that were seen, by oneself or others.
 ///
 /// Each is tracked by a filter of constant velocity, per axis
 ///
 ///   p' = p + v dt,   Q = a^2 [dt^4/4 dt^3/2; dt^3/2 dt^2]
 ///
-/// with a random acceleration of standard deviation a. An object that has not been seen
-/// for the age of its class is forgotten (mixed-reality spec, section 3).
+/// with a random acceleration of standard deviation a. How much it changes its motion,
+/// how fast it may be and how long it is remembered unseen follow from its class: people
+/// 10 minutes, animals and vehicles 5; structures stand and are never forgotten.
+/// Reference: [Selecky18] section 5.2, temporal model of non-actual observations.
 class ObjectMemory {
  public:
   /// Takes in a sighting. One older than the last is left out.
@@ -44,11 +37,9 @@ class ObjectMemory {
     Time time;
     Vec2 position, velocity;
     double pp, pv, vv;  // covariance, the same on both axes
+    ObjectClass what;
   };
   std::map<std::uint32_t, Track> objects_;
 };
-
-/// Where an object is believed to be at a time, going on as it did [m].
-Vec2 position_at(const ObjectBelief& object, Time time);
 
 }  // namespace skein::reasoning

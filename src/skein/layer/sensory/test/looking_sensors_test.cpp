@@ -284,10 +284,10 @@ TEST(Camera, FindsWhatIsInItsPicture) {
   world.vehicle.p_N = {0, 0, -200};
   const double right = 100 * std::tan(geo::radians(30));
   const double front = 100 * std::tan(geo::radians(20));
-  world.objects = {{.id = 1, .name = "", .position = {front - 0.1, right - 0.1}},
-                   {.id = 2, .name = "", .position = {front + 0.1, 0}},
-                   {.id = 3, .name = "", .position = {0, -right - 0.1}},
-                   {.id = 4, .name = "", .position = {-5, 7}, .velocity = {1, 0}}};
+  world.objects = {{.id = 1, .position = {front - 0.1, right - 0.1}},
+                   {.id = 2, .position = {front + 0.1, 0}},
+                   {.id = 3, .position = {0, -right - 0.1}},
+                   {.id = 4, .position = {-5, 7}}};
   Camera camera(square_camera(), 1, {1});
   std::vector<SensorSample> out;
   camera.sample(world.at(Time::from_seconds(10)), out);
@@ -295,7 +295,7 @@ TEST(Camera, FindsWhatIsInItsPicture) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].object, 1U);
   EXPECT_EQ(found[1].object, 4U);
-  EXPECT_EQ(found[1].position, Vec2(5, 7));  // where it is now
+  EXPECT_EQ(found[1].position, Vec2(-5, 7));
   EXPECT_EQ(found[1].time, Time::from_seconds(10));
   // Behind the camera, when it looks up.
   world.vehicle.q_NB = geo::from_euler({geo::kPi, 0, 0});
@@ -306,8 +306,8 @@ TEST(Camera, FindsWhatIsInItsPicture) {
 TEST(Camera, TerrainHides) {
   TestWorld world;
   world.vehicle.p_N = {60, 0, -60};
-  world.objects = {{.id = 1, .name = "", .position = {95, 0}},    // on the near slope
-                   {.id = 2, .name = "", .position = {110, 0}}};  // on the far one
+  world.objects = {{.id = 1, .position = {95, 0}},    // on the near slope
+                   {.id = 2, .position = {110, 0}}};  // on the far one
   CameraOptions options = square_camera();
   options.length = 2.4;
   Camera camera(options, 1, {1});
@@ -326,7 +326,7 @@ TEST(Camera, TerrainHides) {
 TEST(Camera, FindsAtItsRateWithItsErrors) {
   TestWorld world;
   world.vehicle.p_N = {0, 0, -200};
-  world.objects = {{.id = 9, .name = "", .position = {20, 0}}};
+  world.objects = {{.id = 9, .position = {20, 0}}};
   CameraOptions options = square_camera();
   options.detection = 0.7;
   options.position_sd = 1.5;

@@ -63,7 +63,7 @@ TestWorld flying() {
   world.vehicle.airspeed = 20;
   world.vehicle.energy = {.charge = 0.5, .voltage = 12, .power = 100};
   for (std::uint32_t i = 0; i < 9; ++i)
-    world.objects.push_back({.id = i, .name = "", .position = {double(i) - 4, 0}});
+    world.objects.push_back({.id = i, .position = {double(i) - 4, 0}});
   return world;
 }
 

@@ -38,7 +38,7 @@ struct TestWorld {
   NoFire fire;
   VehicleState vehicle;
   Air air;
-  std::vector<GroundObject> objects;
+  std::vector<VisibleObject> objects;
 
   SensorView at(Time now) const { return at(now, ground); }
   SensorView at(Time now, const Terrain& terrain) const {

@@ -23,7 +23,7 @@ TEST(ObjectMemory, FindsHowAnObjectMovesAndGoesOnWithIt) {
   ASSERT_TRUE(belief);
   // Errors of a steady track: three standard deviations.
   EXPECT_LT((belief->velocity - velocity).norm(), 3 * 1.42 * belief->velocity_sd);
-  EXPECT_LT((position_at(*belief, at(64)) - (start + 64 * velocity)).norm(), 10);
+  EXPECT_LT((belief->at(at(64)) - (start + 64 * velocity)).norm(), 10);
   EXPECT_LT(belief->position_sd, 2);
   EXPECT_FALSE(memory.find(8));
 }

@@ -67,7 +67,7 @@ void TrackMission::assign(Time now, AgentOutput& out) {
   for (auto& [object, target] : targets_) {
     const auto belief = memory_.find(object);
     if (target.tracker || !belief) continue;
-    const Vec2 place = position_at(*belief, now);
+    const Vec2 place = belief->at(now);
     Aircraft* nearest = nullptr;
     for (Aircraft& each : team()) {
       const bool tracks =

@@ -26,7 +26,7 @@ OrbitTask::OrbitTask(const FlightContext& context, const Orbit& order)
 Vec2 OrbitTask::target_at(const TaskStep& step, Time time) const {
   if (order_.object)
     if (const auto belief = step.beliefs.objects().find(*order_.object))
-      return position_at(*belief, time);
+      return belief->at(time);
   return order_.point;
 }
 
