@@ -12,6 +12,7 @@
 #include "skein/assemble/read_command.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
+#include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
 #include "skein/record/run_recorder.h"
@@ -92,6 +93,9 @@ void print_table(const record::RunSummary& summary) {
   for (const auto& [name, text] : kRows)
     if (const auto value = summary.number(name))
       print("  {:<44}{:>12.4g}\n", text, *value);
+  for (const auto& [name, value] : summary.numbers)
+    if (const auto text = record::mission_number_text(name))
+      print("  {:<44}{:>12.4g}\n", *text, value);
 }
 
 // What shall be run.

@@ -58,7 +58,7 @@ std::vector<double> run_fleet(const std::string& plant, const std::string& senso
   const std::string text = fmt::format(
       "duration_s: {}\n"
       "environment: {{wind: {{kind: uniform, speed_mps: 5, from_deg: 250}}, "
-      "turbulence: {}, fire: none}}\n"
+      "turbulence: {}, phenomena: []}}\n"
       "missions: []\n"
       "record: {{rate_hz: 1}}\n"
       "aircraft:\n"

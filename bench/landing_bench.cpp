@@ -62,7 +62,7 @@ void landing(benchmark::State& state, const char* aircraft, double wind,
   const std::string text = fmt::format(
       "seed: 1\n"
       "duration_s: 500\n"
-      "environment: {{terrain: flat, fire: none, turbulence: {},\n"
+      "environment: {{terrain: flat, phenomena: [], turbulence: {},\n"
       "  wind: {{kind: uniform, speed_mps: {}, from_deg: 0}}}}\n"
       "missions: []\n"
       "aircraft:\n"

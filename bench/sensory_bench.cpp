@@ -69,23 +69,12 @@ class Ground final : public Terrain {
   Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
 };
 
-class NoFire final : public Phenomenon {
- public:
-  void advance(Time) override {}
-  bool inside(const Vec2&) const override { return false; }
-  const geo::Region& region() const override { return region_; }
-
- private:
-  geo::Region region_;
-};
-
 using Sensors = std::vector<std::unique_ptr<Sensor>>;
 
 // Turning vehicles and their sensors, called as each vehicle's own loop does; one vehicle
 // an iteration, in turn.
 void inner_steps(benchmark::State& state, const std::vector<Sensors>& fleet) {
   const Ground ground;
-  const NoFire fire;
   VehicleState start;
   start.airspeed = 20;
   start.p_N = {0, 0, -40};
@@ -102,7 +91,7 @@ void inner_steps(benchmark::State& state, const std::vector<Sensors>& fleet) {
     vehicle.q_NB = vehicle.q_NB * turn;
     vehicle.v_N += Vec3(1e-3, 0, 0);
     samples.clear();
-    const SensorView view{now, vehicle, air, ground, fire};
+    const SensorView view{now, vehicle, air, ground};
     for (const auto& sensor : fleet[i]) sensor->sample(view, samples);
     benchmark::DoNotOptimize(samples.data());
     if (++i < fleet.size()) continue;

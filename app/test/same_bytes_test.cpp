@@ -82,7 +82,7 @@ environment:
   terrain: canyon
   wind: {kind: uniform, speed_mps: 4, from_deg: 200}
   turbulence: {kind: dryden, intensity: moderate}
-  fire: {kind: front, rate_mps: 0.1, age_s: 1800, ignitions: [{point_m: [0, 0], radius_m: 40}]}
+  phenomena: [{kind: front, rate_mps: 0.1, age_s: 1800, ignitions: [{point_m: [0, 0], radius_m: 40}]}]
 aircraft:
   - name: glider
     count: 12
@@ -170,7 +170,7 @@ environment:
     second: Wind_direction_from_which_blowing_height_above_ground
     area_m: 8000
   turbulence: dryden
-  fire: {{kind: front, rate_mps: 0.1, age_s: 1800, ignitions: [{{point_m: [0, 0], radius_m: 40}}]}}
+  phenomena: [{{kind: front, rate_mps: 0.1, age_s: 1800, ignitions: [{{point_m: [0, 0], radius_m: 40}}]}}]
 aircraft:
   - name: plane
     count: 2
@@ -189,7 +189,7 @@ TEST_F(SameBytes, OfARecordedFire) {
   expect_same_of(
       "bridge-fire",
       {"--set", "duration_s=300", "--set",
-       "environment.fire.source=" + (data / "perimeters.csv").string(), "--set",
+       "environment.phenomena[0].source=" + (data / "perimeters.csv").string(), "--set",
        "environment.terrain.file=" + (data / "landscape/elevation.tif").string()});
 }
 

@@ -47,8 +47,13 @@ export interface MapData {
   crossings: { time_s: Packed; north: Packed; east: Packed }; // float32, uint16, uint16
   objects: MovingObject[];
   detections: { time_s: Packed; north: Packed; east: Packed; object: Packed }; // the same, uint16
+  zones: { name: string; on_s: number; off_s: number | null; ring: Corner[] }[];
+  missions: { name: string; begun_s: number; areas: Corner[][]; lines: Corner[][] }[];
   terrain?: Terrain;
 }
+
+/** North and east [m]. */
+export type Corner = [number, number];
 
 export type FlightColumn =
   "altitude_msl_m" | "airspeed_mps" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
@@ -69,6 +74,11 @@ export interface RunData {
   metrics: { time_s: Packed; columns: Record<string, Packed> }; // float32, NaN = absent
   /** The first aircraft, over time; empty in comparisons. */
   flights: { entity: number; time_s: Packed; columns: Record<FlightColumn, Packed> }[]; // float32
+  /** Figures of missions over time, and what each of the summary's says. */
+  missions: {
+    series: { mission: string; figure: string; text: string; time_s: Packed; values: Packed }[]; // float32
+    texts: Record<string, string>;
+  };
   messages: { bin_s: number; sent: number[]; lost: number[] };
   events: Event[];
   events_left_out: number;

@@ -140,6 +140,14 @@ function settingRows(runs: RunData[]): HTMLElement[] {
     h("tr", {}, h("th", { scope: "row" }, label), ...runs.map((run) => h("td", {}, of(run) || "–"))));
 }
 
+/** Figures of missions, one column for each run; none where no mission has any. */
+export function missionTable(runs: RunData[]): HTMLElement | null {
+  const texts = Object.assign({}, ...runs.map((run) => run.missions.texts)) as Record<string, string>;
+  const rows: Row[] = Object.entries(texts).map(([name, text]) =>
+    ({ label: text, values: runs.map((run) => run.summary[name]) }));
+  return rows.length > 0 ? table("Missions", runs.length > 1 ? headings(runs) : ["value"], rows, false) : null;
+}
+
 /** Several runs: one column for each. */
 export function comparisonTables(runs: RunData[]): HTMLElement[] {
   const rows = (part: string): Row[] =>

@@ -1,5 +1,5 @@
 /** Draws a scene at one time onto a canvas, north up. */
-import type { Terrain } from "./data";
+import type { Corner, Terrain } from "./data";
 import { objectAt, type Ring, type Scene } from "./scene";
 import type { Theme } from "./theme";
 
@@ -17,12 +17,15 @@ export interface Layers {
   tracks: boolean;
   crossings: boolean;
   objects: boolean;
+  missions: boolean;
+  zones: boolean;
   names: boolean;
   tail: number; // length of the tracks [s]
 }
 
 export const kAllLayers: Layers = {
   terrain: true, truth: true, belief: true, band: true, tracks: true, crossings: true, objects: true,
+  missions: true, zones: true,
   names: true, tail: 180,
 };
 
@@ -256,6 +259,55 @@ function drawObjects(context: CanvasRenderingContext2D, scene: Scene, time: numb
   }
 }
 
+function traceCorners(context: CanvasRenderingContext2D, line: Corner[], place: Place): void {
+  line.forEach(([north, east], i) => {
+    const [x, y] = place(north, east);
+    if (i === 0) context.moveTo(x, y);
+    else context.lineTo(x, y);
+  });
+}
+
+/** Areas and lines of missions that have begun. */
+function drawMissions(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place,
+  names: boolean, theme: Theme): void {
+  context.strokeStyle = theme.mission;
+  context.lineWidth = 1.6;
+  context.setLineDash([2, 3]);
+  for (const mission of scene.missions) {
+    if (mission.begun_s > time + 1e-3) continue;
+    context.beginPath();
+    for (const area of mission.areas) {
+      traceCorners(context, area, place);
+      context.closePath();
+    }
+    for (const line of mission.lines) traceCorners(context, line, place);
+    context.stroke();
+    const first = (mission.areas[0] ?? mission.lines[0])[0];
+    const [x, y] = place(first[0], first[1]);
+    if (names) label(context, mission.name, x + 5, y - 6, theme);
+  }
+  context.setLineDash([]);
+}
+
+/** No-fly zones in force. */
+function drawZones(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place,
+  names: boolean, theme: Theme): void {
+  for (const zone of scene.zones) {
+    if (zone.on_s > time + 1e-3 || (zone.off_s !== null && zone.off_s <= time)) continue;
+    context.beginPath();
+    traceCorners(context, zone.ring, place);
+    context.closePath();
+    context.fillStyle = theme.zoneFill;
+    context.fill();
+    context.strokeStyle = theme.zone;
+    context.lineWidth = 1.4;
+    context.stroke();
+    const middle = zone.ring.reduce((sum, p) => [sum[0] + p[0] / zone.ring.length, sum[1] + p[1] / zone.ring.length], [0, 0]);
+    const [x, y] = place(middle[0], middle[1]);
+    if (names && zone.name) label(context, zone.name, x - 3 * zone.name.length, y + 4, theme);
+  }
+}
+
 /** Draws everything; the context's units are CSS pixels. */
 export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights: Uint16Array | null,
   time: number, view: View, width: number, height: number, layers: Layers, theme: Theme): void {
@@ -314,6 +366,8 @@ export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights
     }
     context.globalAlpha = 1;
   }
+  if (layers.missions) drawMissions(context, scene, time, place, layers.names, theme);
+  if (layers.zones) drawZones(context, scene, time, place, layers.names, theme);
   if (layers.objects) drawObjects(context, scene, time, place, layers.names, theme);
   drawTracks(context, scene, time, place, layers, theme);
   drawScale(context, view, width, height, theme);

@@ -21,6 +21,8 @@ const kLayerNames: [keyof Layers, string, string][] = [
   ["tracks", "tracks", "track"],
   ["crossings", "crossings", "crossing"],
   ["objects", "objects, and where they were seen", "object"],
+  ["missions", "areas and lines of missions", "mission"],
+  ["zones", "no-fly zones", "zone"],
   ["names", "names", ""],
   ["terrain", "terrain", ""],
 ];
@@ -120,8 +122,13 @@ export class Player {
   }
 
   private layerChoice(): HTMLElement {
-    const there = (key: keyof Layers) => this.shown.some((s) =>
-      key === "terrain" ? s.heights : key !== "objects" || s.scene.objects.length + s.scene.detections.time.length > 0);
+    const has: Partial<Record<keyof Layers, (s: Shown) => boolean>> = {
+      terrain: (s) => s.heights !== null,
+      objects: (s) => s.scene.objects.length + s.scene.detections.time.length > 0,
+      missions: (s) => s.scene.missions.length > 0,
+      zones: (s) => s.scene.zones.length > 0,
+    };
+    const there = (key: keyof Layers) => this.shown.some((s) => has[key]?.(s) ?? true);
     return h("div", { class: "layers", role: "group", "aria-label": "What the map shows" },
       ...kLayerNames.filter(([key]) => there(key)).map(([key, text, style]) =>
         h("label", {},

@@ -346,6 +346,7 @@ export interface Sighting {
   north_m: number | null; // where it was believed
   east_m: number | null; // where it was believed
   position_sd_m: number | null; // per axis
+  class: "person" | "animal" | "vehicle" | "structure"; // what it is
 }
 
 /** A message that arrived or was lost. */
@@ -380,6 +381,8 @@ export interface Perimeter {
   truth: [number, number][][]; // rings of the burnt area
   belief_time_s: number; // that it is of
   belief_rings: BoundaryPoint[][]; // closed; outer ones run clockwise on the map
+  mission: string; // whose belief it is
+  phenomenon: number; // whose boundary it is
 }
 
 /** Something worth reporting. */
@@ -403,14 +406,11 @@ export interface ZoneRecord {
   until_s: number | null; // forbidden until; null: for ever
 }
 
-/** A thing on the ground (environment.objects); it moves evenly. */
+/** A thing on the ground (environment.objects). */
 export interface GroundObject {
   object_id: number; // which
   name: string; // as the scenario has it
-  north_m: number | null; // at time 0
-  east_m: number | null; // at time 0
-  velocity_north_mps: number | null; // over ground
-  velocity_east_mps: number | null; // over ground
+  class: "person" | "animal" | "vehicle" | "structure"; // what it is
 }
 
 /** An object found in one picture of a camera. */
@@ -536,4 +536,29 @@ export interface Planner {
   link: "loiter" | "task" | "separation" | "trajectory"; // which planner of the chain
   verdict: "passed-on" | "modified" | "replaced"; // what it does with what it is handed
   reason: string; // why
+}
+
+/** How an object truly moves from now on, until the next of its rows. */
+export interface ObjectMotion {
+  time_s: number; // from when on
+  object_id: number; // which
+  north_m: number | null; // then
+  east_m: number | null; // then
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+}
+
+/** What a mission believes of an object. */
+export interface ObjectBelief {
+  time_s: number; // when
+  believer_id: number; // whose belief
+  object_id: number; // which
+  seen_s: number; // when it was last seen
+  north_m: number | null; // then
+  east_m: number | null; // then
+  velocity_north_mps: number | null; // then
+  velocity_east_mps: number | null; // then
+  position_sd_m: number | null; // per axis, then
+  velocity_sd_mps: number | null; // per axis
+  mission: string; // whose belief it is
 }

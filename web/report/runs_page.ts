@@ -2,7 +2,7 @@
 import { chart, type Chart, type ChartOptions, type Dash, type Line } from "./chart";
 import { floats, type RunData } from "./data";
 import { clock, h, section } from "./dom";
-import { comparisonTables, figuresTable, hasMetrics, tiles } from "./figures";
+import { comparisonTables, figuresTable, hasMetrics, missionTable, tiles } from "./figures";
 import { flightCharts } from "./flight_plots";
 import { chosen, sameFire } from "./scenario_text";
 import { Player } from "./player";
@@ -78,6 +78,24 @@ function areaLines(runs: RunData[]): Line[] {
   });
 }
 
+/** One chart for each figure of missions that changes over time. */
+function missionCharts(runs: RunData[]): Omit<ChartOptions, "sync" | "marks" | "onPick">[] {
+  const byText = new Map<string, Line[]>();
+  runs.forEach((run, r) => run.missions.series.forEach(({ mission, text, time_s, values }) => {
+    const y = floats(values);
+    if (!text || y.every((v) => v === y[0])) return;
+    const all = byText.get(text) ?? [];
+    byText.set(text, all);
+    all.push({ name: runs.length === 1 ? mission : `${run.label}: ${mission}`, x: floats(time_s), y: Array.from(y),
+      colour: (runs.length === 1 ? all.length : r) % 8, dash: dashOf(r, false) });
+  }));
+  return Array.from(byText, ([text, lines]) => {
+    const unit = /\[(.*)\]$/.exec(text)?.[1];
+    const title = text.charAt(0).toUpperCase() + text.slice(1).replace(/ \[.*\]$/, "");
+    return { title, unit, lines, range: unit || title.startsWith("Objects") ? undefined : [0, 1.02] as [number, number] };
+  });
+}
+
 function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
   const marks = runs.length === 1 && runs[0].allocation_start_s != null
     ? [{ x: runs[0].allocation_start_s, label: "allocation starts" }] : [];
@@ -102,6 +120,7 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
     make({ title: "Age of knowledge", unit: "s", note: "since the boundary was last crossed nearby",
       lines: lines(runs, [["latency_mean_s", "mean"], ["latency_max_s", "oldest"]]) }),
     make({ title: "Burnt area", unit: "ha", lines: areaLines(runs) }),
+    ...missionCharts(runs).map(make),
     ...(runs.length === 1 ? flightCharts(runs[0]).map(make) : []),
     make({ title: "Messages per minute", lines: messageLines(runs) }),
   ].flat();
@@ -135,12 +154,12 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
   const overview = several
     ? section("Comparison", "overview",
       h("p", {}, `${runs.length} runs; ` + (sameFire(runs) ? "the best value of each row is marked."
-        : "their fires differ (environment or seed), so no value is marked as the best.")), ...comparisonTables(runs), meaning,
+        : "their fires differ (environment or seed), so no value is marked as the best.")), ...comparisonTables(runs), missionTable(runs), meaning,
       ...runs.map((run) => h("details", {}, h("summary", {}, `What ${run.label} was`), identity(run))))
     : section("Overview", "overview", tiles(runs[0]),
       hasMetrics(runs[0])
         ? h("div", { class: "side-by-side" }, h("div", {}, figuresTable(runs[0]), meaning), identity(runs[0]))
-        : identity(runs[0]));
+        : identity(runs[0]), missionTable(runs));
   return [
     h("header", {}, h("h1", {}, title)),
     overview,

@@ -52,6 +52,8 @@ export class Scene {
   readonly crossings: { time: Float32Array; north: Float32Array; east: Float32Array };
   readonly objects: SceneObject[];
   readonly detections: { time: Float32Array; north: Float32Array; east: Float32Array; object: Uint16Array };
+  readonly zones: MapData["zones"];
+  readonly missions: MapData["missions"];
   readonly terrain?: Terrain;
   readonly duration: number;
   private readonly cache = new Map<Frame, Ring[]>();
@@ -60,6 +62,8 @@ export class Scene {
     const names = new Map(run.entities.map((entity) => [entity.entity_id, entity.name]));
     this.duration = run.duration_s;
     this.terrain = map.terrain;
+    this.zones = map.zones;
+    this.missions = map.missions;
     this.tracks = map.tracks.map((track) => ({
       name: names.get(track.entity) ?? `${track.entity}`,
       start: track.start_s,
@@ -152,6 +156,9 @@ export class Scene {
     };
     for (const track of this.tracks) add(track.north, track.east);
     add(this.detections.north, this.detections.east);
+    for (const { areas, lines } of this.missions)
+      for (const line of [...areas, ...lines])
+        add(Float32Array.from(line, (p) => p[0]), Float32Array.from(line, (p) => p[1]));
     for (const object of this.objects) {
       const places = [0, this.duration].map((time) => objectAt(object, time)).filter((at) => at !== null);
       add(Float32Array.from(places, (at) => at[0]), Float32Array.from(places, (at) => at[1]));

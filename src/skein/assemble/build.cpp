@@ -122,8 +122,10 @@ class Builder {
                    : std::make_unique<environment::UniformWind>(
                          environment::UniformWindOptions{}));
     context.wind = build_.world.wind.get();
-    auto fire = kinds_.kinds().fire.make(scenario_.environment.fire, context);
-    if (note(fire)) build_.world.fire = std::move(fire).value();
+    for (const scenario::Choice& chosen : scenario_.environment.phenomena) {
+      auto made = kinds_.kinds().phenomenon.make(chosen, context);
+      if (note(made)) build_.world.phenomena.push_back(std::move(made).value());
+    }
   }
 
   // Entities are the stations, then the aircraft.

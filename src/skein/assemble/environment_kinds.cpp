@@ -5,7 +5,6 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/ranges.h"
 #include "skein/layer/environment/fire/front_fire.h"
-#include "skein/layer/environment/fire/no_fire.h"
 #include "skein/layer/environment/fire/thesis_fire.h"
 #include "skein/layer/environment/recorded/recorded_fire.h"
 #include "skein/layer/environment/terrain/raster_terrain.h"
@@ -26,8 +25,6 @@ constexpr Range kLength{.above = 0, .at_most = 1e6};
 constexpr Range kHeight{.at_least = -500, .at_most = 9000};
 constexpr Range kBearing{.at_least = -360, .at_most = 360};
 constexpr Range kPlace{.at_least = -7e5, .at_most = 7e5};  // within 1000 km
-
-struct NoFireKind {};
 
 Fields<FlatTerrainOptions> flat_fields() {
   using T = FlatTerrainOptions;
@@ -342,13 +339,9 @@ Kinds<WindField, EnvironmentContext> wind_kinds() {
   return kinds;
 }
 
-Kinds<Phenomenon, EnvironmentContext> fire_kinds() {
+Kinds<Phenomenon, EnvironmentContext> phenomenon_kinds() {
   using Made = Result<std::unique_ptr<Phenomenon>>;
-  Kinds<Phenomenon, EnvironmentContext> kinds("fire");
-  kinds.add("none", "Nothing burns.", Fields<NoFireKind>(),
-            [](const NoFireKind&, const EnvironmentContext&) {
-              return std::make_unique<environment::NoFire>();
-            });
+  Kinds<Phenomenon, EnvironmentContext> kinds("phenomenon");
   kinds.add(
       "front", "A front that spreads by fuel, wind and slope; merges, leaves islands.",
       front_fields(), [](const FrontFireKind& o, const EnvironmentContext& c) -> Made {

@@ -12,7 +12,7 @@ template <class Visit>
 void for_each_role(Visit visit) {
   using K = KindsByRole;
   const auto all = [&visit](auto... role) { (visit(role), ...); };
-  all(&K::terrain, &K::wind, &K::turbulence, &K::fire, &K::movement, &K::plant,
+  all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::plant,
       &K::autopilot, &K::sensor, &K::agent, &K::mission, &K::radio, &K::estimator,
       &K::strategy, &K::planner);
 }
@@ -22,7 +22,7 @@ KindsByRole own_kinds() {
   kinds.terrain = terrain_kinds();
   kinds.wind = wind_kinds();
   kinds.turbulence = turbulence_kinds();
-  kinds.fire = fire_kinds();
+  kinds.phenomenon = phenomenon_kinds();
   kinds.movement = movement_kinds();
   kinds.plant = plant_kinds();
   kinds.autopilot = autopilot_kinds();

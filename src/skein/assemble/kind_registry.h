@@ -22,7 +22,7 @@ struct KindsByRole {
   Kinds<Terrain, EnvironmentContext> terrain{"terrain"};
   Kinds<WindField, EnvironmentContext> wind{"wind"};
   Kinds<Turbulence, AircraftContext> turbulence{"turbulence"};
-  Kinds<Phenomenon, EnvironmentContext> fire{"fire"};
+  Kinds<Phenomenon, EnvironmentContext> phenomenon{"phenomenon"};
   Kinds<MovingObject, ObjectContext> movement{"movement"};
   Kinds<Plant, AircraftContext> plant{"plant"};
   Kinds<Autopilot, AircraftContext> autopilot{"autopilot"};

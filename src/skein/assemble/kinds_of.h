@@ -29,7 +29,7 @@ struct StrategyContext {};
 // The table of kinds: every implementation that a scenario can name, one row each.
 Kinds<Terrain, EnvironmentContext> terrain_kinds();
 Kinds<WindField, EnvironmentContext> wind_kinds();
-Kinds<Phenomenon, EnvironmentContext> fire_kinds();
+Kinds<Phenomenon, EnvironmentContext> phenomenon_kinds();
 Kinds<MovingObject, ObjectContext> movement_kinds();
 Kinds<Plant, AircraftContext> plant_kinds();
 Kinds<Autopilot, AircraftContext> autopilot_kinds();

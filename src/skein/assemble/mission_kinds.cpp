@@ -68,6 +68,7 @@ struct PerimeterChoice : MissionSchedule {
   Time forced_crossing = Time::from_seconds(300);  // 0 = off
   Time lost_after = Time::from_seconds(5);
   Time late_window = Time::from_seconds(60);
+  int phenomenon = 0;
 };
 
 Fields<PerimeterChoice> perimeter_fields() {
@@ -87,7 +88,11 @@ Fields<PerimeterChoice> perimeter_fields() {
           .duration_s("lost_after_s", &T::lost_after,
                       "An aircraft silent for this long counts as lost.", {.above = 0})
           .duration_s("late_window_s", &T::late_window, "Readings this late still count.",
-                      {.at_least = 0}));
+                      {.at_least = 0})
+          .integer("phenomenon", &T::phenomenon,
+                   "Which of environment.phenomena it is about, from 0: its belief is "
+                   "compared with that one.",
+                   {.at_least = 0, .at_most = 1000}));
 }
 
 MadeMission make_perimeter(const PerimeterChoice& choice, const MissionContext& c) {
@@ -107,6 +112,7 @@ MadeMission make_perimeter(const PerimeterChoice& choice, const MissionContext& 
   options.lost_after = choice.lost_after.seconds();
   options.late_window = choice.late_window.seconds();
   options.zones = c.zones;
+  options.phenomenon = static_cast<std::uint32_t>(choice.phenomenon);
   options.record_period = c.metrics_period;
   return planned("perimeter", choice, who.value(),
                  std::make_unique<monitoring::Coordinator>(

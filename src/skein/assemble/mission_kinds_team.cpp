@@ -98,6 +98,7 @@ MadeTeam make_track(const TrackChoice& choice, const MissionContext& c) {
   options.radius = choice.radius;
   options.weave = choice.weave;
   options.lost_after = choice.lost_after.seconds();
+  options.record_period = c.metrics_period;
   for (const std::string& name : choice.objects) {
     const auto found = std::find(c.objects.begin(), c.objects.end(), name);
     if (found == c.objects.end())

@@ -48,7 +48,7 @@ Result<std::vector<std::string>> fit_recorded_scenario(const fs::path& data) {
   const double radius = std::max(std::sqrt(fire.first_area / geo::kPi), 20.0);
   const double reach = std::max({-fire.low.minCoeff(), fire.high.maxCoeff(), 500.0});
   std::vector<std::string> overrides = {
-      "environment.fire.source=" + source.string(),
+      "environment.phenomena[0].source=" + source.string(),
       fmt::format("origin.latitude_deg={:.6f}", fire.origin.latitude_deg),
       fmt::format("origin.longitude_deg={:.6f}", fire.origin.longitude_deg),
       // Whole seconds, so that periods fit in.

@@ -23,7 +23,10 @@ Fields<sensory::FireSensorOptions> fire_sensor_fields() {
       .number("false_in", &T::false_in,
               "Probability of `inside` over ground that does not burn.", kProbability)
       .number("false_out", &T::false_out,
-              "Probability of `outside` over ground that does.", kProbability);
+              "Probability of `outside` over ground that does.", kProbability)
+      .integer("phenomenon", &T::phenomenon,
+               "Which of environment.phenomena it senses, from 0. Null: all of them.",
+               {.at_least = 0, .at_most = 1000});
 }
 
 Fields<sensory::EdgeFinderOptions> edge_finder_fields() {
@@ -31,7 +34,10 @@ Fields<sensory::EdgeFinderOptions> edge_finder_fields() {
   return Fields<T>()
       .number("rate_hz", &T::rate_hz, "Samples per second.", kSensorRate)
       .number("range_m", &T::range, "Boundaries further away are not seen.",
-              {.above = 0, .at_most = 1e6});
+              {.above = 0, .at_most = 1e6})
+      .integer("phenomenon", &T::phenomenon,
+               "Which of environment.phenomena it sees, from 0.",
+               {.at_least = 0, .at_most = 1000});
 }
 
 // What rangefinder and LiDAR have in common.

@@ -178,7 +178,8 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
   };
   if (role == "terrain") test(subject(all.terrain, choice), contract::terrain_violations);
   if (role == "wind") test(subject(all.wind, choice), contract::wind_violations);
-  if (role == "fire") test(subject(all.fire, choice), contract::phenomenon_violations);
+  if (role == "phenomenon")
+    test(subject(all.phenomenon, choice), contract::phenomenon_violations);
   if (role == "movement")
     test(Subject<MovingObject, ObjectContext>{all.movement, choice, {kSeed, 3, {50, 80}}},
          contract::moving_object_violations);

@@ -3,6 +3,8 @@
 #include <variant>
 
 #include "skein/data/fire.h"
+#include "skein/data/mission.h"
+#include "skein/data/object.h"
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
 #include "skein/data/zone_change.h"
@@ -10,10 +12,10 @@
 namespace skein {
 
 /// What an agent may want to have recorded besides events: what it has measured or found,
-/// zones that it has put into force or taken back, what it believes about a boundary now,
-/// what its planners do, a plugin's own. The simulation adds when, who, and what was
+/// zones that it has put into force or taken back, what it believes about a boundary or
+/// an object now, what its planners do, how its missions go, a plugin's own. The simulation adds when, who, and what was
 /// true.
-using AgentRecord = std::variant<FireReading, Crossing, ZoneChange, BoundaryEstimate,
-                                 PluginRecord, PlannerChange>;
+using AgentRecord = std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief,
+                                 PluginRecord, PlannerChange, ObjectBelief, MissionChange>;
 
 }  // namespace skein

@@ -96,6 +96,13 @@ constexpr auto describe(const BoundaryEstimate*) {
                             "closed; outer ones run clockwise on the map"));
 }
 
+/// What a mission believes about a boundary.
+struct PerimeterBelief {
+  BoundaryEstimate boundary;
+  std::uint32_t phenomenon = 0;  ///< whose boundary: its place in the environment's list
+  std::string mission = {};      ///< its name
+};
+
 /// What is known of a fire before the first observation.
 struct PerimeterPrior {
   Vec2 origin = Vec2::Zero();  ///< believed origin of the fire [m]

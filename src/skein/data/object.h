@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "skein/base/math.h"
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
 #include "skein/geo/vec.h"
@@ -90,9 +91,18 @@ struct ObjectBelief {
   Vec2 velocity = Vec2::Zero();  ///< [m/s]
   double position_sd = 0;        ///< per axis, then [m]
   double velocity_sd = 0;        ///< per axis [m/s]
+  double persistence = 30;       ///< of the velocity: decays with this time constant [s]
+  std::string mission = {};      ///< whose belief it is, in records
 
-  /// Where it is believed to be at a time, going on as it did [m].
-  Vec2 at(Time now) const { return position + (now - time).seconds() * velocity; }
+  /// Where it is believed to be at a time [m].
+  Vec2 at(Time now) const {
+    const double gone = (now - time).seconds() / persistence;
+    return position - persistence * math::expm1(-gone) * velocity;
+  }
+  /// How it is believed to move at a time [m/s].
+  Vec2 velocity_at(Time now) const {
+    return math::exp(-(now - time).seconds() / persistence) * velocity;
+  }
 };
 
 constexpr auto describe(const ObjectBelief*) {
@@ -104,7 +114,10 @@ constexpr auto describe(const ObjectBelief*) {
       field("", &T::position, axes::kPlace, "then"),
       field("", &T::velocity, axes::kVelocity, "then"),
       field("position_sd", &T::position_sd, unit::kMetre, "per axis, then"),
-      field("velocity_sd", &T::velocity_sd, unit::kMetrePerSecond, "per axis"));
+      field("velocity_sd", &T::velocity_sd, unit::kMetrePerSecond, "per axis"),
+      field("persistence", &T::persistence, unit::kSecond,
+            "time constant with which the velocity decays"),
+      field("mission", &T::mission, "whose belief it is"));
 }
 
 }  // namespace skein

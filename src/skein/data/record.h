@@ -12,6 +12,7 @@
 #include "skein/data/event.h"
 #include "skein/data/fire.h"
 #include "skein/data/message.h"
+#include "skein/data/mission.h"
 #include "skein/data/object.h"
 #include "skein/data/payload.h"
 #include "skein/data/planner_change.h"
@@ -92,6 +93,8 @@ struct PerimeterRecord {
   EntityId believer;
   geo::Region truth;
   BoundaryEstimate belief;
+  std::string mission = {};      ///< whose belief it is
+  std::uint32_t phenomenon = 0;  ///< whose boundary: its place in the environment's list
 };
 
 constexpr auto describe(const PerimeterRecord*) {
@@ -100,7 +103,40 @@ constexpr auto describe(const PerimeterRecord*) {
       {"perimeter"}, "A true boundary and what is believed about it.",
       field("time", &T::time, "when"), field("believer_id", &T::believer, "whose belief"),
       field("truth", &T::truth, Storage::kFloats, "rings of the burnt area"),
-      field("belief", &T::belief, "the boundary as believed"));
+      field("belief", &T::belief, "the boundary as believed"),
+      field("mission", &T::mission, "whose belief it is"),
+      field("phenomenon", &T::phenomenon, "whose boundary it is"));
+}
+
+/// What is believed of an object at one time.
+struct ObjectBeliefRecord {
+  Time time;
+  EntityId believer;
+  ObjectBelief belief;
+};
+
+constexpr auto describe(const ObjectBeliefRecord*) {
+  using T = ObjectBeliefRecord;
+  return described<T>(
+      {"object_belief", "object_beliefs"}, "What a mission believes of an object.",
+      field("time", &T::time, "when"), field("believer_id", &T::believer, "whose belief"),
+      field("", &T::belief, "of which object, and what"));
+}
+
+/// A mission begins, is paused, goes on or is over.
+struct MissionRecord {
+  Time time;
+  EntityId station;
+  MissionChange change;
+};
+
+constexpr auto describe(const MissionRecord*) {
+  using T = MissionRecord;
+  return described<T>({"mission", "missions"},
+                      "A mission begins, is paused, goes on or is over.",
+                      field("time", &T::time, "when"),
+                      field("station_id", &T::station, "that pursues it"),
+                      field("", &T::change, "which mission, and how"));
 }
 
 /// A no-fly zone comes into force for those who have received it, or is taken back.
@@ -138,6 +174,7 @@ constexpr auto describe(const PlannerRecord*) {
 using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
                             Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
                             GroundObject, Detection, Footprint, RangeScan, CommandRecord,
-                            PluginRecord, PlannerRecord, ObjectMotion>;
+                            PluginRecord, PlannerRecord, ObjectMotion,
+                            ObjectBeliefRecord, MissionRecord>;
 
 }  // namespace skein

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/data/json.h"
+#include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/page.h"
 #include "skein/record/report_map.h"
 #include "skein/record/run_reader.h"
@@ -63,6 +64,20 @@ Json flights_json(const StoredRun& run) {
   return flights;
 }
 
+// Figures of missions: over time, and what they say.
+Json missions_json(const StoredRun& run) {
+  Json series = Json::array(), texts = Json::object();
+  for (const StoredSeries& each : run.mission_series)
+    series.push_back({{"mission", each.mission},
+                      {"figure", each.figure},
+                      {"text", std::string(mission_figure_text(each.figure))},
+                      {"time_s", packed(each.times)},
+                      {"values", packed(each.values)}});
+  for (const auto& [name, value] : run.summary.numbers)
+    if (const auto text = mission_number_text(name)) texts[name] = *text;
+  return {{"series", std::move(series)}, {"texts", std::move(texts)}};
+}
+
 Json run_json(const StoredRun& run, const std::string& label, const fs::path& directory) {
   Json entities = Json::array(), events = Json::array();
   for (const EntityRecord& entity : run.entities)
@@ -86,6 +101,7 @@ Json run_json(const StoredRun& run, const std::string& label, const fs::path& di
           {"entities", std::move(entities)},
           {"metrics", metrics_json(run)},
           {"flights", flights_json(run)},
+          {"missions", missions_json(run)},
           {"messages",
            {{"bin_s", run.message_bin},
             {"sent", run.messages_sent},

@@ -7,6 +7,7 @@
 
 #include "skein/base/math.h"
 #include "skein/data/json.h"
+#include "skein/data/zone.h"
 #include "skein/record/page.h"
 #include "skein/record/run_database.h"
 
@@ -256,6 +257,66 @@ Json detections_json(const StoredRun& run, const Extent& extent) {
           {"object", packed(object)}};
 }
 
+Json ring_json(const geo::Ring& ring) {
+  Json places = Json::array();
+  for (const Vec2& p : ring) places.push_back({p.x(), p.y()});
+  return places;
+}
+
+// No-fly zones with the times in which they were in force.
+Json zones_json(const StoredRun& run) {
+  Json zones = Json::array();
+  for (const ZoneRecord& record : run.zones) {
+    const Zone& zone = record.change.zone;
+    for (Json& other : zones)  // a new one replaces that of the same name
+      if (other["name"] == zone.name && other["off_s"].is_null())
+        other["off_s"] = record.time.seconds();
+    if (!record.change.on) continue;
+    Json off = nullptr;
+    if (std::isfinite(zone.until)) off = zone.until;
+    zones.push_back({{"name", zone.name},
+                     {"on_s", std::max(record.time.seconds(), zone.from)},
+                     {"off_s", off},
+                     {"ring", ring_json(outline(zone, 0.5))}});
+  }
+  return zones;
+}
+
+// What of a mission's goal has a place on the map.
+struct GoalShape {
+  std::vector<geo::Ring> areas, lines;
+
+  void operator()(const SurveyGoal& goal) {
+    areas.push_back(goal.area);
+    areas.insert(areas.end(), goal.holes.begin(), goal.holes.end());
+  }
+  void operator()(const PatrolGoal& goal) {
+    lines.push_back(goal.line);
+    if (goal.closed) lines.back().push_back(Vec2(goal.line.front()));
+  }
+  void operator()(const TrackGoal&) {}
+  void operator()(const PerimeterGoal&) {}
+  void operator()(const OpenGoal&) {}
+};
+
+Json missions_json(const StoredRun& run) {
+  Json missions = Json::array();
+  for (const MissionRecord& record : run.missions) {
+    if (record.change.state != MissionState::kBegun) continue;
+    GoalShape shape;
+    std::visit(shape, record.change.goal);
+    if (shape.areas.empty() && shape.lines.empty()) continue;
+    Json areas = Json::array(), lines = Json::array();
+    for (const geo::Ring& ring : shape.areas) areas.push_back(ring_json(ring));
+    for (const geo::Ring& line : shape.lines) lines.push_back(ring_json(line));
+    missions.push_back({{"name", record.change.mission},
+                        {"begun_s", record.time.seconds()},
+                        {"areas", std::move(areas)},
+                        {"lines", std::move(lines)}});
+  }
+  return missions;
+}
+
 Json terrain_json(const TerrainRow& terrain) {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (const float height : terrain.heights)
@@ -294,7 +355,9 @@ Json map_json(const StoredRun& run) {
               {"belief", belief_json(run, extent, sigma_step)},
               {"crossings", crossings_json(run, extent)},
               {"objects", objects_json(run)},
-              {"detections", detections_json(run, extent)}};
+              {"detections", detections_json(run, extent)},
+              {"zones", zones_json(run)},
+              {"missions", missions_json(run)}};
   if (run.terrain)
     if (Json terrain = terrain_json(*run.terrain); !terrain.is_null())
       map["terrain"] = std::move(terrain);

@@ -14,8 +14,10 @@ static_assert(std::endian::native == std::endian::little,
 // What is not described: docs/records.md explains the columns.
 constexpr const char* kOtherTables = R"sql(
 CREATE TABLE meta (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
-CREATE TABLE perimeters (time_s REAL, source TEXT, believer_id INTEGER, ring INTEGER,
-  points INTEGER, data BLOB);
+CREATE TABLE perimeters (time_s REAL, source TEXT, phenomenon INTEGER,
+  believer_id INTEGER, mission TEXT, ring INTEGER, points INTEGER, data BLOB);
+CREATE TABLE mission_metrics (time_s REAL, station_id INTEGER, mission TEXT,
+  figure TEXT, value REAL);
 CREATE TABLE terrain (rows INTEGER, columns INTEGER, low_north_m REAL, low_east_m REAL,
   spacing_m REAL, heights_msl_m BLOB);
 CREATE TABLE summary (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
@@ -30,7 +32,7 @@ std::string values(std::size_t count) {
 }
 
 std::string metrics_schema() {
-  std::string sql = "CREATE TABLE metrics (time_s REAL, believer_id INTEGER";
+  std::string sql = "CREATE TABLE metrics (time_s REAL, believer_id INTEGER, mission TEXT";
   for (const MetricField& field : metric_fields())
     sql += ", " + std::string(field.name) + std::string(field.unit) + " REAL";
   return sql + ");";
@@ -101,8 +103,9 @@ Result<void> RunDatabase::prepare() {
   };
   prepare_one(meta_, "meta", 2);
   prepare_one(terrain_, "terrain", 6);
-  prepare_one(perimeter_, "perimeters", 6);
-  prepare_one(metrics_, "metrics", 2 + metric_fields().size());
+  prepare_one(perimeter_, "perimeters", 8);
+  prepare_one(mission_metrics_, "mission_metrics", 5);
+  prepare_one(metrics_, "metrics", 3 + metric_fields().size());
   prepare_one(summary_, "summary", 2);
   prepare_one(task_, "tasks", columns::columns_of<TaskRow>().size());
   std::size_t k = 0;
@@ -151,38 +154,50 @@ Result<void> RunDatabase::write(const TerrainRow& row) {
                 bytes(row.heights));
 }
 
-Result<void> RunDatabase::write_truth(Time time, const geo::Region& truth) {
-  std::vector<float> floats;
-  for (std::size_t r = 0; r < truth.size(); ++r) {
-    floats.clear();
-    columns::put_floats(truth[r], floats);
-    auto done =
-        insert(perimeter_, time.seconds(), "truth", nullptr, static_cast<std::int64_t>(r),
-               static_cast<std::int64_t>(truth[r].size()), bytes(floats));
+Result<void> RunDatabase::write(const MissionFigures& row) {
+  for (const MissionFigure& figure : row.figures) {
+    auto done = insert(mission_metrics_, row.time.seconds(), row.station.value,
+                       row.mission, std::string(figure.name), figure.value);
     if (!done) return done;
   }
   return {};
 }
 
-Result<void> RunDatabase::write_belief(Time time, EntityId believer,
+Result<void> RunDatabase::write_truth(Time time, std::uint32_t phenomenon,
+                                      const geo::Region& truth) {
+  std::vector<float> floats;
+  for (std::size_t r = 0; r < truth.size(); ++r) {
+    floats.clear();
+    columns::put_floats(truth[r], floats);
+    auto done =
+        insert(perimeter_, time.seconds(), "truth", phenomenon, nullptr, nullptr,
+               static_cast<std::int64_t>(r), static_cast<std::int64_t>(truth[r].size()),
+               bytes(floats));
+    if (!done) return done;
+  }
+  return {};
+}
+
+Result<void> RunDatabase::write_belief(Time time, const Believer& who,
                                        const BoundaryEstimate& belief) {
   std::vector<float> floats;
   for (std::size_t r = 0; r < belief.rings.size(); ++r) {
     floats.clear();
     columns::put_floats(belief.rings[r], floats);
-    auto done = insert(perimeter_, time.seconds(), "belief", believer.value,
-                       static_cast<std::int64_t>(r),
+    auto done = insert(perimeter_, time.seconds(), "belief", nullptr,
+                       who.station.value, who.mission, static_cast<std::int64_t>(r),
                        static_cast<std::int64_t>(belief.rings[r].size()), bytes(floats));
     if (!done) return done;
   }
   return {};
 }
 
-Result<void> RunDatabase::write_metrics(Time time, EntityId believer,
+Result<void> RunDatabase::write_metrics(Time time, const Believer& who,
                                         const PerimeterMetrics& metrics) {
   const auto fields = metric_fields();
   const auto with_columns = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return insert(metrics_, time.seconds(), believer.value, metrics.*fields[I].value...);
+    return insert(metrics_, time.seconds(), who.station.value, who.mission,
+                  metrics.*fields[I].value...);
   };
   constexpr std::size_t kFieldCount = 13;
   SKEIN_CHECK(fields.size() == kFieldCount, fields.size());

@@ -10,6 +10,7 @@
 
 #include "skein/record/metrics.h"
 #include "skein/record/rows.h"
+#include "skein/record/statistics.h"
 #include "skein/record/sqlite.h"
 #include "skein/record/summary.h"
 
@@ -22,8 +23,8 @@ inline constexpr std::size_t kBeliefFloats = 9;  ///< the columns of a BoundaryP
 
 /// Of the tables, in `PRAGMA user_version`. 3: energy reserves and the payload's tables;
 /// 4: zones; 5: tables as values are described, commands; 6: planners, missions as
-/// commands name them.
-inline constexpr int kSchemaVersion = 6;
+/// commands name them; 7: motions and beliefs of objects, missions, several phenomena.
+inline constexpr int kSchemaVersion = 7;
 
 /// The tables of one run, for writing. Write errors leave what was committed untouched.
 class RunDatabase {
@@ -42,9 +43,11 @@ class RunDatabase {
   Result<void> write(const Record& record);
   Result<void> write(const TaskRow& row);
   Result<void> write(const TerrainRow& row);
-  Result<void> write_truth(Time time, const geo::Region& truth);
-  Result<void> write_belief(Time time, EntityId believer, const BoundaryEstimate& belief);
-  Result<void> write_metrics(Time time, EntityId believer,
+  Result<void> write(const MissionFigures& row);
+  Result<void> write_truth(Time time, std::uint32_t phenomenon, const geo::Region& truth);
+  Result<void> write_belief(Time time, const Believer& who,
+                            const BoundaryEstimate& belief);
+  Result<void> write_metrics(Time time, const Believer& who,
                              const PerimeterMetrics& metrics);
   /// Writes the summary and merges the log into the file. Outside of transactions.
   Result<void> finish(const RunSummary& summary);
@@ -61,7 +64,7 @@ class RunDatabase {
   }
 
   Sqlite sqlite_;
-  Statement meta_, task_, terrain_, perimeter_, metrics_, summary_;
+  Statement meta_, task_, terrain_, perimeter_, metrics_, mission_metrics_, summary_;
   std::array<Statement, std::variant_size_v<Record>> records_;  // by index
 };
 

@@ -57,7 +57,7 @@ class Reader {
          {&Reader::schema, &Reader::meta, &Reader::entities, &Reader::duration,
           &Reader::events, &Reader::metrics, &Reader::tracks, &Reader::estimates,
           &Reader::readings, &Reader::messages, &Reader::perimeters, &Reader::crossings,
-          &Reader::payload, &Reader::terrain, &Reader::summary})
+          &Reader::payload, &Reader::zones, &Reader::missions, &Reader::terrain, &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -141,20 +141,21 @@ class Reader {
     std::string columns;
     for (const MetricField& field : metric_fields())
       columns += ", " + std::string(field.name) + std::string(field.unit);
-    return rows("SELECT time_s, believer_id" + columns +
-                    " FROM metrics WHERE believer_id ="
-                    " (SELECT believer_id FROM metrics ORDER BY rowid LIMIT 1)",
-                [this](const Statement& row) {
+    std::optional<Believer> first;  // whose metrics are plotted
+    return rows("SELECT time_s, believer_id, mission" + columns + " FROM metrics",
+                [&](const Statement& row) {
                   PerimeterMetrics metrics;
-                  int column = 2;
+                  int column = 3;
                   for (const MetricField& field : metric_fields()) {
                     if (!row.is_null(column)) metrics.*field.value = row.real(column);
                     ++column;
                   }
+                  const Believer who{entity_id(row, 1), row.text(2)};
+                  statistics_.metrics(Time::from_seconds(row.real(0)), who, metrics);
+                  if (!first) first = who;
+                  if (who != *first) return;
                   run_.metric_times.push_back(row.real(0));
                   run_.metrics.push_back(metrics);
-                  statistics_.metrics(Time::from_seconds(row.real(0)), entity_id(row, 1),
-                                      metrics);
                 });
   }
 
@@ -229,12 +230,10 @@ class Reader {
 
   Result<void> perimeters() {
     if (auto done = frames("source = 'truth'", run_.truth); !done) return done;
-    return frames(
-        "source = 'belief' AND believer_id = (SELECT believer_id FROM perimeters"
-        " WHERE source = 'belief' ORDER BY rowid LIMIT 1)",
-        run_.belief);
+    return frames("source = 'belief'", run_.belief);
   }
 
+  // Each with the newest rings of all phenomena, or of all missions.
   Result<void> frames(const std::string& which, std::vector<StoredFrame>& out) {
     std::vector<double> times;
     auto done =
@@ -248,13 +247,53 @@ class Reader {
     for (std::size_t k = 0; k < count; ++k)
       requested.insert(
           times[count == 1 ? times.size() - 1 : k * (times.size() - 1) / (count - 1)]);
-    return rows(
-        "SELECT time_s, data FROM perimeters WHERE " + which + " ORDER BY time_s, ring",
+    using Rings = std::vector<std::vector<float>>;
+    std::map<std::string, std::pair<double, Rings>> newest;  // by whose they are
+    double time = 0;
+    const auto put = [&] {
+      if (newest.empty() || !requested.contains(time)) return;
+      out.push_back({time, {}});
+      for (const auto& [whose, rings] : newest)
+        for (const std::vector<float>& ring : rings.second)
+          out.back().rings.push_back(ring);
+    };
+    done = rows(
+        "SELECT time_s, data, coalesce(phenomenon, believer_id || mission)"
+        " FROM perimeters WHERE " +
+            which + " ORDER BY time_s, ring",
         [&](const Statement& row) {
-          const double time = row.real(0);
-          if (!requested.contains(time)) return;
-          if (out.empty() || out.back().time != time) out.push_back({time, {}});
-          out.back().rings.push_back(float_blob(row, 1));
+          if (row.real(0) != time) put();
+          time = row.real(0);
+          auto& [of, rings] = newest[row.text(2)];
+          if (of != time) rings.clear();
+          of = time;
+          rings.push_back(float_blob(row, 1));
+        });
+    put();
+    return done;
+  }
+
+  Result<void> zones() {
+    return records<ZoneRecord>("ORDER BY time_s", [this](ZoneRecord record) {
+      run_.zones.push_back(std::move(record));
+    });
+  }
+
+  Result<void> missions() {
+    auto done = records<MissionRecord>("ORDER BY time_s", [this](MissionRecord record) {
+      run_.missions.push_back(std::move(record));
+    });
+    if (!done) return done;
+    return rows(
+        "SELECT mission, figure, time_s, value FROM mission_metrics"
+        " ORDER BY mission, figure, time_s",
+        [this](const Statement& row) {
+          auto& all = run_.mission_series;
+          if (all.empty() || all.back().mission != row.text(0) ||
+              all.back().figure != row.text(1))
+            all.push_back({row.text(0), row.text(1), {}, {}});
+          all.back().times.push_back(static_cast<float>(row.real(2)));
+          all.back().values.push_back(static_cast<float>(row.real(3)));
         });
   }
 
@@ -340,6 +379,9 @@ class Reader {
     if (run_.ending == RunEnding::kCutOff) {
       run_.summary.numbers = statistics_.figures();
       run_.summary.numbers["simulated_s"] = run_.duration;
+      for (const StoredSeries& series : run_.mission_series)
+        run_.summary.numbers["mission_" + series.mission + "_" + series.figure] =
+            series.values.back();
     }
     return {};
   }

@@ -32,6 +32,13 @@ struct StoredObject {
   ObjectTrack track;
 };
 
+/// One figure of a mission over time.
+struct StoredSeries {
+  std::string mission, figure;
+  std::vector<float> times;  ///< [s]
+  std::vector<float> values;
+};
+
 /// How a run came to its end.
 enum class RunEnding { kComplete, kInterrupted, kCutOff };
 
@@ -52,6 +59,9 @@ struct StoredRun {
   std::vector<Crossing> crossings;
   std::vector<StoredObject> objects;
   std::vector<Detection> detections;
+  std::vector<ZoneRecord> zones;             ///< in order of time
+  std::vector<MissionRecord> missions;       ///< in order of time
+  std::vector<StoredSeries> mission_series;  ///< by mission, then figure
   std::vector<Event> events;                      ///< in order of time
   int events_left_out = 0;                        ///< more of the most frequent kinds
   double message_bin = 60;                        ///< [s]

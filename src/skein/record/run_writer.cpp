@@ -120,7 +120,7 @@ Result<void> RunWriter::write_batch(std::vector<Row>& batch) {
 
 Result<void> RunWriter::write_rest() {
   if (auto done = database_.begin(); !done) return done;
-  for (const auto& [believer, row] : not_stored_)
+  for (const auto& [who, row] : not_stored_)
     if (row)
       if (auto done = store(*row); !done) return done;
   return database_.commit();
@@ -146,7 +146,15 @@ Result<void> RunWriter::write(Record& record) {
   const auto* message = std::get_if<MessageRecord>(&record);
   if (message)
     if (auto done = write_order(*message); !done) return done;
+  if (auto done = write_mission_figures(); !done) return done;
   return message && !store_messages_ ? Result<void>() : database_.write(record);
+}
+
+// Those that have become due.
+Result<void> RunWriter::write_mission_figures() {
+  for (const MissionFigures& row : statistics_.missions().take_series())
+    if (auto done = database_.write(row); !done) return done;
+  return {};
 }
 
 // The order that a message carries has a table of its own.
@@ -160,30 +168,31 @@ Result<void> RunWriter::write_order(const MessageRecord& record) {
 
 Result<void> RunWriter::write(PerimeterRecord& record) {
   const TrueBoundary truth(record.truth);
+  const Believer who{record.believer, record.mission};
   const PerimeterMetrics metrics =
-      statistics_.perimeter(record.time, truth, record.believer, record.belief);
-  if (auto done = database_.write_metrics(record.time, record.believer, metrics); !done)
-    return done;
-  const EntityId believer = record.believer;
-  const auto stored = belief_stored_.find(believer);
+      statistics_.perimeter(record.time, truth, who, record.belief);
+  if (auto done = database_.write_metrics(record.time, who, metrics); !done) return done;
+  const auto stored = belief_stored_.find(who);
   if (stored == belief_stored_.end() ||
       record.time >= stored->second + perimeter_period_) {
     if (auto done = store(record); !done) return done;
-    not_stored_[believer].reset();
+    not_stored_[who].reset();
   } else {
-    not_stored_[believer] = std::move(record);
+    not_stored_[who] = std::move(record);
   }
   return commit_if_due();
 }
 
 Result<void> RunWriter::store(const PerimeterRecord& record) {
-  belief_stored_[record.believer] = record.time;
-  if (auto done = database_.write_belief(record.time, record.believer, record.belief);
-      !done)
+  const Believer who{record.believer, record.mission};
+  belief_stored_[who] = record.time;
+  if (auto done = database_.write_belief(record.time, who, record.belief); !done)
     return done;
-  if (truth_stored_ == record.time) return {};  // another believer's, of the same time
-  truth_stored_ = record.time;
-  return database_.write_truth(record.time, record.truth);
+  const auto [stored, first] =
+      truth_stored_.try_emplace(record.phenomenon, record.time);
+  if (!first && stored->second == record.time) return {};  // by another mission
+  stored->second = record.time;
+  return database_.write_truth(record.time, record.phenomenon, record.truth);
 }
 
 }  // namespace skein::record

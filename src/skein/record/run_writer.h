@@ -53,6 +53,7 @@ class RunWriter {
   Result<void> write(Row& row);
   Result<void> write(Record& record);
   Result<void> write_order(const MessageRecord& record);
+  Result<void> write_mission_figures();
   Result<void> write(PerimeterRecord& record);
   Result<void> store(const PerimeterRecord& record);
 
@@ -62,9 +63,9 @@ class RunWriter {
   Time perimeter_period_;
   bool store_messages_;
   Clock::time_point transaction_began_;
-  std::optional<Time> truth_stored_;
-  std::map<EntityId, Time> belief_stored_;
-  std::map<EntityId, std::optional<PerimeterRecord>> not_stored_;  // newest per believer
+  std::map<std::uint32_t, Time> truth_stored_;  // of each phenomenon
+  std::map<Believer, Time> belief_stored_;
+  std::map<Believer, std::optional<PerimeterRecord>> not_stored_;  // newest of each
 
   // Shared, under the mutex.
   std::mutex mutex_;

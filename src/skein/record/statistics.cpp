@@ -12,24 +12,38 @@ struct Taker {
   void operator()(const EntityRecord& r) { statistics.entity(r.id, r.name, r.kind); }
   void operator()(const TruthRecord& r) {
     statistics.truth(r.time, r.id, r.state.p_N, r.state.energy.charge);
+    statistics.missions().truth(r.time, r.id, r.state.p_N);
   }
   void operator()(const EstimateRecord& r) {
     statistics.estimate(
         r.nav.time, r.id, r.nav.p_N,
         r.status.follows ? std::optional(r.status.cross_track) : std::nullopt);
     statistics.reserve(r.id, r.status.reserve);
+    statistics.missions().estimate(r.nav.time, r.id, r.nav.p_N, r.status.on_ground);
   }
   void operator()(const FireReading&) { statistics.reading(); }
   void operator()(const Crossing& r) { statistics.crossing(r); }
   void operator()(const MessageRecord& r) { statistics.message(r.lost); }
   void operator()(const PerimeterRecord& r) {
-    statistics.perimeter(r.time, TrueBoundary(r.truth), r.believer, r.belief);
+    statistics.perimeter(r.time, TrueBoundary(r.truth), {r.believer, r.mission},
+                         r.belief);
   }
   void operator()(const Event& r) { statistics.event(r); }
   void operator()(const GroundObject& r) { statistics.payload().object(r); }
-  void operator()(const ObjectMotion& r) { statistics.payload().motion(r); }
-  void operator()(const Detection& r) { statistics.payload().detection(r); }
-  void operator()(const Footprint&) { statistics.payload().footprint(); }
+  void operator()(const ObjectMotion& r) {
+    statistics.payload().motion(r);
+    statistics.missions().motion(r);
+  }
+  void operator()(const Detection& r) {
+    statistics.payload().detection(r);
+    statistics.missions().detection(r);
+  }
+  void operator()(const Footprint& r) {
+    statistics.payload().footprint();
+    statistics.missions().footprint(r);
+  }
+  void operator()(const ObjectBeliefRecord& r) { statistics.missions().belief(r); }
+  void operator()(const MissionRecord& r) { statistics.missions().mission(r); }
   void operator()(const RangeScan&) { statistics.payload().ranges(); }
   // No figures are made of these.
   void operator()(const ZoneRecord&) {}
@@ -80,43 +94,49 @@ void RunStatistics::event(const Event& event) {
 }
 
 PerimeterMetrics RunStatistics::perimeter(Time time, const TrueBoundary& truth,
-                                          EntityId believer,
+                                          const Believer& who,
                                           const BoundaryEstimate& belief) {
   PerimeterMetrics now = perimeter_metrics(truth, belief);
   if (const auto ages = ages_.ages(time, truth, belief)) {
     now.latency_mean = ages->mean;
     now.latency_max = ages->max;
   }
-  metrics(time, believer, now);
+  metrics(time, who, now);
   return now;
 }
 
-void RunStatistics::metrics(Time time, EntityId believer, const PerimeterMetrics& now) {
-  if (!believer_) believer_ = believer;
-  if (*believer_ != believer) return;
+void RunStatistics::metrics(Time time, const Believer& who, const PerimeterMetrics& now) {
+  auto found = std::find_if(gathered_.begin(), gathered_.end(),
+                            [&](const auto& each) { return each.first == who; });
+  if (found == gathered_.end())
+    found = gathered_.insert(found, {who, Gathering(metric_fields().size())});
   last_metrics_ = time;
   const bool allocated = allocation_start_ && time >= *allocation_start_;
-  for (std::size_t i = 0; i < gathered_.size(); ++i) {
+  for (std::size_t i = 0; i < metric_fields().size(); ++i) {
+    Gathered& gathered = found->second[i];
     const std::optional<double> value = now.*metric_fields()[i].value;
-    gathered_[i].final = value;
+    gathered.final = value;
     if (!value) continue;
-    gathered_[i].run.add(*value);
-    if (allocated) gathered_[i].allocation.add(*value);
+    gathered.run.add(*value);
+    if (allocated) gathered.allocation.add(*value);
   }
 }
 
 std::map<std::string, double> RunStatistics::figures() const {
   std::map<std::string, double> out;
-  const auto put = [&out](const MetricField& field, const char* part, double value) {
-    out[std::string(field.name) + part + std::string(field.unit)] = value;
-  };
-  for (std::size_t i = 0; i < gathered_.size(); ++i) {
-    const MetricField& field = metric_fields()[i];
-    const Gathered& g = gathered_[i];
-    if (g.allocation.count > 0)
-      put(field, "_mean", g.allocation.sum / g.allocation.count);
-    if (g.run.count > 0) put(field, "_run_mean", g.run.sum / g.run.count);
-    if (g.final) put(field, "_final", *g.final);
+  for (const auto& [who, gathering] : gathered_) {
+    const std::string prefix =
+        &gathering == &gathered_.front().second ? "" : "mission_" + who.mission + "_";
+    for (std::size_t i = 0; i < gathering.size(); ++i) {
+      const MetricField& field = metric_fields()[i];
+      const Gathered& g = gathering[i];
+      const auto put = [&](const char* part, double value) {
+        out[prefix + std::string(field.name) + part + std::string(field.unit)] = value;
+      };
+      if (g.allocation.count > 0) put("_mean", g.allocation.sum / g.allocation.count);
+      if (g.run.count > 0) put("_run_mean", g.run.sum / g.run.count);
+      if (g.final) put("_final", *g.final);
+    }
   }
   if (allocation_start_) out["allocation_start_s"] = allocation_start_->seconds();
 
@@ -139,6 +159,7 @@ std::map<std::string, double> RunStatistics::figures() const {
     return flight == flights_.end() ? std::to_string(id.value) : flight->second.name;
   });
   payload_.add_figures(out);
+  missions_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

@@ -9,11 +9,21 @@
 #include "skein/data/record.h"
 #include "skein/record/flight_statistics.h"
 #include "skein/record/metrics.h"
+#include "skein/record/mission/mission_statistics.h"
 #include "skein/record/payload_statistics.h"
 #include "skein/record/reading_ages.h"
 #include "skein/record/summary.h"
 
 namespace skein::record {
+
+/// Whose belief something is: a mission of a ground station.
+struct Believer {
+  EntityId station;
+  std::string mission;
+
+  bool operator==(const Believer&) const = default;
+  auto operator<=>(const Believer&) const = default;
+};
 
 /// Gathers the key figures of a run from its records, in the order of the calls. Shared
 /// by all recorders, so that a figure means the same wherever it comes from.
@@ -31,18 +41,19 @@ class RunStatistics {
   }
   void reserve(EntityId id, double reserve) { flight_statistics_.reserve(id, reserve); }
   PayloadStatistics& payload() { return payload_; }
+  MissionStatistics& missions() { return missions_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
   /// An event of the kind "allocation" starts the allocation phase; those between
   /// "over-confident" and "trusted" bound the time in which the belief is distrusted.
   void event(const Event& event);
-  /// Compares, gathers and returns the metrics with their latencies. The summary is of
-  /// the believer that came first.
-  PerimeterMetrics perimeter(Time time, const TrueBoundary& truth, EntityId believer,
+  /// Compares, gathers and returns the metrics with their latencies.
+  PerimeterMetrics perimeter(Time time, const TrueBoundary& truth, const Believer& who,
                              const BoundaryEstimate& belief);
-  /// Gathers metrics that were computed before (a reader of stored ones).
-  void metrics(Time time, EntityId believer, const PerimeterMetrics& metrics);
+  /// Gathers metrics that were computed before (a reader of stored ones). Figures of the
+  /// mission that came first have no prefix; others `mission_<name>_`.
+  void metrics(Time time, const Believer& who, const PerimeterMetrics& metrics);
 
   /// The figures so far, without those of the clock: counts, distances flown, and
   /// `<metric>_mean`, `_final`, `_run_mean` (before the unit).
@@ -61,6 +72,7 @@ class RunStatistics {
     Mean allocation, run;
     std::optional<double> final;
   };
+  using Gathering = std::vector<Gathered>;  // of each metric field
   struct Flight {
     std::string name;
     std::optional<Vec3> last;
@@ -70,13 +82,13 @@ class RunStatistics {
   std::map<EntityId, Flight> flights_;
   FlightStatistics flight_statistics_;
   PayloadStatistics payload_;
+  MissionStatistics missions_;
   ReadingAges ages_;
-  std::optional<EntityId> believer_;
+  std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs
   std::optional<Time> allocation_start_;
   bool judged_ = false;  // whether the belief agrees with its crossings is known
   std::optional<Time> over_confident_since_;
   Time over_confident_, last_metrics_;
-  std::vector<Gathered> gathered_ = std::vector<Gathered>(metric_fields().size());
   std::uint64_t aircraft_ = 0, observations_ = 0, crossings_ = 0;
   std::uint64_t messages_sent_ = 0, messages_lost_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "skein/data/mission.h"
 #include "skein/role/agent.h"
 
 namespace skein {
@@ -24,6 +25,9 @@ class Mission : public Agent {
  public:
   /// What it needs from now on. Asked once a step.
   virtual MissionDemand demand() const = 0;
+
+  /// What it is to reach, as far as that can be measured from outside.
+  virtual MissionGoal goal() const { return OpenGoal{}; }
 
   /// Nothing is left to do: its aircraft are free.
   virtual bool done() const { return false; }

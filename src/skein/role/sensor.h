@@ -19,7 +19,7 @@ struct SensorView {
   const VehicleState& vehicle;
   const Air& air;  ///< that the vehicle is in
   const Terrain& terrain;
-  const Phenomenon& fire;
+  Phenomena phenomena = {};
   std::span<const VisibleObject> objects = {};
 };
 
@@ -29,7 +29,7 @@ class Sensor {
   virtual ~Sensor() = default;
 
   /// Whether it looks at the world for the agent. Others serve the autopilot, which is
-  /// the only one to get their samples; they see the fire and other objects never.
+  /// the only one to get their samples; they see phenomena and objects never.
   virtual bool payload() const { return false; }
 
   /// Whether it finds objects on the ground.

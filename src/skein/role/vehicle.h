@@ -22,7 +22,7 @@ namespace skein {
 struct Surroundings {
   const Terrain& terrain;
   const WindField& wind;
-  const Phenomenon& fire;
+  Phenomena phenomena = {};
   std::span<const VisibleObject> objects = {};
 };
 

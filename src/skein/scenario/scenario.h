@@ -56,8 +56,8 @@ struct Environment {
   Choice wind{"uniform"};
   Choice turbulence{"none"};
   std::vector<GustEvent> gusts;
-  Choice fire{"thesis"};
-  std::optional<Time> period;  ///< of moving the fire; none: as the fire sensors need
+  std::vector<Choice> phenomena = {{"thesis"}};
+  std::optional<Time> period;  ///< of moving phenomena; none: as the fire sensors need
   std::vector<geo::Ring> zone_rings;  ///< no-fly zones, at all altitudes and times [m]
   std::vector<NoFlightZone> zones;
   std::vector<PlacedObject> objects;

@@ -106,10 +106,13 @@ Fields<Environment> environment_fields() {
             "What each aircraft feels beyond the mean wind.")
       .object("gusts", &T::gusts, gust_fields(), "Single gusts, which all aircraft meet.")
       .items({.at_most = 10000})
-      .kind("fire", &T::fire, "fire", "The true fire.")
+      .kind("phenomena", &T::phenomena, "phenomenon",
+            "True fires, and whatever else grows with a sharp boundary. Sensors and "
+            "missions name them by their number, from 0.")
+      .items({.at_most = 1000})
       .duration_s("period_s", &T::period,
-                  "Time between two steps of the fire. Null: every second, and as often "
-                  "as a sensor looks at the fire and metrics are taken.",
+                  "Time between two steps of phenomena. Null: every second, and as often "
+                  "as a sensor looks at them and metrics are taken.",
                   kPeriod)
       .polygon("zones_m", &T::zone_rings,
                "No-fly zones at all altitudes and times, each a list of its corners.")

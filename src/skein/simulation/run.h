@@ -15,7 +15,7 @@ namespace skein::simulation {
 struct RunOptions {
   Time step = Time::from_seconds(0.1);
   Time duration = Time::from_seconds(3600);
-  Time environment_period = Time::from_seconds(1);  ///< of moving the fire
+  Time environment_period = Time::from_seconds(1);  ///< of moving phenomena
   Time record_period = Time::from_seconds(0.1);     ///< of recording truth and estimates
   Time perimeter_period = Time::from_seconds(5);    ///< of comparing belief and truth
   /// Simulated seconds per second of wall time; 0 = as fast as possible.

@@ -47,7 +47,7 @@ SimulatedVehicle::SimulatedVehicle(VehicleParts parts)
     : parts_(std::move(parts)), working_set_(this, sizeof *this, parts_) {}
 
 SensorView SimulatedVehicle::view(const Surroundings& world, Time now) const {
-  return {now, parts_.state, parts_.air, world.terrain, world.fire, world.objects};
+  return {now, parts_.state, parts_.air, world.terrain, world.phenomena, world.objects};
 }
 
 // A sensor that says nothing goes on measuring: its errors wander, its clock runs, and

@@ -53,10 +53,12 @@ Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
       recorder_(recorder),
       arena_(options.threads),
       objects_(world.objects),
-      states_(world.entities.size()) {}
+      states_(world.entities.size()) {
+  for (const auto& each : world_.phenomena) phenomena_.push_back(each.get());
+}
 
 Surroundings Stepper::surroundings() const {
-  return {*world_.terrain, *world_.wind, *world_.fire, objects_.visible()};
+  return {*world_.terrain, *world_.wind, phenomena_, objects_.visible()};
 }
 
 void Stepper::introduce() {
@@ -69,7 +71,8 @@ void Stepper::introduce() {
 }
 
 Result<void> Stepper::step(Time now) {
-  if (due(now, options_.environment_period)) world_.fire->advance(now);
+  if (due(now, options_.environment_period))
+    for (const auto& each : world_.phenomena) each->advance(now);
   move_objects(now);
   update_presence(now);
   update_parts(now);
@@ -351,9 +354,20 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     Record operator()(const FireReading& reading) { return reading; }
     Record operator()(const Crossing& crossing) { return crossing; }
     Record operator()(const ZoneChange& change) { return ZoneRecord{now, change}; }
-    Record operator()(const BoundaryEstimate& belief) {
-      stepper.sigma_ = rms_sigma(belief);
-      return PerimeterRecord{now, agent, stepper.world_.fire->region(), belief};
+    Record operator()(const PerimeterBelief& belief) {
+      stepper.sigma_ = rms_sigma(belief.boundary);
+      const auto& all = stepper.world_.phenomena;
+      return PerimeterRecord{
+          now, agent,
+          belief.phenomenon < all.size() ? all[belief.phenomenon]->region()
+                                         : geo::Region(),
+          belief.boundary, belief.mission, belief.phenomenon};
+    }
+    Record operator()(const ObjectBelief& belief) {
+      return ObjectBeliefRecord{now, agent, belief};
+    }
+    Record operator()(const MissionChange& change) {
+      return MissionRecord{now, agent, change};
     }
     Record operator()(const PluginRecord& record) { return record; }
     Record operator()(const PlannerChange& change) {

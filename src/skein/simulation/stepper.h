@@ -89,6 +89,7 @@ class Stepper {
   oneapi::tbb::task_arena arena_;
   ObjectMotions objects_;
   std::vector<Vec3> aircraft_places_;
+  std::vector<const Phenomenon*> phenomena_;
   std::vector<EntityState> states_;
   std::vector<Message> arrived_, lost_;
   std::vector<VehicleEvent> vehicle_events_;

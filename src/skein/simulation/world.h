@@ -63,7 +63,7 @@ struct World {
 
   std::unique_ptr<Terrain> terrain;
   std::unique_ptr<CommandedWind> wind;
-  std::unique_ptr<Phenomenon> fire;
+  std::vector<std::unique_ptr<Phenomenon>> phenomena;
   std::unique_ptr<Radio> radio;
   std::vector<Entity> entities;
   std::vector<WorldObject> objects;

@@ -15,7 +15,7 @@ std::string scenario_of(const char* plant, const char* agent) {
   return fmt::format(R"(
 seed: 5
 duration_s: 760
-environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 4, from_deg: 130}}}}
+environment: {{terrain: flat, phenomena: [], wind: {{kind: uniform, speed_mps: 4, from_deg: 130}}}}
 missions: []
 aircraft:
   - name: a
@@ -89,7 +89,7 @@ seed: 9
 duration_s: {}
 environment:
   terrain: flat
-  fire: none
+  phenomena: []
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
   objects: [{{name: walker, position_m: [200, 150], movement: {{kind: even, velocity_mps: [0.8, -0.6]}}}}]
 missions: []
@@ -210,7 +210,7 @@ TEST(AnyTask, RelayStaysHalfWay) {
     SCOPED_TRACE(plant);
     const FlightLog log = fly(fmt::format(R"(
 duration_s: 240
-environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 3, from_deg: 0}}}}
+environment: {{terrain: flat, phenomena: [], wind: {{kind: uniform, speed_mps: 3, from_deg: 0}}}}
 missions: []
 stations: [{{position_m: [0, 1000]}}]
 aircraft:
@@ -287,7 +287,7 @@ TEST(AnyTask, IsPausedResumedCancelledAndHandedOver) {
 TEST(AnyTask, ThatAnotherHasBegunIsFinishedNotRepeated) {
   const FlightLog log = fly(R"(
 duration_s: 900
-environment: {terrain: flat, fire: none, wind: {kind: uniform, speed_mps: 3, from_deg: 0}}
+environment: {terrain: flat, phenomena: [], wind: {kind: uniform, speed_mps: 3, from_deg: 0}}
 missions: []
 aircraft:
   - {name: a, altitude_agl_m: 80, start: {placement: list, positions_m: [[0, 0]]}}
@@ -322,7 +322,7 @@ commands:
 TEST(AnyTask, ThatCannotBeFlownIsRefused) {
   const FlightLog log = fly(R"(
 duration_s: 20
-environment: {terrain: flat, fire: none}
+environment: {terrain: flat, phenomena: []}
 missions: []
 aircraft: [{name: a, agent: scout}]
 commands:

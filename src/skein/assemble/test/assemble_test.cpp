@@ -119,8 +119,8 @@ std::string problems_of(const std::string& text) {
 TEST(Kinds, ReportIncompatibilitiesWithTheirPlace) {
   EXPECT_EQ(
       problems_of("environment:\n"
-                  "  fire:\n"
-                  "    kind: thesis\n"
+                  "  phenomena:\n"
+                  "  - kind: thesis\n"
                   "    start_radius_m: 400\n"
                   "    displacement_m: 500\n"
                   "    rate_error_mps: 0.5\n"
@@ -128,9 +128,9 @@ TEST(Kinds, ReportIncompatibilitiesWithTheirPlace) {
                   "aircraft:\n"
                   "  - plant: {kind: kinematic, airspeed_mps: 1}\n"
                   "  - plant: {kind: kinematic, climb_rate_mps: 25}\n"),
-      "test:5:5 environment.fire.displacement_m: 500 must be below start_radius_m, "
+      "test:5:5 environment.phenomena[0].displacement_m: 500 must be below start_radius_m, "
       "400.\n"
-      "test:7:5 environment.fire.wind_mps: a drift of 2.82843 m/s must be below the "
+      "test:7:5 environment.phenomena[0].wind_mps: a drift of 2.82843 m/s must be below the "
       "minimum spread, 2.5 m/s (rate_mps - rate_error_mps): a stronger one drives the "
       "boundary over its own origin.\n"
       "test:9:30 aircraft[0].plant.climb_rate_mps: 3 must be below the slowest "
@@ -138,15 +138,15 @@ TEST(Kinds, ReportIncompatibilitiesWithTheirPlace) {
       "test:10:30 aircraft[1].plant.climb_rate_mps: 25 must be below the slowest "
       "airspeed, 15 (airspeed_mps times 1 - airspeed_range).\n");
   EXPECT_EQ(
-      problems_of("environment: {fire: {kind: thesis, rate_mps: 1, "
-                  "rate_error_mps: 2}}"),
-      "test:1:49 environment.fire.rate_error_mps: 2 must be at most rate_mps, 1.\n");
+      problems_of("environment: {phenomena: [{kind: thesis, rate_mps: 1, "
+                  "rate_error_mps: 2}]}"),
+      "test:1:55 environment.phenomena[0].rate_error_mps: 2 must be at most rate_mps, 1.\n");
   EXPECT_EQ(
-      problems_of("environment: {fire: {kind: front, rate_mps: 50, "
-                  "marker_spacing_m: 100, ignitions: [{}, {radius_m: 5}]}}"),
-      "test:1:45 environment.fire.rate_mps: 50 must be from 0 to 20. The default is "
+      problems_of("environment: {phenomena: [{kind: front, rate_mps: 50, "
+                  "marker_spacing_m: 100, ignitions: [{}, {radius_m: 5}]}]}"),
+      "test:1:51 environment.phenomena[0].rate_mps: 50 must be from 0 to 20. The default is "
       "0.05.\n"
-      "test:1:89 environment.fire.ignitions[1].radius_m: 5 must be at least a tenth "
+      "test:1:95 environment.phenomena[0].ignitions[1].radius_m: 5 must be at least a tenth "
       "of marker_spacing_m, 10.\n");
 }
 
@@ -301,12 +301,13 @@ TEST(Build, EachSensorOfAnAircraftHasItsOwnErrors) {
     EXPECT_TRUE(built.ok());
     const simulation::World& world = built.value().world;
     const simulation::VehicleParts& vehicle = parts_of(world.entities[1]);
+    const Phenomenon* const phenomena[] = {world.phenomena.front().get()};
     std::vector<std::vector<bool>> all(vehicle.payload.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<SensorSample> samples;
       for (int k = 0; k < 200; ++k)
         vehicle.payload[i]->sample({Time::from_seconds(k), vehicle.state, vehicle.air,
-                                    *world.terrain, *world.fire},
+                                    *world.terrain, phenomena},
                                    samples);
       for (const SensorSample& sample : samples)
         if (const auto* fire = std::get_if<FireSample>(&sample))
@@ -323,7 +324,7 @@ TEST(Build, EachSensorOfAnAircraftHasItsOwnErrors) {
 }
 
 TEST(Run, TheWrittenScenarioGivesTheSameRun) {
-  const Scenario scenario = read("duration_s: 30\nenvironment: {fire: thesis}");
+  const Scenario scenario = read("duration_s: 30\nenvironment: {phenomena: [thesis]}");
   const std::string text = scenario::write_scenario(scenario, kind_table());
   EXPECT_EQ(hash_of(read(text)), hash_of(scenario));
 }

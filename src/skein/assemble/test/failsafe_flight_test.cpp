@@ -53,7 +53,7 @@ duration_s: {}
 environment:
   terrain: flat
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
-  fire: none
+  phenomena: []
 missions: [formation]
 aircraft:
   - plant: {}

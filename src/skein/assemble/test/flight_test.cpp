@@ -34,7 +34,7 @@ environment:
   terrain: flat
   wind: {{kind: uniform, speed_mps: {}, from_deg: 250}}
   turbulence: {}
-  fire: none
+  phenomena: []
 missions: [formation]
 aircraft:
   - plant: {}

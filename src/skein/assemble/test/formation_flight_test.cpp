@@ -35,7 +35,7 @@ std::string crowd() {
   return "seed: 7\nduration_s: 40\nenvironment:\n"
          "  wind: {kind: uniform, speed_mps: 4, from_deg: 200}\n"
          "  turbulence: {kind: dryden, intensity: severe}\n"
-         "  fire: none\nmissions: []\naircraft:" +
+         "  phenomena: []\nmissions: []\naircraft:" +
          group("wing", "fixed-wing", 0) +
          group("glider", "{kind: fixed-wing, aircraft: bixler}", 9) +
          group("quad", "multirotor", 17) + "\n";

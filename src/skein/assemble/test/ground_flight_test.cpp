@@ -14,7 +14,7 @@ std::string scenario_of(const char* plant, const char* agent, const char* more =
   return fmt::format(R"(
 seed: 3
 duration_s: 420
-environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 3, from_deg: 0}}, turbulence: {{kind: dryden, intensity: light}}{}}}
+environment: {{terrain: flat, phenomena: [], wind: {{kind: uniform, speed_mps: 3, from_deg: 0}}, turbulence: {{kind: dryden, intensity: light}}{}}}
 missions: []
 aircraft:
   - name: a
@@ -63,7 +63,7 @@ duration_s: 120
 environment:
   terrain: {{kind: hill, height_m: 300, width_m: 400, centre_m: [0, 0]}}
   wind: {{kind: uniform, speed_mps: 0, from_deg: 0}}
-  fire: none
+  phenomena: []
 missions: []
 aircraft:
   - plant: {{kind: fixed-wing, aircraft: {}}}

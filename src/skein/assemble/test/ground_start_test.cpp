@@ -52,7 +52,7 @@ FlightLog stand(const char* aircraft, bool held) {
   return fly(fmt::format(R"(
 seed: 5
 duration_s: 4.9
-environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: 8, from_deg: 90}}, turbulence: {{kind: dryden, intensity: severe}}}}
+environment: {{terrain: flat, phenomena: [], wind: {{kind: uniform, speed_mps: 8, from_deg: 90}}, turbulence: {{kind: dryden, intensity: severe}}}}
 missions: []
 aircraft:
   - plant: {{kind: fixed-wing, aircraft: {}}}

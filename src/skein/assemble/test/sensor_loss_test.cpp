@@ -33,7 +33,7 @@ FlightLog flown(const Case& c) {
   return fly(fmt::format(R"(
 seed: {}
 duration_s: {}
-environment: {{terrain: flat, fire: none, wind: {{kind: uniform, speed_mps: {}, from_deg: {}}}, turbulence: {{kind: dryden, intensity: light}}}}
+environment: {{terrain: flat, phenomena: [], wind: {{kind: uniform, speed_mps: {}, from_deg: {}}}, turbulence: {{kind: dryden, intensity: light}}}}
 missions: []
 aircraft:
   - plant: {}

@@ -25,7 +25,7 @@ std::unique_ptr<Vehicle> vehicle_of(const Flown& flown) {
   const auto read = scenario::read_scenario_text(
       fmt::format(R"(
 duration_s: 60
-environment: {{terrain: flat, wind: {{kind: uniform, speed_mps: 0}}, fire: none}}
+environment: {{terrain: flat, wind: {{kind: uniform, speed_mps: 0}}, phenomena: []}}
 missions: [formation]
 aircraft:
   - plant: {}

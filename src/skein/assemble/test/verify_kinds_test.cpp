@@ -13,7 +13,7 @@ namespace {
 TEST(EveryKind, KeepsTheContractOfItsRole) {
   // Without a file there is nothing to test.
   const std::set<std::string> kNotTested = {"terrain raster", "wind series", "wind grid",
-                                            "fire recorded", "turbulence none"};
+                                            "phenomenon recorded", "turbulence none"};
   for (const KindVerdict& verdict : verify_kinds(KindRegistry(), "", false)) {
     const std::string name = verdict.role + " " + verdict.kind;
     for (const std::string& violation : verdict.violations)

@@ -6,6 +6,7 @@
 
 #include "skein/assemble/build.h"
 #include "skein/record/content_hash.h"
+#include "skein/record/statistics.h"
 #include "skein/role/agent.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/vehicle.h"
@@ -41,12 +42,15 @@ class NoConsole final : public OperatorConsole {
 
 }  // namespace
 
-FlightLog::FlightLog() : hash_(std::make_unique<record::ContentHash>()) {}
+FlightLog::FlightLog()
+    : hash_(std::make_unique<record::ContentHash>()),
+      statistics_(std::make_unique<record::RunStatistics>()) {}
 FlightLog::FlightLog(FlightLog&&) noexcept = default;
 FlightLog::~FlightLog() = default;
 
 void FlightLog::record(const Record& record) {
   hash_->add(record);
+  statistics_->take(record);
   if (const auto* t = std::get_if<TruthRecord>(&record))
     rows[t->id.value].push_back({t->time, t->state, {}, {}});
   if (const auto* e = std::get_if<EstimateRecord>(&record)) {
@@ -58,10 +62,18 @@ void FlightLog::record(const Record& record) {
   if (const auto* e = std::get_if<Event>(&record)) events.push_back(*e);
   if (const auto* d = std::get_if<Detection>(&record)) detections.push_back(*d);
   if (const auto* s = std::get_if<RangeScan>(&record)) scans.push_back(*s);
+  if (const auto* m = std::get_if<ObjectMotion>(&record)) motions.push_back(*m);
+  if (const auto* f = std::get_if<Footprint>(&record)) footprints.push_back(*f);
 }
 
 std::string FlightLog::hash() const {
   return hash_->hex();
+}
+
+double FlightLog::figure(const std::string& name) const {
+  const auto figures = statistics_->figures();
+  const auto found = figures.find(name);
+  return found == figures.end() ? NAN : found->second;
 }
 
 const Event* FlightLog::find(const std::string& kind, const std::string& text) const {

@@ -19,6 +19,7 @@
 
 namespace skein::record {
 class ContentHash;
+class RunStatistics;
 }
 
 namespace skein::assemble {
@@ -44,6 +45,8 @@ class FlightLog final : public Recorder {
   void record(const Record& record) override;
 
   std::string hash() const;
+  /// A number of the summary; NaN when there is none of that name.
+  double figure(const std::string& name) const;
   /// The first event of that kind and text (empty: any); null when there is none.
   const Event* find(const std::string& kind, const std::string& text = "") const;
   /// All events in words, for messages of tests.
@@ -53,9 +56,12 @@ class FlightLog final : public Recorder {
   std::vector<Event> events;
   std::vector<Detection> detections;
   std::vector<RangeScan> scans;
+  std::vector<ObjectMotion> motions;
+  std::vector<Footprint> footprints;
 
  private:
   std::unique_ptr<record::ContentHash> hash_;
+  std::unique_ptr<record::RunStatistics> statistics_;
 };
 
 /// What a scripted aircraft commands its autopilot, one after the other.

@@ -22,7 +22,7 @@ seed: 5
 duration_s: 400
 environment:
   terrain: flat
-  fire: none
+  phenomena: []
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
   zones: [{}]
 missions: []
@@ -85,7 +85,7 @@ seed: 3
 duration_s: 500
 environment:
   terrain: flat
-  fire: none
+  phenomena: []
   wind: {{kind: uniform, speed_mps: 4, from_deg: 250}}
   turbulence: {{kind: dryden, intensity: light}}
   zones:
@@ -124,7 +124,7 @@ seed: 5
 duration_s: 900
 environment:
   terrain: flat
-  fire: none
+  phenomena: []
   wind: {{kind: uniform, speed_mps: 5, from_deg: 250}}
   zones: [{{name: corner, centre_m: [1500, 0], radius_m: 200, active: false, switches: [{{at_s: 20}}]}}]
 missions: []
@@ -266,7 +266,7 @@ TEST(ZoneFlight, IsTheSameForAnyNumberOfThreads) {
 seed: 5
 duration_s: 90
 environment:
-  fire: none
+  phenomena: []
   zones:
     - {name: one, centre_m: [0, 0], radius_m: 300, active: false,
        switches: [{at_s: 10}, {at_s: 60, on: false}]}

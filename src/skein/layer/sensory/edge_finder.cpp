@@ -14,7 +14,8 @@ void EdgeFinder::sample(const SensorView& view, std::vector<SensorSample>& out) 
   bool seen = false;
   EdgeSample sample;
   sample.time = view.now;
-  for (const geo::Ring& ring : view.fire.region()) {
+  if (options_.phenomenon >= view.phenomena.size()) return;
+  for (const geo::Ring& ring : view.phenomena[options_.phenomenon]->region()) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& from = ring[i];
       const Vec2 edge = ring[(i + 1) % ring.size()] - from;

@@ -16,7 +16,7 @@ void FireSensor::sample(const SensorView& view, std::vector<SensorSample>& out) 
                      options_.look_ahead * geo::unit(geo::yaw(view.vehicle.q_NB));
   const double height = -view.vehicle.p_N.z() - view.terrain.elevation_msl(point);
   if (height > options_.max_height) return;
-  const bool burns = view.fire.inside(point);
+  const bool burns = inside(view.phenomena, options_.phenomenon, point);
   const bool wrong = luck < (burns ? options_.false_out : options_.false_in);
   out.emplace_back(FireSample{view.now, options_.look_ahead, burns != wrong});
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "skein/base/id.h"
 #include "skein/base/random.h"
 #include "skein/layer/sensory/sample_clock.h"
@@ -13,6 +15,7 @@ struct FireSensorOptions {
   double max_height = 1000;  ///< above that point; higher up there are no readings [m]
   double false_in = 0;       ///< probability of "inside" over ground that does not burn
   double false_out = 0;      ///< probability of "outside" over ground that does
+  std::optional<std::uint32_t> phenomenon = {};  ///< that it senses; none: all
 };
 
 /// The cheap in/out sensor: does the ground at one point burn, or has it burnt?

@@ -131,7 +131,8 @@ Violations vehicle_violations(const Make<Vehicle>& make, const WindField& wind) 
   Checks checks;
   const RollingTerrain terrain;
   const GrowingDisc fire(300, 0.1);
-  const Surroundings world{terrain, wind, fire};
+  const Phenomenon* const phenomena[] = {&fire};
+  const Surroundings world{terrain, wind, phenomena};
   Watched one(make(), world, checks), twin(make(), world, checks);
   RandomStream random = draws(42);
   for (int i = 0; i < kCommands * kAnswered; ++i) {

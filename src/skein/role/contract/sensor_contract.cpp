@@ -31,6 +31,7 @@ Violations sensor_violations(const Make<Sensor>& make) {
   const auto sensor = make(), twin = make();
   const RollingTerrain terrain;
   GrowingDisc fire(280, 1);
+  const Phenomenon* const phenomena[] = {&fire};
   const std::vector<VisibleObject> objects = {{1, ObjectClass::kVehicle, {290, 20}}};
   const bool payload = sensor->payload();
   Air air;
@@ -40,7 +41,7 @@ Violations sensor_violations(const Make<Sensor>& make) {
     fire.advance(now);
     const int looks = fire.looks();
     const VehicleState vehicle = in_flight(i);
-    const SensorView view{now, vehicle, air, terrain, fire, objects};
+    const SensorView view{now, vehicle, air, terrain, phenomena, objects};
     const SensorSample others = HeightSample{now, 1.0 * i};  // said before
     std::vector<SensorSample> said = {others}, twin_said = said;
     sensor->sample(view, said);

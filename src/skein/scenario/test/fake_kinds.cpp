@@ -50,7 +50,7 @@ KindTable fake_kinds() {
   };
   add("terrain", defaults.environment.terrain);
   add("wind", defaults.environment.wind);
-  add("fire", defaults.environment.fire);
+  add("phenomenon", defaults.environment.phenomena.front());
   add("radio", defaults.radio);
   add("turbulence", defaults.environment.turbulence);
   for (const Choice& mission : defaults.missions) add("mission", mission);

@@ -179,7 +179,7 @@ inline World make_world(int count, Time delay = Time(), double climb = 0,
   World world;
   world.terrain = std::make_unique<Ground>();
   world.wind = std::make_unique<CommandedWind>(std::make_unique<Calm>());
-  world.fire = std::make_unique<NoFire>();
+  world.phenomena.push_back(std::make_unique<NoFire>());
   world.radio = std::make_unique<Post>(delay);
   const auto plant = std::make_shared<Glider>();
   for (int i = 0; i < count; ++i) {

@@ -92,7 +92,7 @@ class Hungry : public NoFire {
 
 TEST(Run, SaysWhenMemoryRanOut) {
   World world = make_world(1);
-  world.fire = std::make_unique<Hungry>();
+  world.phenomena.front() = std::make_unique<Hungry>();
   Notes notes;
   Silent console;
   const auto outcome = run(world, seconds(10), notes, console);
@@ -113,7 +113,7 @@ class Faulty : public NoFire {
 
 TEST(Run, SaysWhenSkeinItselfHasABug) {
   World world = make_world(1);
-  world.fire = std::make_unique<Faulty>();
+  world.phenomena.front() = std::make_unique<Faulty>();
   Notes notes;
   Silent console;
   const auto outcome = run(world, seconds(10), notes, console);

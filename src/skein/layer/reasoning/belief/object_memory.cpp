@@ -15,19 +15,20 @@ constexpr double kMinSd = 0.5;  // of a sighting: no camera is perfect [m]
 struct RateOfChange {
   double acceleration;  // standard deviation per axis [m/s^2]
   double first_speed;   // the same of the velocity when first seen [m/s]
+  double persistence;   // time constant of the velocity [s]
   double forgotten;     // unseen for so long [s]
 };
 
 RateOfChange rate_of_change(ObjectClass what) {
   switch (what) {
     case ObjectClass::kPerson:
-      return {0.7, 2, 600};
+      return {0.7, 2, 30, 600};
     case ObjectClass::kAnimal:
-      return {1.5, 4, 300};
+      return {1.5, 4, 20, 300};
     case ObjectClass::kVehicle:
-      return {1.5, 10, 300};
+      return {1.5, 10, 30, 300};
     case ObjectClass::kStructure:
-      return {0, 0, math::kInfinity};
+      return {0, 0, 1, math::kInfinity};
   }
   SKEIN_CHECK(false, static_cast<int>(what));
   return {};
@@ -45,11 +46,15 @@ void ObjectMemory::add(const ObjectSighting& sighting) {
   Track& t = at->second;
   const double dt = (sighting.time - t.time).seconds();
   if (dt < 0) return;
-  const double q = rate.acceleration * rate.acceleration;
-  t.position += dt * t.velocity;
-  t.pp += 2 * dt * t.pv + dt * dt * t.vv + q * dt * dt * dt * dt / 4;
-  t.pv += dt * t.vv + q * dt * dt * dt / 2;
-  t.vv += q * dt * dt;
+  const double decay = math::exp(-dt / rate.persistence);
+  const double reach = rate.persistence * (1 - decay);  // of a velocity of 1
+  t.position += reach * t.velocity;
+  t.velocity *= decay;
+  const double noise = rate.acceleration * std::min(dt, rate.persistence);
+  const double step = noise * reach / 2;
+  t.pp += 2 * reach * t.pv + reach * reach * t.vv + step * step;
+  t.pv = decay * (t.pv + reach * t.vv) + step * noise;
+  t.vv = decay * decay * t.vv + noise * noise;
   t.time = sighting.time;
   const double s = t.pp + r;
   const double gain_p = t.pp / s, gain_v = t.pv / s;
@@ -72,8 +77,13 @@ std::optional<ObjectBelief> ObjectMemory::find(std::uint32_t object) const {
   const auto found = objects_.find(object);
   if (found == objects_.end()) return std::nullopt;
   const Track& t = found->second;
-  return ObjectBelief{object,     t.time,          t.position,
-                      t.velocity, std::sqrt(t.pp), std::sqrt(t.vv)};
+  return ObjectBelief{object,
+                      t.time,
+                      t.position,
+                      t.velocity,
+                      std::sqrt(t.pp),
+                      std::sqrt(t.vv),
+                      rate_of_change(t.what).persistence};
 }
 
 }  // namespace skein::reasoning

@@ -10,9 +10,10 @@ namespace skein::reasoning {
 
 /// Remembers the objects that were seen, by oneself or others.
 ///
-/// Each is tracked by a filter of constant velocity, per axis
+/// Each is tracked by a filter, per axis, whose velocity decays: people turn.
 ///
-///   p' = p + v dt,   Q = a^2 [dt^4/4 dt^3/2; dt^3/2 dt^2]
+///   p' = p + v r,  v' = v e^(-dt/T),  r = T (1 - e^(-dt/T))
+///   Q = n^2 [r^2/4  r/2; r/2  1],  n = a min(dt, T)
 ///
 /// with a random acceleration of standard deviation a. How much it changes its motion,
 /// how fast it may be and how long it is remembered unseen follow from its class: people

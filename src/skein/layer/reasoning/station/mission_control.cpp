@@ -47,7 +47,7 @@ std::string bind_names(TaskKind& what, const std::vector<std::string>& names,
 MissionControl::MissionControl(std::vector<PlannedMission> missions,
                                std::unique_ptr<const Allocator> allocator)
     : allocator_(std::move(allocator)) {
-  for (PlannedMission& each : missions) slots_.push_back({std::move(each), {}, {}});
+  for (PlannedMission& each : missions) slots_.push_back({std::move(each), {}, {}, {}});
 }
 
 void MissionControl::begin(OrderServer& orders) {
@@ -64,9 +64,53 @@ void MissionControl::step(const AgentInput& in, OrderServer& orders, AgentOutput
     next_allocation_ = in.now + Time::from_seconds(kAllocationPeriod);
     allocate(in.now, orders, out);
   }
+  record_states(out);
+  const ReadingRouter readings = reading_router();
   for (std::size_t k = 0; k < slots_.size(); ++k)
     if (slots_[k].state == State::kRunning || slots_[k].state == State::kPaused)
-      orders.run(k, *slots_[k].plan.mission, in, out);
+      run(k, readings, in, orders, out);
+}
+
+ReadingRouter MissionControl::reading_router() const {
+  std::vector<ReadingRouter::Watch> watches;
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    const Slot& slot = slots_[k];
+    if (slot.state != State::kRunning && slot.state != State::kPaused) continue;
+    const MissionGoal goal = slot.plan.mission->goal();
+    if (const auto* perimeter = std::get_if<PerimeterGoal>(&goal))
+      watches.push_back({k, perimeter->phenomenon,
+                         slot.plan.mission->demand().place.value_or(Vec2::Zero())});
+  }
+  ReadingRouter router;
+  router.set(std::move(watches));
+  return router;
+}
+
+void MissionControl::run(std::size_t index, const ReadingRouter& readings,
+                         const AgentInput& in, OrderServer& orders, AgentOutput& out) {
+  const std::size_t before = out.records.size();
+  orders.run(index, *slots_[index].plan.mission, readings, in, out);
+  for (std::size_t k = before; k < out.records.size(); ++k)
+    std::visit(
+        [&](auto& record) {
+          if constexpr (requires { record.mission; })
+            record.mission = slots_[index].plan.name;
+        },
+        out.records[k]);
+}
+
+void MissionControl::record_states(AgentOutput& out) {
+  for (Slot& slot : slots_) {
+    if (slot.state == slot.recorded) continue;
+    MissionState state = MissionState::kBegun;
+    if (slot.state == State::kPaused) state = MissionState::kPaused;
+    if (slot.state == State::kOver) state = MissionState::kOver;
+    if (slot.state == State::kRunning && slot.recorded == State::kPaused)
+      state = MissionState::kResumed;
+    slot.recorded = slot.state;
+    out.records.emplace_back(
+        MissionChange{slot.plan.name, state, slot.plan.mission->goal()});
+  }
 }
 
 bool MissionControl::must_begin(const Slot& slot, Time now) const {

@@ -30,7 +30,8 @@ struct PlannedMission {
 ///
 /// An aircraft that is silent stays with its mission, which gets another if it needs one.
 /// Events: "mission" when one begins, is paused, goes on or is over; "allocated" when an
-/// aircraft is given to another mission; "command-refused".
+/// aircraft is given to another mission; "command-refused". Records: MissionChange, and
+/// what missions record, with their names.
 class MissionControl {
  public:
   MissionControl(std::vector<PlannedMission> missions,
@@ -48,7 +49,12 @@ class MissionControl {
     PlannedMission plan;
     State state = State::kWaiting;
     Time begun;
+    State recorded = State::kWaiting;  // the state that records know of
   };
+  void run(std::size_t index, const ReadingRouter& readings, const AgentInput& in,
+           OrderServer& orders, AgentOutput& out);
+  ReadingRouter reading_router() const;
+  void record_states(AgentOutput& out);
   void obey(const Command& command, Time now, OrderServer& orders, AgentOutput& out);
   void obey(const TaskCommand& command, Time now, OrderServer& orders, AgentOutput& out);
   void obey(const TaskChangeCommand& command, Time now, OrderServer& orders,

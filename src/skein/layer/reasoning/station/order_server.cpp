@@ -153,11 +153,20 @@ bool OrderServer::has(const Member& member, std::size_t mission) const {
   return member.holder == Holder::kMission && member.mission == mission;
 }
 
-void OrderServer::run(std::size_t index, Mission& mission, const AgentInput& in,
-                      AgentOutput& out) {
+bool OrderServer::concerns(const Message& message, std::size_t mission,
+                           const ReadingRouter& readings) {
+  const auto* reading = std::get_if<FireReading>(&message.content);
+  if (!reading) return true;
+  const Member* member = find(reading->aircraft);
+  return readings.belongs(*reading, member ? member->mission : std::nullopt, mission);
+}
+
+void OrderServer::run(std::size_t index, Mission& mission, const ReadingRouter& readings,
+                      const AgentInput& in, AgentOutput& out) {
   std::vector<Message> inbox;
   inbox.reserve(in.inbox.size());
-  for (const Message& message : in.inbox) inbox.push_back(renumbered(message, index));
+  for (const Message& message : in.inbox)
+    if (concerns(message, index, readings)) inbox.push_back(renumbered(message, index));
   AgentInput own = in;
   own.inbox = inbox;
   const auto before = static_cast<std::ptrdiff_t>(out.outbox.size());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/layer/reasoning/station/reading_router.h"
 #include "skein/role/mission.h"
 
 namespace skein::reasoning {
@@ -80,8 +81,10 @@ class OrderServer {
   TaskKind rest_of_task(std::size_t member) const;
 
   /// Lets a mission take a step: with the reports of its aircraft in its own numbers, and
-  /// with those of others as of aircraft that do not obey. Orders to others are dropped.
-  void run(std::size_t index, Mission& mission, const AgentInput& in, AgentOutput& out);
+  /// with those of others as of aircraft that do not obey; fire readings as far as they
+  /// are about its perimeter. Orders to others are dropped.
+  void run(std::size_t index, Mission& mission, const ReadingRouter& readings,
+           const AgentInput& in, AgentOutput& out);
 
   /// Sends again what has not been confirmed.
   void resend(Time now, AgentOutput& out);
@@ -92,6 +95,8 @@ class OrderServer {
   void queue(Member& member, Message message, Time now, AgentOutput& out);
   void forward(const NavEstimate& nav, EntityId of, AgentOutput& out) const;
   bool has(const Member& member, std::size_t mission) const;
+  bool concerns(const Message& message, std::size_t mission,
+                const ReadingRouter& readings);
   Message renumbered(const Message& message, std::size_t mission);
   bool may_pass(Message& message, std::size_t mission);
 

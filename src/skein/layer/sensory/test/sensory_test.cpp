@@ -32,10 +32,11 @@ class SquareFire final : public Phenomenon {
 struct World {
   FlatGround ground;
   SquareFire fire;
+  const Phenomenon* phenomena[1] = {&fire};
   VehicleState vehicle;
   Air air;
 
-  SensorView at(Time now) const { return {now, vehicle, air, ground, fire}; }
+  SensorView at(Time now) const { return {now, vehicle, air, ground, phenomena}; }
   std::vector<SensorSample> run(Sensor& sensor, Time tick, int ticks) const {
     std::vector<SensorSample> out;
     for (int i = 0; i < ticks; ++i) sensor.sample(at(tick * i), out);

@@ -18,16 +18,6 @@ class LevelGround final : public Terrain {
   double elevation_;
 };
 
-class NoFire final : public Phenomenon {
- public:
-  void advance(Time) override {}
-  bool inside(const Vec2&) const override { return false; }
-  const geo::Region& region() const override { return region_; }
-
- private:
-  geo::Region region_;
-};
-
 inline Time ms(std::int64_t n) {
   return Time::from_ns(n * 1'000'000);
 }
@@ -35,14 +25,13 @@ inline Time ms(std::int64_t n) {
 /// A vehicle over level ground, asked at even times.
 struct TestWorld {
   LevelGround ground;
-  NoFire fire;
   VehicleState vehicle;
   Air air;
   std::vector<VisibleObject> objects;
 
   SensorView at(Time now) const { return at(now, ground); }
   SensorView at(Time now, const Terrain& terrain) const {
-    return {now, vehicle, air, terrain, fire, objects};
+    return {now, vehicle, air, terrain, {}, objects};
   }
 
   /// What comes out at 0, step, 2 step, ..., (steps - 1) step.

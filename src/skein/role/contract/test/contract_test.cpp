@@ -131,7 +131,7 @@ struct Eraser final : HeightFinder {
 };
 struct Peeper final : HeightFinder {
   void sample(const SensorView& view, std::vector<SensorSample>& out) override {
-    if (view.fire.inside({0, 0})) HeightFinder::sample(view, out);
+    if (inside(view.phenomena, std::nullopt, {0, 0})) HeightFinder::sample(view, out);
   }
 };
 struct Gambler final : HeightFinder {

@@ -1,11 +1,24 @@
 #include "skein/layer/reasoning/mission/patrol/patrol_mission.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "skein/layer/reasoning/planning/tasks/patrol.h"
 
 namespace skein::reasoning {
+
+namespace {
+
+// A point of the line counts as visited from so near, beyond the offset [m]: corners are
+// cut by turns.
+constexpr double kReach = 50;
+
+}  // namespace
+
+MissionGoal PatrolMission::goal() const {
+  return PatrolGoal{patrol_.line, patrol_.closed, std::abs(patrol_.offset) + kReach};
+}
 
 MissionDemand PatrolMission::demand() const {
   MissionDemand demand;

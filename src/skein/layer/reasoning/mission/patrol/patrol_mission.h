@@ -13,6 +13,7 @@ class PatrolMission final : public TeamMission {
       : TeamMission(team), patrol_(patrol) {}
 
   MissionDemand demand() const override;
+  MissionGoal goal() const override;
   bool done() const override { return done_; }
 
  private:

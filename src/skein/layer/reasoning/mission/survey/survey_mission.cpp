@@ -32,6 +32,11 @@ SurveyMission::SurveyMission(const std::vector<EntityId>& team,
       zones_(options_.zones),
       has_lines_(team.size(), false) {}
 
+MissionGoal SurveyMission::goal() const {
+  const Survey& survey = options_.survey;
+  return SurveyGoal{survey.area, survey.holes, survey.swath};
+}
+
 MissionDemand SurveyMission::demand() const {
   MissionDemand demand;
   if (done_) demand.max = 0;

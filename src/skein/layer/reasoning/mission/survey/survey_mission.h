@@ -30,6 +30,7 @@ class SurveyMission final : public TeamMission {
   SurveyMission(const std::vector<EntityId>& team, SurveyMissionOptions options);
 
   MissionDemand demand() const override;
+  MissionGoal goal() const override;
   bool done() const override { return done_; }
 
  private:

@@ -39,6 +39,14 @@ void TrackMission::pursue(const AgentInput& in, AgentOutput& out) {
     if (tracker == team().end() || !tracker->mine) target.tracker.reset();
   }
   assign(in.now, out);
+  record_beliefs(in.now, out);
+}
+
+void TrackMission::record_beliefs(Time now, AgentOutput& out) {
+  if (now < next_record_) return;
+  next_record_ = now + options_.record_period;
+  for (const auto& [object, target] : targets_)
+    if (const auto belief = memory_.find(object)) out.records.emplace_back(*belief);
 }
 
 void TrackMission::listen_for_objects(const AgentInput& in, AgentOutput& out) {

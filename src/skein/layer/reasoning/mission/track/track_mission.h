@@ -14,6 +14,8 @@ struct TrackMissionOptions {
   double radius = 0;        ///< of the circles [m]; 0: as small as the aircraft can
   bool weave = false;       ///< S-turns instead
   double lost_after = 120;  ///< an object unseen for so long is given up [s]
+  /// Between two records of what is believed of the objects.
+  Time record_period = Time::from_seconds(5);
 };
 
 /// Keeps an aircraft with each object that has been seen, as far as it is given some; it
@@ -25,12 +27,14 @@ class TrackMission final : public TeamMission {
       : TeamMission(team), options_(std::move(options)) {}
 
   MissionDemand demand() const override;
+  MissionGoal goal() const override { return TrackGoal{options_.objects}; }
 
  private:
   void pursue(const AgentInput& in, AgentOutput& out) override;
   bool wanted(std::uint32_t object) const;
   void listen_for_objects(const AgentInput& in, AgentOutput& out);
   void assign(Time now, AgentOutput& out);
+  void record_beliefs(Time now, AgentOutput& out);
 
   TrackMissionOptions options_;
   ObjectMemory memory_;
@@ -39,6 +43,7 @@ class TrackMission final : public TeamMission {
     std::optional<EntityId> tracker;
   };
   std::map<std::uint32_t, Target> targets_;
+  Time next_record_;
 };
 
 }  // namespace skein::reasoning

@@ -70,7 +70,7 @@ MissionDemand Coordinator::demand() const {
 void Coordinator::record_belief(Time now, AgentOutput& out) {
   if (now < next_record_) return;
   next_record_ = std::max(next_record_ + options_.record_period, now);
-  out.records.emplace_back(boundary_);
+  out.records.emplace_back(PerimeterBelief{boundary_, options_.phenomenon});
 }
 
 void Coordinator::listen(const AgentInput& in, AgentOutput& out) {

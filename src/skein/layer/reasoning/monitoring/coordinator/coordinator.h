@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct CoordinatorOptions {
   double lost_after = 5;          ///< an aircraft silent for this long is lost [s]
   double late_window = 60;        ///< readings this late still count [s]
   std::vector<Zone> zones;        ///< no-fly zones in force from the start
+  std::uint32_t phenomenon = 0;   ///< whose perimeter: its place in the environment's list
   /// Between two beliefs that are given to be recorded.
   Time record_period = Time::from_seconds(5);
 };
@@ -49,6 +51,7 @@ class Coordinator : public Mission {
 
   void step(const AgentInput& in, AgentOutput& out) override;
   MissionDemand demand() const override;
+  MissionGoal goal() const override { return PerimeterGoal{options_.phenomenon}; }
 
  private:
   // A number that grows and is reported now and then.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "skein/layer/reasoning/planning/tasks/orbit.h"
+#include "skein/layer/reasoning/planning/tasks/standoff.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -15,13 +16,26 @@ constexpr double kTolerance = 5;      // of the distance on a circle [m]
 constexpr double kBesideZones = 1.5;  // of the radius: room for the way to the circle
 constexpr double kRoom = 1.02;        // of the smallest circle
 constexpr double kReserve = 1.25;     // of turn radii, for a circle that is to be small
+constexpr double kSlow = 1.15;        // of the minimum airspeed: room for gusts
+
+// What it circles with: no slower than gusts allow.
+FlightLimits circling_limits(FlightLimits limits) {
+  limits.slowest = std::min(kSlow * limits.slowest, limits.airspeed);
+  return limits;
+}
+
+// Radius of a small circle: flown slowly, with room to correct [m].
+double small_radius(const FlightLimits& limits) {
+  const double slow = limits.slowest > 0 ? circling_limits(limits).slowest : limits.airspeed;
+  return kReserve * planning::turn_radius_at(slow, limits);
+}
 
 }  // namespace
 
 OrbitTask::OrbitTask(const FlightContext& context, const Orbit& order)
     : PlannedTask(context, {}),
       order_(order),
-      radius_(order.radius > 0 ? order.radius : kReserve * context.limits.turn_radius) {}
+      radius_(order.radius > 0 ? order.radius : small_radius(context.limits)) {}
 
 Vec2 OrbitTask::target_at(const TaskStep& step, Time time) const {
   if (order_.object)
@@ -33,7 +47,7 @@ Vec2 OrbitTask::target_at(const TaskStep& step, Time time) const {
 Vec2 OrbitTask::target_velocity(const TaskStep& step) const {
   if (order_.object)
     if (const auto belief = step.beliefs.objects().find(*order_.object))
-      return belief->velocity;
+      return belief->velocity_at(step.in.now);
   return Vec2::Zero();
 }
 
@@ -70,7 +84,7 @@ PlannedTask::Part OrbitTask::plan_part(const Start& start, const TaskStep& step)
   query.altitude_msl = -start.state.p_N.z();
   query.start_time = start.time;
   query.start = start.state;
-  query.limits = start.limits;
+  query.limits = circling_limits(start.limits);
   query.wind = start.wind;
   planning::OrbitResult result = planning::plan_orbit(query);
   if (result.outcome == planning::OrbitOutcome::kRadiusTooSmall &&

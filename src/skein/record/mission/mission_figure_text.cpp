@@ -1,0 +1,49 @@
+#include "skein/record/mission/mission_figure_text.h"
+
+#include <array>
+
+namespace skein::record {
+namespace {
+
+struct FigureText {
+  std::string_view figure, text;
+};
+
+constexpr std::array kTexts = std::to_array<FigureText>(
+    {{"begun_s", "began at [s]"},
+     {"took_s", "took [s]"},
+     {"seen", "share of the area seen"},
+     {"seen_95_s", "95 % of it seen after [s]"},
+     {"seen_all_s", "all of it seen after [s]"},
+     {"found", "objects found"},
+     {"in_view", "share of time in view, mean"},
+     {"in_view_worst", "share of time in view, least"},
+     {"error_rms_m", "error of believed places, RMS [m]"},
+     {"error_max_m", "error of believed places, largest [m]"},
+     {"visited", "share of the line visited"},
+     {"age_max_s", "oldest visit ago [s]"},
+     {"revisit_mean_s", "time between visits, mean [s]"},
+     {"revisit_max_s", "time between visits, longest [s]"}});
+
+}  // namespace
+
+std::string_view mission_figure_text(std::string_view figure) {
+  for (const FigureText& each : kTexts)
+    if (each.figure == figure) return each.text;
+  return {};
+}
+
+std::optional<std::string> mission_number_text(std::string_view name) {
+  constexpr std::string_view kPrefix = "mission_";
+  if (!name.starts_with(kPrefix)) return std::nullopt;
+  name.remove_prefix(kPrefix.size());
+  for (const FigureText& each : kTexts) {
+    if (!name.ends_with(each.figure) || name.size() < each.figure.size() + 2) continue;
+    const std::size_t mission = name.size() - each.figure.size() - 1;
+    if (name[mission] != '_') continue;
+    return std::string(name.substr(0, mission)) + ": " + std::string(each.text);
+  }
+  return std::nullopt;
+}
+
+}  // namespace skein::record
