@@ -30,9 +30,9 @@ Result<planning::MovingTarget> target_of(const PlanOrbitArguments& arguments,
   target.at = {arguments.setting.start_time, place.value()};
   if (arguments.velocity.empty()) return target;
   const auto v =
-      numbers_of("--target-velocity", arguments.velocity, 2, 2, "EAST,NORTH in m/s");
+      numbers_of("--target-velocity", arguments.velocity, 2, 2, "NORTH,EAST in m/s");
   if (!v) return v.error();
-  target.velocity = {v.value()[1], v.value()[0]};
+  target.velocity = {v.value()[0], v.value()[1]};
   return target;
 }
 

@@ -102,8 +102,8 @@ Json about_path(const PlannedPath& path, double seconds) {
   about["expansions"] = path.expansions;
   about["planning_s"] = seconds;
   if (path.alternative)
-    about["alternative"] = {{"east_m", path.alternative->p_N.y()},
-                            {"north_m", path.alternative->p_N.x()},
+    about["alternative"] = {{"north_m", path.alternative->p_N.x()},
+                            {"east_m", path.alternative->p_N.y()},
                             {"altitude_m", 0.0 - path.alternative->p_N.z()}};
   return about;
 }
@@ -143,12 +143,12 @@ std::string out_of_band(const PlanPathArguments& arguments, const ReadEnds& ends
 std::string reason_of(const PlanPathArguments& arguments, const ReadEnds& ends,
                       const PlannedPath& path) {
   std::string reason = out_of_band(arguments, ends, path.outcome);
-  // The planner may have named the alternative, in its own order of north and east.
+  // The planner may have named the alternative, with all its digits.
   if (reason.empty()) reason = path.reason.substr(0, path.reason.find("; the nearest"));
   if (!path.alternative) return reason;
   const Vec3& p = path.alternative->p_N;
-  return fmt::format("{}. The nearest free place: {} m east, {} m north, at {} m.",
-                     reason, exchange::shown_tenths(p.y()), exchange::shown_tenths(p.x()),
+  return fmt::format("{}. The nearest free place: {} m north, {} m east, at {} m.",
+                     reason, exchange::shown_tenths(p.x()), exchange::shown_tenths(p.y()),
                      exchange::shown_tenths(-p.z()));
 }
 

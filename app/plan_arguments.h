@@ -23,7 +23,7 @@ struct PlanOutput {
 struct PlanSetting {
   std::string origin;  ///< LAT,LON
   std::optional<double> airspeed, turn_radius;
-  std::string wind;                ///< EAST,NORTH [m/s]
+  std::string wind;                ///< NORTH,EAST [m/s]
   std::string wind_from;           ///< SPEED,BEARING_DEG
   std::optional<double> altitude;  ///< above mean sea level [m]
   double start_time = 0;           ///< [s]
@@ -31,7 +31,7 @@ struct PlanSetting {
 
 /// The two ends of a flight.
 struct PlanEnds {
-  std::string from, to;                         ///< EAST,NORTH,HEADING_DEG[,ALTITUDE]
+  std::string from, to;                         ///< NORTH,EAST,HEADING_DEG[,ALTITUDE]
   std::string from_geo, to_geo;                 ///< LAT,LON,HEADING_DEG[,ALTITUDE]
   bool from_course = false, to_course = false;  ///< headings are courses over ground
 };
@@ -44,7 +44,7 @@ struct PlanLimits {
 
 /// Where aircraft start, one for each.
 struct PlanStarts {
-  std::vector<std::string> from;      ///< EAST,NORTH,HEADING_DEG[,ALTITUDE]
+  std::vector<std::string> from;      ///< NORTH,EAST,HEADING_DEG[,ALTITUDE]
   std::vector<std::string> from_geo;  ///< LAT,LON,HEADING_DEG[,ALTITUDE]
 };
 
@@ -112,8 +112,8 @@ struct PlanOrbitArguments {
   PlanStarts starts;
   PlanLimits limits;
   PlanMaps maps;
-  std::string target, target_geo;  ///< EAST,NORTH or LAT,LON at the start time
-  std::string velocity;            ///< EAST,NORTH [m/s]
+  std::string target, target_geo;  ///< NORTH,EAST or LAT,LON at the start time
+  std::string velocity;            ///< NORTH,EAST [m/s]
   std::string kind = "circle", side = "either";
   double radius = 150, error = 1, duration = 300;
   PlanOutput output;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFarthest = 1e6;   // from the origin [m]
 constexpr double kHighest = 20000;  // [m]
-constexpr const char* kLocalForm = "EAST,NORTH,HEADING_DEG[,ALTITUDE], metres";
+constexpr const char* kLocalForm = "NORTH,EAST,HEADING_DEG[,ALTITUDE], metres";
 constexpr const char* kGeoForm = "LAT,LON,HEADING_DEG[,ALTITUDE], degrees and metres";
 
 Error wrong(const std::string& option, const std::string& message,
@@ -35,9 +35,9 @@ Result<Vec2> wind_of(const PlanSetting& given) {
   if (!given.wind.empty() && !given.wind_from.empty())
     return wrong("--wind", "given with --wind-from; one of them is allowed.");
   if (!given.wind.empty()) {
-    const auto n = numbers_of("--wind", given.wind, 2, 2, "EAST,NORTH in m/s");
+    const auto n = numbers_of("--wind", given.wind, 2, 2, "NORTH,EAST in m/s");
     if (!n) return n.error();
-    return Vec2(n.value()[1], n.value()[0]);
+    return Vec2(n.value()[0], n.value()[1]);
   }
   if (given.wind_from.empty()) return Vec2(0, 0);
   const auto n = numbers_of("--wind-from", given.wind_from, 2, 2,
@@ -75,7 +75,7 @@ Result<model::AirMotion> air_of(const PlanSetting& given) {
 // The first two numbers as a place in the plane.
 Result<Vec2> plane_point(const std::string& option, bool in_metres,
                          const std::vector<double>& n, const ReadSetting& setting) {
-  Vec2 p(n[1], n[0]);
+  Vec2 p(n[0], n[1]);
   if (!in_metres) {
     const auto place = geodetic(option, n);
     if (!place) return place.error();
@@ -199,11 +199,11 @@ Result<Vec2> read_point(const std::string& name, const std::string& local,
   const std::string option = "--" + name, geo_option = option + "-geo";
   if (local.empty() == geographic.empty())
     return wrong(option, local.empty() ? "is needed." : "given with " + geo_option + ".",
-                 fmt::format("Give {} EAST,NORTH or {} LAT,LON.", option, geo_option));
+                 fmt::format("Give {} NORTH,EAST or {} LAT,LON.", option, geo_option));
   const bool in_metres = !local.empty();
   const auto n =
       numbers_of(in_metres ? option : geo_option, in_metres ? local : geographic, 2, 2,
-                 in_metres ? "EAST,NORTH, metres" : "LAT,LON, degrees");
+                 in_metres ? "NORTH,EAST, metres" : "LAT,LON, degrees");
   if (!n) return n.error();
   return plane_point(in_metres ? option : geo_option, in_metres, n.value(), setting);
 }

@@ -51,7 +51,7 @@ Result<std::vector<ReadState>> read_states(const std::string& name,
                                            const std::vector<std::string>& geographic,
                                            const ReadSetting& setting);
 
-/// A point, from the text of `--name` (EAST,NORTH) or of `--name-geo` (LAT,LON).
+/// A point, from the text of `--name` (NORTH,EAST) or of `--name-geo` (LAT,LON).
 Result<Vec2> read_point(const std::string& name, const std::string& local,
                         const std::string& geographic, const ReadSetting& setting);
 

@@ -34,7 +34,7 @@ void add_setting(CLI::App& command, PlanSetting& setting) {
                   "The smallest, in the air mass, in metres.")
       ->check(number_in(0.01, 1e5));
   command.add_option("--wind", setting.wind,
-                     "EAST,NORTH in m/s: the air's velocity. Default: none.");
+                     "NORTH,EAST in m/s: the air's velocity. Default: none.");
   command.add_option("--wind-from", setting.wind_from,
                      "SPEED,BEARING_DEG: the same by its speed and where it comes from.");
   command

@@ -38,7 +38,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 }
 
 Json place(const Vec3& p) {
-  return {{"east_m", p.y()}, {"north_m", p.x()}, {"altitude_m", 0.0 - p.z()}};
+  return {{"north_m", p.x()}, {"east_m", p.y()}, {"altitude_m", 0.0 - p.z()}};
 }
 
 Json element_json(const FlightElement& e) {
@@ -74,8 +74,8 @@ void print_plan(const exchange::NamedPlan& plan) {
         exchange::shown_time(model::duration(plan.plan)),
         exchange::shown_length(model::ground_length(plan.plan)));
   print(
-      "   #  element       start s    time s  length m  heading deg        east m    "
-      "north m  altitude m\n");
+      "   #  element       start s    time s  length m  heading deg       north m     "
+      "east m  altitude m\n");
   for (std::size_t k = 0; k < plan.plan.size() && k < kMaxRows; ++k) {
     const FlightElement& e = plan.plan[k];
     print(
@@ -83,7 +83,7 @@ void print_plan(const exchange::NamedPlan& plan) {
         k + 1, exchange::kind_of(e), e.start, e.duration, model::ground_length(e),
         exchange::shown_bearing(e.heading),
         exchange::shown_bearing(model::end_of(e).heading),
-        exchange::shown_tenths(e.p_N.y()), exchange::shown_tenths(e.p_N.x()),
+        exchange::shown_tenths(e.p_N.x()), exchange::shown_tenths(e.p_N.y()),
         exchange::shown_tenths(-e.p_N.z()));
   }
   if (plan.plan.size() > kMaxRows)

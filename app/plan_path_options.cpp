@@ -9,10 +9,10 @@ namespace skein::app {
 namespace {
 
 constexpr const char* kConnectExamples = R"(
-Places are metres to east and north, headings degrees clockwise from north.
+Places are NORTH,EAST in metres, headings degrees clockwise from north.
 
 Examples:
-  skein plan connect --from 0,0,90 --to 600,400,0 --airspeed 15 --turn-radius 60
+  skein plan connect --from 0,0,90 --to 400,600,0 --airspeed 15 --turn-radius 60
   skein plan connect --from-geo 50.05,14.4,90 --to-geo 50.06,14.42,0 --airspeed 15 \
       --turn-radius 60 --wind-from 5,270 --altitude-m 400 --out flight.plan --out flight.html
   skein plan connect --batch cases.csv > answers.csv
@@ -26,8 +26,8 @@ Examples:
       --turn-radius 60 --time-limit-ms 500      coordinates in metres)";
 
 void add_ends(CLI::App& command, PlanEnds& ends) {
-  command.add_option("--from", ends.from, "EAST,NORTH,HEADING_DEG[,ALTITUDE] in metres.");
-  command.add_option("--to", ends.to, "EAST,NORTH,HEADING_DEG[,ALTITUDE] in metres.");
+  command.add_option("--from", ends.from, "NORTH,EAST,HEADING_DEG[,ALTITUDE] in metres.");
+  command.add_option("--to", ends.to, "NORTH,EAST,HEADING_DEG[,ALTITUDE] in metres.");
   command.add_option("--from-geo", ends.from_geo,
                      "LAT,LON,HEADING_DEG[,ALTITUDE]; the origin, unless --origin is.");
   command.add_option("--to-geo", ends.to_geo, "LAT,LON,HEADING_DEG[,ALTITUDE].");

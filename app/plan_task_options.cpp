@@ -12,7 +12,7 @@ constexpr const char* kCoverageExamples = R"(
 Examples:
   skein plan coverage --area field.geojson --origin 50.05,14.40 --swath-m 80 --airspeed 15 \
       --turn-radius 60 --wind-from 5,270 --altitude-m 400 --out survey.plan --out survey.html
-  skein plan coverage --area field.geojson --from 0,0,0 --from 50,0,0 --return \
+  skein plan coverage --area field.geojson --from 0,0,0 --from 0,50,0 --return \
       --swath-m 80 --airspeed 15 --turn-radius 60      two aircraft, coordinates in metres)";
 
 constexpr const char* kPatrolExamples = R"(
@@ -22,21 +22,21 @@ Examples:
 
 constexpr const char* kOrbitExamples = R"(
 Examples:
-  skein plan orbit --target 800,600 --from 0,0,90 --radius-m 150 --airspeed 15 \
+  skein plan orbit --target 600,800 --from 0,0,90 --radius-m 150 --airspeed 15 \
       --turn-radius 60 --wind-from 4,300 --out orbit.svg
-  skein plan orbit --target 800,600 --target-velocity 6,0 --kind weave --from 0,0,90 \
+  skein plan orbit --target 600,800 --target-velocity 0,6 --kind weave --from 0,0,90 \
       --airspeed 15 --turn-radius 60)";
 
 constexpr const char* kRendezvousExamples = R"(
 Examples:
-  skein plan rendezvous --from 0,0,0 --to 900,900,90 --from 2000,0,0 --to 950,900,90 \
+  skein plan rendezvous --from 0,0,0 --to 900,900,90 --from 0,2000,0 --to 900,950,90 \
       --airspeed 15 --slowest 13 --fastest 18 --turn-radius 60)";
 
 // What all tasks have: where aircraft start, and how they fly.
 template <class Arguments>
 void add_flight(CLI::App& command, Arguments& given) {
   add_repeated(command, "--from", given.starts.from,
-               "EAST,NORTH,HEADING_DEG[,ALTITUDE] in metres; one for each aircraft.");
+               "NORTH,EAST,HEADING_DEG[,ALTITUDE] in metres; one for each aircraft.");
   add_repeated(command, "--from-geo", given.starts.from_geo,
                "LAT,LON,HEADING_DEG[,ALTITUDE]; the first is the origin, unless --origin "
                "is.");
@@ -122,10 +122,10 @@ CLI::App* add_patrol(CLI::App& plan, PlanPatrolArguments& given) {
 CLI::App* add_orbit(CLI::App& plan, PlanOrbitArguments& given) {
   CLI::App& command =
       *plan.add_subcommand("orbit", "Circles or S-turns over a target that may move.");
-  command.add_option("--target", given.target, "EAST,NORTH in metres, at the start.");
+  command.add_option("--target", given.target, "NORTH,EAST in metres, at the start.");
   command.add_option("--target-geo", given.target_geo, "LAT,LON, at the start.");
   command.add_option("--target-velocity", given.velocity,
-                     "EAST,NORTH in m/s; default: it stays.");
+                     "NORTH,EAST in m/s; default: it stays.");
   add_flight(command, given);
   add_speeds(command, given.limits);
   add_checked(command, given.maps);
@@ -152,7 +152,7 @@ CLI::App* add_rendezvous(CLI::App& plan, PlanRendezvousArguments& given) {
       "rendezvous", "Several aircraft at their goals at one time, or in a row.");
   add_flight(command, given);
   add_repeated(command, "--to", given.to,
-               "EAST,NORTH,HEADING_DEG[,ALTITUDE] in metres; one for each aircraft.");
+               "NORTH,EAST,HEADING_DEG[,ALTITUDE] in metres; one for each aircraft.");
   add_repeated(command, "--to-geo", given.to_geo, "LAT,LON,HEADING_DEG[,ALTITUDE].");
   add_speeds(command, given.limits);
   add_checked(command, given.maps);

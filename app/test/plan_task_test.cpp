@@ -41,7 +41,7 @@ class PlanTask : public Program {
 TEST_F(PlanTask, PathsKeepOutOfZones) {
   const auto zones = write("zones.geojson", kDiscs).string();
   const std::vector<std::string> ends = {"--from",    "0,0,90",  "--to",
-                                         "2000,0,90", "--zones", zones};
+                                         "0,2000,90", "--zones", zones};
   auto high = ends;
   high.insert(high.end(), {"--altitude-m", "80", "--out", "path.csv", "--out", "p.svg"});
   const auto path = json_of_task("path", high);
@@ -56,8 +56,8 @@ TEST_F(PlanTask, PathsKeepOutOfZones) {
     std::istringstream cells(line);
     std::vector<std::string> c;
     while (std::getline(cells, cell, ',')) c.push_back(cell);
-    EXPECT_GE(std::hypot(std::stod(c[3]) - 1000, std::stod(c[4])), 200 - 0.11) << line;
-    over_low_zone += std::hypot(std::stod(c[3]) - 400, std::stod(c[4])) < 100 ? 1 : 0;
+    EXPECT_GE(std::hypot(std::stod(c[4]) - 1000, std::stod(c[3])), 200 - 0.11) << line;
+    over_low_zone += std::hypot(std::stod(c[4]) - 400, std::stod(c[3])) < 100 ? 1 : 0;
   }
   EXPECT_GT(over_low_zone, 0) << "flown over, above its ceiling";
   const auto tangent = json_of_task("path", [&] {
@@ -72,7 +72,7 @@ TEST_F(PlanTask, PathsKeepOutOfZones) {
 TEST_F(PlanTask, PathsThatCannotBeSayWhy) {
   const auto zones = write("zones.geojson", kDiscs).string();
   const Finished inside =
-      plan("path", {"--from", "1000,50,0", "--to", "2000,0,0", "--zones", zones,
+      plan("path", {"--from", "50,1000,0", "--to", "0,2000,0", "--zones", zones,
                     "--altitude-m", "80", "--json"});
   EXPECT_EQ(inside.status, 2);
   EXPECT_NE(inside.err.find("start-blocked"), std::string::npos) << inside.err;
@@ -84,23 +84,23 @@ TEST_F(PlanTask, PathsThatCannotBeSayWhy) {
             R"({"type":"Polygon","coordinates":[[[0,0],[100,100],[100,0],
                                  [0,90],[0,0]]]})");
   const Finished crossed =
-      plan("path", {"--from", "0,0,0", "--to", "900,0,0", "--zones", crossing.string()});
+      plan("path", {"--from", "0,0,0", "--to", "0,900,0", "--zones", crossing.string()});
   EXPECT_EQ(crossed.status, 2);
   EXPECT_NE(crossed.err.find("feature 0: its ring crosses itself"), std::string::npos)
       << crossed.err;
-  EXPECT_EQ(plan("path", {"--from", "0,0,0", "--to", "900,0,0", "--terrain", "x.tif",
+  EXPECT_EQ(plan("path", {"--from", "0,0,0", "--to", "0,900,0", "--terrain", "x.tif",
                           "--altitude-m", "50"})
                 .status,
             2);
 }
 
 TEST_F(PlanTask, PathsStayInTheirBandOfAltitudes) {
-  const auto path = json_of_task("path", {"--from", "0,0,90,100", "--to", "3000,0,90,100",
+  const auto path = json_of_task("path", {"--from", "0,0,90,100", "--to", "0,3000,90,100",
                                           "--floor-m", "90", "--ceiling-m", "120"});
   for (const auto& element : path["plans"][0]["elements"])
     EXPECT_NEAR(element["start"]["altitude_m"], 105, 15);
   const Finished out =
-      plan("path", {"--from", "0,0,90,80", "--to", "3000,0,90,100", "--floor-m", "90"});
+      plan("path", {"--from", "0,0,90,80", "--to", "0,3000,90,100", "--floor-m", "90"});
   EXPECT_EQ(out.status, 2);
   EXPECT_NE(out.err.find("below --floor-m"), std::string::npos) << out.err;
 }
@@ -108,8 +108,8 @@ TEST_F(PlanTask, PathsStayInTheirBandOfAltitudes) {
 TEST_F(PlanTask, CoverageSweepsTheArea) {
   const auto area = write("field.geojson", kField).string();
   const auto found = json_of_task(
-      "coverage", {"--area", area, "--swath-m", "100", "--from", "0,-100,0", "--from",
-                   "900,-100,0", "--out", "c.html", "--wind-from", "4,200"});
+      "coverage", {"--area", area, "--swath-m", "100", "--from", "-100,0,0", "--from",
+                   "-100,900,0", "--out", "c.html", "--wind-from", "4,200"});
   EXPECT_EQ(found["outcome"], "planned");
   EXPECT_EQ(found["plans"].size(), 2u);
   EXPECT_NEAR(found["area_m2"], 540000, 1);
@@ -125,7 +125,7 @@ TEST_F(PlanTask, CoverageSweepsTheArea) {
 TEST_F(PlanTask, PatrolFollowsTheLine) {
   const auto line = write("pipe.geojson", kPipe).string();
   const auto found =
-      json_of_task("patrol", {"--line", line, "--from=-200,0,90", "--offset-m", "20",
+      json_of_task("patrol", {"--line", line, "--from=0,-200,90", "--offset-m", "20",
                               "--rounds", "2", "--out", "p.svg"});
   EXPECT_EQ(found["outcome"], "planned");
   EXPECT_LE(double(found["largest_deviation_m"]), 20 + 1e-6);
@@ -135,19 +135,19 @@ TEST_F(PlanTask, PatrolFollowsTheLine) {
 
 TEST_F(PlanTask, OrbitKeepsItsDistance) {
   const auto found = json_of_task(
-      "orbit", {"--target", "800,600", "--target-velocity", "2,1", "--from", "0,0,90",
+      "orbit", {"--target", "600,800", "--target-velocity", "1,2", "--from", "0,0,90",
                 "--radius-m", "150", "--wind-from", "3,250", "--out", "o.html"});
   EXPECT_EQ(found["outcome"], "planned");
   EXPECT_LE(double(found["largest_error_m"]), 1 + 1e-9);
   const Finished small =
-      plan("orbit", {"--target", "800,600", "--from", "0,0,90", "--radius-m", "20"});
+      plan("orbit", {"--target", "600,800", "--from", "0,0,90", "--radius-m", "20"});
   EXPECT_EQ(small.status, 2);
   EXPECT_NE(small.err.find("radius-too-small"), std::string::npos) << small.err;
 }
 
 TEST_F(PlanTask, RendezvousIsAtOneTime) {
   const auto found = json_of_task(
-      "rendezvous", {"--from", "0,0,0", "--to", "900,900,90", "--from", "2000,0,0",
+      "rendezvous", {"--from", "0,0,0", "--to", "900,900,90", "--from", "0,2000,0",
                      "--to", "950,950,90", "--slowest", "13", "--fastest", "18"});
   EXPECT_EQ(found["outcome"], "planned");
   EXPECT_NEAR(found["arrivals_s"][0], double(found["arrivals_s"][1]), 1e-6);
@@ -160,7 +160,7 @@ TEST_F(PlanTask, OutputsAreNoInputsAndAreNotGivenTwice) {
   write("pipe.geojson", kPipe);
   fs::create_symlink("zones.geojson", folder_ / "link.geojson");
   const std::vector<std::string> ends = {"--from",   "0,0,0",        "--to",
-                                         "2000,0,0", "--altitude-m", "80"};
+                                         "0,2000,0", "--altitude-m", "80"};
   const auto path = [&](std::vector<std::string> more) {
     more.insert(more.end(), ends.begin(), ends.end());
     return plan("path", more);
@@ -207,7 +207,7 @@ TEST_F(PlanTask, FormatsAreCheckedBeforeAnythingIsPlanned) {
   EXPECT_NE(several.err.find("there are 3"), std::string::npos) << several.err;
   // Nothing is written when one of the formats cannot be.
   const Finished connect =
-      run({"plan", "connect", "--from", "0,0,0", "--to", "500,0,0", "--airspeed", "15",
+      run({"plan", "connect", "--from", "0,0,0", "--to", "0,500,0", "--airspeed", "15",
            "--turn-radius", "60", "--out", "a.csv", "--out", "a.geojson"});
   EXPECT_EQ(connect.status, 2);
   EXPECT_FALSE(fs::exists(folder_ / "a.csv"));
@@ -226,7 +226,7 @@ TEST_F(PlanTask, OthersSayWhatTheyComeInto) {
   const std::vector<std::pair<const char*, std::vector<std::string>>> all = {
       {"patrol", {"--line", line}},
       {"orbit", {"--target", "300,300"}},
-      {"rendezvous", {"--to", "900,300,90"}}};
+      {"rendezvous", {"--to", "300,900,90"}}};
   for (const auto& [task, more] : all) {
     std::vector<std::string> options = {"--from", "0,0,0", "--json", "--zones", far};
     options.insert(options.end(), more.begin(), more.end());
@@ -305,7 +305,7 @@ TEST_F(PlanTask, LimitsOfAltitudeAreSaidAsSuch) {
                             "100", "--ceiling-m", "100"});
   EXPECT_EQ(at_both["outcome"], "found");
   const auto zones = write("zones.geojson", kDiscs).string();
-  const Finished sea = plan("path", {"--from", "1000,0,0", "--to", "2000,0,0", "--zones",
+  const Finished sea = plan("path", {"--from", "0,1000,0", "--to", "0,2000,0", "--zones",
                                      zones, "--altitude-m", "0"});
   EXPECT_EQ(sea.status, 2);
   EXPECT_EQ(sea.err.find("-0.0"), std::string::npos) << sea.err;
@@ -350,7 +350,7 @@ TEST_F(PlanTask, TerrainThatEndsTooEarlyIsSaidWithOptionsOfPlans) {
   if (!fs::exists(raster)) GTEST_SKIP() << "no shared data";
   const Finished off =
       plan("path", {"--origin", "57.18,-7.37", "--from", "0,0,0,500", "--to",
-                    "3500,0,0,500", "--terrain", raster.string()});
+                    "0,3500,0,500", "--terrain", raster.string()});
   EXPECT_EQ(off.status, 2);
   EXPECT_NE(off.err.find("5500 m to each side"), std::string::npos) << off.err;
   EXPECT_EQ(off.err.find("outside: edge"), std::string::npos) << off.err;

@@ -29,33 +29,33 @@ class PlanConnect : public Program {
 };
 
 TEST_F(PlanConnect, SaysTimeAndElements) {
-  const auto plan = json_of({"--from", "0,0,90", "--to", "600,0,90", "--wind", "-5,0"});
+  const auto plan = json_of({"--from", "0,0,90", "--to", "0,600,90", "--wind", "0,-5"});
   EXPECT_NEAR(plan["time_s"], 60, 1e-9) << "600 m against the wind, at 15 - 5 m/s";
   EXPECT_NEAR(plan["length_m"], 600, 1e-9);
   ASSERT_EQ(plan["plans"][0]["elements"].size(), 1u);
   EXPECT_NEAR(plan["plans"][0]["elements"][0]["end"]["east_m"], 600, 1e-9);
-  const Finished shown = connect({"--from", "0,0,90", "--to", "600,0,90"});
+  const Finished shown = connect({"--from", "0,0,90", "--to", "0,600,90"});
   EXPECT_NE(shown.out.find("straight"), std::string::npos) << shown.out;
   EXPECT_NE(shown.out.find("40.00 s"), std::string::npos) << shown.out;
 }
 
 TEST_F(PlanConnect, WordsAreAsOnTheMap) {
   // Heading north, to a place to the west with heading south: a left turn.
-  const auto left = json_of({"--from", "0,0,0", "--to", "-120,0,180"});
+  const auto left = json_of({"--from", "0,0,0", "--to", "0,-120,180"});
   EXPECT_EQ(left["plans"][0]["elements"][0]["kind"], "left turn");
   EXPECT_EQ(std::string(left["word"])[0], 'L');
 }
 
 TEST_F(PlanConnect, WindMayBeGivenByWhereItComesFrom) {
-  const auto a = json_of({"--from", "0,0,10", "--to", "500,300,200", "--wind", "5,0"});
+  const auto a = json_of({"--from", "0,0,10", "--to", "300,500,200", "--wind", "0,5"});
   const auto b =
-      json_of({"--from", "0,0,10", "--to", "500,300,200", "--wind-from", "5,270"});
+      json_of({"--from", "0,0,10", "--to", "300,500,200", "--wind-from", "5,270"});
   EXPECT_NEAR(a["time_s"], double(b["time_s"]), 1e-9);
 }
 
 TEST_F(PlanConnect, CoursesBecomeHeadings) {
   // Course east in a wind from the north: the nose points into it.
-  const auto plan = json_of({"--from", "0,0,90", "--to", "900,0,90", "--wind", "0,-5",
+  const auto plan = json_of({"--from", "0,0,90", "--to", "0,900,90", "--wind", "-5,0",
                              "--from-course", "--to-course"});
   EXPECT_NEAR(plan["plans"][0]["elements"][0]["heading_deg"],
               90 - std::asin(5.0 / 15) * 57.29577951308232, 1e-6);
@@ -64,14 +64,14 @@ TEST_F(PlanConnect, CoursesBecomeHeadings) {
 
 TEST_F(PlanConnect, ClimbsAndArrivesInTime) {
   const auto climb = json_of(
-      {"--from", "0,0,0,100", "--to", "0,300,0,400", "--climb", "2", "--sink", "3"});
+      {"--from", "0,0,0,100", "--to", "300,0,0,400", "--climb", "2", "--sink", "3"});
   // 300 m at 2 m/s; the length is met to 1e-10 turn radii.
   EXPECT_NEAR(double(climb["time_s"]), 150, 1e-8);
   EXPECT_EQ(climb["altitude_case"], "high");
-  const auto later = json_of({"--from", "0,0,0", "--to", "0,600,0", "--arrive-s", "100"});
+  const auto later = json_of({"--from", "0,0,0", "--to", "600,0,0", "--arrive-s", "100"});
   EXPECT_NEAR(later["time_s"], 100, 1e-9);
   const Finished early =
-      connect({"--from", "0,0,0", "--to", "0,600,0", "--arrive-s", "30"});
+      connect({"--from", "0,0,0", "--to", "600,0,0", "--arrive-s", "30"});
   EXPECT_EQ(early.status, 2);
   EXPECT_NE(early.err.find("the soonest is 40 s"), std::string::npos) << early.err;
 }
@@ -81,9 +81,9 @@ TEST_F(PlanConnect, RefusesWhatCannotBe) {
       {{"--from", "0,0,0"}, "--to: is needed"},
       {{"--from", "0,0", "--to", "1,1,1"}, "2 numbers given"},
       {{"--from", "0,0,nan", "--to", "1,1,1"}, "\"nan\" is not a finite number"},
-      {{"--from", "0,0,0", "--to", "5,5,5", "--wind", "15,0"}, "below the airspeed"},
-      {{"--from", "0,0,0", "--to", "2e6,5,5"}, "from the origin"},
-      {{"--from-geo", "95,0,0", "--to", "2,5,5"}, "--from-geo: latitude 95"},
+      {{"--from", "0,0,0", "--to", "5,5,5", "--wind", "0,15"}, "below the airspeed"},
+      {{"--from", "0,0,0", "--to", "5,2e6,5"}, "from the origin"},
+      {{"--from-geo", "95,0,0", "--to", "5,2,5"}, "--from-geo: latitude 95"},
       {{"--from", "0,0,0", "--to-geo", "50,14,5"}, "Give --origin"},
       {{"--from", "0,0,0", "--to", "5,5,5", "--out", "x.pdf"}, "Allowed: .geojson"},
       {{"--from", "0,0,0", "--to", "5,5,5", "--out", "x.kml"}, "Give --origin"},

@@ -8,8 +8,7 @@ constexpr auto kRadiometerNoise =
     static_cast<skein::Purpose>(static_cast<std::uint32_t>(skein::Purpose::kPlugin));
 
 // The share of a disc that burns, from its centre and two circles of equal weight.
-double burning_share(skein::Phenomena fires, const skein::Vec2& centre,
-                     double radius) {
+double burning_share(skein::Phenomena fires, const skein::Vec2& centre, double radius) {
   constexpr int kRings = 2, kPerRing = 6;
   int burning = skein::inside(fires, {}, centre) ? 1 : 0;
   for (int ring = 1; ring <= kRings; ++ring)

@@ -560,5 +560,6 @@ export interface ObjectBelief {
   velocity_east_mps: number | null; // then
   position_sd_m: number | null; // per axis, then
   velocity_sd_mps: number | null; // per axis
+  persistence_s: number | null; // time constant with which the velocity decays
   mission: string; // whose belief it is
 }

@@ -28,7 +28,8 @@ std::vector<Variant> monitoring_cases() {
       {"slow",
        "0.2 m/s with errors up to 0.02 m/s, wind 0.1 m/s that the estimator is not "
        "given, 3,600 s",
-       {"environment.phenomena[0].rate_mps=0.2", "environment.phenomena[0].rate_error_mps=0.02",
+       {"environment.phenomena[0].rate_mps=0.2",
+        "environment.phenomena[0].rate_error_mps=0.02",
         "environment.phenomena[0].wind_mps=[0.0707107, 0.0707107]",
         "missions[0].prior.rate_mps=0.2", "missions[0].prior.rate_sd_mps=0.0116",
         "missions[0].prior.wind_sd_mps=0.1"}},
@@ -40,8 +41,8 @@ std::vector<Variant> monitoring_cases() {
        {"aircraft[0].sensors[0]={kind: gnss, position_sd_m: 2}"}},
       {"sectors",
        "rate random per 6-degree sector (the estimator's prior is too smooth), 1,800 s",
-       {"environment.phenomena[0].rate_sectors=60", "environment.phenomena[0].rate_harmonics=0",
-        "duration_s=1800"}},
+       {"environment.phenomena[0].rate_sectors=60",
+        "environment.phenomena[0].rate_harmonics=0", "duration_s=1800"}},
   };
 }
 

@@ -93,7 +93,8 @@ struct MissionChange {
 
 constexpr auto describe(const MissionChange*) {
   using T = MissionChange;
-  return described<T>({"mission_change"}, "A mission begins, is paused, goes on or is over.",
+  return described<T>({"mission_change"},
+                      "A mission begins, is paused, goes on or is over.",
                       field("mission", &T::mission, "its name"),
                       field("state", &T::state, "what it does"),
                       field("goal", &T::goal, Storage::kJson, "what it is to reach"));

@@ -171,10 +171,10 @@ constexpr auto describe(const PlannerRecord*) {
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
-                            Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
-                            GroundObject, Detection, Footprint, RangeScan, CommandRecord,
-                            PluginRecord, PlannerRecord, ObjectMotion,
-                            ObjectBeliefRecord, MissionRecord>;
+using Record =
+    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
+                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
+                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
+                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord>;
 
 }  // namespace skein

@@ -26,7 +26,7 @@ std::string cell(const std::string& text) {
 
 std::string to_csv(const Document& document, const WritingOptions& options) {
   std::string text =
-      "plan,element,time_s,east_m,north_m,altitude_m,latitude_deg,longitude_deg,"
+      "plan,element,time_s,north_m,east_m,altitude_m,latitude_deg,longitude_deg,"
       "heading_deg,course_deg,airspeed_mps,ground_speed_mps,climb_mps\n";
   const auto out = std::back_inserter(text);
   for (const NamedPlan& plan : document.plans) {
@@ -35,7 +35,7 @@ std::string to_csv(const Document& document, const WritingOptions& options) {
       const Vec3& p = each.moment.p_N;
       const Vec2 over_ground = each.moment.v_N.head<2>();
       fmt::format_to(out, FMT_COMPILE("{},{},{},{},{},{},"), name, each.element,
-                     each.time, p.y(), p.x(), 0.0 - p.z());
+                     each.time, p.x(), p.y(), 0.0 - p.z());
       if (document.frame) {
         const geo::Geodetic at = document.frame->from_plane(p.head<2>());
         fmt::format_to(out, FMT_COMPILE("{},{},"), at.latitude_deg, at.longitude_deg);

@@ -72,8 +72,8 @@ class GeoJsonWriter {
       is["airspeed_mps"] = e.airspeed;
       if (e.turn_rate != 0) is["turn_radius_m"] = e.airspeed / std::abs(e.turn_rate);
       is["climb_mps"] = e.climb_rate;
-      is["wind_east_mps"] = e.wind.y();
       is["wind_north_mps"] = e.wind.x();
+      is["wind_east_mps"] = e.wind.y();
       is["times_s"] = std::move(times);
       is["headings_deg"] = std::move(headings);
       add("LineString", std::move(line), std::move(is));

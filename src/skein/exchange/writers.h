@@ -21,7 +21,7 @@ struct WritingOptions {
 /// Fails: kBadInput without a frame.
 Result<std::string> to_geojson(const Document& document, const WritingOptions& options);
 
-/// A table of moments: plan, element, time_s, east_m, north_m, altitude_m, latitude_deg,
+/// A table of moments: plan, element, time_s, north_m, east_m, altitude_m, latitude_deg,
 /// longitude_deg, heading_deg, course_deg, airspeed_mps, ground_speed_mps, climb_mps.
 /// Latitude and longitude are empty without a frame.
 std::string to_csv(const Document& document, const WritingOptions& options);

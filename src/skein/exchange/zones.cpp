@@ -36,9 +36,9 @@ Result<void> check_rings(const MapFeature& feature) {
     if (const auto crossing = geo::self_crossing(*ring))
       return refused(
           feature,
-          fmt::format("its ring crosses itself {:.1f} m east and {:.1f} m north "
+          fmt::format("its ring crosses itself {:.1f} m north and {:.1f} m east "
                       "of the origin; rings without crossings are allowed.",
-                      crossing->point.y(), crossing->point.x()),
+                      crossing->point.x(), crossing->point.y()),
           "Give the parts as areas of their own.");
   return {};
 }

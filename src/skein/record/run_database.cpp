@@ -32,7 +32,8 @@ std::string values(std::size_t count) {
 }
 
 std::string metrics_schema() {
-  std::string sql = "CREATE TABLE metrics (time_s REAL, believer_id INTEGER, mission TEXT";
+  std::string sql =
+      "CREATE TABLE metrics (time_s REAL, believer_id INTEGER, mission TEXT";
   for (const MetricField& field : metric_fields())
     sql += ", " + std::string(field.name) + std::string(field.unit) + " REAL";
   return sql + ");";
@@ -169,10 +170,9 @@ Result<void> RunDatabase::write_truth(Time time, std::uint32_t phenomenon,
   for (std::size_t r = 0; r < truth.size(); ++r) {
     floats.clear();
     columns::put_floats(truth[r], floats);
-    auto done =
-        insert(perimeter_, time.seconds(), "truth", phenomenon, nullptr, nullptr,
-               static_cast<std::int64_t>(r), static_cast<std::int64_t>(truth[r].size()),
-               bytes(floats));
+    auto done = insert(perimeter_, time.seconds(), "truth", phenomenon, nullptr, nullptr,
+                       static_cast<std::int64_t>(r),
+                       static_cast<std::int64_t>(truth[r].size()), bytes(floats));
     if (!done) return done;
   }
   return {};
@@ -184,8 +184,8 @@ Result<void> RunDatabase::write_belief(Time time, const Believer& who,
   for (std::size_t r = 0; r < belief.rings.size(); ++r) {
     floats.clear();
     columns::put_floats(belief.rings[r], floats);
-    auto done = insert(perimeter_, time.seconds(), "belief", nullptr,
-                       who.station.value, who.mission, static_cast<std::int64_t>(r),
+    auto done = insert(perimeter_, time.seconds(), "belief", nullptr, who.station.value,
+                       who.mission, static_cast<std::int64_t>(r),
                        static_cast<std::int64_t>(belief.rings[r].size()), bytes(floats));
     if (!done) return done;
   }

@@ -10,8 +10,8 @@
 
 #include "skein/record/metrics.h"
 #include "skein/record/rows.h"
-#include "skein/record/statistics.h"
 #include "skein/record/sqlite.h"
+#include "skein/record/statistics.h"
 #include "skein/record/summary.h"
 
 namespace skein::record {

@@ -57,7 +57,8 @@ class Reader {
          {&Reader::schema, &Reader::meta, &Reader::entities, &Reader::duration,
           &Reader::events, &Reader::metrics, &Reader::tracks, &Reader::estimates,
           &Reader::readings, &Reader::messages, &Reader::perimeters, &Reader::crossings,
-          &Reader::payload, &Reader::zones, &Reader::missions, &Reader::terrain, &Reader::summary})
+          &Reader::payload, &Reader::zones, &Reader::missions, &Reader::terrain,
+          &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }

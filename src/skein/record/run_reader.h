@@ -59,9 +59,9 @@ struct StoredRun {
   std::vector<Crossing> crossings;
   std::vector<StoredObject> objects;
   std::vector<Detection> detections;
-  std::vector<ZoneRecord> zones;             ///< in order of time
-  std::vector<MissionRecord> missions;       ///< in order of time
-  std::vector<StoredSeries> mission_series;  ///< by mission, then figure
+  std::vector<ZoneRecord> zones;                  ///< in order of time
+  std::vector<MissionRecord> missions;            ///< in order of time
+  std::vector<StoredSeries> mission_series;       ///< by mission, then figure
   std::vector<Event> events;                      ///< in order of time
   int events_left_out = 0;                        ///< more of the most frequent kinds
   double message_bin = 60;                        ///< [s]

@@ -188,8 +188,7 @@ Result<void> RunWriter::store(const PerimeterRecord& record) {
   belief_stored_[who] = record.time;
   if (auto done = database_.write_belief(record.time, who, record.belief); !done)
     return done;
-  const auto [stored, first] =
-      truth_stored_.try_emplace(record.phenomenon, record.time);
+  const auto [stored, first] = truth_stored_.try_emplace(record.phenomenon, record.time);
   if (!first && stored->second == record.time) return {};  // by another mission
   stored->second = record.time;
   return database_.write_truth(record.time, record.phenomenon, record.truth);

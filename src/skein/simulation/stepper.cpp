@@ -357,11 +357,14 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     Record operator()(const PerimeterBelief& belief) {
       stepper.sigma_ = rms_sigma(belief.boundary);
       const auto& all = stepper.world_.phenomena;
-      return PerimeterRecord{
-          now, agent,
-          belief.phenomenon < all.size() ? all[belief.phenomenon]->region()
-                                         : geo::Region(),
-          belief.boundary, belief.mission, belief.phenomenon};
+      return PerimeterRecord{now,
+                             agent,
+                             belief.phenomenon < all.size()
+                                 ? all[belief.phenomenon]->region()
+                                 : geo::Region(),
+                             belief.boundary,
+                             belief.mission,
+                             belief.phenomenon};
     }
     Record operator()(const ObjectBelief& belief) {
       return ObjectBeliefRecord{now, agent, belief};

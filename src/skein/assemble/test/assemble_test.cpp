@@ -128,26 +128,29 @@ TEST(Kinds, ReportIncompatibilitiesWithTheirPlace) {
                   "aircraft:\n"
                   "  - plant: {kind: kinematic, airspeed_mps: 1}\n"
                   "  - plant: {kind: kinematic, climb_rate_mps: 25}\n"),
-      "test:5:5 environment.phenomena[0].displacement_m: 500 must be below start_radius_m, "
+      "test:5:5 environment.phenomena[0].displacement_m: 500 must be below "
+      "start_radius_m, "
       "400.\n"
-      "test:7:5 environment.phenomena[0].wind_mps: a drift of 2.82843 m/s must be below the "
+      "test:7:5 environment.phenomena[0].wind_mps: a drift of 2.82843 m/s must be below "
+      "the "
       "minimum spread, 2.5 m/s (rate_mps - rate_error_mps): a stronger one drives the "
       "boundary over its own origin.\n"
       "test:9:30 aircraft[0].plant.climb_rate_mps: 3 must be below the slowest "
       "airspeed, 0.75 (airspeed_mps times 1 - airspeed_range).\n"
       "test:10:30 aircraft[1].plant.climb_rate_mps: 25 must be below the slowest "
       "airspeed, 15 (airspeed_mps times 1 - airspeed_range).\n");
-  EXPECT_EQ(
-      problems_of("environment: {phenomena: [{kind: thesis, rate_mps: 1, "
-                  "rate_error_mps: 2}]}"),
-      "test:1:55 environment.phenomena[0].rate_error_mps: 2 must be at most rate_mps, 1.\n");
-  EXPECT_EQ(
-      problems_of("environment: {phenomena: [{kind: front, rate_mps: 50, "
-                  "marker_spacing_m: 100, ignitions: [{}, {radius_m: 5}]}]}"),
-      "test:1:51 environment.phenomena[0].rate_mps: 50 must be from 0 to 20. The default is "
-      "0.05.\n"
-      "test:1:95 environment.phenomena[0].ignitions[1].radius_m: 5 must be at least a tenth "
-      "of marker_spacing_m, 10.\n");
+  EXPECT_EQ(problems_of("environment: {phenomena: [{kind: thesis, rate_mps: 1, "
+                        "rate_error_mps: 2}]}"),
+            "test:1:55 environment.phenomena[0].rate_error_mps: 2 must be at most "
+            "rate_mps, 1.\n");
+  EXPECT_EQ(problems_of("environment: {phenomena: [{kind: front, rate_mps: 50, "
+                        "marker_spacing_m: 100, ignitions: [{}, {radius_m: 5}]}]}"),
+            "test:1:51 environment.phenomena[0].rate_mps: 50 must be from 0 to 20. The "
+            "default is "
+            "0.05.\n"
+            "test:1:95 environment.phenomena[0].ignitions[1].radius_m: 5 must be at "
+            "least a tenth "
+            "of marker_spacing_m, 10.\n");
 }
 
 TEST(Kinds, HaveRoundDefaultsInTheUnitsOfTheirKeys) {

@@ -20,7 +20,7 @@
 namespace skein::record {
 class ContentHash;
 class RunStatistics;
-}
+}  // namespace skein::record
 
 namespace skein::assemble {
 

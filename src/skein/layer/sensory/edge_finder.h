@@ -6,8 +6,8 @@
 namespace skein::sensory {
 
 struct EdgeFinderOptions {
-  double rate_hz = 1;   ///< samples per second
-  double range = 2000;  ///< boundaries further away are not seen [m]
+  double rate_hz = 1;            ///< samples per second
+  double range = 2000;           ///< boundaries further away are not seen [m]
   std::uint32_t phenomenon = 0;  ///< whose boundary it sees
 };
 

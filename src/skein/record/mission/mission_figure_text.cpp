@@ -9,21 +9,21 @@ struct FigureText {
   std::string_view figure, text;
 };
 
-constexpr std::array kTexts = std::to_array<FigureText>(
-    {{"begun_s", "began at [s]"},
-     {"took_s", "took [s]"},
-     {"seen", "share of the area seen"},
-     {"seen_95_s", "95 % of it seen after [s]"},
-     {"seen_all_s", "all of it seen after [s]"},
-     {"found", "objects found"},
-     {"in_view", "share of time in view, mean"},
-     {"in_view_worst", "share of time in view, least"},
-     {"error_rms_m", "error of believed places, RMS [m]"},
-     {"error_max_m", "error of believed places, largest [m]"},
-     {"visited", "share of the line visited"},
-     {"age_max_s", "oldest visit ago [s]"},
-     {"revisit_mean_s", "time between visits, mean [s]"},
-     {"revisit_max_s", "time between visits, longest [s]"}});
+constexpr std::array kTexts =
+    std::to_array<FigureText>({{"begun_s", "began at [s]"},
+                               {"took_s", "took [s]"},
+                               {"seen", "share of the area seen"},
+                               {"seen_95_s", "95 % of it seen after [s]"},
+                               {"seen_all_s", "all of it seen after [s]"},
+                               {"found", "objects found"},
+                               {"in_view", "share of time in view, mean"},
+                               {"in_view_worst", "share of time in view, least"},
+                               {"error_rms_m", "error of believed places, RMS [m]"},
+                               {"error_max_m", "error of believed places, largest [m]"},
+                               {"visited", "share of the line visited"},
+                               {"age_max_s", "oldest visit ago [s]"},
+                               {"revisit_mean_s", "time between visits, mean [s]"},
+                               {"revisit_max_s", "time between visits, longest [s]"}});
 
 }  // namespace
 

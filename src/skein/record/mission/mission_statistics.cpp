@@ -51,8 +51,12 @@ void MissionStatistics::mission(const MissionRecord& record) {
           for (const ObjectMotion& motion : all) mission.meter->object_moves(motion);
       note(mission, record.time);
       return;
-    case MissionState::kPaused: mission.runs = false; return;
-    case MissionState::kResumed: mission.runs = true; return;
+    case MissionState::kPaused:
+      mission.runs = false;
+      return;
+    case MissionState::kResumed:
+      mission.runs = true;
+      return;
     case MissionState::kOver:
       mission.runs = false;
       mission.over = record.time;
@@ -134,7 +138,8 @@ void MissionStatistics::add_figures(std::map<std::string, double>& figures) cons
     if (mission.over)
       figures[prefix + "took_s"] = (*mission.over - mission.begun).seconds();
     if (!mission.meter) continue;
-    for (const MissionFigure& figure : mission.meter->figures(mission.over.value_or(now_)))
+    for (const MissionFigure& figure :
+         mission.meter->figures(mission.over.value_or(now_)))
       figures[prefix + std::string(figure.name)] = figure.value;
   }
 }

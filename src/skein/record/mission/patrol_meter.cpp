@@ -6,9 +6,9 @@
 namespace skein::record {
 namespace {
 
-constexpr double kSpacing = 25;     // of the points [m]
+constexpr double kSpacing = 25;  // of the points [m]
 constexpr double kMaxPoints = 4000;
-constexpr double kSameVisit = 10;   // [s]
+constexpr double kSameVisit = 10;  // [s]
 
 }  // namespace
 

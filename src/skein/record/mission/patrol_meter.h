@@ -8,10 +8,10 @@
 
 namespace skein::record {
 
-/// How often a line is visited: by points 25 m apart, at each of which a visit begins when
-/// an aircraft comes within reach after nobody was for 10 s. Figures: `visited` (share of
-/// the points), `revisit_mean_s` and `revisit_max_s` (from the end of one visit to the
-/// begin of the next), `age_max_s` (since the oldest last visit).
+/// How often a line is visited: by points 25 m apart, at each of which a visit begins
+/// when an aircraft comes within reach after nobody was for 10 s. Figures: `visited`
+/// (share of the points), `revisit_mean_s` and `revisit_max_s` (from the end of one visit
+/// to the begin of the next), `age_max_s` (since the oldest last visit).
 class PatrolMeter final : public MissionMeter {
  public:
   PatrolMeter(const PatrolGoal& goal, Time begin);

@@ -26,11 +26,11 @@ SurveyMeter::SurveyMeter(const SurveyGoal& goal, Time begin)
   for (int r = 0; r < rows_; ++r)
     for (int c = 0; c < columns_; ++c) {
       const Vec2 middle = low_ + cell_ * Vec2(r + 0.5, c + 0.5);
-      const bool counts = geo::contains(goal.area, middle) &&
-                          std::none_of(goal.holes.begin(), goal.holes.end(),
-                                       [&](const geo::Ring& hole) {
-                                         return geo::contains(hole, middle);
-                                       });
+      const bool counts =
+          geo::contains(goal.area, middle) &&
+          std::none_of(goal.holes.begin(), goal.holes.end(), [&](const geo::Ring& hole) {
+            return geo::contains(hole, middle);
+          });
       cells_.push_back(counts ? Cell::kUnseen : Cell::kOutside);
       if (counts) ++inside_;
     }
@@ -59,9 +59,9 @@ void SurveyMeter::see_around(const Vec2& place) {
     const int begin = std::max(0, static_cast<int>(std::ceil(at.y() - half)));
     const int end = std::min(columns_ - 1, static_cast<int>(std::floor(at.y() + half)));
     for (int c = begin; c <= end; ++c) {
-      Cell& cell = cells_[static_cast<std::size_t>(r) *
-                              static_cast<std::size_t>(columns_) +
-                          static_cast<std::size_t>(c)];
+      Cell& cell =
+          cells_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(c)];
       if (cell != Cell::kUnseen) continue;
       cell = Cell::kSeen;
       ++seen_;

@@ -106,11 +106,15 @@ TEST(TrackFigures, CountTimeInPicturesFromTheFirstDetectionAndErrorsOfTheBelief)
     statistics.truth(at(t), kAircraft, {t, 0, -100});
     // From 20 s on it is in the picture, which is 40 m wide, but for 30 s.
     const double north = t < 20 || (t >= 100 && t < 130) ? t + 100 : t;
-    statistics.footprint({at(t), kAircraft, 0, {Vec2(north + 20, -20), Vec2(north + 20, 20),
-                                             Vec2(north - 20, 20), Vec2(north - 20, -20)}});
+    statistics.footprint({at(t),
+                          kAircraft,
+                          0,
+                          {Vec2(north + 20, -20), Vec2(north + 20, 20),
+                           Vec2(north - 20, 20), Vec2(north - 20, -20)}});
     if (k == 20) statistics.detection({at(t), kAircraft, 0, 3, {t, 1}, 2});
     if (k > 20)
-      statistics.belief({at(t), kStation, {3, at(t - 2), {t - 2, 6}, {1, 0}, 1, 1, 1e9, "m"}});
+      statistics.belief(
+          {at(t), kStation, {3, at(t - 2), {t - 2, 6}, {1, 0}, 1, 1, 1e9, "m"}});
   }
   const auto all = figures(statistics);
   EXPECT_EQ(all.at("mission_m_found"), 1);
@@ -122,8 +126,8 @@ TEST(TrackFigures, CountTimeInPicturesFromTheFirstDetectionAndErrorsOfTheBelief)
 
 TEST(PatrolFigures, MeasureTheTimeBetweenVisits) {
   MissionStatistics statistics;
-  statistics.mission(change(
-      0, MissionState::kBegun, PatrolGoal{{{0, 0}, {1000, 0}, {2000, 0}}, false, 50}));
+  statistics.mission(change(0, MissionState::kBegun,
+                            PatrolGoal{{{0, 0}, {1000, 0}, {2000, 0}}, false, 50}));
   double time = 0;
   fly(statistics, time, {0, 10}, {1000, 10});
   EXPECT_NEAR(figures(statistics)["mission_m_visited"], 0.525, 0.03);

@@ -220,7 +220,8 @@ INSTANTIATE_TEST_SUITE_P(
              "test.yaml:1:20 radio.harmonics: unknown key. The kind "
              "\"joint\" has it, \"qkf\" has not."},
         Case{"environment: {phenomena: [{kind: thesis, speed: 2}]}",
-             "test.yaml:1:42 environment.phenomena[0].speed: unknown key. Known here: kind."},
+             "test.yaml:1:42 environment.phenomena[0].speed: unknown key. Known here: "
+             "kind."},
         Case{"duration_s: \"60\"",
              "test.yaml:1:13 duration_s: found the text \"60\", needs a number above 0 "
              "and at most 4000000. Remove the quotation marks."},

@@ -25,7 +25,7 @@ struct CoordinatorOptions {
   double lost_after = 5;          ///< an aircraft silent for this long is lost [s]
   double late_window = 60;        ///< readings this late still count [s]
   std::vector<Zone> zones;        ///< no-fly zones in force from the start
-  std::uint32_t phenomenon = 0;   ///< whose perimeter: its place in the environment's list
+  std::uint32_t phenomenon = 0;  ///< whose perimeter: its place in the environment's list
   /// Between two beliefs that are given to be recorded.
   Time record_period = Time::from_seconds(5);
 };

@@ -17,6 +17,7 @@ constexpr double kBesideZones = 1.5;  // of the radius: room for the way to the 
 constexpr double kRoom = 1.02;        // of the smallest circle
 constexpr double kReserve = 1.25;     // of turn radii, for a circle that is to be small
 constexpr double kSlow = 1.15;        // of the minimum airspeed: room for gusts
+constexpr double kClearly = 0.85;     // of a radius: so much nearer is worth S-turns
 
 // What it circles with: no slower than gusts allow.
 FlightLimits circling_limits(FlightLimits limits) {
@@ -26,8 +27,25 @@ FlightLimits circling_limits(FlightLimits limits) {
 
 // Radius of a small circle: flown slowly, with room to correct [m].
 double small_radius(const FlightLimits& limits) {
-  const double slow = limits.slowest > 0 ? circling_limits(limits).slowest : limits.airspeed;
+  const double slow =
+      limits.slowest > 0 ? circling_limits(limits).slowest : limits.airspeed;
   return kReserve * planning::turn_radius_at(slow, limits);
+}
+
+// The orbit as asked for; where its circle is too tight for the wind and the target, the
+// smallest one, or S-turns if these stay nearer to the target.
+// @param round  a circle is asked for, of that radius.
+planning::OrbitResult nearest_orbit(planning::OrbitQuery query, bool round) {
+  planning::OrbitResult asked = planning::plan_orbit(query);
+  if (asked.outcome != planning::OrbitOutcome::kRadiusTooSmall || asked.min_radius <= 0)
+    return asked;
+  query.radius = kRoom * asked.min_radius;
+  planning::OrbitResult circle = planning::plan_orbit(query);
+  if (round || query.limits.slowest <= 0) return circle;
+  query.kind = planning::OrbitKind::kWeave;
+  query.limits.airspeed = query.limits.slowest;
+  planning::OrbitResult weave = planning::plan_orbit(query);
+  return !weave.plan.empty() && weave.farthest < kClearly * query.radius ? weave : circle;
 }
 
 }  // namespace
@@ -86,12 +104,7 @@ PlannedTask::Part OrbitTask::plan_part(const Start& start, const TaskStep& step)
   query.start = start.state;
   query.limits = circling_limits(start.limits);
   query.wind = start.wind;
-  planning::OrbitResult result = planning::plan_orbit(query);
-  if (result.outcome == planning::OrbitOutcome::kRadiusTooSmall &&
-      result.min_radius > 0) {
-    query.radius = kRoom * result.min_radius;
-    result = planning::plan_orbit(query);
-  }
+  planning::OrbitResult result = nearest_orbit(query, order_.radius > 0);
   aimed_at_ = step.in.now;
   aim_ = target_at(step, step.in.now);
   aim_velocity_ = query.target.velocity;
