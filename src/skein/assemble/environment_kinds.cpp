@@ -176,9 +176,9 @@ Fields<ThesisFireOptions> thesis_fields() {
                {.at_least = 0, .at_most = 3600})
       .number("harmonic_decay", &T::harmonic_decay,
               "Sizes of harmonics fall as order^-decay.", {.at_least = 0, .at_most = 10})
-      .point("wind_mps", &T::wind,
-             "Drift of every boundary point, towards where it moves.",
-             {.at_least = -50, .at_most = 50})
+      .vector("wind_mps", &T::wind,
+              "Drift of every boundary point, towards where it moves.",
+              {.at_least = -50, .at_most = 50})
       .number("slope_weight", &T::slope_weight,
               "Effect of slope: 1 makes 30 % of rise 30 % of rate.",
               {.at_least = -1, .at_most = 1})

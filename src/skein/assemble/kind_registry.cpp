@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "skein/assemble/map_places.h"
+
 namespace skein::assemble {
 namespace {
 
@@ -58,7 +60,9 @@ scenario::KindTable KindsByRole::described() const {
   return table;
 }
 
-KindRegistry::KindRegistry() : kinds_(own_kinds()), table_(kinds_.described()) {}
+KindRegistry::KindRegistry() : kinds_(own_kinds()), table_(kinds_.described()) {
+  table_.set_feature_reader(feature_points);
+}
 
 Result<void> KindRegistry::add(const KindsByRole& more, const std::string& plugin) {
   scenario::KindTable theirs;

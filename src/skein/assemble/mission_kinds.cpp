@@ -34,9 +34,9 @@ Fields<PerimeterPrior> prior_fields() {
               {.at_least = 0, .at_most = 100})
       .number("rate_sd_mps", &T::rate_sd, "Its standard deviation.",
               {.at_least = 0, .at_most = 100})
-      .point("wind_mps", &T::wind,
-             "Believed drift of the perimeter, towards where it moves.",
-             {.at_least = -100, .at_most = 100})
+      .vector("wind_mps", &T::wind,
+              "Believed drift of the perimeter, towards where it moves.",
+              {.at_least = -100, .at_most = 100})
       .number("wind_sd_mps", &T::wind_sd,
               "Standard deviation of the drift that is not known, per axis.",
               {.at_least = 0, .at_most = 100});
@@ -149,8 +149,8 @@ Fields<FormationChoice> formation_fields() {
           .items({.at_least = 1, .at_most = 10000})
           .integer("laps", &T::laps, "Laps of the route.",
                    {.at_least = 1, .at_most = 1000000})
-          .point("slots_m", &T::slots,
-                 "Places of the followers: ahead of the leader, to its right.")
+          .vector("slots_m", &T::slots,
+                  "Places of the followers: ahead of the leader, to its right.")
           .items({.at_most = 10000})
           .object("leaders", &T::leaders, leader_fields(), "Who leads, in order of time.")
           .items({.at_least = 1, .at_most = 10000})

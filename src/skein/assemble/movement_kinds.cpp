@@ -24,8 +24,8 @@ struct EvenChoice {
 
 Fields<EvenChoice> even_fields() {
   using T = EvenChoice;
-  return Fields<T>().point("velocity_mps", &T::velocity, "How it moves, over ground.",
-                           {.at_least = -100, .at_most = 100});
+  return Fields<T>().vector("velocity_mps", &T::velocity, "How it moves, over ground.",
+                            {.at_least = -100, .at_most = 100});
 }
 
 struct RouteMotionChoice : RouteMotionOptions {

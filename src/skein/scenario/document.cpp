@@ -103,7 +103,10 @@ Reading read_document_text(std::string_view text, const std::string& name,
   const Folders folders{folder, {}};
   if (document.prepare && !document.prepare(*root, folders, problems))
     return finished(problems, document);
-  Reader(kinds, folders, problems).read(Type{ObjectType{document.keys}}, *root, target);
+  std::optional<Places> places;
+  if (document.places) places = document.places(*root, kinds);
+  Reader reader(kinds, folders, places ? &*places : nullptr, problems);
+  reader.read(Type{ObjectType{document.keys}}, *root, target);
   return finished(problems, document);
 }
 

@@ -10,6 +10,7 @@
 
 #include "skein/scenario/kind_table.h"
 #include "skein/scenario/override.h"
+#include "skein/scenario/places.h"
 #include "skein/scenario/problem.h"
 #include "skein/scenario/type.h"
 
@@ -29,6 +30,8 @@ struct Document {
   /// What must be done with the file, changed by overrides, before its keys are read;
   /// false: they are not. May be empty.
   std::function<bool(const Node&, const Folders&, Problems&)> prepare = {};
+  /// Places of such a file besides local metres. May be empty: there are none.
+  std::function<Places(const Node& root, const KindTable& kinds)> places = {};
 };
 
 /// Everything that is wrong with a file.

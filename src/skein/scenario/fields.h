@@ -207,18 +207,25 @@ class Fields : public detail::FieldsBase {
     return add_leaf<Enum>(key, member, help, std::move(type));
   }
 
-  /// `[north, east]`; a Vec2: a place [m], or another pair of north and east.
+  /// A place [m], `[north, east]` or as people have it (places.h); a Vec2.
   template <class Member>
   Fields& point(std::string key, Member member, std::string help,
                 const Range& range = {.at_least = -1e7, .at_most = 1e7}) {
-    return add_leaf<Vec2>(key, member, help, PointType{range});
+    return add_leaf<Vec2>(key, member, help, PointType{range, true});
+  }
+
+  /// `[north, east]`; a Vec2 that is no place: a velocity, an offset.
+  template <class Member>
+  Fields& vector(std::string key, Member member, std::string help,
+                 const Range& range = {.at_least = -1e7, .at_most = 1e7}) {
+    return add_leaf<Vec2>(key, member, help, PointType{range, false});
   }
 
   /// The corners of an area; a geo::Ring of at least three points.
   template <class Member>
   Fields& polygon(std::string key, Member member, std::string help) {
     const TypePtr corner =
-        std::make_shared<Type>(Type{PointType{{.at_least = -1e7, .at_most = 1e7}}});
+        std::make_shared<Type>(Type{PointType{{.at_least = -1e7, .at_most = 1e7}, true}});
     Type ring = *detail::wrap<geo::Ring, Vec2>(corner);
     std::get<ListType>(ring.what).count.at_least = 3;
     return add_leaf<geo::Ring>(key, member, help, std::move(ring.what));

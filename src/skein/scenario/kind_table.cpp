@@ -41,7 +41,7 @@ void check_defaults(const std::string& name, const Object& object) {
     if (field.required || holds_choice(*field.type)) continue;
     std::any copy = object.prototype;
     Node node = to_node(*field.type, field.in(object.defaults()), no_kinds);
-    Reader(no_kinds, {}, problems)
+    Reader(no_kinds, {}, nullptr, problems)
         .read(*field.type, node, field.in(object.content(copy)));
     const std::vector<Problem> found = problems.take();
     SKEIN_CHECK(found.empty(), "bad default:", name, field.key, found.front().text());
@@ -83,7 +83,8 @@ Choice default_choice(const KindTable& kinds, std::string_view role,
                       std::string_view name) {
   Choice choice{std::string(name), {}};
   Problems unused({"defaults"});
-  Reader(kinds, {}, unused).complete(Type{ChoiceType{std::string(role)}}, &choice);
+  Reader(kinds, {}, nullptr, unused)
+      .complete(Type{ChoiceType{std::string(role)}}, &choice);
   return choice;
 }
 

@@ -3,10 +3,12 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skein/scenario/choice.h"
 #include "skein/scenario/fields.h"
+#include "skein/scenario/places.h"
 
 namespace skein::scenario {
 
@@ -41,6 +43,10 @@ class KindTable {
     return add(role, std::move(name), std::move(help), Fields<NoOptions>());
   }
 
+  /// What reads features of map files, for places (places.h). Empty: nothing does.
+  const FeatureReader& feature_reader() const { return feature_reader_; }
+  void set_feature_reader(FeatureReader reader) { feature_reader_ = std::move(reader); }
+
   /// The kinds of a role, in the order of adding; none for an unknown role.
   const std::vector<Kind>& of(std::string_view role) const;
   /// Null when there is none.
@@ -52,6 +58,7 @@ class KindTable {
   void add_kind(const std::string& role, Kind kind);
 
   std::map<std::string, std::vector<Kind>, std::less<>> kinds_;
+  FeatureReader feature_reader_;
 };
 
 /// A kind as a scenario has it that says nothing but its name. It must exist.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/scenario/problem.h"
@@ -42,6 +43,12 @@ struct Node {
     node.kind = kind;
     node.place = place;
     return node;
+  }
+  /// The value of a key of a map; null when it has none.
+  const Node* find(std::string_view key) const {
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (keys[i].text == key) return &items[i];
+    return nullptr;
   }
   /// Adds an entry to a map.
   Node& put(std::string key, Node value, const Place& where = {}) {

@@ -21,12 +21,6 @@ ObjectPtr plugin_key() {
       .description();
 }
 
-const Node* value_of(const Node& root, std::string_view key) {
-  for (std::size_t i = 0; i < root.keys.size(); ++i)
-    if (root.keys[i].text == key) return &root.items[i];
-  return nullptr;
-}
-
 }  // namespace
 
 LoadPlugin plugins_are_loaded() {
@@ -35,14 +29,15 @@ LoadPlugin plugins_are_loaded() {
 
 bool load_plugins(const Node& root, const Folders& folders, const LoadPlugin& load,
                   Problems& problems) {
-  const Node* named = value_of(root, "plugins");
+  const Node* named = root.find("plugins");
   if (named == nullptr) return true;
   const std::size_t before = problems.count();
   Node alone = Node::of(Node::Kind::kMap, root.place);
   alone.put("plugins", *named, named->place);
   PluginList list;
   const KindTable no_kinds;
-  Reader(no_kinds, folders, problems).read(Type{ObjectType{plugin_key()}}, alone, &list);
+  Reader(no_kinds, folders, nullptr, problems)
+      .read(Type{ObjectType{plugin_key()}}, alone, &list);
   if (problems.count() > before) return false;
   for (std::size_t i = 0; i < list.plugins.size(); ++i) {
     const Result<void> loaded =

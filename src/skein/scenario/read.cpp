@@ -38,6 +38,9 @@ void Reader::read(const Type& type, const Node& node, void* target) {
 }
 
 void Reader::read_list(const ListType& type, const Node& node, void* target) {
+  const auto* point = std::get_if<PointType>(&type.element->what);
+  if (places_ && point && point->place && node.kind == Node::Kind::kMap)
+    return read_feature_list(type, node, target);
   if (node.kind != Node::Kind::kList) return wrong_type(node);
   if (node.patch) return patch_list(type, node, target);
   if (node.items.size() < type.count.at_least || node.items.size() > type.count.at_most) {

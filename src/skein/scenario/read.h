@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/scenario/kind_table.h"
 #include "skein/scenario/node.h"
+#include "skein/scenario/places.h"
 #include "skein/scenario/problem.h"
 #include "skein/scenario/type.h"
 
@@ -22,8 +25,13 @@ struct Folders {
 /// it meets.
 class Reader {
  public:
-  Reader(const KindTable& kinds, Folders folders, Problems& problems)
-      : kinds_(kinds), folders_(std::move(folders)), problems_(problems) {}
+  /// @param places  besides local metres; null: none.
+  Reader(const KindTable& kinds, Folders folders, const Places* places,
+         Problems& problems)
+      : kinds_(kinds),
+        folders_(std::move(folders)),
+        places_(places),
+        problems_(problems) {}
 
   /// Reads `node` into `target`, whose content counts as the default: what the tree does
   /// not say stays. Where errors are reported, the target holds something harmless.
@@ -48,6 +56,12 @@ class Reader {
   void read_leaf(const WordType& type, const Node& node, void* target);
   void read_leaf(const PointType& type, const Node& node, void* target);
   void read_leaf(const FileType& type, const Node& node, void* target);
+  // Of places, see places.h.
+  bool has_only(const Node& map, std::span<const std::string_view> keys);
+  std::optional<Vec2> geographic_place(const Node& node);
+  std::optional<std::vector<Vec2>> feature_points(const Node& node, FeatureUse use);
+  std::optional<Vec2> place(const Node& node);
+  void read_feature_list(const ListType& type, const Node& node, void* target);
   void read_list(const ListType& type, const Node& node, void* target);
   void patch_list(const ListType& type, const Node& node, void* target);
   void read_optional(const OptionalType& type, const Node& node, void* target);
@@ -73,6 +87,7 @@ class Reader {
 
   const KindTable& kinds_;
   Folders folders_;
+  const Places* places_;
   Problems& problems_;
   std::vector<Step> path_;
   std::vector<std::string> faulty_;  // paths with problems

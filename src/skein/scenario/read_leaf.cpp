@@ -150,6 +150,18 @@ void Reader::read_leaf(const WordType& type, const Node& node, void* target) {
 }
 
 void Reader::read_leaf(const PointType& type, const Node& node, void* target) {
+  if (places_ && type.place && node.kind == Node::Kind::kMap && !node.patch) {
+    const auto there = place(node);
+    if (!there) return;
+    for (const double part : *there)
+      if (!type.range.holds(part))
+        return error(node.place,
+                     fmt::format("lies {:.0f} m north, {:.0f} m east of the origin; each "
+                                 "must be {}.",
+                                 there->x(), there->y(), type.range.text()));
+    *static_cast<Vec2*>(target) = *there;
+    return;
+  }
   if (node.kind != Node::Kind::kList || node.patch || node.items.size() != 2) {
     return wrong_type(node, node.kind == Node::Kind::kList
                                 ? fmt::format("It has {} elements.", node.items.size())

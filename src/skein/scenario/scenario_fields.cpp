@@ -36,8 +36,8 @@ Fields<GustEvent> gust_fields() {
   return Fields<T>()
       .duration_s("at_s", &T::at, "When aircraft enter it.")
       .required()
-      .point("velocity_mps", &T::velocity, "Of the air where the gust is strongest.",
-             {.at_least = -100, .at_most = 100})
+      .vector("velocity_mps", &T::velocity, "Of the air where the gust is strongest.",
+              {.at_least = -100, .at_most = 100})
       .number("up_mps", &T::up, "Of the air where it is strongest.",
               {.at_least = -100, .at_most = 100})
       .boolean("in_body", &T::in_body,

@@ -13,10 +13,18 @@ Document scenario_document() {
   document.empty_hint = "Give it a key, as in \"name: first-flight\"; all have defaults.";
   document.consequence = "nothing was run";
   document.title = "Skein scenario";
+  document.places = [](const Node& root, const KindTable& kinds) {
+    return Places{frame_of(root, Scenario().origin), kinds.feature_reader()};
+  };
   document.preface =
       "# Keys of a scenario file\n\n"
       "Written by the program from the description that also reads and checks the files. "
-      "The unit of a number ends its key. Points are `[north, east]` from the origin. "
+      "The unit of a number ends its key. Places are `[north, east]` in metres from the "
+      "origin, `{latitude_deg: .., longitude_deg: ..}` or `{feature: NAME, file: FILE}`, "
+      "a "
+      "point of a GeoJSON, KML or other map file; lists of places and areas may be a "
+      "line or "
+      "an area of such a file. "
       "An implementation is chosen by its name (`radio: ideal`) or, to set its keys, as "
       "`radio: {kind: ideal, ...}`.\n\n## Scenario\n\n";
   return document;

@@ -48,6 +48,26 @@ void put_range(Json& schema, const Range& range) {
   if (std::isfinite(range.at_most)) schema["maximum"] = range.at_most;
 }
 
+// Places besides local metres: places.h.
+Json geographic() {
+  const auto degrees = [](double most) {
+    return Json{{"type", "number"}, {"minimum", -most}, {"maximum", most}};
+  };
+  return {
+      {"type", "object"},
+      {"properties", {{"latitude_deg", degrees(90)}, {"longitude_deg", degrees(180)}}},
+      {"required", {"latitude_deg", "longitude_deg"}},
+      {"additionalProperties", false}};
+}
+
+Json feature() {
+  const Json text = {{"type", Json::array({"string", "number"})}};
+  return {{"type", "object"},
+          {"properties", {{"feature", text}, {"file", {{"type", "string"}}}}},
+          {"required", Json::array({"file"})},
+          {"additionalProperties", false}};
+}
+
 struct ToSchema {
   Json operator()(const NumberType& type) const {
     Json schema = {{"type", "number"}};
@@ -79,7 +99,9 @@ struct ToSchema {
   Json operator()(const PointType& type) const {
     Json part = {{"type", "number"}};
     put_range(part, type.range);
-    return {{"type", "array"}, {"items", part}, {"minItems", 2}, {"maxItems", 2}};
+    const Json pair = {
+        {"type", "array"}, {"items", part}, {"minItems", 2}, {"maxItems", 2}};
+    return type.place ? Json{{"anyOf", {pair, geographic(), feature()}}} : pair;
   }
   Json operator()(const FileType& type) const {
     Json schema = {{"type", "string"}};
@@ -90,7 +112,8 @@ struct ToSchema {
     Json schema = {{"type", "array"}, {"items", std::visit(*this, type.element->what)}};
     if (type.count.at_least > 0) schema["minItems"] = type.count.at_least;
     if (type.count.at_most != Count{}.at_most) schema["maxItems"] = type.count.at_most;
-    return schema;
+    const auto* point = std::get_if<PointType>(&type.element->what);
+    return point && point->place ? Json{{"anyOf", {schema, feature()}}} : schema;
   }
   Json operator()(const OptionalType& type) const {
     return {{"anyOf", {std::visit(*this, type.inner->what), {{"type", "null"}}}}};

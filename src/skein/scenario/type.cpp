@@ -44,7 +44,9 @@ struct Expected {
   }
   std::string operator()(const PointType& t) {
     const bool anywhere = t.range.at_least <= -1e7 && t.range.at_most >= 1e7;
-    return with_range("[north, east]", anywhere ? "" : "each " + t.range.text());
+    const std::string pair =
+        with_range("[north, east]", anywhere ? "" : "each " + t.range.text());
+    return t.place ? pair + ", a latitude and longitude or a feature" : pair;
   }
   std::string operator()(const FileType& t) {
     return std::string(t.folder ? "a folder that exists" : "a file that exists") +

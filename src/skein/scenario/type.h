@@ -87,9 +87,11 @@ struct WordType {
   void (*set)(void*, std::int64_t) = nullptr;
 };
 
-/// `[north, east]`; a Vec2. Each of the two lies in `range`.
+/// `[north, east]`; a Vec2. Each of the two lies in `range`. A place may be given in
+/// other ways too (places.h).
 struct PointType {
   Range range;
+  bool place = false;
 };
 
 /// A std::string with the path of a file that exists, made absolute.

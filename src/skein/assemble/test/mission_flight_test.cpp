@@ -20,8 +20,10 @@ std::string shipped(const char* name) {
   std::ostringstream content;
   content << in.rdbuf();
   std::string text = content.str();
-  const std::size_t plan = text.find("plans/");
-  if (plan != std::string::npos) text.insert(plan, folder);
+  for (const char* beside : {"plans/", "maps/"})
+    for (std::size_t at = text.find(beside); at != std::string::npos;
+         at = text.find(beside, at + folder.size() + 1))
+      text.insert(at, folder);
   return text;
 }
 

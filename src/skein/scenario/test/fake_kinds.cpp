@@ -51,6 +51,7 @@ KindTable fake_kinds() {
   add("terrain", defaults.environment.terrain);
   add("wind", defaults.environment.wind);
   add("phenomenon", defaults.environment.phenomena.front());
+  add("movement", PlacedObject().movement);
   add("radio", defaults.radio);
   add("turbulence", defaults.environment.turbulence);
   for (const Choice& mission : defaults.missions) add("mission", mission);

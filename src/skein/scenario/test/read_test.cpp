@@ -261,17 +261,19 @@ INSTANTIATE_TEST_SUITE_P(
             "test.yaml:1:32 aircraft[0].start.placement: found \"rign\", needs opposite, "
             "ring, line or list. Did you mean \"ring\"?"},
         Case{"stations: [{position_m: [1, 2, 3]}]",
-             "test.yaml:1:25 stations[0].position_m: found a list, needs [north, east]. "
+             "test.yaml:1:25 stations[0].position_m: found a list, needs [north, east], "
+             "a latitude and longitude or a feature. "
              "It "
              "has "
              "3 elements."},
         Case{"stations: [{position_m: [1, x]}]",
-             "test.yaml:1:29 stations[0].position_m: found \"x\", needs [north, east]."},
+             "test.yaml:1:29 stations[0].position_m: found \"x\", needs [north, east], a "
+             "latitude and longitude or a feature."},
         Case{"origin: 3", "test.yaml:1:9 origin: found 3, needs keys with values."},
         Case{"environment: {zones_m: [[[0, 0], [1, 1]]]}",
              "test.yaml:1:25 environment.zones_m[0]: 2 elements; needs a list, at least "
              "3, "
-             "each [north, east]."},
+             "each [north, east], a latitude and longitude or a feature."},
         Case{"radio: {kind: joint, map: no.tif}",
              "test.yaml:1:27 radio.map: \"" SKEIN_SOURCE_DIR "/no.tif\" does not exist."},
         Case{"radio: {kind: joint, map: src}",

@@ -1,0 +1,24 @@
+#include "skein/scenario/places.h"
+
+#include "skein/scenario/numbers.h"
+
+namespace skein::scenario {
+std::optional<geo::LocalFrame> frame_of(const Node& root,
+                                        const geo::Geodetic& default_origin) {
+  geo::Geodetic origin = default_origin;
+  const auto take = [](const Node* node, double& value) {
+    if (!node) return true;
+    const auto number = parse_number(node->text);
+    if (node->kind == Node::Kind::kPlain && number) value = *number;
+    return node->kind == Node::Kind::kPlain && number.has_value();
+  };
+  if (const Node* given = root.find("origin"))
+    if (!take(given->find("latitude_deg"), origin.latitude_deg) ||
+        !take(given->find("longitude_deg"), origin.longitude_deg))
+      return std::nullopt;
+  auto frame = geo::LocalFrame::at(origin);
+  if (!frame) return std::nullopt;
+  return std::move(frame).value();
+}
+
+}  // namespace skein::scenario
