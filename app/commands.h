@@ -73,6 +73,15 @@ int schema_command(const std::string& document, const std::vector<std::string>& 
 int keys_command(const std::string& document, const std::vector<std::string>& plugins);
 int fly_command(const FlyArguments& arguments, const std::atomic<bool>& stop);
 int trim_command(const TrimArguments& arguments);
+/// `skein export`.
+struct ExportArguments {
+  std::filesystem::path run;  ///< its folder
+  std::string what;           ///< perimeter, bands, prediction, tracks or zones
+  std::optional<double> at;   ///< simulated time [s]; none: the last
+  std::filesystem::path out;  ///< .geojson, .kml, .gpkg or .shp
+  double every = 0;           ///< renewed so often until the run ends [s]; 0: once
+};
+int export_command(const ExportArguments& arguments, const std::atomic<bool>& stop);
 int report_command(const std::vector<std::filesystem::path>& runs,
                    const std::filesystem::path& out);
 /// A line for each study: its name and what it shows.

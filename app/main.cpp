@@ -68,6 +68,12 @@ Examples:
   skein fly --trim --aircraft aerosonde --airspeed 25 --hold 60 > in.csv
   skein fly --aircraft aerosonde --input in.csv --output out.csv)";
 
+constexpr const char* kExportExamples = R"(
+Examples:
+  skein export runs/wildfire --what perimeter --out perimeter.geojson
+  skein export runs/wildfire --what prediction --at 1800 --out ahead.gpkg
+  skein export runs/now --what bands --out bands.kml --every 60   renewed while it runs)";
+
 constexpr const char* kReportExamples = R"(
 Examples:
   skein report runs/wildfire                              writes runs/wildfire/report.html
@@ -307,6 +313,31 @@ Command add_report(CLI::App& program) {
   return {command, [given] { return report_command(given->runs, given->out); }};
 }
 
+Command add_export(CLI::App& program) {
+  const auto given = std::make_shared<ExportArguments>();
+  auto* command = program.add_subcommand(
+      "export", "Write what a run knows as a map for geographic information systems.");
+  command->add_option("run", given->run, "Folder of the run, finished or going on.")
+      ->required();
+  command
+      ->add_option("--what", given->what,
+                   "perimeter, bands (where it burns with 2.5 to 97.5 %), prediction, "
+                   "tracks or zones.")
+      ->required()
+      ->check(CLI::IsMember({"perimeter", "bands", "prediction", "tracks", "zones"}));
+  command->add_option("--at", given->at, "Simulated time in seconds; default: the last.");
+  command
+      ->add_option("--out", given->out,
+                   "The file: .geojson, .kml, .gpkg (GeoPackage) or .shp (shapefile).")
+      ->required();
+  command
+      ->add_option("--every", given->every,
+                   "Write it again after so many seconds, until the run has ended.")
+      ->check(CLI::Range(1.0, 86400.0));
+  command->footer(kExportExamples);
+  return {command, [given] { return export_command(*given, stop_requested); }};
+}
+
 Command add_study(CLI::App& program) {
   auto* command =
       program.add_subcommand("study", "Run a study, with report and summary.");
@@ -375,7 +406,7 @@ int run_program(int argc, char** argv) {
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  for (auto* add : {add_report, add_study, add_completion})
+  for (auto* add : {add_report, add_export, add_study, add_completion})
     commands.push_back(add(program));
 
   try {

@@ -563,3 +563,34 @@ export interface ObjectBelief {
   persistence_s: number | null; // time constant with which the velocity decays
   mission: string; // whose belief it is
 }
+
+/** A forecast of a boundary. */
+export interface Forecast {
+  believer_id: number; // whose
+  made_s: number; // when
+  boundary_time_s: number; // that it is of
+  boundary_rings: BoundaryPoint[][]; // closed; outer ones run clockwise on the map
+  phenomenon: number; // whose boundary
+  mission: string; // whose belief
+}
+
+/** Probability that a boundary has come by a time. */
+export interface ArrivalStep {
+  time_s: number; // by when
+  probability: number | null; // that it has come
+}
+
+/** When a fire is believed to reach a place, as forecast. */
+export interface Arrival {
+  believer_id: number; // whose forecast
+  made_s: number; // when it was said
+  place: string; // its name
+  north_m: number | null; // where it is
+  east_m: number | null; // where it is
+  early_s: number | null; // by then with 10 %; null: not within the horizons
+  middle_s: number | null; // the same with 50 %
+  late_s: number | null; // the same with 90 %
+  steps: ArrivalStep[]; // the distribution
+  phenomenon: number; // whose boundary
+  mission: string; // whose belief
+}

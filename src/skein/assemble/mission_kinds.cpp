@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include <cmath>
 
 #include "skein/assemble/kind_registry.h"
@@ -60,6 +63,41 @@ Fields<Deployment> deployment_fields() {
                   {.above = 0});
 }
 
+struct Outlook {
+  std::vector<double> horizons = {600, 1800, 3600};  // [s]
+  Time period = Time::from_seconds(600);
+  std::vector<monitoring::ArrivalPlace> places;
+};
+
+Fields<monitoring::ArrivalPlace> arrival_place_fields() {
+  using T = monitoring::ArrivalPlace;
+  return Fields<T>()
+      .text("name", &T::name, "What it is called.")
+      .required()
+      .point("position_m", &T::point, "Where it is.")
+      .required();
+}
+
+Fields<Outlook> outlook_fields() {
+  using T = Outlook;
+  return Fields<T>()
+      .number(
+          "horizons_s", &T::horizons,
+          "So far ahead the perimeter is forecast, in growing order. Empty: it is not.",
+          {.above = 0, .at_most = 1e6})
+      .items({.at_most = 20})
+      .duration_s("period_s", &T::period, "Between two forecasts.", {.at_least = 1})
+      .object("places", &T::places, arrival_place_fields(),
+              "Places for which it is forecast when the fire comes, by the last horizon.")
+      .items({.at_most = 1000})
+      .rule("horizons_s", [](const T& t) {
+        return std::adjacent_find(t.horizons.begin(), t.horizons.end(),
+                                  std::greater_equal<>()) == t.horizons.end()
+                   ? std::string()
+                   : std::string("must grow from one to the next.");
+      });
+}
+
 struct PerimeterChoice : MissionSchedule {
   Choice estimator{"adaptive"};
   Choice strategy{"sweep"};
@@ -69,6 +107,7 @@ struct PerimeterChoice : MissionSchedule {
   Time lost_after = Time::from_seconds(5);
   Time late_window = Time::from_seconds(60);
   int phenomenon = 0;
+  Outlook forecast;
 };
 
 Fields<PerimeterChoice> perimeter_fields() {
@@ -89,6 +128,8 @@ Fields<PerimeterChoice> perimeter_fields() {
                       "An aircraft silent for this long counts as lost.", {.above = 0})
           .duration_s("late_window_s", &T::late_window, "Readings this late still count.",
                       {.at_least = 0})
+          .object("forecast", &T::forecast, outlook_fields(),
+                  "What is believed of the times ahead, from the first allocation on.")
           .integer("phenomenon", &T::phenomenon,
                    "Which of environment.phenomena it is about, from 0: its belief is "
                    "compared with that one.",
@@ -113,6 +154,8 @@ MadeMission make_perimeter(const PerimeterChoice& choice, const MissionContext& 
   options.late_window = choice.late_window.seconds();
   options.zones = c.zones;
   options.phenomenon = static_cast<std::uint32_t>(choice.phenomenon);
+  options.forecast = {choice.forecast.horizons, choice.forecast.period,
+                      choice.forecast.places};
   options.record_period = c.metrics_period;
   return planned("perimeter", choice, who.value(),
                  std::make_unique<monitoring::Coordinator>(

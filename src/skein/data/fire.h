@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "skein/base/id.h"
@@ -102,6 +104,63 @@ struct PerimeterBelief {
   std::uint32_t phenomenon = 0;  ///< whose boundary: its place in the environment's list
   std::string mission = {};      ///< its name
 };
+
+/// Where a boundary is believed to be at a later time, if nothing more is observed.
+struct PerimeterForecast {
+  Time made;
+  BoundaryEstimate boundary;     ///< of the time that it is for
+  std::uint32_t phenomenon = 0;  ///< whose boundary: its place in the environment's list
+  std::string mission = {};      ///< its name
+};
+
+constexpr auto describe(const PerimeterForecast*) {
+  using T = PerimeterForecast;
+  return described<T>({"perimeter_forecast"},
+                      "Where a boundary is believed to be at a later time.",
+                      field("made", &T::made, "when"),
+                      field("boundary", &T::boundary, "as believed for its time"),
+                      field("phenomenon", &T::phenomenon, "whose boundary"),
+                      field("mission", &T::mission, "whose belief"));
+}
+
+/// Probability that a boundary has reached a place by a time.
+struct ArrivalStep {
+  Time time;
+  double probability = 0;
+};
+
+constexpr auto describe(const ArrivalStep*) {
+  using T = ArrivalStep;
+  return described<T>({"arrival_step"}, "Probability that a boundary has come by a time.",
+                      field("time", &T::time, "by when"),
+                      field("probability", &T::probability, "that it has come"));
+}
+
+/// When a boundary is believed to reach a place.
+struct ArrivalForecast {
+  Time made;
+  std::string place;                               ///< its name
+  Vec2 point = Vec2::Zero();                       ///< where it is [m]
+  std::optional<double> early, middle, late = {};  ///< by then with 10, 50, 90 % [s]
+  std::vector<ArrivalStep> steps;                  ///< its distribution; both grow
+  std::uint32_t phenomenon = 0;  ///< whose boundary: its place in the environment's list
+  std::string mission = {};      ///< its name
+};
+
+constexpr auto describe(const ArrivalForecast*) {
+  using T = ArrivalForecast;
+  return described<T>(
+      {"arrival_forecast"}, "When a boundary is believed to reach a place.",
+      field("made", &T::made, "when it was said"), field("place", &T::place, "its name"),
+      field("", &T::point, axes::kPlace, "where it is"),
+      field("early", &T::early, unit::kSecond,
+            "by then with 10 %; null: not within the horizons"),
+      field("middle", &T::middle, unit::kSecond, "the same with 50 %"),
+      field("late", &T::late, unit::kSecond, "the same with 90 %"),
+      field("steps", &T::steps, Storage::kJson, "the distribution"),
+      field("phenomenon", &T::phenomenon, "whose boundary"),
+      field("mission", &T::mission, "whose belief"));
+}
 
 /// What is known of a fire before the first observation.
 struct PerimeterPrior {

@@ -139,6 +139,33 @@ constexpr auto describe(const MissionRecord*) {
                       field("", &T::change, "which mission, and how"));
 }
 
+/// A forecast of a boundary.
+struct ForecastRecord {
+  EntityId believer;
+  PerimeterForecast forecast;
+};
+
+constexpr auto describe(const ForecastRecord*) {
+  using T = ForecastRecord;
+  return described<T>({"forecast"}, "A forecast of a boundary.",
+                      field("believer_id", &T::believer, "whose"),
+                      field("", &T::forecast, "of when, and what"));
+}
+
+/// A forecast of an arrival.
+struct ArrivalRecord {
+  EntityId believer;
+  ArrivalForecast forecast;
+};
+
+constexpr auto describe(const ArrivalRecord*) {
+  using T = ArrivalRecord;
+  return described<T>({"arrival", "arrivals"},
+                      "When a fire is believed to reach a place, as forecast.",
+                      field("believer_id", &T::believer, "whose forecast"),
+                      field("", &T::forecast, "where and when"));
+}
+
 /// A no-fly zone comes into force for those who have received it, or is taken back.
 struct ZoneRecord {
   Time time;
@@ -171,10 +198,10 @@ constexpr auto describe(const PlannerRecord*) {
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record =
-    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
-                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
-                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
-                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord>;
+using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
+                            Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
+                            GroundObject, Detection, Footprint, RangeScan, CommandRecord,
+                            PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
+                            MissionRecord, ForecastRecord, ArrivalRecord>;
 
 }  // namespace skein

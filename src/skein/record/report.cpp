@@ -65,7 +65,7 @@ Json flights_json(const StoredRun& run) {
 }
 
 // Figures of missions: over time, and what they say.
-Json missions_json(const StoredRun& run) {
+Json mission_figures_json(const StoredRun& run) {
   Json series = Json::array(), texts = Json::object();
   for (const StoredSeries& each : run.mission_series)
     series.push_back({{"mission", each.mission},
@@ -101,7 +101,7 @@ Json run_json(const StoredRun& run, const std::string& label, const fs::path& di
           {"entities", std::move(entities)},
           {"metrics", metrics_json(run)},
           {"flights", flights_json(run)},
-          {"missions", missions_json(run)},
+          {"missions", mission_figures_json(run)},
           {"messages",
            {{"bin_s", run.message_bin},
             {"sent", run.messages_sent},

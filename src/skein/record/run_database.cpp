@@ -15,7 +15,8 @@ static_assert(std::endian::native == std::endian::little,
 constexpr const char* kOtherTables = R"sql(
 CREATE TABLE meta (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE perimeters (time_s REAL, source TEXT, phenomenon INTEGER,
-  believer_id INTEGER, mission TEXT, ring INTEGER, points INTEGER, data BLOB);
+  believer_id INTEGER, mission TEXT, ring INTEGER, points INTEGER, data BLOB,
+  made_s REAL);
 CREATE TABLE mission_metrics (time_s REAL, station_id INTEGER, mission TEXT,
   figure TEXT, value REAL);
 CREATE TABLE terrain (rows INTEGER, columns INTEGER, low_north_m REAL, low_east_m REAL,
@@ -24,6 +25,7 @@ CREATE TABLE summary (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
 )sql";
 
 constexpr std::int64_t kPageBytes = 4096;
+constexpr std::size_t kFieldCount = 13;  // of metrics
 
 std::string values(std::size_t count) {
   std::string list = " VALUES (?";
@@ -32,11 +34,12 @@ std::string values(std::size_t count) {
 }
 
 std::string metrics_schema() {
-  std::string sql =
-      "CREATE TABLE metrics (time_s REAL, believer_id INTEGER, mission TEXT";
+  std::string columns;
   for (const MetricField& field : metric_fields())
-    sql += ", " + std::string(field.name) + std::string(field.unit) + " REAL";
-  return sql + ");";
+    columns += ", " + std::string(field.name) + std::string(field.unit) + " REAL";
+  const std::string whose = " (time_s REAL, believer_id INTEGER, mission TEXT";
+  return "CREATE TABLE metrics" + whose + columns + ");CREATE TABLE forecast_metrics" +
+         whose + columns + ", made_s REAL);";
 }
 
 // What is said of a kind that has a table.
@@ -104,9 +107,10 @@ Result<void> RunDatabase::prepare() {
   };
   prepare_one(meta_, "meta", 2);
   prepare_one(terrain_, "terrain", 6);
-  prepare_one(perimeter_, "perimeters", 8);
+  prepare_one(perimeter_, "perimeters", 9);
   prepare_one(mission_metrics_, "mission_metrics", 5);
   prepare_one(metrics_, "metrics", 3 + metric_fields().size());
+  prepare_one(forecast_metrics_, "forecast_metrics", 4 + metric_fields().size());
   prepare_one(summary_, "summary", 2);
   prepare_one(task_, "tasks", columns::columns_of<TaskRow>().size());
   std::size_t k = 0;
@@ -170,9 +174,10 @@ Result<void> RunDatabase::write_truth(Time time, std::uint32_t phenomenon,
   for (std::size_t r = 0; r < truth.size(); ++r) {
     floats.clear();
     columns::put_floats(truth[r], floats);
-    auto done = insert(perimeter_, time.seconds(), "truth", phenomenon, nullptr, nullptr,
-                       static_cast<std::int64_t>(r),
-                       static_cast<std::int64_t>(truth[r].size()), bytes(floats));
+    auto done =
+        insert(perimeter_, time.seconds(), "truth", phenomenon, nullptr, nullptr,
+               static_cast<std::int64_t>(r), static_cast<std::int64_t>(truth[r].size()),
+               bytes(floats), nullptr);
     if (!done) return done;
   }
   return {};
@@ -180,13 +185,29 @@ Result<void> RunDatabase::write_truth(Time time, std::uint32_t phenomenon,
 
 Result<void> RunDatabase::write_belief(Time time, const Believer& who,
                                        const BoundaryEstimate& belief) {
+  return write_rings("belief", time, std::nullopt, std::nullopt, who, belief);
+}
+
+Result<void> RunDatabase::write_forecast(const ForecastRecord& record) {
+  const PerimeterForecast& forecast = record.forecast;
+  return write_rings("forecast", forecast.boundary.time, forecast.made.seconds(),
+                     forecast.phenomenon, {record.believer, forecast.mission},
+                     forecast.boundary);
+}
+
+Result<void> RunDatabase::write_rings(const char* source, Time time,
+                                      std::optional<double> made,
+                                      std::optional<double> phenomenon,
+                                      const Believer& who,
+                                      const BoundaryEstimate& belief) {
   std::vector<float> floats;
   for (std::size_t r = 0; r < belief.rings.size(); ++r) {
     floats.clear();
     columns::put_floats(belief.rings[r], floats);
-    auto done = insert(perimeter_, time.seconds(), "belief", nullptr, who.station.value,
-                       who.mission, static_cast<std::int64_t>(r),
-                       static_cast<std::int64_t>(belief.rings[r].size()), bytes(floats));
+    auto done =
+        insert(perimeter_, time.seconds(), source, phenomenon, who.station.value,
+               who.mission, static_cast<std::int64_t>(r),
+               static_cast<std::int64_t>(belief.rings[r].size()), bytes(floats), made);
     if (!done) return done;
   }
   return {};
@@ -199,7 +220,16 @@ Result<void> RunDatabase::write_metrics(Time time, const Believer& who,
     return insert(metrics_, time.seconds(), who.station.value, who.mission,
                   metrics.*fields[I].value...);
   };
-  constexpr std::size_t kFieldCount = 13;
+  SKEIN_CHECK(fields.size() == kFieldCount, fields.size());
+  return with_columns(std::make_index_sequence<kFieldCount>());
+}
+
+Result<void> RunDatabase::write(const ForecastScore& row) {
+  const auto fields = metric_fields();
+  const auto with_columns = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return insert(forecast_metrics_, row.time.seconds(), row.who.station.value,
+                  row.who.mission, row.metrics.*fields[I].value..., row.made.seconds());
+  };
   SKEIN_CHECK(fields.size() == kFieldCount, fields.size());
   return with_columns(std::make_index_sequence<kFieldCount>());
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -44,6 +45,8 @@ class RunDatabase {
   Result<void> write(const TaskRow& row);
   Result<void> write(const TerrainRow& row);
   Result<void> write(const MissionFigures& row);
+  Result<void> write(const ForecastScore& row);
+  Result<void> write_forecast(const ForecastRecord& record);
   Result<void> write_truth(Time time, std::uint32_t phenomenon, const geo::Region& truth);
   Result<void> write_belief(Time time, const Believer& who,
                             const BoundaryEstimate& belief);
@@ -55,6 +58,9 @@ class RunDatabase {
  private:
   explicit RunDatabase(Sqlite sqlite) : sqlite_(std::move(sqlite)) {}
   Result<void> prepare();
+  Result<void> write_rings(const char* source, Time time, std::optional<double> made,
+                           std::optional<double> phenomenon, const Believer& who,
+                           const BoundaryEstimate& belief);
   template <class T>
   Result<void> write_described(Statement& statement, const T& value);
   template <class... Values>
@@ -64,7 +70,8 @@ class RunDatabase {
   }
 
   Sqlite sqlite_;
-  Statement meta_, task_, terrain_, perimeter_, metrics_, mission_metrics_, summary_;
+  Statement meta_, task_, terrain_, perimeter_, metrics_, mission_metrics_,
+      forecast_metrics_, summary_;
   std::array<Statement, std::variant_size_v<Record>> records_;  // by index
 };
 

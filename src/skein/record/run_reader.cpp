@@ -55,10 +55,10 @@ class Reader {
     using Part = Result<void> (Reader::*)();
     for (const Part part :
          {&Reader::schema, &Reader::meta, &Reader::entities, &Reader::duration,
-          &Reader::events, &Reader::metrics, &Reader::tracks, &Reader::estimates,
-          &Reader::readings, &Reader::messages, &Reader::perimeters, &Reader::crossings,
-          &Reader::payload, &Reader::zones, &Reader::missions, &Reader::terrain,
-          &Reader::summary})
+          &Reader::events, &Reader::metrics, &Reader::forecasts, &Reader::tracks,
+          &Reader::estimates, &Reader::readings, &Reader::messages, &Reader::perimeters,
+          &Reader::crossings, &Reader::payload, &Reader::zones, &Reader::missions,
+          &Reader::terrain, &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -227,6 +227,32 @@ class Reader {
       if (lost) ++run_.messages_lost[k];
       statistics_.message(lost);
     });
+  }
+
+  Result<void> forecasts() {
+    auto done = records<ArrivalRecord>("ORDER BY made_s", [this](ArrivalRecord record) {
+      run_.arrivals.push_back(std::move(record.forecast));
+    });
+    if (!done) return done;
+    std::string columns;
+    for (const MetricField& field : metric_fields())
+      columns += ", " + std::string(field.name) + std::string(field.unit);
+    return rows("SELECT made_s, time_s, believer_id, mission" + columns +
+                    " FROM forecast_metrics ORDER BY rowid",
+                [&](const Statement& row) {
+                  ForecastScore score;
+                  score.made = Time::from_seconds(row.real(0));
+                  score.time = Time::from_seconds(row.real(1));
+                  score.who = {entity_id(row, 2), row.text(3)};
+                  int column = 4;
+                  for (const MetricField& field : metric_fields()) {
+                    if (!row.is_null(column))
+                      score.metrics.*field.value = row.real(column);
+                    ++column;
+                  }
+                  statistics_.forecasts().score(score);
+                  run_.forecasts.push_back(std::move(score));
+                });
   }
 
   Result<void> perimeters() {

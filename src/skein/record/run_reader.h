@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/record/flight_series.h"
+#include "skein/record/forecast_statistics.h"
 #include "skein/record/metrics.h"
 #include "skein/record/object_track.h"
 #include "skein/record/rows.h"
@@ -59,6 +60,8 @@ struct StoredRun {
   std::vector<Crossing> crossings;
   std::vector<StoredObject> objects;
   std::vector<Detection> detections;
+  std::vector<ForecastScore> forecasts;           ///< that have been scored
+  std::vector<ArrivalForecast> arrivals;          ///< in order of time
   std::vector<ZoneRecord> zones;                  ///< in order of time
   std::vector<MissionRecord> missions;            ///< in order of time
   std::vector<StoredSeries> mission_series;       ///< by mission, then figure

@@ -143,6 +143,8 @@ Result<void> RunWriter::write(Row& row) {
 Result<void> RunWriter::write(Record& record) {
   if (auto* perimeter = std::get_if<PerimeterRecord>(&record)) return write(*perimeter);
   statistics_.take(record);
+  if (const auto* forecast = std::get_if<ForecastRecord>(&record))
+    return database_.write_forecast(*forecast);
   const auto* message = std::get_if<MessageRecord>(&record);
   if (message)
     if (auto done = write_order(*message); !done) return done;
@@ -169,8 +171,9 @@ Result<void> RunWriter::write_order(const MessageRecord& record) {
 Result<void> RunWriter::write(PerimeterRecord& record) {
   const TrueBoundary truth(record.truth);
   const Believer who{record.believer, record.mission};
-  const PerimeterMetrics metrics =
-      statistics_.perimeter(record.time, truth, who, record.belief);
+  const PerimeterMetrics metrics = statistics_.perimeter(record, truth);
+  for (const ForecastScore& score : statistics_.forecasts().take_scores())
+    if (auto done = database_.write(score); !done) return done;
   if (auto done = database_.write_metrics(record.time, who, metrics); !done) return done;
   const auto stored = belief_stored_.find(who);
   if (stored == belief_stored_.end() ||

@@ -25,8 +25,7 @@ struct Taker {
   void operator()(const Crossing& r) { statistics.crossing(r); }
   void operator()(const MessageRecord& r) { statistics.message(r.lost); }
   void operator()(const PerimeterRecord& r) {
-    statistics.perimeter(r.time, TrueBoundary(r.truth), {r.believer, r.mission},
-                         r.belief);
+    statistics.perimeter(r, TrueBoundary(r.truth));
   }
   void operator()(const Event& r) { statistics.event(r); }
   void operator()(const GroundObject& r) { statistics.payload().object(r); }
@@ -44,6 +43,8 @@ struct Taker {
   }
   void operator()(const ObjectBeliefRecord& r) { statistics.missions().belief(r); }
   void operator()(const MissionRecord& r) { statistics.missions().mission(r); }
+  void operator()(const ForecastRecord& r) { statistics.forecasts().forecast(r); }
+  void operator()(const ArrivalRecord& r) { statistics.forecasts().arrival(r); }
   void operator()(const RangeScan&) { statistics.payload().ranges(); }
   // No figures are made of these.
   void operator()(const ZoneRecord&) {}
@@ -93,15 +94,15 @@ void RunStatistics::event(const Event& event) {
   }
 }
 
-PerimeterMetrics RunStatistics::perimeter(Time time, const TrueBoundary& truth,
-                                          const Believer& who,
-                                          const BoundaryEstimate& belief) {
-  PerimeterMetrics now = perimeter_metrics(truth, belief);
-  if (const auto ages = ages_.ages(time, truth, belief)) {
+PerimeterMetrics RunStatistics::perimeter(const PerimeterRecord& record,
+                                          const TrueBoundary& truth) {
+  forecasts_.truth(record.time, record.phenomenon, truth);
+  PerimeterMetrics now = perimeter_metrics(truth, record.belief);
+  if (const auto ages = ages_.ages(record.time, truth, record.belief)) {
     now.latency_mean = ages->mean;
     now.latency_max = ages->max;
   }
-  metrics(time, who, now);
+  metrics(record.time, {record.believer, record.mission}, now);
   return now;
 }
 
@@ -160,6 +161,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   });
   payload_.add_figures(out);
   missions_.add_figures(out);
+  forecasts_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

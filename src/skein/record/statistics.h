@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "skein/data/record.h"
+#include "skein/record/believer.h"
 #include "skein/record/flight_statistics.h"
+#include "skein/record/forecast_statistics.h"
 #include "skein/record/metrics.h"
 #include "skein/record/mission/mission_statistics.h"
 #include "skein/record/payload_statistics.h"
@@ -15,15 +17,6 @@
 #include "skein/record/summary.h"
 
 namespace skein::record {
-
-/// Whose belief something is: a mission of a ground station.
-struct Believer {
-  EntityId station;
-  std::string mission;
-
-  bool operator==(const Believer&) const = default;
-  auto operator<=>(const Believer&) const = default;
-};
 
 /// Gathers the key figures of a run from its records, in the order of the calls. Shared
 /// by all recorders, so that a figure means the same wherever it comes from.
@@ -42,15 +35,16 @@ class RunStatistics {
   void reserve(EntityId id, double reserve) { flight_statistics_.reserve(id, reserve); }
   PayloadStatistics& payload() { return payload_; }
   MissionStatistics& missions() { return missions_; }
+  ForecastStatistics& forecasts() { return forecasts_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
   /// An event of the kind "allocation" starts the allocation phase; those between
   /// "over-confident" and "trusted" bound the time in which the belief is distrusted.
   void event(const Event& event);
-  /// Compares, gathers and returns the metrics with their latencies.
-  PerimeterMetrics perimeter(Time time, const TrueBoundary& truth, const Believer& who,
-                             const BoundaryEstimate& belief);
+  /// Compares, gathers and returns the metrics with their latencies; scores forecasts for
+  /// this time.
+  PerimeterMetrics perimeter(const PerimeterRecord& record, const TrueBoundary& truth);
   /// Gathers metrics that were computed before (a reader of stored ones). Figures of the
   /// mission that came first have no prefix; others `mission_<name>_`.
   void metrics(Time time, const Believer& who, const PerimeterMetrics& metrics);
@@ -83,6 +77,7 @@ class RunStatistics {
   FlightStatistics flight_statistics_;
   PayloadStatistics payload_;
   MissionStatistics missions_;
+  ForecastStatistics forecasts_;
   ReadingAges ages_;
   std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs
   std::optional<Time> allocation_start_;

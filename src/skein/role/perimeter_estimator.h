@@ -37,6 +37,10 @@ class PerimeterEstimator {
   /// The believed boundary at the current time.
   virtual BoundaryEstimate boundary() const = 0;
 
+  /// One to look ahead with: it is only predicted and asked, and may be quicker and
+  /// coarser than this one. A clone, unless an estimator knows better.
+  virtual std::unique_ptr<PerimeterEstimator> outlook() const { return clone(); }
+
   virtual EstimatorHealth health() const = 0;
   virtual std::unique_ptr<PerimeterEstimator> clone() const = 0;
 };

@@ -366,6 +366,12 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
                              belief.mission,
                              belief.phenomenon};
     }
+    Record operator()(const PerimeterForecast& forecast) {
+      return ForecastRecord{agent, forecast};
+    }
+    Record operator()(const ArrivalForecast& forecast) {
+      return ArrivalRecord{agent, forecast};
+    }
     Record operator()(const ObjectBelief& belief) {
       return ObjectBeliefRecord{now, agent, belief};
     }

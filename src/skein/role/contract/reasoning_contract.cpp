@@ -182,6 +182,14 @@ Violations estimator_violations(const Make<PerimeterEstimator>& make,
   Observer{prior, draws(33)}.look(kSteps, {clone.get()});
   checks.expect(same(before, estimator->boundary()),
                 "what a clone observes changes the original");
+  const auto ahead = estimator->outlook();
+  for (const int minutes : {10, 60}) {
+    const Time later = Time::from_seconds(kSteps + 60.0 * minutes);
+    ahead->predict(later);
+    check_boundary(ahead->boundary(), later, checks);
+  }
+  checks.expect(same(before, estimator->boundary()),
+                "looking ahead changes the original");
   return checks.take();
 }
 

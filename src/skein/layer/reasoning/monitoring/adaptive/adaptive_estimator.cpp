@@ -39,6 +39,16 @@ std::unique_ptr<PerimeterEstimator> AdaptiveEstimator::clone() const {
   return std::make_unique<AdaptiveEstimator>(*this);
 }
 
+// With the method that is in use, and no trial of the other.
+std::unique_ptr<PerimeterEstimator> AdaptiveEstimator::outlook() const {
+  auto ahead = std::make_unique<AdaptiveEstimator>(*this);
+  if (ahead->joint_)
+    ahead->ensemble_.reset();
+  else
+    ahead->ensemble_->estimator.look_ahead();
+  return ahead;
+}
+
 void AdaptiveEstimator::predict(Time time) {
   time_ = time;
   if (joint_) joint_->estimator.predict(time);

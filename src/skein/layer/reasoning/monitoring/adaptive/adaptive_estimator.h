@@ -42,6 +42,7 @@ class AdaptiveEstimator final : public PerimeterEstimator {
   BoundaryEstimate boundary() const override;
   EstimatorHealth health() const override;
   std::unique_ptr<PerimeterEstimator> clone() const override;
+  std::unique_ptr<PerimeterEstimator> outlook() const override;
 
   /// Whether the ensemble has taken over.
   bool handed_over() const { return !joint_; }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "skein/layer/reasoning/monitoring/coordinator/crossing_detector.h"
+#include "skein/layer/reasoning/monitoring/coordinator/forecast.h"
 #include "skein/role/perimeter_estimator.h"
 
 namespace skein::monitoring {
@@ -33,6 +34,11 @@ class Belief {
 
   /// The boundary, moved on from the belief's own time to `now` with each point's rate.
   BoundaryEstimate boundary_at(Time now) const;
+
+  /// What it says of the times ahead of `now`, which is not before its own time.
+  Forecast forecast(Time now, const ForecastOptions& options, double spread) const {
+    return monitoring::forecast(*now_.estimator, now, options, spread);
+  }
 
   EstimatorHealth health() const { return now_.estimator->health(); }
   int dropped() const { return dropped_; }

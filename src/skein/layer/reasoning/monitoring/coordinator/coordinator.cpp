@@ -59,6 +59,7 @@ void Coordinator::step(const AgentInput& in, AgentOutput& out) {
   allocate(in.now, out);
   resend_lost_orders(in.now, out);
   record_belief(in.now, out);
+  record_forecast(in.now, out);
 }
 
 MissionDemand Coordinator::demand() const {
@@ -71,6 +72,22 @@ void Coordinator::record_belief(Time now, AgentOutput& out) {
   if (now < next_record_) return;
   next_record_ = std::max(next_record_ + options_.record_period, now);
   out.records.emplace_back(PerimeterBelief{boundary_, options_.phenomenon});
+}
+
+// Before the fire was found there is nothing to go by.
+void Coordinator::record_forecast(Time now, AgentOutput& out) {
+  if (!allocating_ || options_.forecast.horizons.empty() || now < next_forecast_) return;
+  next_forecast_ = now + options_.forecast.period;
+  calibration_.compare(boundary_);
+  Forecast ahead = belief_.forecast(now, options_.forecast, calibration_.spread());
+  calibration_.keep(std::move(ahead.check));
+  for (BoundaryEstimate& boundary : ahead.boundaries)
+    out.records.emplace_back(
+        PerimeterForecast{now, std::move(boundary), options_.phenomenon});
+  for (ArrivalForecast& arrival : ahead.arrivals) {
+    arrival.phenomenon = options_.phenomenon;
+    out.records.emplace_back(std::move(arrival));
+  }
 }
 
 void Coordinator::listen(const AgentInput& in, AgentOutput& out) {

@@ -8,6 +8,7 @@
 #include "skein/data/zone_set.h"
 #include "skein/layer/reasoning/monitoring/confidence/confidence_monitor.h"
 #include "skein/layer/reasoning/monitoring/coordinator/belief.h"
+#include "skein/layer/reasoning/monitoring/coordinator/forecast_calibration.h"
 #include "skein/layer/reasoning/monitoring/coordinator/roster.h"
 #include "skein/role/mission.h"
 #include "skein/role/monitoring_strategy.h"
@@ -26,6 +27,7 @@ struct CoordinatorOptions {
   double late_window = 60;        ///< readings this late still count [s]
   std::vector<Zone> zones;        ///< no-fly zones in force from the start
   std::uint32_t phenomenon = 0;  ///< whose perimeter: its place in the environment's list
+  ForecastOptions forecast;      ///< of the perimeter, from the allocation phase on
   /// Between two beliefs that are given to be recorded.
   Time record_period = Time::from_seconds(5);
 };
@@ -69,6 +71,7 @@ class Coordinator : public Mission {
   void resend_lost_orders(Time now, AgentOutput& out);
   void order(Member& member, TaskKind what, Time now, AgentOutput& out);
   void record_belief(Time now, AgentOutput& out);
+  void record_forecast(Time now, AgentOutput& out);
   void note_crossing(const Crossing& crossing, AgentOutput& out);
   void judge(const Crossing& crossing, AgentOutput& out);
   std::vector<Zone> zones_in_force(Time now) const;
@@ -83,7 +86,8 @@ class Coordinator : public Mission {
   Tally outliers_, dropped_;
   std::string method_;  // of the belief, for estimators that change it
   Time last_heard_;     // when a reading last came, however old
-  Time next_record_;
+  Time next_record_, next_forecast_;
+  ForecastCalibration calibration_;
   bool allocating_ = false;
 };
 

@@ -29,6 +29,12 @@ std::unique_ptr<PerimeterEstimator> EnsembleEstimator::clone() const {
   return std::make_unique<EnsembleEstimator>(*this);
 }
 
+std::unique_ptr<PerimeterEstimator> EnsembleEstimator::outlook() const {
+  auto ahead = std::make_unique<EnsembleEstimator>(*this);
+  ahead->look_ahead();
+  return ahead;
+}
+
 void EnsembleEstimator::predict(Time time) {
   if (time <= time_) return;
   ensemble_.predict((time - time_).seconds());

@@ -24,6 +24,10 @@ class EnsembleEstimator final : public PerimeterEstimator {
   BoundaryEstimate boundary() const override;
   EstimatorHealth health() const override { return health_; }
   std::unique_ptr<PerimeterEstimator> clone() const override;
+  std::unique_ptr<PerimeterEstimator> outlook() const override;
+
+  /// From now on it only looks ahead: FrontEnsemble::look_ahead().
+  void look_ahead() { ensemble_.look_ahead(); }
 
   const FrontEnsemble& ensemble() const { return ensemble_; }
   /// Probability that a reading is wrong, as learned so far.

@@ -17,7 +17,10 @@ constexpr int kMinNodes = 10000;  // room for the margins around the smallest fi
 const Eigen::Vector3d kCommonFloor(0.3, 0.05, 0.05);
 // What is this near ahead of a front, of an observation's reach, was learned there.
 constexpr double kOwnGround = 0.5;
-constexpr double kLongestUntidy = 45;  // between redistancings [s]
+// Looking ahead.
+constexpr std::size_t kOutlookMembers = 14;
+constexpr double kOutlookStep = 60;  // [s]
+constexpr std::size_t kOutlookNodes = 6000;
 
 }  // namespace
 
@@ -75,6 +78,20 @@ void FrontEnsemble::initialise(const PerimeterPrior& prior) {
   update_mean();
 }
 
+void FrontEnsemble::look_ahead() {
+  const std::size_t every = std::max<std::size_t>(1, members_.size() / kOutlookMembers);
+  std::vector<Member> few;
+  for (std::size_t k = 0; k < members_.size(); k += every)
+    few.push_back(std::move(members_[k]));
+  members_ = std::move(few);
+  options_.step = std::max(options_.step, kOutlookStep);
+  longest_untidy_ = 4 * options_.step;
+  options_.roughness = 0;
+  options_.max_nodes = kMinNodes;
+  while (grid_.size() > kOutlookNodes) coarsen();
+  update_mean();
+}
+
 double FrontEnsemble::diffusion() const {
   const double length = options_.noise_spacing_cells * grid_.cell;
   return noise_factor_ * options_.roughness * options_.roughness * rate_sd_ * length;
@@ -96,7 +113,7 @@ void FrontEnsemble::predict(double dt) {
     move(step);
     lag_ -= step;
     since_noise_ += step;
-    if (since_noise_ >= std::min(kLongestUntidy, 4 * step)) {
+    if (since_noise_ >= std::min(longest_untidy_, 4 * step)) {
       add_noise(since_noise_);
       since_noise_ = 0;
       tidy();

@@ -28,6 +28,10 @@ class FrontEnsemble {
   /// Carries all members on by `dt` [s].
   void predict(double dt);
 
+  /// Prepares for looking far ahead: fewer members, longer steps, and no noise of the
+  /// boundary, which makes fronts run ahead when no observation holds them.
+  void look_ahead();
+
   /// Signed distance of the boundary from `p` [m], negative inside.
   MemberValues distance(const Vec2& p) const;
   /// Speed of the boundary at `p` along its normal [m/s].
@@ -99,6 +103,7 @@ class FrontEnsemble {
   double lag_ = 0;
   double since_noise_ = 0;
   double noise_factor_ = 1;
+  double longest_untidy_ = 45;  // between redistancings [s]
 };
 
 }  // namespace skein::monitoring
