@@ -13,6 +13,9 @@ void SummaryRecorder::record(const Record& record) {
 
 Result<void> SummaryRecorder::step_done(Time time) {
   now_ = time;
+  // Rows of tables, which nobody keeps here.
+  statistics_.missions().take_series();
+  statistics_.forecasts().take_scores();
   return {};
 }
 

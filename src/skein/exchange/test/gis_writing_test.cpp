@@ -31,8 +31,9 @@ GisFeature burnt() {
   const auto square = [](double half, bool positive) {
     geo::Ring ring{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
     if (!positive) std::reverse(ring.begin(), ring.end());
-    return geo::signed_area(ring) > 0 == positive ? ring
-                                                  : geo::Ring(ring.rbegin(), ring.rend());
+    return (geo::signed_area(ring) > 0) == positive
+               ? ring
+               : geo::Ring(ring.rbegin(), ring.rend());
   };
   feature.rings = {square(1000, true), square(600, false), square(200, true)};
   feature.fields = {{"name", std::string("burnt")}, {"area_ha", 272.0}};
