@@ -74,9 +74,9 @@ export interface RunData {
   metrics: { time_s: Packed; columns: Record<string, Packed> }; // float32, NaN = absent
   /** The first aircraft, over time; empty in comparisons. */
   flights: { entity: number; time_s: Packed; columns: Record<FlightColumn, Packed> }[]; // float32
-  /** Figures of missions over time, and what each of the summary's says. */
+  /** Figures of missions and their forecasts over time, lines of one text in one chart; what each of the summary's says. */
   missions: {
-    series: { mission: string; figure: string; text: string; time_s: Packed; values: Packed }[]; // float32
+    series: { name: string; text: string; time_s: Packed; values: Packed }[]; // float32
     texts: Record<string, string>;
   };
   messages: { bin_s: number; sent: number[]; lost: number[] };

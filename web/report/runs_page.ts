@@ -81,12 +81,12 @@ function areaLines(runs: RunData[]): Line[] {
 /** One chart for each figure of missions that changes over time. */
 function missionCharts(runs: RunData[]): Omit<ChartOptions, "sync" | "marks" | "onPick">[] {
   const byText = new Map<string, Line[]>();
-  runs.forEach((run, r) => run.missions.series.forEach(({ mission, text, time_s, values }) => {
+  runs.forEach((run, r) => run.missions.series.forEach(({ name, text, time_s, values }) => {
     const y = floats(values);
     if (!text || y.every((v) => v === y[0])) return;
     const all = byText.get(text) ?? [];
     byText.set(text, all);
-    all.push({ name: runs.length === 1 ? mission : `${run.label}: ${mission}`, x: floats(time_s), y: Array.from(y),
+    all.push({ name: runs.length === 1 ? name : `${run.label}: ${name}`, x: floats(time_s), y: Array.from(y),
       colour: (runs.length === 1 ? all.length : r) % 8, dash: dashOf(r, false) });
   }));
   return Array.from(byText, ([text, lines]) => {

@@ -1,7 +1,10 @@
 #include "skein/record/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -64,15 +67,78 @@ Json flights_json(const StoredRun& run) {
   return flights;
 }
 
+// A line of a chart; lines of one text share it.
+struct SeriesLine {
+  std::string name, text;
+  std::vector<float> times, values;
+
+  void add(double time, double value) {
+    times.push_back(static_cast<float>(time));
+    values.push_back(static_cast<float>(value));
+  }
+};
+
+// Scores of forecasts, by the time that they were for.
+void add_forecasts(const StoredRun& run, std::vector<SeriesLine>& lines) {
+  struct Score {
+    const char* text;
+    std::optional<double> PerimeterMetrics::*value;
+  };
+  constexpr Score kScores[] = {
+      {"forecasts: intersection over union", &PerimeterMetrics::iou},
+      {"forecasts: share in the 95 % band", &PerimeterMetrics::coverage_95}};
+  for (const Score& score : kScores) {
+    std::map<std::string, SeriesLine> by_horizon;
+    for (const ForecastScore& each : run.forecasts) {
+      const double minutes = (each.time - each.made).seconds() / 60;
+      const std::string name =
+          fmt::format("{} {:g} min ahead", each.who.mission, minutes);
+      SeriesLine& line = by_horizon[name];
+      line.name = name;
+      line.text = score.text;
+      if (const auto value = each.metrics.*score.value)
+        line.add(each.time.seconds(), *value);
+    }
+    for (auto& [name, line] : by_horizon) lines.push_back(std::move(line));
+  }
+}
+
+// When fires were said to come to places, by the time when it was said.
+void add_arrivals(const StoredRun& run, std::vector<SeriesLine>& lines) {
+  struct Quantile {
+    const char* name;
+    std::optional<double> ArrivalForecast::*value;
+  };
+  constexpr Quantile kQuantiles[] = {{"10 %", &ArrivalForecast::early},
+                                     {"50 %", &ArrivalForecast::middle},
+                                     {"90 %", &ArrivalForecast::late}};
+  std::map<std::pair<std::string, std::string>, SeriesLine> all;
+  for (const ArrivalForecast& arrival : run.arrivals)
+    for (const Quantile& quantile : kQuantiles) {
+      const auto at = arrival.*quantile.value;
+      if (!at) continue;
+      SeriesLine& line = all[{arrival.place, quantile.name}];
+      line.name = quantile.name;
+      line.text = fmt::format("fire at {}, as forecast [min]", arrival.place);
+      line.add(arrival.made.seconds(), *at / 60);
+    }
+  for (auto& [key, line] : all) lines.push_back(std::move(line));
+}
+
 // Figures of missions: over time, and what they say.
 Json mission_figures_json(const StoredRun& run) {
-  Json series = Json::array(), texts = Json::object();
+  std::vector<SeriesLine> lines;
   for (const StoredSeries& each : run.mission_series)
-    series.push_back({{"mission", each.mission},
-                      {"figure", each.figure},
-                      {"text", std::string(mission_figure_text(each.figure))},
-                      {"time_s", packed(each.times)},
-                      {"values", packed(each.values)}});
+    lines.push_back({each.mission, std::string(mission_figure_text(each.figure)),
+                     each.times, each.values});
+  add_forecasts(run, lines);
+  add_arrivals(run, lines);
+  Json series = Json::array(), texts = Json::object();
+  for (const SeriesLine& line : lines)
+    series.push_back({{"name", line.name},
+                      {"text", line.text},
+                      {"time_s", packed(line.times)},
+                      {"values", packed(line.values)}});
   for (const auto& [name, value] : run.summary.numbers)
     if (const auto text = mission_number_text(name)) texts[name] = *text;
   return {{"series", std::move(series)}, {"texts", std::move(texts)}};

@@ -1,6 +1,9 @@
 #include "skein/record/mission/mission_figure_text.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <charconv>
 
 namespace skein::record {
 namespace {
@@ -25,6 +28,28 @@ constexpr std::array kTexts =
                                {"revisit_mean_s", "time between visits, mean [s]"},
                                {"revisit_max_s", "time between visits, longest [s]"}});
 
+constexpr std::array kForecastTexts =
+    std::to_array<FigureText>({{"iou_mean", "intersection over union, mean"},
+                               {"coverage_95_mean", "share in its 95 % band, mean"},
+                               {"crps_mean_m", "CRPS, mean [m]"}});
+
+// "forecast_600s_iou_mean".
+std::optional<std::string> forecast_text(std::string_view name) {
+  constexpr std::string_view kPrefix = "forecast_";
+  if (!name.starts_with(kPrefix)) return std::nullopt;
+  name.remove_prefix(kPrefix.size());
+  double horizon = 0;
+  const auto [end, failure] =
+      std::from_chars(name.data(), name.data() + name.size(), horizon);
+  name.remove_prefix(static_cast<std::size_t>(end - name.data()));
+  if (failure != std::errc() || !name.starts_with("s_")) return std::nullopt;
+  name.remove_prefix(2);
+  for (const FigureText& each : kForecastTexts)
+    if (each.figure == name)
+      return fmt::format("forecast {:g} min ahead: {}", horizon / 60, each.text);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view mission_figure_text(std::string_view figure) {
@@ -35,7 +60,7 @@ std::string_view mission_figure_text(std::string_view figure) {
 
 std::optional<std::string> mission_number_text(std::string_view name) {
   constexpr std::string_view kPrefix = "mission_";
-  if (!name.starts_with(kPrefix)) return std::nullopt;
+  if (!name.starts_with(kPrefix)) return forecast_text(name);
   name.remove_prefix(kPrefix.size());
   for (const FigureText& each : kTexts) {
     if (!name.ends_with(each.figure) || name.size() < each.figure.size() + 2) continue;

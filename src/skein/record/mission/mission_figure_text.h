@@ -11,7 +11,9 @@ namespace skein::record {
 std::string_view mission_figure_text(std::string_view figure);
 
 /// The same of a number of the summary: "village: share of the area seen" for
-/// "mission_village_seen"; none when it is no figure of a mission.
+/// "mission_village_seen", "forecast 10 min ahead: intersection over union, mean" for
+/// "forecast_600s_iou_mean"; none when it is neither a figure of a mission nor one of the
+/// main figures of its forecasts.
 std::optional<std::string> mission_number_text(std::string_view name);
 
 }  // namespace skein::record

@@ -90,6 +90,42 @@ TEST(Report, HoldsTheRunAndNothingFromTheNetwork) {
   EXPECT_GT(run["summary"]["perf_mean_m"], 0);
 }
 
+TEST(Report, ShowsWhatForecastsWereWorthAndWhenTheFireWasToCome) {
+  const TemporaryFolder folder("forecasts");
+  const EntityId ground{0};
+  auto recorder = RunRecorder::create(folder.path() / "one", kInfo).value();
+  for (const double made : {0.0, 60.0}) {
+    for (const double ahead : {60.0, 120.0})
+      recorder->record(ForecastRecord{
+          ground,
+          {Time::from_seconds(made),
+           believed_circle(Time::from_seconds(made + ahead), {0, 0}, 300, 20), 0, "m"}});
+    ArrivalForecast arrival;
+    arrival.made = Time::from_seconds(made);
+    arrival.place = "hut";
+    arrival.early = made + 600;
+    arrival.middle = made + 1200;  // no late: it may never come
+    recorder->record(ArrivalRecord{ground, arrival});
+  }
+  record_sample(*recorder, 200, 1);
+  ASSERT_TRUE(recorder->close());
+  const fs::path page = folder.path() / "report.html";
+  const fs::path runs[] = {folder.path() / "one"};
+  ASSERT_TRUE(write_report(runs, page));
+  const nlohmann::json data = data_of(page);
+  std::vector<std::string> lines;
+  for (const auto& series : data["runs"][0]["missions"]["series"])
+    lines.push_back(series["text"].get<std::string>() + "; " +
+                    series["name"].get<std::string>());
+  EXPECT_EQ(lines,
+            (std::vector<std::string>{"forecasts: intersection over union; m 1 min ahead",
+                                      "forecasts: intersection over union; m 2 min ahead",
+                                      "forecasts: share in the 95 % band; m 1 min ahead",
+                                      "forecasts: share in the 95 % band; m 2 min ahead",
+                                      "fire at hut, as forecast [min]; 10 %",
+                                      "fire at hut, as forecast [min]; 50 %"}));
+}
+
 TEST(Report, ShowsInABrowserWithoutErrors) {
   const TemporaryFolder folder("browser");
   make_run(folder.path() / "one", 120);
