@@ -1,4 +1,3 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -34,9 +33,8 @@ constexpr Level kPredictions[] = {{0.95, -1.645}, kBoundary, {0.05, 1.645}};
 std::string utc_at(const std::string& start, Time time) {
   const auto begin = scenario::parse_utc(start);
   if (!begin) return {};
-  const auto seconds = *begin + static_cast<std::int64_t>(std::floor(time.seconds()));
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     fmt::gmtime(static_cast<std::time_t>(seconds)));
+  return scenario::utc_text(*begin +
+                            static_cast<std::int64_t>(std::floor(time.seconds())));
 }
 
 // The boundary moved outward by `deviations` standard deviations.
@@ -115,15 +113,14 @@ Result<std::vector<GisFeature>> zones(const RunViews& run, Time at) {
   const auto all = run.zones(at);
   if (!all) return all.error();
   std::vector<GisFeature> features;
-  const auto limit = [](double value) { return std::isfinite(value) ? value : -9999; };
   for (const Zone& zone : all.value())
     features.push_back({GisFeature::Kind::kArea,
                         {outline(zone)},
                         {{"name", zone.name},
-                         {"floor_m", limit(zone.floor_msl)},
-                         {"ceiling_m", limit(zone.ceiling_msl)},
-                         {"from_s", limit(zone.from)},
-                         {"until_s", limit(zone.until)}}});
+                         {"floor_m", zone.floor_msl},
+                         {"ceiling_m", zone.ceiling_msl},
+                         {"from_s", zone.from},
+                         {"until_s", zone.until}}});
   return features;
 }
 

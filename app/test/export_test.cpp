@@ -55,6 +55,7 @@ TEST_F(Program, ExportsWhatARunKnowsForAMap) {
   const auto zones = exported("zones");
   ASSERT_EQ(zones.size(), 1u);
   EXPECT_EQ(zones[0]["properties"]["name"], "field");
+  EXPECT_TRUE(zones[0]["properties"]["ceiling_m"].is_null()) << "no limit";
 
   const Finished early =
       run({"export", "r", "--what", "prediction", "--at", "0", "--out", "e.kml"});

@@ -103,6 +103,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.altitude_agl = group.altitude_agl;
   context.map = map_;
   context.zones = zones_;
+  context.phenomena = scenario_.environment.phenomena.size();
   context.planner = planner_;
 
   auto nominal = nominal_plant(group, context);

@@ -182,6 +182,7 @@ class Builder {
         [this](const std::string& file) { return exchange::read_plan(file, frame_); }};
     for (const scenario::PlacedObject& object : scenario_.environment.objects)
       context.objects.push_back(object.name);
+    context.phenomena = scenario_.environment.phenomena.size();
     std::vector<std::vector<reasoning::PlannedMission>> all(teams_.size());
     std::set<std::string> names;
     for (std::size_t k = 0; k < scenario_.missions.size(); ++k) {
@@ -307,6 +308,14 @@ class Builder {
 };
 
 }  // namespace
+
+Result<void> check_phenomenon(std::size_t number, std::size_t phenomena) {
+  if (number < phenomena) return {};
+  return Error{ErrorCode::kBadInput, "phenomenon",
+               fmt::format("environment.phenomena has no number {}: there {} {}.", number,
+                           phenomena == 1 ? "is" : "are", phenomena),
+               "They are counted from 0."};
+}
 
 Result<Build> build(const Scenario& scenario, const KindRegistry& kinds) {
   auto frame = geo::LocalFrame::at(scenario.origin);

@@ -47,6 +47,10 @@ struct ObjectContext {
   Vec2 begin = Vec2::Zero();  ///< where it is at the start [m]
 };
 
+/// Whether environment.phenomena has one of that number.
+/// Fails: kBadInput, at the key `phenomenon`.
+Result<void> check_phenomenon(std::size_t number, std::size_t phenomena);
+
 /// What every part of an aircraft is given besides its options.
 struct AircraftContext {
   std::uint64_t seed = 0;
@@ -57,6 +61,7 @@ struct AircraftContext {
   double altitude_agl = 0;                     ///< flight altitude above ground [m]
   std::shared_ptr<const Terrain> map;          ///< the terrain as the agent knows it
   std::vector<Zone> zones;                     ///< in force from the start
+  std::size_t phenomena = 0;                   ///< how many there are
   std::shared_ptr<const PathPlanner> planner;  ///< of routes around zones; null: none
   FlightLimits limits;                         ///< of the plant
   Airframe airframe;                           ///< of the plant
@@ -98,6 +103,7 @@ struct MissionContext {
   Time metrics_period;
   /// The plan in a file.
   std::function<Result<FlightPlan>(const std::string& file)> read_plan;
+  std::size_t phenomena = 0;  ///< how many the environment has
 };
 
 /// What every radio is given besides its options.

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
-
 #include <cmath>
+#include <functional>
 
 #include "skein/assemble/kind_registry.h"
 #include "skein/assemble/mission_fields.h"
@@ -154,6 +153,10 @@ MadeMission make_perimeter(const PerimeterChoice& choice, const MissionContext& 
   options.late_window = choice.late_window.seconds();
   options.zones = c.zones;
   options.phenomenon = static_cast<std::uint32_t>(choice.phenomenon);
+  // The first may be missing: then nothing burns, and that is what it finds.
+  if (options.phenomenon > 0)
+    if (auto good = check_phenomenon(options.phenomenon, c.phenomena); !good)
+      return good.error();
   options.forecast = {choice.forecast.horizons, choice.forecast.period,
                       choice.forecast.places};
   options.record_period = c.metrics_period;

@@ -1,14 +1,13 @@
 #include "skein/assemble/recorded_scenario.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "skein/geo/vec.h"
 #include "skein/layer/environment/recorded/recorded_fire.h"
+#include "skein/scenario/utc.h"
 
 namespace skein::assemble {
 namespace {
@@ -57,9 +56,8 @@ Result<std::vector<std::string>> fit_recorded_scenario(const fs::path& data) {
       fmt::format("missions[0].prior.radius_sd_m={:.0f}", 0.4 * radius),
       fmt::format("aircraft[0].start.distance_m={:.0f}", 2 * radius + 600)};
   if (fire.start_utc && *fire.start_utc >= 0)  // scenarios have dates from 1970 on
-    overrides.push_back(
-        fmt::format("start_utc={:%Y-%m-%dT%H:%M:%SZ}",
-                    fmt::gmtime(static_cast<std::time_t>(std::floor(*fire.start_utc)))));
+    overrides.push_back("start_utc=" + scenario::utc_text(static_cast<std::int64_t>(
+                                           std::floor(*fire.start_utc))));
   const fs::path folder = source.parent_path();
   overrides.push_back("environment.terrain=flat");
   for (const fs::path& file :

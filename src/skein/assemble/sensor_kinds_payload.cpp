@@ -92,16 +92,25 @@ Fields<sensory::CameraOptions> camera_fields() {
 }  // namespace
 
 void add_payload_sensors(Kinds<Sensor, AircraftContext>& kinds) {
+  using Made = Result<std::unique_ptr<Sensor>>;
   kinds.add("fire", "The cheap in/out sensor: does the ground at one point burn?",
             fire_sensor_fields(),
-            [](const sensory::FireSensorOptions& o, const AircraftContext& c) {
-              return std::make_unique<sensory::FireSensor>(o, c.seed, c.self, c.instance);
+            [](const sensory::FireSensorOptions& o, const AircraftContext& c) -> Made {
+              if (o.phenomenon)
+                if (auto good = check_phenomenon(*o.phenomenon, c.phenomena); !good)
+                  return good.error();
+              return std::unique_ptr<Sensor>(
+                  std::make_unique<sensory::FireSensor>(o, c.seed, c.self, c.instance));
             });
   kinds.add("edge-finder",
             "Sees the nearest point of the true edge: a benchmark's ideal.",
             edge_finder_fields(),
-            [](const sensory::EdgeFinderOptions& o, const AircraftContext&) {
-              return std::make_unique<sensory::EdgeFinder>(o);
+            [](const sensory::EdgeFinderOptions& o, const AircraftContext& c) -> Made {
+              // The first may be missing: then there is no edge.
+              if (o.phenomenon > 0)
+                if (auto good = check_phenomenon(o.phenomenon, c.phenomena); !good)
+                  return good.error();
+              return std::unique_ptr<Sensor>(std::make_unique<sensory::EdgeFinder>(o));
             });
   kinds.add("camera", "Looks down: its footprint, and objects that it finds there.",
             camera_fields(),

@@ -7,6 +7,7 @@
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
+#include "skein/geo/polygon.h"
 #include "skein/geo/vec.h"
 
 namespace skein {
@@ -96,6 +97,19 @@ constexpr auto describe(const BoundaryEstimate*) {
                       field("time", &T::time, "that it is of"),
                       field("rings", &T::rings, Storage::kFloats,
                             "closed; outer ones run clockwise on the map"));
+}
+
+/// The rings of a boundary that enclose something: three points or more.
+inline geo::Region rings_of(const BoundaryEstimate& boundary) {
+  geo::Region region;
+  region.reserve(boundary.rings.size());
+  for (const auto& points : boundary.rings) {
+    if (points.size() < 3) continue;
+    geo::Ring& ring = region.emplace_back();
+    ring.reserve(points.size());
+    for (const BoundaryPoint& point : points) ring.push_back(point.position);
+  }
+  return region;
 }
 
 /// What a mission believes about a boundary.

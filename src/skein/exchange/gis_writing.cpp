@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <system_error>
 
@@ -97,10 +98,10 @@ class GisWriter {
       const auto& value = feature.fields[k].second;
       const int at = static_cast<int>(k);
       auto* row = static_cast<OGRFeatureH>(made.get());
-      if (const auto* number = std::get_if<double>(&value))
-        OGR_F_SetFieldDouble(row, at, *number);
-      else
-        OGR_F_SetFieldString(row, at, std::get<std::string>(value).c_str());
+      const auto* number = std::get_if<double>(&value);
+      if (number && std::isfinite(*number)) OGR_F_SetFieldDouble(row, at, *number);
+      if (number && !std::isfinite(*number)) OGR_F_SetFieldNull(row, at);
+      if (!number) OGR_F_SetFieldString(row, at, std::get<std::string>(value).c_str());
     }
     OGRGeometryH shape =
         feature.kind == GisFeature::Kind::kLine ? line(feature) : area(feature);

@@ -21,7 +21,8 @@ struct GisFeature {
   /// negative, as many parts as it has.
   std::vector<geo::Ring> rings;
   /// Name and value, the same names in the same order in all features of a file. Names of
-  /// at most 10 letters, digits and underscores survive in shapefiles too.
+  /// at most 10 letters, digits and underscores survive in shapefiles too. A number that
+  /// is not finite is left out: null.
   std::vector<std::pair<std::string, std::variant<double, std::string>>> fields;
 };
 

@@ -107,18 +107,6 @@ geo::Ring boundary_samples(const geo::Region& region) {
   return samples;
 }
 
-geo::Region believed_rings(const BoundaryEstimate& belief) {
-  geo::Region region;
-  for (const auto& points : belief.rings) {
-    if (points.size() < 3) continue;
-    geo::Ring ring;
-    ring.reserve(points.size());
-    for (const BoundaryPoint& point : points) ring.push_back(point.position);
-    region.push_back(std::move(ring));
-  }
-  return region;
-}
-
 // A belief that ran away, as far as areas can still be computed: clipping has its limits,
 // and a fire larger than the Earth is wrong enough.
 geo::Region within_earth(geo::Region rings) {
@@ -134,7 +122,7 @@ TrueBoundary::TrueBoundary(geo::Region region)
 PerimeterMetrics perimeter_metrics(const TrueBoundary& truth,
                                    const BoundaryEstimate& belief) {
   PerimeterMetrics out;
-  const geo::Region rings = believed_rings(belief);
+  const geo::Region rings = rings_of(belief);
   const geo::Region near = within_earth(rings);
   // A belief may cross itself; the truth never does.
   const double believed = geo::shared_area(near, near, geo::FillRule::kPositive);

@@ -61,9 +61,6 @@ class TrueBoundary {
 /// length within a ring. Rings of fewer than three points have no boundary.
 geo::Ring boundary_samples(const geo::Region& region);
 
-/// The rings of a belief that enclose something (three points or more).
-geo::Region believed_rings(const BoundaryEstimate& belief);
-
 /// Compares a belief with the truth of the same time. `err` of a point is its signed
 /// distance to the true boundary; all believed points count the same. The latencies are
 /// left to ReadingAges.

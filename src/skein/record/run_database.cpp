@@ -25,7 +25,6 @@ CREATE TABLE summary (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
 )sql";
 
 constexpr std::int64_t kPageBytes = 4096;
-constexpr std::size_t kFieldCount = 13;  // of metrics
 
 std::string values(std::size_t count) {
   std::string list = " VALUES (?";
@@ -183,9 +182,9 @@ Result<void> RunDatabase::write_truth(Time time, std::uint32_t phenomenon,
   return {};
 }
 
-Result<void> RunDatabase::write_belief(Time time, const Believer& who,
-                                       const BoundaryEstimate& belief) {
-  return write_rings("belief", time, std::nullopt, std::nullopt, who, belief);
+Result<void> RunDatabase::write_belief(const PerimeterRecord& record) {
+  return write_rings("belief", record.time, std::nullopt, record.phenomenon,
+                     {record.believer, record.mission}, record.belief);
 }
 
 Result<void> RunDatabase::write_forecast(const ForecastRecord& record) {
@@ -197,8 +196,7 @@ Result<void> RunDatabase::write_forecast(const ForecastRecord& record) {
 
 Result<void> RunDatabase::write_rings(const char* source, Time time,
                                       std::optional<double> made,
-                                      std::optional<double> phenomenon,
-                                      const Believer& who,
+                                      std::uint32_t phenomenon, const Believer& who,
                                       const BoundaryEstimate& belief) {
   std::vector<float> floats;
   for (std::size_t r = 0; r < belief.rings.size(); ++r) {
@@ -213,25 +211,29 @@ Result<void> RunDatabase::write_rings(const char* source, Time time,
   return {};
 }
 
+template <class... More>
+Result<void> RunDatabase::insert_metrics(Statement& statement, Time time,
+                                         const Believer& who,
+                                         const PerimeterMetrics& metrics,
+                                         const More&... more) {
+  constexpr std::size_t kFieldCount = 13;
+  const auto fields = metric_fields();
+  SKEIN_CHECK(fields.size() == kFieldCount, fields.size());
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return insert(statement, time.seconds(), who.station.value, who.mission,
+                  metrics.*fields[I].value..., more...);
+  }
+  (std::make_index_sequence<kFieldCount>());
+}
+
 Result<void> RunDatabase::write_metrics(Time time, const Believer& who,
                                         const PerimeterMetrics& metrics) {
-  const auto fields = metric_fields();
-  const auto with_columns = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return insert(metrics_, time.seconds(), who.station.value, who.mission,
-                  metrics.*fields[I].value...);
-  };
-  SKEIN_CHECK(fields.size() == kFieldCount, fields.size());
-  return with_columns(std::make_index_sequence<kFieldCount>());
+  return insert_metrics(metrics_, time, who, metrics);
 }
 
 Result<void> RunDatabase::write(const ForecastScore& row) {
-  const auto fields = metric_fields();
-  const auto with_columns = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return insert(forecast_metrics_, row.time.seconds(), row.who.station.value,
-                  row.who.mission, row.metrics.*fields[I].value..., row.made.seconds());
-  };
-  SKEIN_CHECK(fields.size() == kFieldCount, fields.size());
-  return with_columns(std::make_index_sequence<kFieldCount>());
+  return insert_metrics(forecast_metrics_, row.time, row.who, row.metrics,
+                        row.made.seconds());
 }
 
 Result<void> RunDatabase::finish(const RunSummary& summary) {

@@ -48,8 +48,7 @@ class RunDatabase {
   Result<void> write(const ForecastScore& row);
   Result<void> write_forecast(const ForecastRecord& record);
   Result<void> write_truth(Time time, std::uint32_t phenomenon, const geo::Region& truth);
-  Result<void> write_belief(Time time, const Believer& who,
-                            const BoundaryEstimate& belief);
+  Result<void> write_belief(const PerimeterRecord& record);
   Result<void> write_metrics(Time time, const Believer& who,
                              const PerimeterMetrics& metrics);
   /// Writes the summary and merges the log into the file. Outside of transactions.
@@ -59,8 +58,11 @@ class RunDatabase {
   explicit RunDatabase(Sqlite sqlite) : sqlite_(std::move(sqlite)) {}
   Result<void> prepare();
   Result<void> write_rings(const char* source, Time time, std::optional<double> made,
-                           std::optional<double> phenomenon, const Believer& who,
+                           std::uint32_t phenomenon, const Believer& who,
                            const BoundaryEstimate& belief);
+  template <class... More>
+  Result<void> insert_metrics(Statement& statement, Time time, const Believer& who,
+                              const PerimeterMetrics& metrics, const More&... more);
   template <class T>
   Result<void> write_described(Statement& statement, const T& value);
   template <class... Values>

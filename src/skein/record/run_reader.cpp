@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -19,21 +18,9 @@ namespace {
 // Before everything: no row of truth is of this time.
 constexpr Time kNever = Time::from_ns(-1);
 
-EntityId entity_id(const Statement& row, int column) {
-  return EntityId{static_cast<std::uint32_t>(row.integer(column))};
-}
-
 double known(const Statement& row, int column) {
   return row.is_null(column) ? std::numeric_limits<double>::quiet_NaN()
                              : row.real(column);
-}
-
-std::vector<float> float_blob(const Statement& row, int column) {
-  const std::span<const std::byte> bytes = row.blob(column);
-  std::vector<float> floats(bytes.size() / sizeof(float));
-  if (!floats.empty())
-    std::memcpy(floats.data(), bytes.data(), floats.size() * sizeof(float));
-  return floats;
 }
 
 // Every k-th, so that about `max` are left at most.
@@ -44,6 +31,23 @@ std::vector<T> thinned(const std::vector<T>& all, int max) {
   std::vector<T> kept;
   for (std::size_t i = 0; i < all.size(); i += keep_each) kept.push_back(all[i]);
   return kept;
+}
+
+// All metrics, as columns of a query behind others.
+std::string metric_columns() {
+  std::string columns;
+  for (const MetricField& field : metric_fields())
+    columns += ", " + std::string(field.name) + std::string(field.unit);
+  return columns;
+}
+
+PerimeterMetrics metrics_from(const Statement& row, int column) {
+  PerimeterMetrics metrics;
+  for (const MetricField& field : metric_fields()) {
+    if (!row.is_null(column)) metrics.*field.value = row.real(column);
+    ++column;
+  }
+  return metrics;
 }
 
 class Reader {
@@ -139,25 +143,18 @@ class Reader {
   }
 
   Result<void> metrics() {
-    std::string columns;
-    for (const MetricField& field : metric_fields())
-      columns += ", " + std::string(field.name) + std::string(field.unit);
     std::optional<Believer> first;  // whose metrics are plotted
-    return rows("SELECT time_s, believer_id, mission" + columns + " FROM metrics",
-                [&](const Statement& row) {
-                  PerimeterMetrics metrics;
-                  int column = 3;
-                  for (const MetricField& field : metric_fields()) {
-                    if (!row.is_null(column)) metrics.*field.value = row.real(column);
-                    ++column;
-                  }
-                  const Believer who{entity_id(row, 1), row.text(2)};
-                  statistics_.metrics(Time::from_seconds(row.real(0)), who, metrics);
-                  if (!first) first = who;
-                  if (who != *first) return;
-                  run_.metric_times.push_back(row.real(0));
-                  run_.metrics.push_back(metrics);
-                });
+    return rows(
+        "SELECT time_s, believer_id, mission" + metric_columns() + " FROM metrics",
+        [&](const Statement& row) {
+          const PerimeterMetrics metrics = metrics_from(row, 3);
+          const Believer who{entity_id(row, 1), row.text(2)};
+          statistics_.metrics(Time::from_seconds(row.real(0)), who, metrics);
+          if (!first) first = who;
+          if (who != *first) return;
+          run_.metric_times.push_back(row.real(0));
+          run_.metrics.push_back(metrics);
+        });
   }
 
   Result<void> tracks() {
@@ -234,34 +231,28 @@ class Reader {
       run_.arrivals.push_back(std::move(record.forecast));
     });
     if (!done) return done;
-    std::string columns;
-    for (const MetricField& field : metric_fields())
-      columns += ", " + std::string(field.name) + std::string(field.unit);
-    return rows("SELECT made_s, time_s, believer_id, mission" + columns +
+    return rows("SELECT made_s, time_s, believer_id, mission" + metric_columns() +
                     " FROM forecast_metrics ORDER BY rowid",
                 [&](const Statement& row) {
                   ForecastScore score;
                   score.made = Time::from_seconds(row.real(0));
                   score.time = Time::from_seconds(row.real(1));
                   score.who = {entity_id(row, 2), row.text(3)};
-                  int column = 4;
-                  for (const MetricField& field : metric_fields()) {
-                    if (!row.is_null(column))
-                      score.metrics.*field.value = row.real(column);
-                    ++column;
-                  }
+                  score.metrics = metrics_from(row, 4);
                   statistics_.forecasts().score(score);
                   run_.forecasts.push_back(std::move(score));
                 });
   }
 
   Result<void> perimeters() {
-    if (auto done = frames("source = 'truth'", run_.truth); !done) return done;
-    return frames("source = 'belief'", run_.belief);
+    if (auto done = frames("truth", "phenomenon", run_.truth); !done) return done;
+    return frames("belief", "believer_id || ' ' || mission", run_.belief);
   }
 
   // Each with the newest rings of all phenomena, or of all missions.
-  Result<void> frames(const std::string& which, std::vector<StoredFrame>& out) {
+  Result<void> frames(const std::string& source, const std::string& whose,
+                      std::vector<StoredFrame>& out) {
+    const std::string which = "source = '" + source + "'";
     std::vector<double> times;
     auto done =
         rows("SELECT DISTINCT time_s FROM perimeters WHERE " + which + " ORDER BY time_s",
@@ -284,18 +275,16 @@ class Reader {
         for (const std::vector<float>& ring : rings.second)
           out.back().rings.push_back(ring);
     };
-    done = rows(
-        "SELECT time_s, data, coalesce(phenomenon, believer_id || mission)"
-        " FROM perimeters WHERE " +
-            which + " ORDER BY time_s, ring",
-        [&](const Statement& row) {
-          if (row.real(0) != time) put();
-          time = row.real(0);
-          auto& [of, rings] = newest[row.text(2)];
-          if (of != time) rings.clear();
-          of = time;
-          rings.push_back(float_blob(row, 1));
-        });
+    done = rows("SELECT time_s, data, " + whose + " FROM perimeters WHERE " + which +
+                    " ORDER BY time_s, ring",
+                [&](const Statement& row) {
+                  if (row.real(0) != time) put();
+                  time = row.real(0);
+                  auto& [of, rings] = newest[row.text(2)];
+                  if (of != time) rings.clear();
+                  of = time;
+                  rings.push_back(float_blob(row, 1));
+                });
     put();
     return done;
   }

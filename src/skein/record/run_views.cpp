@@ -1,7 +1,6 @@
 #include "skein/record/run_views.h"
 
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <utility>
 
@@ -25,9 +24,7 @@ BoundaryPoint point_of(const float* f) {
   return point;
 }
 
-std::vector<BoundaryPoint> ring_of(std::span<const std::byte> bytes) {
-  std::vector<float> floats(bytes.size() / sizeof(float));
-  if (!floats.empty()) std::memcpy(floats.data(), bytes.data(), bytes.size());
+std::vector<BoundaryPoint> ring_of(const std::vector<float>& floats) {
   std::vector<BoundaryPoint> ring;
   for (std::size_t k = 0; k + kBeliefFloats <= floats.size(); k += kBeliefFloats)
     ring.push_back(point_of(&floats[k]));
@@ -92,14 +89,13 @@ Result<std::vector<StoredBelief>> RunViews::rings(const std::string& source,
       " WHERE " +
           which + " ORDER BY p.believer_id, p.mission, p.time_s, p.ring",
       [&](const Statement& row) {
-        const Believer who{EntityId{static_cast<std::uint32_t>(row.integer(0))},
-                           row.text(1)};
+        const Believer who{entity_id(row, 0), row.text(1)};
         const Time valid = Time::from_seconds(row.real(2));
         if (all.empty() || all.back().who != who || all.back().boundary.time != valid) {
           all.push_back({who, {valid, {}}, std::nullopt});
           if (!row.is_null(3)) all.back().made = Time::from_seconds(row.real(3));
         }
-        all.back().boundary.rings.push_back(ring_of(row.blob(4)));
+        all.back().boundary.rings.push_back(ring_of(float_blob(row, 4)));
       });
   if (!done) return done.error();
   return all;

@@ -187,10 +187,8 @@ Result<void> RunWriter::write(PerimeterRecord& record) {
 }
 
 Result<void> RunWriter::store(const PerimeterRecord& record) {
-  const Believer who{record.believer, record.mission};
-  belief_stored_[who] = record.time;
-  if (auto done = database_.write_belief(record.time, who, record.belief); !done)
-    return done;
+  belief_stored_[{record.believer, record.mission}] = record.time;
+  if (auto done = database_.write_belief(record); !done) return done;
   const auto [stored, first] = truth_stored_.try_emplace(record.phenomenon, record.time);
   if (!first && stored->second == record.time) return {};  // by another mission
   stored->second = record.time;

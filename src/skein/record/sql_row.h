@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "skein/base/id.h"
 #include "skein/record/sqlite.h"
 
 namespace skein::record {
@@ -42,6 +44,19 @@ class RowSink {
   std::deque<std::vector<float>> floats_;
   std::deque<std::vector<std::byte>> bytes_;
 };
+
+/// The numbers of a blob of 32-bit floats.
+inline std::vector<float> float_blob(const Statement& row, int column) {
+  const std::span<const std::byte> bytes = row.blob(column);
+  std::vector<float> floats(bytes.size() / sizeof(float));
+  if (!floats.empty())
+    std::memcpy(floats.data(), bytes.data(), floats.size() * sizeof(float));
+  return floats;
+}
+
+inline EntityId entity_id(const Statement& row, int column) {
+  return EntityId{static_cast<std::uint32_t>(row.integer(column))};
+}
 
 /// The row that a SELECT statement has reached, for columns::take().
 class RowSource {

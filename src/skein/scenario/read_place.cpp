@@ -59,7 +59,11 @@ std::optional<std::vector<Vec2>> Reader::feature_points(const Node& node,
   const auto& folder = file->place.source == 0 ? folders_.file : folders_.override;
   std::error_code failure;
   const auto path = std::filesystem::absolute(folder / file->text, failure);
-  if (!places_->frame || !places_->features) return std::nullopt;
+  if (!places_->frame) return std::nullopt;  // a problem of its own
+  if (!places_->features) {
+    error(node.place, "no map files can be read here.", kForms);
+    return std::nullopt;
+  }
   auto points = places_->features(path.lexically_normal().string(),
                                   name ? name->text : "", use, *places_->frame);
   if (points) return std::move(points).value();

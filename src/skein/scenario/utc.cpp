@@ -1,5 +1,7 @@
 #include "skein/scenario/utc.h"
 
+#include <fmt/chrono.h>
+
 #include <charconv>
 #include <chrono>
 
@@ -26,6 +28,11 @@ std::optional<std::int64_t> parse_utc(std::string_view text) {
   if (hour > 23 || minute > 59 || second > 59) return std::nullopt;
   const auto time = sys_days(day) + hours(hour) + minutes(minute) + seconds(second);
   return time.time_since_epoch().count();
+}
+
+std::string utc_text(std::int64_t seconds) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(static_cast<std::time_t>(seconds)));
 }
 
 }  // namespace skein::scenario

@@ -107,6 +107,22 @@ TEST(Build, NumbersGroupsOfOneNameOn) {
   EXPECT_EQ(names, (std::vector<std::string>{"station", "a-1", "a-2", "b-1", "a-3"}));
 }
 
+TEST(Build, NamesAPhenomenonThatDoesNotExist) {
+  const char* const kWrong[] = {
+      "missions: [{kind: perimeter, phenomenon: 2}]",
+      "aircraft: [{sensors: [{kind: fire, phenomenon: 2}]}]",
+      "aircraft: [{sensors: [flight, {kind: edge-finder, phenomenon: 2}]}]"};
+  for (const std::string wrong : kWrong) {
+    const auto built = build(read("environment: {phenomena: [front, thesis]}\n" + wrong),
+                             KindRegistry());
+    ASSERT_FALSE(built.ok()) << wrong;
+    EXPECT_NE(
+        built.error().text().find("environment.phenomena has no number 2: there are 2."),
+        std::string::npos)
+        << built.error().text();
+  }
+}
+
 // What is wrong with a scenario, one line each.
 std::string problems_of(const std::string& text) {
   std::string lines;

@@ -39,6 +39,11 @@ void MissionStatistics::feed(Feed feed) {
     if (mission.runs && mission.meter) feed(*mission.meter);
 }
 
+bool MissionStatistics::measures() const {
+  return std::any_of(missions_.begin(), missions_.end(),
+                     [](const auto& each) { return each.second.meter != nullptr; });
+}
+
 void MissionStatistics::mission(const MissionRecord& record) {
   advance(record.time);
   Mission& mission = missions_[{record.station, record.change.mission}];
@@ -66,7 +71,7 @@ void MissionStatistics::mission(const MissionRecord& record) {
 }
 
 void MissionStatistics::truth(Time time, EntityId id, const Vec3& p_N) {
-  if (missions_.empty()) return;
+  if (!measures()) return;
   advance(time);
   Flight& flight = flights_[id];
   flight.has_truth = true;
@@ -75,7 +80,7 @@ void MissionStatistics::truth(Time time, EntityId id, const Vec3& p_N) {
 
 void MissionStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
                                  bool on_ground) {
-  if (missions_.empty()) return;
+  if (!measures()) return;
   Flight& flight = flights_[id];
   flight.on_ground = on_ground;
   if (!flight.has_truth) {

@@ -53,6 +53,7 @@ class MissionStatistics {
     std::optional<Vec2> last;
     bool has_truth = false, on_ground = false;
   };
+  bool measures() const;  // some mission has a meter
   void advance(Time now);
   void move(Flight& flight, Time time, const Vec2& place);
   void note(const Mission& mission, Time time);

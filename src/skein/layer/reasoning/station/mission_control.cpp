@@ -65,13 +65,12 @@ void MissionControl::step(const AgentInput& in, OrderServer& orders, AgentOutput
     allocate(in.now, orders, out);
   }
   record_states(out);
-  const ReadingRouter readings = reading_router();
   for (std::size_t k = 0; k < slots_.size(); ++k)
     if (slots_[k].state == State::kRunning || slots_[k].state == State::kPaused)
-      run(k, readings, in, orders, out);
+      run(k, in, orders, out);
 }
 
-ReadingRouter MissionControl::reading_router() const {
+void MissionControl::route_readings() {
   std::vector<ReadingRouter::Watch> watches;
   for (std::size_t k = 0; k < slots_.size(); ++k) {
     const Slot& slot = slots_[k];
@@ -81,15 +80,13 @@ ReadingRouter MissionControl::reading_router() const {
       watches.push_back({k, perimeter->phenomenon,
                          slot.plan.mission->demand().place.value_or(Vec2::Zero())});
   }
-  ReadingRouter router;
-  router.set(std::move(watches));
-  return router;
+  readings_.set(std::move(watches));
 }
 
-void MissionControl::run(std::size_t index, const ReadingRouter& readings,
-                         const AgentInput& in, OrderServer& orders, AgentOutput& out) {
+void MissionControl::run(std::size_t index, const AgentInput& in, OrderServer& orders,
+                         AgentOutput& out) {
   const std::size_t before = out.records.size();
-  orders.run(index, *slots_[index].plan.mission, readings, in, out);
+  orders.run(index, *slots_[index].plan.mission, readings_, in, out);
   for (std::size_t k = before; k < out.records.size(); ++k)
     std::visit(
         [&](auto& record) {
@@ -100,6 +97,7 @@ void MissionControl::run(std::size_t index, const ReadingRouter& readings,
 }
 
 void MissionControl::record_states(AgentOutput& out) {
+  bool changed = false;
   for (Slot& slot : slots_) {
     if (slot.state == slot.recorded) continue;
     MissionState state = MissionState::kBegun;
@@ -110,7 +108,9 @@ void MissionControl::record_states(AgentOutput& out) {
     slot.recorded = slot.state;
     out.records.emplace_back(
         MissionChange{slot.plan.name, state, slot.plan.mission->goal()});
+    changed = true;
   }
+  if (changed) route_readings();
 }
 
 bool MissionControl::must_begin(const Slot& slot, Time now) const {

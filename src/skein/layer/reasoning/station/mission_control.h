@@ -51,9 +51,9 @@ class MissionControl {
     Time begun;
     State recorded = State::kWaiting;  // the state that records know of
   };
-  void run(std::size_t index, const ReadingRouter& readings, const AgentInput& in,
-           OrderServer& orders, AgentOutput& out);
-  ReadingRouter reading_router() const;
+  void run(std::size_t index, const AgentInput& in, OrderServer& orders,
+           AgentOutput& out);
+  void route_readings();
   void record_states(AgentOutput& out);
   void obey(const Command& command, Time now, OrderServer& orders, AgentOutput& out);
   void obey(const TaskCommand& command, Time now, OrderServer& orders, AgentOutput& out);
@@ -71,6 +71,7 @@ class MissionControl {
 
   std::vector<Slot> slots_;
   std::unique_ptr<const Allocator> allocator_;
+  ReadingRouter readings_;  // to the missions that run
   Time next_allocation_;
 };
 

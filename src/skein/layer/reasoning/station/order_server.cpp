@@ -156,7 +156,7 @@ bool OrderServer::has(const Member& member, std::size_t mission) const {
 bool OrderServer::concerns(const Message& message, std::size_t mission,
                            const ReadingRouter& readings) {
   const auto* reading = std::get_if<FireReading>(&message.content);
-  if (!reading) return true;
+  if (!reading || !readings.divides()) return true;
   const Member* member = find(reading->aircraft);
   return readings.belongs(*reading, member ? member->mission : std::nullopt, mission);
 }

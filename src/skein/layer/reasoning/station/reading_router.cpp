@@ -11,7 +11,7 @@ constexpr double kOwn = 0.5;  // of the distance
 
 bool ReadingRouter::belongs(const FireReading& reading, std::optional<std::size_t> owner,
                             std::size_t mission) const {
-  if (watches_.size() < 2) return true;
+  if (!divides()) return true;
   const auto distance = [&](const Watch& watch) {
     return (reading.point - watch.place).norm() * (owner == watch.mission ? kOwn : 1);
   };

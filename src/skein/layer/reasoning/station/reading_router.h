@@ -27,6 +27,9 @@ class ReadingRouter {
   /// The missions that run now.
   void set(std::vector<Watch> watches) { watches_ = std::move(watches); }
 
+  /// Whether there is anything to divide: several missions about perimeters.
+  bool divides() const { return watches_.size() > 1; }
+
   /// Whether a mission that runs is given a reading.
   /// @param owner  the mission that has the reading aircraft; none: none.
   bool belongs(const FireReading& reading, std::optional<std::size_t> owner,

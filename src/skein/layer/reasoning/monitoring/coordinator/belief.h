@@ -35,9 +35,9 @@ class Belief {
   /// The boundary, moved on from the belief's own time to `now` with each point's rate.
   BoundaryEstimate boundary_at(Time now) const;
 
-  /// What it says of the times ahead of `now`, which is not before its own time.
-  Forecast forecast(Time now, const ForecastOptions& options, double spread) const {
-    return monitoring::forecast(*now_.estimator, now, options, spread);
+  /// Begins to look ahead of `now`, which is not before its own time.
+  ForecastRun look_ahead(Time now, const ForecastOptions& options, double spread) const {
+    return {*now_.estimator, now, options, spread};
   }
 
   EstimatorHealth health() const { return now_.estimator->health(); }

@@ -59,7 +59,7 @@ void Coordinator::step(const AgentInput& in, AgentOutput& out) {
   allocate(in.now, out);
   resend_lost_orders(in.now, out);
   record_belief(in.now, out);
-  record_forecast(in.now, out);
+  look_ahead(in.now, out);
 }
 
 MissionDemand Coordinator::demand() const {
@@ -75,15 +75,23 @@ void Coordinator::record_belief(Time now, AgentOutput& out) {
 }
 
 // Before the fire was found there is nothing to go by.
-void Coordinator::record_forecast(Time now, AgentOutput& out) {
-  if (!allocating_ || options_.forecast.horizons.empty() || now < next_forecast_) return;
-  next_forecast_ = now + options_.forecast.period;
-  calibration_.compare(boundary_);
-  Forecast ahead = belief_.forecast(now, options_.forecast, calibration_.spread());
+void Coordinator::look_ahead(Time now, AgentOutput& out) {
+  if (allocating_ && !options_.forecast.horizons.empty() && now >= next_forecast_) {
+    next_forecast_ = now + options_.forecast.period;
+    calibration_.compare(boundary_);
+    forecast_ = belief_.look_ahead(now, options_.forecast, calibration_.spread());
+  }
+  if (!forecast_ || !forecast_->advance()) return;
+  Forecast ahead = forecast_->take();
+  forecast_.reset();
   calibration_.keep(std::move(ahead.check));
+  record_forecast(std::move(ahead), out);
+}
+
+void Coordinator::record_forecast(Forecast ahead, AgentOutput& out) const {
   for (BoundaryEstimate& boundary : ahead.boundaries)
     out.records.emplace_back(
-        PerimeterForecast{now, std::move(boundary), options_.phenomenon});
+        PerimeterForecast{ahead.made, std::move(boundary), options_.phenomenon});
   for (ArrivalForecast& arrival : ahead.arrivals) {
     arrival.phenomenon = options_.phenomenon;
     out.records.emplace_back(std::move(arrival));

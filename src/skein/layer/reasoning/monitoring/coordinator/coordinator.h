@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,7 +72,8 @@ class Coordinator : public Mission {
   void resend_lost_orders(Time now, AgentOutput& out);
   void order(Member& member, TaskKind what, Time now, AgentOutput& out);
   void record_belief(Time now, AgentOutput& out);
-  void record_forecast(Time now, AgentOutput& out);
+  void look_ahead(Time now, AgentOutput& out);
+  void record_forecast(Forecast ahead, AgentOutput& out) const;
   void note_crossing(const Crossing& crossing, AgentOutput& out);
   void judge(const Crossing& crossing, AgentOutput& out);
   std::vector<Zone> zones_in_force(Time now) const;
@@ -87,6 +89,7 @@ class Coordinator : public Mission {
   std::string method_;  // of the belief, for estimators that change it
   Time last_heard_;     // when a reading last came, however old
   Time next_record_, next_forecast_;
+  std::optional<ForecastRun> forecast_;  // that is being made
   ForecastCalibration calibration_;
   bool allocating_ = false;
 };

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "skein/base/check.h"
 #include "skein/geo/boundary_index.h"
 #include "skein/model/probability/normal.h"
 
 namespace skein::monitoring {
 namespace {
 
+constexpr double kPart = 120;      // looked ahead at a time [s]
 constexpr int kArrivalSteps = 12;  // of the distribution, to the last horizon
 constexpr double kMinSigma = 0.1;  // [m]
 
@@ -41,16 +44,6 @@ std::vector<double> steps_ahead(const ForecastOptions& options) {
 
 }  // namespace
 
-geo::Region rings_of(const BoundaryEstimate& boundary) {
-  geo::Region region;
-  for (const auto& points : boundary.rings) {
-    if (points.size() < 3) continue;
-    region.emplace_back();
-    for (const BoundaryPoint& point : points) region.back().push_back(point.position);
-  }
-  return region;
-}
-
 double probability_inside(const BoundaryEstimate& boundary, const Vec2& place) {
   const geo::BoundaryIndex index(rings_of(boundary));
   if (index.empty()) return 0;
@@ -67,42 +60,54 @@ double probability_inside(const BoundaryEstimate& boundary, const Vec2& place) {
   return model::normal_cdf(-distance / sigma);
 }
 
-Forecast forecast(const PerimeterEstimator& estimator, Time now,
-                  const ForecastOptions& options, double spread) {
-  Forecast all;
-  if (options.horizons.empty()) return all;
-  for (const ArrivalPlace& place : options.places) {
-    ArrivalForecast arrival;
+ForecastRun::ForecastRun(const PerimeterEstimator& estimator, Time now,
+                         const ForecastOptions& options, double spread)
+    : options_(options),
+      now_(now),
+      spread_(spread),
+      ahead_(estimator.outlook()),
+      steps_(steps_ahead(options)) {
+  SKEIN_CHECK(!options.horizons.empty());
+  said_.made = now;
+  for (const ArrivalPlace& place : options_.places) {
+    ArrivalForecast& arrival = said_.arrivals.emplace_back();
     arrival.made = now;
     arrival.place = place.name;
     arrival.point = place.point;
-    all.arrivals.push_back(std::move(arrival));
   }
-  const auto ahead = estimator.outlook();
-  const double last = options.horizons.back();
-  for (const double seconds : steps_ahead(options)) {
-    const Time time = now + Time::from_seconds(seconds);
-    ahead->predict(time);
-    BoundaryEstimate boundary = ahead->boundary();
-    if (seconds == options.period.seconds()) all.check = boundary;
-    for (auto& ring : boundary.rings)
-      for (BoundaryPoint& point : ring) point.sigma *= spread;
-    for (ArrivalForecast& arrival : all.arrivals) {
-      if (seconds > last) continue;
+}
+
+bool ForecastRun::advance() {
+  if (next_ == steps_.size()) return true;
+  reached_ = std::min(reached_ + kPart, steps_[next_]);
+  ahead_->predict(now_ + Time::from_seconds(reached_));
+  if (reached_ == steps_[next_]) look(steps_[next_++]);
+  return next_ == steps_.size();
+}
+
+void ForecastRun::look(double seconds) {
+  BoundaryEstimate boundary = ahead_->boundary();
+  if (seconds == options_.period.seconds()) said_.check = boundary;
+  for (auto& ring : boundary.rings)
+    for (BoundaryPoint& point : ring) point.sigma *= spread_;
+  if (seconds <= options_.horizons.back())
+    for (ArrivalForecast& arrival : said_.arrivals) {
       const double before = arrival.steps.empty() ? 0 : arrival.steps.back().probability;
       // What burns keeps burning.
       const double probability = probability_inside(boundary, arrival.point);
-      arrival.steps.push_back({time, std::max(before, probability)});
+      arrival.steps.push_back({boundary.time, std::max(before, probability)});
     }
-    if (std::count(options.horizons.begin(), options.horizons.end(), seconds) > 0)
-      all.boundaries.push_back(std::move(boundary));
-  }
-  for (ArrivalForecast& arrival : all.arrivals) {
+  if (std::count(options_.horizons.begin(), options_.horizons.end(), seconds) > 0)
+    said_.boundaries.push_back(std::move(boundary));
+}
+
+Forecast ForecastRun::take() {
+  for (ArrivalForecast& arrival : said_.arrivals) {
     arrival.early = quantile(arrival.steps, 0.1);
     arrival.middle = quantile(arrival.steps, 0.5);
     arrival.late = quantile(arrival.steps, 0.9);
   }
-  return all;
+  return std::move(said_);
 }
 
 }  // namespace skein::monitoring

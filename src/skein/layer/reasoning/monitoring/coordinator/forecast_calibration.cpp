@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "skein/geo/boundary_index.h"
-#include "skein/layer/reasoning/monitoring/coordinator/forecast.h"
 
 namespace skein::monitoring {
 namespace {

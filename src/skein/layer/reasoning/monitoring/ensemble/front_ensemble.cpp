@@ -18,7 +18,7 @@ const Eigen::Vector3d kCommonFloor(0.3, 0.05, 0.05);
 // What is this near ahead of a front, of an observation's reach, was learned there.
 constexpr double kOwnGround = 0.5;
 // Looking ahead.
-constexpr std::size_t kOutlookMembers = 14;
+constexpr std::size_t kMinOutlookMembers = 14;
 constexpr double kOutlookStep = 60;  // [s]
 constexpr std::size_t kOutlookNodes = 6000;
 
@@ -79,7 +79,8 @@ void FrontEnsemble::initialise(const PerimeterPrior& prior) {
 }
 
 void FrontEnsemble::look_ahead() {
-  const std::size_t every = std::max<std::size_t>(1, members_.size() / kOutlookMembers);
+  const std::size_t every =
+      std::max<std::size_t>(1, members_.size() / kMinOutlookMembers);
   std::vector<Member> few;
   for (std::size_t k = 0; k < members_.size(); k += every)
     few.push_back(std::move(members_[k]));

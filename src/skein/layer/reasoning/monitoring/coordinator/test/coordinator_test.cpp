@@ -208,6 +208,38 @@ TEST(Coordinator, DeploysOnATransectThenAllocatesAtTheFirstCrossing) {
   EXPECT_TRUE(std::holds_alternative<FlyTo>(tasks[0].what));
 }
 
+TEST(Coordinator, LooksAheadInPartsFromTheFirstAllocationOnceAPeriod) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}};
+  options.forecast.horizons = {600, 3600};
+  options.forecast.period = Time::from_seconds(300);
+  std::vector<std::pair<Time, Time>> made;  // when, and for when
+  const auto fly = [&](Station& station) {
+    made.clear();
+    int most = 0;
+    for (int t = 0; t <= 700; ++t) {
+      const Time before = *station.furthest;
+      const AgentOutput out = station.step(t, {report(1, t, 9), read(1, t, t >= 100)});
+      most = std::max(most, static_cast<int>((*station.furthest - before).seconds()));
+      for (const AgentRecord& record : out.records)
+        if (const auto* forecast = std::get_if<PerimeterForecast>(&record))
+          made.emplace_back(forecast->made, forecast->boundary.time);
+    }
+    return most;
+  };
+  Station station(options);
+  EXPECT_LE(fly(station), 121) << "no step looks far";
+  const auto at = [](double t) { return Time::from_seconds(t); };
+  const std::vector<std::pair<Time, Time>> expected = {
+      {at(100), at(700)}, {at(100), at(3700)}, {at(400), at(1000)}, {at(400), at(4000)}};
+  EXPECT_EQ(made, expected);
+  options.forecast.horizons = {};
+  Station blind(options);
+  fly(blind);
+  EXPECT_TRUE(made.empty());
+  EXPECT_LE(*blind.furthest, at(700));
+}
+
 TEST(Coordinator, SendsAnUnconfirmedOrderAgain) {
   CoordinatorOptions options;
   options.team = {EntityId{1}};
