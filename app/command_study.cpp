@@ -96,11 +96,11 @@ int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
   study.estimators = arguments.estimators;
   study.strategies = arguments.strategies;
   if (!arguments.data.empty()) {
-    auto fitted = assemble::fit_recorded_scenario(arguments.data);
-    if (!fitted) return say_error(fitted.error());
+    const auto recorded = assemble::read_recorded_scenario(arguments.data, {});
+    if (!recorded) return say_error(recorded.error());
+    const auto fitted = assemble::recorded_overrides(recorded.value());
     // What the command line says comes after what was fitted.
-    study.overrides.insert(study.overrides.begin(), fitted.value().begin(),
-                           fitted.value().end());
+    study.overrides.insert(study.overrides.begin(), fitted.begin(), fitted.end());
   }
   const auto plan = campaign::plan_bridge_study(study, kinds.table());
   if (!plan) return say_error(plan.error());

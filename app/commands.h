@@ -82,6 +82,15 @@ struct ExportArguments {
   double every = 0;           ///< renewed so often until the run ends [s]; 0: once
 };
 int export_command(const ExportArguments& arguments, const std::atomic<bool>& stop);
+/// `skein fire`.
+struct FireArguments {
+  std::filesystem::path source;         ///< file or folder
+  std::string time_field;               ///< empty: it is looked for
+  std::string incident;                 ///< of those that the source holds
+  double utc_offset_h = 0;              ///< of times without a zone
+  std::filesystem::path scenario, out;  ///< files to be written; empty: none
+};
+int fire_command(const FireArguments& arguments);
 int report_command(const std::vector<std::filesystem::path>& runs,
                    const std::filesystem::path& out);
 /// A line for each study: its name and what it shows.

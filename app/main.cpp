@@ -74,6 +74,11 @@ Examples:
   skein export runs/wildfire --what prediction --at 1800 --out ahead.gpkg
   skein export runs/now --what bands --out bands.kml --every 60   renewed while it runs)";
 
+constexpr const char* kFireExamples = R"(
+Examples:
+  skein fire perimeters.geojson --incident "Bridge" --scenario bridge.yaml
+  skein fire IncidentFolder --utc-offset-h -7 --out perimeters.gpkg)";
+
 constexpr const char* kReportExamples = R"(
 Examples:
   skein report runs/wildfire                              writes runs/wildfire/report.html
@@ -338,6 +343,31 @@ Command add_export(CLI::App& program) {
   return {command, [given] { return export_command(*given, stop_requested); }};
 }
 
+Command add_fire(CLI::App& program) {
+  const auto given = std::make_shared<FireArguments>();
+  auto* command = program.add_subcommand(
+      "fire", "Read a recorded fire as agencies publish it: what it holds, a scenario.");
+  command
+      ->add_option("source", given->source,
+                   "File (GeoJSON, shapefile, also zipped, KML, KMZ, GeoPackage, file "
+                   "geodatabase, table, arrival-time raster) or folder of such files.")
+      ->required();
+  command->add_option("--incident", given->incident,
+                      "The fire, if the source holds several.");
+  command->add_option("--time-field", given->time_field,
+                      "Attribute with the times; default: it is looked for.");
+  command
+      ->add_option("--utc-offset-h", given->utc_offset_h,
+                   "Local time minus UTC, of times without a zone.")
+      ->check(CLI::Range(-14.0, 14.0));
+  command->add_option("--scenario", given->scenario,
+                      "Write a scenario that flies two aircraft there (YAML).");
+  command->add_option("--out", given->out,
+                      "Write the perimeters as read: .geojson, .kml, .gpkg or .shp.");
+  command->footer(kFireExamples);
+  return {command, [given] { return fire_command(*given); }};
+}
+
 Command add_study(CLI::App& program) {
   auto* command =
       program.add_subcommand("study", "Run a study, with report and summary.");
@@ -406,7 +436,7 @@ int run_program(int argc, char** argv) {
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  for (auto* add : {add_report, add_export, add_study, add_completion})
+  for (auto* add : {add_report, add_export, add_fire, add_study, add_completion})
     commands.push_back(add(program));
 
   try {

@@ -19,7 +19,8 @@ struct Loaded {
 bool load(benchmark::State& state, const char* name, Loaded& loaded) {
   RecordedFireOptions options;
   options.path = std::string(SKEIN_SHARED_DATA) + "/fires/" + name;
-  const auto summary = summarise_recorded_fire(options);
+  std::vector<std::string> notes;
+  const auto summary = summarise_recorded_fire(options, notes);
   if (!summary) {
     state.SkipWithError(summary.error().text().c_str());
     return false;

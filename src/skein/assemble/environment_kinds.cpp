@@ -282,8 +282,15 @@ Fields<RecordedFireOptions> recorded_fields() {
             {{"auto", RecordedKind::kAuto, "a raster is arrival times, else perimeters"},
              {"perimeters", RecordedKind::kPerimeters, "dated perimeters"},
              {"arrival", RecordedKind::kArrival, "a raster of arrival times"}})
-      .text("time_field", &T::time_field,
-            "Attribute or column with the time; empty: a known one.")
+      .text(
+          "time_field", [](T & t) -> auto& { return t.file.time_field; },
+          "Attribute or column with the time; empty: it is looked for.")
+      .text(
+          "incident", [](T & t) -> auto& { return t.file.incident; },
+          "Name of the fire, of those that the source holds.")
+      .number("utc_offset_h", [](T & t) -> auto& { return t.file.utc_offset_h; },
+              "Local time minus UTC, of times without a zone.",
+              {.at_least = -14, .at_most = 14})
       .duration_s("start_s", &T::start,
                   "The run starts this long after the first perimeter.")
       .number("spacing_m", &T::spacing,

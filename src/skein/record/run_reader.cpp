@@ -271,7 +271,7 @@ class Reader {
     const auto put = [&] {
       if (newest.empty() || !requested.contains(time)) return;
       out.push_back({time, {}});
-      for (const auto& [whose, rings] : newest)
+      for (const auto& [key, rings] : newest)
         for (const std::vector<float>& ring : rings.second)
           out.back().rings.push_back(ring);
     };

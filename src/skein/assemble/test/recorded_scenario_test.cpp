@@ -28,10 +28,11 @@ TEST(RecordedScenario, TakesPlaceSizeDurationAndDateFromTheData) {
   std::ofstream(folder / "fire.geojson") << R"({"type":"FeatureCollection","features":[)"
                                          << square("2021-08-04T23:43:00Z", 0.01) << ","
                                          << square("2021-08-05T00:35:00Z", 0.02) << "]}";
-  const auto fitted = fit_recorded_scenario(folder);
-  ASSERT_TRUE(fitted) << fitted.error().text();
+  const auto recorded = read_recorded_scenario(folder, {});
+  ASSERT_TRUE(recorded) << recorded.error().text();
+  const auto fitted = recorded_overrides(recorded.value());
   const auto has = [&](const std::string& text) {
-    return std::any_of(fitted.value().begin(), fitted.value().end(),
+    return std::any_of(fitted.begin(), fitted.end(),
                        [&](const std::string& o) { return o.starts_with(text); });
   };
   EXPECT_TRUE(has("start_utc=2021-08-04T23:43:00Z"));
@@ -44,7 +45,7 @@ TEST(RecordedScenario, TakesPlaceSizeDurationAndDateFromTheData) {
 }
 
 TEST(RecordedScenario, SaysWhatIsMissing) {
-  const auto none = fit_recorded_scenario("no/such/folder");
+  const auto none = read_recorded_scenario("no/such/folder", {});
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
 }

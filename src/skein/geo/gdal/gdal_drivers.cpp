@@ -28,6 +28,7 @@ void register_drivers() {
   RegisterOGRESRIJSON();
   RegisterOGRGeoPackage();
   RegisterOGRFlatGeobuf();
+  RegisterOGROpenFileGDB();
   GDALRegister_ENVI();
   GDALRegister_EHdr();
 }

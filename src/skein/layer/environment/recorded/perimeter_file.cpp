@@ -6,7 +6,8 @@
 #include <filesystem>
 
 #include "skein/layer/environment/raster/csv_table.h"
-#include "skein/layer/environment/raster/utc_time.h"
+#include "skein/layer/environment/recorded/fire_features.h"
+#include "skein/layer/environment/recorded/observation_time.h"
 #include "skein/layer/environment/recorded/vector_layer.h"
 
 namespace skein::environment {
@@ -14,26 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error mixed_times(const std::string& place) {
-  return {
-      ErrorCode::kBadInput, place,
-      "has a time of another kind than the ones before it: seconds and dates are mixed",
-      ""};
-}
-
-struct TableTime {
-  double value;
-  bool utc;
-};
-
-Result<TableTime> table_time(const CsvTable& table, std::size_t row, std::size_t column) {
+Result<ObservationTime> table_time(const CsvTable& table, std::size_t row,
+                                   std::size_t column, double utc_offset_h) {
   const std::string& text = table.text(row, column);
-  if (const auto number = parse_number(text); number && std::abs(*number) < 1e12)
-    return TableTime{*number, false};
-  if (const auto utc = parse_utc(text)) return TableTime{*utc, true};
-  return Error{ErrorCode::kBadInput, table.place(row),
-               fmt::format("column {}: \"{}\" is no time", table.names()[column], text),
-               "seconds or ISO 8601 are allowed"};
+  const std::string& name = table.names()[column];
+  auto time =
+      parse_observation_time(text, DateOrder::kMonthFirst, is_plain_seconds(name));
+  if (!time)
+    return Error{ErrorCode::kBadInput, table.place(row),
+                 fmt::format("column {}: \"{}\" is no time", name, text),
+                 "seconds or ISO 8601 are allowed"};
+  if (!time->zone) time->value -= 3600 * utc_offset_h;
+  return *time;
 }
 
 // Where the table says the perimeter of a row is.
@@ -60,14 +53,14 @@ Result<std::string> row_file(const CsvTable& table, std::size_t row,
       .string();
 }
 
-Result<RawSeries> read_table(const std::string& path, const std::string& time_field,
+Result<RawSeries> read_table(const std::string& path, const PerimeterFileOptions& options,
                              std::vector<std::string>& warnings) {
   const auto loaded = CsvTable::load(path);
   if (!loaded) return loaded.error();
   const CsvTable& table = loaded.value();
   std::optional<std::size_t> time;
-  if (!time_field.empty()) {
-    time = table.column(time_field);
+  if (!options.time_field.empty()) {
+    time = table.column(options.time_field);
   } else {
     for (const std::string& name : time_names())
       if (!time) time = table.column(name);
@@ -80,7 +73,7 @@ Result<RawSeries> read_table(const std::string& path, const std::string& time_fi
   RawSeries series;
   VectorReader reader;
   for (std::size_t row = 0; row < table.size(); ++row) {
-    const auto at = table_time(table, row, *time);
+    const auto at = table_time(table, row, *time, options.utc_offset_h);
     if (!at) return at.error();
     if (row > 0 && at.value().utc != series.utc) return mixed_times(table.place(row));
     series.utc = at.value().utc;
@@ -90,7 +83,7 @@ Result<RawSeries> read_table(const std::string& path, const std::string& time_fi
     if (!fs::exists(file.value(), ignored))
       return Error{ErrorCode::kNotFound, table.place(row),
                    "there is no file " + file.value(), ""};
-    auto features = reader.read(file.value(), "", false, warnings);
+    auto features = reader.read(file.value(), warnings);
     if (!features) return features.error();
     RawPerimeter whole{at.value().value, file.value(), {}, {}};
     for (VectorFeature& feature : features.value()) {
@@ -104,57 +97,70 @@ Result<RawSeries> read_table(const std::string& path, const std::string& time_fi
   return series;
 }
 
-Result<std::string> file_in_folder(const fs::path& folder) {
+// All vector files of a folder, in the order of their names.
+Result<std::vector<std::string>> files_in_folder(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(folder / "perimeters.csv", error))
-    return (folder / "perimeters.csv").string();
   std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string kind = entry.path().extension().string();
-    for (const char* known :
-         {".geojson", ".json", ".shp", ".gpkg", ".kml", ".kmz", ".gml"})
-      if (kind == known) found.push_back(entry.path().string());
-  }
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (is_vector_name(entry.path())) found.push_back(entry.path().string());
   if (error)
     return Error{ErrorCode::kUnavailable, folder.string(),
                  "cannot be listed: " + error.message(), ""};
-  if (found.size() == 1) return found[0];
-  return Error{ErrorCode::kNotFound, folder.string(),
-               fmt::format("holds no perimeters.csv and {} vector files", found.size()),
-               "give the file, or a folder with perimeters.csv or one vector file"};
+  if (found.empty())
+    return Error{ErrorCode::kNotFound, folder.string(),
+                 "holds no perimeters.csv and no vector files",
+                 "docs/environment.md has the formats that can be read"};
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Result<std::vector<VectorFeature>> read_files(const std::vector<std::string>& files,
+                                              std::vector<std::string>& warnings) {
+  VectorReader reader;
+  std::vector<VectorFeature> all;
+  for (const std::string& file : files) {
+    const bool zipped = fs::path(file).extension() == ".zip";
+    auto features = reader.read(zipped ? "/vsizip/" + file : file, warnings);
+    if (!features) return features.error();
+    std::move(features.value().begin(), features.value().end(), std::back_inserter(all));
+  }
+  return all;
 }
 
 }  // namespace
 
-Result<RawSeries> read_vector(const std::string& name, const std::string& time_field,
-                              std::vector<std::string>& warnings) {
-  auto features = VectorReader().read(name, time_field, true, warnings);
-  if (!features) return features.error();
-  RawSeries series;
-  for (std::size_t i = 0; i < features.value().size(); ++i) {
-    VectorFeature& feature = features.value()[i];
-    const bool utc = feature.utc.has_value();
-    if (i > 0 && utc != series.utc) return mixed_times(feature.outline.place);
-    series.utc = utc;
-    feature.outline.time = utc ? *feature.utc : *feature.number;
-    series.perimeters.push_back(std::move(feature.outline));
-  }
-  return series;
+bool is_vector_name(const fs::path& path) {
+  const std::string kind = path.extension().string();
+  for (const char* known : {".geojson", ".json", ".shp", ".gpkg", ".kml", ".kmz", ".gml",
+                            ".gdb", ".zip", ".fgb"})
+    if (kind == known) return true;
+  return false;
 }
 
-Result<RawSeries> read_perimeters(const std::string& path, const std::string& time_field,
+Result<RawSeries> read_vector(const std::string& name,
+                              const PerimeterFileOptions& options,
+                              std::vector<std::string>& warnings) {
+  auto features = read_files({name}, warnings);
+  if (!features) return features.error();
+  return dated_perimeters(std::move(features).value(), name, options, warnings);
+}
+
+Result<RawSeries> read_perimeters(const std::string& path,
+                                  const PerimeterFileOptions& options,
                                   std::vector<std::string>& warnings) {
   std::error_code ignored;
   if (!fs::exists(path, ignored))
     return Error{ErrorCode::kNotFound, path, "there is no such file or folder", ""};
-  std::string file = path;
-  if (fs::is_directory(path, ignored)) {
-    const auto found = file_in_folder(path);
-    if (!found) return found.error();
-    file = found.value();
-  }
-  if (fs::path(file).extension() == ".csv") return read_table(file, time_field, warnings);
-  return read_vector(file, time_field, warnings);
+  if (fs::path(path).extension() == ".csv") return read_table(path, options, warnings);
+  if (!fs::is_directory(path, ignored) || is_vector_name(path))
+    return read_vector(path, options, warnings);
+  const fs::path table = fs::path(path) / "perimeters.csv";
+  if (fs::exists(table, ignored)) return read_table(table.string(), options, warnings);
+  const auto files = files_in_folder(path);
+  if (!files) return files.error();
+  auto features = read_files(files.value(), warnings);
+  if (!features) return features.error();
+  return dated_perimeters(std::move(features).value(), path, options, warnings);
 }
 
 }  // namespace skein::environment

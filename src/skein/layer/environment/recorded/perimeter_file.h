@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,30 +15,41 @@ struct RawSeries {
   bool utc = false;  ///< times are seconds since 1970 UTC, not from an unknown origin
 };
 
+/// What a source does not say of itself.
+struct PerimeterFileOptions {
+  std::string time_field =
+      {};  ///< attribute or column with the time; empty: it is looked for
+  std::string incident = {};  ///< name of the fire, of those that a source holds
+  double utc_offset_h = 0;    ///< local time minus UTC of times without a zone [h]
+};
+
 /// Reads the outlines of a fire with their times, in any vector format of
 /// docs/environment.md.
 ///
 /// `path` is one of
-/// - a vector file (GeoJSON, shapefile, KML, GeoPackage...) whose features carry a time:
-///   the attribute `time_field`, or else the first there is of seconds, time_s, time_utc,
-///   time_local, time, datetime, timestamp, date; a number counts as seconds, a date and
-///   time as ISO 8601 (UTC when it has no zone);
-/// - a CSV table, one row per perimeter: a column of time by the same names, and the
-/// column
-///   `file` (relative to the table), or the columns n and object_id, which name
+/// - a vector file (GeoJSON, shapefile, zipped too, KML, KMZ, GeoPackage, file
+///   geodatabase...) whose features have times, see dated_perimeters();
+/// - a CSV table, one row per perimeter: a column of time, and the column `file`
+///   (relative to the table), or the columns n and object_id, which name
 ///   `<table without .csv>/<n, two digits>_<object_id>.shp`;
-/// - a folder that holds perimeters.csv, or else exactly one vector file.
+/// - a folder that holds perimeters.csv, or else vector files, all of one fire.
 ///
-/// Geometry that is no area and no line is left out and reported in `warnings`.
+/// Geometry that is no area and no line is left out; that and all that is assumed is
+/// reported in `warnings`.
 /// Fails: kNotFound for what is missing; kBadInput: not readable, no coordinate system,
 /// no
 ///        time, coordinates that are not finite or no latitude and longitude, over five
 ///        million points.
-Result<RawSeries> read_perimeters(const std::string& path, const std::string& time_field,
+Result<RawSeries> read_perimeters(const std::string& path,
+                                  const PerimeterFileOptions& options,
                                   std::vector<std::string>& warnings);
 
+/// Whether a path ends like that of a vector dataset which can be read.
+bool is_vector_name(const std::filesystem::path& path);
+
 /// As above, for one vector dataset by its GDAL name (which may be in memory).
-Result<RawSeries> read_vector(const std::string& name, const std::string& time_field,
+Result<RawSeries> read_vector(const std::string& name,
+                              const PerimeterFileOptions& options,
                               std::vector<std::string>& warnings);
 
 }  // namespace skein::environment

@@ -9,7 +9,6 @@
 
 #include "skein/layer/environment/raster/raster_file.h"
 #include "skein/layer/environment/recorded/arrival_fire.h"
-#include "skein/layer/environment/recorded/perimeter_file.h"
 #include "skein/layer/environment/recorded/perimeter_fire.h"
 
 namespace skein::environment {
@@ -239,7 +238,7 @@ Result<std::unique_ptr<Phenomenon>> make_recorded_fire(
     return std::unique_ptr<Phenomenon>(
         std::make_unique<ArrivalFire>(std::move(field).value(), options.start));
   }
-  auto raw = read_perimeters(options.path, options.time_field, warnings);
+  auto raw = read_perimeters(options.path, options.file, warnings);
   if (!raw) return raw.error();
   const auto series = load_series(options, std::move(raw).value(), frame, warnings);
   if (!series) return series.error();
@@ -251,9 +250,9 @@ Result<std::unique_ptr<Phenomenon>> make_recorded_fire(
       std::make_unique<PerimeterFire>(perimeters, shape.value(), options.start));
 }
 
-Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& options) {
+Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& options,
+                                                    std::vector<std::string>& warnings) {
   if (const auto good = check_options(options); !good) return good.error();
-  std::vector<std::string> warnings;  // make_recorded_fire() gives the same again
   RecordedFireSummary summary;
   if (is_arrival(options)) {
     const auto arrival = load_arrival(options, warnings);
@@ -275,7 +274,7 @@ Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& o
     summary.high = box.high;
     return summary;
   }
-  auto raw = read_perimeters(options.path, options.time_field, warnings);
+  auto raw = read_perimeters(options.path, options.file, warnings);
   if (!raw) return raw.error();
   // Any point of the fire serves as a first origin.
   const Vec2* any = nullptr;
@@ -297,12 +296,14 @@ Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& o
   summary.origin.height_m = 0;
   const auto frame = geo::LocalFrame::at(summary.origin);
   if (!frame) return frame.error();
-  Box box;
-  for (const geo::Ring& ring : perimeters.back().region)
-    for (const Vec2& p : ring) {
-      const geo::Geodetic g = first_frame.value().from_plane(p);
-      box.add(frame.value().to_plane(g.latitude_deg, g.longitude_deg));
-    }
+  summary.series = perimeters;
+  for (Perimeter& perimeter : summary.series)
+    for (geo::Ring& ring : perimeter.region)
+      for (Vec2& p : ring) {
+        const geo::Geodetic g = first_frame.value().from_plane(p);
+        p = frame.value().to_plane(g.latitude_deg, g.longitude_deg);
+      }
+  const Box box = box_of(summary.series.back().region);
   summary.low = box.low;
   summary.high = box.high;
   summary.duration = perimeters.back().time - options.start;

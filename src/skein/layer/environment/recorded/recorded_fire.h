@@ -7,6 +7,7 @@
 
 #include "skein/base/result.h"
 #include "skein/geo/local_frame.h"
+#include "skein/layer/environment/recorded/perimeter_file.h"
 #include "skein/layer/environment/recorded/perimeter_repair.h"
 #include "skein/role/phenomenon.h"
 
@@ -21,14 +22,14 @@ enum class RecordedKind {
 struct RecordedFireOptions {
   std::string path;  ///< see read_perimeters(), or an arrival-time raster
   RecordedKind kind = RecordedKind::kAuto;
-  std::string time_field;   ///< attribute or column with the time; empty: a known one
-  double start = 0;         ///< the run starts this long after the first perimeter (or
-                            ///< after the raster's time 0) [s]
-  double spacing = 0;       ///< of the grid in memory [m]; 0: about 200,000 nodes, no
-                            ///< finer than 5 m
-  RepairOptions repair;     ///< what to do with invalid perimeters
-  int arrival_band = 1;     ///< band of the arrival-time raster
-  double arrival_unit = 1;  ///< of the raster's times [s]: 1, 60 or 3600
+  PerimeterFileOptions file;  ///< what it does not say of itself
+  double start = 0;           ///< the run starts this long after the first perimeter (or
+                              ///< after the raster's time 0) [s]
+  double spacing = 0;         ///< of the grid in memory [m]; 0: about 200,000 nodes, no
+                              ///< finer than 5 m
+  RepairOptions repair;       ///< what to do with invalid perimeters
+  int arrival_band = 1;       ///< band of the arrival-time raster
+  double arrival_unit = 1;    ///< of the raster's times [s]: 1, 60 or 3600
 };
 
 /// A recorded fire as truth, from dated perimeters or an arrival-time raster.
@@ -49,10 +50,14 @@ struct RecordedFireSummary {
   double first_area = 0, last_area = 0;  ///< burnt at the first and last time [m^2]
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< corners of the last region about the
                                                  ///< origin [m]
+  std::vector<Perimeter>
+      series;  ///< the perimeters used, about the origin; none of a raster
 };
 
 /// Proposes the local frame's origin, the run's duration and the extent.
+/// @param warnings  as of make_recorded_fire().
 /// Fails: as make_recorded_fire().
-Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& options);
+Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& options,
+                                                    std::vector<std::string>& warnings);
 
 }  // namespace skein::environment

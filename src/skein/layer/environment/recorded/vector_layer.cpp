@@ -7,14 +7,13 @@
 #include <ogr_srs_api.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
-#include "skein/layer/environment/raster/csv_table.h"
-#include "skein/layer/environment/raster/utc_time.h"
 
 namespace skein::environment {
 namespace {
@@ -140,56 +139,36 @@ class Collector {
   std::vector<std::string>& warnings_;
 };
 
-// [s since 1970 UTC] of a date-time field. The library's zone flag: 100 is UTC, one step
-// is a quarter of an hour; 0 and 1 are unknown and local, taken as UTC.
-std::optional<double> date_field(OGRFeatureH feature, int field) {
+// A date and time field in ISO 8601. The library's zone flag: 100 is UTC, one step is a
+// quarter of an hour; 0 and 1 are unknown and local.
+std::string date_text(OGRFeatureH feature, int field, bool with_time) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
   float second = 0;
   if (OGR_F_GetFieldAsDateTimeEx(feature, field, &year, &month, &day, &hour, &minute,
                                  &second, &zone) == 0)
-    return std::nullopt;
-  const auto start = parse_utc(
-      fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}Z", year, month, day, hour, minute));
-  if (!start) return std::nullopt;
-  return *start + static_cast<double>(second) - (zone > 1 ? 900.0 * (zone - 100) : 0.0);
+    return {};
+  std::string text = fmt::format("{:04}-{:02}-{:02}", year, month, day);
+  if (!with_time) return text;
+  text += fmt::format("T{:02}:{:02}:{:06.3f}", hour, minute, second);
+  if (zone <= 1) return text;
+  const int minutes = 15 * (zone - 100);
+  return text + fmt::format("{}{:02}:{:02}", minutes < 0 ? '-' : '+',
+                            std::abs(minutes) / 60, std::abs(minutes) % 60);
 }
 
-void read_time(OGRFeatureH feature, int field, VectorFeature& out) {
-  if (field < 0 || OGR_F_IsFieldSetAndNotNull(feature, field) == 0) return;
-  switch (OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, field))) {
-    case OFTInteger:
-    case OFTInteger64:
-    case OFTReal: {
-      const double value = OGR_F_GetFieldAsDouble(feature, field);
-      if (std::isfinite(value) && std::abs(value) < 1e12) out.number = value;
-      return;
-    }
-    case OFTDate:
-    case OFTDateTime:
-      out.utc = date_field(feature, field);
-      return;
-    default: {
-      const std::string text = OGR_F_GetFieldAsString(feature, field);
-      out.number = parse_number(text);
-      if (out.number && std::abs(*out.number) >= 1e12) out.number.reset();
-      if (!out.number) out.utc = parse_utc(text);
-    }
+std::vector<Attribute> attributes_of(OGRFeatureH feature) {
+  std::vector<Attribute> attributes;
+  for (int i = 0; i < OGR_F_GetFieldCount(feature); ++i) {
+    if (OGR_F_IsFieldSetAndNotNull(feature, i) == 0) continue;
+    OGRFieldDefnH definition = OGR_F_GetFieldDefnRef(feature, i);
+    const OGRFieldType type = OGR_Fld_GetType(definition);
+    const bool date = type == OFTDate || type == OFTDateTime;
+    const std::string text = date ? date_text(feature, i, type == OFTDateTime)
+                                  : OGR_F_GetFieldAsString(feature, i);
+    if (text.find_first_not_of(' ') == std::string::npos) continue;
+    attributes.push_back({OGR_Fld_GetNameRef(definition), text});
   }
-}
-
-int time_index(OGRFeatureDefnH definition, const std::string& requested) {
-  if (!requested.empty()) return OGR_FD_GetFieldIndex(definition, requested.c_str());
-  for (const std::string& name : time_names())
-    if (const int i = OGR_FD_GetFieldIndex(definition, name.c_str()); i >= 0) return i;
-  return -1;
-}
-
-std::string field_names(OGRFeatureDefnH definition) {
-  std::string names;
-  for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i)
-    names += std::string(names.empty() ? "" : ", ") +
-             OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i));
-  return names.empty() ? "none" : names;
+  return attributes;
 }
 
 // The text of a shapefile's .prj; empty for anything else.
@@ -232,8 +211,7 @@ VectorReader::VectorReader() : systems_(std::make_unique<Systems>()) {}
 VectorReader::~VectorReader() = default;
 
 Result<std::vector<VectorFeature>> VectorReader::read(
-    const std::string& name, const std::string& time_field, bool need_time,
-    std::vector<std::string>& warnings) {
+    const std::string& name, std::vector<std::string>& warnings) {
   const geo::GdalGuard guard;
   const std::string text = projection_text(name);
   const bool known = !text.empty() && text == systems_->text && systems_->to_degrees;
@@ -250,8 +228,6 @@ Result<std::vector<VectorFeature>> VectorReader::read(
   std::size_t points = 0;
   for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l) {
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), l);
-    OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer);
-    const int time = time_index(definition, time_field);
     geo::GdalTransform own_transform;
     void* to_degrees = known ? systems_->to_degrees.get() : nullptr;
     OGR_L_ResetReading(layer);
@@ -272,16 +248,8 @@ Result<std::vector<VectorFeature>> VectorReader::read(
       }
       VectorFeature& out = features.emplace_back();
       out.outline.place = place;
-      read_time(feature.get(), time, out);
-      if (need_time && !out.number && !out.utc)
-        return Error{
-            ErrorCode::kBadInput, place,
-            time < 0
-                ? "has no attribute with a time"
-                : fmt::format("attribute {} is no time: \"{}\"",
-                              OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, time)),
-                              OGR_F_GetFieldAsString(feature.get(), time)),
-            "name it in time_field; its attributes: " + field_names(definition)};
+      out.layer = OGR_L_GetName(layer);
+      out.attributes = attributes_of(feature.get());
       Collector collector(place, to_degrees, points, warnings);
       if (auto good = collector.add(OGR_F_GetGeometryRef(feature.get()), out.outline);
           !good)
@@ -295,13 +263,6 @@ Result<std::vector<VectorFeature>> VectorReader::read(
   if (guard.failed()) return error("is truncated or corrupt: " + guard.failure());
   if (features.empty()) return error("has no features");
   return features;
-}
-
-const std::vector<std::string>& time_names() {
-  static const std::vector<std::string> names{"seconds",    "time_s", "time_utc",
-                                              "time_local", "time",   "datetime",
-                                              "timestamp",  "date"};
-  return names;
 }
 
 }  // namespace skein::environment

@@ -27,7 +27,7 @@ std::vector<RawPerimeter> from_text(const std::uint8_t* data, std::size_t size) 
       VSIFileFromMemBuffer(name, const_cast<std::uint8_t*>(data), size, FALSE);
   VSIFCloseL(file);
   std::vector<std::string> warnings;
-  auto series = read_vector(name, "", warnings);
+  auto series = read_vector(name, {}, warnings);
   VSIUnlink(name);
   return series.ok() ? std::move(series.value().perimeters) : std::vector<RawPerimeter>();
 }

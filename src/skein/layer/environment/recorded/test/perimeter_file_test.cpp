@@ -1,7 +1,13 @@
 #include "skein/layer/environment/recorded/perimeter_file.h"
 
+#include <cpl_vsi.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
 #include <algorithm>
 
+#include "skein/geo/gdal/gdal_guard.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
 #include "skein/layer/environment/raster/utc_time.h"
 
@@ -33,7 +39,8 @@ std::string written(const std::string& name, const std::string& text) {
 
 Result<RawSeries> read(const std::string& text, const std::string& time_field = "") {
   Warnings warnings;
-  return read_perimeters(written("p.geojson", text), time_field, warnings);
+  return read_perimeters(written("p.geojson", text), {.time_field = time_field},
+                         warnings);
 }
 
 std::string refusal(const std::string& text, const std::string& time_field = "") {
@@ -77,7 +84,7 @@ TEST(ReadPerimeters, TakesEveryKindOfAreaAndLine) {
                          {"type":"Point","coordinates":[0,0]}]})"),
                       feature(R"("seconds":1)", R"({"type":"Polygon","coordinates":[]})"),
                       feature(R"("seconds":2)", "null")})),
-      "", warnings);
+      {}, warnings);
   ASSERT_TRUE(series.ok()) << series.error().text();
   const RawPerimeter& first = series.value().perimeters[0];
   ASSERT_EQ(first.polygons.size(), 2u);
@@ -110,7 +117,7 @@ TEST(ReadPerimeters, RefusesWithTheFileTheFeatureAndTheReason) {
   const std::string whole = collection({feature(R"("seconds":0)", kTriangle)});
   EXPECT_NE(refusal(whole.substr(0, whole.size() / 2)), "accepted");
   Warnings warnings;
-  EXPECT_EQ(read_perimeters("/no/such", "", warnings).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(read_perimeters("/no/such", {}, warnings).error().code, ErrorCode::kNotFound);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
@@ -119,7 +126,7 @@ TEST(ReadPerimeters, NotANumberIsRefused) {
   const std::string path = scratch("nan.csv");
   std::ofstream(path) << "WKT,seconds\n\"POLYGON ((0 0,1 nan,1 1,0 0))\",0\n";
   Warnings warnings;
-  const auto series = read_vector(path, "", warnings);
+  const auto series = read_vector(path, {}, warnings);
   ASSERT_FALSE(series.ok());
 }
 
@@ -128,7 +135,7 @@ TEST(ReadPerimeters, TablesNameTheirFiles) {
   written("b.geojson", collection({feature("", kTriangle), feature("", kTriangle)}));
   Warnings warnings;
   const auto table = [&](const std::string& text) {
-    return read_perimeters(written("t.csv", text), "", warnings);
+    return read_perimeters(written("t.csv", text), {}, warnings);
   };
   const auto series =
       table("file,time_utc\na.geojson,2021-09-05T21:04Z\nb.geojson,2021-09-05T22:04Z\n");
@@ -147,17 +154,63 @@ TEST(ReadPerimeters, TablesNameTheirFiles) {
   }
 }
 
-TEST(ReadPerimeters, AFolderHoldsATableOrOneFile) {
+TEST(ReadPerimeters, AFolderHoldsATableOrVectorFiles) {
   const std::string one = scratch("folder");
   std::filesystem::create_directories(one);
   Warnings warnings;
-  EXPECT_EQ(read_perimeters(one, "", warnings).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(read_perimeters(one, {}, warnings).error().code, ErrorCode::kNotFound);
   std::ofstream(one + "/a.geojson") << collection({feature(R"("seconds":0)", kTriangle)});
-  EXPECT_TRUE(read_perimeters(one, "", warnings).ok());
+  EXPECT_TRUE(read_perimeters(one, {}, warnings).ok());
   std::filesystem::copy(one + "/a.geojson", one + "/b.geojson");
-  EXPECT_EQ(read_perimeters(one, "", warnings).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(read_perimeters(one, {}, warnings).value().perimeters.size(), 2u);
   std::ofstream(one + "/perimeters.csv") << "file,seconds\nb.geojson,3\n";
-  EXPECT_TRUE(read_perimeters(one, "", warnings).ok());
+  EXPECT_TRUE(read_perimeters(one, {}, warnings).ok());
+}
+
+TEST(ReadPerimeters, TakesZippedFilesAndGeodatabases) {
+  const std::string zip = scratch("20210905_1404_perimeter.zip");
+  std::filesystem::remove(zip);
+  const std::string text = collection({feature("", kTriangle)});
+  VSILFILE* file = VSIFOpenL(("/vsizip/" + zip + "/perimeter.geojson").c_str(), "wb");
+  ASSERT_NE(file, nullptr);
+  VSIFWriteL(text.data(), 1, text.size(), file);
+  VSIFCloseL(file);
+  Warnings warnings;
+  const auto zipped = read_perimeters(zip, {}, warnings);
+  ASSERT_TRUE(zipped.ok()) << zipped.error().text();
+  EXPECT_EQ(zipped.value().perimeters.at(0).time, *parse_utc("2021-09-05T14:04Z"));
+
+  // One layer per flight, as an incident's geodatabase may have it, in metres.
+  const std::string base = scratch("incident.gdb");
+  std::filesystem::remove_all(base);
+  const geo::GdalGuard guard;
+  GDALDriverH driver = GDALGetDriverByName("OpenFileGDB");
+  ASSERT_NE(driver, nullptr);
+  GDALDatasetH dataset = GDALCreate(driver, base.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+  if (dataset == nullptr) GTEST_SKIP() << "this library writes no geodatabases";
+  OGRSpatialReferenceH utm = OSRNewSpatialReference(nullptr);
+  OSRImportFromEPSG(utm, 32610);
+  for (const char* name : {"Heat_20210905_1404", "Heat_20210905_1434"}) {
+    OGRLayerH layer =
+        GDALDatasetCreateLayer(dataset, name, utm, wkbMultiPolygon, nullptr);
+    OGRFeatureH each = OGR_F_Create(OGR_L_GetLayerDefn(layer));
+    const char* shape =
+        "MULTIPOLYGON (((673000 4307000,674000 4307000,674000 4308000,673000 4307000)))";
+    std::string wkt = shape;
+    char* cursor = wkt.data();
+    OGRGeometryH geometry = nullptr;
+    OGR_G_CreateFromWkt(&cursor, utm, &geometry);
+    OGR_F_SetGeometryDirectly(each, geometry);
+    EXPECT_EQ(OGR_L_CreateFeature(layer, each), OGRERR_NONE);
+    OGR_F_Destroy(each);
+  }
+  OSRRelease(utm);
+  GDALClose(dataset);
+  const auto read = read_perimeters(base, {.utc_offset_h = -7}, warnings);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  ASSERT_EQ(read.value().perimeters.size(), 2u);
+  EXPECT_EQ(read.value().perimeters[1].time, *parse_utc("2021-09-05T21:34Z"));
+  EXPECT_NEAR(read.value().perimeters[0].polygons.at(0).outer.at(0).x(), 38.895, 0.005);
 }
 
 TEST(ReadPerimeters, ATruncatedShapefileIsRefused) {
@@ -172,10 +225,10 @@ TEST(ReadPerimeters, ATruncatedShapefileIsRefused) {
   }
   const std::string table = written("t.csv", "file,seconds\ncut.shp,0\n");
   Warnings warnings;
-  ASSERT_TRUE(read_perimeters(table, "", warnings).ok());
+  ASSERT_TRUE(read_perimeters(table, {}, warnings).ok());
   cut_file(copy, 0.5);
   ::testing::internal::CaptureStderr();
-  const auto refused = read_perimeters(table, "", warnings);
+  const auto refused = read_perimeters(table, {}, warnings);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   EXPECT_FALSE(refused.ok());
 }

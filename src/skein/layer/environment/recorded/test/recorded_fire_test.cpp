@@ -150,7 +150,8 @@ TEST(RecordedFire, ReadsAnArrivalRasterInHours) {
   options.path = scratch("arrival.tif");
   options.arrival_unit = 3600;
   make_raster(options.path, arrival_raster());
-  const auto summary = summarise_recorded_fire(options);
+  std::vector<std::string> notes;
+  const auto summary = summarise_recorded_fire(options, notes);
   ASSERT_TRUE(summary.ok()) << summary.error().text();
   EXPECT_NEAR(summary.value().duration, 600, 10);
   EXPECT_NEAR(std::sqrt(summary.value().last_area / geo::kPi), 600, 15);  // half a pixel
@@ -185,14 +186,15 @@ TEST(RecordedFire, ReadsAnArrivalRasterInHours) {
 }
 
 std::string fires() {
-  return std::string(SKEIN_SHARED_DATA) + "/fires/";
+  return SKEIN_SHARED_DATA "/fires/";
 }
 
 TEST(RecordedFire, BridgeMatchesEveryPerimeterOfTheRecord) {
   RecordedFireOptions options;
   options.path = fires() + "bridge_2021";
   if (!std::filesystem::exists(options.path)) GTEST_SKIP() << "no " << options.path;
-  const auto summary = summarise_recorded_fire(options);
+  std::vector<std::string> notes;
+  const auto summary = summarise_recorded_fire(options, notes);
   ASSERT_TRUE(summary.ok()) << summary.error().text();
   EXPECT_EQ(summary.value().perimeters, 6);
   EXPECT_EQ(summary.value().duration, 8340);
@@ -207,7 +209,7 @@ TEST(RecordedFire, BridgeMatchesEveryPerimeterOfTheRecord) {
   Warnings warnings;
   const auto fire = make_recorded_fire(options, frame, warnings);
   ASSERT_TRUE(fire.ok()) << fire.error().text();
-  auto raw = read_perimeters(options.path, "", warnings).value();
+  auto raw = read_perimeters(options.path, {}, warnings).value();
   Region before;
   for (const RawPerimeter& perimeter : raw.perimeters) {
     const Region mapped = repaired(projected(perimeter, frame).value(), {}, warnings);
@@ -234,7 +236,8 @@ TEST(RecordedFire, RiverDropsItsRoughFirstBox) {
   RecordedFireOptions options;
   options.path = fires() + "river_2021";
   if (!std::filesystem::exists(options.path)) GTEST_SKIP() << "no " << options.path;
-  const auto summary = summarise_recorded_fire(options);
+  std::vector<std::string> notes;
+  const auto summary = summarise_recorded_fire(options, notes);
   ASSERT_TRUE(summary.ok()) << summary.error().text();
   EXPECT_EQ(summary.value().perimeters, 4);
   EXPECT_EQ(summary.value().duration, 38640 - 420);

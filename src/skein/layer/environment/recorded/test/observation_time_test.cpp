@@ -1,0 +1,95 @@
+#include "skein/layer/environment/recorded/observation_time.h"
+
+#include <gtest/gtest.h>
+
+#include "skein/layer/environment/raster/utc_time.h"
+
+namespace skein::environment {
+namespace {
+
+double iso(const char* text) {
+  return *parse_utc(text);
+}
+
+TEST(ObservationTimes, AreReadAsAgenciesWriteThem) {
+  struct Case {
+    const char *text, *utc;
+    bool time_of_day, zone;
+  };
+  const Case cases[] = {
+      {"2021-09-05T14:04:00-07:00", "2021-09-05T21:04Z", true, true},
+      {"2021-09-05T14:04:00.500Z", "2021-09-05T14:04:00.5Z", true, true},
+      {"2021/09/05 14:04:00+00", "2021-09-05T14:04Z", true, true},
+      {"2021-09-05 14:04", "2021-09-05T14:04Z", true, false},
+      {"2021-09-05", "2021-09-05", false, false},
+      {"9/5/2021 2:04:00 PM", "2021-09-05T14:04Z", true, false},
+      {"09/05/2021 12:30 AM", "2021-09-05T00:30Z", true, false},
+      {"5.9.2021 14:04", "2021-09-05T14:04Z", true, false},
+      {"20210905_1404", "2021-09-05T14:04Z", true, false},
+      {"20210905140430", "2021-09-05T14:04:30Z", true, false},
+      {"20210905", "2021-09-05", false, false},
+      {"1630850640000", "2021-09-05T14:04Z", true, true},
+      {"1630850640", "2021-09-05T14:04Z", true, true}};
+  for (const Case& each : cases) {
+    const auto time = parse_observation_time(each.text, DateOrder::kMonthFirst, false);
+    ASSERT_TRUE(time) << each.text;
+    EXPECT_TRUE(time->utc) << each.text;
+    EXPECT_NEAR(time->value, iso(each.utc), 1e-6) << each.text;
+    EXPECT_EQ(time->time_of_day, each.time_of_day) << each.text;
+    EXPECT_EQ(time->zone, each.zone) << each.text;
+  }
+  const auto day_first = parse_date("5/9/2021 14:04", DateOrder::kDayFirst);
+  ASSERT_TRUE(day_first);
+  EXPECT_EQ(day_first->value, iso("2021-09-05T14:04Z"));
+}
+
+TEST(ObservationTimes, SmallNumbersAreSecondsOfAnUnknownOrigin) {
+  const auto seconds = parse_observation_time("8340.5", DateOrder::kMonthFirst, false);
+  ASSERT_TRUE(seconds);
+  EXPECT_FALSE(seconds->utc);
+  EXPECT_EQ(seconds->value, 8340.5);
+  EXPECT_FALSE(parse_observation_time("20210905", DateOrder::kMonthFirst, true)->utc);
+}
+
+TEST(ObservationTimes, WhatIsNoDateIsNone) {
+  for (const char* text :
+       {"", "noon", "2021-13-05", "2021-02-30", "13/13/2021", "2021-09-05T25:00",
+        "2021-09-05T14:04X", "14:04", "5/9/21", "2021-09", "1e300", "-20210905",
+        "9/5/2021 13:04 PM", "2021-09-05T14", "99999999", "2021-09-05 noon", "nan"})
+    EXPECT_FALSE(parse_observation_time(text, DateOrder::kMonthFirst, false)
+                     .value_or(ObservationTime{0, false})
+                     .utc)
+        << text;
+}
+
+TEST(ObservationTimes, AreFoundInNames) {
+  const auto found = [](const char* text) {
+    const auto time = find_date(text);
+    return time ? time->value : -1;
+  };
+  EXPECT_EQ(found("Bridge_IR_20210905_1404.shp"), iso("2021-09-05T14:04Z"));
+  EXPECT_EQ(found("Heat Perimeter 2021-09-05 23:00"), iso("2021-09-05T23:00Z"));
+  EXPECT_EQ(found("ir20210905T0204Z_perimeter"), iso("2021-09-05T02:04Z"));
+  EXPECT_EQ(found("2021_09_05_perimeter"), iso("2021-09-05"));
+  EXPECT_EQ(found("CA-PNF-000123 Dixie"), -1);
+  EXPECT_EQ(found("object 2021090599"), -1);
+}
+
+TEST(ObservationTimes, TimesOfDayStandAlone) {
+  EXPECT_EQ(parse_time_of_day("14:04"), 50640);
+  EXPECT_EQ(parse_time_of_day("1404"), 50640);
+  EXPECT_EQ(parse_time_of_day("904"), 9 * 3600 + 240);
+  EXPECT_EQ(parse_time_of_day("2:04 pm"), 50640);
+  EXPECT_EQ(parse_time_of_day("2504"), std::nullopt);
+  EXPECT_EQ(parse_time_of_day("soon"), std::nullopt);
+}
+
+TEST(ObservationTimes, OneDateAboveTwelveShowsTheOrder) {
+  EXPECT_EQ(shown_order("25/9/2021"), DateOrder::kDayFirst);
+  EXPECT_EQ(shown_order("9/25/2021"), DateOrder::kMonthFirst);
+  EXPECT_EQ(shown_order("9/5/2021"), std::nullopt);
+  EXPECT_EQ(shown_order("2021-09-25"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace skein::environment
