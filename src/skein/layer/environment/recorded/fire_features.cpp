@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "skein/layer/environment/recorded/observation_time.h"
 

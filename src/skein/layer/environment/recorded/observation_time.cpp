@@ -1,8 +1,10 @@
 #include "skein/layer/environment/recorded/observation_time.h"
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "skein/layer/environment/raster/csv_table.h"
