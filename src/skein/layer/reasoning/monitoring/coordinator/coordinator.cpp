@@ -76,7 +76,8 @@ void Coordinator::record_belief(Time now, AgentOutput& out) {
 
 // Before the fire was found there is nothing to go by.
 void Coordinator::look_ahead(Time now, AgentOutput& out) {
-  if (allocating_ && !options_.forecast.horizons.empty() && now >= next_forecast_) {
+  if (allocating_ && !forecast_ && !options_.forecast.horizons.empty() &&
+      now >= next_forecast_) {
     next_forecast_ = now + options_.forecast.period;
     calibration_.compare(boundary_);
     forecast_ = belief_.look_ahead(now, options_.forecast, calibration_.spread());

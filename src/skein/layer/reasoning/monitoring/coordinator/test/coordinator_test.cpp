@@ -233,6 +233,13 @@ TEST(Coordinator, LooksAheadInPartsFromTheFirstAllocationOnceAPeriod) {
   const std::vector<std::pair<Time, Time>> expected = {
       {at(100), at(700)}, {at(100), at(3700)}, {at(400), at(1000)}, {at(400), at(4000)}};
   EXPECT_EQ(made, expected);
+  // One at a time, and each to its end, however short the period.
+  options.forecast.period = Time::from_seconds(5);
+  Station hasty(options);
+  fly(hasty);
+  ASSERT_GE(made.size(), 20u);
+  for (std::size_t k = 0; k + 1 < made.size(); k += 2)
+    EXPECT_EQ(made[k].first, made[k + 1].first);
   options.forecast.horizons = {};
   Station blind(options);
   fly(blind);
