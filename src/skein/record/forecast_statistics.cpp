@@ -36,17 +36,15 @@ void ForecastStatistics::forecast(const ForecastRecord& record) {
 
 void ForecastStatistics::arrival(const ArrivalRecord& record) {
   arrivals_.push_back(record.forecast);
-  Place& place = places_[record.forecast.place];
-  place.phenomenon = record.forecast.phenomenon;
-  place.point = record.forecast.point;
+  places_[{record.forecast.phenomenon, record.forecast.place}].point =
+      record.forecast.point;
 }
 
 void ForecastStatistics::truth(Time time, std::uint32_t phenomenon,
                                const TrueBoundary& truth) {
   last_ = std::max(last_, time);
-  for (auto& [name, place] : places_)
-    if (place.phenomenon == phenomenon && !place.reached &&
-        truth.index().contains(place.point))
+  for (auto& [key, place] : places_)
+    if (key.first == phenomenon && !place.reached && truth.index().contains(place.point))
       place.reached = time;
   for (auto it = open_.begin(); it != open_.end() && it->first <= time;) {
     const ForecastRecord& record = it->second;
@@ -94,11 +92,16 @@ void ForecastStatistics::add_figures(std::map<std::string, double>& figures) con
             means[k].sum / means[k].count;
     }
   }
-  for (const auto& [name, place] : places_)
-    if (place.reached) figures["arrival_" + name + "_s"] = place.reached->seconds();
+  for (const auto& [key, place] : places_) {
+    if (!place.reached) continue;
+    const double reached = place.reached->seconds();
+    const auto [figure, first] =
+        figures.try_emplace("arrival_" + key.second + "_s", reached);
+    figure->second = std::min(figure->second, reached);
+  }
   Mean mean;
   for (const ArrivalForecast& forecast : arrivals_) {
-    const Place& place = places_.at(forecast.place);
+    const Place& place = places_.at({forecast.phenomenon, forecast.place});
     if (forecast.steps.empty() || forecast.steps.back().time > last_) continue;
     mean.sum += crps(forecast, place.reached);
     ++mean.count;

@@ -36,8 +36,8 @@ class ForecastStatistics {
 
   /// Adds `forecast_<horizon>s_<metric>_mean<unit>` for every horizon, of the mission
   /// that came first (others with `mission_<name>_` before it); `arrival_<place>_s`, when
-  /// the fire came to a place; and `arrival_crps_mean_s`, over forecasts whose last step
-  /// has passed:
+  /// the first fire came to a place; and `arrival_crps_mean_s`, over forecasts whose last
+  /// step has passed:
   ///
   ///   CRPS = integral over the steps of (F(t) - [fire is there at t])^2 dt
   ///
@@ -49,8 +49,9 @@ class ForecastStatistics {
     double sum = 0;
     int count = 0;
   };
+  // Several missions may ask for one place, each about its own fire.
+  using PlaceKey = std::pair<std::uint32_t, std::string>;  // phenomenon, name
   struct Place {
-    std::uint32_t phenomenon = 0;
     Vec2 point = Vec2::Zero();
     std::optional<Time> reached;
   };
@@ -61,7 +62,7 @@ class ForecastStatistics {
   std::vector<Believer> believers_;  // in order of their first forecasts
   std::map<Horizon, std::vector<Mean>> means_;
   std::vector<ArrivalForecast> arrivals_;
-  std::map<std::string, Place> places_;
+  std::map<PlaceKey, Place> places_;
   Time last_;
 };
 

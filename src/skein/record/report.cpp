@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "skein/data/json.h"
@@ -112,13 +113,13 @@ void add_arrivals(const StoredRun& run, std::vector<SeriesLine>& lines) {
   constexpr Quantile kQuantiles[] = {{"10 %", &ArrivalForecast::early},
                                      {"50 %", &ArrivalForecast::middle},
                                      {"90 %", &ArrivalForecast::late}};
-  std::map<std::pair<std::string, std::string>, SeriesLine> all;
+  std::map<std::tuple<std::string, std::string, std::string>, SeriesLine> all;
   for (const ArrivalForecast& arrival : run.arrivals)
     for (const Quantile& quantile : kQuantiles) {
       const auto at = arrival.*quantile.value;
       if (!at) continue;
-      SeriesLine& line = all[{arrival.place, quantile.name}];
-      line.name = quantile.name;
+      SeriesLine& line = all[{arrival.place, arrival.mission, quantile.name}];
+      line.name = fmt::format("{} {}", arrival.mission, quantile.name);
       line.text = fmt::format("fire at {}, as forecast [min]", arrival.place);
       line.add(arrival.made.seconds(), *at / 60);
     }

@@ -67,6 +67,24 @@ ArrivalRecord arrival(double made, std::vector<ArrivalStep> steps) {
   return {kStation, forecast};
 }
 
+TEST(ArrivalFigures, OfOnePlaceAndSeveralFiresAreOfEachFireItself) {
+  ForecastStatistics statistics;
+  const auto sure = [](double second) {
+    return std::vector<ArrivalStep>{
+        {at(0), 0}, {at(second), 0}, {at(second + 0.001), 1}, {at(1000), 1}};
+  };
+  ArrivalRecord first = arrival(0, sure(500)), second = arrival(0, sure(800));
+  second.forecast.phenomenon = 1;
+  statistics.arrival(first);
+  statistics.arrival(second);
+  statistics.truth(at(500), 0, truth(301));
+  statistics.truth(at(500), 1, truth(100));
+  statistics.truth(at(800), 1, truth(301));
+  statistics.truth(at(1000), 0, truth(400));
+  EXPECT_EQ(figures(statistics)["arrival_hut_s"], 500);
+  EXPECT_NEAR(figures(statistics)["arrival_crps_mean_s"], 0, 0.01);
+}
+
 TEST(ArrivalFigures, ScoreTheDistributionAgainstWhenTheFireCame) {
   // Sure that it comes in the middle of 1,000 s; it does.
   ForecastStatistics sure;

@@ -103,6 +103,7 @@ TEST(Report, ShowsWhatForecastsWereWorthAndWhenTheFireWasToCome) {
     ArrivalForecast arrival;
     arrival.made = Time::from_seconds(made);
     arrival.place = "hut";
+    arrival.mission = "m";
     arrival.early = made + 600;
     arrival.middle = made + 1200;  // no late: it may never come
     recorder->record(ArrivalRecord{ground, arrival});
@@ -122,8 +123,8 @@ TEST(Report, ShowsWhatForecastsWereWorthAndWhenTheFireWasToCome) {
                                       "forecasts: intersection over union; m 2 min ahead",
                                       "forecasts: share in the 95 % band; m 1 min ahead",
                                       "forecasts: share in the 95 % band; m 2 min ahead",
-                                      "fire at hut, as forecast [min]; 10 %",
-                                      "fire at hut, as forecast [min]; 50 %"}));
+                                      "fire at hut, as forecast [min]; m 10 %",
+                                      "fire at hut, as forecast [min]; m 50 %"}));
 }
 
 TEST(Report, ShowsInABrowserWithoutErrors) {
