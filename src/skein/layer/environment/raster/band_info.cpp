@@ -8,7 +8,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "skein/layer/environment/raster/utc_time.h"
+#include "skein/layer/environment/raster/date_time.h"
 
 namespace skein::environment {
 namespace {

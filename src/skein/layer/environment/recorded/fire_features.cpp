@@ -11,7 +11,7 @@
 #include <set>
 #include <span>
 
-#include "skein/layer/environment/recorded/observation_time.h"
+#include "skein/layer/environment/raster/date_time.h"
 
 namespace skein::environment {
 namespace {
@@ -133,7 +133,7 @@ class Interpreter {
   }
 
  private:
-  using Times = std::vector<std::optional<ObservationTime>>;
+  using Times = std::vector<std::optional<DateTime>>;
   // What follows a feature's file in its place.
   static std::string file_of(const VectorFeature& feature) {
     return feature.outline.place.substr(0, feature.outline.place.rfind(": feature"));
@@ -228,8 +228,8 @@ class Interpreter {
     Times times;
     for (const VectorFeature& feature : layer) {
       const Attribute* each = find(feature, name);
-      times.push_back(each != nullptr ? parse_observation_time(each->text, order,
-                                                               is_plain_seconds(name))
+      times.push_back(each != nullptr ? parse_date_or_number(each->text, order,
+                                                             is_plain_seconds(name))
                                       : std::nullopt);
     }
     return times;
@@ -320,7 +320,7 @@ class Interpreter {
   Times times_in_names(std::span<const VectorFeature> layer) {
     Times times;
     for (const VectorFeature& feature : layer) {
-      std::optional<ObservationTime> time;
+      std::optional<DateTime> time;
       if (const Attribute* title = find_known(feature, kTitles)) {
         time = find_date(title->text);
         if (time) assume("times are those in " + title->name);

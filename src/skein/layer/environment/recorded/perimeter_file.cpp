@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "skein/layer/environment/raster/csv_table.h"
+#include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/recorded/fire_features.h"
-#include "skein/layer/environment/recorded/observation_time.h"
 #include "skein/layer/environment/recorded/vector_layer.h"
 
 namespace skein::environment {
@@ -15,12 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<ObservationTime> table_time(const CsvTable& table, std::size_t row,
-                                   std::size_t column, double utc_offset_h) {
+Result<DateTime> table_time(const CsvTable& table, std::size_t row, std::size_t column,
+                            double utc_offset_h) {
   const std::string& text = table.text(row, column);
   const std::string& name = table.names()[column];
-  auto time =
-      parse_observation_time(text, DateOrder::kMonthFirst, is_plain_seconds(name));
+  auto time = parse_date_or_number(text, DateOrder::kMonthFirst, is_plain_seconds(name));
   if (!time)
     return Error{ErrorCode::kBadInput, table.place(row),
                  fmt::format("column {}: \"{}\" is no time", name, text),

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "skein/base/math.h"
+#include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/raster/raster_file.h"
-#include "skein/layer/environment/raster/utc_time.h"
 #include "skein/layer/environment/wind/gridded_wind.h"
 
 namespace skein::environment {

@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "skein/geo/gdal/gdal_guard.h"
+#include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
-#include "skein/layer/environment/raster/utc_time.h"
 
 namespace skein::environment {
 namespace {

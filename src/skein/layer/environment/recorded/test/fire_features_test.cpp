@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "skein/layer/environment/raster/utc_time.h"
+#include "skein/layer/environment/raster/date_time.h"
 
 namespace skein::environment {
 namespace {

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "skein/geo/gdal/gdal_guard.h"
+#include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
-#include "skein/layer/environment/raster/utc_time.h"
 
 namespace skein::environment {
 namespace {

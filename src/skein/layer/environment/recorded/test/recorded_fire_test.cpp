@@ -6,8 +6,8 @@
 
 #include "skein/base/random.h"
 #include "skein/geo/clip.h"
+#include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
-#include "skein/layer/environment/raster/utc_time.h"
 #include "skein/layer/environment/recorded/arrival_fire.h"
 #include "skein/layer/environment/recorded/perimeter_file.h"
 #include "skein/layer/environment/recorded/perimeter_fire.h"

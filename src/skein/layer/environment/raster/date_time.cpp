@@ -1,4 +1,4 @@
-#include "skein/layer/environment/recorded/observation_time.h"
+#include "skein/layer/environment/raster/date_time.h"
 
 #include <algorithm>
 #include <cctype>
@@ -84,7 +84,7 @@ std::optional<double> day_start(int year, int month, int day) {
   const std::chrono::year_month_day date{std::chrono::year(year),
                                          std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day))};
-  if (!date.ok() || year < 1900 || year > 2200) return std::nullopt;
+  if (!date.ok()) return std::nullopt;
   return 86400.0 *
          static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
 }
@@ -93,6 +93,7 @@ std::optional<double> scan_day(Scanner& scan, DateOrder order) {
   const std::size_t digits = scan.digits_ahead();
   if (digits >= 8) {  // 20210905, and maybe 1404 at once behind it
     const int year = scan.number(4, 4), month = scan.number(2, 2);
+    if (year < 1900 || year > 2200) return std::nullopt;  // some other number
     return day_start(year, month, scan.number(2, 2));
   }
   const int first = scan.number(1, 4);
@@ -152,11 +153,11 @@ std::optional<double> scan_zone(Scanner& scan) {
 
 }  // namespace
 
-std::optional<ObservationTime> parse_date(std::string_view text, DateOrder order) {
+std::optional<DateTime> parse_date(std::string_view text, DateOrder order) {
   Scanner scan(trimmed(text));
   const auto day = scan_day(scan, order);
   if (!day || !scan.good()) return std::nullopt;
-  ObservationTime result{*day, true, false, false};
+  DateTime result{*day, true, false, false};
   if (scan.at_end()) return result;
   if (scan.skip_word("Z")) {  // of a date alone, as XML writes it
     result.zone = true;
@@ -167,30 +168,37 @@ std::optional<ObservationTime> parse_date(std::string_view text, DateOrder order
   if (!time) return std::nullopt;
   const auto zone = scan_zone(scan);
   if (!scan.good() || !scan.at_end()) return std::nullopt;
-  return ObservationTime{*day + *time - zone.value_or(0), true, true, zone.has_value()};
+  return DateTime{*day + *time - zone.value_or(0), true, true, zone.has_value()};
 }
 
-std::optional<ObservationTime> parse_observation_time(std::string_view text,
-                                                      DateOrder order, bool plain) {
+std::optional<double> parse_utc(std::string_view text) {
+  const std::string_view whole = trimmed(text);
+  if (whole.size() < 10 || whole[4] != '-' || whole[7] != '-') return std::nullopt;
+  const auto date = parse_date(whole, DateOrder::kMonthFirst);
+  return date ? std::optional(date->value) : std::nullopt;
+}
+
+std::optional<DateTime> parse_date_or_number(std::string_view text, DateOrder order,
+                                             bool plain) {
   const auto number = parse_number(text);
   if (!number) return parse_date(text, order);
   const double size = std::abs(*number);
   if (plain || size < 1e7) {
     if (size >= 1e12) return std::nullopt;
-    return ObservationTime{*number, false, true, true};
+    return DateTime{*number, false, true, true};
   }
   if (*number > 0 && *number == std::floor(*number) && *number < 1e15) {
     const std::string digits = std::to_string(static_cast<std::int64_t>(*number));
     if (digits.size() == 8 || digits.size() == 12 || digits.size() == 14)
       if (const auto date = parse_date(digits, order)) return date;
   }
-  if (size < 1e8) return ObservationTime{*number, false, true, true};
-  if (size < 1e11) return ObservationTime{*number, true, true, true};
-  if (size < 1e14) return ObservationTime{*number / 1000, true, true, true};
+  if (size < 1e8) return DateTime{*number, false, true, true};
+  if (size < 1e11) return DateTime{*number, true, true, true};
+  if (size < 1e14) return DateTime{*number / 1000, true, true, true};
   return std::nullopt;
 }
 
-std::optional<ObservationTime> find_date(std::string_view text) {
+std::optional<DateTime> find_date(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!is_digit(text[i]) || (i > 0 && is_digit(text[i - 1]))) continue;
     Scanner scan(text.substr(i));
@@ -199,7 +207,7 @@ std::optional<ObservationTime> find_date(std::string_view text) {
     const auto day = scan_day(scan, DateOrder::kMonthFirst);
     if (!day || !scan.good()) continue;
     if (digits == 4 && scan.digits_ahead() > 0) continue;
-    ObservationTime result{*day, true, false, false};
+    DateTime result{*day, true, false, false};
     Scanner behind = scan;
     behind.skip_any("T _,-");
     if (const auto time = scan_time_of_day(behind); time && behind.digits_ahead() == 0) {

@@ -1,8 +1,6 @@
-#include "skein/layer/environment/recorded/observation_time.h"
+#include "skein/layer/environment/raster/date_time.h"
 
 #include <gtest/gtest.h>
-
-#include "skein/layer/environment/raster/utc_time.h"
 
 namespace skein::environment {
 namespace {
@@ -11,7 +9,7 @@ double iso(const char* text) {
   return *parse_utc(text);
 }
 
-TEST(ObservationTimes, AreReadAsAgenciesWriteThem) {
+TEST(DateTimes, AreReadAsAgenciesWriteThem) {
   struct Case {
     const char *text, *utc;
     bool time_of_day, zone;
@@ -31,7 +29,7 @@ TEST(ObservationTimes, AreReadAsAgenciesWriteThem) {
       {"1630850640000", "2021-09-05T14:04Z", true, true},
       {"1630850640", "2021-09-05T14:04Z", true, true}};
   for (const Case& each : cases) {
-    const auto time = parse_observation_time(each.text, DateOrder::kMonthFirst, false);
+    const auto time = parse_date_or_number(each.text, DateOrder::kMonthFirst, false);
     ASSERT_TRUE(time) << each.text;
     EXPECT_TRUE(time->utc) << each.text;
     EXPECT_NEAR(time->value, iso(each.utc), 1e-6) << each.text;
@@ -43,26 +41,26 @@ TEST(ObservationTimes, AreReadAsAgenciesWriteThem) {
   EXPECT_EQ(day_first->value, iso("2021-09-05T14:04Z"));
 }
 
-TEST(ObservationTimes, SmallNumbersAreSecondsOfAnUnknownOrigin) {
-  const auto seconds = parse_observation_time("8340.5", DateOrder::kMonthFirst, false);
+TEST(DateTimes, SmallNumbersAreSecondsOfAnUnknownOrigin) {
+  const auto seconds = parse_date_or_number("8340.5", DateOrder::kMonthFirst, false);
   ASSERT_TRUE(seconds);
   EXPECT_FALSE(seconds->utc);
   EXPECT_EQ(seconds->value, 8340.5);
-  EXPECT_FALSE(parse_observation_time("20210905", DateOrder::kMonthFirst, true)->utc);
+  EXPECT_FALSE(parse_date_or_number("20210905", DateOrder::kMonthFirst, true)->utc);
 }
 
-TEST(ObservationTimes, WhatIsNoDateIsNone) {
+TEST(DateTimes, WhatIsNoDateIsNone) {
   for (const char* text :
        {"", "noon", "2021-13-05", "2021-02-30", "13/13/2021", "2021-09-05T25:00",
         "2021-09-05T14:04X", "14:04", "5/9/21", "2021-09", "1e300", "-20210905",
         "9/5/2021 13:04 PM", "2021-09-05T14", "99999999", "2021-09-05 noon", "nan"})
-    EXPECT_FALSE(parse_observation_time(text, DateOrder::kMonthFirst, false)
-                     .value_or(ObservationTime{0, false})
+    EXPECT_FALSE(parse_date_or_number(text, DateOrder::kMonthFirst, false)
+                     .value_or(DateTime{0, false})
                      .utc)
         << text;
 }
 
-TEST(ObservationTimes, AreFoundInNames) {
+TEST(DateTimes, AreFoundInNames) {
   const auto found = [](const char* text) {
     const auto time = find_date(text);
     return time ? time->value : -1;
@@ -75,7 +73,13 @@ TEST(ObservationTimes, AreFoundInNames) {
   EXPECT_EQ(found("object 2021090599"), -1);
 }
 
-TEST(ObservationTimes, TimesOfDayStandAlone) {
+TEST(DateTimes, OfIsoAloneReachBackToAnyYear) {
+  EXPECT_EQ(parse_utc("1800-01-01T00:00:00Z"), -5364662400.0);  // date -u -d ... +%s
+  for (const char* other : {"20210905", "9/5/2021 14:04", "2021/09/05", "5.9.2021"})
+    EXPECT_FALSE(parse_utc(other)) << other;
+}
+
+TEST(DateTimes, TimesOfDayStandAlone) {
   EXPECT_EQ(parse_time_of_day("14:04"), 50640);
   EXPECT_EQ(parse_time_of_day("1404"), 50640);
   EXPECT_EQ(parse_time_of_day("904"), 9 * 3600 + 240);
@@ -84,7 +88,7 @@ TEST(ObservationTimes, TimesOfDayStandAlone) {
   EXPECT_EQ(parse_time_of_day("soon"), std::nullopt);
 }
 
-TEST(ObservationTimes, OneDateAboveTwelveShowsTheOrder) {
+TEST(DateTimes, OneDateAboveTwelveShowsTheOrder) {
   EXPECT_EQ(shown_order("25/9/2021"), DateOrder::kDayFirst);
   EXPECT_EQ(shown_order("9/25/2021"), DateOrder::kMonthFirst);
   EXPECT_EQ(shown_order("9/5/2021"), std::nullopt);
