@@ -32,10 +32,4 @@ Result<RawSeries> dated_perimeters(std::vector<VectorFeature> features,
 /// The error of a perimeter whose time is of another kind than those before it.
 Error mixed_times(const std::string& place);
 
-/// The names that tables and files of Skein itself have for times, in this order.
-const std::vector<std::string>& time_names();
-
-/// Whether numbers under that name are plain seconds whatever their size.
-bool is_plain_seconds(const std::string& name);
-
 }  // namespace skein::environment

@@ -7,6 +7,7 @@
 
 #include "skein/layer/environment/raster/csv_table.h"
 #include "skein/layer/environment/raster/date_time.h"
+#include "skein/layer/environment/recorded/feature_times.h"
 #include "skein/layer/environment/recorded/fire_features.h"
 #include "skein/layer/environment/recorded/vector_layer.h"
 
@@ -61,7 +62,7 @@ Result<RawSeries> read_table(const std::string& path, const PerimeterFileOptions
   if (!options.time_field.empty()) {
     time = table.column(options.time_field);
   } else {
-    for (const std::string& name : time_names())
+    for (const std::string_view name : time_names())
       if (!time) time = table.column(name);
   }
   if (!time)
