@@ -15,13 +15,15 @@ int ground_starts_study(const StudyArguments& arguments,
   study.aircraft = arguments.cases;
   const auto plan = campaign::plan_ground_starts_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(
-      plan.value(), arguments, kinds, folder, stop, [&](const campaign::BatchItem& item) {
-        campaign::StartWatch watch = campaign::start_watch_of(item);
-        auto summary = run_item(item, kinds, stop, &watch);
-        if (summary) watch.add_figures(summary.value().numbers);
-        return summary;
-      });
+  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
+                                 [&](const campaign::BatchItem& item) {
+                                   campaign::StartWatch watch =
+                                       campaign::start_watch_of(item);
+                                   auto summary = run_item(item, kinds, stop, &watch);
+                                   if (summary)
+                                     watch.add_figures(summary.value().numbers);
+                                   return summary;
+                                 });
   if (!outcomes) return say_error(outcomes.error());
   return finish("ground-starts", plan.value(), outcomes.value(),
                 campaign::ground_starts_report(plan.value(), outcomes.value()), folder,
@@ -35,13 +37,15 @@ int keeping_study(const StudyArguments& arguments, const assemble::KindRegistry&
   study.aircraft = arguments.cases;
   const auto plan = campaign::plan_keeping_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(
-      plan.value(), arguments, kinds, folder, stop, [&](const campaign::BatchItem& item) {
-        campaign::KeepingWatch watch = campaign::keeping_watch_of(item);
-        auto summary = run_item(item, kinds, stop, &watch);
-        if (summary) watch.add_figures(summary.value().numbers);
-        return summary;
-      });
+  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
+                                 [&](const campaign::BatchItem& item) {
+                                   campaign::KeepingWatch watch =
+                                       campaign::keeping_watch_of(item);
+                                   auto summary = run_item(item, kinds, stop, &watch);
+                                   if (summary)
+                                     watch.add_figures(summary.value().numbers);
+                                   return summary;
+                                 });
   if (!outcomes) return say_error(outcomes.error());
   return finish("keeping", plan.value(), outcomes.value(),
                 campaign::keeping_report(plan.value(), outcomes.value()), folder, stop,

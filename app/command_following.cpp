@@ -29,14 +29,15 @@ int following_study(const StudyArguments& arguments, const assemble::KindRegistr
   study.winds = arguments.cases;
   const auto plan = campaign::plan_following_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(
-      plan.value(), arguments, kinds, folder, stop, [&](const campaign::BatchItem& item) {
-        campaign::LapRecorder recorder;
-        auto summary = run_item(item, kinds, stop, &recorder);
-        if (summary)
-          campaign::add_following_figures(recorder.samples(), summary.value().numbers);
-        return summary;
-      });
+  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
+                                 [&](const campaign::BatchItem& item) {
+                                   campaign::LapRecorder recorder;
+                                   auto summary = run_item(item, kinds, stop, &recorder);
+                                   if (summary)
+                                     campaign::add_following_figures(
+                                         recorder.samples(), summary.value().numbers);
+                                   return summary;
+                                 });
   if (!outcomes) return say_error(outcomes.error());
   const auto shown = shown_flights(plan.value(), outcomes.value(), kinds, stop);
   return finish("wind-following", plan.value(), outcomes.value(),

@@ -12,6 +12,7 @@
 #include "skein/assemble/verify_kinds.h"
 #include "skein/base/check.h"
 #include "skein/base/log.h"
+#include "skein/campaign/campaign_file.h"
 #include "skein/data/task_text.h"
 #include "skein/record/record_text.h"
 #include "skein/scenario/markdown.h"
@@ -114,6 +115,17 @@ int verify_command(const std::string& role, const std::vector<std::string>& plug
   return good ? kDone : kFailed;
 }
 
+namespace {
+
+// What a file other than a scenario is made of; null: it is a scenario.
+const scenario::Document* document_of(const std::string& name) {
+  if (name == "aircraft") return &assemble::aircraft_document();
+  if (name == "campaign") return &campaign::campaign_document();
+  return nullptr;
+}
+
+}  // namespace
+
 int schema_command(const std::string& document, const std::vector<std::string>& plugins) {
   if (document == "records") {
     print("{}", record::records_typescript());
@@ -121,9 +133,9 @@ int schema_command(const std::string& document, const std::vector<std::string>& 
   }
   const auto kinds = load_kinds(plugins);
   if (!kinds) return kBadUsage;
-  const bool aircraft = document == "aircraft";
-  put_out(aircraft ? scenario::schema_text(assemble::aircraft_document(), {})
-                   : scenario::json_schema(kinds->table()));
+  const scenario::Document* other = document_of(document);
+  put_out(other ? scenario::schema_text(*other, {})
+                : scenario::json_schema(kinds->table()));
   put_out("\n");
   return kDone;
 }
@@ -141,9 +153,9 @@ int keys_command(const std::string& document, const std::vector<std::string>& pl
   }
   const auto kinds = load_kinds(plugins);
   if (!kinds) return kBadUsage;
-  const bool aircraft = document == "aircraft";
-  put_out(aircraft ? scenario::keys_as_markdown(assemble::aircraft_document(), {})
-                   : scenario::markdown_keys(kinds->table()));
+  const scenario::Document* other = document_of(document);
+  put_out(other ? scenario::keys_as_markdown(*other, {})
+                : scenario::markdown_keys(kinds->table()));
   return kDone;
 }
 

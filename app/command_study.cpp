@@ -82,7 +82,7 @@ int monitoring(const StudyArguments& arguments, const assemble::KindRegistry& ki
   study.strategies = arguments.strategies;
   const auto plan = campaign::plan_monitoring_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
+  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
   return finish("monitoring", plan.value(), outcomes.value(),
                 campaign::monitoring_report(study, plan.value(), outcomes.value()),
@@ -104,7 +104,7 @@ int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
   }
   const auto plan = campaign::plan_bridge_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
+  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
   return finish("bridge", plan.value(), outcomes.value(),
                 campaign::bridge_report(study, plan.value(), outcomes.value()), folder,
@@ -118,7 +118,7 @@ int fidelity(const StudyArguments& arguments, const assemble::KindRegistry& kind
   study.levels = arguments.cases;
   const auto plan = campaign::plan_fidelity_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop);
+  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
   return finish("fidelity", plan.value(), outcomes.value(),
                 campaign::fidelity_report(study, plan.value(), outcomes.value()), folder,
@@ -132,7 +132,7 @@ int robustness(const StudyArguments& arguments, const assemble::KindRegistry& ki
   study.aircraft = arguments.cases;
   const auto plan = campaign::plan_robustness_study(study, kinds.table());
   if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments, kinds, folder, stop,
+  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {
                                    campaign::FlightWatch watch = campaign::watch_of(item);
                                    auto summary = run_item(item, kinds, stop, &watch);

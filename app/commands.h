@@ -96,6 +96,18 @@ int report_command(const std::vector<std::filesystem::path>& runs,
 /// A line for each study: its name and what it shows.
 std::string list_of_studies();
 int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop);
+/// `skein campaign`.
+struct CampaignArguments {
+  std::filesystem::path file;
+  std::filesystem::path out;             ///< empty = runs/campaign-NAME
+  std::optional<int> seeds, first_seed;  ///< none: the file's
+  int threads = 2;
+  std::vector<std::string> only;  ///< names of variants; of an axis without any: all
+  std::vector<std::string> overrides;
+  std::vector<std::string> plugins;
+  bool scenarios = false;  ///< write those of all runs
+};
+int campaign_command(const CampaignArguments& arguments, const std::atomic<bool>& stop);
 int completion_command(const std::string& shell);
 
 }  // namespace skein::app

@@ -97,6 +97,13 @@ Examples:
   skein study tuning --search 60 --threads 2
   skein study estimators --cases values.csv > out.csv)";
 
+constexpr const char* kCampaignExamples = R"(
+Examples:
+  skein campaign campaigns/formation.yaml
+  skein campaign campaigns/surveys.yaml --first-seed 1001 --seeds 20
+  skein campaign campaigns/tracking.yaml --only aerosonde --set duration_s=300 --out runs/a
+What is finished is kept: the same command again goes on where it was.)";
+
 // The option `--log` of a command.
 void add_log_option(CLI::App& command) {
   static const std::map<std::string, LogLevel> kLevels = {{"debug", LogLevel::kDebug},
@@ -222,9 +229,9 @@ Command add_description(CLI::App& program, const char* name, const char* help,
   };
   auto* command = program.add_subcommand(name, help);
   const auto given = std::make_shared<Given>();
-  std::vector<std::string> documents = {"scenario", "aircraft", "records"};
+  std::vector<std::string> documents = {"scenario", "aircraft", "campaign", "records"};
   std::string which =
-      "Of which files: scenario or aircraft; records: what runs leave behind";
+      "Of which files: scenario, aircraft or campaign; records: what runs leave behind";
   if (std::string_view(name) == "keys") {
     documents.emplace_back("tasks");
     which += "; tasks: how orders are written";
@@ -410,6 +417,36 @@ Command add_study(CLI::App& program) {
           }};
 }
 
+Command add_campaign(CLI::App& program) {
+  auto* command = program.add_subcommand(
+      "campaign",
+      "Fly a scenario in every combination of variants, with report and summary.");
+  const auto given = std::make_shared<CampaignArguments>();
+  command->add_option("file", given->file, "The campaign (YAML).")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command->add_option("--out", given->out, "Folder; default: runs/campaign-NAME.");
+  command->add_option("--seeds", given->seeds, "Runs of every combination.")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--first-seed", given->first_seed, "The first seed.")
+      ->check(CLI::Range(0, 1000000000));
+  command->add_option("--threads", given->threads, "Runs at the same time.")
+      ->check(CLI::Range(1, 256));
+  command
+      ->add_option("--only", given->only,
+                   "Only these variants (comma separated); of an axis without any, all.")
+      ->delimiter(',');
+  command->add_option("--set", given->overrides, "KEY=VALUE for every run.")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--scenarios", given->scenarios,
+                    "Write the scenario of every run, to fly one again with records.");
+  add_plugin_option(*command, given->plugins);
+  add_log_option(*command);
+  command->footer(kCampaignExamples);
+  return {command, [given] { return campaign_command(*given, stop_requested); }};
+}
+
 Command add_completion(CLI::App& program) {
   auto* command = program.add_subcommand(
       "completion", "Print shell completion: source <(skein completion)");
@@ -427,16 +464,17 @@ int run_program(int argc, char** argv) {
   program.failure_message(CLI::FailureMessage::simple);
   std::vector<Command> commands;
   for (auto* add : {add_run, add_check, add_list}) commands.push_back(add(program));
-  commands.push_back(
-      add_description(program, "schema",
-                      "Print the JSON Schema of scenario or aircraft files, for editors.",
-                      kSchemaExamples, schema_command));
+  commands.push_back(add_description(
+      program, "schema",
+      "Print the JSON Schema of scenario, aircraft or campaign files, for editors.",
+      kSchemaExamples, schema_command));
   commands.push_back(add_description(program, "keys",
                                      "Print the documentation of all keys (Markdown).",
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  for (auto* add : {add_report, add_export, add_fire, add_study, add_completion})
+  for (auto* add :
+       {add_report, add_export, add_fire, add_study, add_campaign, add_completion})
     commands.push_back(add(program));
 
   try {

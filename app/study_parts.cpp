@@ -89,16 +89,13 @@ Result<record::RunSummary> run_item(const campaign::BatchItem& item,
   return assemble::run_quietly(item.scenario, kinds, how);
 }
 
-Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
-                                                     const StudyArguments& arguments,
-                                                     const assemble::KindRegistry& kinds,
-                                                     const fs::path& folder,
-                                                     const std::atomic<bool>& stop,
-                                                     campaign::RunScenario run) {
+Result<std::vector<campaign::BatchOutcome>> run_plan(
+    const campaign::StudyPlan& plan, int threads, const assemble::KindRegistry& kinds,
+    const fs::path& folder, const std::atomic<bool>& stop, campaign::RunScenario run) {
   if (auto made = make_folder(folder); !made) return made.error();
   const bool terminal = isatty(STDERR_FILENO) != 0;
   campaign::BatchOptions options;
-  options.threads = arguments.threads;
+  options.threads = threads;
   options.program = program_fingerprint();
   options.journal = folder / "runs.jsonl";
   options.stop = &stop;

@@ -51,9 +51,10 @@ Result<record::RunSummary> run_item(const campaign::BatchItem& item,
 
 /// Runs all items of a plan, with progress on a terminal; what is finished is kept in the
 /// folder.
+/// @param threads  runs at the same time.
 /// @param run  of one item; none: run_item().
 Result<std::vector<campaign::BatchOutcome>> run_plan(const campaign::StudyPlan& plan,
-                                                     const StudyArguments& arguments,
+                                                     int threads,
                                                      const assemble::KindRegistry& kinds,
                                                      const std::filesystem::path& folder,
                                                      const std::atomic<bool>& stop,

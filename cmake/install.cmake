@@ -73,6 +73,8 @@ function(skein_install_program)
   install(TARGETS skein RUNTIME COMPONENT program)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/skein
           COMPONENT program PATTERN expect EXCLUDE)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/campaigns DESTINATION ${CMAKE_INSTALL_DATADIR}/skein
+          COMPONENT program)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/aircraft DESTINATION ${CMAKE_INSTALL_DATADIR}/skein
           COMPONENT program)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}

@@ -135,5 +135,54 @@ TEST_F(Program, EstimatorsStudyChecksRows) {
   EXPECT_NE(bad.err.find("bad.csv:2"), std::string::npos) << bad.err;
 }
 
+TEST_F(Program, ACampaignFliesEveryCombinationUnderTheSameConditions) {
+  write("base.yaml",
+        "name: base\nduration_s: 20\nenvironment: {phenomena: []}\n"
+        "aircraft: [{name: a}]\nmissions: []\n");
+  write(
+      "c.yaml",
+      "name: pairs\nabout: [What for]\nscenario: base.yaml\nseeds: 2\n"
+      "axes:\n"
+      "  - {name: speed, variants: [{name: slow, set: "
+      "[\"aircraft[0].plant.airspeed_mps=15\"]}, {name: fast}]}\n"
+      "  - {name: radio, variants: [{name: fine}, {name: bad, set: [radio.loss=0.5]}]}\n"
+      "draws:\n"
+      "  - {key: environment.wind.speed_mps, between: [1, 9]}\n"
+      "  - {key: environment.wind.from_deg, among: [\"10\", \"20\"]}\n"
+      "figures: [{figure: simulated_s, digits: 0, extreme: least}]\n");
+  const Finished first = run({"campaign", "c.yaml", "--out", "c"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_NE(first.out.find("slow   bad"), std::string::npos) << first.out;
+  const auto summary = nlohmann::json::parse(read_file(folder_ / "c" / "summary.json"));
+  EXPECT_EQ(summary.at("runs"), 8);
+  EXPECT_EQ(summary.at("slow/fine/simulated_s"), 20);
+  const std::string csv = read_file(folder_ / "c" / "runs.csv");
+  EXPECT_EQ(csv.rfind("speed,radio,seed,content_hash", 0), 0u) << csv;
+  EXPECT_TRUE(fs::exists(folder_ / "c" / "report.html"));
+
+  EXPECT_EQ(run({"campaign", "c.yaml", "--out", "c"}).status, 0);
+  const std::string journal = read_file(folder_ / "c" / "runs.jsonl");
+  EXPECT_EQ(std::count(journal.begin(), journal.end(), '\n'), 8)
+      << "nothing was run again";
+
+  const Finished one = run({"campaign", "c.yaml", "--out", "one", "--only", "slow,bad",
+                            "--seeds", "1", "--first-seed", "2", "--scenarios"});
+  EXPECT_EQ(one.status, 0) << one.err;
+  const std::string row = read_file(folder_ / "one" / "runs.csv");
+  const std::string hash = row.substr(row.find("slow,bad,2,"), 30);
+  EXPECT_NE(csv.find(hash), std::string::npos) << "seed 2 is the same run in both";
+
+  EXPECT_EQ(run({"check", "one/scenarios/slow-bad-2.yaml"}).status, 0);
+
+  const Finished odd = run({"campaign", "c.yaml", "--out", "d", "--only", "slower"});
+  EXPECT_EQ(odd.status, 2);
+  EXPECT_NE(odd.err.find("slow fast fine bad"), std::string::npos) << odd.err;
+  EXPECT_FALSE(fs::exists(folder_ / "d")) << "what is refused leaves nothing behind";
+  write("bad.yaml", "name: x\nscenario: base.yaml\nfigures: []\nseed: 3\n");
+  const Finished bad = run({"campaign", "bad.yaml"});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.err.find("bad.yaml:4"), std::string::npos) << bad.err;
+}
+
 }  // namespace
 }  // namespace skein::app

@@ -176,6 +176,7 @@ struct FormationChoice : MissionSchedule {
   std::vector<Vec2> slots = {{-40, 40}, {-40, -40}, {-80, 80}, {-80, -80}};
   std::vector<LeaderChange> leaders = {LeaderChange{}};
   bool direct = false;
+  double leader_timeout = reasoning::FormationOptions{}.leader_timeout;
 };
 
 Fields<LeaderChange> leader_fields() {
@@ -204,6 +205,10 @@ Fields<FormationChoice> formation_fields() {
               "direct", &T::direct,
               "The leader reports its position to its followers itself; else the station "
               "passes it on.")
+          .duration_s("leader_timeout_s", &T::leader_timeout,
+                      "A leader that has been silent, or under another command, for so "
+                      "long is replaced by the first aircraft that is there.",
+                      {.at_least = 5})
           .rule("leaders", [](const T& t) {
             for (std::size_t k = 1; k < t.leaders.size(); ++k)
               if (t.leaders[k].at <= t.leaders[k - 1].at)
@@ -243,6 +248,7 @@ MadeMission make_formation(const FormationChoice& choice, const MissionContext& 
   options.laps = choice.laps;
   options.slots = choice.slots;
   options.direct = choice.direct;
+  options.leader_timeout = choice.leader_timeout;
   for (const LeaderChange& change : choice.leaders) {
     const auto leader = static_cast<std::size_t>(change.aircraft);
     if (leader >= team.size())

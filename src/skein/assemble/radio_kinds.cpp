@@ -19,7 +19,13 @@ Fields<communication::IdealRadioOptions> ideal_fields() {
       .duration_s("jitter_s", &T::jitter, "Further delay, uniform between 0 and this.")
       .number("loss", &T::loss, "Probability that a message is lost.", kProbability)
       .number("range_m", &T::range, "Messages that go further are lost; 0: no limit.",
-              kNotNegative);
+              kNotNegative)
+      .number("outages_per_hour", &T::outages_per_hour,
+              "How often an entity's modem neither sends nor receives for a while: mean "
+              "number in an hour without.",
+              {.at_least = 0, .at_most = 3600})
+      .duration_s("outage_mean_s", &T::outage_mean, "Mean length of these.",
+                  {.above = 0, .at_most = 86400});
 }
 
 }  // namespace

@@ -241,7 +241,7 @@ void add_flight_sensors(Kinds<Sensor, AircraftContext>& kinds) {
         sensory::GnssReceiverOptions all = o;
         for (const PlannedOutage& outage : o.planned)
           all.outages.spans.push_back(
-              {outage.from, outage.until.value_or(sensory::OutageSpan{}.until)});
+              {outage.from, outage.until.value_or(OutageSpan{}.until)});
         return std::make_unique<sensory::GnssReceiver>(all, c.seed, c.self, c.instance);
       });
   kinds.add("barometer", "Pressure altitude.", barometer_fields(),

@@ -76,9 +76,13 @@ Fields<sensory::CameraOptions> camera_fields() {
                  {.above = 0, .below = 170})
       .angle_deg("length_deg", &T::length, "Field of view along.",
                  {.above = 0, .below = 170})
-      .boolean("gimbal", &T::gimbal,
-               "It looks straight down whatever the aircraft does; else it is fixed to "
-               "the body and moves with roll and pitch.")
+      .boolean(
+          "gimbal", &T::gimbal,
+          "It looks straight down whatever the aircraft does, or at the target of an "
+          "orbit; else it is fixed to the body and moves with roll and pitch.")
+      .angle_deg("max_tilt_deg", &T::max_tilt,
+                 "Of the gimbal, from straight down; 0: it always looks straight down.",
+                 {.at_least = 0, .at_most = 85})
       .number("range_m", &T::range, "Furthest at which objects can be made out.",
               {.above = 0, .at_most = 1e5})
       .number("detection", &T::detection,

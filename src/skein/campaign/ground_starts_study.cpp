@@ -14,10 +14,10 @@
 namespace skein::campaign {
 namespace {
 
-constexpr std::array kTurbulence = {"none", "light", "moderate", "severe"};
+constexpr std::array kStartTurbulence = {"none", "light", "moderate", "severe"};
 constexpr std::array kStands = {"into the wind", "any heading"};
-constexpr double kMaxWindSpeed = 8;  // [m/s]
-constexpr EntityId kSubject{1};      // the station is 0
+constexpr double kMaxStartWind = 8;  // [m/s]
+constexpr EntityId kStarter{1};      // the station is 0
 
 // An aircraft of the study, with a route of its size.
 struct Starter {
@@ -25,7 +25,7 @@ struct Starter {
   const char* plant;
   double side = 0;           // of the square that it flies [m]
   double altitude = 0;       // above ground [m]
-  std::size_t roughest = 0;  // turbulence that it is started in, in kTurbulence
+  std::size_t roughest = 0;  // turbulence that it is started in, in kStartTurbulence
 };
 
 constexpr std::array kStarters = {
@@ -67,7 +67,7 @@ Draw draw(int seed, const std::vector<const Starter*>& starters) {
   d.aircraft = pick(starters.size());
   d.turbulence = pick(starters[d.aircraft]->roughest + 1);
   d.stand = pick(kStands.size());
-  d.wind = random.uniform(0, kMaxWindSpeed);
+  d.wind = random.uniform(0, kMaxStartWind);
   d.from = random.uniform(0, 360);
   d.heading = random.uniform(0, 360);
   return d;
@@ -75,7 +75,7 @@ Draw draw(int seed, const std::vector<const Starter*>& starters) {
 
 std::vector<scenario::Override> overrides_of(const Draw& d, const Starter& aircraft,
                                              int seed) {
-  const std::string turbulence = kTurbulence[d.turbulence];
+  const std::string turbulence = kStartTurbulence[d.turbulence];
   const std::string heading =
       d.stand == 0 ? std::string("null") : fmt::format("{:.1f}", d.heading);
   return {{fmt::format("aircraft[0].plant={}", aircraft.plant)},
@@ -106,7 +106,7 @@ Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
     for (std::size_t t = 0; t <= starters[a]->roughest; ++t)
       for (std::size_t s = 0; s < kStands.size(); ++s) {
         cells[{a, t, s}] = plan.cells.size();
-        plan.cells.push_back({starters[a]->name, kTurbulence[t], kStands[s], {}});
+        plan.cells.push_back({starters[a]->name, kStartTurbulence[t], kStands[s], {}});
       }
   DataFingerprint data;
   for (int k = 0; k < study.seeds; ++k) {
@@ -118,8 +118,9 @@ Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
     auto read = scenario::read_scenario(study.base, kinds, overrides);
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     scenario::Scenario run = *std::move(read.scenario);
-    run.name = fmt::format("{}/{}/{}/{:.1f}/{}", aircraft.name, kTurbulence[d.turbulence],
-                           kStands[d.stand], d.wind, seed);
+    run.name =
+        fmt::format("{}/{}/{}/{:.1f}/{}", aircraft.name, kStartTurbulence[d.turbulence],
+                    kStands[d.stand], d.wind, seed);
     plan.cells[cells.at({d.aircraft, d.turbulence, d.stand})].items.push_back(
         plan.items.size());
     std::string text = scenario::write_scenario(run, kinds);
@@ -133,12 +134,12 @@ StartWatch start_watch_of(const BatchItem& item) {
   StartLimits limits;
   // The ground is at 0, as it is in the base scenario.
   limits.altitude_msl = item.scenario.aircraft.at(0).altitude_agl;
-  return {limits, kSubject};
+  return {limits, kStarter};
 }
 
 namespace {
 
-std::string causes(const record::RunSummary& summary) {
+std::string causes_of_loss(const record::RunSummary& summary) {
   std::string all;
   for (const char* cause : {"accident", "tilt", "belief", "failsafe", "climb"})
     if (summary.number(std::string("lost_") + cause).value_or(0) > 0)
@@ -168,7 +169,7 @@ Row row_of(const std::string& run, const record::RunSummary& summary) {
     return summary.number(name).value_or(std::nan(""));
   };
   return {{run},
-          {causes(summary)},
+          {causes_of_loss(summary)},
           {number("tilt_max_deg")},
           {number("attitude_error_max_deg")},
           {number("believed_height_error_max_m")}};

@@ -231,15 +231,21 @@ std::string runs_csv(const StudyPlan& plan, const std::vector<BatchOutcome>& out
     if (outcome.summary)
       for (const auto& [name, value] : outcome.summary->numbers)
         if (name != "wall_s" && name != "real_time_factor") names.insert(name);
-  std::string csv = "case,strategy,estimator,seed,content_hash";
+  std::string csv;
+  for (const std::string& dimension : plan.dimensions)
+    if (!dimension.empty()) csv += dimension + ",";
+  csv += "seed,content_hash";
   for (const std::string& name : names) csv += "," + name;
   csv += "\n";
   for (const StudyCell& cell : plan.cells)
     for (const std::size_t item : cell.items) {
       const auto& summary = outcomes[item].summary;
       if (!summary) continue;
-      csv += fmt::format("{},{},{},{},{}", cell.case_name, cell.strategy, cell.estimator,
-                         plan.items[item].scenario.seed, summary->content_hash);
+      const std::array<const std::string*, 3> parts = {&cell.case_name, &cell.strategy,
+                                                       &cell.estimator};
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        if (!plan.dimensions[k].empty()) csv += *parts[k] + ",";
+      csv += fmt::format("{},{}", plan.items[item].scenario.seed, summary->content_hash);
       for (const std::string& name : names) {
         const auto value = summary->number(name);
         csv += value ? fmt::format(",{:.9g}", *value) : ",";

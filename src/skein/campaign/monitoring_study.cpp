@@ -110,6 +110,7 @@ FigureTally tally_of(const StudyCell& cell, const std::vector<BatchOutcome>& out
   for (const double value : values_of(cell, outcomes, name)) {
     tally.count += 1;
     tally.sum += value;
+    tally.min = std::fmin(tally.min, value);
     tally.max = std::fmax(tally.max, value);
   }
   return tally;
@@ -120,6 +121,16 @@ MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& o
   MeanInterval figure = mean_interval(values_of(cell, outcomes, name));
   figure.requested = static_cast<int>(cell.items.size());
   return figure;
+}
+
+std::string StudyCell::path() const {
+  std::string path;
+  for (const std::string* part : {&case_name, &strategy, &estimator}) {
+    if (part->empty()) continue;
+    if (!path.empty()) path += '/';
+    path += *part;
+  }
+  return path;
 }
 
 std::string figure_text(const MeanInterval& figure, int digits) {

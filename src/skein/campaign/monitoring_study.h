@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -43,11 +44,16 @@ struct MonitoringStudy {
 struct StudyCell {
   std::string case_name, estimator, strategy;
   std::vector<std::size_t> items;  ///< indices of its runs, one per seed
+
+  /// CASE/STRATEGY/ESTIMATOR, without those that are empty.
+  std::string path() const;
 };
 
 struct StudyPlan {
   std::vector<BatchItem> items;
   std::vector<StudyCell> cells;
+  /// What the three parts of a cell's path are called.
+  std::array<std::string, 3> dimensions = {"case", "strategy", "estimator"};
 };
 
 /// All runs of the study.
@@ -55,10 +61,10 @@ struct StudyPlan {
 Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
                                         const scenario::KindTable& kinds);
 
-/// How often a figure is there in the runs of a cell, their sum and the largest; mean and
-/// largest are NaN where no run has it.
+/// How often a figure is there in the runs of a cell, their sum, the smallest and the
+/// largest; mean and these two are NaN where no run has it.
 struct FigureTally {
-  double count = 0, sum = 0, max = std::nan("");
+  double count = 0, sum = 0, min = std::nan(""), max = std::nan("");
   double mean() const { return sum / count; }
 };
 

@@ -9,6 +9,7 @@
 #include "skein/data/command.h"
 #include "skein/data/event.h"
 #include "skein/data/message.h"
+#include "skein/data/payload.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
 
@@ -32,6 +33,7 @@ struct AgentOutput {
   std::optional<AutopilotCommand> command;
   std::optional<ReturnRoute>
       return_route;  ///< when returns shall lead elsewhere from now on
+  std::optional<RegionOfInterest> region_of_interest;  ///< when it is another
   std::vector<Event> events;
   std::vector<AgentRecord> records;  ///< what else it wants to have recorded
 };

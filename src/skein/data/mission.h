@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "skein/base/id.h"
 #include "skein/data/describe.h"
 #include "skein/geo/polygon.h"
 
@@ -38,6 +39,8 @@ struct SurveyGoal {
   geo::Ring area;                ///< [m]
   std::vector<geo::Ring> holes;  ///< that need not be seen [m]
   double swath = 0;              ///< that is seen, half on either side of a path [m]
+  double planned_at = 0;         ///< when its first plan was made [s]
+  double planned_for = 0;        ///< how long that takes [s]; 0: there is none yet
 };
 
 constexpr auto describe(const SurveyGoal*) {
@@ -46,7 +49,10 @@ constexpr auto describe(const SurveyGoal*) {
       {"survey"}, "All of an area is seen.",
       field("area", &T::area, axes::kPlace, "its corners"),
       field("holes", &T::holes, axes::kPlace, "that need not be seen"),
-      field("swath", &T::swath, unit::kMetre, "width that is seen along a path"));
+      field("swath", &T::swath, unit::kMetre, "width that is seen along a path"),
+      field("planned_at", &T::planned_at, unit::kSecond, "when its first plan was made"),
+      field("planned_for", &T::planned_for, unit::kSecond,
+            "how long that takes; 0: there is none yet"));
 }
 
 /// Objects are kept in view.
@@ -75,16 +81,33 @@ constexpr auto describe(const PatrolGoal*) {
                       field("reach", &T::reach, unit::kMetre, "visited from so near"));
 }
 
-using MissionGoal =
-    std::variant<OpenGoal, PerimeterGoal, SurveyGoal, TrackGoal, PatrolGoal>;
+/// Followers keep their places beside a leader.
+struct FormationGoal {
+  EntityId leader;
+  std::vector<EntityId> followers;
+  std::vector<Vec2> slots;  ///< of the followers: ahead of the leader, to its right [m]
+};
 
-enum class MissionState : std::uint8_t { kBegun, kPaused, kResumed, kOver };
-
-constexpr auto names_of(const MissionState*) {
-  return std::to_array<std::string_view>({"begun", "paused", "resumed", "over"});
+constexpr auto describe(const FormationGoal*) {
+  using T = FormationGoal;
+  return described<T>({"formation"}, "Followers keep their places beside a leader.",
+                      field("leader", &T::leader, "who leads"),
+                      field("followers", &T::followers, "who follow"),
+                      field("slots", &T::slots, axes::kFormation,
+                            "their places: ahead of the leader, to its right"));
 }
 
-/// A mission begins, is paused, goes on or is over.
+using MissionGoal = std::variant<OpenGoal, PerimeterGoal, SurveyGoal, TrackGoal,
+                                 PatrolGoal, FormationGoal>;
+
+enum class MissionState : std::uint8_t { kBegun, kPaused, kResumed, kOver, kChanged };
+
+constexpr auto names_of(const MissionState*) {
+  return std::to_array<std::string_view>(
+      {"begun", "paused", "resumed", "over", "changed"});
+}
+
+/// A mission begins, is paused, goes on, is over, or has another goal from now on.
 struct MissionChange {
   std::string mission;  ///< its name
   MissionState state = MissionState::kBegun;
@@ -93,11 +116,12 @@ struct MissionChange {
 
 constexpr auto describe(const MissionChange*) {
   using T = MissionChange;
-  return described<T>({"mission_change"},
-                      "A mission begins, is paused, goes on or is over.",
-                      field("mission", &T::mission, "its name"),
-                      field("state", &T::state, "what it does"),
-                      field("goal", &T::goal, Storage::kJson, "what it is to reach"));
+  return described<T>(
+      {"mission_change"},
+      "A mission begins, is paused, goes on, is over, or has another goal.",
+      field("mission", &T::mission, "its name"),
+      field("state", &T::state, "what it does"),
+      field("goal", &T::goal, Storage::kJson, "what it is to reach"));
 }
 
 }  // namespace skein

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "skein/base/id.h"
@@ -14,6 +15,11 @@ namespace skein {
 
 // What the payload of an aircraft has seen, for records. `time` is when it was measured,
 // `sensor` which of the aircraft's payload sensors did, from 0 in the scenario's order.
+
+/// Where the gimbals of an aircraft's payload are to look from now on.
+struct RegionOfInterest {
+  std::optional<Vec3> place_N;  ///< [m]; none: straight down
+};
 
 /// An object that a camera has found, where the aircraft believes it.
 struct Detection {

@@ -296,6 +296,7 @@ struct GoalShape {
   }
   void operator()(const TrackGoal&) {}
   void operator()(const PerimeterGoal&) {}
+  void operator()(const FormationGoal&) {}
   void operator()(const OpenGoal&) {}
 };
 

@@ -27,7 +27,10 @@ struct Taker {
   void operator()(const PerimeterRecord& r) {
     statistics.perimeter(r, TrueBoundary(r.truth));
   }
-  void operator()(const Event& r) { statistics.event(r); }
+  void operator()(const Event& r) {
+    statistics.event(r);
+    statistics.missions().event(r);
+  }
   void operator()(const GroundObject& r) { statistics.payload().object(r); }
   void operator()(const ObjectMotion& r) {
     statistics.payload().motion(r);

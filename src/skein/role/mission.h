@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -28,6 +29,9 @@ class Mission : public Agent {
 
   /// What it is to reach, as far as that can be measured from outside.
   virtual MissionGoal goal() const { return OpenGoal{}; }
+
+  /// Grows when goal() changes while the mission runs.
+  virtual std::uint32_t goal_number() const { return 0; }
 
   /// Nothing is left to do: its aircraft are free.
   virtual bool done() const { return false; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct SensorView {
   const Terrain& terrain;
   Phenomena phenomena = {};
   std::span<const VisibleObject> objects = {};
+  /// Where gimbals are to look, from the vehicle, as its autopilot believes [m]; none:
+  /// straight down.
+  std::optional<Vec3> gaze_N = {};
 };
 
 /// One sensor of one vehicle, with its errors, rate and random stream.

@@ -10,6 +10,7 @@
 #include "skein/base/time.h"
 #include "skein/data/autopilot.h"
 #include "skein/data/object.h"
+#include "skein/data/payload.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
 #include "skein/role/phenomenon.h"
@@ -76,6 +77,8 @@ class Vehicle {
   virtual CommandFate command_fate() const = 0;
   /// Replaces where returns lead from now on.
   virtual void set_return(const ReturnRoute& route) = 0;
+  /// Replaces where its gimbals look from now on; nothing for what has none.
+  virtual void set_region_of_interest(const RegionOfInterest& /*region*/) {}
 
   /// A message of the ground station has arrived on board.
   virtual void ground_received(Time now) = 0;

@@ -47,7 +47,11 @@ SimulatedVehicle::SimulatedVehicle(VehicleParts parts)
     : parts_(std::move(parts)), working_set_(this, sizeof *this, parts_) {}
 
 SensorView SimulatedVehicle::view(const Surroundings& world, Time now) const {
-  return {now, parts_.state, parts_.air, world.terrain, world.phenomena, world.objects};
+  SensorView view{now,           parts_.state, parts_.air, world.terrain, world.phenomena,
+                  world.objects, std::nullopt};
+  if (region_of_interest_)
+    view.gaze_N = *region_of_interest_ - parts_.autopilot->estimate().p_N;
+  return view;
 }
 
 // A sensor that says nothing goes on measuring: its errors wander, its clock runs, and

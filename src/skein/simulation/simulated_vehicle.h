@@ -55,6 +55,9 @@ class SimulatedVehicle final : public Vehicle {
   void set_return(const ReturnRoute& route) override {
     parts_.autopilot->set_return(route);
   }
+  void set_region_of_interest(const RegionOfInterest& region) override {
+    region_of_interest_ = region.place_N;
+  }
   void ground_received(Time now) override { parts_.autopilot->sense(LinkSample{now}); }
   bool link_works() const override { return !link_down_; }
   const VehicleState* truth() const override { return &parts_.state; }
@@ -78,6 +81,7 @@ class SimulatedVehicle final : public Vehicle {
   VehicleParts parts_;
   WorkingSet working_set_;
   std::vector<SensorSample> flight_samples_;  // of one step, kept for its memory
+  std::optional<Vec3> region_of_interest_;    // where gimbals look
   VehicleState before_;                       // at the start of the last advance()
   std::vector<bool> fault_active_;            // of each of the faults
   std::uint64_t silent_sensors_ = 0, silent_payload_ = 0;  // bit k: sensor k

@@ -207,8 +207,11 @@ void Stepper::think(Time now, Entity& entity, EntityState& state) {
     entity.vehicle->command(*state.output.command);
   if (state.output.return_route && entity.vehicle)
     entity.vehicle->set_return(*state.output.return_route);
+  if (state.output.region_of_interest && entity.vehicle)
+    entity.vehicle->set_region_of_interest(*state.output.region_of_interest);
   state.output.command.reset();
   state.output.return_route.reset();
+  state.output.region_of_interest.reset();
   state.payload.samples.clear();
   state.fresh = 0;
   state.inbox.clear();

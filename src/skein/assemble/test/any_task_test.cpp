@@ -232,6 +232,43 @@ commands:
   }
 }
 
+// Whatever is asked for so near to a zone: it circles where there is room, and stays
+// there.
+TEST(AnyTask, CirclesBesideAZoneWhereThereIsRoom) {
+  for (const char* plant : kPlants)
+    for (const char* task : {"loiter 600,60", "fly_to 600,60"}) {
+      SCOPED_TRACE(fmt::format("{} {}", plant, task));
+      const FlightLog log = fly(fmt::format(R"(
+duration_s: 400
+environment:
+  terrain: flat
+  phenomena: []
+  wind: {{kind: uniform, speed_mps: 4, from_deg: 200}}
+  zones: [{{name: tower, centre_m: [600, 200], radius_m: 100}}]
+missions: []
+aircraft:
+  - name: a
+    plant: {}
+    altitude_agl_m: 80
+    start: {{placement: list, positions_m: [[0, 0]], heading_deg: 0}}
+commands:
+  - {{at_s: 10, do: "task a-1 {}"}}
+)",
+                                            plant, task));
+      for (const FlightRow& row : log.rows.at(1)) {
+        const Vec2 p = geo::horizontal(row.truth.p_N);
+        ASSERT_GT((p - Vec2(600, 200)).norm(), 110) << log.story();
+        if (row.time.seconds() > 150) ASSERT_LT((p - Vec2(600, 60)).norm(), 300);
+      }
+      EXPECT_LE(std::count_if(log.events.begin(), log.events.end(),
+                              [](const Event& e) {
+                                return e.kind == "zone" && e.time.seconds() > 150;
+                              }),
+                0)
+          << "it turns away again and again" << log.story();
+    }
+}
+
 TEST(AnyTask, APlanFromAFileIsFlownAsItIs) {
   // Scenarios' own: two turns and a straight, as `skein plan connect` wrote it.
   const std::string file = SKEIN_SOURCE_DIR "/scenarios/plans/approach.geojson";

@@ -107,21 +107,20 @@ TEST(MissionFlight, SearchAndRescueSeesTheAreaAndStaysWithWhoIsFound) {
   }
 }
 
-// Wind from any side; the smallest circle of each must fit into its picture, whatever
-// the wind: the Aerosonde flies higher.
+// Wind from any side. The picture of 115 m is smaller than most of their circles: the
+// gimbal has to look at who is followed.
 TEST(MissionFlight, AnEvadingWalkerStaysInViewOfEveryKindOfAircraft) {
   RandomStream random(41, 0, Purpose::kTest);
   int watched = 0;
   for (const char* aircraft :
-       {"plant: kinematic\n    altitude_agl_m: 120\n    sensors: [gnss, air-data",
+       {"plant: kinematic\n    sensors: [gnss, air-data",
         "plant: {kind: fixed-wing, aircraft: bixler}\n    autopilot: skein\n"
-        "    altitude_agl_m: 120\n    sensors: [flight",
+        "    sensors: [flight",
         "plant: {kind: fixed-wing, aircraft: aerosonde}\n    autopilot: skein\n"
-        "    altitude_agl_m: 250\n    sensors: [flight",
-        "plant: multirotor\n    autopilot: skein\n    altitude_agl_m: 120\n"
-        "    sensors: [flight"})
+        "    sensors: [flight",
+        "plant: multirotor\n    autopilot: skein\n    sensors: [flight"})
     for (int k = 0; k < 2; ++k) {
-      const double speed = random.uniform(0, 6), from = random.uniform(0, 360);
+      const double speed = random.uniform(0, 7), from = random.uniform(0, 360);
       SCOPED_TRACE(fmt::format("{}, {:.1f} m/s from {:.0f}", aircraft, speed, from));
       const FlightLog log = fly(fmt::format(R"(
 seed: {}
@@ -130,10 +129,11 @@ environment:
   terrain: flat
   wind: {{kind: uniform, speed_mps: {}, from_deg: {}}}
   phenomena: []
-  objects: [{{name: walker, position_m: [150, 100], movement: evading}}]
+  objects: [{{name: walker, position_m: [30, 20], movement: evading}}]
 aircraft:
   - name: a
-    {}, {{kind: camera, gimbal: true, width_deg: 90, length_deg: 90}}]
+    {}, {{kind: camera, gimbal: true, width_deg: 60, length_deg: 60}}]
+    altitude_agl_m: 100
     start: {{placement: list, positions_m: [[0, 0]], heading_deg: 30}}
 missions:
   - {{kind: track}}
@@ -146,7 +146,7 @@ missions:
       EXPECT_GT(log.figure("mission_track_in_view_worst"), 0.95) << log.story();
       EXPECT_LT(log.figure("mission_track_error_rms_m"), 15) << log.story();
     }
-  EXPECT_GE(watched, 6);
+  EXPECT_GE(watched, 7);
 }
 
 TEST(MissionFlight, TwoFiresAreKnownByTheirOwnMissions) {

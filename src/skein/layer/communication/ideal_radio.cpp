@@ -24,11 +24,27 @@ bool IdealRadio::out_of_range(const Message& message) const {
   return from && to && (*from - *to).norm() > options_.range;
 }
 
+bool IdealRadio::is_out(EntityId modem, Time now) {
+  if (options_.outages_per_hour <= 0) return false;
+  auto found = outages_.find(modem);
+  if (found == outages_.end())
+    found = outages_
+                .try_emplace(modem,
+                             OutageOptions{.per_hour = options_.outages_per_hour,
+                                           .mean_duration = options_.outage_mean},
+                             RandomStream(seed_, modem.value, Purpose::kRadioOutage))
+                .first;
+  return found->second.until(now).has_value();
+}
+
 void IdealRadio::send(const Message& message) {
   // One block of the stream per message holds both numbers.
   RandomStream random(seed_, message.from.value, Purpose::kRadio);
   random.seek(message.number);
-  const bool lost = random.uniform() < options_.loss || out_of_range(message);
+  const bool by_chance = random.uniform() < options_.loss;
+  const bool lost = by_chance || out_of_range(message) ||
+                    is_out(message.from, message.sent) ||
+                    is_out(message.to, message.sent);
   const double delay = options_.delay + options_.jitter * random.uniform();
   // A lost message is reported when it is sent: nobody waits for it.
   const Time arrival = lost ? message.sent : message.sent + Time::from_seconds(delay);

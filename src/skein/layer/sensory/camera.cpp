@@ -25,6 +25,8 @@ Camera::Camera(const CameraOptions& options, std::uint64_t seed, EntityId entity
     : options_(options),
       right_(math::tan(options.width / 2)),
       front_(math::tan(options.length / 2)),
+      cos_tilt_(math::cos(options.max_tilt)),
+      sin_tilt_(math::sin(options.max_tilt)),
       clock_(options.rate_hz),
       footprints_(options.latency, clock_.period()),
       detections_(options.latency, clock_.period()),
@@ -41,7 +43,17 @@ void Camera::sample(const SensorView& view, std::vector<SensorSample>& out) {
 
 Quat Camera::attitude(const SensorView& view) const {
   const Quat& q_NB = view.vehicle.q_NB;
-  return options_.gimbal ? geo::from_euler({0, 0, geo::to_euler(q_NB).yaw}) : q_NB;
+  if (!options_.gimbal) return q_NB;
+  const Quat down = geo::from_euler({0, 0, geo::to_euler(q_NB).yaw});
+  if (!view.gaze_N || view.gaze_N->norm() < kOwnGround) return down;
+  Vec3 gaze = view.gaze_N->normalized();
+  const double across = geo::horizontal(gaze).norm();
+  if (gaze.z() < cos_tilt_ && across > 0)
+    gaze = {sin_tilt_ * gaze.x() / across, sin_tilt_ * gaze.y() / across, cos_tilt_};
+  if (gaze.z() < cos_tilt_) return down;  // straight up
+  // The shortest turn that takes the down axis there.
+  const Quat tilt = Quat(1 + gaze.z(), -gaze.y(), gaze.x(), 0).normalized();
+  return tilt * down;
 }
 
 FootprintSample Camera::footprint(const SensorView& view) const {

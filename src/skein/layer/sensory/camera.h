@@ -15,8 +15,11 @@ struct CameraOptions {
   double latency = 0.2;              ///< [s]; with what is found in them
   double width = geo::radians(60);   ///< field of view across, left to right [rad]
   double length = geo::radians(45);  ///< field of view along, front to back [rad]
-  bool gimbal = false;     ///< keeps it looking straight down, its top towards the nose
-  double range = 500;      ///< furthest at which objects can be made out [m]
+  /// Keeps it looking straight down, its top towards the nose, or at what the agent wants
+  /// to see.
+  bool gimbal = false;
+  double max_tilt = geo::radians(60);  ///< of the gimbal, from straight down [rad]
+  double range = 500;                  ///< furthest at which objects can be made out [m]
   double detection = 0.8;  ///< probability that a visible object is found, per picture
   double position_sd = 1;  ///< of a found position per axis [m]
   double direction_sd =
@@ -24,7 +27,9 @@ struct CameraOptions {
 };
 
 /// Camera that looks along the body's down axis, so that its picture moves with roll and
-/// pitch, unless a gimbal takes these out.
+/// pitch, unless a gimbal takes these out. A gimbal turns to the agent's region of
+/// interest, as far as it tilts, by where the autopilot believes to be; at once, as
+/// pictures are far apart for it.
 ///
 /// The footprint is where the rays through the picture's corners meet the terrain: front
 /// left, front right, back right, back left. A ray that meets nothing within the range
@@ -50,7 +55,8 @@ class Camera final : public Sensor {
   void find_objects(const SensorView& view, std::vector<SensorSample>& out);
 
   CameraOptions options_;
-  double right_, front_;  // of the picture's edge, at unit distance
+  double right_, front_;        // of the picture's edge, at unit distance
+  double cos_tilt_, sin_tilt_;  // of the furthest that the gimbal tilts
   SampleClock clock_;
   Delay<FootprintSample> footprints_;
   Delay<DetectionSample> detections_;

@@ -5,9 +5,9 @@
 #include <array>
 
 #include "skein/base/id.h"
+#include "skein/base/outages.h"
 #include "skein/base/random.h"
 #include "skein/layer/sensory/gauss_markov.h"
-#include "skein/layer/sensory/outages.h"
 #include "skein/layer/sensory/periodic_sensor.h"
 
 namespace skein::sensory {

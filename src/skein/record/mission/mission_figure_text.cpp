@@ -18,6 +18,8 @@ constexpr std::array kTexts =
                                {"seen", "share of the area seen"},
                                {"seen_95_s", "95 % of it seen after [s]"},
                                {"seen_all_s", "all of it seen after [s]"},
+                               {"planned_s", "planned duration [s]"},
+                               {"seen_all_of_plan", "all seen after, times the plan"},
                                {"found", "objects found"},
                                {"in_view", "share of time in view, mean"},
                                {"in_view_worst", "share of time in view, least"},
@@ -26,7 +28,12 @@ constexpr std::array kTexts =
                                {"visited", "share of the line visited"},
                                {"age_max_s", "oldest visit ago [s]"},
                                {"revisit_mean_s", "time between visits, mean [s]"},
-                               {"revisit_max_s", "time between visits, longest [s]"}});
+                               {"revisit_max_s", "time between visits, longest [s]"},
+                               {"slot_error_mean_m", "distance from places, mean [m]"},
+                               {"slot_error_95_m", "distance from places, 95 % [m]"},
+                               {"slot_error_max_m", "distance from places, most [m]"},
+                               {"in_place", "share of time at their places"},
+                               {"apart_min_m", "least distance between two [m]"}});
 
 constexpr std::array kForecastTexts =
     std::to_array<FigureText>({{"iou_mean", "intersection over union, mean"},
@@ -62,13 +69,17 @@ std::optional<std::string> mission_number_text(std::string_view name) {
   constexpr std::string_view kPrefix = "mission_";
   if (!name.starts_with(kPrefix)) return forecast_text(name);
   name.remove_prefix(kPrefix.size());
+  // The longest that fits: "slot_error_max_m" ends like "error_max_m".
+  const FigureText* found = nullptr;
   for (const FigureText& each : kTexts) {
-    if (!name.ends_with(each.figure) || name.size() < each.figure.size() + 2) continue;
-    const std::size_t mission = name.size() - each.figure.size() - 1;
-    if (name[mission] != '_') continue;
-    return std::string(name.substr(0, mission)) + ": " + std::string(each.text);
+    if (!name.ends_with(each.figure) || name.size() < each.figure.size() + 2 ||
+        name[name.size() - each.figure.size() - 1] != '_')
+      continue;
+    if (!found || each.figure.size() > found->figure.size()) found = &each;
   }
-  return std::nullopt;
+  if (!found) return std::nullopt;
+  return std::string(name.substr(0, name.size() - found->figure.size() - 1)) + ": " +
+         std::string(found->text);
 }
 
 }  // namespace skein::record

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "skein/data/mission.h"
 #include "skein/data/object.h"
 #include "skein/data/payload.h"
 
@@ -22,11 +23,17 @@ class MissionMeter {
 
   /// An aircraft flies from one place to another, straight and in no more than a second
   /// or so [m].
-  virtual void moved(Time /*time*/, const Vec2& /*from*/, const Vec2& /*to*/) {}
+  virtual void moved(Time /*time*/, EntityId /*aircraft*/, const Vec2& /*from*/,
+                     const Vec2& /*to*/) {}
+  /// An aircraft takes no further part.
+  virtual void left(EntityId /*aircraft*/) {}
   virtual void detected(const Detection& /*detection*/) {}
   virtual void pictured(const Footprint& /*picture*/) {}
   virtual void object_moves(const ObjectMotion& /*motion*/) {}
   virtual void believed(Time /*time*/, const ObjectBelief& /*belief*/) {}
+
+  /// The mission is to reach something else from now on.
+  virtual void goal_changed(const MissionGoal& /*goal*/) {}
 
   /// A second has passed.
   virtual void tick(Time /*now*/) {}

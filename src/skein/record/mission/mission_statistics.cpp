@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "skein/record/mission/formation_meter.h"
 #include "skein/record/mission/patrol_meter.h"
 #include "skein/record/mission/survey_meter.h"
 #include "skein/record/mission/track_meter.h"
@@ -25,6 +26,9 @@ struct MakeMeter {
   }
   std::unique_ptr<MissionMeter> operator()(const PatrolGoal& goal) const {
     return std::make_unique<PatrolMeter>(goal, begin);
+  }
+  std::unique_ptr<MissionMeter> operator()(const FormationGoal& goal) const {
+    return std::make_unique<FormationMeter>(goal);
   }
   // Perimeters have figures of their own: RunStatistics.
   std::unique_ptr<MissionMeter> operator()(const PerimeterGoal&) const { return nullptr; }
@@ -61,6 +65,10 @@ void MissionStatistics::mission(const MissionRecord& record) {
       return;
     case MissionState::kResumed:
       mission.runs = true;
+      if (mission.meter) mission.meter->goal_changed(record.change.goal);
+      return;
+    case MissionState::kChanged:
+      if (mission.meter) mission.meter->goal_changed(record.change.goal);
       return;
     case MissionState::kOver:
       mission.runs = false;
@@ -75,7 +83,7 @@ void MissionStatistics::truth(Time time, EntityId id, const Vec3& p_N) {
   advance(time);
   Flight& flight = flights_[id];
   flight.has_truth = true;
-  move(flight, time, geo::horizontal(p_N));
+  move(id, flight, time, geo::horizontal(p_N));
 }
 
 void MissionStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
@@ -85,16 +93,22 @@ void MissionStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
   flight.on_ground = on_ground;
   if (!flight.has_truth) {
     advance(time);
-    move(flight, time, geo::horizontal(p_N));
+    move(id, flight, time, geo::horizontal(p_N));
   }
 }
 
-void MissionStatistics::move(Flight& flight, Time time, const Vec2& place) {
+void MissionStatistics::move(EntityId id, Flight& flight, Time time, const Vec2& place) {
   const Vec2 from = flight.last.value_or(place);
   if (flight.last && (place - from).norm() < kMoved) return;
   flight.last = place;
   if (!flight.on_ground)
-    feed([&](MissionMeter& meter) { meter.moved(time, from, place); });
+    feed([&](MissionMeter& meter) { meter.moved(time, id, from, place); });
+}
+
+void MissionStatistics::event(const Event& event) {
+  if (event.kind != "left") return;
+  flights_.erase(event.entity);
+  feed([&](MissionMeter& meter) { meter.left(event.entity); });
 }
 
 void MissionStatistics::detection(const Detection& detection) {

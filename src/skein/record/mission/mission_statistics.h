@@ -27,6 +27,7 @@ class MissionStatistics {
   void mission(const MissionRecord& record);
   void truth(Time time, EntityId id, const Vec3& p_N);
   void estimate(Time time, EntityId id, const Vec3& p_N, bool on_ground);
+  void event(const Event& event);
   void detection(const Detection& detection);
   void footprint(const Footprint& picture);
   void motion(const ObjectMotion& motion);
@@ -55,7 +56,7 @@ class MissionStatistics {
   };
   bool measures() const;  // some mission has a meter
   void advance(Time now);
-  void move(Flight& flight, Time time, const Vec2& place);
+  void move(EntityId id, Flight& flight, Time time, const Vec2& place);
   void note(const Mission& mission, Time time);
   template <class Feed>
   void feed(Feed feed);  // feed(meter) of every mission that runs

@@ -28,7 +28,8 @@ PatrolMeter::PatrolMeter(const PatrolGoal& goal, Time begin)
   if (!goal.closed) points_.push_back({line.back(), std::nullopt});
 }
 
-void PatrolMeter::moved(Time time, const Vec2& from, const Vec2& to) {
+void PatrolMeter::moved(Time time, EntityId /*aircraft*/, const Vec2& from,
+                        const Vec2& to) {
   const Vec2 along = to - from;
   const double length2 = along.squaredNorm();
   for (Point& point : points_) {

@@ -16,7 +16,7 @@ class PatrolMeter final : public MissionMeter {
  public:
   PatrolMeter(const PatrolGoal& goal, Time begin);
 
-  void moved(Time time, const Vec2& from, const Vec2& to) override;
+  void moved(Time time, EntityId aircraft, const Vec2& from, const Vec2& to) override;
   std::vector<MissionFigure> figures(Time now) const override;
 
  private:

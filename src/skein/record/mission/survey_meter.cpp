@@ -12,7 +12,10 @@ constexpr double kMaxCells = 400000;
 }  // namespace
 
 SurveyMeter::SurveyMeter(const SurveyGoal& goal, Time begin)
-    : begin_(begin), reach_(goal.swath / 2) {
+    : begin_(begin),
+      planned_at_(goal.planned_at),
+      planned_for_(goal.planned_for),
+      reach_(goal.swath / 2) {
   Vec2 high = low_ = goal.area.front();
   for (const Vec2& corner : goal.area) {
     low_ = low_.cwiseMin(corner);
@@ -40,7 +43,15 @@ double SurveyMeter::seen() const {
   return inside_ > 0 ? static_cast<double>(seen_) / static_cast<double>(inside_) : 1;
 }
 
-void SurveyMeter::moved(Time time, const Vec2& from, const Vec2& to) {
+void SurveyMeter::goal_changed(const MissionGoal& goal) {
+  const auto* survey = std::get_if<SurveyGoal>(&goal);
+  if (!survey) return;
+  planned_at_ = survey->planned_at;
+  planned_for_ = survey->planned_for;
+}
+
+void SurveyMeter::moved(Time time, EntityId /*aircraft*/, const Vec2& from,
+                        const Vec2& to) {
   if (seen_ == inside_) return;
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / cell_)));
   for (int k = 1; k <= steps; ++k) see_around(from + (to - from) * k / steps);
@@ -73,6 +84,12 @@ std::vector<MissionFigure> SurveyMeter::figures(Time /*now*/) const {
   std::vector<MissionFigure> all{{"seen", seen()}};
   if (seen_95_) all.push_back({"seen_95_s", seen_95_->seconds()});
   if (seen_all_) all.push_back({"seen_all_s", seen_all_->seconds()});
+  if (planned_for_ > 0) {
+    all.push_back({"planned_s", planned_for_});
+    if (seen_all_)
+      all.push_back({"seen_all_of_plan",
+                     ((begin_ + *seen_all_).seconds() - planned_at_) / planned_for_});
+  }
   return all;
 }
 

@@ -12,13 +12,15 @@ namespace skein::record {
 /// The share of an area that has been seen: of the cells of a raster, a sixteenth of the
 /// swath wide, those with their middle in the area that an aircraft has passed within
 /// half a swath. Figures: `seen` (0 to 1), `seen_95_s` and `seen_all_s` (when that share
-/// was reached).
+/// was reached), `planned_s` (duration of the mission's first plan) and
+/// `seen_all_of_plan` (times that duration, from when the plan was made).
 class SurveyMeter final : public MissionMeter {
  public:
   /// @param begin  of the mission.
   SurveyMeter(const SurveyGoal& goal, Time begin);
 
-  void moved(Time time, const Vec2& from, const Vec2& to) override;
+  void goal_changed(const MissionGoal& goal) override;
+  void moved(Time time, EntityId aircraft, const Vec2& from, const Vec2& to) override;
   std::vector<MissionFigure> figures(Time now) const override;
 
   double seen() const;
@@ -28,6 +30,7 @@ class SurveyMeter final : public MissionMeter {
   void see_around(const Vec2& place);
 
   Time begin_;
+  double planned_at_, planned_for_;  // [s]
   Vec2 low_;
   double cell_, reach_;
   int rows_ = 0, columns_ = 0;

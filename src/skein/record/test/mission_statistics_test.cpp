@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "skein/geo/rotation.h"
 
 namespace skein::record {
@@ -48,6 +50,25 @@ TEST(SurveyFigures, CountTheAreaWithinHalfASwathOfTheTruePath) {
   fly(statistics, time, {1200, 500}, {-200, 500});
   EXPECT_NEAR(figures(statistics)["mission_m_seen"], 0.2, 0.008);
   EXPECT_FALSE(figures(statistics).contains("mission_m_seen_95_s"));
+}
+
+TEST(SurveyFigures, CompareTheTimeWithThePlan) {
+  MissionStatistics statistics;
+  SurveyGoal goal = square();
+  goal.holes = {{{100, 0}, {1000, 0}, {1000, 1000}, {100, 1000}}};  // all but a strip
+  statistics.mission(change(100, MissionState::kBegun, goal));
+  EXPECT_FALSE(figures(statistics).contains("mission_m_planned_s"));
+  // Planned 20 s later, to take 90 s.
+  goal.planned_at = 120;
+  goal.planned_for = 90;
+  statistics.mission(change(120, MissionState::kChanged, goal));
+  double time = 120;
+  fly(statistics, time, {50, -100}, {50, 1100}, 10);
+  const auto all = figures(statistics);
+  EXPECT_EQ(all.at("mission_m_planned_s"), 90);
+  ASSERT_TRUE(all.contains("mission_m_seen_all_s"));
+  EXPECT_NEAR(all.at("mission_m_seen_all_of_plan"),
+              (all.at("mission_m_seen_all_s") - 20) / 90, 1e-9);
 }
 
 TEST(SurveyFigures, LeaveOutHolesAndSayWhenAllWasSeen) {
@@ -156,6 +177,68 @@ TEST(MissionStatistics, GiveASeriesEveryTenSecondsAndAtTheEnd) {
   EXPECT_NEAR(series[3].figures[0].value, 0.06, 0.006);
   EXPECT_EQ(series.back().time, at(time));
   EXPECT_TRUE(statistics.take_series().empty());
+}
+
+// Leader 1 flies north at 20 m/s; 2 keeps its place 30 m behind to the right, 3 is
+// always `off` metres further behind than its place to the left.
+void fly_formation(MissionStatistics& statistics, double from, double until, double off) {
+  for (double time = from; time <= until; time += 1) {
+    const double north = 20 * time;
+    statistics.truth(at(time), {1}, {north, 0, -100});
+    statistics.truth(at(time), {2}, {north - 30, 30, -100});
+    statistics.truth(at(time), {3}, {north - 30 - off, -30, -100});
+  }
+}
+
+TEST(FormationFigures, MeasureTheDistanceFromPlacesBesideTheLeader) {
+  MissionStatistics statistics;
+  const FormationGoal goal{{1}, {{2}, {3}}, {{-30, 30}, {-30, -30}}};
+  statistics.mission(change(0, MissionState::kBegun, goal));
+  fly_formation(statistics, 0, 100, 10);
+  auto all = figures(statistics);
+  EXPECT_NEAR(all["mission_m_slot_error_mean_m"], 5, 0.01);
+  EXPECT_NEAR(all["mission_m_slot_error_95_m"], 10, 0.01);
+  EXPECT_NEAR(all["mission_m_in_place"], 1, 1e-9);
+  EXPECT_NEAR(all["mission_m_apart_min_m"], std::hypot(30, 30), 0.01);
+  // Then 3 is 50 m off for as long: half of its time.
+  fly_formation(statistics, 101, 201, 50);
+  all = figures(statistics);
+  EXPECT_NEAR(all["mission_m_slot_error_max_m"], 50, 0.01);
+  EXPECT_NEAR(all["mission_m_in_place"], 0.75, 0.01);
+}
+
+TEST(FormationFigures, BelongToTheLeaderOfTheTime) {
+  MissionStatistics statistics;
+  statistics.mission(
+      change(0, MissionState::kBegun, FormationGoal{{1}, {{2}}, {{-30, 30}}}));
+  fly_formation(statistics, 0, 50, 0);
+  // 2 leads from now on: 1 is where it should be, ahead of 2 and to its left.
+  statistics.mission(
+      change(50, MissionState::kChanged, FormationGoal{{2}, {{1}}, {{30, -30}}}));
+  fly_formation(statistics, 51, 100, 0);
+  EXPECT_NEAR(figures(statistics)["mission_m_slot_error_max_m"], 0, 0.01);
+}
+
+TEST(FormationFigures, LeaveOutWhoTakesNoFurtherPart) {
+  MissionStatistics statistics;
+  const FormationGoal goal{{1}, {{2}, {3}}, {{-30, 30}, {-30, -30}}};
+  statistics.mission(change(0, MissionState::kBegun, goal));
+  fly_formation(statistics, 0, 50, 0);
+  statistics.event({at(50), {3}, "left", ""});
+  for (double time = 51; time <= 100; time += 1) {
+    statistics.truth(at(time), {1}, {20 * time, 0, -100});
+    statistics.truth(at(time), {2}, {20 * time - 30, 30, -100});
+  }
+  EXPECT_NEAR(figures(statistics)["mission_m_slot_error_max_m"], 0, 0.01);
+}
+
+TEST(FormationFigures, DoNotCountAFollowerThatHasNotArrived) {
+  MissionStatistics statistics;
+  statistics.mission(
+      change(0, MissionState::kBegun, FormationGoal{{1}, {{3}}, {{-30, -30}}}));
+  fly_formation(statistics, 0, 50, 200);
+  EXPECT_FALSE(figures(statistics).contains("mission_m_slot_error_mean_m"));
+  EXPECT_TRUE(figures(statistics).contains("mission_m_apart_min_m"));
 }
 
 }  // namespace

@@ -109,6 +109,38 @@ TEST(IdealRadio, KeepsItsRange) {
   EXPECT_EQ(d.lost[0].to.value, 4U);
 }
 
+TEST(IdealRadio, LosesWhatIsSentInAnOutageOfEitherModem) {
+  // A third of the time out, in spans of 30 s: 1,000 cycles of 90 s.
+  IdealRadio radio({.outages_per_hour = 60, .outage_mean = 30}, 6);
+  const std::uint64_t n = 90000;
+  for (std::uint64_t i = 0; i < n; ++i) radio.send(message(1, i, double(i)));
+  const Delivery d = deliver(radio, double(n));
+  // Both modems work for 4/9 of the time; its standard error is below 0.016.
+  EXPECT_NEAR(double(d.arrived.size()) / double(n), 4.0 / 9, 0.06);
+  std::vector<bool> heard(n);
+  for (const Message& m : d.arrived) heard[m.number] = true;
+  int changes = 0;
+  for (std::size_t i = 1; i < n; ++i) changes += heard[i] != heard[i - 1] ? 1 : 0;
+  EXPECT_LT(changes, 5000);  // in spans: by chance for each alone it would be 44,000
+}
+
+TEST(IdealRadio, OutagesOfOneModemDoNotTouchOthers) {
+  const IdealRadioOptions options{.outages_per_hour = 60, .outage_mean = 30};
+  IdealRadio alone(options, 7), together(options, 7);
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    alone.send(message(1, i, double(i), 2));
+    together.send(message(3, i, double(i), 4));
+    together.send(message(1, i, double(i), 2));
+  }
+  std::vector<std::uint64_t> first, second;
+  for (const Message& m : deliver(alone, 2000).arrived) first.push_back(m.number);
+  for (const Message& m : deliver(together, 2000).arrived)
+    if (m.from.value == 1) second.push_back(m.number);
+  EXPECT_EQ(first, second);
+  EXPECT_LT(first.size(), 2000u);
+  EXPECT_GT(first.size(), 100u);
+}
+
 TEST(IdealRadio, KeepsTheContent) {
   IdealRadio radio({.delay = 1}, 1);
   Message m = message(1, 0, 0);

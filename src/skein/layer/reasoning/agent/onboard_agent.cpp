@@ -35,8 +35,12 @@ void OnboardAgent::fly(const TaskStep& step, AgentOutput& out) {
   tasks_.listen(step);
   if (safety_.may_fly(step.in, altitude_to_take_off_to(*step.in.nav), tasks_.may_stand(),
                       out))
-    return chain_.fly(step, out);
-  chain_.stand(step.in.autopilot.on_ground ? "stands on the ground" : "takes off", out);
+    chain_.fly(step, out);
+  else
+    chain_.stand(step.in.autopilot.on_ground ? "stands on the ground" : "takes off", out);
+  // A task that wants to see something says so at each step.
+  const bool gazed = std::exchange(gazes_, out.region_of_interest.has_value());
+  if (gazed && !gazes_) out.region_of_interest.emplace();
 }
 
 double OnboardAgent::altitude_to_take_off_to(const NavEstimate& nav) const {

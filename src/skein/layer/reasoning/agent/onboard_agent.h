@@ -57,6 +57,7 @@ class OnboardAgent final : public Agent {
   LoiterPlanner loiter_;
   PlannerChain chain_;
   IntentCounter intents_;
+  bool gazes_ = false;  // the gimbals look at something
 };
 
 }  // namespace skein::reasoning

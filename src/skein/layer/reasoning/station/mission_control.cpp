@@ -47,7 +47,8 @@ std::string bind_names(TaskKind& what, const std::vector<std::string>& names,
 MissionControl::MissionControl(std::vector<PlannedMission> missions,
                                std::unique_ptr<const Allocator> allocator)
     : allocator_(std::move(allocator)) {
-  for (PlannedMission& each : missions) slots_.push_back({std::move(each), {}, {}, {}});
+  for (PlannedMission& each : missions)
+    slots_.push_back({std::move(each), {}, {}, {}, {}});
 }
 
 void MissionControl::begin(OrderServer& orders) {
@@ -99,13 +100,19 @@ void MissionControl::run(std::size_t index, const AgentInput& in, OrderServer& o
 void MissionControl::record_states(AgentOutput& out) {
   bool changed = false;
   for (Slot& slot : slots_) {
-    if (slot.state == slot.recorded) continue;
+    const std::uint32_t goal_number = slot.plan.mission->goal_number();
+    const bool other_goal = slot.state == State::kRunning &&
+                            slot.recorded == State::kRunning &&
+                            goal_number != slot.goal_number;
+    if (slot.state == slot.recorded && !other_goal) continue;
     MissionState state = MissionState::kBegun;
     if (slot.state == State::kPaused) state = MissionState::kPaused;
     if (slot.state == State::kOver) state = MissionState::kOver;
     if (slot.state == State::kRunning && slot.recorded == State::kPaused)
       state = MissionState::kResumed;
+    if (other_goal) state = MissionState::kChanged;
     slot.recorded = slot.state;
+    slot.goal_number = goal_number;
     out.records.emplace_back(
         MissionChange{slot.plan.name, state, slot.plan.mission->goal()});
     changed = true;

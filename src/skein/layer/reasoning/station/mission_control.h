@@ -50,6 +50,7 @@ class MissionControl {
     State state = State::kWaiting;
     Time begun;
     State recorded = State::kWaiting;  // the state that records know of
+    std::uint32_t goal_number = 0;     // of the goal that they know of
   };
   void run(std::size_t index, const AgentInput& in, OrderServer& orders,
            AgentOutput& out);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "skein/layer/reasoning/trajectory/altitude.h"
+#include "skein/layer/reasoning/trajectory/level_out.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -114,12 +115,20 @@ bool PlannedTask::plan_on(const TaskStep& step, AgentOutput& out) {
     milestones_.clear();
     counted_ = 0;
   }
-  Part part = plan_part(start_of_part(step, goes_on), step);
+  Start start = start_of_part(step, goes_on);
+  std::optional<FlightElement> level;  // before what is planned
+  if (!goes_on) level = level_out(*step.in.nav, start.limits, start.state, start.time);
+  if (level) {
+    start.state.p_N = model::end_of(*level).p_N;
+    start.time += level->duration;
+  }
+  Part part = plan_part(start, step);
   if (part.nothing) {
     last_ = true;
     done_ = goes_on ? done_ : finish(step, out);
     return goes_on || done_;
   }
+  if (level && !part.plan.empty()) part.plan.insert(part.plan.begin(), *level);
   if (take(std::move(part), now, step, out)) return true;
   try_again_ = step.in.now + Time::from_seconds(kTryAgain);
   // What is left of a part before is flown to its end.

@@ -21,11 +21,11 @@ struct PlannedTaskOptions {
 
 /// A task that is flown on turns and straights planned for the wind.
 ///
-/// What is left of it is planned from where the aircraft is when it begins, after a
-/// pause, and when the wind has become another than it was planned for; before the end of
-/// a part of it the next one is planned on from there. The trajectory planner leads such
-/// a plan around zones and back to it (Itinerary). Without a plan, as in too strong a
-/// wind, the aircraft loiters and tries again ten seconds later.
+/// What is left of it is planned from where the aircraft is, wings level, when it begins,
+/// after a pause, and when the wind has become another than it was planned for; before
+/// the end of a part of it the next one is planned on from there. The trajectory planner
+/// leads such a plan around zones and back to it (Itinerary). Without a plan, as in too
+/// strong a wind, the aircraft loiters and tries again ten seconds later.
 class PlannedTask : public TaskExecutor {
  public:
   const FlightIntent* plan(const TaskStep& step, AgentOutput& out) final;

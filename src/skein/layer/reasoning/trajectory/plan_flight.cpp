@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "skein/layer/reasoning/trajectory/drape.h"
@@ -15,6 +16,9 @@ namespace {
 constexpr double kLookAgain = 10;    // after the first failure to mend [s]
 constexpr double kLongestWait = 60;  // after others [s]
 constexpr double kCourseAhead = 3;   // whose bearing is the course of a plan [s]
+
+constexpr double kOffPlan = 60;    // beside the plan it is flown towards, not along [m]
+constexpr double kNextStep = 0.5;  // from now, when a task goes on [s]
 
 }  // namespace
 
@@ -133,9 +137,13 @@ void PlanFlight::lead_by_sight(const TrajectoryStep& step, AgentOutput& out) {
   const Vec2 ahead =
       geo::horizontal(model::moment_at(plan_, now + kCourseAhead).p_N - nav.p_N);
   const double altitude = altitude_msl(now);
+  const double course = geo::bearing(ahead);
+  // Off the plan the autopilot would fly back to it, whatever course was judged here.
+  const bool off =
+      !step.in.autopilot.follows || std::abs(step.in.autopilot.cross_track) > kOffPlan;
   AutopilotCommand command;
-  command.guidance =
-      step.zones.keep_out(FollowPlan{given_}, geo::bearing(ahead), nav, altitude);
+  command.guidance = off ? step.zones.keep_out(HoldCourse{course}, course, nav, altitude)
+                         : step.zones.keep_out(FollowPlan{given_}, course, nav, altitude);
   command.altitude_msl = altitude;
   if (!in_time_) command.airspeed = context_.limits.airspeed;
   out.command = std::move(command);
@@ -151,9 +159,13 @@ void PlanFlight::report(const AgentInput& in, FlightProgress& progress) const {
   const auto ahead = std::upper_bound(milestones_.begin(), milestones_.end(), reached);
   progress.passed = total_ - static_cast<std::size_t>(milestones_.end() - ahead);
   progress.time_to_go = std::max(0.0, milestones_.back() - reached);
-  const bool over = progress.by_sight ? progress.time_to_go == 0
-                                      : in.now > given_at_ && in.autopilot.done;
+  // What comes next is heard of a step later: by then the autopilot would circle.
+  const bool all_but = follows && progress.time_to_go <= kNextStep;
+  const bool over = progress.by_sight
+                        ? progress.time_to_go == 0
+                        : in.now > given_at_ && (in.autopilot.done || all_but);
   progress.done = over && state_ != State::kNew && !progress.refused;
+  if (progress.done) progress.passed = total_;
 }
 
 std::string_view PlanFlight::change() const {

@@ -41,19 +41,23 @@ void CirclingFlight::step(const Circling& intent, const TrajectoryStep& step,
                           AgentOutput& out) {
   const NavEstimate& nav = *step.in.nav;
   const double altitude = altitude_for(intent.altitude_msl, context_, nav);
-  const Vec2 place = step.zones.allowed(intent.centre, nav, altitude);
+  const Vec2 place = step.zones.place_to_circle(
+      intent.centre, wide_radius(context_.limits, nav.wind_N), nav, altitude);
   const bool moved = (place - intent.centre).norm() > kMovedPlace;
   // Of a place that moves only now and then.
   if (moved != said_.has_value() || (moved && (place - *said_).norm() > kWorthSaying)) {
     out.events.push_back(
         {step.in.now, context_.self, "task-moved",
-         moved ? fmt::format("the place of the task lies in a no-fly zone: {:.0f} m "
-                             "north, {:.0f} m east instead",
+         moved ? fmt::format("a no-fly zone leaves no room at the place of the task: "
+                             "{:.0f} m north, {:.0f} m east instead",
                              place.x(), place.y())
                : std::string("no zone forbids the place of the task any more")});
     said_ = moved ? std::optional(place) : std::nullopt;
+    // Beside a zone the first turn is away from it.
+    const Vec2 there = place - geo::horizontal(nav.p_N);
+    clockwise_ = !moved || geo::cross(geo::horizontal(nav.v_N), there) >= 0;
   }
-  Steering steering = circle_at(place, nav, context_.limits);
+  Steering steering = circle_at(place, nav, context_.limits, clockwise_);
   steering.altitude_msl = altitude;
   steer(steering, context_, step, out);
 }
@@ -63,15 +67,15 @@ double wide_radius(const FlightLimits& limits, const Vec2& wind) {
          model::ground_turn_radius(limits.turn_radius, limits.airspeed, wind.norm());
 }
 
-Steering circle_at(const Vec2& centre, const NavEstimate& nav,
-                   const FlightLimits& limits) {
+Steering circle_at(const Vec2& centre, const NavEstimate& nav, const FlightLimits& limits,
+                   bool clockwise) {
   const double radius = wide_radius(limits, nav.wind_N);
   const Vec2 out = geo::horizontal(nav.p_N) - centre;
   Steering steering;
-  steering.guidance = Circle{centre, radius, true};
+  steering.guidance = Circle{centre, radius, clockwise};
   // Tangential on the circle, straight to it from afar.
-  steering.course =
-      geo::bearing(out) + geo::kPi / 2 + math::atan2(out.norm() - radius, radius);
+  const double turned = geo::kPi / 2 + math::atan2(out.norm() - radius, radius);
+  steering.course = geo::bearing(out) + (clockwise ? turned : -turned);
   return steering;
 }
 

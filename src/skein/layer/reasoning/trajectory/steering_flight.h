@@ -13,7 +13,8 @@ namespace skein::reasoning {
 void steer(const Steering& intent, const FlightContext& context,
            const TrajectoryStep& step, AgentOutput& out);
 
-/// Circles a point, or the nearest place in no zone, named in an event "task-moved".
+/// Circles a point, or the nearest place where no zone is in the way, named in an event
+/// "task-moved".
 class CirclingFlight {
  public:
   explicit CirclingFlight(const FlightContext& context) : context_(context) {}
@@ -23,11 +24,12 @@ class CirclingFlight {
  private:
   FlightContext context_;
   std::optional<Vec2> said_;  // the place that was taken instead, as last reported
+  bool clockwise_ = true;
 };
 
-/// Clockwise around a point, with room to correct in the wind.
-Steering circle_at(const Vec2& centre, const NavEstimate& nav,
-                   const FlightLimits& limits);
+/// Around a point, with room to correct in the wind.
+Steering circle_at(const Vec2& centre, const NavEstimate& nav, const FlightLimits& limits,
+                   bool clockwise = true);
 
 /// The radius of turns over ground with room to correct in a wind [m].
 double wide_radius(const FlightLimits& limits, const Vec2& wind);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "skein/base/math.h"
+#include "skein/data/air.h"
 #include "skein/geo/clip.h"
 #include "skein/model/path/wind_triangle.h"
 
@@ -14,6 +15,9 @@ constexpr double kStep = 0.25;           // of the preview [s]
 constexpr int kCourses = 36;             // that are tried around the compass
 constexpr double kHeadingGain = 1.2;     // of autopilots: rad/s per rad of error
 constexpr double kRadiusReserve = 1.15;  // of the escape circle: room to correct
+constexpr double kOnCircle = 1.1;        // of the radius: on the circle
+constexpr double kAlongCircle = 0.9;     // cosine of the course to its tangent
+constexpr double kRollTime = 0.8;        // from wings level to the steepest bank [s]
 
 }  // namespace
 
@@ -66,6 +70,22 @@ double ZoneAvoidance::distance(const Vec2& p) const {
   return border_.empty() ? math::kInfinity : border_.signed_distance(p);
 }
 
+Vec2 ZoneAvoidance::away_from_border(const Vec2& p, double distance) const {
+  if (border_.empty()) return p;
+  const Vec2 nearest = border_.nearest(p).point;
+  const Vec2 away = p - nearest;
+  return away.isZero() ? p : nearest + distance * away.normalized();
+}
+
+// In its present bank; what hovers needs none.
+double ZoneAvoidance::turn_rate(const NavEstimate& nav) const {
+  if (limits_.slowest <= 0) return 0;
+  const double fastest = limits_.airspeed / limits_.turn_radius;
+  return std::clamp(
+      kGravity * math::tan(std::clamp(nav.roll, -1.3, 1.3)) / limits_.airspeed, -fastest,
+      fastest);
+}
+
 // The state after the preview when turning to `course` now; `nearest` becomes the
 // smallest distance to a zone in between.
 ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
@@ -77,24 +97,32 @@ ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
   Vec2 p = geo::horizontal(nav.p_N);
   double heading = nav.heading;
   Vec2 v = geo::horizontal(nav.v_N);
+  double rate = turn_rate(nav);
+  const double change =
+      limits_.slowest > 0 ? fastest / kRollTime * kStep : 2 * fastest;  // in a step
   for (double t = 0; t < options_.preview - kStep / 2; t += kStep) {
-    const double rate =
+    const double wanted =
         std::clamp(kHeadingGain * geo::wrap_pi(setpoint - heading), -fastest, fastest);
+    rate += std::clamp(wanted - rate, -change, change);
     v = airspeed * geo::unit(heading + rate * kStep / 2) + nav.wind_N;
     heading += rate * kStep;
     p += kStep * v;
     nearest = std::min(nearest, distance(p));
   }
-  return {p, geo::bearing(airspeed * geo::unit(heading) + nav.wind_N)};
+  return {p, airspeed * geo::unit(heading) + nav.wind_N, rate};
 }
 
 ZoneAvoidance::Escape ZoneAvoidance::best_escape(const State& state) const {
   Escape best;
   best.clearance = -math::kInfinity;
+  const double fastest = limits_.airspeed / limits_.turn_radius;
   for (const bool clockwise : {true, false}) {
     const double side = clockwise ? 1 : -1;
-    const Vec2 centre =
-        state.position + side * radius_ * geo::turned_right(geo::unit(state.course));
+    // Until it has banked it turns less: by as much as on a straight of that time.
+    const double lacking = 1 - side * state.turn_rate / fastest;
+    const double late = limits_.slowest > 0 ? lacking * lacking * kRollTime / 2 : 0;
+    const Vec2 centre = state.position + late * state.velocity +
+                        side * radius_ * geo::turned_right(state.velocity.normalized());
     const double clearance = distance(centre) - radius_ - options_.margin;
     if (clearance > best.clearance) best = {{centre, radius_, clockwise}, clearance};
   }
@@ -105,6 +133,18 @@ double ZoneAvoidance::slack(const NavEstimate& nav, double course) const {
   double nearest = math::kInfinity;
   const State end = fly(nav, course, nearest);
   return std::min(nearest - options_.margin, best_escape(end).clearance);
+}
+
+// Whether it is on a circle that keeps the margin, or within and about to be.
+bool ZoneAvoidance::stays_on(const Circle& circle, const NavEstimate& nav) const {
+  if (circle.radius < radius_ / kRadiusReserve ||
+      distance(circle.centre) < circle.radius + options_.margin)
+    return false;
+  const Vec2 out = geo::horizontal(nav.p_N) - circle.centre;
+  const Vec2 round = (circle.clockwise ? 1 : -1) * geo::turned_right(out);
+  const Vec2 v = geo::horizontal(nav.v_N);
+  return out.norm() < kOnCircle * circle.radius &&
+         round.dot(v) > kAlongCircle * out.norm() * v.norm();
 }
 
 decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
@@ -123,6 +163,11 @@ decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
   deflecting_ = here < 0;
   if (deflecting_)
     return HoldCourse{geo::bearing(border_.nearest(position).point - position)};
+  if (const auto* circle = std::get_if<Circle>(&setpoint);
+      circle && stays_on(*circle, nav)) {
+    side_ = 0;
+    return setpoint;
+  }
   const double reach = options_.preview * (limits_.airspeed + nav.wind_N.norm());
   const bool far = here > reach + 2 * radius_ + options_.margin;
   if (far || slack(nav, course) >= 0) {
@@ -145,7 +190,7 @@ decltype(AutopilotCommand::guidance) ZoneAvoidance::check(
     if (value > best_slack) best_slack = value, best_course = tried;
   }
   // No course keeps the circle open after the preview: fly the one that is open now.
-  const Escape escape = best_escape({position, geo::bearing(geo::horizontal(nav.v_N))});
+  const Escape escape = best_escape({position, geo::horizontal(nav.v_N), turn_rate(nav)});
   if (escape.clearance >= best_slack) return escape.circle;
   return HoldCourse{best_course};
 }

@@ -24,9 +24,11 @@ struct ZoneAvoidanceOptions {
 /// be flown in the wind, touches no zone (nor its margin). A course is allowed when the
 /// flight of the next seconds ends with such a circle; otherwise the nearest allowed
 /// course is taken, on the same side as long as the conflict lasts, so that the aircraft
-/// follows the border; when there is none, it flies the circle. In an aircraft that
-/// starts within the margin, leaving it comes first. Valid: wind changes during one
-/// circle are covered by `margin` only.
+/// follows the border; when there is none, it flies the circle. Who is on a circle that
+/// keeps the margin stays on it. Wings take time to bank,
+/// most from one side to the other: turns begin as its present bank allows. In an
+/// aircraft that starts within the margin, leaving it comes first. Valid: wind changes
+/// during one circle are covered by `margin` only.
 ///
 /// Only zones count that forbid an altitude between that of the aircraft and the
 /// commanded one, `vertical_margin` above and below included, at a time from now to
@@ -60,6 +62,10 @@ class ZoneAvoidance {
   /// negative inside; infinite without.
   double distance(const Vec2& p) const;
 
+  /// The place at a distance from the border, straight away from the point of it that is
+  /// nearest to `p` outside of zones; `p` itself without zones that count.
+  Vec2 away_from_border(const Vec2& p, double distance) const;
+
   /// The zones that counted when last regarded; at first all.
   std::vector<Zone> counting() const;
 
@@ -69,12 +75,15 @@ class ZoneAvoidance {
  private:
   struct State {
     Vec2 position;
-    double course;
+    Vec2 velocity;     // over ground
+    double turn_rate;  // [rad/s]
   };
   struct Escape {
     Circle circle;
     double clearance = 0;  // of the circle to the zones less the margin [m]
   };
+  double turn_rate(const NavEstimate& nav) const;
+  bool stays_on(const Circle& circle, const NavEstimate& nav) const;
   State fly(const NavEstimate& nav, double course, double& nearest) const;
   Escape best_escape(const State& state) const;
   // How well a course keeps the invariant [m]; allowed when not negative.

@@ -12,6 +12,8 @@
 namespace skein::reasoning {
 namespace {
 
+constexpr int kPushes = 8;      // away from zones, before a place is given up
+constexpr double kBeyond = 2;   // the room of a circle, so that rounding is none [m]
 constexpr double kMinRoom = 3;  // from a grown zone to the ends of a path [m]
 
 }  // namespace
@@ -84,6 +86,19 @@ Vec2 ZoneMonitor::allowed(const Vec2& place, const NavEstimate& nav,
   regard(nav, altitude_msl);
   if (avoidance_.distance(place) >= 0) return place;
   return detours(nav).nearest_allowed(place);
+}
+
+Vec2 ZoneMonitor::place_to_circle(const Vec2& place, double radius,
+                                  const NavEstimate& nav, double altitude_msl) {
+  const Vec2 allowed_place = allowed(place, nav, altitude_msl);
+  const double room = radius + options_.margin;
+  Vec2 found = allowed_place;
+  // Away from the nearest border, which may lead to another one.
+  for (int k = 0; k < kPushes; ++k) {
+    if (avoidance_.distance(found) >= room) return found;
+    found = avoidance_.away_from_border(found, room + kBeyond);
+  }
+  return allowed_place;
 }
 
 void ZoneMonitor::look(const AgentInput& in, AgentOutput& out) {

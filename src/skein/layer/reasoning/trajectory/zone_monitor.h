@@ -77,6 +77,11 @@ class ZoneMonitor {
   /// the aircraft can circle, with the margin. Regards the zones first.
   Vec2 allowed(const Vec2& place, const NavEstimate& nav, double altitude_msl);
 
+  /// The place itself where a circle around it keeps the margin from all zones that
+  /// count; else the nearest found where one does, or allowed().
+  Vec2 place_to_circle(const Vec2& place, double radius, const NavEstimate& nav,
+                       double altitude_msl);
+
   /// Whether the last keep_out changed the request.
   bool deflecting() const { return avoidance_.deflecting(); }
 

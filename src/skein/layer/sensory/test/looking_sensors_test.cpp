@@ -259,6 +259,49 @@ TEST(Camera, FootprintMovesWithAttitude) {
   EXPECT_NEAR(pitched[3].x(), 0, 0.002);
 }
 
+std::array<Vec2, 4> gimbal_footprint(const TestWorld& world, const Vec3& gaze_N) {
+  CameraOptions options = square_camera();
+  options.gimbal = true;
+  options.width = options.length = geo::radians(10);
+  Camera camera(options, 1, {1});
+  SensorView view = world.at(Time(), world.ground);
+  view.gaze_N = gaze_N;
+  std::vector<SensorSample> out;
+  camera.sample(view, out);
+  return only<FootprintSample>(out).at(0).corners;
+}
+
+// Where the picture's middle is: its diagonals cross there.
+Vec2 middle(const std::array<Vec2, 4>& corners) {
+  const Vec2 one = corners[2] - corners[0], other = corners[3] - corners[1];
+  const double t = geo::cross(corners[1] - corners[0], other) / geo::cross(one, other);
+  return corners[0] + t * one;
+}
+
+TEST(Camera, AGimbalLooksAtWhatTheAgentWantsToSee) {
+  TestWorld world;
+  world.vehicle.p_N = {0, 0, -200};  // 100 m above ground
+  for (const double yaw : {0.0, 1.0, 4.0})
+    for (const Vec2& place : {Vec2(0, 0), Vec2(50, 20), Vec2(-80, 100), Vec2(0, -150)}) {
+      world.vehicle.q_NB = geo::from_euler({0.4, -0.2, yaw});
+      const auto corners = gimbal_footprint(world, Vec3(place.x(), place.y(), 100));
+      EXPECT_LT((middle(corners) - place).norm(), 0.02) << yaw << " " << place;
+    }
+}
+
+TEST(Camera, AGimbalTiltsNoFurtherThanItCan) {
+  TestWorld world;
+  world.vehicle.p_N = {0, 0, -200};
+  world.vehicle.q_NB = geo::from_euler({0, 0, 0});
+  CameraOptions options = square_camera();
+  // Towards a place 1 km to the east, 84 degrees from straight down: 60 is what there is.
+  const Vec2 east = middle(gimbal_footprint(world, {0, 1000, 100}));
+  EXPECT_NEAR(east.y(), 100 * std::tan(options.max_tilt), 0.05);
+  EXPECT_NEAR(east.x(), 0, 0.01);
+  // Straight up there is nothing to see: it looks down.
+  EXPECT_LT(middle(gimbal_footprint(world, {0, 0, -100})).norm(), 0.01);
+}
+
 TEST(Camera, FootprintFollowsTheTerrain) {
   TestWorld world;
   world.vehicle.p_N = {0, 0, -100};

@@ -1,42 +1,36 @@
 #include "skein/layer/reasoning/mission/formation/formation_control.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <utility>
 
 #include "skein/base/check.h"
 
 namespace skein::reasoning {
-namespace {
-
-constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
-
-}  // namespace
 
 FormationControl::FormationControl(const FormationOptions& options)
-    : options_(options), members_(options.team.size()) {
+    : TeamMission(options.team), options_(options) {
   SKEIN_CHECK(options.slots.size() + 1 >= options.team.size());
   for (const Leadership& change : options.leaders)
     SKEIN_CHECK(change.leader < options.team.size());
 }
 
-void FormationControl::step(const AgentInput& in, AgentOutput& out) {
+void FormationControl::pursue(const AgentInput& in, AgentOutput& out) {
   const auto& changes = options_.leaders;
   for (; next_ < changes.size() && changes[next_].at <= in.now; ++next_)
     if (leader_ != changes[next_].leader) appoint(changes[next_].leader, in.now, out);
+  replace_lost_leader(in.now, out);
+}
 
-  for (const Message& message : in.inbox) {
-    const auto* report = std::get_if<AircraftReport>(&message.content);
-    const auto sender =
-        std::find(options_.team.begin(), options_.team.end(), message.from);
-    if (!report || sender == options_.team.end()) continue;
-    const auto k = static_cast<std::size_t>(sender - options_.team.begin());
-    members_[k].confirmed = report->task_number;
-  }
-  for (std::size_t k = 0; k < members_.size(); ++k)
-    if (members_[k].task.number != members_[k].confirmed &&
-        (in.now - members_[k].sent).seconds() >= kResendAfter)
-      send(k, in.now, out);
+void FormationControl::replace_lost_leader(Time now, AgentOutput& out) {
+  if (!leader_) return;
+  if (team()[*leader_].mine) leads_ = now;
+  if ((now - leads_).seconds() <= options_.leader_timeout) return;
+  const auto first = std::find_if(team().begin(), team().end(),
+                                  [](const Aircraft& each) { return each.mine; });
+  if (first == team().end()) return;  // nobody else is there either
+  out.events.push_back({now, team()[*leader_].id, "leader-lost",
+                        "has been silent, or under another command, for too long"});
+  appoint(static_cast<std::size_t>(first - team().begin()), now, out);
 }
 
 MissionDemand FormationControl::demand() const {
@@ -46,32 +40,34 @@ MissionDemand FormationControl::demand() const {
   return demand;
 }
 
-void FormationControl::appoint(std::size_t leader, Time now, AgentOutput& out) {
-  leader_ = leader;
-  const EntityId leads = options_.team[leader];
-  std::size_t slot = 0;
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    Task& task = members_[k].task;
-    ++task.number;
-    if (k == leader) {
-      FlyRoute route{options_.route, options_.laps, {}};
-      for (const EntityId id : options_.team)
-        if (options_.direct && id != leads) route.report_to.push_back(id);
-      task.what = std::move(route);
-    } else {
-      task.what = FollowLeader{leads, options_.slots[slot++]};
-    }
-    send(k, now, out);
+MissionGoal FormationControl::goal() const {
+  const std::size_t leader = leader_.value_or(options_.leaders.front().leader);
+  FormationGoal goal{options_.team[leader], {}, {}};
+  for (std::size_t k = 0; k < options_.team.size(); ++k) {
+    if (k == leader) continue;
+    goal.slots.push_back(options_.slots[goal.followers.size()]);
+    goal.followers.push_back(options_.team[k]);
   }
-  out.events.push_back({now, leads, "leader", "leads the formation"});
+  return goal;
 }
 
-void FormationControl::send(std::size_t k, Time now, AgentOutput& out) {
-  members_[k].sent = now;
-  Message message;
-  message.to = options_.team[k];
-  message.content = members_[k].task;
-  out.outbox.push_back(std::move(message));
+void FormationControl::appoint(std::size_t leader, Time now, AgentOutput& out) {
+  if (leader_) ++goal_number_;
+  leader_ = leader;
+  leads_ = now;
+  const EntityId leads = options_.team[leader];
+  std::size_t slot = 0;
+  for (std::size_t k = 0; k < team().size(); ++k) {
+    if (k != leader) {
+      order(team()[k], FollowLeader{leads, options_.slots[slot++]}, now, out);
+      continue;
+    }
+    FlyRoute route{options_.route, options_.laps, {}};
+    for (const EntityId id : options_.team)
+      if (options_.direct && id != leads) route.report_to.push_back(id);
+    order(team()[k], std::move(route), now, out);
+  }
+  out.events.push_back({now, leads, "leader", "leads the formation"});
 }
 
 }  // namespace skein::reasoning

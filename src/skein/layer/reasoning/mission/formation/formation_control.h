@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skein/data/task.h"
-#include "skein/role/mission.h"
+#include "skein/layer/reasoning/mission/team_mission.h"
 
 namespace skein::reasoning {
 
@@ -24,30 +24,32 @@ struct FormationOptions {
   std::vector<Leadership> leaders;  ///< in order of time; the first at 0
   /// The leader reports its position to its followers; else the station passes it on.
   bool direct = false;
+  /// A leader that has been silent, or has not obeyed, for so long is replaced by the
+  /// first of the team that is there [s].
+  double leader_timeout = 30;
 };
 
-/// A flight in formation: says who leads and who follows, again until it is confirmed.
-/// The followers hear of the leader's position from itself or from the station.
-class FormationControl final : public Mission {
+/// A flight in formation: says who leads and who follows, and finds another leader when
+/// the one there is drops out. The followers hear of the leader's position from itself or
+/// from the station.
+class FormationControl final : public TeamMission {
  public:
   explicit FormationControl(const FormationOptions& options);
 
-  void step(const AgentInput& in, AgentOutput& out) override;
   MissionDemand demand() const override;
+  MissionGoal goal() const override;
+  std::uint32_t goal_number() const override { return goal_number_; }
 
  private:
-  struct Member {
-    Task task;
-    Time sent;
-    std::uint32_t confirmed = 0;
-  };
+  void pursue(const AgentInput& in, AgentOutput& out) override;
+  void replace_lost_leader(Time now, AgentOutput& out);
   void appoint(std::size_t leader, Time now, AgentOutput& out);
-  void send(std::size_t k, Time now, AgentOutput& out);
 
   FormationOptions options_;
-  std::vector<Member> members_;  // as options_.team
   std::optional<std::size_t> leader_;
+  Time leads_;            // when the leader was last known to
   std::size_t next_ = 0;  // of options_.leaders
+  std::uint32_t goal_number_ = 0;
 };
 
 }  // namespace skein::reasoning

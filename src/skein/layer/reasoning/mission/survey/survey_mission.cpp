@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "skein/geo/polygon.h"
@@ -10,6 +12,7 @@
 #include "skein/layer/reasoning/planning/tasks/survey_sharing.h"
 #include "skein/layer/reasoning/trajectory/flight_context.h"
 #include "skein/layer/reasoning/trajectory/grown_zone.h"
+#include "skein/layer/reasoning/trajectory/level_out.h"
 
 namespace skein::reasoning {
 namespace {
@@ -18,9 +21,15 @@ constexpr double kRadiusFactor = 1.1;     // of planned turns, as SurveyTask fli
 constexpr double kVertical = 20;          // kept from floors and ceilings [m]
 constexpr double kShareAgain = 30;        // at the earliest [s]
 constexpr std::size_t kWorthSharing = 4;  // lines that somebody has left, times two ends
+constexpr double kWorthIt = 10;           // earlier at the end, for sharing anew [s]
+constexpr double kUntilObeyed = 0.5;      // from an order to a plan for it [s]
+constexpr double kOrderDelay =
+    3;  // from a report to the order that answers it, with room [s]
+constexpr double kOnLine = 0.25;  // of the swath, from the line that one is on
 
-FlightState state_of(const NavEstimate& nav) {
-  return {nav.p_N, nav.heading};
+// Where an aircraft begins with what it is ordered now.
+FlightState begin_of(const NavEstimate& nav, const FlightLimits& limits, Time now) {
+  return state_when_level(nav, limits, (now - nav.time).seconds() + kUntilObeyed);
 }
 
 }  // namespace
@@ -34,7 +43,8 @@ SurveyMission::SurveyMission(const std::vector<EntityId>& team,
 
 MissionGoal SurveyMission::goal() const {
   const Survey& survey = options_.survey;
-  return SurveyGoal{survey.area, survey.holes, survey.swath};
+  return SurveyGoal{survey.area, survey.holes, survey.swath, planned_at_.seconds(),
+                    planned_for_};
 }
 
 MissionDemand SurveyMission::demand() const {
@@ -116,7 +126,7 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
   query.planner = options_.planner.get();
   query.aircraft.clear();
   for (const Aircraft* each : who) {
-    FlightState start = state_of(each->nav);
+    FlightState start = begin_of(each->nav, each->limits, now);
     start.p_N.z() = who.front()->nav.p_N.z();
     query.aircraft.push_back({start, std::nullopt});
   }
@@ -129,7 +139,8 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
     return;
   }
   planned_ = true;
-  shared_ = now;
+  planned_at_ = shared_ = now;
+  planned_for_ = result.longest;
   out.events.push_back(
       {now, EntityId{}, "planned",
        fmt::format("a survey of {} lines by {} aircraft in {:.0f} s, {:.1f} % of {:.2f} "
@@ -159,30 +170,68 @@ bool SurveyMission::must_share(Time now) const {
   return !nobodys_.empty() || (idle && many);
 }
 
+SurveyMission::OwnLine SurveyMission::line_of(const Aircraft& aircraft) const {
+  const std::vector<Vec2> left = left_of(aircraft);
+  if (left.size() < 2 || aircraft.state != TaskState::kFlying) return {};
+  const Vec2 along = left[1] - left[0];
+  const double length = along.norm();
+  if (length <= 0) return {};
+  const Vec2 here = geo::horizontal(aircraft.nav.p_N) - left[0];
+  const Vec2 ahead = along / length;
+  const double flown = here.dot(ahead);
+  if (flown < 0 || flown > length ||
+      std::abs(geo::cross(ahead, here)) > kOnLine * options_.survey.swath)
+    return {};
+  const double from = flown + kOrderDelay * geo::horizontal(aircraft.nav.v_N).norm();
+  if (from >= length) return {{}, true};
+  return {{left[0] + from * ahead, left[1]}, false};
+}
+
 void SurveyMission::share_anew(Time now, AgentOutput& out) {
   const std::vector<Aircraft*> who = own();
-  std::vector<Vec2> lines = std::exchange(nobodys_, {});
+  std::vector<Vec2> lines = nobodys_;
   std::vector<FlightState> starts;
-  for (const Aircraft* each : who) {
-    const auto k = static_cast<std::size_t>(each - team().data());
-    if (has_lines_[k]) {
-      const std::vector<Vec2> left = left_of(*each);
-      lines.insert(lines.end(), left.begin(), left.end());
+  std::vector<std::vector<Vec2>> first(who.size());  // that each is on
+  double before = 0, longest = 0;
+  for (std::size_t a = 0; a < who.size(); ++a) {
+    const Aircraft& each = *who[a];
+    const auto k = static_cast<std::size_t>(&each - team().data());
+    starts.push_back(begin_of(each.nav, each.limits, now));
+    if (!has_lines_[k]) continue;
+    OwnLine own_line = line_of(each);
+    if (own_line.too_short) return;  // soon
+    std::vector<Vec2> left = left_of(each);
+    if (!own_line.ends.empty()) {
+      left.erase(left.begin(), left.begin() + 2);
+      starts.back().p_N.head<2>() = own_line.ends[1];
+      starts.back().heading = geo::bearing(own_line.ends[1] - own_line.ends[0]);
+      first[a] = std::move(own_line.ends);
     }
-    starts.push_back(state_of(each->nav));
+    lines.insert(lines.end(), left.begin(), left.end());
+    // One that does not say how long it takes may take any time.
+    before = std::max(before,
+                      each.time_to_go.value_or(std::numeric_limits<double>::infinity()));
+  }
+  planning::SurveyShares shares = planning::share_survey(lines, starts, limits(), wind());
+  for (std::size_t a = 0; a < who.size(); ++a) {
+    double duration = shares.durations[a];
+    if (!first[a].empty())
+      duration += (first[a][1] - geo::horizontal(who[a]->nav.p_N)).norm() /
+                  std::max(1.0, who[a]->limits.airspeed);
+    longest = std::max(longest, duration);
   }
   shared_ = now;
-  const auto shares = planning::share_survey(lines, starts, limits(), wind());
-  const bool any = std::any_of(shares.begin(), shares.end(),
+  const bool any = std::any_of(shares.lines.begin(), shares.lines.end(),
                                [](const auto& share) { return !share.empty(); });
-  if (!any) {
-    nobodys_ = lines;  // the wind is too strong just now
-    return;
-  }
+  // In a wind that is too strong just now nobody flies them.
+  if (!any || (nobodys_.empty() && longest > before - kWorthIt)) return;
+  nobodys_.clear();
   out.events.push_back(
       {now, EntityId{}, "shared",
        fmt::format("{} lines among {} aircraft", lines.size() / 2, who.size())});
-  give(who, shares, now, out);
+  for (std::size_t a = 0; a < who.size(); ++a)
+    shares.lines[a].insert(shares.lines[a].begin(), first[a].begin(), first[a].end());
+  give(who, shares.lines, now, out);
 }
 
 void SurveyMission::give(const std::vector<Aircraft*>& who,

@@ -24,19 +24,27 @@ struct SurveyMissionOptions {
 /// Lines are planned for all of them, so that they are done as early as possible
 /// (planning::plan_coverage), with the mean of the wind that they believe in. What an
 /// aircraft leaves that is lost or taken away is shared among the others with what these
-/// have left, and a share of it goes to one that comes later or has no line left.
+/// have left, and a share of it goes to one that comes later or has no line left, where
+/// the survey ends earlier for it. Who is on a line flies it to its end first.
 class SurveyMission final : public TeamMission {
  public:
   SurveyMission(const std::vector<EntityId>& team, SurveyMissionOptions options);
 
   MissionDemand demand() const override;
   MissionGoal goal() const override;
+  std::uint32_t goal_number() const override { return planned_ ? 1 : 0; }
   bool done() const override { return done_; }
 
  private:
   void pursue(const AgentInput& in, AgentOutput& out) override;
   void plan(Time now, AgentOutput& out);
   void share_anew(Time now, AgentOutput& out);
+  /// The line that an aircraft is on, from where it is when an order reaches it.
+  struct OwnLine {
+    std::vector<Vec2> ends;  // two; empty: it is on none
+    bool too_short = false;  // it is all but at its end: wait
+  };
+  OwnLine line_of(const Aircraft& aircraft) const;
   bool must_share(Time now) const;
   std::vector<Vec2> left_of(const Aircraft& aircraft) const;
   std::vector<Aircraft*> own();
@@ -49,6 +57,8 @@ class SurveyMission final : public TeamMission {
   ZoneSet zones_;
   std::optional<Time> begun_;  // there was an aircraft
   bool planned_ = false, done_ = false;
+  Time planned_at_;              // the first plan
+  double planned_for_ = 0;       // its duration [s]
   std::vector<bool> has_lines_;  // of the team: it has been given some
   std::vector<Vec2> nobodys_;    // lines of those that were lost
   Time shared_;

@@ -133,6 +133,59 @@ TEST(SurveyMission, OneThatComesLaterGetsAShare) {
       10 * 1000, 1);
 }
 
+// Two aircraft of which one is done; the other is in the middle of its second line, at
+// 20 m/s, with three more to come and `to_go` seconds left.
+struct HalfDone {
+  explicit HalfDone(double to_go) {
+    team.seconds(mission, 12);
+    left = *team.flies<Survey>(0);
+    left.lines.erase(left.lines.begin(), left.lines.begin() + 2);
+    auto& busy = team.aircraft[0];
+    busy.left = TaskReport{busy.task.number, TaskState::kFlying, "", left};
+    const Vec2 middle = (left.lines[0] + left.lines[1]) / 2;
+    const Vec2 ahead = (left.lines[1] - left.lines[0]).normalized();
+    busy.report.nav.p_N = {middle.x(), middle.y(), -100};
+    busy.report.nav.v_N = {20 * ahead.x(), 20 * ahead.y(), 0};
+    busy.report.nav.heading = geo::bearing(ahead);
+    busy.report.task_time_to_go = to_go;
+    before = busy.task.number;
+    team.aircraft[1].report.nav.p_N = {left.lines[7].x(), left.lines[7].y(), -100};
+    team.aircraft[1].report.task_state = TaskState::kDone;
+  }
+  Team team{2};
+  SurveyMission mission{Team::ids(2), square_kilometre()};
+  Survey left;
+  std::uint32_t before = 0;
+};
+
+TEST(SurveyMission, WhoIsOnALineFliesItToItsEndBeforeItSharesTheRest) {
+  HalfDone world(230);
+  world.team.seconds(world.mission, 31);
+  const auto* busy = world.team.flies<Survey>(0);
+  ASSERT_TRUE(busy);
+  EXPECT_GT(world.team.aircraft[0].task.number, world.before);
+  ASSERT_GE(busy->lines.size(), 2u);
+  // On from a little ahead of where it is, to the same end.
+  EXPECT_EQ(busy->lines[1], world.left.lines[1]);
+  const double ahead =
+      (busy->lines[0] - geo::horizontal(world.team.aircraft[0].report.nav.p_N)).norm();
+  EXPECT_GT(ahead, 40);
+  EXPECT_LT(ahead, 80);
+  // The other has been given some; all that is left is flown by somebody.
+  EXPECT_GE(length_of(world.team.flies<Survey>(1)->lines), 1000 - 1);
+  EXPECT_NEAR(length_of(busy->lines) + length_of(world.team.flies<Survey>(1)->lines),
+              length_of(world.left.lines) - 500 - ahead, 1);
+}
+
+TEST(SurveyMission, DoesNotShareWhatIsSoonDone) {
+  HalfDone world(60);  // 25 s on the line and more: nobody is much earlier
+  world.left.lines.resize(4);
+  world.team.aircraft[0].left->rest = world.left;
+  world.team.aircraft[1].report.nav.p_N = {3000, 3000, -100};
+  world.team.seconds(world.mission, 31);
+  EXPECT_EQ(world.team.aircraft[0].task.number, world.before);
+}
+
 Message sighting(std::uint32_t from, std::uint32_t object, const Vec2& place, Time now) {
   return {EntityId{from}, {}, 0, now, ObjectSighting{object, now, place, 2}};
 }

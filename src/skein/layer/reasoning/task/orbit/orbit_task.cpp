@@ -69,7 +69,7 @@ Vec2 OrbitTask::target_velocity(const TaskStep& step) const {
   return Vec2::Zero();
 }
 
-const FlightIntent* OrbitTask::before(const TaskStep& step, AgentOutput&) {
+const FlightIntent* OrbitTask::before(const TaskStep& step, AgentOutput& out) {
   const Time now = now_ = step.in.now;
   if (arrived_ && order_.duration > 0 && (now - *arrived_).seconds() >= order_.duration) {
     order_.point = target_at(step, now);
@@ -77,6 +77,8 @@ const FlightIntent* OrbitTask::before(const TaskStep& step, AgentOutput&) {
     return nullptr;
   }
   const Vec2 target = target_at(step, now);
+  const double ground = context().map->elevation_msl(target);
+  out.region_of_interest = {Vec3(target.x(), target.y(), -ground)};
   const ZoneMonitor& zones = step.safety.zones();
   if (!zones.zones().empty() &&
       zones.distance(target) < kBesideZones * radius_ + zones.margin()) {

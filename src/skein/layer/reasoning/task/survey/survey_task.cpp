@@ -17,7 +17,23 @@ namespace {
 
 constexpr double kAside = 0.1;   // of the swath, off a line that still counts as flown
 constexpr double kPassed = 1.5;  // before or after the end of a line [s]
+constexpr double kSettling = 3;  // on a line's extension, after opposite turns [s]
+constexpr double kBanks = 0.3;   // by less it needs no bank to speak of [rad]
 constexpr double kBeside = 5;    // more than the margin, for rounded corners [m]
+
+// How long before a line to be on it [s]: no aircraft rolls from one bank to the opposite
+// one at once, and what that takes shows when the line begins right behind.
+double settling(const FlightPlan& to) {
+  double last = 0;  // the last turn's rate
+  for (auto element = to.rbegin(); element != to.rend(); ++element) {
+    const bool turns = std::abs(element->turn_rate) * element->duration > kBanks;
+    if (!turns && element->duration > kSettling) return 0;
+    if (!turns) continue;
+    if (last != 0) return last * element->turn_rate < 0 ? kSettling : 0;
+    last = element->turn_rate;
+  }
+  return 0;
+}
 
 }  // namespace
 
@@ -108,6 +124,27 @@ bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
   return true;
 }
 
+// To the begin of a line; after opposite turns to its extension first, unless that is a
+// long way round.
+FlightPlan SurveyTask::lead_to(const SurveyLine& line, const FlightState& from,
+                               const Start& start, double now) {
+  const model::AirMotion air = planning::motion_of(start.limits, start.wind);
+  const double down = from.p_N.z();
+  const FlightElement along = planning::straight(line.begin, line.end, down, air, now);
+  FlightPlan direct =
+      planning::join(from, {along.p_N, along.heading}, start.limits, start.wind, now);
+  const double early = settling(direct);
+  if (early <= 0) return direct;
+  const Vec2 back = early * start.limits.airspeed * (line.begin - line.end).normalized();
+  const FlightElement onto =
+      planning::straight(line.begin + back, line.begin, down, air, now);
+  FlightPlan settled =
+      planning::join(from, {onto.p_N, onto.heading}, start.limits, start.wind, now);
+  if (model::duration(settled) > model::duration(direct) + early) return direct;
+  model::append(settled, {onto});
+  return settled;
+}
+
 // All lines that are left, joined by the quickest connections. Around zones the
 // trajectory planner leads, from one end of a line to the next.
 PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step) {
@@ -131,10 +168,8 @@ PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step
   for (const SurveyLine& line : lines_->left()) {
     FlightElement along = planning::straight(line.begin, line.end, down, air, now);
     // On the line as it is: a connection back to its begin would be a full circle.
-    const FlightPlan to = std::exchange(on_line, false)
-                              ? FlightPlan()
-                              : planning::join(here, {along.p_N, along.heading},
-                                               start.limits, start.wind, now);
+    const FlightPlan to =
+        std::exchange(on_line, false) ? FlightPlan() : lead_to(line, here, start, now);
     part.plan.insert(part.plan.end(), to.begin(), to.end());
     if (!to.empty()) along.start = model::end_time_of(to);
     part.plan.push_back(along);

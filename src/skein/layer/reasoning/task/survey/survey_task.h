@@ -31,6 +31,8 @@ class SurveyTask final : public PlannedTask {
   void pass(const TaskStep& step) override;
   bool finish(const TaskStep& step, AgentOutput& out) override;
   const FlightIntent* before(const TaskStep& step, AgentOutput& out) override;
+  static FlightPlan lead_to(const SurveyLine& line, const FlightState& from,
+                            const Start& start, double now);
   bool plan_lines(const Start& start, const TaskStep& step, std::string& why_not);
   bool zones_changed(const TaskStep& step);
   std::vector<Zone> grown_zones(const TaskStep& step) const;

@@ -41,6 +41,7 @@ class TestAircraft {
     n.v_N = {velocity().x(), velocity().y(), 0};
     n.heading = geo::wrap_pi(heading);
     n.wind_N = wind;
+    n.roll = roll_;
     return n;
   }
 
@@ -116,6 +117,7 @@ class TestAircraft {
     const auto here = curve_.at(on_curve_);
     const Vec2 left = geo::horizontal(curve_.at(curve_.end()).p_N) - position();
     status.follows = !status.done;
+    status.cross_track = (geo::horizontal(here.p_N) - position()).norm();
     if (on_curve_ >= curve_.end() - 0.05 && left.dot(geo::horizontal(here.v_N)) <= 0)
       status.done = true;
     if (status.done)

@@ -70,8 +70,10 @@ TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {
   AgentOutput out;
   control.step({}, out);
   out = {};
-  const std::vector<Message> inbox = {
-      report(EntityId{2}, 1, nav(1, Vec3::Zero(), Vec3::Zero()))};
+  const NavEstimate there = nav(1, Vec3::Zero(), Vec3::Zero());
+  const std::vector<Message> inbox = {report(EntityId{1}, 0, there),
+                                      report(EntityId{2}, 1, there),
+                                      report(EntityId{3}, 0, there)};
   AgentInput in;
   in.now = Time::from_seconds(3);
   in.inbox = inbox;
@@ -79,6 +81,45 @@ TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {
   ASSERT_EQ(out.outbox.size(), 2u);
   EXPECT_EQ(out.outbox[0].to, EntityId{1});
   EXPECT_EQ(out.outbox[1].to, EntityId{3});
+}
+
+TEST(FormationControl, ReplacesALeaderThatIsSilentForTooLong) {
+  FormationControl control(three(false));
+  std::vector<Time> led;
+  for (double time = 0; time < 60; time += 1) {
+    const NavEstimate there = nav(time, Vec3::Zero(), Vec3::Zero());
+    // From 11 s on nothing is heard of the leader; 2 does not obey, 3 does.
+    Message second = report(EntityId{2}, 1, there);
+    std::get<AircraftReport>(second.content).obeys = false;
+    std::vector<Message> inbox = {second, report(EntityId{3}, 1, there)};
+    if (time <= 10) inbox.push_back(report(EntityId{1}, 1, there));
+    AgentInput in;
+    in.now = Time::from_seconds(time);
+    in.inbox = inbox;
+    AgentOutput out;
+    control.step(in, out);
+    for (const Event& event : out.events)
+      if (event.kind == "leader" && event.entity == EntityId{3}) led.push_back(in.now);
+  }
+  // Heard last at 10 s, counted on for 5 s more, waited for during 30 s.
+  ASSERT_EQ(led.size(), 1u);
+  EXPECT_NEAR(led.front().seconds(), 46, 1);
+  EXPECT_EQ(control.goal_number(), 1u);
+  const auto goal = std::get<FormationGoal>(control.goal());
+  EXPECT_EQ(goal.leader, EntityId{3});
+  EXPECT_EQ(goal.followers, (std::vector<EntityId>{{1}, {2}}));
+  EXPECT_EQ(goal.slots[1], Vec2(-30, -30));
+}
+
+TEST(FormationControl, KeepsALeaderWhenNobodyElseIsThere) {
+  FormationControl control(three(false));
+  AgentOutput out;
+  for (double time = 0; time < 90; time += 1) {
+    AgentInput in;
+    in.now = Time::from_seconds(time);
+    control.step(in, out);
+  }
+  EXPECT_EQ(control.goal_number(), 0u);
 }
 
 class FormationTasks : public testing::Test {

@@ -7,7 +7,7 @@
 #include "skein/base/random.h"
 #include "skein/base/time.h"
 
-namespace skein::sensory {
+namespace skein {
 
 /// A span of the run's clock.
 struct OutageSpan {
@@ -44,4 +44,4 @@ class Outages {
   Span drawn_;
 };
 
-}  // namespace skein::sensory
+}  // namespace skein

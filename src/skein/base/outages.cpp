@@ -1,11 +1,11 @@
-#include "skein/layer/sensory/outages.h"
+#include "skein/base/outages.h"
 
 #include <algorithm>
 
 #include "skein/base/check.h"
 #include "skein/base/math.h"
 
-namespace skein::sensory {
+namespace skein {
 namespace {
 
 constexpr double kNever = 1e9;  // [s]: longer than any run
@@ -53,4 +53,4 @@ std::optional<Time> Outages::until(Time now) {
   return end;
 }
 
-}  // namespace skein::sensory
+}  // namespace skein

@@ -1,0 +1,62 @@
+#include <fmt/core.h>
+
+#include "app/commands.h"
+#include "app/common.h"
+#include "app/output.h"
+#include "app/study_parts.h"
+#include "skein/campaign/campaign.h"
+#include "skein/campaign/campaign_file.h"
+
+namespace skein::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Plugins come first, so that each run's scenario says what it needs.
+campaign::CampaignOptions options_of(const CampaignArguments& arguments) {
+  campaign::CampaignOptions options;
+  options.only = arguments.only;
+  for (std::size_t k = 0; k < arguments.plugins.size(); ++k)
+    options.overrides.push_back(
+        fmt::format("plugins[{}]={}", k, fs::canonical(arguments.plugins[k]).string()));
+  options.overrides.insert(options.overrides.end(), arguments.overrides.begin(),
+                           arguments.overrides.end());
+  return options;
+}
+
+// Each with all keys, as FOLDER/scenarios/VARIANT-VARIANT-SEED.yaml.
+Result<void> write_scenarios(const campaign::StudyPlan& plan, const fs::path& folder) {
+  if (auto made = make_folder(folder / "scenarios"); !made) return made.error();
+  for (const campaign::BatchItem& item : plan.items) {
+    const fs::path file = folder / "scenarios" / (folder_name(item.name) + ".yaml");
+    if (auto written = write_text(file, item.text); !written) return written.error();
+  }
+  return {};
+}
+
+}  // namespace
+
+int campaign_command(const CampaignArguments& arguments, const std::atomic<bool>& stop) {
+  auto read = campaign::read_campaign(arguments.file);
+  if (!read) return say_error(read.error());
+  campaign::CampaignFile file = std::move(read).value();
+  if (arguments.seeds) file.seeds = *arguments.seeds;
+  if (arguments.first_seed) file.first_seed = *arguments.first_seed;
+  const auto kinds = load_kinds(arguments.plugins);
+  if (!kinds) return kBadUsage;
+  const auto plan = campaign::plan_campaign(file, options_of(arguments), kinds->table());
+  if (!plan) return say_error(plan.error());
+  const fs::path folder = arguments.out.empty()
+                              ? fs::path("runs") / ("campaign-" + file.name)
+                              : arguments.out;
+  if (arguments.scenarios)
+    if (auto written = write_scenarios(plan.value(), folder); !written)
+      return say_error(written.error());
+  const auto outcomes = run_plan(plan.value(), arguments.threads, *kinds, folder, stop);
+  if (!outcomes) return say_error(outcomes.error());
+  return finish(file.name, plan.value(), outcomes.value(),
+                campaign::campaign_report(file, plan.value(), outcomes.value()), folder,
+                stop);
+}
+
+}  // namespace skein::app
