@@ -47,6 +47,7 @@ Fields<PerimeterPrior> prior_fields() {
 // From the start until an aircraft first crosses the perimeter.
 struct Deployment {
   std::vector<double> courses;  // of the transects [rad]; empty: to the fire's origin
+  bool all_sides = false;
   Time limit = Time::from_seconds(600);
 };
 
@@ -58,6 +59,16 @@ Fields<Deployment> deployment_fields() {
                  "are fewer. Empty: each flies to the believed origin.",
                  kBearing)
       .items({.at_most = 10000})
+      .boolean("all_sides", &T::all_sides,
+               "The station first plans an entry for each aircraft, outside of where the "
+               "perimeter is believed to be, on evenly spaced sides: so the perimeter is "
+               "met from all sides although they start from one place.")
+      .rule("all_sides",
+            [](const T& t) {
+              return t.all_sides && !t.courses.empty()
+                         ? std::string("has no use for courses_deg; give one of the two.")
+                         : std::string();
+            })
       .duration_s("limit_s", &T::limit, "A transect without a crossing ends after this.",
                   {.above = 0});
 }
@@ -147,6 +158,7 @@ MadeMission make_perimeter(const PerimeterChoice& choice, const MissionContext& 
   options.team = who.value().candidates;
   options.origin = choice.prior.origin;
   options.entry_courses = choice.deployment.courses;
+  options.all_sides = choice.deployment.all_sides;
   options.forced_crossing = choice.forced_crossing.seconds();
   options.deployment_limit = choice.deployment.limit.seconds();
   options.lost_after = choice.lost_after.seconds();

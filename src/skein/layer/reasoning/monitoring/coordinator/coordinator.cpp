@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "skein/layer/reasoning/monitoring/coordinator/deployment.h"
+
 namespace skein::monitoring {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr double kStaleAfter =
 constexpr double kLevel = 50;  // zones this far above and below an aircraft count [m]
 constexpr double kSoon = 60;   // zones that come into force within this count [s]
 constexpr double kNewsEvery = 60;   // of one kind of warning [s]
+constexpr double kAssembly = 3;     // for all to report before they are deployed [s]
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
@@ -164,6 +167,7 @@ void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
   member->status.has_crossed = true;
   member->status.last_crossing = std::max(member->status.last_crossing, crossing.time);
   member->deploying = member->forced = false;
+  member->enters.reset();
   out.records.emplace_back(crossing);
   judge(crossing, out);
   out.events.push_back({crossing.time, crossing.aircraft, "crossing",
@@ -181,24 +185,17 @@ void Coordinator::order(Member& member, TaskKind what, Time now, AgentOutput& ou
 }
 
 void Coordinator::deploy(Time now, AgentOutput& out) {
+  begin_transects(now, out);
   bool all = true;
   int available = 0, met = 0;
-  for (std::size_t k = 0; k < roster_.members().size(); ++k) {
-    Member& member = roster_.members()[k];
+  for (Member& member : roster_.members()) {
     if (!member.available) continue;
     ++available;
     if (member.status.has_crossed) ++met;
     if (!member.deploying) continue;
     all = false;
-    if (member.status.task.number == 0) {
-      const Vec2 here = geo::horizontal(member.status.nav.p_N);
-      const double course =
-          options_.entry_courses.empty()
-              ? geo::bearing(options_.origin - here)
-              : options_.entry_courses[k % options_.entry_courses.size()];
-      member.deployed = now;
-      order(member, FlyCourse{course}, now, out);
-    } else if ((now - member.deployed).seconds() > options_.deployment_limit) {
+    const bool flies = member.status.task.number > 0 && !member.enters;
+    if (flies && (now - member.deployed).seconds() > options_.deployment_limit) {
       member.deploying = false;  // the transect found nothing: the strategy decides
       out.events.push_back({now, member.status.id, "no-crossing",
                             "the deployment transect met no boundary"});
@@ -210,6 +207,52 @@ void Coordinator::deploy(Time now, AgentOutput& out) {
                           fmt::format("{} of {} aircraft have met the boundary: "
                                       "allocation begins",
                                       met, available)});
+  }
+}
+
+void Coordinator::begin_transects(Time now, AgentOutput& out) {
+  if (options_.all_sides) send_to_entries(now, out);
+  for (std::size_t k = 0; k < roster_.members().size(); ++k) {
+    Member& member = roster_.members()[k];
+    if (!member.available || !member.deploying) continue;
+    // Who cannot reach its entry begins where it is.
+    const bool late = (now - member.deployed).seconds() > options_.deployment_limit;
+    const bool there = member.enters && (member.status.task_done || late);
+    if (!there && member.status.task.number > 0) continue;
+    if (options_.all_sides && !member.enters) continue;  // not sent to its entry yet
+    const auto& courses = options_.entry_courses;
+    const Vec2 here = geo::horizontal(member.status.nav.p_N);
+    const double course = member.enters     ? *member.enters
+                          : courses.empty() ? geo::bearing(options_.origin - here)
+                                            : courses[k % courses.size()];
+    member.enters.reset();
+    member.deployed = now;
+    order(member, FlyCourse{course}, now, out);
+  }
+}
+
+// Those that have not been sent yet: all of them together, or one that comes later.
+void Coordinator::send_to_entries(Time now, AgentOutput& out) {
+  std::vector<Member*> who;
+  std::vector<Vec2> places;
+  for (Member& member : roster_.members())
+    if (member.available && member.deploying && member.status.task.number == 0) {
+      who.push_back(&member);
+      places.push_back(geo::horizontal(member.status.nav.p_N));
+      if (!assembled_) assembled_ = now;
+    }
+  if (who.empty() || (now - *assembled_).seconds() < kAssembly) return;
+  const std::vector<Entry> entries = plan_entries(boundary_, options_.origin, places);
+  for (std::size_t k = 0; k < who.size(); ++k) {
+    who[k]->enters = entries[k].course;
+    who[k]->deployed = now;
+    order(*who[k], FlyTo{entries[k].place}, now, out);
+    const double side = geo::wrap_2pi(entries[k].course + geo::kPi);
+    out.events.push_back(
+        {now, who[k]->status.id, "entry",
+         fmt::format("enters from {:.0f} degrees, at {:.0f} m north, "
+                     "{:.0f} m east",
+                     geo::degrees(side), entries[k].place.x(), entries[k].place.y())});
   }
 }
 

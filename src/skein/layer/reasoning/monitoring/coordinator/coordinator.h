@@ -22,6 +22,9 @@ struct CoordinatorOptions {
   /// Courses of the deployment transects, one per aircraft, repeated when there are fewer
   /// [rad]; empty = each flies towards the origin.
   std::vector<double> entry_courses;
+  /// Each first flies to an entry of its own, so that they come from all sides
+  /// (plan_entries); `entry_courses` do not count then.
+  bool all_sides = false;
   double forced_crossing = 300;  ///< no crossing for this long: go and cross [s]; 0 = off
   double deployment_limit = 600;  ///< a transect without crossing ends after this [s]
   double lost_after = 5;          ///< an aircraft silent for this long is lost [s]
@@ -36,9 +39,10 @@ struct CoordinatorOptions {
 /// A perimeter mission: keeps the belief from all readings,
 /// runs the deployment phase, lets the strategy decide, and orders the aircraft about.
 ///
-/// Deployment: each aircraft flies its transect until its first crossing; then it is
-/// allocated. When all in contact are allocated, the event "allocation" marks the start
-/// of that phase, even if some transects met nothing.
+/// Deployment: each aircraft flies its transect until its first crossing, towards the
+/// origin from where it is, on a given course, or from an entry on its own side; then it
+/// is allocated. When all in contact are allocated, the event "allocation" marks the
+/// start of that phase, even if some transects met nothing.
 ///
 /// No order leads into a no-fly zone in force, or soon in force, at the altitude of any
 /// aircraft.
@@ -67,6 +71,8 @@ class Coordinator : public Mission {
   void listen(const AgentInput& in, AgentOutput& out);
   void report_confidence(Time now, AgentOutput& out);
   void deploy(Time now, AgentOutput& out);
+  void begin_transects(Time now, AgentOutput& out);
+  void send_to_entries(Time now, AgentOutput& out);
   void force_crossings(Time now, AgentOutput& out);
   void allocate(Time now, AgentOutput& out);
   void resend_lost_orders(Time now, AgentOutput& out);
@@ -91,6 +97,7 @@ class Coordinator : public Mission {
   Time next_record_, next_forecast_;
   std::optional<ForecastRun> forecast_;  // that is being made
   ForecastCalibration calibration_;
+  std::optional<Time> assembled_;  // when the first aircraft was there to be deployed
   bool allocating_ = false;
 };
 

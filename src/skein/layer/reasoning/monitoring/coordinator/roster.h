@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Member {
   bool deploying = true;   ///< on its first transect, has not crossed yet
   bool forced = false;     ///< sent to the boundary because it has not crossed for long
   Time deployed;           ///< when its transect began
+  /// Course of the transect that it is on its way to; none: it has begun.
+  std::optional<double> enters = std::nullopt;
   std::uint32_t reported_task = 0;
 };
 
