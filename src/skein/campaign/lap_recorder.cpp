@@ -47,7 +47,8 @@ void LapRecorder::take(const EstimateRecord& estimate) {
   if (!aircraft_ || estimate.id != *aircraft_) return;
   const AutopilotStatus& status = estimate.status;
   laps_ = std::max(laps_, status.lap);
-  if (!status.follows) return;
+  // In guided flight it follows circles where it waits, which are no laps.
+  if (!status.follows || status.mode != FlightMode::kAuto) return;
   LapSample sample;
   sample.time = time_.seconds();
   sample.lap = status.lap;

@@ -22,7 +22,8 @@ struct LapSample {
   double effort = 0;  ///< root of the summed squares of all surface rates [rad/s]
 };
 
-/// Listens to a run and keeps how its first aircraft, a fixed wing, flew a route.
+/// Listens to a run and keeps how its first aircraft, a fixed wing, flew a route: in the
+/// mode auto, as circles flown in guided mode are no route.
 ///
 /// The true distance from the route is the believed one corrected by the error of the
 /// believed position:

@@ -16,6 +16,8 @@ struct Leg {
   AutopilotStatus status;
   double time = 0;
 
+  Leg() { status.mode = FlightMode::kAuto; }
+
   void fly(double off, double aileron = 0) {
     VehicleState state;
     state.p_N = {15 * time, off, -101};
@@ -72,6 +74,10 @@ TEST(LapRecorder, TakesTheFirstAircraftAndOnlyWhatFollowsTheRoute) {
   leg.recorder.record(EstimateRecord{EntityId{4}, {}, leg.status});
   leg.status.follows = false;
   NavEstimate nav;
+  leg.recorder.record(EstimateRecord{kWing, nav, leg.status});
+  // A circle where it waits.
+  leg.status.follows = true;
+  leg.status.mode = FlightMode::kGuided;
   leg.recorder.record(EstimateRecord{kWing, nav, leg.status});
   ASSERT_EQ(leg.recorder.samples().size(), 1u);
   EXPECT_NEAR(leg.recorder.samples()[0].cross_track, 2, 1e-12);
