@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kTurnRateLimit = 0.6;  // faster is noise of two positions [rad/s]
 constexpr double kStaleLeader = 5;      // two positions this far apart say no turn [s]
-constexpr double kLostLeader = 5;       // then the last plan is flown to its end [s]
+constexpr double kLostLeader = 20;      // then the last plan is flown to its end [s]
 constexpr std::size_t kAhead = 5;       // point of a plan whose bearing its course is
 
 }  // namespace

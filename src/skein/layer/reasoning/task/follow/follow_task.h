@@ -9,8 +9,9 @@
 namespace skein::reasoning {
 
 /// Keeps a place beside another aircraft, by the positions that this one reports. Until
-/// the first of them it stays where it is; without them it flies its last plan to its end
-/// and goes on from there.
+/// the first of them it stays where it is; without them for a while it goes on as the
+/// leader was last heard to fly, then it flies its last plan to its end and circles
+/// there.
 class FollowTask final : public TaskExecutor {
  public:
   /// @param horizon  the path to the place is planned for this long [s].

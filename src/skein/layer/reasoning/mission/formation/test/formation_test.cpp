@@ -204,9 +204,9 @@ TEST_F(FormationTasks, FollowsEachNewPositionOfItsLeaderAndNoOther) {
   const auto end_of_plan = [&](double time) {
     return std::get<FollowPlan>(step(time, {}).command->guidance).plan.back().time;
   };
-  EXPECT_EQ(end_of_plan(6.9), Time::from_seconds(6.9 + 8));
-  EXPECT_EQ(end_of_plan(7.1), Time::from_seconds(6.9 + 8))
-      << "nothing was received for five seconds: the last plan is flown to its end";
+  EXPECT_EQ(end_of_plan(21.9), Time::from_seconds(21.9 + 8));
+  EXPECT_EQ(end_of_plan(22.1), Time::from_seconds(21.9 + 8))
+      << "nothing was received for twenty seconds: the last plan is flown to its end";
 }
 
 TEST_F(FormationTasks, FollowingGoesOnAtTheHeightItHadPlannedWhateverAGustDoes) {
