@@ -19,6 +19,12 @@ export interface Frame {
   rings: Packed[]; // truth: uint16 north, east; belief: north, east, normal, sigma
 }
 
+/** What a mission believed at one time about a later one. */
+export interface Forecast extends Frame { // rings: uint16 north, east
+  made_s: number;
+  mission: string;
+}
+
 export interface Terrain {
   rows: number;
   columns: number;
@@ -44,6 +50,7 @@ export interface MapData {
   tracks: Track[];
   truth: Frame[];
   belief: Frame[];
+  ahead: Forecast[]; // in order of made_s
   crossings: { time_s: Packed; north: Packed; east: Packed }; // float32, uint16, uint16
   objects: MovingObject[];
   detections: { time_s: Packed; north: Packed; east: Packed; object: Packed }; // the same, uint16

@@ -14,6 +14,7 @@ export interface Layers {
   truth: boolean;
   belief: boolean;
   band: boolean;
+  ahead: boolean;
   tracks: boolean;
   crossings: boolean;
   objects: boolean;
@@ -24,7 +25,7 @@ export interface Layers {
 }
 
 export const kAllLayers: Layers = {
-  terrain: true, truth: true, belief: true, band: true, tracks: true, crossings: true, objects: true,
+  terrain: true, truth: true, belief: true, band: true, ahead: true, tracks: true, crossings: true, objects: true,
   missions: true, zones: true,
   names: true, tail: 180,
 };
@@ -308,6 +309,50 @@ function drawZones(context: CanvasRenderingContext2D, scene: Scene, time: number
   }
 }
 
+/** The bearing from the middle of `near` in which `far` reaches furthest beyond it. */
+function widest(near: Ring, far: Ring): { north: number; east: number; bearing: number } {
+  const middle = (all: Float32Array) => all.reduce((sum, v) => sum + v, 0) / all.length;
+  const north = middle(near.north), east = middle(near.east);
+  let most = -1, bearing = 0;
+  for (let i = 0; i < far.north.length; ++i) {
+    let least = Infinity;
+    for (let k = 0; k < near.north.length; ++k)
+      least = Math.min(least, Math.hypot(far.north[i] - near.north[k], far.east[i] - near.east[k]));
+    if (least > most) {
+      most = least;
+      bearing = Math.atan2(far.east[i] - east, far.north[i] - north);
+    }
+  }
+  return { north, east, bearing };
+}
+
+/** Where the boundary was believed to be later: the further ahead, the fainter. */
+function drawAhead(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place, names: boolean, theme: Theme): void {
+  const all = scene.ahead(time).filter(({ rings }) => rings.length > 0 && rings[0].north.length > 0);
+  if (all.length === 0) return;
+  // Labels where the rings lie furthest apart.
+  const at = names ? widest(all[0].rings[0], all[all.length - 1].rings[0]) : null;
+  for (const { time: when, rings } of all) {
+    const minutes = Math.round((when - time) / 60);
+    trace(context, rings, place);
+    context.strokeStyle = theme.belief;
+    context.globalAlpha = Math.max(0.3, 0.8 - minutes / 100);
+    context.lineWidth = 1.2;
+    context.setLineDash([2, 4]);
+    context.stroke();
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+    if (!at) continue;
+    const { north, east } = rings[0];
+    const off = (i: number) =>
+      Math.cos(Math.atan2(east[i] - at.east, north[i] - at.north) - at.bearing);
+    let best = 0;
+    for (let i = 1; i < north.length; ++i) if (off(i) > off(best)) best = i;
+    const [x, y] = place(north[best], east[best]);
+    label(context, `in ${minutes} min`, x + 3, y - 4, theme);
+  }
+}
+
 /** Draws everything; the context's units are CSS pixels. */
 export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights: Uint16Array | null,
   time: number, view: View, width: number, height: number, layers: Layers, theme: Theme): void {
@@ -351,6 +396,7 @@ export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights
     context.stroke();
     context.setLineDash([]);
   }
+  if (layers.ahead) drawAhead(context, scene, time, place, layers.names, theme);
   if (layers.crossings) {
     const { time: when, north, east } = scene.crossings;
     const radius = scene.tracks.length > kMany ? 1.5 : 3;

@@ -18,6 +18,7 @@ const kLayerNames: [keyof Layers, string, string][] = [
   ["truth", "true fire", "truth"],
   ["belief", "believed boundary", "belief"],
   ["band", "95 % band", "band"],
+  ["ahead", "forecasts", "ahead"],
   ["tracks", "tracks", "track"],
   ["crossings", "crossings", "crossing"],
   ["objects", "objects, and where they were seen", "object"],

@@ -98,6 +98,25 @@ export class Scene {
     return this.at(this.map.belief, time, 4);
   }
 
+  /** What the newest forecast of each mission at `time` says of later times. */
+  ahead(time: number): { time: number; rings: Ring[] }[] {
+    const made = new Map<string, number>();
+    for (const forecast of this.map.ahead)
+      if (forecast.made_s <= time + 1e-6) made.set(forecast.mission, forecast.made_s);
+    return this.map.ahead
+      .filter((each) => made.get(each.mission) === each.made_s && each.time_s > time)
+      .map((each) => ({ time: each.time_s, rings: this.rings(each, 2) }));
+  }
+
+  private rings(frame: Frame, stride: number): Ring[] {
+    let rings = this.cache.get(frame);
+    if (!rings) {
+      rings = frame.rings.map((packed) => this.ring(shorts(packed), stride));
+      this.cache.set(frame, rings);
+    }
+    return rings;
+  }
+
   private at(frames: Frame[], time: number, stride: number): Ring[] {
     let low = 0, high = frames.length;
     while (low < high) {
@@ -106,13 +125,7 @@ export class Scene {
       else high = middle;
     }
     if (low === 0) return [];
-    const frame = frames[low - 1];
-    let rings = this.cache.get(frame);
-    if (!rings) {
-      rings = frame.rings.map((packed) => this.ring(shorts(packed), stride));
-      this.cache.set(frame, rings);
-    }
-    return rings;
+    return this.rings(frames[low - 1], stride);
   }
 
   private ring(values: Uint16Array, stride: number): Ring {

@@ -131,6 +131,8 @@ Extent extent_of(const StoredRun& run) {
   };
   add(run.truth, kTruthFloats);
   add(run.belief, kBeliefFloats);
+  for (const StoredForecast& forecast : run.ahead)
+    add({{forecast.time, forecast.rings}}, kBeliefFloats);
   for (const Crossing& crossing : run.crossings)
     extent.add(crossing.point.x(), crossing.point.y());
   for (const StoredObject& each : run.objects) {
@@ -204,6 +206,28 @@ Json belief_json(const StoredRun& run, const Extent& extent, double sigma_step) 
     frames.push_back({{"time_s", frame.time}, {"rings", std::move(rings)}});
   }
   return frames;
+}
+
+// Places alone: the map shows no bands of what is ahead.
+Json ahead_json(const StoredRun& run, const Extent& extent) {
+  Json all = Json::array();
+  for (const StoredForecast& forecast : run.ahead) {
+    Json rings = Json::array();
+    for (const std::vector<float>& floats : forecast.rings) {
+      Shorts shorts;
+      for (std::size_t i = 0; i + kBeliefFloats <= floats.size(); i += kBeliefFloats) {
+        if (!std::isfinite(floats[i]) || !std::isfinite(floats[i + 1])) continue;
+        shorts.push_back(extent.north(floats[i]));
+        shorts.push_back(extent.east(floats[i + 1]));
+      }
+      rings.push_back(packed(shorts));
+    }
+    all.push_back({{"made_s", forecast.made},
+                   {"time_s", forecast.time},
+                   {"mission", forecast.mission},
+                   {"rings", std::move(rings)}});
+  }
+  return all;
 }
 
 double largest_sigma(const StoredRun& run) {
@@ -354,6 +378,7 @@ Json map_json(const StoredRun& run) {
               {"tracks", tracks_json(run, extent)},
               {"truth", truth_json(run, extent)},
               {"belief", belief_json(run, extent, sigma_step)},
+              {"ahead", ahead_json(run, extent)},
               {"crossings", crossings_json(run, extent)},
               {"objects", objects_json(run)},
               {"detections", detections_json(run, extent)},

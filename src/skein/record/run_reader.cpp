@@ -246,7 +246,43 @@ class Reader {
 
   Result<void> perimeters() {
     if (auto done = frames("truth", "phenomenon", run_.truth); !done) return done;
-    return frames("belief", "believer_id || ' ' || mission", run_.belief);
+    if (auto done = frames("belief", "believer_id || ' ' || mission", run_.belief); !done)
+      return done;
+    return forecast_rings();
+  }
+
+  // Those made at some times, evenly over the run.
+  Result<void> forecast_rings() {
+    std::vector<double> times;
+    auto done = rows(
+        "SELECT DISTINCT made_s FROM perimeters WHERE source = 'forecast' ORDER BY "
+        "made_s",
+        [&](const Statement& row) { times.push_back(row.real(0)); });
+    if (!done || times.empty()) return done;
+    const std::set<double> kept = evenly(times);
+    return rows(
+        "SELECT made_s, time_s, mission, data FROM perimeters WHERE source = 'forecast'"
+        " ORDER BY made_s, mission, time_s, ring",
+        [&](const Statement& row) {
+          const double made = row.real(0), time = row.real(1);
+          if (!kept.contains(made)) return;
+          auto& all = run_.ahead;
+          if (all.empty() || all.back().made != made || all.back().time != time ||
+              all.back().mission != row.text(2))
+            all.push_back({made, time, row.text(2), {}});
+          all.back().rings.push_back(float_blob(row, 3));
+        });
+  }
+
+  // As many of the times as the budget has frames, the first and the last included.
+  std::set<double> evenly(const std::vector<double>& times) const {
+    std::set<double> kept;
+    const std::size_t count =
+        std::min(times.size(), static_cast<std::size_t>(std::max(budget_.frames, 1)));
+    for (std::size_t k = 0; k < count; ++k)
+      kept.insert(
+          times[count == 1 ? times.size() - 1 : k * (times.size() - 1) / (count - 1)]);
+    return kept;
   }
 
   // Each with the newest rings of all phenomena, or of all missions.
@@ -258,13 +294,7 @@ class Reader {
         rows("SELECT DISTINCT time_s FROM perimeters WHERE " + which + " ORDER BY time_s",
              [&](const Statement& row) { times.push_back(row.real(0)); });
     if (!done || times.empty()) return done;
-    // Evenly over the run, first and last included.
-    std::set<double> requested;
-    const std::size_t count =
-        std::min(times.size(), static_cast<std::size_t>(std::max(budget_.frames, 1)));
-    for (std::size_t k = 0; k < count; ++k)
-      requested.insert(
-          times[count == 1 ? times.size() - 1 : k * (times.size() - 1) / (count - 1)]);
+    const std::set<double> requested = evenly(times);
     using Rings = std::vector<std::vector<float>>;
     std::map<std::string, std::pair<double, Rings>> newest;  // by whose they are
     double time = 0;

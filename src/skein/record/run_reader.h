@@ -27,6 +27,13 @@ struct StoredFrame {
   std::vector<std::vector<float>> rings;
 };
 
+/// Rings as a mission believed at one time that they would be at a later one.
+struct StoredForecast {
+  double made = 0, time = 0;  ///< [s]
+  std::string mission;
+  std::vector<std::vector<float>> rings;  ///< as those of beliefs
+};
+
 /// A thing on the ground and how it moved.
 struct StoredObject {
   GroundObject object;
@@ -57,6 +64,7 @@ struct StoredRun {
   std::vector<StoredTrack> tracks;
   std::vector<FlightSeries> flights;
   std::vector<StoredFrame> truth, belief;
+  std::vector<StoredForecast> ahead;  ///< in order of when they were made
   std::vector<Crossing> crossings;
   std::vector<StoredObject> objects;
   std::vector<Detection> detections;

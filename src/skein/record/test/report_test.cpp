@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
+
+#include <array>#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -125,6 +126,16 @@ TEST(Report, ShowsWhatForecastsWereWorthAndWhenTheFireWasToCome) {
                                       "forecasts: share in the 95 % band; m 2 min ahead",
                                       "fire at hut, as forecast [min]; m 10 %",
                                       "fire at hut, as forecast [min]; m 50 %"}));
+  // On the map, in the order in which they were made.
+  std::vector<std::array<double, 2>> ahead;
+  for (const auto& forecast : data["runs"][0]["map"]["ahead"]) {
+    ahead.push_back({forecast["made_s"], forecast["time_s"]});
+    EXPECT_EQ(forecast["mission"], "m");
+    ASSERT_EQ(forecast["rings"].size(), 1u);
+    EXPECT_FALSE(forecast["rings"][0].get<std::string>().empty());
+  }
+  EXPECT_EQ(ahead, (std::vector<std::array<double, 2>>{
+                       {0, 60}, {0, 120}, {60, 120}, {60, 180}}));
 }
 
 TEST(Report, ShowsInABrowserWithoutErrors) {
