@@ -4,6 +4,7 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/study_parts.h"
+#include "skein/base/log.h"
 #include "skein/campaign/campaign.h"
 #include "skein/campaign/campaign_file.h"
 
@@ -24,12 +25,15 @@ campaign::CampaignOptions options_of(const CampaignArguments& arguments) {
   return options;
 }
 
-// Each with all keys, as FOLDER/scenarios/VARIANT-VARIANT-SEED.yaml.
+// Each with all keys, as FOLDER/scenarios/NUMBER-VARIANT-VARIANT-SEED.yaml, numbered as
+// the rows of runs.csv.
 Result<void> write_scenarios(const campaign::StudyPlan& plan, const fs::path& folder) {
   if (auto made = make_folder(folder / "scenarios"); !made) return made.error();
-  for (const campaign::BatchItem& item : plan.items) {
-    const fs::path file = folder / "scenarios" / (folder_name(item.name) + ".yaml");
-    if (auto written = write_text(file, item.text); !written) return written.error();
+  for (std::size_t k = 0; k < plan.items.size(); ++k) {
+    const campaign::BatchItem& item = plan.items[k];
+    const std::string name = fmt::format("{:04}-{}.yaml", k + 1, folder_name(item.name));
+    if (auto written = write_text(folder / "scenarios" / name, item.text); !written)
+      return written.error();
   }
   return {};
 }
@@ -54,6 +58,9 @@ int campaign_command(const CampaignArguments& arguments, const std::atomic<bool>
       return say_error(written.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, *kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
+  for (const std::string& text :
+       campaign::figures_that_nobody_has(file, outcomes.value()))
+    log_warning("{}", text);
   return finish(file.name, plan.value(), outcomes.value(),
                 campaign::campaign_report(file, plan.value(), outcomes.value()), folder,
                 stop);

@@ -1,6 +1,8 @@
 // Studies: going on after an interrupt, running again what changed, checking rows.
 #include <algorithm>
 #include <csignal>
+#include <map>
+#include <set>
 
 #include "app/test/program.h"
 
@@ -172,12 +174,34 @@ TEST_F(Program, ACampaignFliesEveryCombinationUnderTheSameConditions) {
   const std::string hash = row.substr(row.find("slow,bad,2,"), 30);
   EXPECT_NE(csv.find(hash), std::string::npos) << "seed 2 is the same run in both";
 
-  EXPECT_EQ(run({"check", "one/scenarios/slow-bad-2.yaml"}).status, 0);
+  EXPECT_EQ(run({"check", "one/scenarios/0001-slow-bad-2.yaml"}).status, 0);
+
+  // What was drawn is the same for a seed in every cell, and within its range.
+  EXPECT_EQ(run({"campaign", "c.yaml", "--out", "e", "--scenarios"}).status, 0);
+  std::map<std::string, std::set<std::string>> speeds;  // by seed
+  for (const auto& entry : fs::directory_iterator(folder_ / "e" / "scenarios")) {
+    const std::string text = read_file(entry.path());
+    const auto value = [&](const std::string& key) {
+      const auto at = text.find("\n" + key) + key.size() + 1;
+      return text.substr(at, text.find('\n', at) - at);
+    };
+    const std::string speed = value("    speed_mps: ");
+    EXPECT_GE(std::stod(speed), 1) << speed;
+    EXPECT_LE(std::stod(speed), 9) << speed;
+    speeds[value("seed: ")].insert(speed);
+  }
+  ASSERT_EQ(speeds.size(), 2u);
+  for (const auto& [seed, all] : speeds) EXPECT_EQ(all.size(), 1u) << seed;
+  EXPECT_NE(*speeds.begin()->second.begin(), *speeds.rbegin()->second.begin());
 
   const Finished odd = run({"campaign", "c.yaml", "--out", "d", "--only", "slower"});
   EXPECT_EQ(odd.status, 2);
   EXPECT_NE(odd.err.find("slow fast fine bad"), std::string::npos) << odd.err;
   EXPECT_FALSE(fs::exists(folder_ / "d")) << "what is refused leaves nothing behind";
+  write("typo.yaml",
+        "name: x\nscenario: base.yaml\nseeds: 1\nfigures: [{figure: perff}]\n");
+  const Finished typo = run({"campaign", "typo.yaml", "--out", "t"});
+  EXPECT_NE(typo.err.find("no run has the figure perff"), std::string::npos) << typo.err;
   write("bad.yaml", "name: x\nscenario: base.yaml\nfigures: []\nseed: 3\n");
   const Finished bad = run({"campaign", "bad.yaml"});
   EXPECT_EQ(bad.status, 2);

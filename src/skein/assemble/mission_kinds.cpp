@@ -218,8 +218,9 @@ Fields<FormationChoice> formation_fields() {
               "The leader reports its position to its followers itself; else the station "
               "passes it on.")
           .duration_s("leader_timeout_s", &T::leader_timeout,
-                      "A leader that has been silent, or under another command, for so "
-                      "long is replaced by the first aircraft that is there.",
+                      "A leader that is not counted on for so long (unheard for 5 s, or "
+                      "under another command) is replaced by the first aircraft that is; "
+                      "that begins the route anew.",
                       {.at_least = 5})
           .rule("leaders", [](const T& t) {
             for (std::size_t k = 1; k < t.leaders.size(); ++k)

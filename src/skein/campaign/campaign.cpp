@@ -49,7 +49,7 @@ std::vector<scenario::Override> drawn_values(const std::vector<DrawnKey>& draws,
                         Purpose::kStudy);
     const DrawnKey& each = draws[k];
     if (each.among.empty()) {
-      drawn.push_back({fmt::format("{}={:.6g}", each.key,
+      drawn.push_back({fmt::format("{}={}", each.key,
                                    random.uniform(each.between[0], each.between[1]))});
       continue;
     }
@@ -191,9 +191,13 @@ Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions&
       for (const std::string& text : options.overrides) overrides.push_back({text});
       auto read = scenario::read_scenario(file.scenario, kinds, overrides,
                                           scenario::plugins_are_loaded());
-      if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-      scenario::Scenario run = *std::move(read.scenario);
       const std::string path = cell.path();
+      if (!read.ok())
+        return Error{ErrorCode::kBadInput,
+                     fmt::format("campaign {}, variants {}, seed {}", file.name,
+                                 path.empty() ? "none" : path, seed),
+                     "\n" + read.report(), ""};
+      scenario::Scenario run = *std::move(read.scenario);
       run.name = fmt::format("{}{}{}", path, path.empty() ? "" : "/", seed);
       std::string text = scenario::write_scenario(run, kinds);
       const std::string files = data.of(scenario::named_files(run, kinds));
@@ -203,6 +207,20 @@ Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions&
     plan.cells.push_back(std::move(cell));
   }
   return plan;
+}
+
+std::vector<std::string> figures_that_nobody_has(
+    const CampaignFile& file, const std::vector<BatchOutcome>& outcomes) {
+  std::vector<std::string> all;
+  const bool any =
+      std::any_of(outcomes.begin(), outcomes.end(),
+                  [](const BatchOutcome& o) { return o.summary.has_value(); });
+  for (const CampaignFigure& figure : file.figures)
+    if (any && std::none_of(outcomes.begin(), outcomes.end(), [&](const BatchOutcome& o) {
+          return o.summary && o.summary->number(figure.figure).has_value();
+        }))
+      all.push_back(fmt::format("no run has the figure {}", figure.figure));
+  return all;
 }
 
 record::StudyReport campaign_report(const CampaignFile& file, const StudyPlan& plan,
@@ -221,6 +239,8 @@ record::StudyReport campaign_report(const CampaignFile& file, const StudyPlan& p
       report.dots.push_back(campaign_dots(file, figure, plan, outcomes));
   report.alert = partial_text(outcomes);
   report.notes = warnings_of(outcomes);
+  const auto missing = figures_that_nobody_has(file, outcomes);
+  report.notes.insert(report.notes.end(), missing.begin(), missing.end());
   return report;
 }
 

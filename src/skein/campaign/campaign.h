@@ -24,6 +24,10 @@ struct CampaignOptions {
 Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions& options,
                                 const scenario::KindTable& kinds);
 
+/// What the file asks for in vain: a line for each figure that no run has.
+std::vector<std::string> figures_that_nobody_has(
+    const CampaignFile& file, const std::vector<BatchOutcome>& outcomes);
+
 /// A table with a row for each cell: mean and 95 % confidence interval of every figure,
 /// with its worst run where the file asks for that; and a plot for each figure.
 record::StudyReport campaign_report(const CampaignFile& file, const StudyPlan& plan,

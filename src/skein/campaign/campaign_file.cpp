@@ -1,5 +1,6 @@
 #include "skein/campaign/campaign_file.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -11,13 +12,38 @@ namespace {
 using scenario::Fields;
 using scenario::RuleViolation;
 
+// Names are parts of file names, of keys and of lines of CSV.
+bool is_plain(const std::string& name) {
+  return !name.empty() && std::none_of(name.begin(), name.end(), [](unsigned char c) {
+    return c < 0x20 || c == '/' || c == ',' || c == '"';
+  });
+}
+
+std::string name_error(const std::string& name) {
+  return is_plain(name) ? std::string()
+                        : std::string("must be a name without / , \" and line feeds.");
+}
+
+// Variants are chosen by their names alone.
+std::string axes_error(const std::vector<Axis>& axes) {
+  std::set<std::string> names, variants;
+  for (const Axis& axis : axes) {
+    if (!names.insert(axis.name).second) return "two are called " + axis.name + ".";
+    for (const Variant& each : axis.variants)
+      if (!variants.insert(each.name).second)
+        return "two variants are called " + each.name + ".";
+  }
+  return {};
+}
+
 Fields<Variant> variant_fields() {
   using T = Variant;
   return Fields<T>()
       .text("name", &T::name, "What it is called in tables.")
       .required()
       .text("help", &T::help, "What it is; shown in the report.")
-      .text("set", &T::overrides, "Changes to the scenario, each KEY=VALUE.");
+      .text("set", &T::overrides, "Changes to the scenario, each KEY=VALUE.")
+      .rule("name", [](const T& variant) { return name_error(variant.name); });
 }
 
 Fields<Axis> axis_fields() {
@@ -28,12 +54,7 @@ Fields<Axis> axis_fields() {
       .object("variants", &T::variants, variant_fields(), "What it can be.")
       .items({.at_least = 1, .at_most = 1000})
       .required()
-      .rule("variants", [](const T& axis) {
-        std::set<std::string> names;
-        for (const Variant& each : axis.variants)
-          if (!names.insert(each.name).second) return "two are called " + each.name + ".";
-        return std::string();
-      });
+      .rule("name", [](const T& axis) { return name_error(axis.name); });
 }
 
 Fields<DrawnKey> drawn_key_fields() {
@@ -47,7 +68,9 @@ Fields<DrawnKey> drawn_key_fields() {
       .items({.at_most = 10000})
       .rules([](const T& draw) {
         std::vector<RuleViolation> found;
-        if (draw.between.empty() == draw.among.empty())
+        if (draw.key == "seed")
+          found.push_back({"key", "is what the draws follow from; see first_seed."});
+        else if (draw.between.empty() == draw.among.empty())
           found.push_back({"key", "needs either between or among."});
         else if (draw.among.empty() &&
                  (draw.between.size() != 2 || draw.between[0] >= draw.between[1]))
@@ -89,10 +112,8 @@ Fields<CampaignFile> campaign_fields() {
       .object("figures", &T::figures, figure_fields(), "What the report is about.")
       .items({.at_least = 1, .at_most = 100})
       .required()
-      .rule("name", [](const T& file) {
-        const bool plain = !file.name.empty() && file.name.find('/') == std::string::npos;
-        return plain ? std::string() : std::string("must be a name without /.");
-      });
+      .rule("name", [](const T& file) { return name_error(file.name); })
+      .rule("axes", [](const T& file) { return axes_error(file.axes); });
 }
 
 Result<CampaignFile> outcome(const scenario::Reading& reading, CampaignFile file) {

@@ -23,7 +23,8 @@ StudyFigures study_figures(const StudyPlan& plan,
       if (outcomes[item].summary)
         for (const auto& [name, value] : outcomes[item].summary->numbers)
           if (name != "wall_s" && name != "real_time_factor") names.insert(name);
-    const std::string prefix = cell.path() + "/";
+    const std::string path = cell.path();
+    const std::string prefix = path.empty() ? path : path + "/";
     figures[prefix + "runs"] = static_cast<double>(
         std::count_if(cell.items.begin(), cell.items.end(),
                       [&](std::size_t item) { return outcomes[item].summary; }));

@@ -33,7 +33,7 @@ struct AgentOutput {
   std::optional<AutopilotCommand> command;
   std::optional<ReturnRoute>
       return_route;  ///< when returns shall lead elsewhere from now on
-  std::optional<RegionOfInterest> region_of_interest;  ///< when it is another
+  std::optional<RegionOfInterest> region_of_interest;  ///< from now on
   std::vector<Event> events;
   std::vector<AgentRecord> records;  ///< what else it wants to have recorded
 };

@@ -92,10 +92,10 @@ TEST(WholeFormation, FollowersKeepTheirSlotsAndTheLeaderIsSwapped) {
     SCOPED_TRACE(text == direct ? "direct" : "through the station");
     const FlightLog log = fly(text);
     EXPECT_EQ(log.find("accident"), nullptr) << log.story();
-    const double a = off_slot(log, 1, 2, right, 100, 300),
-                 b = off_slot(log, 1, 3, left, 100, 300);
-    const double c = off_slot(log, 2, 1, right, 400, 600),
-                 d = off_slot(log, 2, 3, left, 400, 600);
+    const double a = off_slot(log, 1, 2, left, 100, 300),
+                 b = off_slot(log, 1, 3, right, 100, 300);
+    const double c = off_slot(log, 2, 1, left, 400, 600),
+                 d = off_slot(log, 2, 3, right, 400, 600);
     // On straights some metres; in each turn, where the slot outside is faster than the
     // aircraft may fly, it falls behind and catches up: measured 10 to 30 m, receivers of
     // 0.6 m and a position a second old included.

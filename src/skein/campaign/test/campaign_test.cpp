@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 #include "skein/scenario/kind_table.h"
 
@@ -41,15 +40,21 @@ constexpr const char* kTwoAxes =
 
 TEST_F(CampaignTest, SaysWhatIsWrongWithAFile) {
   const auto odd = read(
-      "axes: [{name: a, variants: [{name: x}, {name: x}]}]\n"
-      "draws: [{key: seed}, {key: seed, between: [2, 1]}, {key: seed, between: [1, 2], "
+      "axes: [{name: \"p/q\", variants: [{name: y}]}]\n"
+      "draws: [{key: seed}, {key: step_s, between: [2, 1]}, {key: step_s, between: [1, "
+      "2], "
       "among: [a]}]\n");
   ASSERT_FALSE(odd);
   const std::string text = odd.error().text();
-  for (const char* part : {"two are called x", "needs either between or among",
-                           "the smaller one first", "figures", "nothing was run"})
+  for (const char* part : {"must be a name", "draws follow from", "smaller one first",
+                           "either between or among", "figures", "nothing was run"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   EXPECT_FALSE(read("figures: [{figure: a}]\nscenario: none.yaml"));
+  const auto twice = read(
+      "axes: [{name: a, variants: [{name: x}]}, {name: b, variants: [{name: x}]}]\n"
+      "figures: [{figure: a}]\n");
+  ASSERT_FALSE(twice);
+  EXPECT_NE(twice.error().text().find("two variants are called x"), std::string::npos);
 }
 
 TEST_F(CampaignTest, RefusesAVariantThatThereIsNot) {

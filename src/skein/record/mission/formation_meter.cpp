@@ -14,8 +14,6 @@ constexpr double kInPlace = 30;  // [m]
 
 void FormationMeter::goal_changed(const MissionGoal& goal) {
   if (const auto* formation = std::get_if<FormationGoal>(&goal)) goal_ = *formation;
-  // Whoever has another place from now on is on its way to it.
-  for (auto& [id, flight] : flights_) flight.arrived = false;
 }
 
 void FormationMeter::moved(Time /*time*/, EntityId id, const Vec2& from, const Vec2& to) {
@@ -24,31 +22,46 @@ void FormationMeter::moved(Time /*time*/, EntityId id, const Vec2& from, const V
     return;
   Flight& flight = flights_[id];
   flight.place = to;
+  flight.there = true;
   if (from != to) flight.course = (to - from).normalized();
 }
 
 void FormationMeter::tick(Time /*now*/) {
-  for (auto one = flights_.begin(); one != flights_.end(); ++one)
-    for (auto other = std::next(one); other != flights_.end(); ++other) {
-      const double distance = (one->second.place - other->second.place).norm();
-      apart_ = std::min(apart_.value_or(distance), distance);
-    }
   const auto leader = flights_.find(goal_.leader);
-  if (leader == flights_.end() || leader->second.course.isZero()) return;
-  const Vec2 ahead = leader->second.course;
+  const bool leads =
+      leader != flights_.end() && leader->second.there && !leader->second.course.isZero();
   for (std::size_t k = 0; k < goal_.followers.size() && k < goal_.slots.size(); ++k) {
-    const auto follower = flights_.find(goal_.followers[k]);
-    if (follower == flights_.end()) continue;
+    const auto found = flights_.find(goal_.followers[k]);
+    if (found == flights_.end() || !found->second.there) continue;
+    Flight& follower = found->second;
+    if (!leads) {
+      // Nobody is at a place beside a leader that is gone.
+      if (follower.arrived) ++follower.seconds;
+      continue;
+    }
+    const Vec2 ahead = leader->second.course;
     const Vec2 slot = leader->second.place + goal_.slots[k].x() * ahead +
                       goal_.slots[k].y() * geo::turned_right(ahead);
-    const double error = (follower->second.place - slot).norm();
-    Flight& flight = follower->second;
-    flight.arrived = flight.arrived || error < kInPlace;
-    if (!flight.arrived) continue;
+    const double error = (follower.place - slot).norm();
+    follower.arrived = follower.arrived || error < kInPlace;
+    if (!follower.arrived) continue;
     errors_.push_back(static_cast<float>(error));
-    ++flight.seconds;
-    if (error < kInPlace) ++flight.in_place;
+    ++follower.seconds;
+    if (error < kInPlace) ++follower.in_place;
   }
+  if (leads) leader->second.arrived = true;
+  for (auto one = flights_.begin(); one != flights_.end(); ++one)
+    for (auto other = std::next(one); other != flights_.end(); ++other) {
+      const Flight &a = one->second, &b = other->second;
+      if (!a.there || !b.there || !a.arrived || !b.arrived) continue;
+      const double distance = (a.place - b.place).norm();
+      apart_ = std::min(apart_.value_or(distance), distance);
+    }
+}
+
+void FormationMeter::left(EntityId id) {
+  if (const auto found = flights_.find(id); found != flights_.end())
+    found->second.there = false;
 }
 
 std::vector<MissionFigure> FormationMeter::figures(Time /*now*/) const {

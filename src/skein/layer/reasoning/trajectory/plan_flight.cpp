@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "skein/base/math.h"
 #include "skein/layer/reasoning/trajectory/drape.h"
 #include "skein/layer/reasoning/trajectory/plan_mending.h"
 #include "skein/model/path/flight_plan.h"
@@ -130,6 +131,20 @@ void PlanFlight::give(const TrajectoryStep& step, AgentOutput& out) {
   out.command = std::move(command);
 }
 
+// From the points that the autopilot was given, none of which are far apart in turns.
+double PlanFlight::distance_to_plan(const Vec2& place) const {
+  double least = math::kInfinity;
+  for (std::size_t k = 1; k < given_.size(); ++k) {
+    const Vec2 from = geo::horizontal(given_[k - 1].p_N);
+    const Vec2 leg = geo::horizontal(given_[k].p_N) - from;
+    const double length2 = leg.squaredNorm();
+    const double share =
+        length2 > 0 ? std::clamp((place - from).dot(leg) / length2, 0.0, 1.0) : 0;
+    least = std::min(least, (from + share * leg - place).norm());
+  }
+  return least;
+}
+
 void PlanFlight::lead_by_sight(const TrajectoryStep& step, AgentOutput& out) {
   const NavEstimate& nav = *step.in.nav;
   const double now = step.in.now.seconds();
@@ -139,8 +154,7 @@ void PlanFlight::lead_by_sight(const TrajectoryStep& step, AgentOutput& out) {
   const double altitude = altitude_msl(now);
   const double course = geo::bearing(ahead);
   // Off the plan the autopilot would fly back to it, whatever course was judged here.
-  const bool off =
-      !step.in.autopilot.follows || std::abs(step.in.autopilot.cross_track) > kOffPlan;
+  const bool off = distance_to_plan(geo::horizontal(nav.p_N)) > kOffPlan;
   AutopilotCommand command;
   command.guidance = off ? step.zones.keep_out(HoldCourse{course}, course, nav, altitude)
                          : step.zones.keep_out(FollowPlan{given_}, course, nav, altitude);

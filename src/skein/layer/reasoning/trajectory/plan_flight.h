@@ -37,6 +37,7 @@ class PlanFlight {
   void catch_up(const AgentInput& in);
   bool mend(const TrajectoryStep& step, AgentOutput& out);
   void give(const TrajectoryStep& step, AgentOutput& out);
+  double distance_to_plan(const Vec2& place) const;
   void lead_by_sight(const TrajectoryStep& step, AgentOutput& out);
   double altitude_msl(double time) const;
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double kCircleReserve = 1.1;  // of turn radii over ground: room to correct
 constexpr double kMovedPlace = 1;       // nearer is the same place [m]
 constexpr double kWorthSaying = 100;    // another place instead is reported [m]
+constexpr double kSameRoom = 0.95;      // of a circle's radius, as the wind varies
 
 double altitude_for(const std::optional<double>& own, const FlightContext& context,
                     const NavEstimate& nav) {
@@ -41,17 +42,31 @@ void CirclingFlight::step(const Circling& intent, const TrajectoryStep& step,
                           AgentOutput& out) {
   const NavEstimate& nav = *step.in.nav;
   const double altitude = altitude_for(intent.altitude_msl, context_, nav);
-  const Vec2 place = step.zones.place_to_circle(
-      intent.centre, wide_radius(context_.limits, nav.wind_N), nav, altitude);
-  const bool moved = (place - intent.centre).norm() > kMovedPlace;
+  const double radius = wide_radius(context_.limits, nav.wind_N);
+  step.zones.regard(nav, altitude);
+  // The place that was found stays while there is room.
+  const bool known = found_ && (intent.centre - asked_).norm() < kWorthSaying &&
+                     !step.zones.may_circle(intent.centre, radius) &&
+                     step.zones.may_circle(*found_, kSameRoom * radius);
+  std::optional<Vec2> free = found_;
+  if (!known) {
+    free = step.zones.place_to_circle(intent.centre, radius, nav, altitude);
+    asked_ = intent.centre;
+  }
+  const Vec2 place = free.value_or(step.zones.allowed(intent.centre, nav, altitude));
+  const bool moved = !free || (place - intent.centre).norm() > kMovedPlace;
+  found_ = moved ? free : std::nullopt;
   // Of a place that moves only now and then.
   if (moved != said_.has_value() || (moved && (place - *said_).norm() > kWorthSaying)) {
-    out.events.push_back(
-        {step.in.now, context_.self, "task-moved",
-         moved ? fmt::format("a no-fly zone leaves no room at the place of the task: "
-                             "{:.0f} m north, {:.0f} m east instead",
-                             place.x(), place.y())
-               : std::string("no zone forbids the place of the task any more")});
+    std::string text = "no zone forbids the place of the task any more";
+    if (!free)
+      text = "no-fly zones leave no room to circle anywhere near the place of the task";
+    else if (moved)
+      text = fmt::format(
+          "a no-fly zone leaves no room at the place of the task: {:.0f} m "
+          "north, {:.0f} m east instead",
+          place.x(), place.y());
+    out.events.push_back({step.in.now, context_.self, "task-moved", std::move(text)});
     said_ = moved ? std::optional(place) : std::nullopt;
     // Beside a zone the first turn is away from it.
     const Vec2 there = place - geo::horizontal(nav.p_N);

@@ -23,7 +23,9 @@ class CirclingFlight {
 
  private:
   FlightContext context_;
-  std::optional<Vec2> said_;  // the place that was taken instead, as last reported
+  std::optional<Vec2> said_;   // the place that was taken instead, as last reported
+  std::optional<Vec2> found_;  // the place where there is room instead
+  Vec2 asked_ = Vec2::Zero();  // for which it was looked for
   bool clockwise_ = true;
 };
 

@@ -15,7 +15,7 @@ constexpr double kStep = 0.25;           // of the preview [s]
 constexpr int kCourses = 36;             // that are tried around the compass
 constexpr double kHeadingGain = 1.2;     // of autopilots: rad/s per rad of error
 constexpr double kRadiusReserve = 1.15;  // of the escape circle: room to correct
-constexpr double kOnCircle = 1.1;        // of the radius: on the circle
+constexpr double kBesideCircle = 0.1;    // of the radius, outside: still on the circle
 constexpr double kAlongCircle = 0.9;     // cosine of the course to its tangent
 constexpr double kRollTime = 0.8;        // from wings level to the steepest bank [s]
 
@@ -70,13 +70,6 @@ double ZoneAvoidance::distance(const Vec2& p) const {
   return border_.empty() ? math::kInfinity : border_.signed_distance(p);
 }
 
-Vec2 ZoneAvoidance::away_from_border(const Vec2& p, double distance) const {
-  if (border_.empty()) return p;
-  const Vec2 nearest = border_.nearest(p).point;
-  const Vec2 away = p - nearest;
-  return away.isZero() ? p : nearest + distance * away.normalized();
-}
-
 // In its present bank; what hovers needs none.
 double ZoneAvoidance::turn_rate(const NavEstimate& nav) const {
   if (limits_.slowest <= 0) return 0;
@@ -101,9 +94,9 @@ ZoneAvoidance::State ZoneAvoidance::fly(const NavEstimate& nav, double course,
   const double change =
       limits_.slowest > 0 ? fastest / kRollTime * kStep : 2 * fastest;  // in a step
   for (double t = 0; t < options_.preview - kStep / 2; t += kStep) {
-    const double wanted =
+    const double demanded =
         std::clamp(kHeadingGain * geo::wrap_pi(setpoint - heading), -fastest, fastest);
-    rate += std::clamp(wanted - rate, -change, change);
+    rate += std::clamp(demanded - rate, -change, change);
     v = airspeed * geo::unit(heading + rate * kStep / 2) + nav.wind_N;
     heading += rate * kStep;
     p += kStep * v;
@@ -143,7 +136,8 @@ bool ZoneAvoidance::stays_on(const Circle& circle, const NavEstimate& nav) const
   const Vec2 out = geo::horizontal(nav.p_N) - circle.centre;
   const Vec2 round = (circle.clockwise ? 1 : -1) * geo::turned_right(out);
   const Vec2 v = geo::horizontal(nav.v_N);
-  return out.norm() < kOnCircle * circle.radius &&
+  const double slack = std::min(kBesideCircle * circle.radius, options_.margin / 3);
+  return out.norm() < circle.radius + slack &&
          round.dot(v) > kAlongCircle * out.norm() * v.norm();
 }
 

@@ -62,10 +62,6 @@ class ZoneAvoidance {
   /// negative inside; infinite without.
   double distance(const Vec2& p) const;
 
-  /// The place at a distance from the border, straight away from the point of it that is
-  /// nearest to `p` outside of zones; `p` itself without zones that count.
-  Vec2 away_from_border(const Vec2& p, double distance) const;
-
   /// The zones that counted when last regarded; at first all.
   std::vector<Zone> counting() const;
 

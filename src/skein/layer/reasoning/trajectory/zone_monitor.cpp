@@ -12,9 +12,10 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr int kPushes = 8;      // away from zones, before a place is given up
-constexpr double kBeyond = 2;   // the room of a circle, so that rounding is none [m]
-constexpr double kMinRoom = 3;  // from a grown zone to the ends of a path [m]
+constexpr int kRings = 60;       // around a place, on which room to circle is looked for
+constexpr int kRingsInRoom = 4;  // of them in the room of a circle
+constexpr int kBearings = 32;    // on each
+constexpr double kMinRoom = 3;   // from a grown zone to the ends of a path [m]
 
 }  // namespace
 
@@ -88,17 +89,27 @@ Vec2 ZoneMonitor::allowed(const Vec2& place, const NavEstimate& nav,
   return detours(nav).nearest_allowed(place);
 }
 
-Vec2 ZoneMonitor::place_to_circle(const Vec2& place, double radius,
-                                  const NavEstimate& nav, double altitude_msl) {
-  const Vec2 allowed_place = allowed(place, nav, altitude_msl);
+std::optional<Vec2> ZoneMonitor::place_to_circle(const Vec2& place, double radius,
+                                                 const NavEstimate& nav,
+                                                 double altitude_msl) {
+  const Vec2 first = allowed(place, nav, altitude_msl);
   const double room = radius + options_.margin;
-  Vec2 found = allowed_place;
-  // Away from the nearest border, which may lead to another one.
-  for (int k = 0; k < kPushes; ++k) {
-    if (avoidance_.distance(found) >= room) return found;
-    found = avoidance_.away_from_border(found, room + kBeyond);
+  if (avoidance_.distance(first) >= room) return first;
+  // Rings around it, the nearest first.
+  for (int ring = 1; ring <= kRings; ++ring) {
+    std::optional<Vec2> best;
+    double most = room;
+    for (int k = 0; k < kBearings; ++k) {
+      const Vec2 tried =
+          first + ring * room / kRingsInRoom * geo::unit(2 * geo::kPi * k / kBearings);
+      if (const double distance = avoidance_.distance(tried); distance >= most) {
+        most = distance;
+        best = tried;
+      }
+    }
+    if (best) return best;
   }
-  return allowed_place;
+  return std::nullopt;
 }
 
 void ZoneMonitor::look(const AgentInput& in, AgentOutput& out) {

@@ -78,9 +78,15 @@ class ZoneMonitor {
   Vec2 allowed(const Vec2& place, const NavEstimate& nav, double altitude_msl);
 
   /// The place itself where a circle around it keeps the margin from all zones that
-  /// count; else the nearest found where one does, or allowed().
-  Vec2 place_to_circle(const Vec2& place, double radius, const NavEstimate& nav,
-                       double altitude_msl);
+  /// count; else about the nearest where one does; none within 15 times its room. Regards
+  /// the zones first.
+  std::optional<Vec2> place_to_circle(const Vec2& place, double radius,
+                                      const NavEstimate& nav, double altitude_msl);
+
+  /// Whether a circle there keeps the margin from the zones that count, as last regarded.
+  bool may_circle(const Vec2& place, double radius) const {
+    return avoidance_.distance(place) >= radius + options_.margin;
+  }
 
   /// Whether the last keep_out changed the request.
   bool deflecting() const { return avoidance_.deflecting(); }

@@ -16,14 +16,25 @@ FormationControl::FormationControl(const FormationOptions& options)
 
 void FormationControl::pursue(const AgentInput& in, AgentOutput& out) {
   const auto& changes = options_.leaders;
-  for (; next_ < changes.size() && changes[next_].at <= in.now; ++next_)
-    if (leader_ != changes[next_].leader) appoint(changes[next_].leader, in.now, out);
+  for (; next_ < changes.size() && changes[next_].at <= in.now; ++next_) {
+    const std::size_t leader = changes[next_].leader;
+    // Whoever is known to be gone does not take over.
+    if (leader_ && (*leader_ == leader || is_gone(leader, in.now))) continue;
+    appoint(leader, in.now, out);
+  }
   replace_lost_leader(in.now, out);
+}
+
+bool FormationControl::is_gone(std::size_t k, Time now) const {
+  const Aircraft& each = team()[k];
+  return mine() > 0 && !each.mine &&
+         (now - each.heard).seconds() > options_.leader_timeout;
 }
 
 void FormationControl::replace_lost_leader(Time now, AgentOutput& out) {
   if (!leader_) return;
-  if (team()[*leader_].mine) leads_ = now;
+  // While nobody is heard, or the mission is paused, that says nothing of the leader.
+  if (team()[*leader_].mine || mine() == 0) leads_ = now;
   if ((now - leads_).seconds() <= options_.leader_timeout) return;
   const auto first = std::find_if(team().begin(), team().end(),
                                   [](const Aircraft& each) { return each.mine; });

@@ -24,8 +24,9 @@ struct FormationOptions {
   std::vector<Leadership> leaders;  ///< in order of time; the first at 0
   /// The leader reports its position to its followers; else the station passes it on.
   bool direct = false;
-  /// A leader that has been silent, or has not obeyed, for so long is replaced by the
-  /// first of the team that is there [s].
+  /// A leader that is not counted on (unheard for 5 s, or under another command) for so
+  /// long while others are is replaced by the first of these [s]. It flies the route from
+  /// its first corner on.
   double leader_timeout = 30;
 };
 
@@ -42,6 +43,7 @@ class FormationControl final : public TeamMission {
 
  private:
   void pursue(const AgentInput& in, AgentOutput& out) override;
+  bool is_gone(std::size_t k, Time now) const;
   void replace_lost_leader(Time now, AgentOutput& out);
   void appoint(std::size_t leader, Time now, AgentOutput& out);
 

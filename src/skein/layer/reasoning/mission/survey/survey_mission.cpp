@@ -25,7 +25,8 @@ constexpr double kWorthIt = 10;           // earlier at the end, for sharing ane
 constexpr double kUntilObeyed = 0.5;      // from an order to a plan for it [s]
 constexpr double kOrderDelay =
     3;  // from a report to the order that answers it, with room [s]
-constexpr double kOnLine = 0.25;  // of the swath, from the line that one is on
+constexpr double kAlongLine = 0.9;  // cosine of the course to the line that one is on
+constexpr double kOnLine = 0.25;    // of the swath, from the line that one is on
 
 // Where an aircraft begins with what it is ordered now.
 FlightState begin_of(const NavEstimate& nav, const FlightLimits& limits, Time now) {
@@ -179,10 +180,11 @@ SurveyMission::OwnLine SurveyMission::line_of(const Aircraft& aircraft) const {
   const Vec2 here = geo::horizontal(aircraft.nav.p_N) - left[0];
   const Vec2 ahead = along / length;
   const double flown = here.dot(ahead);
-  if (flown < 0 || flown > length ||
+  const Vec2 v = geo::horizontal(aircraft.nav.v_N);
+  if (flown < 0 || flown > length || ahead.dot(v) < kAlongLine * v.norm() ||
       std::abs(geo::cross(ahead, here)) > kOnLine * options_.survey.swath)
     return {};
-  const double from = flown + kOrderDelay * geo::horizontal(aircraft.nav.v_N).norm();
+  const double from = flown + kOrderDelay * v.norm();
   if (from >= length) return {{}, true};
   return {{left[0] + from * ahead, left[1]}, false};
 }
@@ -217,7 +219,7 @@ void SurveyMission::share_anew(Time now, AgentOutput& out) {
     double duration = shares.durations[a];
     if (!first[a].empty())
       duration += (first[a][1] - geo::horizontal(who[a]->nav.p_N)).norm() /
-                  std::max(1.0, who[a]->limits.airspeed);
+                  std::max(1.0, geo::horizontal(who[a]->nav.v_N).norm());
     longest = std::max(longest, duration);
   }
   shared_ = now;

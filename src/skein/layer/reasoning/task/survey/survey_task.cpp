@@ -166,7 +166,12 @@ PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step
   FlightState here = start.state;
   double now = start.time;
   for (const SurveyLine& line : lines_->left()) {
-    FlightElement along = planning::straight(line.begin, line.end, down, air, now);
+    // On the line it goes on from where it is then.
+    const Vec2 ahead = (line.end - line.begin).normalized();
+    const double done =
+        on_line ? std::max(0.0, (geo::horizontal(here.p_N) - line.begin).dot(ahead)) : 0;
+    FlightElement along =
+        planning::straight(line.begin + done * ahead, line.end, down, air, now);
     // On the line as it is: a connection back to its begin would be a full circle.
     const FlightPlan to =
         std::exchange(on_line, false) ? FlightPlan() : lead_to(line, here, start, now);

@@ -111,6 +111,44 @@ TEST(FormationControl, ReplacesALeaderThatIsSilentForTooLong) {
   EXPECT_EQ(goal.slots[1], Vec2(-30, -30));
 }
 
+// Paused, none of them is the mission's; afterwards whoever reports first is no heir.
+TEST(FormationControl, KeepsItsLeaderThroughAPause) {
+  FormationOptions options = three(false);
+  options.leaders.resize(1);
+  FormationControl control(options);
+  for (double time = 0; time < 150; time += 1) {
+    const bool paused = time > 20 && time < 100;
+    std::vector<Message> inbox;
+    for (std::uint32_t id = 1; id <= 3; ++id) {
+      if (time == 100 && id == 1) continue;  // its report is lost
+      inbox.push_back(report(EntityId{id}, 1, nav(time, Vec3::Zero(), Vec3::Zero())));
+      std::get<AircraftReport>(inbox.back().content).obeys = !paused;
+    }
+    AgentInput in;
+    in.now = Time::from_seconds(time);
+    in.inbox = inbox;
+    AgentOutput out;
+    control.step(in, out);
+  }
+  EXPECT_EQ(control.goal_number(), 0u);
+}
+
+TEST(FormationControl, DoesNotAppointOneThatIsGone) {
+  FormationControl control(three(false));  // at 100 s aircraft 3 is to lead
+  for (double time = 0; time < 110; time += 1) {
+    const NavEstimate there = nav(time, Vec3::Zero(), Vec3::Zero());
+    std::vector<Message> inbox = {report(EntityId{1}, 1, there),
+                                  report(EntityId{2}, 1, there)};
+    if (time < 20) inbox.push_back(report(EntityId{3}, 1, there));
+    AgentInput in;
+    in.now = Time::from_seconds(time);
+    in.inbox = inbox;
+    AgentOutput out;
+    control.step(in, out);
+  }
+  EXPECT_EQ(std::get<FormationGoal>(control.goal()).leader, EntityId{1});
+}
+
 TEST(FormationControl, KeepsALeaderWhenNobodyElseIsThere) {
   FormationControl control(three(false));
   AgentOutput out;
