@@ -261,7 +261,9 @@ commands:
         const Vec2 p = geo::horizontal(row.truth.p_N);
         ASSERT_GT((p - Vec2(600, 200)).norm(), 110) << log.story();
         ASSERT_GT((p - Vec2(600, -250)).norm(), 110) << log.story();
-        if (row.time.seconds() > 150) ASSERT_LT((p - Vec2(600, 20)).norm(), 480);
+        if (row.time.seconds() > 150) {
+          ASSERT_LT((p - Vec2(600, 20)).norm(), 480);
+        }
       }
       EXPECT_LE(std::count_if(log.events.begin(), log.events.end(),
                               [](const Event& e) {
