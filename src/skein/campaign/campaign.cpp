@@ -97,6 +97,16 @@ std::string heading_of(const CampaignFigure& figure) {
   return figure.heading.empty() ? figure.figure : figure.heading;
 }
 
+// A dash where there is nothing.
+record::TableCell text_cell(bool there, std::string text) {
+  record::TableCell cell;
+  if (there)
+    cell.value = std::move(text);
+  else
+    cell.value = std::nan("");
+  return cell;
+}
+
 record::StudyTable campaign_table(const CampaignFile& file, const StudyPlan& plan,
                                   const std::vector<BatchOutcome>& outcomes) {
   record::StudyTable table;
@@ -118,14 +128,12 @@ record::StudyTable campaign_table(const CampaignFile& file, const StudyPlan& pla
                       [&](std::size_t item) { return outcomes[item].summary; }))});
     for (const CampaignFigure& figure : file.figures) {
       const MeanInterval mean = figure_of(cell, outcomes, figure.figure);
-      row.push_back(mean.count > 0 ? record::TableCell{figure_text(mean, figure.digits)}
-                                   : record::TableCell{std::nan("")});
+      row.push_back(text_cell(mean.count > 0, figure_text(mean, figure.digits)));
       if (figure.extreme == Extreme::kNone) continue;
       const FigureTally tally = tally_of(cell, outcomes, figure.figure);
       const double extreme = figure.extreme == Extreme::kLeast ? tally.min : tally.max;
-      row.push_back(tally.count > 0 ? record::TableCell{fmt::format("{:.{}f}", extreme,
-                                                                    figure.digits)}
-                                    : record::TableCell{std::nan("")});
+      row.push_back(
+          text_cell(tally.count > 0, fmt::format("{:.{}f}", extreme, figure.digits)));
     }
   }
   return table;
