@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>#include <unistd.h>
+#include <unistd.h>
+#include <array>
 
 #include <cstdlib>
 #include <fstream>
