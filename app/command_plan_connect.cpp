@@ -55,8 +55,10 @@ Result<Connected> in_space(const ReadEnds& ends, const model::AirMotion& air,
                  fmt::format("is needed: the altitudes {} and {} m differ.",
                              0.0 - ends.from.p_N.z(), 0.0 - ends.to.p_N.z()),
                  "In m/s."};
-  const model::SpaceConnection found = model::connect(
-      ends.from, ends.to, air, model::ClimbLimits{*arguments.climb, *arguments.sink});
+  const model::SpaceConnection found =
+      model::connect(ends.from, ends.to, air,
+                     model::ClimbLimits{*arguments.climb, *arguments.sink,
+                                        arguments.climb_acceleration});
   constexpr const char* kCases[] = {"low", "medium", "high"};
   const char* const altitude = kCases[static_cast<int>(found.altitude)];
   Connected result;

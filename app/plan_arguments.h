@@ -39,6 +39,7 @@ struct PlanEnds {
 /// What aircraft can do beside their setting.
 struct PlanLimits {
   double climb = 3, sink = 3;              ///< largest rates [m/s]
+  double climb_acceleration = 0;           ///< largest [m/s^2]; 0: not bounded
   std::optional<double> slowest, fastest;  ///< [m/s]; none: the airspeed
 };
 
@@ -59,6 +60,7 @@ struct PlanConnectArguments {
   PlanSetting setting;
   PlanEnds ends;
   std::optional<double> climb, sink;  ///< largest rates [m/s]; none: level
+  double climb_acceleration = 0;      ///< largest [m/s^2]; 0: not bounded
   std::optional<double> arrive;       ///< after so many seconds; none: soonest
   PlanOutput output;
   std::string batch;               ///< CSV; - = standard input; empty: one connection

@@ -214,6 +214,7 @@ Result<FlightLimits> limits_of(const PlanLimits& given, const ReadSetting& setti
   limits.turn_radius = setting.air.turn_radius;
   limits.climb_rate = given.climb;
   limits.sink_rate = given.sink;
+  limits.climb_acceleration = given.climb_acceleration;
   limits.slowest = given.slowest.value_or(limits.airspeed);
   limits.fastest = given.fastest.value_or(limits.airspeed);
   if (!(limits.slowest <= limits.airspeed))

@@ -50,6 +50,15 @@ void add_limits(CLI::App& command, PlanLimits& limits) {
       ->check(number_in(0.001, 1000.0));
   command.add_option("--sink", limits.sink, "Largest sink rate in m/s; default 3.")
       ->check(number_in(0.001, 1000.0));
+  add_climb_acceleration(command, limits.climb_acceleration);
+}
+
+void add_climb_acceleration(CLI::App& command, double& acceleration) {
+  command
+      .add_option("--climb-acceleration", acceleration,
+                  "Largest change of the climb rate in m/s^2: climbs begin and end by "
+                  "vertical turns; default: at once.")
+      ->check(number_in(0.001, 1000.0));
 }
 
 void add_speeds(CLI::App& command, PlanLimits& limits) {

@@ -13,6 +13,7 @@ namespace skein::app {
 void add_output(CLI::App& command, PlanOutput& output);
 void add_setting(CLI::App& command, PlanSetting& setting);
 void add_limits(CLI::App& command, PlanLimits& limits);
+void add_climb_acceleration(CLI::App& command, double& acceleration);
 /// --slowest and --fastest.
 void add_speeds(CLI::App& command, PlanLimits& limits);
 /// An option that is given once for each of several things.

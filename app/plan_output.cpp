@@ -54,6 +54,7 @@ Json element_json(const FlightElement& e) {
              {"turned_deg", geo::degrees(e.turn_rate * e.duration)},
              {"airspeed_mps", e.airspeed},
              {"climb_mps", e.climb_rate}};
+  if (e.climb_acceleration != 0) is["climb_mps2"] = e.climb_acceleration;
   if (e.turn_rate != 0) is["turn_radius_m"] = e.airspeed / std::abs(e.turn_rate);
   return is;
 }

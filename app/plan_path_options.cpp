@@ -48,6 +48,7 @@ CLI::App* add_connect(CLI::App& plan, PlanConnectArguments& given) {
       ->check(number_in(0.001, 1000.0));
   command.add_option("--sink", given.sink, "Largest sink rate in m/s.")
       ->check(number_in(0.001, 1000.0));
+  add_climb_acceleration(command, given.climb_acceleration);
   command
       .add_option("--arrive-s", given.arrive,
                   "A flight that takes just so many seconds instead of the quickest: a "

@@ -76,6 +76,23 @@ TEST_F(PlanConnect, ClimbsAndArrivesInTime) {
   EXPECT_NE(early.err.find("the soonest is 40 s"), std::string::npos) << early.err;
 }
 
+TEST_F(PlanConnect, ClimbsBeginAndEndByVerticalTurns) {
+  const auto climb = json_of({"--from", "0,0,0,100", "--to", "300,0,0,130", "--climb",
+                              "2", "--sink", "3", "--climb-acceleration", "1"});
+  EXPECT_NEAR(climb["time_s"], 20, 1e-8) << "15 s at 2 m/s, and 2 s for both turns";
+  const auto& elements = climb["plans"][0]["elements"];
+  ASSERT_EQ(elements.size(), 3U);
+  EXPECT_EQ(elements[0]["kind"], "vertical turn up");
+  EXPECT_EQ(elements[1]["kind"], "straight");
+  EXPECT_EQ(elements[2]["kind"], "vertical turn down");
+  EXPECT_EQ(elements[0]["climb_mps"], 0);
+  EXPECT_NEAR(elements[2]["climb_mps2"], -1, 1e-9);
+  EXPECT_NEAR(elements[2]["end"]["altitude_m"], 130, 1e-9);
+  const Finished refused =
+      connect({"--from", "0,0,0", "--to", "600,0,0", "--climb-acceleration", "-1"});
+  EXPECT_EQ(refused.status, 2);
+}
+
 TEST_F(PlanConnect, RefusesWhatCannotBe) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> errors = {
       {{"--from", "0,0,0"}, "--to: is needed"},

@@ -128,6 +128,7 @@ export interface Report {
   limits_fastest_mps: number | null; // level flight
   limits_sink_rate_mps: number | null; // largest
   limits_min_density_kg_m3: number | null; // of air that carries it; 0: any
+  limits_climb_acceleration_mps2: number | null; // largest in plans; 0: climbs begin at once
   task_number: number; // the newest order; 0: none yet
   task_state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is with its task
   obeys: boolean; // no pilot and no failsafe flies
@@ -250,9 +251,10 @@ export interface FlightElement {
   heading_deg: number | null; // at the start, through the air
   airspeed_mps: number | null; // horizontal
   turn_rate_dps: number | null; // right positive
-  climb_rate_mps: number | null; // upwards
+  climb_rate_mps: number | null; // at the start, upwards
   wind_north_mps: number | null; // that it was planned in
   wind_east_mps: number | null; // that it was planned in
+  climb_acceleration_mps2: number | null; // change of the climb rate, upwards
 }
 
 /** Fly a plan of turns and straights as it is. */

@@ -35,6 +35,7 @@ namespace unit {
 inline constexpr Unit kNone{};
 inline constexpr Unit kMetre{"_m"};
 inline constexpr Unit kMetrePerSecond{"_mps"};
+inline constexpr Unit kMetrePerSecondSquared{"_mps2"};
 inline constexpr Unit kSecond{"_s"};
 inline constexpr Unit kDegree{"_deg", 57.295779513082320877};
 inline constexpr Unit kDegreePerSecond{"_dps", 57.295779513082320877};

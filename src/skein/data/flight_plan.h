@@ -8,18 +8,20 @@
 namespace skein {
 
 /// One piece of a flight through air that moves evenly: constant airspeed, turn rate,
-/// climb rate and wind. Seen from the air mass it is a straight line, a circle or a
-/// helix, seen from the ground a turn is a trochoid. Its motion in closed form is in
+/// vertical acceleration and wind. Seen from the air mass it is a straight line, a circle
+/// or a helix, seen from the ground a turn is a trochoid; with a vertical acceleration, a
+/// *vertical turn*, its altitude is a parabola over time. Its motion in closed form is in
 /// model/path/flight_plan.h.
 struct FlightElement {
-  double start = 0;          ///< time at which it begins, on the run's clock [s]
-  double duration = 0;       ///< [s]
-  Vec3 p_N = Vec3::Zero();   ///< position at the start [m]
-  double heading = 0;        ///< at the start, of the air-relative velocity [rad]
-  double airspeed = 0;       ///< horizontal part [m/s]
-  double turn_rate = 0;      ///< positive turns right, 0 is straight [rad/s]
-  double climb_rate = 0;     ///< upwards [m/s]
-  Vec2 wind = Vec2::Zero();  ///< velocity of the air over ground [m/s]
+  double start = 0;               ///< time at which it begins, on the run's clock [s]
+  double duration = 0;            ///< [s]
+  Vec3 p_N = Vec3::Zero();        ///< position at the start [m]
+  double heading = 0;             ///< at the start, of the air-relative velocity [rad]
+  double airspeed = 0;            ///< horizontal part [m/s]
+  double turn_rate = 0;           ///< positive turns right, 0 is straight [rad/s]
+  double climb_rate = 0;          ///< at the start, upwards [m/s]
+  Vec2 wind = Vec2::Zero();       ///< velocity of the air over ground [m/s]
+  double climb_acceleration = 0;  ///< change of the climb rate, upwards [m/s^2]
 };
 
 constexpr auto describe(const FlightElement*) {
@@ -32,8 +34,10 @@ constexpr auto describe(const FlightElement*) {
       field("heading", &T::heading, unit::kDegree, "at the start, through the air"),
       field("airspeed", &T::airspeed, unit::kMetrePerSecond, "horizontal"),
       field("turn_rate", &T::turn_rate, unit::kDegreePerSecond, "right positive"),
-      field("climb_rate", &T::climb_rate, unit::kMetrePerSecond, "upwards"),
-      field("", &T::wind, axes::kWind, "that it was planned in"));
+      field("climb_rate", &T::climb_rate, unit::kMetrePerSecond, "at the start, upwards"),
+      field("", &T::wind, axes::kWind, "that it was planned in"),
+      field("climb_acceleration", &T::climb_acceleration, unit::kMetrePerSecondSquared,
+            "change of the climb rate, upwards"));
 }
 
 /// A flight in space and time: elements that join in time, position and heading. An empty

@@ -107,7 +107,8 @@ struct ErrorOf {
                         e.duration <= kMaxTime && e.p_N.allFinite() &&
                         std::isfinite(e.heading) && e.airspeed > 0 &&
                         std::isfinite(e.airspeed) && std::isfinite(e.turn_rate) &&
-                        std::isfinite(e.climb_rate) && e.wind.allFinite();
+                        std::isfinite(e.climb_rate) &&
+                        std::isfinite(e.climb_acceleration) && e.wind.allFinite();
       if (!fine) return "an element of the plan is no flight.";
     }
     return {};

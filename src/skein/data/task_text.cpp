@@ -201,7 +201,10 @@ std::string usage_of() {
           if (!points) text += " NORTH,EAST ...";
           points = true;
         } else if constexpr (std::is_same_v<M, bool>) {
-          if (!std::is_same_v<T, LandAt>) text += fmt::format(" [{}]", f.name);
+          // The word that changes what it is without one.
+          const std::string_view off = f.name == "clockwise" ? "counter" : "no-";
+          if (!std::is_same_v<T, LandAt>)
+            text += fmt::format(" [{}{}]", T{}.*f.member ? off : "", f.name);
         } else if constexpr (kIsNumber<M>) {
           std::string unit;
           if constexpr (std::is_same_v<F, Unit>)

@@ -79,6 +79,10 @@ constexpr auto describe(const VehicleState*) {
       untabled(field("held", &T::held, "by its crew, before the start")));
 }
 
+/// The change of the climb rate that plans are made with for aircraft that have a mass: a
+/// tenth of their weight more or less to be carried [m/s^2].
+inline constexpr double kClimbAcceleration = 1;
+
 /// What a vehicle can do, as planners need it.
 struct FlightLimits {
   double airspeed = 20;     ///< cruise [m/s]
@@ -89,6 +93,9 @@ struct FlightLimits {
   double sink_rate = 3;     ///< largest [m/s]
   /// Thinnest air that it can fly level in [kg/m^3]; 0 = it flies in any.
   double min_density = 0;
+  /// Largest change of the climb rate that plans are made with [m/s^2]; 0: it changes at
+  /// once.
+  double climb_acceleration = 0;
 };
 
 constexpr auto describe(const FlightLimits*) {
@@ -102,7 +109,9 @@ constexpr auto describe(const FlightLimits*) {
       field("fastest", &T::fastest, unit::kMetrePerSecond, "level flight"),
       field("sink_rate", &T::sink_rate, unit::kMetrePerSecond, "largest"),
       field("min_density", &T::min_density, unit::kKilogramPerCubicMetre,
-            "of air that carries it; 0: any"));
+            "of air that carries it; 0: any"),
+      field("climb_acceleration", &T::climb_acceleration, unit::kMetrePerSecondSquared,
+            "largest in plans; 0: climbs begin at once"));
 }
 
 /// What an autopilot's estimator believes about its own vehicle.

@@ -46,7 +46,7 @@ std::string to_csv(const Document& document, const WritingOptions& options) {
                      geo::degrees(geo::wrap_2pi(each.moment.heading)),
                      geo::degrees(geo::wrap_2pi(geo::bearing(over_ground))),
                      plan.plan[each.element].airspeed, over_ground.norm(),
-                     plan.plan[each.element].climb_rate);
+                     0.0 - each.moment.v_N.z());
     }
   }
   return text;

@@ -72,6 +72,7 @@ class GeoJsonWriter {
       is["airspeed_mps"] = e.airspeed;
       if (e.turn_rate != 0) is["turn_radius_m"] = e.airspeed / std::abs(e.turn_rate);
       is["climb_mps"] = e.climb_rate;
+      if (e.climb_acceleration != 0) is["climb_mps2"] = e.climb_acceleration;
       is["wind_north_mps"] = e.wind.x();
       is["wind_east_mps"] = e.wind.y();
       is["times_s"] = std::move(times);

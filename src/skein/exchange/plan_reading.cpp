@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMaxGap = 1;  // between elements that join [m] and [s]
+constexpr double kMaxGap = 1;           // between elements that join [m] and [s]
+constexpr double kSameAltitude = 1e-6;  // [m]
 constexpr std::size_t kMaxElements = 100'000;
 constexpr const char* kHint =
     "Write it with `skein plan ... --out FILE.geojson`, or .csv, with --origin and "
@@ -34,8 +35,8 @@ bool sensible(const FlightElement& e) {
   return below(e.start, 1e9) && e.duration > 0 && e.duration <= 1e7 &&
          e.p_N.allFinite() && e.p_N.cwiseAbs().maxCoeff() <= 1e8 &&
          std::isfinite(e.heading) && e.airspeed > 0 && below(e.airspeed, 1e4) &&
-         below(e.turn_rate, 1e3) && below(e.climb_rate, 1e3) && e.wind.allFinite() &&
-         e.wind.norm() <= 1e3;
+         below(e.turn_rate, 1e3) && below(e.climb_rate, 1e3) &&
+         below(e.climb_acceleration, 1e3) && e.wind.allFinite() && e.wind.norm() <= 1e3;
 }
 
 // Elements must be flights that join.
@@ -79,6 +80,7 @@ class GeoJsonPlan {
     e.heading = geo::radians(is.at("headings_deg").at(0).get<double>());
     e.airspeed = is.at("airspeed_mps").get<double>();
     e.climb_rate = is.at("climb_mps").get<double>();
+    e.climb_acceleration = is.value("climb_mps2", 0.0);
     e.wind = {is.at("wind_north_mps").get<double>(),
               is.at("wind_east_mps").get<double>()};
     if (is.contains("turn_radius_m")) {
@@ -118,6 +120,12 @@ constexpr std::array<std::string_view, kColumns> kNames = {
     "course_deg", "airspeed_mps", "ground_speed_mps", "climb_mps"};
 using Row = std::array<std::optional<double>, kColumns>;
 
+// What brings an element to its end's altitude; rounded altitudes are no acceleration.
+double climb_acceleration(const FlightElement& e, double end_altitude) {
+  const double missing = end_altitude + e.p_N.z() - e.climb_rate * e.duration;
+  return std::abs(missing) < kSameAltitude ? 0 : 2 * missing / (e.duration * e.duration);
+}
+
 // Rows of samples, those of an element one after the other; its end is the next row.
 FlightPlan from_rows(const std::vector<Row>& rows, const geo::LocalFrame& frame) {
   FlightPlan plan;
@@ -132,6 +140,7 @@ FlightPlan from_rows(const std::vector<Row>& rows, const geo::LocalFrame& frame)
         FlightElement& before = plan.back();
         before.duration = *row[kTime] - before.start;
         before.turn_rate = before.duration > 0 ? turned / before.duration : 0;
+        before.climb_acceleration = climb_acceleration(before, *row[kAltitude]);
         turned = 0;
       }
     }

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "skein/base/check.h"
+#include "skein/base/math.h"
 
 namespace skein::exchange {
 namespace {
 
 int pieces_of(const FlightElement& e, double tolerance, double longest) {
-  const double bend = e.airspeed * std::abs(e.turn_rate);  // [m/s^2]
+  const double bend =  // [m/s^2]
+      math::hypot(e.airspeed * e.turn_rate, e.climb_acceleration);
   const double per_second = std::max(std::sqrt(bend / (8 * tolerance)), 1 / longest);
   // A hair less, so that what divides evenly does not get one more for rounding.
   return std::max(1, static_cast<int>(std::ceil(e.duration * per_second - 1e-9)));
@@ -43,9 +45,9 @@ std::vector<FlightSample> samples(const FlightPlan& plan, double tolerance,
 }
 
 const char* kind_of(const FlightElement& element) {
-  return element.turn_rate > 0   ? "right turn"
-         : element.turn_rate < 0 ? "left turn"
-                                 : "straight";
+  if (element.turn_rate != 0) return element.turn_rate > 0 ? "right turn" : "left turn";
+  if (element.climb_acceleration == 0) return "straight";
+  return element.climb_acceleration > 0 ? "vertical turn up" : "vertical turn down";
 }
 
 }  // namespace skein::exchange

@@ -34,7 +34,8 @@ std::vector<FlightSample> samples(const FlightPlan& plan, double tolerance,
 std::vector<FlightSample> samples(const FlightElement& element, double tolerance,
                                   double longest = 1e300);
 
-/// "left turn", "right turn" or "straight".
+/// "left turn", "right turn", "straight", or without a turn to a side "vertical turn up"
+/// or "vertical turn down".
 const char* kind_of(const FlightElement& element);
 
 }  // namespace skein::exchange

@@ -3,8 +3,12 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "skein/assemble/test/whole_flight.h"
+#include "skein/exchange/formats.h"
 #include "skein/exchange/plan_reading.h"
+#include "skein/model/connection/airplane.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::assemble {
@@ -312,6 +316,38 @@ TEST(AnyTask, APlanFromAFileIsFlownAsItIs) {
     worst = std::max(worst, nearest(log, place, 30, 200));
   }
   EXPECT_LT(worst, 15);  // rows are a tenth of a second apart, and the wind is another
+}
+
+// How far a foam glider is above or below the plan of a climb at worst, as it believes.
+double worst_height(double climb_acceleration) {
+  const Vec2 wind = -4 * geo::unit(geo::radians(250));
+  const model::SpaceConnection climb =
+      model::connect({{800, 0, -80}, 0}, {{1160, 60, -120}, 0.3}, {15, 60, wind},
+                     {2.5, 2.5, climb_acceleration});
+  exchange::Document document;
+  document.plans = {{"climb", "", model::starting_at(climb.plan, 90)}};
+  document.frame = geo::LocalFrame::at({36.989, -122.0514, 0}).value();
+  document.has_altitude = true;
+  const std::string file = testing::TempDir() + "skein-climb.geojson";
+  std::ofstream(file)
+      << exchange::to_text(document, exchange::Format::kGeojson, {}).value();
+  const FlightLog log = fly_task(kPlants[2], "plan no-any_time file " + file, 130);
+  EXPECT_TRUE(says(log, "task-done")) << log.story();
+  const FlightPlan& plan = document.plans.front().plan;
+  double worst = 0;
+  for (const FlightRow& row : log.rows.at(1)) {
+    const double t = row.nav.time.seconds();
+    if (t < 90 || t > model::end_time_of(plan)) continue;
+    const double off = row.nav.p_N.z() - model::moment_at(plan, t).p_N.z();
+    worst = std::max(worst, std::abs(off));
+  }
+  return worst;
+}
+
+TEST(AnyTask, APlanWithVerticalTurnsIsFollowedMoreClosely) {
+  const double at_once = worst_height(0), by_turns = worst_height(1);
+  EXPECT_GT(at_once, 0.6);
+  EXPECT_LT(by_turns, 0.7 * at_once);
 }
 
 TEST(AnyTask, ReturnStaysAboveHomeAndLandStands) {

@@ -4,6 +4,7 @@
 
 #include "skein/exchange/formats.h"
 #include "skein/model/connection/connection.h"
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::exchange {
@@ -28,7 +29,7 @@ Document some_plan() {
     plan.insert(plan.end(), next.begin(), next.end());
     from = to;
   }
-  plan[1].climb_rate = 0;
+  plan = model::climbing(plan, -150, model::quickest_climb(40, 2, 0.8));
   document.plans = {{"aircraft 1", "", plan}, {"aircraft 2", "", {plan.front()}}};
   document.frame = frame();
   document.has_altitude = true;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "skein/model/connection/arrival.h"
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::model {
@@ -20,17 +21,6 @@ constexpr double kLongestClimb = 1e8;  // climb, in turn radii of flight
 
 Pose pose_of(const FlightState& state) {
   return {geo::horizontal(state.p_N), state.heading};
-}
-
-// The plan with altitudes: evenly from the start's to the goal's.
-FlightPlan climbing(FlightPlan plan, double from_down, double rate) {
-  double down = from_down;
-  for (FlightElement& e : plan) {
-    e.p_N.z() = down;
-    e.climb_rate = rate;
-    down -= rate * e.duration;
-  }
-  return plan;
 }
 
 // The first arrival at `time` or later; not found when it takes longer than any flight.
@@ -63,18 +53,21 @@ SpaceConnection connect(const FlightState& from, const FlightState& to,
   SpaceConnection result;
   result.time = std::numeric_limits<double>::infinity();
   const double climb = from.p_N.z() - to.p_N.z();
-  if (!std::isfinite(climb) || !(limits.climb_rate > 0) || !(limits.sink_rate > 0))
+  if (!std::isfinite(climb) || !(limits.climb_rate > 0) || !(limits.sink_rate > 0) ||
+      !(limits.acceleration >= 0))
     return result;
   const Pose start = pose_of(from), goal = pose_of(to);
   const Connection level = connect(start, goal, air);
   result.status = level.status;
   if (level.status != ConnectionStatus::kFound) return result;
 
-  const double needed = climb > 0 ? climb / limits.climb_rate : -climb / limits.sink_rate;
+  const double needed =
+      climb_time(std::abs(climb), climb > 0 ? limits.climb_rate : limits.sink_rate,
+                 limits.acceleration);
   if (needed <= level.time) {
     result.time = level.time;
-    const double rate = level.time > 0 ? climb / level.time : 0;
-    result.plan = climbing(to_flight_plan(level, start, air), from.p_N.z(), rate);
+    result.plan = climbing(to_flight_plan(level, start, air), from.p_N.z(),
+                           even_climb(climb, level.time, limits.acceleration));
     return result;
   }
   if (!(needed * air.airspeed <= kLongestClimb * air.turn_radius)) {
@@ -90,7 +83,8 @@ SpaceConnection connect(const FlightState& from, const FlightState& to,
   result.time = duration(arrival.plan);
   result.altitude =
       result.time - level.time < circle ? AltitudeCase::kMedium : AltitudeCase::kHigh;
-  result.plan = climbing(arrival.plan, from.p_N.z(), climb / result.time);
+  result.plan = climbing(arrival.plan, from.p_N.z(),
+                         even_climb(climb, result.time, limits.acceleration));
   return result;
 }
 

@@ -42,7 +42,7 @@ Vec3 position(const FlightElement& e, double t) {
   const Vec2 air = e.airspeed * t * shrink * geo::unit(e.heading + half);
   Vec3 p = e.p_N;
   p.head<2>() += air + e.wind * t;
-  p.z() -= e.climb_rate * t;
+  p.z() -= (e.climb_rate + e.climb_acceleration * t / 2) * t;
   return p;
 }
 
@@ -51,7 +51,7 @@ FlightMoment moment(const FlightElement& e, double t) {
   m.p_N = position(e, t);
   m.heading = e.heading + e.turn_rate * t;
   const Vec2 v = ground_velocity(e, t);
-  m.v_N = {v.x(), v.y(), -e.climb_rate};
+  m.v_N = {v.x(), v.y(), -(e.climb_rate + e.climb_acceleration * t)};
   return m;
 }
 

@@ -17,8 +17,8 @@ struct FlightMoment {
 ///
 ///   p(t) = p + w t + V/r (sin(h + r t) - sin h,  cos h - cos(h + r t))
 ///
-/// (north, east), p + w t + V t (cos h, sin h) without a turn. Outside of [0, duration]
-/// the element goes on.
+/// (north, east), p + w t + V t (cos h, sin h) without a turn; the altitude changes by
+/// c t + a t^2 / 2. Outside of [0, duration] the element goes on.
 FlightMoment moment(const FlightElement& element, double t);
 
 /// Position only; see `moment`.

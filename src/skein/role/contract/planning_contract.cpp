@@ -22,20 +22,23 @@ Vec3 position(const FlightElement& e, double t) {
                    radius * (math::cos(e.heading) - math::cos(to))};
   }
   const Vec2 over_ground = through_air + t * e.wind;
-  return e.p_N + Vec3(over_ground.x(), over_ground.y(), -e.climb_rate * t);
+  const double climbed = e.climb_rate * t + e.climb_acceleration * t * t / 2;
+  return e.p_N + Vec3(over_ground.x(), over_ground.y(), -climbed);
 }
 
-// An aircraft, a way to go of a few kilometres, and discs that leave both ends free.
+// An aircraft, a way to go of a few kilometres, often to another altitude, and discs that
+// leave both ends free. Some of the aircraft change their climb rate slowly.
 PathQuery some_query(RandomStream& random, Airspace& airspace) {
   PathQuery query;
   query.start.p_N << place_within(random, 2000), -120;
-  query.goal.p_N << place_within(random, 2000), -120;
+  query.goal.p_N << place_within(random, 2000), random.uniform(-250, -120);
   query.start.heading = random.uniform(-geo::kPi, geo::kPi);
   query.goal.heading = random.uniform(-geo::kPi, geo::kPi);
   query.start_time = random.uniform(0, 1000);
   query.limits.airspeed = random.uniform(12, 30);
   query.limits.turn_radius = random.uniform(30, 120);
   query.wind = place_within(random, 5);
+  if (random.uniform() < 0.5) query.limits.climb_acceleration = random.uniform(0.3, 3);
   query.budget.expansions = 3000;
   for (int k = 0; k < 4; ++k) {
     const Disc disc{place_within(random, 1500), random.uniform(50, 250)};
@@ -61,10 +64,20 @@ void check_plan(const PathQuery& query, const PlannedPath& path, Checks& checks)
   const FlightElement& last = plan.back();
   checks.expect((position(last, last.duration) - query.goal.p_N).norm() < kJoint,
                 "a plan does not end at the goal");
-  double duration = 0;
+  double duration = 0, climb_rate = 0;
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const FlightElement& e = plan[i];
     duration += e.duration;
+    const bool smooth = query.limits.climb_acceleration == 0 ||
+                        std::abs(e.climb_rate - climb_rate) < kJoint;
+    checks.expect(smooth, "a plan's climb rate jumps");
+    climb_rate = e.climb_rate + e.climb_acceleration * e.duration;
+    checks.expect(
+        std::abs(e.climb_acceleration) <= query.limits.climb_acceleration * (1 + 1e-9),
+        "a plan's climb rate changes faster than the aircraft's can");
+    checks.expect(e.climb_rate <= query.limits.climb_rate * (1 + 1e-9) &&
+                      -e.climb_rate <= query.limits.sink_rate * (1 + 1e-9),
+                  "a plan climbs or sinks faster than the aircraft can");
     checks.expect(e.duration >= 0 && e.p_N.allFinite(), "a plan has odd elements");
     checks.expect(std::abs(e.turn_rate) * query.limits.turn_radius <=
                       query.limits.airspeed * (1 + 1e-9),
@@ -80,6 +93,8 @@ void check_plan(const PathQuery& query, const PlannedPath& path, Checks& checks)
                       "a plan leads through a zone");
       }
   }
+  checks.expect(query.limits.climb_acceleration == 0 || std::abs(climb_rate) < kJoint,
+                "a plan does not end level");
   checks.expect(std::abs(duration - path.duration) < 1e-6 * (1 + duration),
                 "duration is not that of the plan");
   checks.expect(path.bound <= path.duration * (1 + 1e-9),

@@ -186,6 +186,7 @@ FixedWingPlant::FixedWingPlant(const FixedWingParameters& parameters)
   limits_.slowest = airframe_.slowest;
   limits_.fastest = airframe_.fastest;
   limits_.min_density = min_density(model_);
+  limits_.climb_acceleration = kClimbAcceleration;
 }
 
 VehicleState FixedWingPlant::start(const VehicleStart& start) const {

@@ -57,7 +57,8 @@ FlightLimits MultirotorPlant::limits() const {
           0,
           p.fastest,
           p.sink_rate,
-          kHoverReserve * loaded / full_thrust * kRotorDensity};
+          kHoverReserve * loaded / full_thrust * kRotorDensity,
+          kClimbAcceleration};
 }
 
 Airframe MultirotorPlant::airframe() const {

@@ -68,7 +68,8 @@ FlightLimits PerformancePlant::limits() const {
           p.slowest,
           p.fastest,
           std::min(p.sink_rate, sink),
-          min_density()};
+          min_density(),
+          kClimbAcceleration};
 }
 
 // K = 1 / (pi e b^2 / S): the induced drag gives the span.

@@ -112,12 +112,23 @@ TEST(Airplane, ReachesEverythingWhileTheWindIsWeaker) {
                            q.from.course};
     const FlightState to{{q.to.position.x(), q.to.position.y(), -500 - climb},
                          q.to.course};
-    const SpaceConnection c = connect(from, to, q.air, {2, 4});
+    const double acceleration = i % 3 == 0 ? 0 : 1;
+    const SpaceConnection c = connect(from, to, q.air, {2, 4, acceleration});
     ASSERT_EQ(c.status, ConnectionStatus::kFound) << i;
     EXPECT_GE(c.time, connect(q.from, q.to, q.air).time);
     if (c.plan.empty()) continue;
     expect_flyable(c.plan, q.from, q.air);
     EXPECT_LT((end_of(c.plan.back()).p_N - to.p_N).norm(), 1e-5) << i;
+    double rate = 0;
+    for (const FlightElement& e : c.plan) {
+      EXPECT_LE(e.climb_rate, 2 + 1e-9);
+      EXPECT_GE(e.climb_rate, -4 - 1e-9);
+      if (acceleration == 0) continue;
+      EXPECT_NEAR(e.climb_rate, rate, 1e-6) << i;
+      EXPECT_LE(std::abs(e.climb_acceleration), 1 + 1e-9);
+      rate = -end_of(e).v_N.z();
+    }
+    EXPECT_NEAR(rate, 0, 1e-6) << i;
   }
 }
 
@@ -137,6 +148,7 @@ TEST(Airplane, RefusesWhatIsNoRate) {
   const FlightState a{{0, 0, -100}, 0}, b{{500, 0, -120}, 0};
   EXPECT_EQ(connect(a, b, AirMotion{}, {0, 3}).status, ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(a, b, AirMotion{}, {3, -1}).status, ConnectionStatus::kBadInput);
+  EXPECT_EQ(connect(a, b, AirMotion{}, {3, 3, -1}).status, ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(a, {{500, 0, std::nan("")}, 0}, AirMotion{}, {}).status,
             ConnectionStatus::kBadInput);
   EXPECT_EQ(connect(a, {{500, 0, -1e300}, 0}, AirMotion{}, {}).status,

@@ -392,6 +392,7 @@ struct Crow final : PathPlanner {
     straight.heading = query.start.heading;
     straight.airspeed = query.limits.airspeed;
     straight.duration = line.norm() / straight.airspeed;
+    straight.climb_rate = (query.start.p_N.z() - query.goal.p_N.z()) / straight.duration;
     straight.wind =
         line / straight.duration - straight.airspeed * geo::unit(straight.heading);
     path.outcome = PlanningOutcome::kFound;
@@ -406,7 +407,8 @@ TEST(PlannerContract, FindsEachBreach) {
   for (const char* rule :
        {"a plan leads through a zone", "a query without numbers is not refused",
         "it plans in wind that no aircraft can fly against",
-        "a start inside a zone is not reported"})
+        "a start inside a zone is not reported", "a plan's climb rate jumps",
+        "a plan does not end level"})
     EXPECT_EQ(std::count(found.begin(), found.end(), rule), 1) << rule;
   EXPECT_EQ(std::count(found.begin(), found.end(), "a plan does not end at the goal"), 0);
 }

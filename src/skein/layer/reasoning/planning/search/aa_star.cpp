@@ -111,10 +111,8 @@ bool Planning::fly_exactly(const Detour& detour) {
     if (arc.turned > 0 && arc.obstacle.radius < query_.limits.turn_radius * (1 - 1e-12))
       return false;
   FlightPlan plan = fly_detour(detour, query_);
-  for (const FlightElement& e : plan)
-    if (e.climb_rate > query_.limits.climb_rate * (1 + 1e-9) ||
-        -e.climb_rate > query_.limits.sink_rate * (1 + 1e-9))
-      return false;
+  const double climb = query_.start.p_N.z() - query_.goal.p_N.z();
+  if (climb_time(climb, query_.limits) > model::duration(plan) * (1 + 1e-9)) return false;
   if (!map_.is_free(plan)) return false;
   take(std::move(plan));
   return true;

@@ -95,7 +95,8 @@ double AirspaceMap::ground_contact(const FlightElement& e) const {
   if (query_.terrain == nullptr) return -1;
   const double speed = e.airspeed + e.wind.norm();
   // The margin shrinks no faster than this.
-  const double closing = kSteepest * speed + std::max(0.0, -e.climb_rate);
+  const double climb_at_end = e.climb_rate + e.climb_acceleration * e.duration;
+  const double closing = kSteepest * speed - std::min({0.0, e.climb_rate, climb_at_end});
   double t = 0;
   while (true) {
     const Vec3 p = model::position(e, t);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -131,13 +132,10 @@ FlightPlan fly_detour(const Detour& detour, const PathQuery& query) {
                           arc.obstacle.centre + arc.side * r * out;
     add(straight.norm() / e.airspeed, 0);
   }
-  const double whole = model::duration(plan);
-  const double climb = whole > 0 ? (query.start.p_N.z() - query.goal.p_N.z()) / whole : 0;
-  for (FlightElement& piece : plan) {
-    piece.climb_rate = climb;
-    piece.p_N.z() = query.start.p_N.z() - climb * (piece.start - query.start_time);
-  }
-  return plan;
+  const double climb = query.start.p_N.z() - query.goal.p_N.z();
+  return model::climbing(
+      plan, query.start.p_N.z(),
+      model::even_climb(climb, model::duration(plan), query.limits.climb_acceleration));
 }
 
 }  // namespace skein::planning

@@ -5,6 +5,7 @@
 
 #include "skein/base/check.h"
 #include "skein/base/math.h"
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -15,11 +16,13 @@ constexpr double kMaxTurns = 10'000;
 // much.
 constexpr double kMinWait = 1.0 / 4096;
 
-double climb_time(double height, const FlightLimits& limits) {
-  return height > 0 ? height / limits.climb_rate : -height / limits.sink_rate;
-}
-
 }  // namespace
+
+double climb_time(double climb, const FlightLimits& limits) {
+  return model::climb_time(std::abs(climb),
+                           climb > 0 ? limits.climb_rate : limits.sink_rate,
+                           limits.climb_acceleration);
+}
 
 model::AirMotion air_of(const PathQuery& query) {
   return {query.limits.airspeed, query.limits.turn_radius, query.wind};
@@ -32,10 +35,10 @@ double full_turn(const PathQuery& query) {
 Link link(const FlightState& from, const FlightState& to, const PathQuery& query,
           double wait) {
   const model::AirMotion air = air_of(query);
-  const double height = from.p_N.z() - to.p_N.z();
-  const double needed = height == 0 ? 0 : climb_time(height, query.limits);
-  const model::Pose begin{geo::horizontal(from.p_N), from.heading};
   Link out;
+  out.climb = from.p_N.z() - to.p_N.z();
+  const double needed = climb_time(out.climb, query.limits);
+  const model::Pose begin{geo::horizontal(from.p_N), from.heading};
   out.wait = wait;
   const auto connect_after_wait = [&] {
     const Vec2 goal = geo::horizontal(to.p_N) - query.wind * out.wait;
@@ -53,12 +56,11 @@ Link link(const FlightState& from, const FlightState& to, const PathQuery& query
     connect_after_wait();
     if (out.wait > kMaxTurns * turn) out.duration = math::kInfinity;
   }
-  out.climb_rate = height == 0 ? 0 : height / out.duration;
   return out;
 }
 
 FlightElement loiter(const FlightState& from, double start, double time,
-                     double climb_rate, const PathQuery& query) {
+                     const PathQuery& query) {
   const int turns = static_cast<int>(std::floor(time / full_turn(query) + 1e-9));
   SKEIN_CHECK(turns >= 1, time);
   return {start,
@@ -67,7 +69,7 @@ FlightElement loiter(const FlightState& from, double start, double time,
           from.heading,
           query.limits.airspeed,
           2 * geo::kPi * turns / time,
-          climb_rate,
+          0,
           query.wind};
 }
 
@@ -76,23 +78,19 @@ FlightPlan to_flight_plan(const Link& link, const FlightState& from, double star
   FlightPlan plan;
   FlightState begin = from;
   if (link.wait > 0) {
-    plan.push_back(loiter(from, start, link.wait, link.climb_rate, query));
+    plan.push_back(loiter(from, start, link.wait, query));
     begin = state_after(plan);
     begin.heading = from.heading;
     start += plan.back().duration;
   }
   const model::Pose pose{geo::horizontal(begin.p_N), begin.heading};
-  FlightPlan rest =
+  const FlightPlan rest =
       model::to_flight_plan(link.connection, pose, air_of(query), start, begin.p_N.z());
-  double z = begin.p_N.z();
-  for (FlightElement& e : rest) {
-    e.p_N.z() = z;
-    e.climb_rate = link.climb_rate;
-    z -= e.climb_rate * e.duration;
-  }
-  if (plan.empty()) return rest;
   plan.insert(plan.end(), rest.begin(), rest.end());
-  return plan;
+  if (link.climb == 0) return plan;
+  return model::climbing(
+      plan, from.p_N.z(),
+      model::even_climb(link.climb, link.duration, query.limits.climb_acceleration));
 }
 
 bool is_exact(const Link& link) {
@@ -101,8 +99,7 @@ bool is_exact(const Link& link) {
 
 double min_time(const Link& link, const FlightState& from, const FlightState& to,
                 const PathQuery& query) {
-  const double height = from.p_N.z() - to.p_N.z();
-  const double climb = height == 0 ? 0 : climb_time(height, query.limits);
+  const double climb = climb_time(link.climb, query.limits);
   const bool exact = is_exact(link);
   if (exact) return std::max(link.connection.time, climb);
   const double fastest = query.limits.airspeed + query.wind.norm();

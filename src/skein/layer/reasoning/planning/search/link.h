@@ -6,12 +6,13 @@
 namespace skein::planning {
 
 /// The path from one flight state to another with nothing in between: the exact
-/// connection in wind, climbed or sunk evenly; where that is too steep, full turns come
+/// connection in wind, climbed or sunk evenly, with vertical turns at its begin and end
+/// if the climb's acceleration is bounded; where that is too steep, full turns come
 /// first, as wide as the time needed makes them.
 struct Link {
   model::Connection connection;  ///< after the wait
   double wait = 0;               ///< of the full turns that come first [s]
-  double climb_rate = 0;         ///< [m/s]
+  double climb = 0;              ///< upwards [m]
   double duration = 0;           ///< with the wait [s]; infinite if there is none
 };
 
@@ -26,10 +27,14 @@ Link link(const FlightState& from, const FlightState& to, const PathQuery& query
 FlightPlan to_flight_plan(const Link& link, const FlightState& from, double start,
                           const PathQuery& query);
 
-/// The same state later, carried on by full turns that take `time` [s]: one element.
+/// The least time for a climb, upwards positive, within the limits [s].
+double climb_time(double climb, const FlightLimits& limits);
+
+/// The same state later, carried on by level full turns that take `time` [s]: one
+/// element.
 /// Fails: Bug when the time is less than one full turn takes.
 FlightElement loiter(const FlightState& from, double start, double time,
-                     double climb_rate, const PathQuery& query);
+                     const PathQuery& query);
 /// The duration of one full turn [s].
 double full_turn(const PathQuery& query);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "skein/base/math.h"
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -59,7 +60,8 @@ class Search {
   double step_at(const FlightState& s, double time) const;
   Cell cell_of(const FlightState& s, double time, double step) const;
   void expand(std::int32_t index);
-  void consider(const FlightElement& manoeuvre, std::int32_t parent, double wait);
+  void consider(const FlightPlan& manoeuvre, std::int32_t parent, double wait);
+  FlightPlan climbing(const FlightElement& level, double rate) const;
   void smooth(State& state) const;
   void finish(std::int32_t index, const Link& to_goal);
   Trajectory trajectory_to(std::int32_t index) const;
@@ -167,10 +169,9 @@ Trajectory Search::trajectory_to(std::int32_t index) const {
   return *make_trajectory(std::move(waypoints), query_);
 }
 
-void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, double wait) {
+void Search::consider(const FlightPlan& manoeuvre, std::int32_t parent, double wait) {
   budget_.spend();
-  State next{state_after(manoeuvre), manoeuvre.start + manoeuvre.duration, 0, parent,
-             wait};
+  State next{state_after(manoeuvre), model::end_time_of(manoeuvre), 0, parent, wait};
   Link to_goal = link(next.at, query_.goal, query_);
   double min = min_time(to_goal, next.at, query_.goal, query_);
   if (next.time + min >= best_ * kPrune) return;
@@ -193,6 +194,18 @@ void Search::consider(const FlightElement& manoeuvre, std::int32_t parent, doubl
   open_.push({next.time + round_.heuristic_weight * min, index});
 }
 
+// The manoeuvre as high as it can climb with at most a rate, beginning and ending level
+// where the vertical acceleration is bounded.
+FlightPlan Search::climbing(const FlightElement& level, double rate) const {
+  if (rate == 0) return {level};
+  const double a = query_.limits.climb_acceleration;
+  const double ramp = a > 0 ? std::min(std::abs(rate) / a, level.duration / 2) : 0;
+  const double reached = a > 0 ? std::copysign(a * ramp, rate) : rate;
+  const double climb = reached * (level.duration - ramp);
+  return model::climbing({level}, level.p_N.z(),
+                         model::even_climb(climb, level.duration, a));
+}
+
 void Search::expand(std::int32_t index) {
   const State from = states_[static_cast<std::size_t>(index)];
   const FlightLimits& limits = query_.limits;
@@ -206,9 +219,8 @@ void Search::expand(std::int32_t index) {
     e.heading = from.at.heading;
     e.airspeed = limits.airspeed;
     e.turn_rate = rate;
-    e.climb_rate = climb;
     e.wind = query_.wind;
-    consider(e, index, wait);
+    consider(climbing(e, climb), index, wait);
   };
   const double straight = from.step / limits.airspeed;
   const double turn = std::min(straight, kMaxTurn / turn_rate);

@@ -41,8 +41,9 @@ double flight_gap(const Obstacle& o, const FlightElement& e, const Span& span,
   const double last = whole > 0 ? (when.end - o.time) / whole : 1;
   const double z0 = between(o.altitude_a, o.altitude_b, first);
   const double z1 = between(o.altitude_a, o.altitude_b, last);
-  const double above = -std::max(p.z(), q.z()) - std::max(z0, z1) - o.height;
-  const double below = std::min(z0, z1) - o.height + std::min(p.z(), q.z());
+  const double room = o.height + vertical_chord_error(e, span.end - span.begin);
+  const double above = -std::max(p.z(), q.z()) - std::max(z0, z1) - room;
+  const double below = std::min(z0, z1) - room + std::min(p.z(), q.z());
   if (above > 0 || below > 0) return math::kInfinity;
   return distance(geo::horizontal(p), geo::horizontal(q), between(o.a, o.b, first),
                   between(o.a, o.b, last)) -

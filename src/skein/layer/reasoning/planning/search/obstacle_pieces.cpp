@@ -118,7 +118,8 @@ void add_pieces(const MovingObstacle& mover, std::int32_t index, Pieces& pieces)
 
 void add_pieces(const PlannedFlight& flight, std::int32_t index, Pieces& pieces) {
   for (const FlightElement& e : flight.plan) {
-    const double bend = e.airspeed * std::abs(e.turn_rate);
+    const double bend =
+        std::max(e.airspeed * std::abs(e.turn_rate), std::abs(e.climb_acceleration));
     double max = kPieceTime;
     if (bend > 0) max = std::min(max, std::sqrt(8 * kPieceError / bend));
     const double requested = std::clamp(std::ceil(e.duration / max), 1.0, kMaxPieces);
@@ -134,7 +135,7 @@ void add_pieces(const PlannedFlight& flight, std::int32_t index, Pieces& pieces)
       o.radius = flight.zone.across + chord_error(e, h);
       o.altitude_a = -a.z();
       o.altitude_b = -b.z();
-      o.height = flight.height;
+      o.height = flight.height + vertical_chord_error(e, h);
       o.low = std::min(o.altitude_a, o.altitude_b) - o.height;
       o.high = std::max(o.altitude_a, o.altitude_b) + o.height;
       o.time = e.start + i * h;

@@ -79,7 +79,8 @@ std::string problem_of(const PlannedFlight& f) {
     const bool finite = std::isfinite(e.start) && std::isfinite(e.duration) &&
                         e.p_N.allFinite() && std::isfinite(e.heading) &&
                         std::isfinite(e.airspeed) && std::isfinite(e.turn_rate) &&
-                        std::isfinite(e.climb_rate) && e.wind.allFinite();
+                        std::isfinite(e.climb_rate) &&
+                        std::isfinite(e.climb_acceleration) && e.wind.allFinite();
     if (!finite || e.duration < 0)
       return fmt::format("has an element {} that is not finite or ends before it begins",
                          i);
@@ -136,6 +137,7 @@ std::string problem_of_limits(const PathQuery& q) {
       out_of({0.01, 1e6}, q.limits.turn_radius, "turn radius in m"),
       out_of({1e-3, 1e4}, q.limits.climb_rate, "climb rate in m/s"),
       out_of({1e-3, 1e4}, q.limits.sink_rate, "sink rate in m/s"),
+      out_of({0, 1e4}, q.limits.climb_acceleration, "vertical acceleration in m/s^2"),
       out_of({0, 1e5}, q.ground_clearance, "ground clearance in m")};
   for (const std::string& problem : limits)
     if (!problem.empty()) return problem;

@@ -211,6 +211,7 @@ FlightPlan part_of(const FlightPlan& plan, double from, double until) {
     piece.duration = end - begin;
     piece.p_N = m.p_N;
     piece.heading = m.heading;
+    piece.climb_rate = -m.v_N.z();
     out.push_back(piece);
   }
   return out;

@@ -1,6 +1,7 @@
 #include "skein/layer/reasoning/planning/search/sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "skein/base/math.h"
@@ -55,6 +56,10 @@ double chord_error(const FlightElement& e, double h) {
   return e.airspeed * std::abs(e.turn_rate) * h * h / 8;
 }
 
+double vertical_chord_error(const FlightElement& e, double h) {
+  return std::abs(e.climb_acceleration) * h * h / 8;
+}
+
 Box box_of(const FlightElement& e) {
   const Vec3 end = model::position(e, e.duration);
   const double turned = std::abs(e.turn_rate) * e.duration;
@@ -78,13 +83,53 @@ Box box_of(const FlightElement& e) {
   }
   box.low[2] = -std::max(e.p_N.z(), end.z());
   box.high[2] = -std::min(e.p_N.z(), end.z());
+  if (e.climb_acceleration != 0) {
+    const double level = -e.climb_rate / e.climb_acceleration;  // when it is
+    const double there = -model::position(e, std::clamp(level, 0.0, e.duration)).z();
+    box.low[2] = std::min(box.low[2], there);
+    box.high[2] = std::max(box.high[2], there);
+  }
   box.low[3] = e.start;
   box.high[3] = e.start + e.duration;
   return box;
 }
 
+namespace {
+
+// Times at which a + b t + c t^2 is 0; infinite where there are none.
+std::array<double, 2> zeros(double a, double b, double c) {
+  const double inner = b * b - 4 * a * c;
+  if (!(inner >= 0) || !std::isfinite(inner)) return {math::kInfinity, math::kInfinity};
+  const double q = -(b + std::copysign(std::sqrt(inner), b)) / 2;
+  return {q / c, q != 0 ? a / q : 0.0};
+}
+
+// With a vertical acceleration: between two passages of the range's ends the element is
+// either within or not.
+Span within_parabola(const FlightElement& e, double low, double high, double climb) {
+  const double altitude = -e.p_N.z(), half = e.climb_acceleration / 2;
+  const auto from_low = zeros(altitude - low, climb, half);
+  const auto from_high = zeros(altitude - high, climb, half);
+  std::array<double, 6> times = {
+      0, from_low[0], from_low[1], from_high[0], from_high[1], e.duration};
+  for (double& t : times) t = std::clamp(t, 0.0, e.duration);
+  std::sort(times.begin(), times.end());
+  Span span{1, 0};
+  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+    const double middle = (times[k] + times[k + 1]) / 2;
+    const double at = altitude + (climb + half * middle) * middle;
+    if (at < low || at > high) continue;
+    if (span.empty()) span.begin = times[k];
+    span.end = times[k + 1];
+  }
+  return span;
+}
+
+}  // namespace
+
 Span within_altitudes(const FlightElement& e, double low, double high, double rate) {
   const double altitude = -e.p_N.z(), climb = e.climb_rate - rate;
+  if (e.climb_acceleration != 0) return within_parabola(e, low, high, climb);
   if (climb == 0) {
     if (altitude < low || altitude > high) return {1, 0};
     return {-math::kInfinity, math::kInfinity};

@@ -22,15 +22,17 @@ double distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 /// exact. Valid: without wind.
 double distance_without_wind(const Vec2& p, const FlightElement& e, const Span& after);
 
-/// How far an element's path may be from its chord over a time h [m]: the acceleration,
+/// How far an element's path may be beside its chord over a time h [m]: the acceleration,
 /// which is V r everywhere, times h^2 / 8.
 double chord_error(const FlightElement& e, double h);
+/// The same above or below it [m].
+double vertical_chord_error(const FlightElement& e, double h);
 
 /// A box around all of an element, tight for straights.
 Box box_of(const FlightElement& e);
 
-/// Times after the element's start at which its altitude is within a range. The altitude
-/// of the range's ends may grow at `rate` [m/s].
+/// The first and the last time after the element's start, while it lasts, at which its
+/// altitude is within a range. The altitude of the range's ends may grow at `rate` [m/s].
 Span within_altitudes(const FlightElement& e, double low, double high, double rate = 0);
 
 /// Chords nearer to their curve than this decide [m].

@@ -6,8 +6,8 @@
 namespace skein::planning {
 
 /// Gives a level plan an altitude that begins at `from_down` and changes as fast as it
-/// may until it is `to_down` (values of p_N.z() [m]); the horizontal motion stays. An
-/// element within which the altitude is reached is divided.
+/// may until it is `to_down` (values of p_N.z() [m]); the horizontal motion stays.
+/// Elements are divided where the climb rate changes.
 /// @returns  false when the plan ends before.
 bool climb_along(FlightPlan& plan, double from_down, double to_down,
                  const FlightLimits& limits);

@@ -26,8 +26,9 @@ FlightPlan join(const FlightState& from, const FlightState& to,
     return model::to_flight_plan(model::connect(begin, pose_of(to), air), begin, air,
                                  start, from.p_N.z());
   }
-  return model::starting_at(
-      model::connect(from, to, air, {limits.climb_rate, limits.sink_rate}).plan, start);
+  const model::ClimbLimits climb{limits.climb_rate, limits.sink_rate,
+                                 limits.climb_acceleration};
+  return model::starting_at(model::connect(from, to, air, climb).plan, start);
 }
 
 FlightElement straight(const Vec2& from, const Vec2& to, double down,

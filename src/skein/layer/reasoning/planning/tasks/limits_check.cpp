@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "skein/model/path/climb_profile.h"
+
 namespace skein::planning {
 
 bool on_map(const Vec2& p) {
@@ -30,6 +32,8 @@ std::string limits_error(const FlightLimits& limits) {
   if (!(std::isfinite(limits.climb_rate) && limits.climb_rate >= 0) ||
       !(std::isfinite(limits.sink_rate) && limits.sink_rate >= 0))
     return "climb and sink rate must be at least 0";
+  if (!(std::isfinite(limits.climb_acceleration) && limits.climb_acceleration >= 0))
+    return "the climb's acceleration must be at least 0";
   return {};
 }
 
@@ -45,7 +49,9 @@ std::string speeds_error(const FlightLimits& limits) {
 std::string climb_error(double climb, const FlightLimits& limits) {
   if (std::abs(climb) < 1e-9) return {};
   const double rate = climb > 0 ? limits.climb_rate : limits.sink_rate;
-  if (rate > 0 && std::abs(climb) / rate <= kLongestFlight) return {};
+  if (model::climb_time(std::abs(climb), rate, limits.climb_acceleration) <=
+      kLongestFlight)
+    return {};
   return fmt::format("a climb of {:.1f} m cannot be flown at {:.3g} m/s", climb, rate);
 }
 

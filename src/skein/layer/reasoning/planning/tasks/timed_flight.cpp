@@ -8,6 +8,7 @@
 #include "skein/layer/reasoning/planning/tasks/join.h"
 #include "skein/layer/reasoning/planning/tasks/standoff.h"
 #include "skein/model/connection/arrival.h"
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -34,7 +35,7 @@ double climb_time(const TimedLeg& leg) {
   const double climb = climb_of(leg);
   if (std::abs(climb) < 1e-9) return 0;
   const double rate = climb > 0 ? leg.limits.climb_rate : leg.limits.sink_rate;
-  return rate > 0 ? std::abs(climb) / rate : kNever;
+  return model::climb_time(std::abs(climb), rate, leg.limits.climb_acceleration);
 }
 
 // Allowed airspeeds from cruise to the slowest or the fastest.
@@ -90,14 +91,11 @@ Quickest quickest_of_all(const TimedLeg& leg) {
 
 FlightPlan finished(const TimedLeg& leg, FlightPlan plan) {
   plan = model::starting_at(std::move(plan), leg.start);
-  const double duration = model::duration(plan);
-  const double climb = climb_of(leg);
-  const bool level = std::abs(climb) < 1e-9 || duration <= 0;
-  for (FlightElement& e : plan) {
-    e.climb_rate = level ? 0 : climb / duration;
-    e.p_N.z() = leg.from.p_N.z() - e.climb_rate * (e.start - leg.start);
-  }
-  return plan;
+  double climb = climb_of(leg);
+  if (std::abs(climb) < 1e-9) climb = 0;
+  return model::climbing(
+      plan, leg.from.p_N.z(),
+      model::even_climb(climb, model::duration(plan), leg.limits.climb_acceleration));
 }
 
 bool take(const TimedLeg& leg, double airspeed, FlightPlan plan, TimedFlight& flight) {

@@ -1,5 +1,7 @@
 #include "skein/layer/reasoning/task/plan/plan_task.h"
 
+#include <cmath>
+
 #include "skein/layer/reasoning/planning/tasks/join.h"
 #include "skein/layer/reasoning/planning/tasks/timed_flight.h"
 #include "skein/model/path/flight_plan.h"
@@ -13,6 +15,26 @@ PlannedTaskOptions as_it_is() {
   options.over_ground = false;
   options.for_wind = false;
   return options;
+}
+
+constexpr int kAirspeeds = 8;        // that are tried until one is kept
+constexpr double kSameSpeed = 1e-3;  // [m/s]
+
+// To a place at a time, or as soon after as can be, with a course over ground there: the
+// heading for it depends on the airspeed, which is known only with the way.
+FlightPlan way_in_time(planning::TimedLeg leg, double course, double time) {
+  planning::TimedFlight flight;
+  double airspeed = leg.limits.airspeed;
+  for (int i = 0; i < kAirspeeds; ++i) {
+    flight = planning::arrive_at(leg, time);
+    if (flight.status == planning::TimedStatus::kGap)
+      flight = planning::arrive_at(leg, flight.next);
+    if (flight.plan.empty() || std::abs(flight.airspeed - airspeed) < kSameSpeed) break;
+    airspeed = flight.airspeed;
+    leg.to.heading =
+        model::heading_for_course(course, airspeed, leg.wind).value_or(leg.to.heading);
+  }
+  return flight.plan;
 }
 
 }  // namespace
@@ -43,12 +65,12 @@ PlannedTask::Part PlanTask::plan_part(const Start& start, const TaskStep&) {
     part.why_not = "there is no path to the start of the plan in this wind";
     return part;
   }
-  if (!order_.any_time && model::start_of(rest) > start.time) {
-    planning::TimedLeg leg{start.state,  begin,      start.time,
-                           start.limits, start.wind, true};
-    planning::TimedFlight timed = planning::arrive_at(leg, model::start_of(rest));
-    if (!timed.plan.empty()) part.plan = std::move(timed.plan);
-  }
+  if (!order_.any_time && model::start_of(rest) > start.time)
+    if (FlightPlan timed =
+            way_in_time({start.state, begin, start.time, start.limits, start.wind, true},
+                        course, model::start_of(rest));
+        !timed.empty())
+      part.plan = std::move(timed);
   const double at = part.plan.empty() ? start.time : model::end_time_of(part.plan);
   rest = model::starting_at(std::move(rest), at);
   on_it_ = false;

@@ -5,7 +5,8 @@
 namespace skein::reasoning {
 
 /// Flies a plan as it is, altitudes included: by the quickest path to its start, there
-/// when the plan says or, where any time will do, as soon as it can.
+/// when the plan says, or as soon after as can be; where any time will do, as soon as it
+/// can.
 class PlanTask final : public PlannedTask {
  public:
   PlanTask(const FlightContext& context, const FlyPlan& order);

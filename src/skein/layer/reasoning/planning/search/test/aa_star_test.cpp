@@ -47,11 +47,15 @@ void expect_valid(const PathQuery& q, const PlannedPath& path) {
   if (q.airspace != nullptr) {
     EXPECT_LE(test::depth(*q.airspace, path.plan, 0.05), 0.1);
   }
+  if (q.limits.climb_acceleration > 0) {
+    EXPECT_LT(test::climb_jump(path.plan), 1e-6);
+  }
   const double rate = q.limits.airspeed / q.limits.turn_radius;
   for (const FlightElement& e : path.plan) {
     EXPECT_LE(std::abs(e.turn_rate), rate * (1 + 1e-9));
     EXPECT_LE(e.climb_rate, q.limits.climb_rate * (1 + 1e-9));
     EXPECT_GE(e.climb_rate, -q.limits.sink_rate * (1 + 1e-9));
+    EXPECT_LE(std::abs(e.climb_acceleration), q.limits.climb_acceleration * (1 + 1e-9));
     EXPECT_EQ(e.airspeed, q.limits.airspeed);
     EXPECT_EQ(e.wind, q.wind);
     for (int i = 0; i <= 100; ++i) {
@@ -167,11 +171,15 @@ TEST(AaStar, FliesOverARidgeWithinItsClimb) {
   PathQuery q = query_over(3000);
   q.terrain = &ridge;
   q.ground_clearance = 50;
-  const PlannedPath path = AaStar().plan(q);
-  expect_valid(q, path);
-  // Up to 450 m at 3 m/s and down again.
-  EXPECT_GE(path.duration, 2 * 350 / 3.0 - 1);
-  EXPECT_LE(path.duration, 1.15 * 2 * 350 / 3.0);
+  // Up to 450 m at 3 m/s and down again, also with vertical turns.
+  for (const double acceleration : {0.0, 1.0}) {
+    SCOPED_TRACE(acceleration);
+    q.limits.climb_acceleration = acceleration;
+    const PlannedPath path = AaStar().plan(q);
+    expect_valid(q, path);
+    EXPECT_GE(path.duration, 2 * 350 / 3.0 - 1);
+    EXPECT_LE(path.duration, 1.15 * 2 * 350 / 3.0);
+  }
 }
 
 TEST(AaStar, PassesUnderAZoneWithAFloor) {
@@ -181,9 +189,13 @@ TEST(AaStar, PassesUnderAZoneWithAFloor) {
   airspace.zones.back().floor_msl = 80;
   PathQuery q = query_over(2000);
   q.airspace = &airspace;
-  const PlannedPath path = AaStar().plan(q);
-  expect_valid(q, path);
-  EXPECT_LE(path.duration, 101);  // 100 s straight on, sinking costs nothing
+  for (const double acceleration : {0.0, 0.5, 2.0}) {
+    SCOPED_TRACE(acceleration);
+    q.limits.climb_acceleration = acceleration;
+    const PlannedPath path = AaStar().plan(q);
+    expect_valid(q, path);
+    EXPECT_LE(path.duration, 101);  // 100 s straight on, sinking costs nothing
+  }
 }
 
 TEST(AaStar, WaitsForAZoneToEndOrGoesAround) {

@@ -124,25 +124,32 @@ TEST(GroundSpeed, OfArcsIsTheSumOfShortStraights) {
 
 TEST(Links, ClimbInJustTheTimeNeeded) {
   PathQuery q;
-  for (const Vec2& wind : {Vec2(0, 0), Vec2(7, -8)}) {
-    q.wind = wind;
-    for (const double height : {10.0, 100.0, 400.0, -400.0}) {
-      const FlightState from{Vec3(0, 0, -500), 1}, to{Vec3(600, 100, -500 - height), 2};
-      const Link l = link(from, to, q);
-      const FlightPlan plan = to_flight_plan(l, from, 7, q);
-      EXPECT_LT((model::end_of(plan.back()).p_N - to.p_N).norm(), 1e-6);
-      EXPECT_LT(test::gaps(plan), 1e-6);
-      EXPECT_NEAR(model::duration(plan), l.duration, 1e-9);
-      EXPECT_LE(std::abs(l.climb_rate), 3 * (1 + 1e-9));
-      EXPECT_GE(l.duration, std::abs(height) / 3 * (1 - 1e-9));
-      // Without wind it takes no longer than needed, or a full turn more where less than
-      // that is missing.
-      if (!wind.isZero()) continue;
-      const double alone = link(from, {Vec3(600, 100, -500), 2}, q).duration;
-      EXPECT_LE(l.duration,
-                std::max(alone + full_turn(q), std::abs(height) / 3 * (1 + 1e-9)));
+  for (const double acceleration : {0.0, 1.0})
+    for (const Vec2& wind : {Vec2(0, 0), Vec2(7, -8)}) {
+      q.limits.climb_acceleration = acceleration;
+      q.wind = wind;
+      for (const double height : {10.0, 100.0, 400.0, -400.0}) {
+        const FlightState from{Vec3(0, 0, -500), 1}, to{Vec3(600, 100, -500 - height), 2};
+        const Link l = link(from, to, q);
+        const FlightPlan plan = to_flight_plan(l, from, 7, q);
+        EXPECT_LT((model::end_of(plan.back()).p_N - to.p_N).norm(), 1e-6);
+        EXPECT_LT(test::gaps(plan), 1e-6);
+        EXPECT_NEAR(model::duration(plan), l.duration, 1e-9);
+        const double needed = climb_time(height, q.limits);
+        for (const FlightElement& e : plan)
+          EXPECT_LE(std::abs(e.climb_rate), 3 * (1 + 1e-9));
+        if (acceleration > 0) {
+          EXPECT_LT(test::climb_jump(plan), 1e-6);
+          EXPECT_NEAR(needed, std::abs(height) / 3 + 3, 1e-9);
+        }
+        EXPECT_GE(l.duration, needed * (1 - 1e-9));
+        // Without wind it takes no longer than needed, or a full turn more where less
+        // than that is missing.
+        if (!wind.isZero()) continue;
+        const double alone = link(from, {Vec3(600, 100, -500), 2}, q).duration;
+        EXPECT_LE(l.duration, std::max(alone + full_turn(q), needed * (1 + 1e-9)));
+      }
     }
-  }
 }
 
 }  // namespace

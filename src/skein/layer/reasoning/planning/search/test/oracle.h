@@ -87,4 +87,14 @@ inline double gaps(const FlightPlan& plan) {
   return worst;
 }
 
+/// The largest jump of the climb rate, from and to level flight at the ends too [m/s].
+inline double climb_jump(const FlightPlan& plan) {
+  double worst = 0, rate = 0;
+  for (const FlightElement& e : plan) {
+    worst = std::max(worst, std::abs(e.climb_rate - rate));
+    rate = e.climb_rate + e.climb_acceleration * e.duration;
+  }
+  return std::max(worst, std::abs(rate));
+}
+
 }  // namespace skein::planning::test

@@ -5,6 +5,7 @@
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/planning/search/test/oracle.h"
 #include "skein/layer/reasoning/planning/search/test/scenes.h"
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::planning {
@@ -114,6 +115,7 @@ TEST(Repair, SaysThatTheGoalIsBlockedNow) {
 TEST(Repair, CutsPlansExactly) {
   Flown f;
   fly(f, Vec2(-4, 2));
+  f.plan = model::climbing(f.plan, -100, model::quickest_climb(120, 2, 0.1));
   const FlightPlan part = part_of(f.plan, 12.5, 60.25);
   EXPECT_DOUBLE_EQ(model::start_of(part), 12.5);
   EXPECT_NEAR(model::end_time_of(part), 60.25, 1e-12);

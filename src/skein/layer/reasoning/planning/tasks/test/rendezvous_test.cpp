@@ -109,10 +109,12 @@ TEST(TimedFlight, MeetsAllTimesBeyondTwoCirclesMore) {
   RandomStream random(23, 0, Purpose::kTest);
   int gaps = 0;
   for (int i = 0; i < 200; ++i) {
+    FlightLimits limits = kLimits;
+    limits.climb_acceleration = i % 3;
     const TimedLeg leg{random_state(random, i % 2 == 0 ? 150 : 1000),
                        random_state(random, 150),
                        random.uniform(0, 10),
-                       kLimits,
+                       limits,
                        random.uniform(0, 10) * geo::unit(random.uniform(0, 6.3)),
                        i % 4 < 2};
     const double earliest = earliest_arrival(leg);
@@ -123,7 +125,7 @@ TEST(TimedFlight, MeetsAllTimesBeyondTwoCirclesMore) {
       ASSERT_EQ(f.status, TimedStatus::kFound) << i;
     }
     if (f.status == TimedStatus::kFound) {
-      expect_flyable(f.plan, kLimits, leg.wind);
+      expect_flyable(f.plan, limits, leg.wind);
       expect_there(f.plan, leg.to, time);
       continue;
     }
