@@ -75,12 +75,13 @@ void print_plan(const exchange::NamedPlan& plan) {
         exchange::shown_time(model::duration(plan.plan)),
         exchange::shown_length(model::ground_length(plan.plan)));
   print(
-      "   #  element       start s    time s  length m  heading deg       north m     "
+      "   #  element              start s    time s  length m  heading deg       north m "
+      "    "
       "east m  altitude m\n");
   for (std::size_t k = 0; k < plan.plan.size() && k < kMaxRows; ++k) {
     const FlightElement& e = plan.plan[k];
     print(
-        "{:>4}  {:<11} {:>9.2f} {:>9.2f} {:>9.1f}  {:>5} > {:>5} {:>11} {:>10} {:>11}\n",
+        "{:>4}  {:<18} {:>9.2f} {:>9.2f} {:>9.1f}  {:>5} > {:>5} {:>11} {:>10} {:>11}\n",
         k + 1, exchange::kind_of(e), e.start, e.duration, model::ground_length(e),
         exchange::shown_bearing(e.heading),
         exchange::shown_bearing(model::end_of(e).heading),

@@ -179,7 +179,7 @@ TEST(Failsafe, AGliderWithoutPowerGlidesDown) {
   }
 }
 
-TEST(Failsafe, ALowBatteryBringsItHomeAndACriticalOneDown) {
+TEST(Failsafe, ALowBatteryAndACriticalOneBringItHomeAndDown) {
   // Limits that are reached early: the reserve within minutes.
   const Trouble low{"low", "", "failsafe: {battery_reserve: 0.9}", 0, {}, {}};
   const Trouble critical{"critical", "", "failsafe: {battery_critical_charge: 0.97}",
@@ -189,7 +189,7 @@ TEST(Failsafe, ALowBatteryBringsItHomeAndACriticalOneDown) {
     const bool quad = plant == kQuad;
     const FlightLog home = fly_into(low, plant, "auto", 400);
     EXPECT_TRUE(reported(home, FailsafeTrigger::kBattery));
-    expect_end(home, FailsafeReaction::kReturn, quad);
+    expect_end(home, FailsafeReaction::kLand, quad);
 
     const FlightLog down = fly_into(critical, plant, "auto", 400);
     // As the battery monitor counts, whose error is 1 %.

@@ -53,7 +53,9 @@ struct FailsafeRule {
 
 struct FailsafeOptions {
   FailsafeRule link{5, FailsafeReaction::kReturn, 0, FailsafeReaction::kNone, true};
-  FailsafeRule battery_low{3, FailsafeReaction::kReturn};
+  /// Flies home and lands: one that waits above home until its battery is critical may
+  /// have too little left to come down.
+  FailsafeRule battery_low{3, FailsafeReaction::kLand};
   FailsafeRule battery_critical{3, FailsafeReaction::kLand};
   FailsafeRule geofence{0.2, FailsafeReaction::kReturn};
   FailsafeRule gnss{2, FailsafeReaction::kHold, 60, FailsafeReaction::kDescend, true};

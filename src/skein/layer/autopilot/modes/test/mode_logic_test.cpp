@@ -158,8 +158,19 @@ TEST(ModeLogic, AFenceThatIsLeftAgainAndAgainIsNotForgivenForEver) {
   EXPECT_EQ(back, FailsafeOptions{}.max_clears);
 }
 
-TEST(ModeLogic, BatteryGoesFromBadToWorse) {
+TEST(ModeLogic, ALowBatteryLandsAtHome) {
   Cockpit c;
+  c.command(CommandKind::kMission);
+  c.in.charge_home = 0.2;
+  c.in.charge = 0.34;
+  EXPECT_EQ(c.run(3.1).order, Order::kLand);
+  EXPECT_EQ(c.now().trigger, FailsafeTrigger::kBattery);
+}
+
+TEST(ModeLogic, BatteryGoesFromBadToWorse) {
+  FailsafeOptions options;
+  options.battery_low.reaction = FailsafeReaction::kReturn;
+  Cockpit c(false, options);
   c.command(CommandKind::kMission);
   c.in.charge_home = 0.2;
   c.in.charge = 0.34;
@@ -198,9 +209,7 @@ TEST(ModeLogic, ALandingAtHomeBecomesADescentWhenHomeIsOutOfReach) {
 }
 
 TEST(ModeLogic, ALowBatteryAloneDoesNotGiveUpTheReturn) {
-  FailsafeOptions options;
-  options.battery_low.reaction = FailsafeReaction::kLand;
-  Cockpit c(false, options);
+  Cockpit c;
   c.in.charge = 0.2;
   c.in.charge_home = 0.3;
   EXPECT_EQ(c.run(60).reaction, FailsafeReaction::kLand);

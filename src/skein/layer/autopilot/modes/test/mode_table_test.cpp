@@ -56,7 +56,7 @@ const Fault kFaults[] = {
     {"link", Failsafe::kLink, [](Cockpit& c) { c.link = false; }, 5, Order::kReturn,
      Order::kReturn},
     {"battery low", Failsafe::kBatteryLow, [](Cockpit& c) { c.in.charge_home = 0.9; }, 3,
-     Order::kReturn, Order::kReturn},
+     Order::kLand, Order::kLand},
     {"geofence", Failsafe::kGeofence, [](Cockpit& c) { c.in.outside_fence = true; }, 0.2,
      Order::kReturn, Order::kReturn},
     {"GNSS", Failsafe::kGnss, [](Cockpit& c) { c.gnss = false; }, 2, Order::kHold,
