@@ -168,6 +168,17 @@ HomeNeed SkeinAutopilot::need_of_return(const NavState& nav,
   return all;
 }
 
+// What a landing still takes is not known while it is flown, so it is finished. Before,
+// further from its place than it flies in the time of a landing, it is on its way home.
+bool SkeinAutopilot::is_landing(const NavState& nav) const {
+  if (order_ != Order::kLand || return_.points.size() > 1) return false;
+  const Vec2 place =
+      return_.points.empty() ? geo::horizontal(home_N_) : return_.points.front();
+  const HomeFlight& flight = setup_->home_flight;
+  return (geo::horizontal(nav.p_N) - place).norm() <
+         flight.airspeed * flight.landing_time;
+}
+
 void SkeinAutopilot::set_return(const ReturnRoute& route) {
   if (route == return_) return;
   return_ = route;
@@ -200,9 +211,7 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   if (powered_ && (now - power_time_).seconds() > kSilentMonitor)
     input_.charge = std::max(
         0.0, power_charge_ - consumption_.rate() * (now - power_time_).seconds());
-  // What the landing still takes is not known while it is flown. It is finished.
-  if (order_ == Order::kLand)
-    input_.charge_home = std::min(input_.charge_home, input_.charge);
+  if (is_landing(nav)) input_.charge_home = std::min(input_.charge_home, input_.charge);
   input_.on_ground = ground_.step(nav, throttle_);
   const bool coordinated =
       std::visit([](const auto& f) { return f.coordinated(); }, flier_);

@@ -68,6 +68,7 @@ class SkeinAutopilot final : public Autopilot {
   void give(const AutopilotCommand& command, const FlierView& now);
   void lead_home(const FlierView& now);
   bool returns() const;
+  bool is_landing(const NavState& nav) const;
   HomeNeed need_of_return(const NavState& nav, const HomeFlight& flight) const;
   AutopilotCommand failsafe_command(Order order, const FlierView& now) const;
   Control fly(Order order, const FlierView& now, double dt);

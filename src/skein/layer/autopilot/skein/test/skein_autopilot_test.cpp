@@ -302,7 +302,7 @@ TEST(SkeinAutopilot, AnEmptyBatteryBringsItHome) {
     flight.fly(1);
   }
   EXPECT_EQ(flight.autopilot().status().trigger, FailsafeTrigger::kBattery);
-  EXPECT_EQ(flight.autopilot().status().reaction, FailsafeReaction::kReturn);
+  EXPECT_EQ(flight.autopilot().status().reaction, FailsafeReaction::kLand);
   EXPECT_EQ(flight.autopilot().status().charge, 0.14);
 }
 
