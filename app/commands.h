@@ -91,6 +91,15 @@ struct FireArguments {
   std::filesystem::path scenario, out;  ///< files to be written; empty: none
 };
 int fire_command(const FireArguments& arguments);
+/// `skein link`.
+struct LinkArguments {
+  std::vector<std::string> endpoints;  ///< as transport::parse_endpoint() reads them
+  std::filesystem::path tlog;          ///< record of all frames; empty: none
+  bool overwrite = false;
+  double every = 10;    ///< between tables [s]
+  double duration = 0;  ///< [s]; 0: until it is interrupted
+};
+int link_command(const LinkArguments& arguments, const std::atomic<bool>& stop);
 int report_command(const std::vector<std::filesystem::path>& runs,
                    const std::filesystem::path& out);
 /// A line for each study: its name and what it shows.

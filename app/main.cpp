@@ -79,6 +79,20 @@ Examples:
   skein fire perimeters.geojson --incident "Bridge" --scenario bridge.yaml
   skein fire IncidentFolder --utc-offset-h -7 --out perimeters.gpkg)";
 
+constexpr const char* kLinkExamples = R"(
+Endpoints:
+  udpin:[HOST:]PORT      waits for datagrams, answers each sender
+  udpout:HOST:PORT       sends to one place
+  udpbcast:ADDRESS:PORT  sends to all of a network
+  tcpin:[HOST:]PORT      waits for connections
+  tcp:HOST:PORT          connects, again and again
+  serial:DEVICE[:BAUD]   a serial line; 57600 without a rate
+Without a host, only programs of this machine are let in.
+
+Examples:
+  skein link serial:/dev/ttyACM0:115200 udpout:127.0.0.1:14550 --tlog flight.tlog
+  skein link tcp:127.0.0.1:5760 udpin:14551 tcpin:0.0.0.0:5790)";
+
 constexpr const char* kReportExamples = R"(
 Examples:
   skein report runs/wildfire                              writes runs/wildfire/report.html
@@ -350,6 +364,22 @@ Command add_export(CLI::App& program) {
   return {command, [given] { return export_command(*given, stop_requested); }};
 }
 
+Command add_link(CLI::App& program) {
+  const auto given = std::make_shared<LinkArguments>();
+  auto* command = program.add_subcommand(
+      "link", "Hand MAVLink on between sockets and serial lines, and record it.");
+  command->add_option("endpoint", given->endpoints, "Two or more, or one to record.")
+      ->required();
+  command->add_option("--tlog", given->tlog, "Record all frames that come in (.tlog).");
+  command->add_flag("--overwrite", given->overwrite, "Replace a record that is there.");
+  command->add_option("--every", given->every, "Seconds between tables of how links do.")
+      ->check(CLI::Range(0.1, 86400.0));
+  command->add_option("--for", given->duration, "End after so many seconds.")
+      ->check(CLI::Range(0.1, 1e9));
+  command->footer(kLinkExamples);
+  return {command, [given] { return link_command(*given, stop_requested); }};
+}
+
 Command add_fire(CLI::App& program) {
   const auto given = std::make_shared<FireArguments>();
   auto* command = program.add_subcommand(
@@ -473,8 +503,8 @@ int run_program(int argc, char** argv) {
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  for (auto* add :
-       {add_report, add_export, add_fire, add_study, add_campaign, add_completion})
+  for (auto* add : {add_report, add_export, add_fire, add_link, add_study, add_campaign,
+                    add_completion})
     commands.push_back(add(program));
 
   try {

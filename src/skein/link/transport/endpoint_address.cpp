@@ -1,0 +1,109 @@
+#include "skein/link/transport/endpoint_address.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+#include <optional>
+
+namespace skein::transport {
+namespace {
+
+constexpr std::string_view kForms =
+    "udpin:[HOST:]PORT, udpout:HOST:PORT, udpbcast:ADDRESS:PORT, tcpin:[HOST:]PORT, "
+    "tcp:HOST:PORT, serial:DEVICE[:BAUD]";
+
+constexpr std::uint32_t kMinBaud = 50, kMaxBaud = 10'000'000;
+
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+  Number value{};
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty())
+    return std::nullopt;
+  return value;
+}
+
+Error bad(std::string_view text, std::string_view why) {
+  return {ErrorCode::kBadInput, "", fmt::format("\"{}\": {}.", text, why),
+          fmt::format("Known forms: {}.", kForms)};
+}
+
+// HOST:PORT; with `listens` the host may be left out and the port may be 0.
+Result<NetworkPlace> parse_place(std::string_view whole, std::string_view text,
+                                 bool listens) {
+  NetworkPlace place;
+  const std::size_t colon = text.rfind(':');
+  if (colon != std::string_view::npos) {
+    place.host = text.substr(0, colon);
+    text.remove_prefix(colon + 1);
+  } else if (!listens) {
+    return bad(whole, "a host and a port are wanted");
+  }
+  if (place.host.empty()) return bad(whole, "the host is empty");
+  const auto port = number<std::uint16_t>(text);
+  if (!port || (*port == 0 && !listens))
+    return bad(whole,
+               fmt::format("\"{}\" is no port from {} to 65535", text, listens ? 0 : 1));
+  place.port = *port;
+  return place;
+}
+
+Result<EndpointAddress> parse_serial(std::string_view whole, std::string_view text) {
+  SerialLine line;
+  const std::size_t colon = text.rfind(':');
+  if (colon != std::string_view::npos) {
+    const auto baud = number<std::uint32_t>(text.substr(colon + 1));
+    if (!baud || *baud < kMinBaud || *baud > kMaxBaud)
+      return bad(whole, fmt::format("\"{}\" is no rate from {} to {} baud",
+                                    text.substr(colon + 1), kMinBaud, kMaxBaud));
+    line.baud = *baud;
+    text = text.substr(0, colon);
+  }
+  if (text.empty()) return bad(whole, "a device is wanted");
+  line.device = text;
+  return EndpointAddress(line);
+}
+
+template <class Kind>
+Result<EndpointAddress> as(const Result<NetworkPlace>& place) {
+  if (!place) return place.error();
+  return EndpointAddress(Kind{place.value()});
+}
+
+struct TextOf {
+  static std::string place(std::string_view kind, const NetworkPlace& at) {
+    return fmt::format("{}:{}:{}", kind, at.host, at.port);
+  }
+  std::string operator()(const UdpServer& e) const { return place("udpin", e.at); }
+  std::string operator()(const UdpClient& e) const { return place("udpout", e.to); }
+  std::string operator()(const UdpBroadcast& e) const { return place("udpbcast", e.to); }
+  std::string operator()(const TcpServer& e) const { return place("tcpin", e.at); }
+  std::string operator()(const TcpClient& e) const { return place("tcp", e.to); }
+  std::string operator()(const SerialLine& e) const {
+    return fmt::format("serial:{}:{}", e.device, e.baud);
+  }
+};
+
+}  // namespace
+
+Result<EndpointAddress> parse_endpoint(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = text.substr(0, colon);
+  const std::string_view rest =
+      colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
+  if (kind == "udpin") return as<UdpServer>(parse_place(text, rest, true));
+  if (kind == "udpout") return as<UdpClient>(parse_place(text, rest, false));
+  if (kind == "udpbcast") return as<UdpBroadcast>(parse_place(text, rest, false));
+  if (kind == "tcpin") return as<TcpServer>(parse_place(text, rest, true));
+  if (kind == "tcp") return as<TcpClient>(parse_place(text, rest, false));
+  if (kind == "serial") return parse_serial(text, rest);
+  return bad(text, fmt::format("\"{}\" is no kind of endpoint", kind));
+}
+
+std::string text_of(const EndpointAddress& address) {
+  return std::visit(TextOf(), address);
+}
+
+}  // namespace skein::transport

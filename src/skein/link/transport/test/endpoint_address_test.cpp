@@ -1,0 +1,46 @@
+#include "skein/link/transport/endpoint_address.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace skein::transport {
+namespace {
+
+TEST(EndpointAddress, IsReadAndWrittenTheSame) {
+  for (const char* text :
+       {"udpin:0.0.0.0:14550", "udpout:gcs.example:14550", "udpbcast:10.0.0.255:14550",
+        "tcpin:127.0.0.1:5760", "tcp:127.0.0.1:5760", "serial:/dev/ttyACM0:115200"}) {
+    const auto address = parse_endpoint(text);
+    ASSERT_TRUE(address.ok()) << address.error().text();
+    EXPECT_EQ(text_of(address.value()), text);
+  }
+}
+
+TEST(EndpointAddress, LetsOnlyTheSameMachineInWhereNothingElseIsSaid) {
+  EXPECT_EQ(text_of(parse_endpoint("udpin:14550").value()), "udpin:127.0.0.1:14550");
+  EXPECT_EQ(text_of(parse_endpoint("tcpin:0").value()), "tcpin:127.0.0.1:0");
+  EXPECT_EQ(text_of(parse_endpoint("serial:/dev/ttyUSB0").value()),
+            "serial:/dev/ttyUSB0:57600");
+}
+
+TEST(EndpointAddress, SaysWhatIsWrong) {
+  for (const auto& [text, what] : {std::pair{"udp:1.2.3.4:5", "\"udp\" is no kind"},
+                                   {"", "\"\" is no kind"},
+                                   {"udpout:14550", "a host and a port"},
+                                   {"udpout::14550", "the host is empty"},
+                                   {"tcp:host:0", "\"0\" is no port from 1"},
+                                   {"tcpin:70000", "no port from 0"},
+                                   {"tcp:host:5x", "\"5x\" is no port"},
+                                   {"serial:", "a device is wanted"},
+                                   {"serial:/dev/ttyS0:fast", "\"fast\" is no rate"}}) {
+    const auto address = parse_endpoint(text);
+    ASSERT_FALSE(address.ok()) << text;
+    EXPECT_NE(address.error().text().find(what), std::string::npos)
+        << address.error().text();
+    EXPECT_NE(address.error().text().find("udpbcast:ADDRESS:PORT"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace skein::transport

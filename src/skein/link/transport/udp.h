@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "skein/link/transport/hub.h"
+
+namespace skein::transport {
+
+/// Fails: kBadInput where a host has no address or a place is taken.
+Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpServer& address);
+Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpClient& address);
+Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpBroadcast& address);
+
+}  // namespace skein::transport
