@@ -12,7 +12,8 @@ namespace {
 
 // A heartbeat of system 42, as another implementation writes it.
 const std::string kHeartbeat(
-    "\xfd\x09\x00\x00\x4d\x2a\xbf\x00\x00\x00\x28\x91\x21\xfe\x7a\xd1\x03\x0b\x03\x62\x90",
+    "\xfd\x09\x00\x00\x4d\x2a\xbf\x00\x00\x00\x28\x91\x21\xfe\x7a\xd1\x03\x0b\x03\x62"
+    "\x90",
     21);
 
 sockaddr_in local(int port) {
@@ -76,10 +77,10 @@ TEST_F(Program, ALinkDoesNotReplaceARecordUnasked) {
   EXPECT_NE(refused.status, 0);
   EXPECT_NE(refused.err.find("exists already"), std::string::npos);
   EXPECT_EQ(read_file(folder_ / "flight.tlog"), "precious");
-  EXPECT_EQ(run({"link", "udpin:0", "--for", "0.1", "--tlog", "flight.tlog",
-                 "--overwrite"})
-                .status,
-            0);
+  EXPECT_EQ(
+      run({"link", "udpin:0", "--for", "0.1", "--tlog", "flight.tlog", "--overwrite"})
+          .status,
+      0);
   EXPECT_EQ(read_file(folder_ / "flight.tlog"), "");
 }
 
