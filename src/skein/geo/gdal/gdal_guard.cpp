@@ -1,6 +1,7 @@
 #include "skein/geo/gdal/gdal_guard.h"
 
 #include <cpl_error.h>
+#include <ogr_srs_api.h>
 
 #include <mutex>
 #include <shared_mutex>
@@ -15,6 +16,32 @@ std::shared_mutex in_use;
 thread_local int guards = 0;
 bool in_service = false;  // this process is such a copy and has one thread
 
+// What GDAL and PROJ keep for a thread they free at its end, with locks of their own: no
+// process may be copied meanwhile. Objects of a thread die in the reverse order of their
+// making, so theirs is made between these two.
+struct AfterTheirEnd {
+  ~AfterTheirEnd() {
+    if (!in_service) in_use.unlock_shared();
+  }
+};
+struct BeforeTheirEnd {
+  BeforeTheirEnd() {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    OGRSpatialReferenceH any = OSRNewSpatialReference(nullptr);
+    OSRSetWellKnownGeogCS(any, "WGS84");  // makes theirs
+    OSRDestroySpatialReference(any);
+    CPLPopErrorHandler();
+  }
+  ~BeforeTheirEnd() {
+    if (!in_service) in_use.lock_shared();
+  }
+};
+
+void enclose_end_of_thread() {
+  static thread_local const AfterTheirEnd after;
+  static thread_local const BeforeTheirEnd before;
+}
+
 }  // namespace
 
 struct GdalGuardAccess {
@@ -28,6 +55,7 @@ struct GdalGuardAccess {
 
 GdalGuard::GdalGuard() {
   if (guards++ == 0 && !in_service) in_use.lock_shared();
+  enclose_end_of_thread();
   CPLPushErrorHandlerEx(&GdalGuardAccess::collect, this);
   static std::once_flag registered;
   std::call_once(registered, register_drivers);

@@ -3,6 +3,8 @@
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
+#include "skein/geo/gdal/gdal_guard.h"
+
 namespace skein::geo {
 namespace {
 
@@ -28,9 +30,11 @@ Reference degrees() {
 }  // namespace
 
 void CloseDataset::operator()(void* dataset) const {
+  const GdalGuard guard;
   GDALClose(dataset);
 }
 void DestroyTransform::operator()(void* transform) const {
+  const GdalGuard guard;  // it closes the data base of PROJ
   OCTDestroyCoordinateTransformation(
       static_cast<OGRCoordinateTransformationH>(transform));
 }

@@ -11,6 +11,14 @@ namespace {
 constexpr double kResendAfter = 3;     // an order not confirmed by now is sent again [s]
 constexpr double kPositionPeriod = 1;  // of the station's own, to relays [s]
 
+// Whose positions a task needs.
+std::vector<EntityId> subjects_of(const TaskKind& task) {
+  if (const auto* follows = std::get_if<FollowLeader>(&task)) return {follows->leader};
+  if (const auto* relays = std::get_if<Relay>(&task))
+    return {relays->first, relays->second};
+  return {};
+}
+
 }  // namespace
 
 OrderServer::OrderServer(const std::vector<NamedAircraft>& team, std::size_t missions,
@@ -21,13 +29,28 @@ OrderServer::OrderServer(const std::vector<NamedAircraft>& team, std::size_t mis
     member.who = who;
     member.place = who.place;
     member.numbers.resize(missions);
+    places_.emplace_back(who.id, members_.size() - 1);
   }
+  std::ranges::sort(places_);
 }
 
 OrderServer::Member* OrderServer::find(EntityId id) {
-  const auto found = std::find_if(members_.begin(), members_.end(),
-                                  [&](const Member& m) { return m.who.id == id; });
-  return found == members_.end() ? nullptr : &*found;
+  const auto found =
+      std::ranges::lower_bound(places_, id, {}, &std::pair<EntityId, std::size_t>::first);
+  return found == places_.end() || found->first != id ? nullptr
+                                                      : &members_[found->second];
+}
+
+void OrderServer::set_task(Member& member, Task task) {
+  const auto place = static_cast<std::size_t>(&member - members_.data());
+  for (const EntityId subject : subjects_of(member.task.what))
+    std::erase(listeners_[subject], place);
+  for (const EntityId subject : subjects_of(task.what)) {
+    std::vector<std::size_t>& listeners = listeners_[subject];
+    const auto at = std::ranges::lower_bound(listeners, place);
+    if (at == listeners.end() || *at != place) listeners.insert(at, place);
+  }
+  member.task = std::move(task);
 }
 
 void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
@@ -63,18 +86,15 @@ void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
 }
 
 // To those whose task is about the one that has reported.
-void OrderServer::forward(const NavEstimate& nav, EntityId of, AgentOutput& out) const {
-  for (const Member& member : members_) {
+void OrderServer::forward(const NavEstimate& nav, EntityId of, AgentOutput& out) {
+  const auto listeners = listeners_.find(of);
+  if (listeners == listeners_.end()) return;
+  const Member* leader = find(of);
+  for (const std::size_t place : listeners->second) {
+    const Member& member = members_[place];
     if (member.who.id == of) continue;
-    const auto* follows = std::get_if<FollowLeader>(&member.task.what);
-    const auto* relays = std::get_if<Relay>(&member.task.what);
-    const bool wants = (follows && follows->leader == of) ||
-                       (relays && (relays->first == of || relays->second == of));
-    if (!wants) continue;
     // A leader may report by itself.
-    const auto leader = std::find_if(members_.begin(), members_.end(),
-                                     [&](const Member& m) { return m.who.id == of; });
-    if (leader != members_.end())
+    if (leader)
       if (const auto* route = std::get_if<FlyRoute>(&leader->task.what);
           route &&
           std::count(route->report_to.begin(), route->report_to.end(), member.who.id) > 0)
@@ -106,7 +126,7 @@ void OrderServer::order(std::size_t index, TaskKind what, Holder holder, Time no
   Member& member = members_[index];
   member.holder = holder;
   member.open.clear();  // the newest counts
-  member.task = {++member.highest, std::move(what)};
+  set_task(member, {++member.highest, std::move(what)});
   out.events.push_back(
       {now, member.who.id, "ordered",
        fmt::format("{} by the {}", kind_of(member.task.what),
@@ -206,7 +226,7 @@ bool OrderServer::may_pass(Message& message, std::size_t mission) {
   if (!has(*member, mission)) return false;
   task->number += numbers.offset;
   member->highest = std::max(member->highest, task->number);
-  if (task->number >= member->task.number) member->task = *task;
+  if (task->number >= member->task.number) set_task(*member, *task);
   return true;
 }
 

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "skein/layer/reasoning/station/reading_router.h"
@@ -93,7 +95,8 @@ class OrderServer {
   Member* find(EntityId id);
   void send_next(Member& member, Time now, AgentOutput& out);
   void queue(Member& member, Message message, Time now, AgentOutput& out);
-  void forward(const NavEstimate& nav, EntityId of, AgentOutput& out) const;
+  void set_task(Member& member, Task task);
+  void forward(const NavEstimate& nav, EntityId of, AgentOutput& out);
   bool has(const Member& member, std::size_t mission) const;
   bool concerns(const Message& message, std::size_t mission,
                 const ReadingRouter& readings);
@@ -101,6 +104,8 @@ class OrderServer {
   bool may_pass(Message& message, std::size_t mission);
 
   std::vector<Member> members_;
+  std::vector<std::pair<EntityId, std::size_t>> places_;    // of members_, by id
+  std::map<EntityId, std::vector<std::size_t>> listeners_;  // whose tasks are about one
   EntityId station_;
   NavEstimate position_;
   Time next_position_;

@@ -21,6 +21,7 @@ ZoneServer::ZoneServer(const ZoneServerOptions& options)
     : options_(options), known_(options.known) {
   for (const Zone& zone : options_.drawn) drawn_[zone.name] = zone;
   for (const EntityId id : options_.team) team_.push_back({.id = id});
+  std::ranges::sort(team_, {}, &Listener::id);
 }
 
 void ZoneServer::step(const AgentInput& in, std::vector<Message>& changes,
@@ -41,9 +42,8 @@ void ZoneServer::step(const AgentInput& in, std::vector<Message>& changes,
 void ZoneServer::take_report(const Message& message, Time now) {
   const auto* report = std::get_if<AircraftReport>(&message.content);
   if (!report) return;
-  const auto who = std::find_if(team_.begin(), team_.end(),
-                                [&](const Listener& l) { return l.id == message.from; });
-  if (who == team_.end()) return;
+  const auto who = std::ranges::lower_bound(team_, message.from, {}, &Listener::id);
+  if (who == team_.end() || who->id != message.from) return;
   who->knows = std::max(who->knows, report->zone_changes);
   who->heard = now;
   who->was_heard = true;
