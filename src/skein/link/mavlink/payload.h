@@ -56,7 +56,7 @@ inline constexpr auto kOffsets = [] {
     size[at++] = sizeof(M);
   });
   std::size_t end = 0;
-  for (const std::size_t width : {8, 4, 2, 1})
+  for (const std::size_t width : {8U, 4U, 2U, 1U})
     for (std::size_t i = 0; i < kFacts<T>.base_fields; ++i)
       if (element[i] == width) {
         offset[i] = end;

@@ -18,9 +18,9 @@ using boost::asio::ip::tcp;
 
 constexpr std::chrono::seconds kAgain{1};  // between tries
 constexpr std::size_t kMaxConnections = 512;
-constexpr std::size_t kTcpRoom = 256 * 1024;  // bytes that may wait to go out
+constexpr std::size_t kTcpRoom = std::size_t{256} << 10;  // bytes that may wait to go out
 // More would be too old when it arrives: at 57600 baud this takes 1.4 s.
-constexpr std::size_t kSerialRoom = 8 * 1024;
+constexpr std::size_t kSerialRoom = std::size_t{8} << 10;
 
 void set_up(tcp::socket& socket) {
   boost::system::error_code ignored;

@@ -93,7 +93,8 @@ struct Uploader {
 
 std::optional<int> upload(BadLine& line, Vehicle& vehicle,
                           const std::vector<Item>& items) {
-  Uploader uploader{items};
+  Uploader uploader;
+  uploader.items = items;
   line.at_vehicle = [&](const auto& f) { vehicle.handle(f, line.now, line.vehicle); };
   line.at_station = [&](const auto& f) { uploader.hear(f, line); };
   uploader.begin(line);
@@ -169,7 +170,9 @@ TEST(MissionService, KeepsTheOldListUntilTheNewOneIsThereAndGood) {
   for (int k = 0; k < 1100; ++k) {
     line.step();
     vehicle.service.step(line.now, line.vehicle);
-    if (k == 500) EXPECT_TRUE(vehicle.service.busy());
+    if (k == 500) {
+      EXPECT_TRUE(vehicle.service.busy());
+    }
   }
   EXPECT_EQ(result, int(MissionResult::kCancelled));
   EXPECT_FALSE(vehicle.service.busy());
