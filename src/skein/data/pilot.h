@@ -32,4 +32,16 @@ struct PilotInput {
   double throttle = 0;  ///< 0 to 1
 };
 
+constexpr auto describe(const PilotInput*) {
+  using T = PilotInput;
+  return described<T>({"pilot_input"}, "What a safety pilot's transmitter says.",
+                      field("time", &T::time, "when"),
+                      field("takes_over", &T::takes_over, "the pilot flies"),
+                      field("mode", &T::mode, "manual or stabilized"),
+                      field("roll", &T::roll, "stick, right positive, -1 to 1"),
+                      field("pitch", &T::pitch, "stick, nose up positive, -1 to 1"),
+                      field("yaw", &T::yaw, "stick, right positive, -1 to 1"),
+                      field("throttle", &T::throttle, "0 to 1"));
+}
+
 }  // namespace skein

@@ -1,0 +1,204 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "skein/base/id.h"
+#include "skein/base/time.h"
+#include "skein/data/describe.h"
+#include "skein/data/vehicle_request.h"
+#include "skein/geo/rotation.h"
+#include "skein/geo/vec.h"
+
+// What a vehicle behind a link says. Times are of the run's clock.
+
+namespace skein {
+
+/// How it moves, as its own estimator has it.
+struct VehicleMotion {
+  Time time;  ///< when it was so
+  Vec3 p_N = Vec3::Zero();
+  Vec3 v_N = Vec3::Zero();       ///< over ground [m/s]
+  Quat q_NB = Quat::Identity();  ///< attitude
+  Vec3 w_NB_B = Vec3::Zero();    ///< rates of turn [rad/s]
+  double airspeed = 0;           ///< [m/s]; 0: not measured
+  Vec2 wind_N = Vec2::Zero();    ///< as it estimates it [m/s]
+  double position_sd = 0;        ///< per horizontal axis [m]
+};
+
+constexpr auto describe(const VehicleMotion*) {
+  using T = VehicleMotion;
+  return described<T>(
+      {"motion"}, "How a vehicle behind a link moves, as it says.",
+      field("time", &T::time, "when it was so"),
+      field("", &T::p_N, axes::kPlace, "position"),
+      field("", &T::v_N, axes::kVelocity, "over ground"), field("", &T::q_NB, "attitude"),
+      field("", &T::w_NB_B, axes::kBodyRates, "rates of turn"),
+      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "0: not measured"),
+      field("", &T::wind_N, axes::kWind, "as it estimates it"),
+      field("position_sd", &T::position_sd, unit::kMetre, "per horizontal axis"));
+}
+
+/// What it does, and how it is.
+struct VehicleCondition {
+  bool armed = false;
+  bool on_ground = true;
+  bool ready = true;       ///< healthy: its checks let it arm
+  bool emergency = false;  ///< as it says of itself
+  VehicleMode mode = VehicleMode::kOther;
+  std::string mode_name;  ///< as its make calls it
+  double charge = 1;      ///< of its battery, from 0 to 1; 1 while it does not say
+  double voltage = 0;     ///< [V]; 0: it does not say
+  double current = 0;     ///< [A]; 0: it does not say
+  bool position = false;  ///< it knows where it is
+
+  bool operator==(const VehicleCondition&) const = default;
+};
+
+constexpr auto describe(const VehicleCondition*) {
+  using T = VehicleCondition;
+  return described<T>({"condition"}, "What a vehicle behind a link does, and how it is.",
+                      field("armed", &T::armed, "its motors may turn"),
+                      field("on_ground", &T::on_ground, "it stands"),
+                      field("ready", &T::ready, "its checks let it arm"),
+                      field("emergency", &T::emergency, "as it says of itself"),
+                      field("mode", &T::mode, "who flies it"),
+                      field("mode_name", &T::mode_name, "as its make calls it"),
+                      field("charge", &T::charge, "left, from 0 to 1"),
+                      field("voltage", &T::voltage, unit::kVolt, "0: it does not say"),
+                      field("current", &T::current, "in ampere; 0: it does not say"),
+                      field("position", &T::position, "it knows where it is"));
+}
+
+/// Something happened to the link, or to who is at its far end.
+struct LinkChange {
+  enum class Kind : std::uint8_t {
+    kUp,         ///< the vehicle is heard, at first or again
+    kDown,       ///< nothing heard of it for too long
+    kRebooted,   ///< its clock went back
+    kMismatch,   ///< another kind of vehicle answers than was asked for
+    kDuplicate,  ///< two vehicles have its number
+  };
+  Kind kind = Kind::kUp;
+  std::string text;  ///< for people
+};
+constexpr auto names_of(const LinkChange::Kind*) {
+  return std::to_array<std::string_view>(
+      {"up", "down", "rebooted", "mismatch", "duplicate"});
+}
+
+constexpr auto describe(const LinkChange*) {
+  using T = LinkChange;
+  return described<T>({"link_change"}, "Something happened to a link.",
+                      field("kind", &T::kind, "what"),
+                      field("text", &T::text, "for people"));
+}
+
+/// What became of a request that is answered.
+struct RequestAnswer {
+  enum class Outcome : std::uint8_t {
+    kAccepted,
+    kDenied,       ///< it will not
+    kUnsupported,  ///< it cannot
+    kNoAnswer,     ///< repeated, and not answered
+  };
+  std::uint32_t number = 0;  ///< as the request was numbered
+  Outcome outcome = Outcome::kAccepted;
+  std::string text;  ///< for people; a reason, if it gives one
+};
+constexpr auto names_of(const RequestAnswer::Outcome*) {
+  return std::to_array<std::string_view>(
+      {"accepted", "denied", "unsupported", "no answer"});
+}
+
+constexpr auto describe(const RequestAnswer*) {
+  using T = RequestAnswer;
+  return described<T>({"answer"}, "What became of a request to a vehicle.",
+                      field("number", &T::number, "of the request"),
+                      field("outcome", &T::outcome, "what became of it"),
+                      field("text", &T::text, "a reason, if it gave one"));
+}
+
+/// Something that it says to people.
+struct VehicleText {
+  std::uint8_t severity = 6;  ///< from 0, emergency, to 7, debug
+  std::string text;
+};
+
+constexpr auto describe(const VehicleText*) {
+  using T = VehicleText;
+  return described<T>({"text"}, "Something that a vehicle says to people.",
+                      field("severity", &T::severity, "0: emergency, to 7: debug"),
+                      field("text", &T::text, "what"));
+}
+
+/// Where it is in its stored mission.
+struct MissionProgress {
+  std::uint16_t current = 0;  ///< flown now
+  bool finished = false;
+};
+
+constexpr auto describe(const MissionProgress*) {
+  using T = MissionProgress;
+  return described<T>({"mission_progress"}, "Where a vehicle is in its stored mission.",
+                      field("current", &T::current, "item flown now"),
+                      field("finished", &T::finished, "the last one is done"));
+}
+
+/// How it is to be commanded, as it says or as is known of its make.
+struct VehicleIdentity {
+  /// By what it flies along a given line.
+  enum class Following : std::uint8_t {
+    kPlaces,      ///< it goes to a place and stays
+    kBank,        ///< it takes BankSetpoint
+    kTrajectory,  ///< it takes TrackSetpoint
+  };
+  std::string make;      ///< "ArduPilot 4.5.7"
+  std::string airframe;  ///< "fixed wing", "multirotor", ...
+  bool hovers = false;
+  Following following = Following::kPlaces;
+};
+constexpr auto names_of(const VehicleIdentity::Following*) {
+  return std::to_array<std::string_view>({"places", "bank", "trajectory"});
+}
+
+constexpr auto describe(const VehicleIdentity*) {
+  using T = VehicleIdentity;
+  return described<T>({"identity"}, "What a vehicle behind a link is.",
+                      field("make", &T::make, "of its autopilot"),
+                      field("airframe", &T::airframe, "as it says"),
+                      field("hovers", &T::hovers, "it can stay in one place"),
+                      field("following", &T::following, "by what it flies along a line"));
+}
+
+/// How a link did since its begin. Of records only; nothing simulated depends on it.
+struct LinkHealth {
+  std::uint64_t received = 0;  ///< frames
+  std::uint64_t lost = 0;      ///< on the way here, by the sender's count
+  std::uint64_t damaged = 0;   ///< frames with a bad checksum
+  std::uint64_t sent = 0;      ///< frames
+  std::uint64_t dropped = 0;   ///< that could not go out in time
+  double round_trip = 0;       ///< [s]; 0: not measured yet
+};
+
+constexpr auto describe(const LinkHealth*) {
+  using T = LinkHealth;
+  return described<T>(
+      {"link_health"}, "How a link did so far.",
+      field("received", &T::received, "frames"),
+      field("lost", &T::lost, "frames, by the sender's count"),
+      field("damaged", &T::damaged, "frames with a bad checksum"),
+      field("sent", &T::sent, "frames"),
+      field("dropped", &T::dropped, "frames not sent in time"),
+      field("round_trip", &T::round_trip, unit::kSecond, "0: not measured yet"));
+}
+
+/// New kinds go to the end: the place in this list is part of the wire form.
+using VehicleReport =
+    std::variant<VehicleMotion, VehicleCondition, LinkChange, RequestAnswer, VehicleText,
+                 MissionProgress, VehicleIdentity, LinkHealth>;
+
+}  // namespace skein
