@@ -9,7 +9,8 @@ constexpr std::size_t kMaxGone = 100;
 
 }  // namespace
 
-void Forwarder::opened(transport::ChannelId channel, const std::string& name) {
+void Forwarder::opened(transport::ChannelId channel, transport::EndpointId,
+                       const std::string& name) {
   peers_[channel].health.name = name;
   router_.open(channel);
   news_(fmt::format("{} is open", name));

@@ -17,12 +17,16 @@ namespace skein::transport {
 /// Numbers are never used again.
 using ChannelId = std::uint32_t;
 
+/// Endpoints in the order in which they were opened, from 0.
+using EndpointId = std::uint32_t;
+
 /// Whoever is told what happens; called by Endpoints::run_for() only.
 class ChannelListener {
  public:
   virtual ~ChannelListener() = default;
   /// @param name  endpoint and peer, for people.
-  virtual void opened(ChannelId channel, const std::string& name) = 0;
+  virtual void opened(ChannelId channel, EndpointId endpoint,
+                      const std::string& name) = 0;
   /// The bytes are gone when the call returns.
   virtual void received(ChannelId channel, std::span<const std::byte> bytes) = 0;
   virtual void closed(ChannelId channel, const std::string& why) = 0;
@@ -40,8 +44,9 @@ class Endpoints {
   ~Endpoints();
 
   /// Opens another endpoint.
+  /// @returns  its number.
   /// Fails: kBadInput where a server cannot wait at its place, or a host has no address.
-  Result<void> open(const EndpointAddress& address);
+  Result<EndpointId> open(const EndpointAddress& address);
 
   /// Where the servers wait, in the order in which they were opened, with the ports that
   /// they have got.
@@ -51,8 +56,12 @@ class Endpoints {
   /// @returns  false when they were dropped.
   bool send(ChannelId channel, std::span<const std::byte> bytes);
 
-  /// Waits for what comes, and handles it, for this long.
+  /// Waits for what comes, and handles it, for this long, or until wake().
   void run_for(std::chrono::milliseconds duration);
+
+  /// Makes run_for() return at once: the one under way, else the next. Any thread may
+  /// call it.
+  void wake();
 
  private:
   class Implementation;

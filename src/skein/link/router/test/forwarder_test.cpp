@@ -22,7 +22,8 @@ class Program final : public transport::ChannelListener {
   explicit Program(const std::string& endpoint) {
     EXPECT_TRUE(endpoints.open(transport::parse_endpoint(endpoint).value()).ok());
   }
-  void opened(transport::ChannelId channel, const std::string&) override {
+  void opened(transport::ChannelId channel, transport::EndpointId,
+              const std::string&) override {
     channels.push_back(channel);
   }
   void received(transport::ChannelId, std::span<const std::byte> bytes) override {

@@ -25,7 +25,7 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 
 // What happens at one side.
 struct Side final : ChannelListener {
-  void opened(ChannelId channel, const std::string& name) override {
+  void opened(ChannelId channel, EndpointId, const std::string& name) override {
     names[channel] = name;
   }
   void received(ChannelId channel, std::span<const std::byte> bytes) override {
