@@ -153,11 +153,13 @@ struct Recording {
 /// A place where ground stations' programs meet the aircraft by MAVLink.
 struct StationLink {
   std::string endpoint = "udpout:127.0.0.1:14550";  ///< see docs/links.md
+  bool is_signed = false;                           ///< with the key of Links
 };
 
 /// Who else takes part, by MAVLink.
 struct Links {
   std::vector<StationLink> ground_stations;
+  std::string key_file;  ///< of signed links; empty: none
 };
 
 /// A command that the scenario gives by itself.
