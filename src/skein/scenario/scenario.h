@@ -156,9 +156,14 @@ struct StationLink {
   bool is_signed = false;                           ///< with the key of Links
 };
 
+/// What simulated aircraft look like to ground stations.
+enum class ShownAs { kArduPilot, kPx4 };
+
 /// Who else takes part, by MAVLink.
 struct Links {
   std::vector<StationLink> ground_stations;
+  ShownAs autopilot = ShownAs::kArduPilot;
+  int first_system = 1;  ///< MAVLink system id of the first aircraft that is shown
   std::string key_file;  ///< of signed links; empty: none
 };
 

@@ -335,6 +335,14 @@ Fields<Links> links_fields() {
       .object("ground_stations", &Links::ground_stations, station_link_fields(),
               "Programs of ground stations, such as QGroundControl.")
       .items({.at_most = 20})
+      .word("autopilot", &Links::autopilot,
+            "What simulated aircraft look like to ground stations.",
+            {{"ardupilot", ShownAs::kArduPilot, "ArduPilot"},
+             {"px4", ShownAs::kPx4, "PX4"}})
+      .integer("first_system", &Links::first_system,
+               "System id of the first simulated aircraft; the others follow, 250 on each "
+               "port.",
+               {.at_least = 1, .at_most = 250})
       .file("key_file", &Links::key_file,
             "With the key of signed links, which nobody else may be able to read; \"\": "
             "none.");

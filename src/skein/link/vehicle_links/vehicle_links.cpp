@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -131,7 +132,9 @@ void VehicleLinks::add_station(const LinkEndpoint& endpoint) {
 }
 
 std::size_t VehicleLinks::show(vehicle_services::VehicleServerOptions vehicle) {
-  const auto numbers = vehicle_services::numbers_of_vehicle(shown_.size());
+  const std::size_t first = shown_.empty() ? vehicle.system : shown_.front()->system;
+  const auto numbers =
+      vehicle_services::numbers_of_vehicle(first - 1 + shown_.size());
   vehicle.system = numbers.system;
   vehicle_services::Outbox out(
       vehicle.system, vehicle.component,
@@ -142,6 +145,13 @@ std::size_t VehicleLinks::show(vehicle_services::VehicleServerOptions vehicle) {
   shown_.push_back(
       std::make_unique<Shown>(vehicle, frame_, numbers.port_offset, std::move(out)));
   return shown_.size() - 1;
+}
+
+bool VehicleLinks::needs_key() const {
+  return std::any_of(planned_.begin(), planned_.end(),
+                     [](const Planned& p) { return p.endpoint.is_signed; }) ||
+         std::any_of(stations_.begin(), stations_.end(),
+                     [](const LinkEndpoint& station) { return station.is_signed; });
 }
 
 void VehicleLinks::update(std::size_t shown,

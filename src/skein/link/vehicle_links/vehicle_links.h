@@ -57,10 +57,13 @@ class VehicleLinks final : public transport::ChannelListener {
   /// Fails: kBadInput where the endpoint has a vehicle of that system already.
   Result<std::size_t> add(const LinkedVehicle& vehicle);
   void add_station(const LinkEndpoint& endpoint);
-  /// A simulated vehicle that ground stations see; its system id is given here.
+  /// A simulated vehicle that ground stations see. Its system id is the one after that of
+  /// the vehicle before; that of the first is its own.
   /// @returns  its number among these.
   std::size_t show(vehicle_services::VehicleServerOptions vehicle);
-  /// For endpoints that are signed.
+  /// Whether an endpoint is signed.
+  bool needs_key() const;
+  /// For endpoints that are signed; before start().
   void set_key(const mavlink::SigningKey& key) { security_ = mavlink::LinkSecurity(key); }
 
   /// Of a vehicle that is shown; any thread may call these.
