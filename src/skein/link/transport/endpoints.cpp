@@ -72,4 +72,11 @@ void Endpoints::run_for(std::chrono::milliseconds duration) {
   implementation_->hub.io.run_for(duration);
 }
 
+bool Endpoints::run_one_for(std::chrono::nanoseconds patience) {
+  boost::asio::io_context& io = implementation_->hub.io;
+  io.restart();
+  // Without patience run_one_for() would not even look.
+  return io.poll_one() > 0 || io.run_one_for(patience) > 0;
+}
+
 }  // namespace skein::transport

@@ -17,7 +17,7 @@ namespace skein::transport {
 /// Numbers are never used again.
 using ChannelId = std::uint32_t;
 
-/// Whoever is told what happens; called by Endpoints::run_for() only.
+/// Whoever is told what happens; called by run_for() and run_one_for() of Endpoints only.
 class ChannelListener {
  public:
   virtual ~ChannelListener() = default;
@@ -29,7 +29,7 @@ class ChannelListener {
 };
 
 /// Sockets and serial lines, without threads of their own: everything happens in
-/// run_for(), in the thread of its caller.
+/// run_for() and run_one_for(), in the thread of their caller.
 ///
 /// Clients and serial lines that fail are tried again each second. Who sends datagrams to
 /// a server and then nothing for a minute is forgotten. No peer makes it hold more than a
@@ -53,6 +53,10 @@ class Endpoints {
 
   /// Waits for what comes, and handles it, for this long.
   void run_for(std::chrono::milliseconds duration);
+
+  /// Waits up to this long for the next thing that happens, and handles it.
+  /// @returns  false when nothing has happened.
+  bool run_one_for(std::chrono::nanoseconds patience);
 
  private:
   class Implementation;
