@@ -83,7 +83,7 @@ int vehicle_command(const VehicleArguments& arguments, const std::atomic<bool>& 
   auto read =
       scenario::read_scenario_text(text.value(), "skein vehicle", {}, kinds->table());
   if (!read.ok()) {
-    put_err(scenario::text_of(read));
+    put_err(read.report());
     return kBadUsage;
   }
   RunOrder order{*std::move(kinds), *std::move(read.scenario), std::nullopt};
