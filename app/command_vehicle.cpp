@@ -44,8 +44,10 @@ std::string links_of(const VehicleArguments& arguments) {
                              endpoints.empty() ? "" : ", ", link,
                              !arguments.key_file.empty());
   return fmt::format(
-      "links: {{ground_stations: [{}], autopilot: {}, first_system: {}, key_file: '{}'}}\n",
-      endpoints, arguments.autopilot, arguments.system, arguments.key_file);
+      "links: {{ground_stations: [{}], autopilot: {}, first_system: {}{}}}\n", endpoints,
+      arguments.autopilot, arguments.system,
+      arguments.key_file.empty() ? ""
+                                 : fmt::format(", key_file: '{}'", arguments.key_file));
 }
 
 Result<std::string> scenario_of(const VehicleArguments& arguments) {
@@ -56,7 +58,7 @@ Result<std::string> scenario_of(const VehicleArguments& arguments) {
       "name: {}\nseed: {}\nduration_s: {}\nstep_s: {}\n"
       "origin: {{latitude_deg: {}, longitude_deg: {}}}\n"
       "environment:\n"
-      "  terrain: {{kind: flat, elevation_msl_m: {}}}\n"
+      "  terrain: {{kind: flat, elevation_m: {}}}\n"
       "  wind: {{kind: uniform, speed_mps: {}, from_deg: {}}}\n"
       "  phenomena: []\n"
       "aircraft:\n"

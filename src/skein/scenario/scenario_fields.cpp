@@ -438,7 +438,8 @@ Fields<Links> links_fields() {
                {.at_least = 1, .at_most = 250})
       .file("key_file", &Links::key_file,
             "With the key of signed links, which nobody else may be able to read; \"\": "
-            "none.");
+            "none.",
+            {.may_be_empty = true});
 }
 
 // Periods that are no whole number of steps.
