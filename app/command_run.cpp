@@ -12,6 +12,7 @@
 #include "skein/assemble/read_command.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
+#include "skein/link/vehicle_links/vehicle_links.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 
 // fast = 0, real = 1, or a factor; nothing when it is none of these.
 std::optional<double> parse_speed(const std::string& text) {
-  if (text == "fast") return 0.0;
+  if (text == "fast" || text.empty()) return 0.0;
   if (text == "real") return 1.0;
   double factor = 0;
   const auto [end, error] =
@@ -153,6 +154,30 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
   return created;
 }
 
+// Aircraft that are not simulated fly by the wall clock. A run that is done again needs
+// no clock.
+Result<void> set_clock(assemble::Build& ready, double speed, const RunArguments& arguments,
+                       bool again) {
+  ready.options.speed = speed;
+  if (!ready.mixed || again) return {};
+  if (!arguments.speed.empty() && speed != 1)
+    return Error{ErrorCode::kBadInput, "--speed " + arguments.speed,
+                 "an aircraft of the scenario is not simulated: it flies in real time, "
+                 "and so must the run.",
+                 "Leave --speed out, or give --speed real."};
+  ready.options.speed = 1;
+  ready.options.real_time_only = true;
+  return {};
+}
+
+// Opens the links to whoever takes part from outside.
+Result<void> start_links(assemble::Build& ready) {
+  const auto places = ready.links->start();
+  if (!places) return places.error();
+  for (const std::string& place : places.value()) complain("waiting at {}\n", place);
+  return {};
+}
+
 // Runs to the end; whether it was interrupted.
 Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
                       const geo::LocalFrame& frame, const RunArguments& arguments,
@@ -223,11 +248,17 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
 
   const auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return say_error(frame.error());
-  auto built = assemble::build(scenario, order->kinds);
+  const bool again = order->recorded.has_value();
+  auto built = again
+                   ? assemble::build(scenario, order->kinds, order->recorded->reports)
+                   : assemble::build(scenario, order->kinds);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
   for (const std::string& warning : ready.warnings) log_warning("{}", warning);
-  ready.options.speed = *speed;
+  if (auto set = set_clock(ready, *speed, arguments, again); !set) {
+    say_error(set.error());
+    return kBadUsage;
+  }
   ready.options.threads = arguments.threads;
   if (order->recorded) replay(*order->recorded, ready.options);
 
@@ -242,6 +273,8 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
       assemble::sample_terrain(*ready.world.terrain, ready.map_centre, 4000);
   recorder.store_terrain(patch.rows, patch.rows, patch.low, patch.spacing, patch.heights);
 
+  if (!again)
+    if (auto started = start_links(ready); !started) return say_error(started.error());
   const auto simulated = simulate(ready, recorder, frame.value(), arguments, stop);
   const bool interrupted =
       simulated ? simulated.value() || (order->recorded && order->recorded->interrupted)

@@ -17,7 +17,7 @@ struct RunArguments {
   std::vector<std::string> overrides;  ///< a.b[2].c=VALUE
   std::vector<std::string> plugins;    ///< besides those of the scenario
   std::string seed;                    ///< empty = the scenario's
-  std::string speed = "fast";          ///< fast, real, or a factor
+  std::string speed;  ///< fast, real, or a factor; empty = fast, or real if it must be
   int threads = 1;
   bool report = false;
   bool json = false;

@@ -18,6 +18,7 @@
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
+#include "skein/link/vehicle_links/vehicle_links.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
 #include "skein/scenario/zones.h"
@@ -67,8 +68,13 @@ Error together(const std::vector<Error>& errors) {
 // plain until the end, so that all errors are found at once.
 class Builder {
  public:
-  Builder(const Scenario& scenario, const KindRegistry& kinds, geo::LocalFrame frame)
-      : scenario_(scenario), kinds_(kinds), frame_(std::move(frame)) {
+  Builder(const Scenario& scenario, const KindRegistry& kinds, geo::LocalFrame frame,
+          RecordedReports* recorded)
+      : scenario_(scenario),
+        kinds_(kinds),
+        frame_(std::move(frame)),
+        recorded_(recorded) {
+    build_.links = std::make_unique<vehicle_links::VehicleLinks>(frame_);
     const scenario::Environment& environment = scenario.environment;
     for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
       zones_.push_back(scenario::ring_zone(environment.zone_rings[i], i));
@@ -93,6 +99,7 @@ class Builder {
     stations();
     objects();
     note(radio());
+    ground_station_links();
     if (!errors_.empty()) return together(errors_);
     return std::move(build_);
   }
@@ -234,11 +241,13 @@ class Builder {
   }
 
   void aircraft() {
-    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind);
+    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
+                            *build_.links, recorded_);
     const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
     for (std::uint32_t k = 0; k < first; ++k)
       teams_.push_back({EntityId{k}, scenario_.stations[k].name, {}});
     for (const AircraftGroup& group : scenario_.aircraft) {
+      build_.mixed |= group.count > 0 && group.vehicle.kind != "simulated";
       StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {
         const auto next = static_cast<std::uint32_t>(build_.world.entities.size());
@@ -274,6 +283,13 @@ class Builder {
     }
   }
 
+  void ground_station_links() {
+    for (const scenario::StationLink& link : scenario_.links.ground_stations) {
+      const auto address = transport::parse_endpoint(link.endpoint);
+      if (note(address)) build_.links->add_station(address.value());
+    }
+  }
+
   Result<void> radio() {
     // The radio outlives no entity: both are the world's.
     RadioContext context;
@@ -302,6 +318,7 @@ class Builder {
   geo::LocalFrame frame_;
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
+  RecordedReports* recorded_;
   std::vector<StationTeam> teams_;  // of each station
   Build build_;
   std::vector<Error> errors_;
@@ -317,10 +334,32 @@ Result<void> check_phenomenon(std::size_t number, std::size_t phenomena) {
                "They are counted from 0."};
 }
 
-Result<Build> build(const Scenario& scenario, const KindRegistry& kinds) {
+Build::Build() = default;
+Build::Build(Build&&) noexcept = default;
+Build& Build::operator=(Build&&) noexcept = default;
+Build::~Build() = default;
+
+namespace {
+
+Result<Build> build_from(const Scenario& scenario, const KindRegistry& kinds,
+                         RecordedReports* recorded) {
   auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return frame.error();
-  return Builder(scenario, kinds, std::move(frame).value()).build();
+  return Builder(scenario, kinds, std::move(frame).value(), recorded).build();
+}
+
+}  // namespace
+
+Result<Build> build(const Scenario& scenario, const KindRegistry& kinds) {
+  return build_from(scenario, kinds, nullptr);
+}
+
+Result<Build> build(const Scenario& scenario, const KindRegistry& kinds,
+                    std::span<const VehicleReportRecord> recorded) {
+  RecordedReports reports;
+  for (const VehicleReportRecord& each : recorded)
+    reports[each.id].push_back({each.time, each.report});
+  return build_from(scenario, kinds, &reports);
 }
 
 TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre,

@@ -18,6 +18,7 @@
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
 #include "skein/data/vehicle.h"
+#include "skein/data/vehicle_report.h"
 #include "skein/data/zone_change.h"
 #include "skein/geo/polygon.h"
 
@@ -196,12 +197,46 @@ constexpr auto describe(const PlannerRecord*) {
       field("", &T::change, "which planner, and what it does"));
 }
 
+/// What a vehicle behind a link has said, when the run took it in.
+struct VehicleReportRecord {
+  Time time;
+  EntityId id;
+  VehicleReport report;
+};
+
+constexpr auto describe(const VehicleReportRecord*) {
+  using T = VehicleReportRecord;
+  return described<T>(
+      {"vehicle_report", "vehicle_reports"},
+      "What a vehicle behind a link has said: all that a run is told from outside.",
+      field("time", &T::time, "of the step that took it in"),
+      field("entity_id", &T::id, "whose"),
+      field("", &T::report, Storage::kCoded, "what it said"));
+}
+
+/// Where an aircraft is in its stored mission, from now on.
+struct MissionProgressRecord {
+  Time time;
+  EntityId id;
+  MissionProgress progress;
+};
+
+constexpr auto describe(const MissionProgressRecord*) {
+  using T = MissionProgressRecord;
+  return described<T>({"mission_progress", "mission_progress"},
+                      "Where an aircraft is in its stored mission.",
+                      field("time", &T::time, "from when on"),
+                      field("entity_id", &T::id, "whose mission"),
+                      field("", &T::progress, "the item"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
 using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
                             Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
                             GroundObject, Detection, Footprint, RangeScan, CommandRecord,
                             PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
-                            MissionRecord, ForecastRecord, ArrivalRecord>;
+                            MissionRecord, ForecastRecord, ArrivalRecord,
+                            VehicleReportRecord, MissionProgressRecord>;
 
 }  // namespace skein

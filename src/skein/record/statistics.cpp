@@ -54,6 +54,8 @@ struct Taker {
   void operator()(const CommandRecord&) {}
   void operator()(const PluginRecord&) {}
   void operator()(const PlannerRecord&) {}
+  void operator()(const VehicleReportRecord&) {}
+  void operator()(const MissionProgressRecord&) {}
 };
 
 }  // namespace

@@ -116,6 +116,7 @@ struct RandomFailure {
 struct AircraftGroup {
   std::string name = "scout";
   int count = 1;
+  Choice vehicle{"simulated"};
   Choice plant{"kinematic"};
   double parameter_spread = 0;  ///< of each aircraft's own parameters, at most
   Choice autopilot{"path"};
@@ -149,6 +150,16 @@ struct Recording {
   bool messages = true;
 };
 
+/// A place where ground stations' programs meet the aircraft by MAVLink.
+struct StationLink {
+  std::string endpoint = "udpout:127.0.0.1:14550";  ///< see docs/links.md
+};
+
+/// Who else takes part, by MAVLink.
+struct Links {
+  std::vector<StationLink> ground_stations;
+};
+
 /// A command that the scenario gives by itself.
 struct PlannedCommand {
   Time at;
@@ -171,6 +182,7 @@ struct Scenario {
   std::vector<Station> stations = {Station{}};
   std::vector<Choice> missions = {{"perimeter"}};
   std::vector<PlannedCommand> commands;
+  Links links;
   Recording record;
 };
 

@@ -241,6 +241,8 @@ Fields<AircraftGroup> aircraft_fields() {
       .text("name", &T::name, "Name of the group; its aircraft are name-1, name-2, ...")
       .integer("count", &T::count, "How many aircraft.",
                {.at_least = 0, .at_most = 10000})
+      .kind("vehicle", &T::vehicle, "vehicle",
+            "Whether it is simulated here, or elsewhere, or is real.")
       .kind("plant", &T::plant, "plant", "How the aircraft moves.")
       .number("parameter_spread", &T::parameter_spread,
               "Mass, inertia and each coefficient of an aircraft differ from its plant's "
@@ -316,6 +318,21 @@ Fields<Recording> record_fields() {
       .duration_s("perimeter_period_s", &T::perimeter_period,
                   "Time between two stored perimeters.", kPeriod)
       .boolean("messages", &T::messages, "Whether messages are stored.");
+}
+
+Fields<StationLink> station_link_fields() {
+  using T = StationLink;
+  return Fields<T>()
+      .text("endpoint", &T::endpoint,
+            "Where, such as udpout:127.0.0.1:14550 or tcpin:5760; see docs/links.md.")
+      .required();
+}
+
+Fields<Links> links_fields() {
+  return Fields<Links>()
+      .object("ground_stations", &Links::ground_stations, station_link_fields(),
+              "Programs of ground stations, such as QGroundControl.")
+      .items({.at_most = 20});
 }
 
 // Periods that are no whole number of steps.
@@ -436,6 +453,7 @@ Fields<Scenario> scenario_fields() {
       .object("commands", &T::commands, command_fields(),
               "What the scenario commands by itself, as an operator would.")
       .items({.at_most = 10000})
+      .object("links", &T::links, links_fields(), "Other programs that take part.")
       .object("record", &T::record, record_fields(), "What is stored.")
       .rules_of_valid(period_errors)
       .rules_of_valid(station_errors);

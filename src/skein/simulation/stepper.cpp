@@ -150,6 +150,10 @@ void Stepper::update_parts(Time now) {
     Vehicle* vehicle = world_.entities[i].vehicle.get();
     if (!states_[i].active || !vehicle) continue;
     vehicle->begin_step(now);
+    vehicle_reports_.clear();
+    vehicle->take_reports(vehicle_reports_);
+    for (VehicleReport& report : vehicle_reports_)
+      recorder_.record(VehicleReportRecord{now, id_of(i), std::move(report)});
     vehicle_events_.clear();
     vehicle->take_events(vehicle_events_);
     for (VehicleEvent& event : vehicle_events_)
@@ -382,6 +386,9 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
       return MissionRecord{now, agent, change};
     }
     Record operator()(const PluginRecord& record) { return record; }
+    Record operator()(const MissionProgress& progress) {
+      return MissionProgressRecord{now, agent, progress};
+    }
     Record operator()(const PlannerChange& change) {
       return PlannerRecord{now, agent, change};
     }

@@ -49,6 +49,9 @@ class Stepper {
   /// clock are the caller's to obey.
   void command(Time now, std::string sender, const Command& command);
 
+  /// Records that a command cannot be obeyed, and why.
+  void refuse(Time now, const std::string& why);
+
   /// Moves the world from `now` to the next step.
   Result<void> step(Time now);
 
@@ -78,7 +81,6 @@ class Stepper {
   void record_event(const Event& event);
   std::optional<std::size_t> find(const std::string& aircraft) const;
   void obey(Time now, const Command& command);
-  void refuse(Time now, const std::string& why);
   template <class Body>
   void for_each(Body body);  // body(i) for every entity
   Surroundings surroundings() const;
@@ -93,6 +95,7 @@ class Stepper {
   std::vector<EntityState> states_;
   std::vector<Message> arrived_, lost_;
   std::vector<VehicleEvent> vehicle_events_;
+  std::vector<VehicleReport> vehicle_reports_;
   std::optional<double> sigma_;  // root mean square, of the newest belief [m]
 };
 

@@ -30,7 +30,7 @@ struct SimpleAutopilotOptions {
 /// A repeated path goes on where it is, so that only its altitude changes.
 /// Until the first command it circles the place where it was made.
 ///
-/// Plans, waypoints, take-off, landing and return are flown by FixedWingGuidance with the
+/// Plans, waypoints, banks, take-off, landing and return are flown by FixedWingGuidance with the
 /// same gains; its lateral acceleration a becomes tan(roll) = a / (g cos(drift angle)).
 /// Of these, what cannot be flown is refused (AutopilotStatus::refused) and the old
 /// command goes on. The vehicle starts in the air and has no wheels: take-off climbs, and
