@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "skein/link/vehicle_services/places.h"
+
 namespace skein::vehicle_services {
 namespace {
 
@@ -9,6 +11,11 @@ using mavlink::MissionResult;
 
 const Time kAgain = Time::from_seconds(0.5);
 const Time kPatience = Time::from_seconds(10);
+
+// A ground station stays the same when its link changes.
+bool is_same_station(const Peer& a, const Peer& b) {
+  return a.system == b.system && a.component == b.component;
+}
 
 template <class T>
 T addressed(const Peer& to, mavlink::MissionType type) {
@@ -40,13 +47,15 @@ void MissionService::ask(Time now, Outbox& out) {
 void MissionService::handle(const mavlink::MissionCount& count, const Peer& from,
                             Time now, Outbox& out) {
   if (!is_mine(count.mission_type)) return;
-  if (upload_ && upload_->from != from) return answer(from, MissionResult::kDenied, out);
+  if (busy_for(from)) return answer(from, MissionResult::kDenied, out);
   if (count.count > options_.max_items + first()) {
     upload_.reset();
     return answer(from, MissionResult::kNoSpace, out);
   }
   // The same again: its answer, a request, was lost; step() asks for that.
-  if (upload_ && upload_->count == count.count && upload_->items.empty()) return;
+  if (upload_ && upload_->from == from && upload_->count == count.count &&
+      upload_->items.empty())
+    return;
   upload_ = Upload{from, count.count, {}, now, now};
   ended_.reset();
   if (count.count == 0) return finish(out);
@@ -61,7 +70,8 @@ void MissionService::handle(const Item& item, const Peer& from, Time now, Outbox
     return;
   }
   // Others' items, and those that come twice or too early, are passed over: step() asks.
-  if (upload_->from != from || item.seq != upload_->items.size()) return;
+  if (!is_same_station(upload_->from, from) || item.seq != upload_->items.size()) return;
+  upload_->from.channel = from.channel;
   upload_->items.push_back(item);
   upload_->gained = now;
   if (upload_->items.size() == upload_->count) return finish(out);
@@ -90,29 +100,48 @@ void MissionService::handle(const mavlink::MissionRequestList& request, const Pe
   out.send(from.channel, count);
 }
 
+std::optional<MissionService::Item> MissionService::item_for(const Peer& to,
+                                                             std::size_t number) const {
+  if (number >= items_.size() + first()) return std::nullopt;
+  Item item = number < first() ? home_ : items_[number - first()];
+  item.seq = static_cast<std::uint16_t>(number);
+  item.target_system = to.system;
+  item.target_component = to.component;
+  item.mission_type = static_cast<std::uint8_t>(options_.type);
+  return item;
+}
+
 void MissionService::handle(const mavlink::MissionRequestInt& request, const Peer& from,
                             Outbox& out) {
   if (!is_mine(request.mission_type)) return;
-  if (request.seq >= items_.size() + first())
-    return answer(from, MissionResult::kInvalidSequence, out);
-  Item item = request.seq < first() ? home_ : items_[request.seq - first()];
-  item.seq = request.seq;
-  item.target_system = from.system;
-  item.target_component = from.component;
-  item.mission_type = static_cast<std::uint8_t>(options_.type);
-  out.send(from.channel, item);
+  if (const auto item = item_for(from, request.seq)) return out.send(from.channel, *item);
+  answer(from, MissionResult::kInvalidSequence, out);
 }
 
-void MissionService::handle(const mavlink::MissionClearAll& order, const Peer& from,
+void MissionService::handle(const mavlink::MissionRequest& request, const Peer& from,
                             Outbox& out) {
-  const bool all =
-      order.mission_type == static_cast<std::uint8_t>(mavlink::MissionType::kAll);
-  if (!all && !is_mine(order.mission_type)) return;
-  if (upload_ && upload_->from != from) return answer(from, MissionResult::kDenied, out);
+  if (!is_mine(request.mission_type)) return;
+  if (const auto item = item_for(from, request.seq))
+    return out.send(from.channel, with_floats(*item));
+  answer(from, MissionResult::kInvalidSequence, out);
+}
+
+bool MissionService::busy_for(const Peer& from) const {
+  return upload_ && !is_same_station(upload_->from, from);
+}
+
+MissionResult MissionService::clear(const Peer& from) {
+  if (busy_for(from)) return MissionResult::kDenied;
+  const MissionResult result = check_({});
+  if (result != MissionResult::kAccepted) return result;
   upload_.reset();
   items_.clear();
   ++version_;
-  answer(from, MissionResult::kAccepted, out);
+  return result;
+}
+
+void MissionService::close(Channel channel) {
+  if (upload_ && upload_->from.channel == channel) upload_.reset();
 }
 
 void MissionService::step(Time now, Outbox& out) {
@@ -123,6 +152,46 @@ void MissionService::step(Time now, Outbox& out) {
   } else if (now - upload_->asked >= kAgain) {
     ask(now, out);
   }
+}
+
+mavlink::MissionItem with_floats(const mavlink::MissionItemInt& item) {
+  mavlink::MissionItem same;
+  same.target_system = item.target_system;
+  same.target_component = item.target_component;
+  same.seq = item.seq;
+  same.frame = item.frame;
+  same.command = item.command;
+  same.current = item.current;
+  same.autocontinue = item.autocontinue;
+  same.param1 = item.param1;
+  same.param2 = item.param2;
+  same.param3 = item.param3;
+  same.param4 = item.param4;
+  same.x = static_cast<float>(coordinate(item.frame, item.x));
+  same.y = static_cast<float>(coordinate(item.frame, item.y));
+  same.z = item.z;
+  same.mission_type = item.mission_type;
+  return same;
+}
+
+mavlink::MissionItemInt with_integers(const mavlink::MissionItem& item) {
+  mavlink::MissionItemInt same;
+  same.target_system = item.target_system;
+  same.target_component = item.target_component;
+  same.seq = item.seq;
+  same.frame = item.frame;
+  same.command = item.command;
+  same.current = item.current;
+  same.autocontinue = item.autocontinue;
+  same.param1 = item.param1;
+  same.param2 = item.param2;
+  same.param3 = item.param3;
+  same.param4 = item.param4;
+  same.x = integer_coordinate(item.frame, static_cast<double>(item.x));
+  same.y = integer_coordinate(item.frame, static_cast<double>(item.y));
+  same.z = item.z;
+  same.mission_type = item.mission_type;
+  return same;
 }
 
 }  // namespace skein::vehicle_services

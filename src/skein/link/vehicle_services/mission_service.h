@@ -19,7 +19,8 @@ namespace skein::vehicle_services {
 /// An upload replaces the list whole or not at all: until its last item is there, and
 /// found good, the old one counts. Items that are lost on the way are asked for again
 /// each half second, for up to ten seconds without any that is new. While one uploads,
-/// others are refused.
+/// others are refused. Items are asked for as MISSION_ITEM_INT and taken as MISSION_ITEM
+/// too; who asks by MISSION_REQUEST is given MISSION_ITEM.
 class MissionService {
  public:
   using Item = mavlink::MissionItemInt;
@@ -41,7 +42,14 @@ class MissionService {
   void handle(const Item& item, const Peer& from, Time now, Outbox& out);
   void handle(const mavlink::MissionRequestList& request, const Peer& from, Outbox& out);
   void handle(const mavlink::MissionRequestInt& request, const Peer& from, Outbox& out);
-  void handle(const mavlink::MissionClearAll& order, const Peer& from, Outbox& out);
+  void handle(const mavlink::MissionRequest& request, const Peer& from, Outbox& out);
+
+  /// Replaces the list by an empty one, for a ground station; who asked is answered by
+  /// the caller, once for all lists that it asked for.
+  mavlink::MissionResult clear(const Peer& from);
+
+  /// The link is gone: what was being loaded up over it is forgotten.
+  void close(Channel channel);
 
   /// Asks again for what is missing, gives up what has taken too long.
   void step(Time now, Outbox& out);
@@ -55,6 +63,8 @@ class MissionService {
   std::uint32_t version() const { return version_; }
   /// Somebody is loading up.
   bool busy() const { return upload_.has_value(); }
+  /// Somebody else is.
+  bool busy_for(const Peer& from) const;
 
  private:
   struct Upload {
@@ -69,6 +79,8 @@ class MissionService {
     return type == static_cast<std::uint8_t>(options_.type);
   }
   std::size_t first() const { return options_.home_is_first ? 1 : 0; }
+  // The item with this number, for a ground station.
+  std::optional<Item> item_for(const Peer& to, std::size_t number) const;
   void ask(Time now, Outbox& out);
   void finish(Outbox& out);
   void answer(const Peer& to, mavlink::MissionResult result, Outbox& out) const;
@@ -84,5 +96,10 @@ class MissionService {
   std::size_t ended_count_ = 0;
   mavlink::MissionResult result_ = mavlink::MissionResult::kAccepted;
 };
+
+/// The same item with floats: places in degrees, good to about a metre.
+mavlink::MissionItem with_floats(const mavlink::MissionItemInt& item);
+/// The same item with integers; a place that is no number becomes kNoCoordinate.
+mavlink::MissionItemInt with_integers(const mavlink::MissionItem& item);
 
 }  // namespace skein::vehicle_services

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMaxListings = 16;
 const Time kBetween = Time::from_seconds(0.004);  // parameters of a list
+// No more than 25 at once, however late it is.
+const Time kMaxBehind = Time::from_seconds(0.1);
 // An answer to a read by name or a change is no part of a list.
 constexpr std::uint16_t kNoIndex = 65'535;
 
@@ -51,10 +53,10 @@ Range range(ParameterType type) {
 }
 
 // What the parameter becomes when it shall have this value.
-double allowed(const Parameter& parameter, double wanted) {
+double allowed(const Parameter& parameter, double value) {
   const Range of_type = range(parameter.type);
-  if (is_integer(parameter.type)) wanted = std::round(wanted);
-  return std::clamp(wanted, std::max(parameter.lowest, of_type.low),
+  if (is_integer(parameter.type)) value = std::round(value);
+  return std::clamp(value, std::max(parameter.lowest, of_type.low),
                     std::min(parameter.highest, of_type.high));
 }
 
@@ -150,28 +152,41 @@ void ParameterService::handle(const mavlink::ParamRequestRead& request, const Pe
   out.send(from.channel, error);
 }
 
-void ParameterService::handle(const mavlink::ParamSet& change, const Peer& from,
+void ParameterService::change(Parameter& parameter, double value) {
+  value = allowed(parameter, value);
+  if (value == parameter.value) return;
+  parameter.value = value;
+  changed_(parameter);
+}
+
+bool ParameterService::set(std::string_view name, double value) {
+  const auto index = index_of(name);
+  if (!index || parameters_[*index].read_only) return false;
+  change(parameters_[*index], value);
+  return true;
+}
+
+void ParameterService::handle(const mavlink::ParamSet& request, const Peer& from,
                               Outbox& out) {
-  const auto index = index_of(mavlink::text_of(change.param_id));
+  const auto index = index_of(mavlink::text_of(request.param_id));
   const auto refuse = [&](mavlink::ParamErrorCode why) {
     mavlink::ParamError error;
     error.target_system = from.system;
     error.target_component = from.component;
-    error.param_id = change.param_id;
+    error.param_id = request.param_id;
     error.param_index = index ? static_cast<std::int16_t>(*index) : std::int16_t{-1};
     error.error = static_cast<std::uint8_t>(why);
     out.send(from.channel, error);
   };
   if (!index) return refuse(mavlink::ParamErrorCode::kDoesNotExist);
   Parameter& parameter = parameters_[*index];
-  const double wanted = decoded_parameter(change.param_value, parameter.type, encoding_);
+  const double value = decoded_parameter(request.param_value, parameter.type, encoding_);
   if (parameter.read_only) {
     refuse(mavlink::ParamErrorCode::kReadOnly);
-  } else if (!std::isfinite(wanted)) {
+  } else if (!std::isfinite(value)) {
     refuse(mavlink::ParamErrorCode::kOutOfRange);
-  } else if (const double value = allowed(parameter, wanted); value != parameter.value) {
-    parameter.value = value;
-    changed_(parameter);
+  } else {
+    change(parameter, value);
   }
   // What it is now, whether it was changed or not.
   mavlink::ParamValue answer = message_of(*index);
@@ -181,6 +196,7 @@ void ParameterService::handle(const mavlink::ParamSet& change, const Peer& from,
 
 void ParameterService::step(Time now, Outbox& out) {
   for (Listing& listing : listings_) {
+    listing.due = std::max(listing.due, now - kMaxBehind);
     while (listing.next < parameters_.size() && listing.due <= now) {
       out.send(listing.to.channel, message_of(listing.next++));
       listing.due = listing.due + kBetween;
@@ -188,6 +204,10 @@ void ParameterService::step(Time now, Outbox& out) {
   }
   std::erase_if(listings_,
                 [&](const Listing& l) { return l.next >= parameters_.size(); });
+}
+
+void ParameterService::close(Channel channel) {
+  std::erase_if(listings_, [&](const Listing& l) { return l.to.channel == channel; });
 }
 
 }  // namespace skein::vehicle_services

@@ -42,7 +42,7 @@ enum class ParameterEncoding : std::uint8_t {
 
 /// The parameter protocol of a vehicle: the list, single ones, changes. A list goes out
 /// at 250 a second for each who asked, so that no buffer on the way overflows; what is
-/// lost is asked for again by index.
+/// lost is asked for again by index, or after a pause by the whole list.
 class ParameterService {
  public:
   using Changed = std::function<void(const Parameter&)>;
@@ -54,10 +54,17 @@ class ParameterService {
 
   void handle(const mavlink::ParamRequestList& request, const Peer& from, Time now);
   void handle(const mavlink::ParamRequestRead& request, const Peer& from, Outbox& out);
-  void handle(const mavlink::ParamSet& change, const Peer& from, Outbox& out);
+  void handle(const mavlink::ParamSet& request, const Peer& from, Outbox& out);
 
   /// Sends what is due.
   void step(Time now, Outbox& out);
+
+  /// The link is gone.
+  void close(Channel channel);
+
+  /// Gives the parameter of a name another value, as a ground station would.
+  /// @returns  false without one, or when it is read-only.
+  bool set(std::string_view name, double value);
 
   /// The parameter of a name; null without one.
   const Parameter* find(std::string_view name) const;
@@ -68,11 +75,12 @@ class ParameterService {
   struct Listing {
     Peer to;
     std::size_t next = 0;
-    Time due;
+    Time due;  // the next one
   };
 
   mavlink::ParamValue message_of(std::size_t index) const;
   std::optional<std::size_t> index_of(std::string_view name) const;
+  void change(Parameter& parameter, double value);
 
   std::vector<Parameter> parameters_;
   ParameterEncoding encoding_;

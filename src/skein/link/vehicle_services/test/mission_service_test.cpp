@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <optional>
 
+#include "skein/link/vehicle_services/places.h"
 #include "skein/link/vehicle_services/test/bad_line.h"
 
 namespace skein::vehicle_services {
@@ -47,8 +49,10 @@ struct Vehicle {
                                     [&](const auto& m) { service.handle(m, from, out); });
     on<mavlink::MissionRequestInt>(frame,
                                    [&](const auto& m) { service.handle(m, from, out); });
-    on<mavlink::MissionClearAll>(frame,
-                                 [&](const auto& m) { service.handle(m, from, out); });
+    on<mavlink::MissionItem>(
+        frame, [&](const auto& m) { service.handle(with_integers(m), from, now, out); });
+    on<mavlink::MissionRequest>(frame,
+                                [&](const auto& m) { service.handle(m, from, out); });
   }
 
   MissionService service;
@@ -235,6 +239,90 @@ TEST(MissionService, IsClearedByAnEmptyListToo) {
   ASSERT_EQ(upload(line, vehicle, mission(4)), 0);
   EXPECT_EQ(upload(line, vehicle, {}), 0);
   EXPECT_TRUE(vehicle.service.items().empty());
+}
+
+TEST(MissionService, SpeaksWithFloatsToo) {
+  Vehicle vehicle;
+  std::optional<mavlink::MissionItem> given;
+  std::optional<int> result;
+  Outbox out(7, 1, [&](Channel, std::span<const std::byte> bytes) {
+    mavlink::FrameParser().read(bytes, [&](const mavlink::Frame& frame) {
+      on<mavlink::MissionItem>(frame, [&](const auto& m) { given = m; });
+      on<mavlink::MissionAck>(frame, [&](const auto& m) { result = m.type; });
+    });
+  });
+  const Peer station{1, 255, 190};
+  mavlink::MissionCount count;
+  count.count = 1;
+  vehicle.service.handle(count, station, Time(), out);
+  mavlink::MissionItem item = with_floats(mission(1)[0]);
+  EXPECT_FLOAT_EQ(item.x, 47);
+  vehicle.service.handle(with_integers(item), station, Time(), out);
+  EXPECT_EQ(result, 0);
+  EXPECT_NEAR(vehicle.service.items()[0].x, 470'000'000, 20);  // 1e-6 of a degree
+  mavlink::MissionRequest request;
+  vehicle.service.handle(request, station, out);
+  ASSERT_TRUE(given);
+  EXPECT_FLOAT_EQ(given->x, 47);
+  EXPECT_FLOAT_EQ(given->y, 8);
+  EXPECT_EQ(given->target_system, 255);
+}
+
+TEST(MissionService, FloatsThatAreNoPlaceSayThatThereIsNone) {
+  mavlink::MissionItem item;
+  item.frame = 6;
+  item.x = std::numeric_limits<float>::quiet_NaN();
+  item.y = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(with_integers(item).x, kNoCoordinate);
+  EXPECT_EQ(with_integers(item).y, kNoCoordinate);
+  item.x = 1e30F;
+  EXPECT_NE(with_integers(item).x, kNoCoordinate);
+  item.frame = 2;
+  item.x = 12;
+  EXPECT_EQ(with_integers(item).x, 12) << "no place: no degrees";
+}
+
+TEST(MissionService, IsClearedUnlessAnotherUploads) {
+  BadLine line({}, 1);
+  Vehicle vehicle;
+  ASSERT_EQ(upload(line, vehicle, mission(4)), 0);
+  mavlink::MissionCount count;
+  count.count = 3;
+  vehicle.service.handle(count, {1, 255, 190}, line.now, line.vehicle);
+  EXPECT_EQ(vehicle.service.clear({2, 254, 190}), MissionResult::kDenied);
+  EXPECT_EQ(vehicle.service.items().size(), 4U);
+  EXPECT_EQ(vehicle.service.clear({1, 255, 190}), MissionResult::kAccepted);
+  EXPECT_TRUE(vehicle.service.items().empty());
+  EXPECT_FALSE(vehicle.service.busy());
+}
+
+TEST(MissionService, ForgetsAnUploadWithItsLink) {
+  BadLine line({}, 1);
+  Vehicle vehicle;
+  mavlink::MissionCount count;
+  count.count = 3;
+  vehicle.service.handle(count, {4, 255, 190}, line.now, line.vehicle);
+  vehicle.service.close(3);
+  EXPECT_TRUE(vehicle.service.busy());
+  vehicle.service.close(4);
+  EXPECT_FALSE(vehicle.service.busy());
+}
+
+TEST(MissionService, AStationGoesOnOverAnotherLink) {
+  Vehicle vehicle;
+  std::map<Channel, int> requests;
+  Outbox out(7, 1, [&](Channel channel, std::span<const std::byte> bytes) {
+    mavlink::FrameParser().read(bytes, [&](const mavlink::Frame& frame) {
+      on<mavlink::MissionRequestInt>(frame, [&](const auto&) { ++requests[channel]; });
+    });
+  });
+  mavlink::MissionCount count;
+  count.count = 3;
+  vehicle.service.handle(count, {4, 255, 190}, Time(), out);
+  vehicle.service.handle(mission(1)[0], {5, 255, 190}, Time(), out);
+  EXPECT_EQ(requests, (std::map<Channel, int>{{4, 1}, {5, 1}}));
+  vehicle.service.handle(count, {5, 255, 190}, Time(), out);
+  EXPECT_EQ(requests.at(5), 2) << "begins anew";
 }
 
 TEST(MissionService, SaysWhenThereIsNoSuchItemAndKeepsToItsKindOfList) {

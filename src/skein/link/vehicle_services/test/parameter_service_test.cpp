@@ -128,6 +128,15 @@ TEST(ParameterService, RefusesWhatCannotBeSet) {
   EXPECT_TRUE(vehicle.changes.empty());
 }
 
+TEST(ParameterService, IsChangedFromInsideToo) {
+  Vehicle vehicle;
+  EXPECT_TRUE(vehicle.service.set("WP_RADIUS", 55));
+  EXPECT_EQ(vehicle.changes.at("WP_RADIUS"), 55);
+  EXPECT_FALSE(vehicle.service.set("SYSID_THISMAV", 9));
+  EXPECT_FALSE(vehicle.service.set("NO_SUCH", 9));
+  EXPECT_EQ(vehicle.changes.size(), 1U);
+}
+
 TEST(ParameterService, CarriesIntegersAsTheIdentityAsks) {
   using enum ParameterType;
   for (const auto& [type, value] : {std::pair{kUint8, 200.0},
@@ -153,10 +162,16 @@ TEST(ParameterService, SendsAListToSeveralAndNotTooFast) {
   for (const Channel channel : {1U, 2U})
     vehicle.service.handle(mavlink::ParamRequestList(), {channel, 255, 190}, Time());
   vehicle.service.handle(mavlink::ParamRequestList(), {1, 255, 190}, Time());
-  vehicle.service.step(Time::from_seconds(0.5), out);
+  for (int k = 0; k <= 50; ++k) vehicle.service.step(Time::from_seconds(k * 0.01), out);
   EXPECT_EQ(sent.at(1), 126);
   EXPECT_EQ(sent.at(2), 126);
-  vehicle.service.step(Time::from_seconds(60), out);
+  // After a long wait no more than of a tenth of a second at once.
+  vehicle.service.step(Time::from_seconds(10), out);
+  EXPECT_EQ(sent.at(1), 126 + 26);
+  vehicle.service.close(2);
+  for (int k = 0; k <= 500; ++k)
+    vehicle.service.step(Time::from_seconds(10 + k * 0.01), out);
+  EXPECT_EQ(sent.at(2), 126 + 26) << "that link is gone";
   EXPECT_EQ(sent.at(1), int(parameters().size()))
       << "once, although it was asked for twice";
 }
