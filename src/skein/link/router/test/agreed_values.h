@@ -68,8 +68,7 @@ void visit_fields(T& message, FieldVisitor& visitor) {
 /// A pseudo-random number that a text stands for: FNV-1a, its bits mixed.
 inline std::uint32_t draw(std::string_view text) {
   std::uint32_t hash = 2'166'136'261U;
-  for (const char c : text)
-    hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619U;
   hash = (hash ^ hash >> 16) * 0x85eb'ca6bU;
   hash = (hash ^ hash >> 13) * 0xc2b2'ae35U;
   return hash ^ hash >> 16;

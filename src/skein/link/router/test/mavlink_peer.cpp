@@ -5,8 +5,8 @@
 //
 // It says its definitions and where its servers wait, as lines of JSON, and compares each
 // message that comes, field by field, with what the other side must have put into it
-// (agreed_values.h). Each is answered by one of the same kind and form, with the values of
-// the round that is kRounds later. The frame's system says the form, its component the
+// (agreed_values.h). Each is answered by one of the same kind and form, with the values
+// of the round that is kRounds later. The frame's system says the form, its component the
 // round. When standard input ends it says what came, and fails if a field was wrong.
 #include <fmt/format.h>
 #include <poll.h>
@@ -83,7 +83,8 @@ struct Compare final : FieldVisitor {
       // The other side keeps numbers as 64-bit floats: a NaN may come with other bits.
       const bool nans = field.type == "float" && is_nan(expected) && is_nan(found);
       if (found != expected && !nans)
-        wrong += fmt::format("{}[{}] is {:#x}, not {:#x}; ", field.name, i, found, expected);
+        wrong +=
+            fmt::format("{}[{}] is {:#x}, not {:#x}; ", field.name, i, found, expected);
       ++compared;
     }
   }
@@ -170,11 +171,9 @@ class TestPeer final : public transport::ChannelListener {
     Signer signer, other_signer;
   };
 
-  void opened(ChannelId channel, transport::EndpointId,
-              const std::string&) override {
+  void opened(ChannelId channel, transport::EndpointId, const std::string&) override {
     const auto link_id = static_cast<std::uint8_t>(channel);
-    links_.emplace(channel,
-                   Link{{}, {}, {}, {kKey, link_id, 0}, {kNoKey, link_id, 0}});
+    links_.emplace(channel, Link{{}, {}, {}, {kKey, link_id, 0}, {kNoKey, link_id, 0}});
     // A client speaks first, so that the other side knows where it is.
     FrameWriter hello(kUnanswered, 1);
     endpoints_.send(channel, hello.write(Heartbeat()));
