@@ -18,11 +18,14 @@
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
-#include "skein/link/vehicle_links/vehicle_links.h"
+#include "skein/link/mavlink/signing_key_file.h"
+#include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
 #include "skein/scenario/zones.h"
+#include "skein/scenario/utc.h"
 #include "skein/simulation/commanded_wind.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
 namespace {
@@ -283,11 +286,57 @@ class Builder {
     }
   }
 
+  // Where ground stations are met, and who is shown there: all that is simulated.
   void ground_station_links() {
-    for (const scenario::StationLink& link : scenario_.links.ground_stations) {
+    const scenario::Links& links = scenario_.links;
+    for (const scenario::StationLink& link : links.ground_stations) {
       const auto address = transport::parse_endpoint(link.endpoint);
-      if (note(address)) build_.links->add_station(address.value());
+      if (note(address))
+        build_.links->add_station({address.value(), link.is_signed});
     }
+    if (!links.ground_stations.empty()) show_aircraft();
+    if (!links.key_file.empty()) {
+      const auto key = mavlink::read_signing_key(links.key_file);
+      if (note(key)) build_.links->set_key(key.value());
+    } else if (build_.links->needs_key()) {
+      errors_.push_back({ErrorCode::kBadInput, "links.key_file",
+                         "is needed: a link is signed.",
+                         "Give a file that only you can read."});
+    }
+  }
+
+  void show_aircraft() {
+    std::vector<vehicle_links::ShownAircraft> all;
+    std::size_t entity = scenario_.stations.size();
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count && entity < build_.world.entities.size();
+           ++i, ++entity) {
+        const simulation::Entity& aircraft = build_.world.entities[entity];
+        if (group.vehicle.kind != "simulated") continue;
+        const FlightLimits limits = parts_of(aircraft).plant->limits();
+        vehicle_services::VehicleServerOptions server;
+        server.system = static_cast<std::uint8_t>(scenario_.links.first_system);
+        server.make = scenario_.links.autopilot == scenario::ShownAs::kPx4
+                          ? vehicle_services::Make::kPx4
+                          : vehicle_services::Make::kArduPilot;
+        server.hovers = limits.slowest == 0;
+        server.limits = limits;
+        server.name = aircraft.name;
+        server.software = "Skein";
+        server.seed = scenario_.seed;
+        server.index = static_cast<std::uint32_t>(all.size());
+        if (const auto start = scenario::parse_utc(scenario_.start_utc))
+          server.start_unix_us = *start * 1'000'000;
+        vehicle_links::ShownAircraft shown;
+        shown.name = aircraft.name;
+        shown.hovers = server.hovers;
+        shown.commanded = group.agent.kind == "commanded";
+        shown.server = build_.links->show(std::move(server));
+        all.push_back(std::move(shown));
+      }
+    if (!all.empty())
+      build_.feed =
+          std::make_unique<vehicle_links::VehicleFeed>(*build_.links, std::move(all));
   }
 
   Result<void> radio() {

@@ -14,6 +14,7 @@
 #include "skein/simulation/world.h"
 
 namespace skein::vehicle_links {
+class VehicleFeed;
 class VehicleLinks;
 }
 
@@ -29,6 +30,9 @@ struct Build {
   /// To vehicles and ground stations outside. Whoever runs the world calls start() first,
   /// unless it is a run that is done again. Outlives the world.
   std::unique_ptr<vehicle_links::VehicleLinks> links;
+  /// Shows simulated aircraft to ground stations: a listener of the records, and a source
+  /// of commands. Null: nobody is to see them.
+  std::unique_ptr<vehicle_links::VehicleFeed> feed;
   bool mixed = false;  ///< an aircraft is not simulated: it runs in real time
   simulation::World world;
   simulation::RunOptions options;  ///< speed and threads are the caller's

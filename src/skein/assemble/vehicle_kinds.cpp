@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/skein_autopilot_kind.h"
 #include "skein/assemble/vehicle_context.h"
+#include "skein/base/math.h"
+#include "skein/data/air.h"
 #include "skein/layer/autopilot/skein/setpoint_autopilot.h"
 #include "skein/link/vehicle_links/vehicle_links.h"
 #include "skein/mixed/real_vehicle.h"
@@ -23,10 +27,12 @@ struct MavlinkOptions {
   int port_step = 0;
   int system = 1;
   int system_step = 1;
+  bool is_signed = false;
   double rate_hz = 10;
   Time silence = Time::from_seconds(3);
   Time max_age = Time::from_seconds(5);
-  autopilot::LateralOptions lateral;
+  double bank_limit = geo::radians(45);
+  autopilot::LateralOptions lateral = {.roll_lag = 0.8};
 };
 
 std::string endpoint_error(const MavlinkOptions& options) {
@@ -48,6 +54,8 @@ Fields<MavlinkOptions> mavlink_fields() {
       .integer("system_step", &T::system_step,
                "Aircraft k of the group has a system id this many times k higher.",
                {.at_least = 0, .at_most = 255})
+      .boolean("signed", &T::is_signed,
+               "Frames are signed with the key of links.key_file, others refused.")
       .number("rate_hz", &T::rate_hz, "How often it is asked to say how it moves.",
               {.at_least = 1, .at_most = 100})
       .duration_s("silence_s", &T::silence, "Its link is down when it is silent so long.",
@@ -56,27 +64,12 @@ Fields<MavlinkOptions> mavlink_fields() {
                   "Its sensors see nothing, and it is sent no setpoints, when its last "
                   "position is older.",
                   {.at_least = 0.5, .at_most = 60})
+      .angle_deg("bank_limit_deg", &T::bank_limit,
+                 "Fixed wings: the largest bank that it is sent. Plans are made for the "
+                 "turn radius of its plant; what is more is for corrections.",
+                 {.above = 5, .at_most = 70})
       .object("lateral", &T::lateral, lateral_fields(), "Guidance along lines.")
       .rule("endpoint", endpoint_error);
-}
-
-// That of aircraft k of a group.
-transport::EndpointAddress address_of(const MavlinkOptions& options, int index) {
-  auto address = transport::parse_endpoint(options.endpoint).value();
-  const auto move = [&](std::uint16_t& port) {
-    port = static_cast<std::uint16_t>(port + options.port_step * index);
-  };
-  struct Mover {
-    const decltype(move)& to;
-    void operator()(transport::UdpServer& a) const { to(a.at.port); }
-    void operator()(transport::TcpServer& a) const { to(a.at.port); }
-    void operator()(transport::UdpClient& a) const { to(a.to.port); }
-    void operator()(transport::UdpBroadcast& a) const { to(a.to.port); }
-    void operator()(transport::TcpClient& a) const { to(a.to.port); }
-    void operator()(transport::SerialLine&) const {}
-  };
-  std::visit(Mover{move}, address);
-  return address;
 }
 
 Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
@@ -91,7 +84,10 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
                              c.parts.name, system),
                  ""};
   vehicle_links::LinkedVehicle linked;
-  linked.endpoint = address_of(options, c.index);
+  linked.endpoint.address =
+      transport::moved(transport::parse_endpoint(options.endpoint).value(),
+                       options.port_step * c.index);
+  linked.endpoint.is_signed = options.is_signed;
   linked.client.system = static_cast<std::uint8_t>(system);
   linked.client.hovers = c.aircraft.limits.slowest == 0;
   linked.client.rate = options.rate_hz;
@@ -101,16 +97,29 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
   return c.links.port(number.value());
 }
 
+// What guidance may ask for: turns as tight as the bank allows, while corners are rounded
+// as planners do it.
+FlightLimits guided_limits(const FlightLimits& planned, double bank_limit) {
+  FlightLimits limits = planned;
+  const double tightest =
+      planned.airspeed * planned.airspeed / (kGravity * math::tan(bank_limit));
+  limits.turn_radius = std::min(planned.turn_radius, tightest);
+  return limits;
+}
+
 Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
   auto port = mavlink_port(options, c);
   if (!port) return port.error();
   autopilot::SkeinOptions guidance;
   guidance.wing_guidance.lateral = options.lateral;
+  const FlightLimits limits = guided_limits(c.aircraft.limits, options.bank_limit);
+  guidance.wing_guidance.radius_margin *=
+      c.aircraft.limits.turn_radius / limits.turn_radius;
   mixed::RealVehicleParts parts;
   parts.name = c.parts.name;
   parts.port = std::move(port).value();
   parts.guidance = std::make_unique<autopilot::SetpointAutopilot>(
-      autopilot::setpoint_setup(guidance, c.aircraft.limits, c.aircraft.airframe),
+      autopilot::setpoint_setup(guidance, limits, c.aircraft.airframe),
       c.aircraft.initial);
   parts.payload = std::move(c.parts.payload);
   parts.limits = c.aircraft.limits;

@@ -153,11 +153,18 @@ struct Recording {
 /// A place where ground stations' programs meet the aircraft by MAVLink.
 struct StationLink {
   std::string endpoint = "udpout:127.0.0.1:14550";  ///< see docs/links.md
+  bool is_signed = false;                           ///< with the key of Links
 };
+
+/// What simulated aircraft look like to ground stations.
+enum class ShownAs { kArduPilot, kPx4 };
 
 /// Who else takes part, by MAVLink.
 struct Links {
   std::vector<StationLink> ground_stations;
+  ShownAs autopilot = ShownAs::kArduPilot;
+  int first_system = 1;  ///< MAVLink system id of the first aircraft that is shown
+  std::string key_file;  ///< of signed links; empty: none
 };
 
 /// A command that the scenario gives by itself.

@@ -325,14 +325,28 @@ Fields<StationLink> station_link_fields() {
   return Fields<T>()
       .text("endpoint", &T::endpoint,
             "Where, such as udpout:127.0.0.1:14550 or tcpin:5760; see docs/links.md.")
-      .required();
+      .required()
+      .boolean("signed", &T::is_signed,
+               "Frames are signed with the key of key_file, others refused.");
 }
 
 Fields<Links> links_fields() {
   return Fields<Links>()
       .object("ground_stations", &Links::ground_stations, station_link_fields(),
               "Programs of ground stations, such as QGroundControl.")
-      .items({.at_most = 20});
+      .items({.at_most = 20})
+      .word("autopilot", &Links::autopilot,
+            "What simulated aircraft look like to ground stations.",
+            {{"ardupilot", ShownAs::kArduPilot, "ArduPilot"},
+             {"px4", ShownAs::kPx4, "PX4"}})
+      .integer("first_system", &Links::first_system,
+               "System id of the first simulated aircraft; the others follow, 250 on each "
+               "port.",
+               {.at_least = 1, .at_most = 250})
+      .file("key_file", &Links::key_file,
+            "With the key of signed links, which nobody else may be able to read; \"\": "
+            "none.",
+            {.may_be_empty = true});
 }
 
 // Periods that are no whole number of steps.

@@ -86,4 +86,11 @@ void Endpoints::wake() {
   boost::asio::post(io, [&io] { io.stop(); });
 }
 
+bool Endpoints::run_one_for(std::chrono::nanoseconds patience) {
+  boost::asio::io_context& io = implementation_->loop.io;
+  io.restart();
+  // Without patience run_one_for() would not even look.
+  return io.poll_one() > 0 || io.run_one_for(patience) > 0;
+}
+
 }  // namespace skein::transport

@@ -20,7 +20,7 @@ using ChannelId = std::uint32_t;
 /// Endpoints in the order in which they were opened, from 0.
 using EndpointId = std::uint32_t;
 
-/// Whoever is told what happens; called by Endpoints::run_for() only.
+/// Whoever is told what happens; called by run_for() and run_one_for() of Endpoints only.
 class ChannelListener {
  public:
   virtual ~ChannelListener() = default;
@@ -33,7 +33,7 @@ class ChannelListener {
 };
 
 /// Sockets and serial lines, without threads of their own: everything happens in
-/// run_for(), in the thread of its caller.
+/// run_for() and run_one_for(), in the thread of their caller.
 ///
 /// Clients and serial lines that fail are tried again each second. Who sends datagrams to
 /// a server and then nothing for a minute is forgotten. No peer makes it hold more than a
@@ -62,6 +62,10 @@ class Endpoints {
   /// Makes run_for() return at once: the one under way, else the next. Any thread may
   /// call it.
   void wake();
+
+  /// Waits up to this long for the next thing that happens, and handles it.
+  /// @returns  false when nothing has happened.
+  bool run_one_for(std::chrono::nanoseconds patience);
 
  private:
   class Implementation;

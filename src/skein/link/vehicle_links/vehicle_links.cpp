@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <mutex>
 #include <utility>
+
+#include "skein/link/vehicle_services/vehicle_numbers.h"
 
 namespace skein::vehicle_links {
 namespace {
@@ -14,6 +18,14 @@ constexpr std::uint8_t kOwnComponent = 191;  // an on-board computer
 
 constexpr std::chrono::milliseconds kTurn{10};
 const Time kHealthPeriod = Time::from_seconds(5);
+const Time kShownPeriod = Time::from_seconds(0.02);
+constexpr std::size_t kMaxRequests = 1000;  // of a vehicle, while nobody takes them
+
+std::int64_t unix_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
 
 }  // namespace
 
@@ -26,6 +38,26 @@ struct VehicleLinks::Vehicle {
   transport::EndpointId endpoint;
   std::shared_ptr<Mailbox> mailbox = std::make_shared<Mailbox>();
   Time health_due;
+};
+
+// A simulated vehicle. The simulation writes the snapshot and takes the requests, this
+// thread does the rest.
+struct VehicleLinks::Shown {
+  Shown(const vehicle_services::VehicleServerOptions& options,
+        const geo::LocalFrame& frame, std::uint16_t of, vehicle_services::Outbox outbox)
+      : server(options, frame),
+        system(options.system),
+        group(of),
+        out(std::move(outbox)) {}
+
+  vehicle_services::VehicleServer server;
+  std::uint8_t system;
+  std::uint16_t group;
+  vehicle_services::Outbox out;
+  std::mutex mutex;
+  vehicle_services::VehicleSnapshot snapshot;
+  bool changed = false, paused = false;
+  std::vector<VehicleRequest> requests;
 };
 
 class VehicleLinks::Port final : public VehiclePort {
@@ -58,7 +90,8 @@ VehicleLinks::VehicleLinks(const geo::LocalFrame& frame)
       out_(kOwnSystem, kOwnComponent,
            [this](transport::ChannelId channel, std::span<const std::byte> bytes) {
              send(channel, bytes);
-           }),
+           },
+           &security_),
       endpoints_(*this) {}
 
 VehicleLinks::~VehicleLinks() {
@@ -73,13 +106,12 @@ Time VehicleLinks::now() const {
           .count());
 }
 
-transport::EndpointId VehicleLinks::endpoint_of(
-    const transport::EndpointAddress& address) {
-  const std::string text = transport::text_of(address);
+transport::EndpointId VehicleLinks::endpoint_of(const LinkEndpoint& endpoint) {
+  const std::string text = transport::text_of(endpoint.address);
   for (std::size_t k = 0; k < planned_.size(); ++k)
-    if (transport::text_of(planned_[k].address) == text)
+    if (transport::text_of(planned_[k].endpoint.address) == text)
       return static_cast<transport::EndpointId>(k);
-  planned_.push_back({address, false});
+  planned_.push_back({endpoint});
   return static_cast<transport::EndpointId>(planned_.size() - 1);
 }
 
@@ -87,7 +119,7 @@ Result<std::size_t> VehicleLinks::add(const LinkedVehicle& vehicle) {
   const transport::EndpointId endpoint = endpoint_of(vehicle.endpoint);
   for (const auto& other : vehicles_)
     if (other->endpoint == endpoint && other->client.system() == vehicle.client.system)
-      return Error{ErrorCode::kBadInput, transport::text_of(vehicle.endpoint),
+      return Error{ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
                    fmt::format("two vehicles have number {} there.",
                                vehicle.client.system),
                    "Give each a system of its own."};
@@ -95,8 +127,45 @@ Result<std::size_t> VehicleLinks::add(const LinkedVehicle& vehicle) {
   return vehicles_.size() - 1;
 }
 
-void VehicleLinks::add_station(const transport::EndpointAddress& address) {
-  planned_[endpoint_of(address)].station = true;
+void VehicleLinks::add_station(const LinkEndpoint& endpoint) {
+  stations_.push_back(endpoint);
+}
+
+std::size_t VehicleLinks::show(vehicle_services::VehicleServerOptions vehicle) {
+  const std::size_t first = shown_.empty() ? vehicle.system : shown_.front()->system;
+  const auto numbers =
+      vehicle_services::numbers_of_vehicle(first - 1 + shown_.size());
+  vehicle.system = numbers.system;
+  vehicle_services::Outbox out(
+      vehicle.system, vehicle.component,
+      [this](transport::ChannelId channel, std::span<const std::byte> bytes) {
+        send(channel, bytes);
+      },
+      &security_);
+  shown_.push_back(
+      std::make_unique<Shown>(vehicle, frame_, numbers.port_offset, std::move(out)));
+  return shown_.size() - 1;
+}
+
+bool VehicleLinks::needs_key() const {
+  return std::any_of(planned_.begin(), planned_.end(),
+                     [](const Planned& p) { return p.endpoint.is_signed; }) ||
+         std::any_of(stations_.begin(), stations_.end(),
+                     [](const LinkEndpoint& station) { return station.is_signed; });
+}
+
+void VehicleLinks::update(std::size_t shown,
+                          const vehicle_services::VehicleSnapshot& snapshot) {
+  Shown& to = *shown_.at(shown);
+  const std::lock_guard lock(to.mutex);
+  to.snapshot = snapshot;
+  to.changed = true;
+}
+
+std::vector<VehicleRequest> VehicleLinks::take_requests(std::size_t shown) {
+  Shown& from = *shown_.at(shown);
+  const std::lock_guard lock(from.mutex);
+  return std::exchange(from.requests, {});
 }
 
 std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
@@ -104,8 +173,20 @@ std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
 }
 
 Result<std::vector<std::string>> VehicleLinks::start() {
+  const std::uint16_t groups =
+      shown_.empty() ? std::uint16_t{1}
+                     : static_cast<std::uint16_t>(shown_.back()->group + 1);
+  for (const LinkEndpoint& station : stations_)
+    for (std::uint16_t group = 0; group < groups; ++group) {
+      LinkEndpoint at = station;
+      at.address = transport::moved(at.address, group);
+      Planned& planned = planned_[endpoint_of(at)];
+      planned.station = true;
+      planned.group = group;
+    }
   for (const Planned& planned : planned_)
-    if (auto opened = endpoints_.open(planned.address); !opened) return opened.error();
+    if (auto opened = endpoints_.open(planned.endpoint.address); !opened)
+      return opened.error();
   std::vector<std::string> places = endpoints_.places();
   thread_ = std::thread([this] { run(); });
   return places;
@@ -114,8 +195,40 @@ Result<std::vector<std::string>> VehicleLinks::start() {
 void VehicleLinks::run() {
   while (!stop_) {
     endpoints_.run_for(kTurn);
+    security_.set_time(unix_ns());
     step(now());
+    step_shown(now());
   }
+}
+
+void VehicleLinks::step_shown(Time now) {
+  if (now < shown_due_) return;
+  shown_due_ = now + kShownPeriod;
+  for (const auto& shown : shown_) {
+    {
+      const std::lock_guard lock(shown->mutex);
+      shown->snapshot.paused = paused_;
+      if (std::exchange(shown->changed, false) || paused_ != shown->paused)
+        shown->server.update(shown->snapshot);
+      shown->paused = paused_;
+    }
+    shown->server.step(clocks(now), shown->out);
+    std::vector<VehicleRequest> asked = shown->server.take_requests();
+    if (asked.empty()) continue;
+    const std::lock_guard lock(shown->mutex);
+    for (VehicleRequest& request : asked)
+      if (shown->requests.size() < kMaxRequests)
+        shown->requests.push_back(std::move(request));
+  }
+}
+
+// To the shown vehicles that a station's frame is for.
+void VehicleLinks::serve(const Peer& peer, transport::ChannelId channel,
+                         const mavlink::Frame& frame, Time now) {
+  const std::uint8_t target = frame.target_system();
+  for (const auto& shown : shown_)
+    if (shown->group == peer.group && (target == 0 || target == shown->system))
+      shown->server.receive(frame, channel, clocks(now), shown->out);
 }
 
 void VehicleLinks::step(Time now) {
@@ -155,15 +268,27 @@ void VehicleLinks::opened(transport::ChannelId channel, transport::EndpointId en
                           const std::string&) {
   Peer& peer = peers_[channel];
   peer.endpoint = endpoint;
-  peer.station = planned_[endpoint].station;
+  const Planned& planned = planned_[endpoint];
+  peer.station = planned.station;
+  peer.group = planned.group;
+  if (planned.endpoint.is_signed)
+    security_.secure(channel, static_cast<std::uint8_t>(endpoint + 1));
   router_.open(channel);
+  if (peer.station)
+    for (const auto& shown : shown_)
+      if (shown->group == peer.group) shown->server.open(channel, clocks(now()));
   for (const auto& vehicle : vehicles_)
     if (vehicle->endpoint == endpoint) vehicle->client.open(channel);
 }
 
 void VehicleLinks::closed(transport::ChannelId channel, const std::string&) {
   for (const auto& vehicle : vehicles_) vehicle->client.close(channel);
+  for (const auto& shown : shown_) {
+    shown->server.close(channel);
+    shown->out.close(channel);
+  }
   router_.close(channel);
+  security_.close(channel);
   out_.close(channel);
   peers_.erase(channel);
 }
@@ -173,7 +298,10 @@ void VehicleLinks::received(transport::ChannelId channel,
   const Time arrived = now();
   Peer& peer = peers_.at(channel);
   peer.parser.read(bytes, [&](const mavlink::Frame& frame) {
-    if (!peer.station)
+    if (!security_.admits(channel, frame)) return;
+    if (peer.station)
+      serve(peer, channel, frame, arrived);
+    else
       for (const auto& vehicle : vehicles_)
         if (vehicle->endpoint == peer.endpoint)
           vehicle->client.receive(frame, channel, arrived, out_);

@@ -175,6 +175,22 @@ TEST(Endpoints, TakeLinesThatComeLaterAndGoAway) {
   EXPECT_TRUE(side.wait([&] { return side.closings == 1; }));
 }
 
+TEST(Endpoints, HandleOneThingAtATimeAsSoonAsItHappens) {
+  Side server, client;
+  EXPECT_FALSE(server.endpoints->run_one_for(0ms));
+  server.open("udpin:0");
+  client.open(server.place("udpout"));
+  const auto before = std::chrono::steady_clock::now();
+  client.send_all("a");
+  client.send_all("b");
+  EXPECT_TRUE(server.endpoints->run_one_for(60s));
+  EXPECT_EQ(server.all_heard(), "a|");
+  EXPECT_TRUE(server.endpoints->run_one_for(0ms));  // what is there needs no patience
+  EXPECT_EQ(server.all_heard(), "ab|");
+  EXPECT_LT(std::chrono::steady_clock::now() - before, 30s);
+  EXPECT_FALSE(server.endpoints->run_one_for(1ms));
+}
+
 TEST(Endpoints, SayWhereNothingCanBeOpened) {
   Side side;
   side.open("tcpin:0");
