@@ -84,9 +84,8 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
                              c.parts.name, system),
                  ""};
   vehicle_links::LinkedVehicle linked;
-  linked.endpoint.address =
-      transport::moved(transport::parse_endpoint(options.endpoint).value(),
-                       options.port_step * c.index);
+  linked.endpoint.address = transport::moved(
+      transport::parse_endpoint(options.endpoint).value(), options.port_step * c.index);
   linked.endpoint.is_signed = options.is_signed;
   linked.client.system = static_cast<std::uint8_t>(system);
   linked.client.hovers = c.aircraft.limits.slowest == 0;
@@ -125,8 +124,7 @@ Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
   parts.limits = c.aircraft.limits;
   parts.start = c.aircraft.initial;
   parts.max_age = options.max_age;
-  return std::unique_ptr<Vehicle>(
-      std::make_unique<mixed::RealVehicle>(std::move(parts)));
+  return std::unique_ptr<Vehicle>(std::make_unique<mixed::RealVehicle>(std::move(parts)));
 }
 
 }  // namespace
@@ -144,7 +142,9 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
             "An aircraft elsewhere, real or in another program, whose autopilot speaks "
             "MAVLink (ArduPilot, PX4, skein vehicle). Its plant here says what it can "
             "do; of its sensors the payload is here and looks at the virtual world.",
-            mavlink_fields(), make_mavlink);
+            mavlink_fields(), [](const MavlinkOptions& o, const VehicleContext& c) {
+              return make_mavlink(o, c);
+            });
   return kinds;
 }
 
