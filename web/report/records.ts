@@ -720,7 +720,7 @@ export interface Condition {
 
 /** Something happened to a link. */
 export interface LinkChange {
-  kind: "up" | "down" | "rebooted" | "mismatch" | "duplicate"; // what
+  change: "up" | "down" | "rebooted" | "mismatch" | "duplicate"; // what
   text: string; // for people
 }
 
