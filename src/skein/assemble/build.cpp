@@ -24,8 +24,8 @@
 #include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
 #include "skein/role/world_memory.h"
-#include "skein/scenario/zones.h"
 #include "skein/scenario/utc.h"
+#include "skein/scenario/zones.h"
 #include "skein/simulation/commanded_wind.h"
 #include "skein/simulation/simulated_vehicle.h"
 
@@ -291,8 +291,7 @@ class Builder {
       }
       ++id;
     }
-    build_.world.memory =
-        server_memory(scenario_.environment.memory, build_.world, map_);
+    build_.world.memory = server_memory(scenario_.environment.memory, build_.world, map_);
   }
 
   // Where ground stations are met, and who is shown there: all that is simulated.
@@ -300,8 +299,7 @@ class Builder {
     const scenario::Links& links = scenario_.links;
     for (const scenario::StationLink& link : links.ground_stations) {
       const auto address = transport::parse_endpoint(link.endpoint);
-      if (note(address))
-        build_.links->add_station({address.value(), link.is_signed});
+      if (note(address)) build_.links->add_station({address.value(), link.is_signed});
     }
     if (!links.ground_stations.empty()) show_aircraft();
     if (!links.key_file.empty()) {

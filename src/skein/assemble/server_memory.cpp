@@ -45,8 +45,9 @@ std::vector<std::string> memory_warnings(const scenario::Scenario& scenario) {
     return each.count > 0 && includes_physical(reality_of(each).updates);
   });
   if (!physical || seen) return {};
-  return {"no aircraft has physical sensors: nobody will know of the physical objects. "
-          "Give a group physical: true."};
+  return {
+      "no aircraft has physical sensors: nobody will know of the physical objects. "
+      "Give a group physical: true."};
 }
 
 }  // namespace skein::assemble

@@ -42,11 +42,13 @@ constexpr auto describe(const EntityReality*) {
   using T = EntityReality;
   return described<T>(
       {"entity_reality"}, "Where an entity stands between the physical and the virtual.",
-      field("presence", &T::presence, "corporeal presence: the world that its body is in"),
+      field("presence", &T::presence,
+            "corporeal presence: the world that its body is in"),
       field("interaction", &T::interaction,
             "interactive capacity: the worlds that it perceives"),
-      field("updates", &T::updates,
-            "update capability: the worlds of which it may refresh what the server knows"));
+      field(
+          "updates", &T::updates,
+          "update capability: the worlds of which it may refresh what the server knows"));
 }
 
 constexpr bool includes_physical(Reality reality) {
@@ -79,8 +81,8 @@ constexpr std::string_view class_of(const EntityReality& entity) {
 
 /// Where an object was seen, by whom.
 struct Observation {
-  std::uint32_t object = 0;  ///< GroundObject::id
-  Time time;                 ///< of the picture
+  std::uint32_t object = 0;      ///< GroundObject::id
+  Time time;                     ///< of the picture
   Vec2 position = Vec2::Zero();  ///< [m]
   double position_sd = 0;        ///< per axis [m]
   ObjectClass what = ObjectClass::kPerson;
@@ -90,14 +92,14 @@ struct Observation {
 
 constexpr auto describe(const Observation*) {
   using T = Observation;
-  return described<T>(
-      {"observation"}, "Where an object was seen, by whom.",
-      field("object_id", &T::object, "what was seen"),
-      field("seen", &T::time, "when"), field("", &T::position, axes::kPlace, "where"),
-      field("position_sd", &T::position_sd, unit::kMetre, "per axis"),
-      field("class", &T::what, "what it is"),
-      field("entity_id", &T::observer, "who saw it"),
-      field("source", &T::source, "of the sensor: physical or virtual"));
+  return described<T>({"observation"}, "Where an object was seen, by whom.",
+                      field("object_id", &T::object, "what was seen"),
+                      field("seen", &T::time, "when"),
+                      field("", &T::position, axes::kPlace, "where"),
+                      field("position_sd", &T::position_sd, unit::kMetre, "per axis"),
+                      field("class", &T::what, "what it is"),
+                      field("entity_id", &T::observer, "who saw it"),
+                      field("source", &T::source, "of the sensor: physical or virtual"));
 }
 
 /// What becomes of an observation in the server's memory.

@@ -253,12 +253,12 @@ constexpr auto describe(const ObservationRecord*) {
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
-                            Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
-                            GroundObject, Detection, Footprint, RangeScan, CommandRecord,
-                            PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
-                            MissionRecord, ForecastRecord, ArrivalRecord,
-                            VehicleReportRecord, MissionProgressRecord, PhysicalObject,
-                            ObservationRecord>;
+using Record =
+    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
+                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
+                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
+                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
+                 ForecastRecord, ArrivalRecord, VehicleReportRecord,
+                 MissionProgressRecord, PhysicalObject, ObservationRecord>;
 
 }  // namespace skein

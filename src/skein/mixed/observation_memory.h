@@ -20,7 +20,7 @@ class ObservationMemory {
  public:
   struct Entry {
     Observation observation;
-    Time since;           ///< when it came in
+    Time since;             ///< when it came in
     int looks_in_vain = 0;  ///< one after the other
   };
 

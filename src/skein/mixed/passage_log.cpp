@@ -15,9 +15,7 @@ constexpr Time kMaxGap = Time::from_ns(1'500'000'000);
 // Where on the way from a to b, from 0 to 1, it is nearest. The distance to a convex body
 // is convex along a line: the search in thirds finds its minimum.
 double nearest_share(const Cylinder& body, const Vec3& a, const Vec3& b) {
-  const auto distance = [&](double share) {
-    return body.distance(a + share * (b - a));
-  };
+  const auto distance = [&](double share) { return body.distance(a + share * (b - a)); };
   double low = 0, high = 1;
   for (int k = 0; k < 30; ++k) {
     const double left = low + (high - low) / 3, right = high - (high - low) / 3;

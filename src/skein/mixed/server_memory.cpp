@@ -16,8 +16,7 @@ double distance_to_edge(std::span<const Vec2> ring, const Vec2& p) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Vec2 edge = ring[(k + 1) % ring.size()] - ring[k], to_p = p - ring[k];
     const double square = edge.squaredNorm();
-    const double share =
-        square > 0 ? std::clamp(to_p.dot(edge) / square, 0.0, 1.0) : 0.0;
+    const double share = square > 0 ? std::clamp(to_p.dot(edge) / square, 0.0, 1.0) : 0.0;
     nearest = std::min(nearest, (to_p - share * edge).norm());
   }
   return nearest;
@@ -97,7 +96,8 @@ void ServerMemory::see(Time now, const Detection& detection, Known& known) {
 // it relies on it now.
 void ServerMemory::refuse(Time now, const Observation& seen, Known& known) {
   const auto* entry = memory_.find(seen.object);
-  if (entry && seen.time > entry->since) known.relied.try_emplace(seen.observer, seen.time);
+  if (entry && seen.time > entry->since)
+    known.relied.try_emplace(seen.observer, seen.time);
   if (!refused_.emplace(seen.observer, seen.object).second) return;
   events_.push_back({now, seen.observer, "update-refused",
                      fmt::format("{}: seen in the server's memory only; that does not "
@@ -154,9 +154,9 @@ void ServerMemory::forget(Time now, const Observation& last, ObservationFate fat
   observations_.push_back({now, last, fate});
   events_.push_back(
       {now, last.observer, "forgotten",
-       fmt::format("{}: last seen at {:.1f} s, {}", known.what.object.name,
-                   last.time.seconds(),
-                   fate == ObservationFate::kExpired ? "too long ago" : "not found there")});
+       fmt::format(
+           "{}: last seen at {:.1f} s, {}", known.what.object.name, last.time.seconds(),
+           fate == ObservationFate::kExpired ? "too long ago" : "not found there")});
 }
 
 void ServerMemory::report_reliance(Time now, EntityId finder, const std::string& found,

@@ -57,8 +57,8 @@ class ServerMemory final : public WorldMemory {
   /// @param objects   all that are physical.
   /// @param entities  all of the run, by id.
   /// @param terrain   on which objects stand.
-  ServerMemory(const ServerMemoryOptions& options, const std::vector<KnownObject>& objects,
-               std::vector<KnownEntity> entities,
+  ServerMemory(const ServerMemoryOptions& options,
+               const std::vector<KnownObject>& objects, std::vector<KnownEntity> entities,
                std::shared_ptr<const Terrain> terrain);
 
   void begin_step(Time now) override;

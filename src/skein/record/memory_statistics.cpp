@@ -20,8 +20,8 @@ void MemoryStatistics::add_figures(std::map<std::string, double>& figures) const
   const auto put = [&figures](const std::string& name, std::uint64_t count) {
     figures[name] = static_cast<double>(count);
   };
-  const bool mixed = classes_.size() > 1 ||
-                     (classes_.size() == 1 && classes_.begin()->first != "pure_simulated");
+  const bool mixed = classes_.size() > 1 || (classes_.size() == 1 &&
+                                             classes_.begin()->first != "pure_simulated");
   if (mixed)
     for (const auto& [name, count] : classes_) put("aircraft_" + name, count);
   if (objects_ == 0) return;

@@ -10,8 +10,8 @@
 
 namespace skein::record {
 
-/// Who takes part, and what the server knew of the physical world: the part of a run's key
-/// figures that is about mixed reality. A purely simulated run has none.
+/// Who takes part, and what the server knew of the physical world: the part of a run's
+/// key figures that is about mixed reality. A purely simulated run has none.
 class MemoryStatistics {
  public:
   void entity(const EntityReality& entity);

@@ -62,8 +62,7 @@ class Reader {
           &Reader::events, &Reader::metrics, &Reader::forecasts, &Reader::tracks,
           &Reader::estimates, &Reader::readings, &Reader::messages, &Reader::perimeters,
           &Reader::crossings, &Reader::payload, &Reader::memory, &Reader::zones,
-          &Reader::missions,
-          &Reader::terrain, &Reader::summary})
+          &Reader::missions, &Reader::terrain, &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }

@@ -50,9 +50,7 @@ struct Taker {
   void operator()(const ArrivalRecord& r) { statistics.forecasts().arrival(r); }
   void operator()(const RangeScan&) { statistics.payload().ranges(); }
   void operator()(const PhysicalObject&) { statistics.memory().physical_object(); }
-  void operator()(const ObservationRecord& r) {
-    statistics.memory().observation(r.fate);
-  }
+  void operator()(const ObservationRecord& r) { statistics.memory().observation(r.fate); }
   // No figures are made of these.
   void operator()(const ZoneRecord&) {}
   void operator()(const CommandRecord&) {}

@@ -136,8 +136,8 @@ struct AircraftGroup {
   Choice agent{"scout"};
   std::optional<bool> physical;     ///< its body is real; none: unless it is simulated
   std::optional<Reality> observes;  ///< none: what is simulated here sees its own world
-  std::string station;        ///< that it belongs to; empty: the first
-  double altitude_agl = 120;  ///< [m]
+  std::string station;              ///< that it belongs to; empty: the first
+  double altitude_agl = 120;        ///< [m]
   Time agent_period = Time::from_seconds(0.5);
   Start start;
   std::optional<Time> flight_step;  ///< of plant and autopilot; none: as the plant needs

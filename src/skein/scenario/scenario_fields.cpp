@@ -95,9 +95,10 @@ Fields<PlacedObject> object_fields() {
              {"vehicle", ObjectClass::kVehicle, "remembered for 5 minutes"},
              {"structure", ObjectClass::kStructure, "stands; never forgotten"}})
       .kind("movement", &T::movement, "movement", "How it moves.")
-      .boolean("physical", &T::physical,
-               "It exists in reality (here its motion stands for it): the server knows of "
-               "it only what physical sensors have seen.")
+      .boolean(
+          "physical", &T::physical,
+          "It exists in reality (here its motion stands for it): the server knows of "
+          "it only what physical sensors have seen.")
       .number("radius_m", &T::radius,
               "Physical: of its body, an upright cylinder. Null: person 0.5, animal 1, "
               "vehicle 3, structure 5.",
@@ -108,8 +109,9 @@ Fields<PlacedObject> object_fields() {
               {.above = 0, .at_most = 10000})
       .rule("physical", [](const T& t) {
         return !t.physical && (t.radius || t.height)
-                   ? std::string("is needed: only physical objects have radius_m and "
-                                 "height_m.")
+                   ? std::string(
+                         "is needed: only physical objects have radius_m and "
+                         "height_m.")
                    : std::string();
       });
 }
@@ -125,12 +127,11 @@ Fields<ServerMemory> memory_fields() {
     };
   };
   return Fields<T>()
-      .word(
-          "model", [](T & t) -> auto& { return t.forgetting.model; },
-          "What makes the server forget where a physical object was seen.",
-          {{"temporal", ForgettingModel::kTemporal, "its age"},
-           {"logical", ForgettingModel::kLogical,
-            "physical sensors that looked there and did not find it"}})
+      .word("model", [](T & t) -> auto& { return t.forgetting.model; },
+            "What makes the server forget where a physical object was seen.",
+            {{"temporal", ForgettingModel::kTemporal, "its age"},
+             {"logical", ForgettingModel::kLogical,
+              "physical sensors that looked there and did not find it"}})
       .duration_s("person_max_age_s", max_age(ObjectClass::kPerson),
                   "Temporal: how long a person is remembered unseen. Null: for good.",
                   kAge)
@@ -143,13 +144,12 @@ Fields<ServerMemory> memory_fields() {
       .duration_s("structure_max_age_s", max_age(ObjectClass::kStructure),
                   "Temporal: how long a structure is remembered unseen. Null: for good.",
                   kAge)
-      .word(
-          "stable", [](T & t) -> auto& { return t.forgetting.stable; },
-          "Classes that do not move; all others are unstable.",
-          {{"person", ObjectClass::kPerson, "people"},
-           {"animal", ObjectClass::kAnimal, "animals"},
-           {"vehicle", ObjectClass::kVehicle, "vehicles"},
-           {"structure", ObjectClass::kStructure, "structures"}})
+      .word("stable", [](T & t) -> auto& { return t.forgetting.stable; },
+            "Classes that do not move; all others are unstable.",
+            {{"person", ObjectClass::kPerson, "people"},
+             {"animal", ObjectClass::kAnimal, "animals"},
+             {"vehicle", ObjectClass::kVehicle, "vehicles"},
+             {"structure", ObjectClass::kStructure, "structures"}})
       .integer(
           "unstable_looks", [](T & t) -> auto& { return t.forgetting.unstable_looks; },
           "Pictures of its place, one after the other, without it, after which an "
@@ -195,8 +195,9 @@ Fields<Environment> environment_fields() {
       .object("objects", &T::objects, object_fields(),
               "Things on the ground, for cameras to find.")
       .items({.at_most = 10000})
-      .object("memory", &T::memory, memory_fields(),
-              "What the server remembers of physical objects; see docs/mixed-reality.md.");
+      .object(
+          "memory", &T::memory, memory_fields(),
+          "What the server remembers of physical objects; see docs/mixed-reality.md.");
 }
 
 Fields<Start> start_fields() {
@@ -301,8 +302,9 @@ std::string positions_error(const AircraftGroup& group) {
 std::string observes_error(const AircraftGroup& group) {
   const bool physical = group.physical.value_or(group.vehicle.kind != "simulated");
   return group.observes == Reality::kPhysical && !physical
-             ? std::string("physical needs physical: true: what is simulated sees the "
-                           "physical world beside its own. Say both.")
+             ? std::string(
+                   "physical needs physical: true: what is simulated sees the "
+                   "physical world beside its own. Say both.")
              : std::string();
 }
 
@@ -431,10 +433,11 @@ Fields<Links> links_fields() {
             "What simulated aircraft look like to ground stations.",
             {{"ardupilot", ShownAs::kArduPilot, "ArduPilot"},
              {"px4", ShownAs::kPx4, "PX4"}})
-      .integer("first_system", &Links::first_system,
-               "System id of the first simulated aircraft; the others follow, 250 on each "
-               "port.",
-               {.at_least = 1, .at_most = 250})
+      .integer(
+          "first_system", &Links::first_system,
+          "System id of the first simulated aircraft; the others follow, 250 on each "
+          "port.",
+          {.at_least = 1, .at_most = 250})
       .file("key_file", &Links::key_file,
             "With the key of signed links, which nobody else may be able to read; \"\": "
             "none.",

@@ -20,7 +20,8 @@ class ObjectMotions {
   explicit ObjectMotions(std::vector<WorldObject>& objects);
 
   /// @param view      with all aircraft.
-  /// @param physical  with those that exist in reality: physical objects notice no others.
+  /// @param physical  with those that exist in reality: physical objects notice no
+  /// others.
   void advance(const ObjectView& view, const ObjectView& physical);
 
   /// What is remembered of the physical ones, for whoever is not there: until the next

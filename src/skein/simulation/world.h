@@ -39,7 +39,7 @@ struct Entity {
   ~Entity();
 
   std::string name;
-  std::string kind;                  ///< "aircraft" or "station"
+  std::string kind;  ///< "aircraft" or "station"
   /// Which objects its sensors see, and how.
   EntityReality reality = entity_reality(Reality::kVirtual, Reality::kVirtual);
   std::unique_ptr<Agent> agent;      ///< never null

@@ -50,8 +50,7 @@ TEST(ObservationMemory, VirtualObservationsChangeNothing) {
     RC_ASSERT(with.entries().size() == without.entries().size());
     for (const auto& [object, entry] : with.entries()) {
       RC_ASSERT(without.find(object));
-      RC_ASSERT(without.find(object)->observation.position ==
-                entry.observation.position);
+      RC_ASSERT(without.find(object)->observation.position == entry.observation.position);
       RC_ASSERT(without.find(object)->observation.time == entry.observation.time);
     }
   }));
