@@ -6,8 +6,8 @@
 namespace skein::assemble {
 namespace {
 
-// A physical and a virtual object beside the line north; aircraft of four kinds fly it one
-// after the other, the physical ones in the middle. The physical object moves east.
+// A physical and a virtual object beside the line north; aircraft of four kinds fly it
+// one after the other, the physical ones in the middle. The physical object moves east.
 const std::string kLine = R"(
 duration_s: 90
 seed: 3
@@ -30,8 +30,8 @@ std::string group(const std::string& name, double north, const std::string& more
   return "  - name: " + name + "\n    count: " + std::to_string(count) +
          "\n    agent: {kind: route, points_m: [[4000, 0]]}\n"
          "    sensors: [gnss, air-data, {kind: camera, gimbal: true, detection: 1}]\n"
-         "    start: {placement: list, positions_m: [" + positions +
-         "], heading_deg: 0}\n" + more;
+         "    start: {placement: list, positions_m: [" +
+         positions + "], heading_deg: 0}\n" + more;
 }
 
 // Detections of an object by an entity.
@@ -44,11 +44,11 @@ std::vector<Detection> found(const FlightLog& log, std::uint32_t entity,
 }
 
 TEST(MemoryFlight, EachClassSeesItsWorld) {
-  const FlightLog log = fly(
-      kLine + group("early", 400, "    observes: both\n") +
-      group("scout", 0, "    physical: true\n") +
-      group("joint", 0, "    physical: true\n    observes: both\n") +
-      group("late", -800, "    observes: both\n") + group("pure", -800, ""));
+  const FlightLog log =
+      fly(kLine + group("early", 400, "    observes: both\n") +
+          group("scout", 0, "    physical: true\n") +
+          group("joint", 0, "    physical: true\n    observes: both\n") +
+          group("late", -800, "    observes: both\n") + group("pure", -800, ""));
   constexpr std::uint32_t kEarly = 1, kScout = 2, kJoint = 3, kLate = 4, kPure = 5;
   EXPECT_TRUE(found(log, kEarly, 0).empty()) << "nobody had seen it by then";
   EXPECT_FALSE(found(log, kEarly, 1).empty());
@@ -62,7 +62,8 @@ TEST(MemoryFlight, EachClassSeesItsWorld) {
   // The late one sees it where it was last seen, not where it is by then.
   const Detection* last = nullptr;
   for (const Detection& each : log.detections)
-    if (each.object == 0 && (each.aircraft.value == kScout || each.aircraft.value == kJoint))
+    if (each.object == 0 &&
+        (each.aircraft.value == kScout || each.aircraft.value == kJoint))
       if (!last || each.time >= last->time) last = &each;
   ASSERT_TRUE(last);
   const auto late = found(log, kLate, 0);
@@ -77,9 +78,9 @@ TEST(MemoryFlight, EachClassSeesItsWorld) {
   EXPECT_EQ(log.figure("aircraft_simulated_mixed"), 2);
   EXPECT_EQ(log.figure("aircraft_pure_simulated"), 1);
   EXPECT_EQ(log.figure("memory_refused"), static_cast<double>(late.size()));
-  EXPECT_EQ(log.figure("memory_observations") + log.figure("memory_late"),
-            static_cast<double>(found(log, kScout, 0).size() +
-                                found(log, kJoint, 0).size()));
+  EXPECT_EQ(
+      log.figure("memory_observations") + log.figure("memory_late"),
+      static_cast<double>(found(log, kScout, 0).size() + found(log, kJoint, 0).size()));
   int refusals = 0;
   for (const Event& each : log.events) refusals += each.kind == "update-refused";
   EXPECT_EQ(refusals, 1);
@@ -107,9 +108,8 @@ aircraft:
 }
 
 TEST(MemoryFlight, IsTheSameForAnyNumberOfThreads) {
-  const std::string scenario =
-      kLine + group("scout", 0, "    physical: true\n", 20) +
-      group("late", -500, "    observes: both\n", 20);
+  const std::string scenario = kLine + group("scout", 0, "    physical: true\n", 20) +
+                               group("late", -500, "    observes: both\n", 20);
   const FlightLog one = fly(scenario), three = fly(scenario, {{}, 3, 0});
   EXPECT_GT(one.figure("memory_observations"), 20);
   EXPECT_GT(one.figure("memory_refused"), 20);
@@ -117,8 +117,10 @@ TEST(MemoryFlight, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(MemoryFlight, WithoutPhysicalObjectsThereIsNoMemory) {
-  const FlightLog log = fly("duration_s: 20\nenvironment: {objects: [{position_m: [300, 0]}]}\n"
-                            "missions: []\naircraft:\n" + group("scout", 0, ""));
+  const FlightLog log =
+      fly("duration_s: 20\nenvironment: {objects: [{position_m: [300, 0]}]}\n"
+          "missions: []\naircraft:\n" +
+          group("scout", 0, ""));
   EXPECT_TRUE(std::isnan(log.figure("physical_objects")));
   EXPECT_TRUE(std::isnan(log.figure("aircraft_pure_simulated")));
   EXPECT_FALSE(log.detections.empty());
