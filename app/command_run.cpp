@@ -6,12 +6,15 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "app/run_order.h"
 #include "app/version.h"
 #include "skein/assemble/build.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
+#include "skein/link/vehicle_links/linked_console.h"
+#include "skein/record/fan_out.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
@@ -25,7 +28,7 @@ namespace fs = std::filesystem;
 
 // fast = 0, real = 1, or a factor; nothing when it is none of these.
 std::optional<double> parse_speed(const std::string& text) {
-  if (text == "fast") return 0.0;
+  if (text == "fast" || text.empty()) return 0.0;
   if (text == "real") return 1.0;
   double factor = 0;
   const auto [end, error] =
@@ -98,14 +101,7 @@ void print_table(const record::RunSummary& summary) {
       print("  {:<44}{:>12.4g}\n", *text, value);
 }
 
-// What shall be run.
-struct Order {
-  assemble::KindRegistry kinds;
-  scenario::Scenario scenario;
-  std::optional<record::RecordedRun> recorded;  // that is done again
-};
-
-std::optional<Order> order_of(const RunArguments& arguments) {
+std::optional<RunOrder> order_of(const RunArguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
   if (!arguments.seed.empty()) overrides.push_back("seed=" + arguments.seed);
   const bool again = !arguments.replay.empty();
@@ -119,7 +115,7 @@ std::optional<Order> order_of(const RunArguments& arguments) {
       again ? arguments.replay / "scenario.yaml" : fs::path(arguments.scenario),
       overrides, arguments.plugins, *kinds);
   if (!scenario) return std::nullopt;
-  Order order{*std::move(kinds), *std::move(scenario), std::nullopt};
+  RunOrder order{*std::move(kinds), *std::move(scenario), std::nullopt};
   if (!again) return order;
   auto recorded = record::read_recorded(arguments.replay);
   if (!recorded) {
@@ -153,6 +149,22 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
   return created;
 }
 
+// Aircraft that are not simulated fly by the wall clock. A run that is done again needs
+// no clock.
+Result<void> set_clock(assemble::Build& ready, double speed,
+                       const RunArguments& arguments, bool again) {
+  ready.options.speed = speed;
+  if (!ready.mixed || again) return {};
+  if (!arguments.speed.empty() && speed != 1)
+    return Error{ErrorCode::kBadInput, "--speed " + arguments.speed,
+                 "an aircraft of the scenario is not simulated: it flies in real time, "
+                 "and so must the run.",
+                 "Leave --speed out, or give --speed real."};
+  ready.options.speed = 1;
+  ready.options.real_time_only = true;
+  return {};
+}
+
 // Runs to the end; whether it was interrupted.
 Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
                       const geo::LocalFrame& frame, const RunArguments& arguments,
@@ -160,7 +172,7 @@ Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
   hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
   console.read_with(
       [&frame](std::string_view line) { return assemble::read_command(line, frame); });
-  const auto outcome = simulation::run(ready.world, ready.options, recorder, console);
+  const auto outcome = run_linked(ready, &recorder, console);
   if (!outcome) return outcome.error();
   recorder.set_figure("deadline_misses",
                       static_cast<double>(outcome.value().deadline_misses));
@@ -211,30 +223,59 @@ int finish(const RunArguments& arguments, const fs::path& folder,
 
 }  // namespace
 
+Result<void> start_links(assemble::Build& ready) {
+  const auto places = ready.links->start();
+  if (!places) return places.error();
+  for (const std::string& place : places.value()) complain("waiting at {}\n", place);
+  return {};
+}
+
+Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* recorder,
+                                          OperatorConsole& console) {
+  if (!ready.feed) return simulation::run(ready.world, ready.options, *recorder, console);
+  std::vector<Recorder*> listeners = {ready.feed.get()};
+  if (recorder) listeners.push_back(recorder);
+  record::FanOut all(std::move(listeners));
+  vehicle_links::LinkedConsole linked(console, *ready.feed);
+  return simulation::run(ready.world, ready.options, all, linked);
+}
+
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
+  const auto order = order_of(arguments);
+  return order ? run_order(*order, arguments, stop) : kBadUsage;
+}
+
+int run_order(const RunOrder& order, const RunArguments& arguments,
+              const std::atomic<bool>& stop) {
   const auto speed = parse_speed(arguments.speed);
   if (!speed) {
     complain("--speed {}: must be fast, real or a factor above 0.\n", arguments.speed);
     return kBadUsage;
   }
-  const auto order = order_of(arguments);
-  if (!order) return kBadUsage;
-  const scenario::Scenario& scenario = order->scenario;
+  const scenario::Scenario& scenario = order.scenario;
 
   const auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return say_error(frame.error());
-  auto built = assemble::build(scenario, order->kinds);
+  const bool again = order.recorded.has_value();
+  auto built = again ? assemble::build(scenario, order.kinds, order.recorded->reports)
+                     : assemble::build(scenario, order.kinds);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
   for (const std::string& warning : ready.warnings) log_warning("{}", warning);
-  ready.options.speed = *speed;
+  if (auto set = set_clock(ready, *speed, arguments, again); !set) {
+    say_error(set.error());
+    return kBadUsage;
+  }
   ready.options.threads = arguments.threads;
-  if (order->recorded) replay(*order->recorded, ready.options);
+  if (order.recorded) {
+    replay(*order.recorded, ready.options);
+    ready.feed.reset();  // what ground stations asked for is among the commands
+  }
 
   const fs::path folder =
       arguments.out.empty() ? free_folder(scenario.name) : arguments.out;
   auto opened =
-      open_records(scenario, scenario::write_scenario(scenario, order->kinds.table()),
+      open_records(scenario, scenario::write_scenario(scenario, order.kinds.table()),
                    folder, arguments.overwrite);
   if (!opened) return say_error(opened.error());
   record::RunRecorder& recorder = *opened.value();
@@ -242,9 +283,11 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
       assemble::sample_terrain(*ready.world.terrain, ready.map_centre, 4000);
   recorder.store_terrain(patch.rows, patch.rows, patch.low, patch.spacing, patch.heights);
 
+  if (!again)
+    if (auto started = start_links(ready); !started) return say_error(started.error());
   const auto simulated = simulate(ready, recorder, frame.value(), arguments, stop);
   const bool interrupted =
-      simulated ? simulated.value() || (order->recorded && order->recorded->interrupted)
+      simulated ? simulated.value() || (order.recorded && order.recorded->interrupted)
                 : true;
   const auto closed = close(recorder, interrupted);
   if (!simulated || !closed) {
@@ -254,8 +297,8 @@ int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
     return kFailed;
   }
   const int status = finish(arguments, folder, closed.value(), simulated.value());
-  return status == kDone && order->recorded ? compare(*order->recorded, closed.value())
-                                            : status;
+  return status == kDone && order.recorded ? compare(*order.recorded, closed.value())
+                                           : status;
 }
 
 }  // namespace skein::app

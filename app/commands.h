@@ -17,7 +17,7 @@ struct RunArguments {
   std::vector<std::string> overrides;  ///< a.b[2].c=VALUE
   std::vector<std::string> plugins;    ///< besides those of the scenario
   std::string seed;                    ///< empty = the scenario's
-  std::string speed = "fast";          ///< fast, real, or a factor
+  std::string speed;  ///< fast, real, or a factor; empty = fast, or real if it must be
   int threads = 1;
   bool report = false;
   bool json = false;
@@ -63,6 +63,30 @@ struct TrimArguments {
   double hold = 0;  ///< print an input table that holds the trim so long [s]; 0: do not
 };
 
+/// `skein vehicle`.
+struct VehicleArguments {
+  std::string aircraft = "bixler";  ///< built in, a file, or "point"
+  std::string name = "vehicle";
+  std::vector<std::string> links = {"udpout:127.0.0.1:14550"};
+  std::string autopilot = "ardupilot";  ///< or px4: what it looks like
+  std::string key_file;                 ///< of its links; empty: they are not signed
+  int system = 1;
+  double latitude_deg = 36.989, longitude_deg = -122.0514;
+  double north = 0, east = 0;  ///< where it begins, from there [m]
+  double ground_msl = 0;       ///< [m]
+  double heading_deg = 0;
+  double altitude = 100;    ///< above the ground, where it begins in flight [m]
+  bool flying = false;      ///< it begins in flight; a point always does
+  bool true_state = false;  ///< its autopilot knows its true state
+  double wind_speed = 0, wind_from_deg = 0;
+  double step = 0.02;   ///< [s]
+  double duration = 0;  ///< [s]; 0: until it is interrupted
+  std::uint64_t seed = 1;
+  std::filesystem::path out;  ///< folder for records; empty: none
+  bool overwrite = false;
+};
+
+int vehicle_command(const VehicleArguments& arguments, const std::atomic<bool>& stop);
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
 int check_command(const std::string& scenario, const std::vector<std::string>& overrides,
                   const std::vector<std::string>& plugins, bool filled_in);

@@ -9,6 +9,7 @@
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/task_kinds.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
+#include "skein/layer/reasoning/commanded/commanded_agent.h"
 #include "skein/layer/reasoning/trajectory/altitude.h"
 #include "skein/layer/reasoning/trajectory/round_trip.h"
 
@@ -193,6 +194,21 @@ Result<std::unique_ptr<Agent>> make_route(const RouteChoice& options,
 
 }  // namespace
 
+namespace {
+
+Fields<reasoning::CommandedAgentOptions> commanded_fields() {
+  using T = reasoning::CommandedAgentOptions;
+  return Fields<T>()
+      .number("take_off_height_m", &T::take_off_height,
+              "Above home, of a take-off without an altitude.",
+              {.above = 0, .at_most = 1000})
+      .duration_s("setpoint_patience_s", &T::patience,
+                  "Without a new setpoint for so long it holds its place.",
+                  {.at_least = 0.5, .at_most = 60});
+}
+
+}  // namespace
+
 Kinds<Agent, AircraftContext> agent_kinds() {
   Kinds<Agent, AircraftContext> kinds("agent");
   kinds.add("scout", "Reads the fire sensor, reports to the station, flies its orders.",
@@ -211,6 +227,14 @@ Kinds<Agent, AircraftContext> agent_kinds() {
             "orders.",
             tour_fields(), [](const TourChoice& o, const AircraftContext& c) {
               return make_agent(o, c, FlyTour{o.points, o.laps});
+            });
+  kinds.add("commanded",
+            "Flies what programs outside ask for by MAVLink, from moment to moment, to "
+            "places or a stored mission; nothing of its own.",
+            commanded_fields(),
+            [](const reasoning::CommandedAgentOptions& o, const AircraftContext& c) {
+              return std::make_unique<reasoning::CommandedAgent>(o, c.self, c.limits,
+                                                                 c.map);
             });
   return kinds;
 }

@@ -10,6 +10,8 @@
 #include "skein/assemble/presence.h"
 #include "skein/assemble/sampling.h"
 #include "skein/assemble/sensor_kinds.h"
+#include "skein/assemble/server_memory.h"
+#include "skein/assemble/vehicle_context.h"
 #include "skein/assemble/vehicle_faults.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/turbulence/discrete_gusts.h"
@@ -136,17 +138,24 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto parts = mount_sensors(group, context, vehicle);
   if (!parts) return parts.error();
   context.fitted = flight_sensors_in(parts.value().sensors);
-  auto autopilot = kinds_.autopilot.make(group.autopilot, context);
-  if (!autopilot) return at(name, autopilot.error());
-  vehicle.autopilot = std::move(autopilot).value();
-  auto turbulence = gusty_air(context);
-  if (!turbulence) return turbulence.error();
-  vehicle.turbulence = std::move(turbulence).value();
-  auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
-                               context.seed, context.self);
-  if (!faults) return faults.error();
-  vehicle.faults = std::move(faults).value();
-  vehicle.breakable = breakable_parts(parts.value());
+  const auto complete = [&]() -> Result<void> {
+    auto autopilot = kinds_.autopilot.make(group.autopilot, context);
+    if (!autopilot) return at(name, autopilot.error());
+    vehicle.autopilot = std::move(autopilot).value();
+    auto turbulence = gusty_air(context);
+    if (!turbulence) return turbulence.error();
+    vehicle.turbulence = std::move(turbulence).value();
+    auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
+                                 context.seed, context.self);
+    if (!faults) return faults.error();
+    vehicle.faults = std::move(faults).value();
+    vehicle.breakable = breakable_parts(parts.value());
+    return {};
+  };
+  auto flown = kinds_.vehicle.make(
+      group.vehicle, VehicleContext{context, index, vehicle, complete, links_,
+                                    recorded_ ? &(*recorded_)[self] : nullptr});
+  if (!flown) return at(name, flown.error());
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
@@ -159,8 +168,9 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   simulation::Entity entity;
   entity.name = name;
   entity.kind = "aircraft";
+  entity.reality = reality_of(group);
   entity.agent = std::move(agent).value();
-  entity.vehicle = std::make_unique<simulation::SimulatedVehicle>(std::move(vehicle));
+  entity.vehicle = std::move(flown).value();
   entity.agent_period = group.agent_period;
   entity.active = presence(group, index, scenario_.duration);
   return entity;

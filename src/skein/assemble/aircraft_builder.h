@@ -11,6 +11,7 @@
 #include "skein/base/result.h"
 #include "skein/data/zone.h"
 #include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/mixed/recorded_port.h"
 #include "skein/role/path_planner.h"
 #include "skein/role/plant.h"
 #include "skein/role/wind_field.h"
@@ -18,7 +19,14 @@
 #include "skein/simulation/simulated_vehicle.h"
 #include "skein/simulation/world.h"
 
+namespace skein::vehicle_links {
+class VehicleLinks;
+}
+
 namespace skein::assemble {
+
+/// What vehicles that are not simulated said in a run that is done again.
+using RecordedReports = std::map<EntityId, std::vector<mixed::TimedReport>>;
 
 /// What the aircraft of a scenario are called, group by group: GROUP-1, GROUP-2...
 std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& scenario);
@@ -27,15 +35,19 @@ std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& s
 /// plant, unless each differs a little.
 class AircraftBuilder {
  public:
-  /// All references outlive the builder.
+  /// All references outlive the builder; the links outlive what it makes.
+  /// @param recorded  null: vehicles that are not simulated speak for themselves.
   AircraftBuilder(const scenario::Scenario& scenario, const KindsByRole& kinds,
                   std::shared_ptr<const Terrain> map, const std::vector<Zone>& zones,
-                  const WindField& wind)
+                  const WindField& wind, vehicle_links::VehicleLinks& links,
+                  RecordedReports* recorded)
       : scenario_(scenario),
         kinds_(kinds),
         map_(std::move(map)),
         zones_(zones),
         wind_(wind),
+        links_(links),
+        recorded_(recorded),
         planner_(std::make_shared<planning::AaStar>()),
         names_(aircraft_names(scenario)) {}
 
@@ -65,6 +77,8 @@ class AircraftBuilder {
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;
+  vehicle_links::VehicleLinks& links_;
+  RecordedReports* recorded_;
   std::shared_ptr<const PathPlanner> planner_;
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots

@@ -16,6 +16,8 @@
 namespace skein::assemble {
 namespace {
 
+constexpr std::string_view kSimulated = "simulated";
+
 using scenario::AircraftGroup;
 using scenario::Scenario;
 
@@ -196,6 +198,8 @@ std::vector<Error> incompatibilities(const Scenario& scenario, const KindRegistr
                                      const AircraftGroup& group,
                                      const simulation::Entity& aircraft) {
   std::vector<Error> found;
+  // What is not simulated brings parts of its own.
+  if (group.vehicle.kind != kSimulated) return found;
   const simulation::VehicleParts& vehicle = parts_of(aircraft);
   check_step(group, vehicle, found);
   check_air(group, vehicle, found);
@@ -213,7 +217,7 @@ std::vector<Error> incompatibilities(const Scenario& scenario, const KindRegistr
 std::vector<std::string> warnings(const Scenario& scenario, const AircraftGroup& group,
                                   const simulation::Entity& aircraft) {
   std::vector<std::string> found;
-  if (group.autopilot.kind != "skein") return found;
+  if (group.autopilot.kind != "skein" || group.vehicle.kind != kSimulated) return found;
   const auto& choice = group.autopilot.as<SkeinChoice>();
   const autopilot::FailsafeRule& link = choice.options.failsafe.link;
   if (heartbeat(scenario, scenario.stations[station_of(scenario, group)]) <= Time() &&

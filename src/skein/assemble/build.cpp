@@ -11,6 +11,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
 #include "skein/assemble/sampling.h"
+#include "skein/assemble/server_memory.h"
 #include "skein/exchange/plan_reading.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
@@ -18,10 +19,15 @@
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
+#include "skein/link/mavlink/signing_key_file.h"
+#include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
+#include "skein/role/world_memory.h"
+#include "skein/scenario/utc.h"
 #include "skein/scenario/zones.h"
 #include "skein/simulation/commanded_wind.h"
+#include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::assemble {
 namespace {
@@ -67,8 +73,13 @@ Error together(const std::vector<Error>& errors) {
 // plain until the end, so that all errors are found at once.
 class Builder {
  public:
-  Builder(const Scenario& scenario, const KindRegistry& kinds, geo::LocalFrame frame)
-      : scenario_(scenario), kinds_(kinds), frame_(std::move(frame)) {
+  Builder(const Scenario& scenario, const KindRegistry& kinds, geo::LocalFrame frame,
+          RecordedReports* recorded)
+      : scenario_(scenario),
+        kinds_(kinds),
+        frame_(std::move(frame)),
+        recorded_(recorded) {
+    build_.links = std::make_unique<vehicle_links::VehicleLinks>(frame_);
     const scenario::Environment& environment = scenario.environment;
     for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
       zones_.push_back(scenario::ring_zone(environment.zone_rings[i], i));
@@ -80,6 +91,8 @@ class Builder {
     build_.options = run_options(scenario_, kinds_.table());
     build_.options.commands = commands();
     build_.warnings = sampling_warnings(scenario_, kinds_.table());
+    for (std::string& warning : memory_warnings(scenario_))
+      build_.warnings.push_back(std::move(warning));
     for (std::string& warning : scenario::zone_warnings(scenario_.environment))
       build_.warnings.push_back(std::move(warning));
     if (std::all_of(scenario_.aircraft.begin(), scenario_.aircraft.end(),
@@ -93,6 +106,7 @@ class Builder {
     stations();
     objects();
     note(radio());
+    ground_station_links();
     if (!errors_.empty()) return together(errors_);
     return std::move(build_);
   }
@@ -141,6 +155,7 @@ class Builder {
       simulation::Entity& entity = all.emplace_back();
       entity.name = station.name;
       entity.kind = "station";
+      entity.reality = entity_reality(Reality::kVirtual, Reality::kNone);
       entity.agent = ground_station(teams_[k], std::move(wanted[k]));
       entity.agent_period = station.agent_period;
       entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
@@ -234,11 +249,13 @@ class Builder {
   }
 
   void aircraft() {
-    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind);
+    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
+                            *build_.links, recorded_);
     const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
     for (std::uint32_t k = 0; k < first; ++k)
       teams_.push_back({EntityId{k}, scenario_.stations[k].name, {}});
     for (const AircraftGroup& group : scenario_.aircraft) {
+      build_.mixed |= group.count > 0 && group.vehicle.kind != "simulated";
       StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {
         const auto next = static_cast<std::uint32_t>(build_.world.entities.size());
@@ -267,11 +284,66 @@ class Builder {
     for (const scenario::PlacedObject& object : scenario_.environment.objects) {
       auto movement = kinds_.kinds().movement.make(object.movement,
                                                    {scenario_.seed, id, object.position});
-      if (note(movement))
-        build_.world.objects.emplace_back(GroundObject{id, object.name, object.what},
-                                          std::move(movement).value());
+      if (note(movement)) {
+        simulation::WorldObject& made = build_.world.objects.emplace_back(
+            GroundObject{id, object.name, object.what}, std::move(movement).value());
+        if (object.physical) made.body = body_of(object, id);
+      }
       ++id;
     }
+    build_.world.memory = server_memory(scenario_.environment.memory, build_.world, map_);
+  }
+
+  // Where ground stations are met, and who is shown there: all that is simulated.
+  void ground_station_links() {
+    const scenario::Links& links = scenario_.links;
+    for (const scenario::StationLink& link : links.ground_stations) {
+      const auto address = transport::parse_endpoint(link.endpoint);
+      if (note(address)) build_.links->add_station({address.value(), link.is_signed});
+    }
+    if (!links.ground_stations.empty()) show_aircraft();
+    if (!links.key_file.empty()) {
+      const auto key = mavlink::read_signing_key(links.key_file);
+      if (note(key)) build_.links->set_key(key.value());
+    } else if (build_.links->needs_key()) {
+      errors_.push_back({ErrorCode::kBadInput, "links.key_file",
+                         "is needed: a link is signed.",
+                         "Give a file that only you can read."});
+    }
+  }
+
+  void show_aircraft() {
+    std::vector<vehicle_links::ShownAircraft> all;
+    std::size_t entity = scenario_.stations.size();
+    for (const AircraftGroup& group : scenario_.aircraft)
+      for (int i = 0; i < group.count && entity < build_.world.entities.size();
+           ++i, ++entity) {
+        const simulation::Entity& aircraft = build_.world.entities[entity];
+        if (group.vehicle.kind != "simulated") continue;
+        const FlightLimits limits = parts_of(aircraft).plant->limits();
+        vehicle_services::VehicleServerOptions server;
+        server.system = static_cast<std::uint8_t>(scenario_.links.first_system);
+        server.make = scenario_.links.autopilot == scenario::ShownAs::kPx4
+                          ? vehicle_services::Make::kPx4
+                          : vehicle_services::Make::kArduPilot;
+        server.hovers = limits.slowest == 0;
+        server.limits = limits;
+        server.name = aircraft.name;
+        server.software = "Skein";
+        server.seed = scenario_.seed;
+        server.index = static_cast<std::uint32_t>(all.size());
+        if (const auto start = scenario::parse_utc(scenario_.start_utc))
+          server.start_unix_us = *start * 1'000'000;
+        vehicle_links::ShownAircraft shown;
+        shown.name = aircraft.name;
+        shown.hovers = server.hovers;
+        shown.commanded = group.agent.kind == "commanded";
+        shown.server = build_.links->show(std::move(server));
+        all.push_back(std::move(shown));
+      }
+    if (!all.empty())
+      build_.feed =
+          std::make_unique<vehicle_links::VehicleFeed>(*build_.links, std::move(all));
   }
 
   Result<void> radio() {
@@ -302,6 +374,7 @@ class Builder {
   geo::LocalFrame frame_;
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
+  RecordedReports* recorded_;
   std::vector<StationTeam> teams_;  // of each station
   Build build_;
   std::vector<Error> errors_;
@@ -317,10 +390,32 @@ Result<void> check_phenomenon(std::size_t number, std::size_t phenomena) {
                "They are counted from 0."};
 }
 
-Result<Build> build(const Scenario& scenario, const KindRegistry& kinds) {
+Build::Build() = default;
+Build::Build(Build&&) noexcept = default;
+Build& Build::operator=(Build&&) noexcept = default;
+Build::~Build() = default;
+
+namespace {
+
+Result<Build> build_from(const Scenario& scenario, const KindRegistry& kinds,
+                         RecordedReports* recorded) {
   auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return frame.error();
-  return Builder(scenario, kinds, std::move(frame).value()).build();
+  return Builder(scenario, kinds, std::move(frame).value(), recorded).build();
+}
+
+}  // namespace
+
+Result<Build> build(const Scenario& scenario, const KindRegistry& kinds) {
+  return build_from(scenario, kinds, nullptr);
+}
+
+Result<Build> build(const Scenario& scenario, const KindRegistry& kinds,
+                    std::span<const VehicleReportRecord> recorded) {
+  RecordedReports reports;
+  for (const VehicleReportRecord& each : recorded)
+    reports[each.id].push_back({each.time, each.report});
+  return build_from(scenario, kinds, &reports);
 }
 
 TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre,

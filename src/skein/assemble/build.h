@@ -1,20 +1,39 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
+#include "skein/data/record.h"
 #include "skein/geo/local_frame.h"
 #include "skein/scenario/scenario.h"
 #include "skein/simulation/run.h"
 #include "skein/simulation/world.h"
 
+namespace skein::vehicle_links {
+class VehicleFeed;
+class VehicleLinks;
+}  // namespace skein::vehicle_links
+
 namespace skein::assemble {
 
 /// A scenario made real: a world that can be run once.
 struct Build {
+  Build();
+  Build(Build&&) noexcept;
+  Build& operator=(Build&&) noexcept;
+  ~Build();
+
+  /// To vehicles and ground stations outside. Whoever runs the world calls start() first,
+  /// unless it is a run that is done again. Outlives the world.
+  std::unique_ptr<vehicle_links::VehicleLinks> links;
+  /// Shows simulated aircraft to ground stations: a listener of the records, and a source
+  /// of commands. Null: nobody is to see them.
+  std::unique_ptr<vehicle_links::VehicleFeed> feed;
+  bool mixed = false;  ///< an aircraft is not simulated: it runs in real time
   simulation::World world;
   simulation::RunOptions options;  ///< speed and threads are the caller's
   /// What was repaired in outside data, and what cannot be done as asked for.
@@ -25,9 +44,15 @@ struct Build {
 
 /// Makes the world of a scenario that has passed the reader's checks. Entity 0 is the
 /// ground station, then the aircraft in the order of their groups.
-/// @param kinds  that the scenario was read with; the world does not need them any more.
+/// @param kinds     that the scenario was read with; the world does not need them any
+///                  more.
+/// @param recorded  what vehicles that are not simulated said in a run that is done
+/// again;
+///                  without, they speak for themselves.
 /// Fails: what terrain, wind or fire cannot be made from; an aircraft that starts inside
 ///        terrain or a no-fly zone.
+Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kinds,
+                    std::span<const VehicleReportRecord> recorded);
 Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kinds);
 
 /// Heights of the ground for a map: `count` x `count` points about `centre`.

@@ -15,6 +15,7 @@ class Radio;
 class Sensor;
 class Terrain;
 class Turbulence;
+class Vehicle;
 class WindField;
 namespace reasoning {
 struct PlannedMission;
@@ -22,6 +23,8 @@ struct PlannedMission;
 }  // namespace skein
 
 namespace skein::assemble {
+
+struct VehicleContext;
 
 /// Strategies need nothing besides their options.
 struct StrategyContext {};
@@ -36,6 +39,7 @@ Kinds<Autopilot, AircraftContext> autopilot_kinds();
 Kinds<Sensor, AircraftContext> sensor_kinds();
 Kinds<Agent, AircraftContext> agent_kinds();
 Kinds<Turbulence, AircraftContext> turbulence_kinds();
+Kinds<Vehicle, VehicleContext> vehicle_kinds();
 Kinds<reasoning::PlannedMission, MissionContext> mission_kinds();
 Kinds<Radio, RadioContext> radio_kinds();
 Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds();

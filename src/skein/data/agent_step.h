@@ -22,7 +22,7 @@ struct AgentInput {
   AutopilotStatus autopilot;
   std::span<const SensorSample> samples;  ///< since the last step
   std::span<const Message> inbox;         ///< since the last step
-  std::span<const Command> commands;      ///< to a ground station, since the last step
+  std::span<const Command> commands;      ///< to it, since the last step
   CommandFate command_fate = {};          ///< of the last AgentOutput::command
 };
 

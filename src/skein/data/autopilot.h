@@ -26,6 +26,12 @@ struct HoldCourse {
   double course = 0;  ///< [rad]
 };
 
+/// Bank as told, from moment to moment: whoever commands closes the loop. What hovers
+/// does not bank to turn and refuses.
+struct HoldBank {
+  double roll = 0;  ///< [rad], right positive
+};
+
 /// Circle a point.
 struct Circle {
   Vec2 centre = Vec2::Zero();
@@ -75,7 +81,7 @@ struct Return {
 /// What the vehicle shall do now.
 struct AutopilotCommand {
   std::variant<FollowPath, HoldCourse, Circle, HoldPosition, FollowPlan, FlyWaypoints,
-               TakeOff, Land, Return>
+               TakeOff, Land, Return, HoldBank>
       guidance = HoldCourse{};
   double altitude_msl = 0;  ///< [m]; for guidance that has none of its own
   std::optional<double> airspeed = std::nullopt;  ///< [m/s]; none: cruise

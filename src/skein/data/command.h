@@ -10,6 +10,7 @@
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
 #include "skein/data/task.h"
+#include "skein/data/vehicle_request.h"
 #include "skein/data/zone_change.h"
 #include "skein/geo/vec.h"
 
@@ -162,10 +163,24 @@ constexpr auto describe(const TaskChangeCommand*) {
                       field("to", &T::to, "who goes on with it; empty: nobody"));
 }
 
+/// What a program outside asks of an aircraft by MAVLink; for agents that fly by it.
+struct VehicleCommand {
+  std::string aircraft;
+  VehicleRequest request = ModeRequest{};
+};
+
+constexpr auto describe(const VehicleCommand*) {
+  using T = VehicleCommand;
+  return described<T>({"vehicle"}, "What a program outside asks of an aircraft.",
+                      field("aircraft", &T::aircraft, "who"),
+                      field("request", &T::request, Storage::kJson, "what"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
-using Command = std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand,
-                             StepCommand, SpeedCommand, FaultCommand, WindCommand,
-                             AddCommand, RemoveCommand, TaskChangeCommand>;
+using Command =
+    std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
+                 SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand,
+                 TaskChangeCommand, VehicleCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

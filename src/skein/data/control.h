@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <variant>
 
+#include "skein/data/setpoint.h"
+
 namespace skein {
 
 /// What an autopilot asks of a plant that holds its own attitude.
@@ -35,7 +37,8 @@ inline constexpr std::size_t kThrottle = 3;
 inline constexpr std::size_t kBrake = 4;  ///< of the wheels, from 0 to 1
 }  // namespace channel
 
-/// What goes from an autopilot to its plant.
-using Control = std::variant<FlightCommand, Actuators>;
+/// What goes from an autopilot to its plant. A TrackSetpoint is for a vehicle whose own
+/// autopilot flies trajectories; no plant takes it.
+using Control = std::variant<FlightCommand, Actuators, TrackSetpoint>;
 
 }  // namespace skein

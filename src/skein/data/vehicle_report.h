@@ -139,6 +139,8 @@ constexpr auto describe(const VehicleText*) {
 struct MissionProgress {
   std::uint16_t current = 0;  ///< flown now
   bool finished = false;
+
+  bool operator==(const MissionProgress&) const = default;
 };
 
 constexpr auto describe(const MissionProgress*) {

@@ -7,14 +7,16 @@
 
 #include "skein/base/result.h"
 #include "skein/data/command.h"
+#include "skein/data/record.h"
 
 namespace skein::record {
 
 /// What a run needs to be done again, besides its scenario.
 struct RecordedRun {
-  std::vector<CommandRecord> commands;      ///< as they were given, in order
-  std::optional<std::string> content_hash;  ///< none: the run was cut off
-  std::optional<Time> interrupted;          ///< its first step that was not made
+  std::vector<CommandRecord> commands;       ///< as they were given, in order
+  std::vector<VehicleReportRecord> reports;  ///< of vehicles behind links, in order
+  std::optional<std::string> content_hash;   ///< none: the run was cut off
+  std::optional<Time> interrupted;           ///< its first step that was not made
 };
 
 /// Reads the run in `directory`.

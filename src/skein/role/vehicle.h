@@ -11,8 +11,10 @@
 #include "skein/data/autopilot.h"
 #include "skein/data/object.h"
 #include "skein/data/payload.h"
+#include "skein/data/pilot.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
+#include "skein/data/vehicle_report.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/terrain.h"
 #include "skein/role/wind_field.h"
@@ -80,6 +82,9 @@ class Vehicle {
   /// Replaces where its gimbals look from now on; nothing for what has none.
   virtual void set_region_of_interest(const RegionOfInterest& /*region*/) {}
 
+  /// What a safety pilot's sticks say; nothing for what has no receiver here.
+  virtual void pilot(const PilotInput& /*sticks*/) {}
+
   /// A message of the ground station has arrived on board.
   virtual void ground_received(Time now) = 0;
   /// Whether messages go in and out.
@@ -93,6 +98,10 @@ class Vehicle {
 
   /// Appends what has happened since the last call.
   virtual void take_events(std::vector<VehicleEvent>& out) = 0;
+
+  /// Appends what it was told from outside of the run since the last call, for the
+  /// records: with it a run can be done again. Nothing for what is simulated.
+  virtual void take_reports(std::vector<VehicleReport>& /*out*/) {}
 
   /// Makes a part fail from `now` on, or work again.
   /// Fails: kBadInput when there is no such part, or it cannot be made to fail.

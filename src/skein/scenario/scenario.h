@@ -7,6 +7,7 @@
 
 #include "skein/base/time.h"
 #include "skein/data/object.h"
+#include "skein/data/observation.h"
 #include "skein/geo/local_frame.h"
 #include "skein/geo/polygon.h"
 #include "skein/scenario/choice.h"
@@ -20,6 +21,16 @@ struct PlacedObject {
   ObjectClass what = ObjectClass::kPerson;
   Vec2 position = Vec2::Zero();  ///< at the start [m]
   Choice movement{"standing"};
+  bool physical = false;         ///< it exists in reality
+  std::optional<double> radius;  ///< of its body [m]; none: typical of its class
+  std::optional<double> height;  ///< of its body [m]; none: typical of its class
+};
+
+/// What the server remembers of physical objects, and when it says that this was wrong.
+struct ServerMemory {
+  ForgettingRules forgetting;
+  double moved = 5;           ///< beyond three standard deviations [m]
+  double safety_radius = 10;  ///< [m]
 };
 
 /// A single gust that every aircraft meets: it rises and falls as 1 - cos.
@@ -61,6 +72,7 @@ struct Environment {
   std::vector<geo::Ring> zone_rings;  ///< no-fly zones, at all altitudes and times [m]
   std::vector<NoFlightZone> zones;
   std::vector<PlacedObject> objects;
+  ServerMemory memory;
 };
 
 /// How the aircraft of a group stand at the start.
@@ -116,13 +128,16 @@ struct RandomFailure {
 struct AircraftGroup {
   std::string name = "scout";
   int count = 1;
+  Choice vehicle{"simulated"};
   Choice plant{"kinematic"};
   double parameter_spread = 0;  ///< of each aircraft's own parameters, at most
   Choice autopilot{"path"};
   std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
   Choice agent{"scout"};
-  std::string station;        ///< that it belongs to; empty: the first
-  double altitude_agl = 120;  ///< [m]
+  std::optional<bool> physical;     ///< its body is real; none: unless it is simulated
+  std::optional<Reality> observes;  ///< none: what is simulated here sees its own world
+  std::string station;              ///< that it belongs to; empty: the first
+  double altitude_agl = 120;        ///< [m]
   Time agent_period = Time::from_seconds(0.5);
   Start start;
   std::optional<Time> flight_step;  ///< of plant and autopilot; none: as the plant needs
@@ -149,6 +164,23 @@ struct Recording {
   bool messages = true;
 };
 
+/// A place where ground stations' programs meet the aircraft by MAVLink.
+struct StationLink {
+  std::string endpoint = "udpout:127.0.0.1:14550";  ///< see docs/links.md
+  bool is_signed = false;                           ///< with the key of Links
+};
+
+/// What simulated aircraft look like to ground stations.
+enum class ShownAs { kArduPilot, kPx4 };
+
+/// Who else takes part, by MAVLink.
+struct Links {
+  std::vector<StationLink> ground_stations;
+  ShownAs autopilot = ShownAs::kArduPilot;
+  int first_system = 1;  ///< MAVLink system id of the first aircraft that is shown
+  std::string key_file;  ///< of signed links; empty: none
+};
+
 /// A command that the scenario gives by itself.
 struct PlannedCommand {
   Time at;
@@ -171,6 +203,7 @@ struct Scenario {
   std::vector<Station> stations = {Station{}};
   std::vector<Choice> missions = {{"perimeter"}};
   std::vector<PlannedCommand> commands;
+  Links links;
   Recording record;
 };
 

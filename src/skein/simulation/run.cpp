@@ -63,7 +63,12 @@ class CommandServer {
     } else if (const auto* step = std::get_if<StepCommand>(&given.command)) {
       steps_ += paused_ ? step->steps : 0;
     } else if (const auto* speed = std::get_if<SpeedCommand>(&given.command)) {
-      if (options_.clock_by_command) pace_.set_speed(speed->factor, now);
+      if (options_.real_time_only && speed->factor != 1)
+        stepper_.refuse(now,
+                        "aircraft that are not simulated fly in real time: no other "
+                        "speed can be had.");
+      else if (options_.clock_by_command)
+        pace_.set_speed(speed->factor, now);
     }
   }
 

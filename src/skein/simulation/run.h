@@ -25,6 +25,9 @@ struct RunOptions {
   std::vector<CommandRecord> commands;
   /// Pauses and speeds that are commanded hold; else they are only recorded (a replay).
   bool clock_by_command = true;
+  /// Whoever takes part from outside flies by the wall clock: commands of another speed
+  /// are refused.
+  bool real_time_only = false;
 };
 
 /// How a run ended.

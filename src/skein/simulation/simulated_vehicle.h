@@ -58,6 +58,7 @@ class SimulatedVehicle final : public Vehicle {
   void set_region_of_interest(const RegionOfInterest& region) override {
     region_of_interest_ = region.place_N;
   }
+  void pilot(const PilotInput& sticks) override { parts_.autopilot->sense(sticks); }
   void ground_received(Time now) override { parts_.autopilot->sense(LinkSample{now}); }
   bool link_works() const override { return !link_down_; }
   const VehicleState* truth() const override { return &parts_.state; }

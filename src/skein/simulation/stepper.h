@@ -11,6 +11,7 @@
 #include "skein/role/recorder.h"
 #include "skein/role/vehicle.h"
 #include "skein/simulation/object_motions.h"
+#include "skein/simulation/payload_tap.h"
 #include "skein/simulation/refusals.h"
 #include "skein/simulation/run.h"
 #include "skein/simulation/world.h"
@@ -49,6 +50,9 @@ class Stepper {
   /// clock are the caller's to obey.
   void command(Time now, std::string sender, const Command& command);
 
+  /// Records that a command cannot be obeyed, and why.
+  void refuse(Time now, const std::string& why);
+
   /// Moves the world from `now` to the next step.
   Result<void> step(Time now);
 
@@ -60,7 +64,9 @@ class Stepper {
   void update_presence(Time now);
   void update_parts(Time now);
   void look(Time now);
-  void log_payload_samples();
+  void log_payload_samples(Time now);
+  void log_payload_samples(Time now, std::size_t i);
+  void record_memory();
   void think(Time now);
   void think(Time now, Entity& entity, EntityState& state);
   void exchange(Time now);
@@ -78,21 +84,24 @@ class Stepper {
   void record_event(const Event& event);
   std::optional<std::size_t> find(const std::string& aircraft) const;
   void obey(Time now, const Command& command);
-  void refuse(Time now, const std::string& why);
   template <class Body>
   void for_each(Body body);  // body(i) for every entity
-  Surroundings surroundings() const;
+  Surroundings surroundings(std::size_t i) const;
 
   World& world_;
   const RunOptions& options_;
   Recorder& recorder_;
   oneapi::tbb::task_arena arena_;
   ObjectMotions objects_;
-  std::vector<Vec3> aircraft_places_;
+  std::vector<Vec3> aircraft_places_, physical_places_;
+  PayloadTap tap_;
+  std::vector<ObservationRecord> observations_;
+  std::vector<Event> memory_events_;
   std::vector<const Phenomenon*> phenomena_;
   std::vector<EntityState> states_;
   std::vector<Message> arrived_, lost_;
   std::vector<VehicleEvent> vehicle_events_;
+  std::vector<VehicleReport> vehicle_reports_;
   std::optional<double> sigma_;  // root mean square, of the newest belief [m]
 };
 

@@ -66,6 +66,18 @@ void Stepper::obey(Time now, const Command& command) {
     void operator()(const WindCommand& c) const {
       run.world_.wind->set_added({c.added.x(), c.added.y(), 0});
     }
+    // Sticks go to the autopilot, everything else to the agent on board.
+    void operator()(const VehicleCommand& c) const {
+      with_aircraft(c.aircraft, [&](std::size_t i) {
+        if (const auto* pilot = std::get_if<PilotRequest>(&c.request)) {
+          PilotInput sticks = pilot->input;
+          sticks.time = now;
+          run.world_.entities[i].vehicle->pilot(sticks);
+        } else if (run.states_[i].active) {
+          run.states_[i].commands.emplace_back(c);
+        }
+      });
+    }
     void operator()(const AddCommand& c) const {
       with_aircraft(c.aircraft,
                     [&](std::size_t i) { run.states_[i].commanded_active = true; });

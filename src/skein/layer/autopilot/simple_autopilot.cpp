@@ -30,7 +30,8 @@ bool for_shared(const AutopilotCommand& command) {
          std::holds_alternative<FlyWaypoints>(command.guidance) ||
          std::holds_alternative<TakeOff>(command.guidance) ||
          std::holds_alternative<Land>(command.guidance) ||
-         std::holds_alternative<Return>(command.guidance);
+         std::holds_alternative<Return>(command.guidance) ||
+         std::holds_alternative<HoldBank>(command.guidance);
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ class Forwarder final : public transport::ChannelListener {
     mavlink::SequenceWatch watch;
   };
 
-  void opened(transport::ChannelId channel, const std::string& name) override;
+  void opened(transport::ChannelId channel, transport::EndpointId endpoint,
+              const std::string& name) override;
   void received(transport::ChannelId channel, std::span<const std::byte> bytes) override;
   void closed(transport::ChannelId channel, const std::string& why) override;
   ChannelHealth health_of(transport::ChannelId channel, const Peer& peer) const;

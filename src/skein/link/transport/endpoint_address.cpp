@@ -102,6 +102,22 @@ Result<EndpointAddress> parse_endpoint(std::string_view text) {
   return bad(text, fmt::format("\"{}\" is no kind of endpoint", kind));
 }
 
+EndpointAddress moved(const EndpointAddress& address, int ports) {
+  struct Mover {
+    int by;
+    void to(std::uint16_t& port) const { port = static_cast<std::uint16_t>(port + by); }
+    void operator()(UdpServer& a) const { to(a.at.port); }
+    void operator()(TcpServer& a) const { to(a.at.port); }
+    void operator()(UdpClient& a) const { to(a.to.port); }
+    void operator()(UdpBroadcast& a) const { to(a.to.port); }
+    void operator()(TcpClient& a) const { to(a.to.port); }
+    void operator()(SerialLine&) const {}
+  };
+  EndpointAddress other = address;
+  std::visit(Mover{ports}, other);
+  return other;
+}
+
 std::string text_of(const EndpointAddress& address) {
   return std::visit(TextOf(), address);
 }

@@ -50,6 +50,9 @@ using EndpointAddress =
 /// Fails: kBadInput for a text of none of these forms, naming what is wrong with it.
 Result<EndpointAddress> parse_endpoint(std::string_view text);
 
+/// The same with a port that is higher by `ports`; a serial line as it is.
+EndpointAddress moved(const EndpointAddress& address, int ports);
+
 /// The text that parse_endpoint() reads as this address.
 std::string text_of(const EndpointAddress& address);
 

@@ -1,6 +1,8 @@
 #include "skein/link/transport/endpoints.h"
 
 #include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/post.hpp>
+#include <deque>
 #include <utility>
 
 #include "skein/link/transport/hub.h"
@@ -12,9 +14,10 @@ namespace skein::transport {
 class Endpoints::Implementation {
  public:
   explicit Implementation(ChannelListener& listener)
-      : hub(listener), work(hub.io.get_executor()) {}
+      : loop(listener), work(loop.io.get_executor()) {}
 
-  Hub hub;
+  Loop loop;
+  std::deque<Hub> hubs;  // of the endpoints
   // Without anything to wait for, run_for() waits all the same.
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work;
   std::vector<std::unique_ptr<Endpoint>> endpoints;  // gone before the loop
@@ -46,11 +49,16 @@ Endpoints::Endpoints(ChannelListener& listener)
     : implementation_(std::make_unique<Implementation>(listener)) {}
 Endpoints::~Endpoints() = default;
 
-Result<void> Endpoints::open(const EndpointAddress& address) {
-  auto opened = std::visit(Opening{implementation_->hub}, address);
-  if (!opened) return opened.error();
+Result<EndpointId> Endpoints::open(const EndpointAddress& address) {
+  const auto number = static_cast<EndpointId>(implementation_->hubs.size());
+  Hub& hub = implementation_->hubs.emplace_back(implementation_->loop, number);
+  auto opened = std::visit(Opening{hub}, address);
+  if (!opened) {
+    implementation_->hubs.pop_back();
+    return opened.error();
+  }
   implementation_->endpoints.push_back(std::move(opened.value()));
-  return {};
+  return number;
 }
 
 std::vector<std::string> Endpoints::places() const {
@@ -62,14 +70,27 @@ std::vector<std::string> Endpoints::places() const {
 }
 
 bool Endpoints::send(ChannelId channel, std::span<const std::byte> bytes) {
-  const auto owner = implementation_->hub.owners.find(channel);
-  return owner != implementation_->hub.owners.end() &&
+  const auto owner = implementation_->loop.owners.find(channel);
+  return owner != implementation_->loop.owners.end() &&
          owner->second->send(channel, bytes);
 }
 
 void Endpoints::run_for(std::chrono::milliseconds duration) {
-  implementation_->hub.io.restart();
-  implementation_->hub.io.run_for(duration);
+  implementation_->loop.io.restart();
+  implementation_->loop.io.run_for(duration);
+}
+
+void Endpoints::wake() {
+  // As a handler, so that it is not lost between two runs.
+  boost::asio::io_context& io = implementation_->loop.io;
+  boost::asio::post(io, [&io] { io.stop(); });
+}
+
+bool Endpoints::run_one_for(std::chrono::nanoseconds patience) {
+  boost::asio::io_context& io = implementation_->loop.io;
+  io.restart();
+  // Without patience run_one_for() would not even look.
+  return io.poll_one() > 0 || io.run_one_for(patience) > 0;
 }
 
 }  // namespace skein::transport

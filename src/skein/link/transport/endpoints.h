@@ -17,19 +17,23 @@ namespace skein::transport {
 /// Numbers are never used again.
 using ChannelId = std::uint32_t;
 
-/// Whoever is told what happens; called by Endpoints::run_for() only.
+/// Endpoints in the order in which they were opened, from 0.
+using EndpointId = std::uint32_t;
+
+/// Whoever is told what happens; called by run_for() and run_one_for() of Endpoints only.
 class ChannelListener {
  public:
   virtual ~ChannelListener() = default;
   /// @param name  endpoint and peer, for people.
-  virtual void opened(ChannelId channel, const std::string& name) = 0;
+  virtual void opened(ChannelId channel, EndpointId endpoint,
+                      const std::string& name) = 0;
   /// The bytes are gone when the call returns.
   virtual void received(ChannelId channel, std::span<const std::byte> bytes) = 0;
   virtual void closed(ChannelId channel, const std::string& why) = 0;
 };
 
 /// Sockets and serial lines, without threads of their own: everything happens in
-/// run_for(), in the thread of its caller.
+/// run_for() and run_one_for(), in the thread of their caller.
 ///
 /// Clients and serial lines that fail are tried again each second. Who sends datagrams to
 /// a server and then nothing for a minute is forgotten. No peer makes it hold more than a
@@ -40,8 +44,9 @@ class Endpoints {
   ~Endpoints();
 
   /// Opens another endpoint.
+  /// @returns  its number.
   /// Fails: kBadInput where a server cannot wait at its place, or a host has no address.
-  Result<void> open(const EndpointAddress& address);
+  Result<EndpointId> open(const EndpointAddress& address);
 
   /// Where the servers wait, in the order in which they were opened, with the ports that
   /// they have got.
@@ -51,8 +56,16 @@ class Endpoints {
   /// @returns  false when they were dropped.
   bool send(ChannelId channel, std::span<const std::byte> bytes);
 
-  /// Waits for what comes, and handles it, for this long.
+  /// Waits for what comes, and handles it, for this long, or until wake().
   void run_for(std::chrono::milliseconds duration);
+
+  /// Makes run_for() return at once: the one under way, else the next. Any thread may
+  /// call it.
+  void wake();
+
+  /// Waits up to this long for the next thing that happens, and handles it.
+  /// @returns  false when nothing has happened.
+  bool run_one_for(std::chrono::nanoseconds patience);
 
  private:
   class Implementation;

@@ -21,24 +21,35 @@ class Endpoint {
   virtual std::string place() const { return {}; }
 };
 
-/// What endpoints share: the loop, and the numbers of their channels.
-struct Hub {
-  explicit Hub(ChannelListener& to) : listener(to) {}
-
-  ChannelId open(Endpoint& owner, const std::string& name) {
-    const ChannelId channel = next++;
-    owners.emplace(channel, &owner);
-    listener.opened(channel, name);
-    return channel;
-  }
-  void close(ChannelId channel, const std::string& why) {
-    if (owners.erase(channel) > 0) listener.closed(channel, why);
-  }
+/// What all endpoints share: the loop, and the numbers of their channels.
+struct Loop {
+  explicit Loop(ChannelListener& to) : listener(to) {}
 
   boost::asio::io_context io{1};
   ChannelListener& listener;
   ChannelId next = 1;
   std::map<ChannelId, Endpoint*> owners;
+};
+
+/// The loop as one endpoint sees it.
+struct Hub {
+  Hub(Loop& of, EndpointId number)
+      : io(of.io), listener(of.listener), loop(of), endpoint(number) {}
+
+  ChannelId open(Endpoint& owner, const std::string& name) {
+    const ChannelId channel = loop.next++;
+    loop.owners.emplace(channel, &owner);
+    listener.opened(channel, endpoint, name);
+    return channel;
+  }
+  void close(ChannelId channel, const std::string& why) {
+    if (loop.owners.erase(channel) > 0) listener.closed(channel, why);
+  }
+
+  boost::asio::io_context& io;
+  ChannelListener& listener;
+  Loop& loop;
+  EndpointId endpoint;
 };
 
 }  // namespace skein::transport

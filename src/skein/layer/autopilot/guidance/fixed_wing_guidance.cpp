@@ -19,6 +19,7 @@ constexpr double kOnCircle = 0.2;
 
 constexpr double kFarOff = 2;         // look-aheads from which a circle is far away
 constexpr double kSearch = 60;        // of a plan, before and after now, at the start [s]
+constexpr double kMaxBank = 1.4;      // that is commanded; the limit is less [rad]
 constexpr double kTurnReserve = 0.9;  // of the bank limit; the rest is for corrections
 
 Sight sight_of(const LateralOptions& options) {
@@ -138,6 +139,9 @@ void FixedWingGuidance::begin(const AutopilotCommand& command,
   } else if (const auto* h = std::get_if<HoldCourse>(&command_.guidance)) {
     course_ = geo::unit(h->course);
     doing_ = Doing::kCourse;
+  } else if (const auto* b = std::get_if<HoldBank>(&command_.guidance)) {
+    bank_ = b->roll;
+    doing_ = Doing::kBank;
   } else if (const auto* c = std::get_if<Circle>(&command_.guidance)) {
     hold_ = *c;
     min_hold_ = c->radius;
@@ -187,6 +191,9 @@ FixedWingDemand FixedWingGuidance::step(const FixedWingMotion& now, double dt) {
     case Doing::kCourse:
       a = hold_course(course_, now);
       break;
+    case Doing::kBank:
+      a = banked(now);
+      break;
     case Doing::kCircle:
       a = circle(now, demand);
       break;
@@ -216,6 +223,14 @@ double FixedWingGuidance::hold_course(const Vec2& course,
                                       const FixedWingMotion& now) const {
   const GroundMotion ahead = ahead_of(over_ground(now), options_.lateral.roll_lag);
   return turn_towards(course, ahead.velocity, options_.lateral.course.gain);
+}
+
+// The acceleration across the ground track that a bank gives: a = g tan(roll) cos(drift).
+double FixedWingGuidance::banked(const FixedWingMotion& now) const {
+  const Vec2 v = now.v_N.head<2>(), air = v - now.wind;
+  const double both = std::sqrt(v.squaredNorm() * air.squaredNorm());
+  const double drift = both > 1e-6 ? std::max(v.dot(air) / both, 0.3) : 1;
+  return kGravity * math::tan(std::clamp(bank_, -kMaxBank, kMaxBank)) * drift;
 }
 
 double FixedWingGuidance::circle(const FixedWingMotion& now, FixedWingDemand& demand) {

@@ -61,6 +61,7 @@ FixedWingMotion motion_of(const NavState& nav,
 /// - Circle, HoldPosition: not tighter than the wind allows at the slowest airspeed
 /// (hold:
 ///   at cruise).
+/// - HoldBank: that bank, as far as its limit allows.
 /// - TakeOff: run along the start's course until take_off_speed, straight climb to
 ///   climb_out_height, then circling up to the altitude.
 /// - Land: see Landing.
@@ -99,6 +100,7 @@ class FixedWingGuidance {
   void begin(const AutopilotCommand& command, const FixedWingMotion& now);
   void hold_at(const Vec2& centre, const FixedWingMotion& now);
   void arrive(const Vec2& at, const FixedWingMotion& now);
+  double banked(const FixedWingMotion& now) const;
   double circle(const FixedWingMotion& now, FixedWingDemand& demand);
   double follow_path(const FixedWingMotion& now, FixedWingDemand& demand);
   double follow_plan(const FixedWingMotion& now, double dt, FixedWingDemand& demand);
@@ -124,6 +126,7 @@ class FixedWingGuidance {
   AutopilotStatus status_;
   enum class Doing : std::uint8_t {
     kCourse,
+    kBank,    // bank_
     kCircle,  // hold_
     kPath,
     kPlan,
@@ -136,6 +139,7 @@ class FixedWingGuidance {
   double min_hold_ = 0;  // radius asked for [m]; 0 = as tight as the wind allows
   double altitude_ = 0;  // demanded when the guidance has none of its own [m]
   Vec2 course_ = Vec2(1, 0);
+  double bank_ = 0;  // [rad]
   model::PathCursor path_;
   double along_ = 0;
   model::PlanCurve plan_;

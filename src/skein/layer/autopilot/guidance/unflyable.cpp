@@ -146,6 +146,12 @@ struct Judge {
     return course(geo::unit(h.course), [] { return "the course"; });
   }
 
+  Reason judge(const HoldBank& h) const {
+    if (!std::isfinite(h.roll)) return "the bank is not finite";
+    if (hovers()) return "what hovers does not bank to turn";
+    return {};
+  }
+
   Reason judge(const Circle& c) const {
     if (!finite(c.centre) || !std::isfinite(c.radius)) return "the circle is not finite";
     if (c.radius <= 0) return "the circle has no radius";
@@ -270,6 +276,7 @@ struct Judge {
 // Whether the numbers of a guidance are finite.
 struct Numbers {
   bool operator()(const HoldCourse& h) { return std::isfinite(h.course); }
+  bool operator()(const HoldBank& h) { return std::isfinite(h.roll); }
   bool operator()(const HoldPosition& h) { return finite(h.point); }
   bool operator()(const Circle& c) { return finite(c.centre) && std::isfinite(c.radius); }
   bool operator()(const FollowPath& f) {

@@ -26,6 +26,7 @@ Order order_of(FailsafeReaction reaction) {
 struct KindOfCommand {
   CommandKind operator()(const FollowPath&) const { return CommandKind::kGuided; }
   CommandKind operator()(const HoldCourse&) const { return CommandKind::kGuided; }
+  CommandKind operator()(const HoldBank&) const { return CommandKind::kGuided; }
   CommandKind operator()(const Circle&) const { return CommandKind::kGuided; }
   CommandKind operator()(const HoldPosition&) const { return CommandKind::kGuided; }
   CommandKind operator()(const FollowPlan&) const { return CommandKind::kMission; }

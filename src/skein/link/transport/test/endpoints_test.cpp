@@ -25,7 +25,7 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 
 // What happens at one side.
 struct Side final : ChannelListener {
-  void opened(ChannelId channel, const std::string& name) override {
+  void opened(ChannelId channel, EndpointId, const std::string& name) override {
     names[channel] = name;
   }
   void received(ChannelId channel, std::span<const std::byte> bytes) override {
@@ -173,6 +173,22 @@ TEST(Endpoints, TakeLinesThatComeLaterAndGoAway) {
   unlink(link.c_str());
   close(master);
   EXPECT_TRUE(side.wait([&] { return side.closings == 1; }));
+}
+
+TEST(Endpoints, HandleOneThingAtATimeAsSoonAsItHappens) {
+  Side server, client;
+  EXPECT_FALSE(server.endpoints->run_one_for(0ms));
+  server.open("udpin:0");
+  client.open(server.place("udpout"));
+  const auto before = std::chrono::steady_clock::now();
+  client.send_all("a");
+  client.send_all("b");
+  EXPECT_TRUE(server.endpoints->run_one_for(60s));
+  EXPECT_EQ(server.all_heard(), "a|");
+  EXPECT_TRUE(server.endpoints->run_one_for(0ms));  // what is there needs no patience
+  EXPECT_EQ(server.all_heard(), "ab|");
+  EXPECT_LT(std::chrono::steady_clock::now() - before, 30s);
+  EXPECT_FALSE(server.endpoints->run_one_for(1ms));
 }
 
 TEST(Endpoints, SayWhereNothingCanBeOpened) {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "app/commands.h"
+#include "skein/assemble/build.h"
+#include "skein/assemble/kind_registry.h"
+#include "skein/base/result.h"
+#include "skein/record/replay.h"
+#include "skein/role/operator_console.h"
+#include "skein/role/recorder.h"
+#include "skein/scenario/scenario.h"
+
+namespace skein::app {
+
+/// What shall be run.
+struct RunOrder {
+  assemble::KindRegistry kinds;
+  scenario::Scenario scenario;
+  std::optional<record::RecordedRun> recorded;  ///< that is done again
+};
+
+/// Runs it, with records, summary and report as the arguments say; the exit status.
+int run_order(const RunOrder& order, const RunArguments& arguments,
+              const std::atomic<bool>& stop);
+
+/// Opens the links to whoever takes part from outside, and says where servers wait.
+Result<void> start_links(assemble::Build& ready);
+
+/// Runs a world with ground stations as listeners and givers of commands, if it has any.
+/// @param recorder  null: nothing is recorded; then there are ground stations.
+Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* recorder,
+                                          OperatorConsole& console);
+
+}  // namespace skein::app

@@ -1,0 +1,151 @@
+// Vehicles: one row each.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/skein_autopilot_kind.h"
+#include "skein/assemble/vehicle_context.h"
+#include "skein/base/math.h"
+#include "skein/data/air.h"
+#include "skein/layer/autopilot/skein/setpoint_autopilot.h"
+#include "skein/link/vehicle_links/vehicle_links.h"
+#include "skein/mixed/real_vehicle.h"
+
+namespace skein::assemble {
+namespace {
+
+using scenario::Fields;
+using Made = Result<std::unique_ptr<Vehicle>>;
+
+struct NoVehicleOptions {};
+
+// A vehicle at the far end of a MAVLink connection.
+struct MavlinkOptions {
+  std::string endpoint = "udpin:14551";
+  int port_step = 0;
+  int system = 1;
+  int system_step = 1;
+  bool is_signed = false;
+  double rate_hz = 10;
+  Time silence = Time::from_seconds(3);
+  Time max_age = Time::from_seconds(5);
+  double bank_limit = geo::radians(45);
+  autopilot::LateralOptions lateral = {.roll_lag = 0.8};
+};
+
+std::string endpoint_error(const MavlinkOptions& options) {
+  const auto address = transport::parse_endpoint(options.endpoint);
+  return address ? std::string() : address.error().message;
+}
+
+Fields<MavlinkOptions> mavlink_fields() {
+  using T = MavlinkOptions;
+  return Fields<T>()
+      .text("endpoint", &T::endpoint,
+            "Where it is: udpin:PORT, udpout:HOST:PORT, tcp:HOST:PORT, "
+            "serial:DEVICE:BAUD...; see docs/links.md.")
+      .integer("port_step", &T::port_step,
+               "Aircraft k of the group is at a port this many times k higher.",
+               {.at_least = 0, .at_most = 1000})
+      .integer("system", &T::system, "Its MAVLink system id.",
+               {.at_least = 1, .at_most = 255})
+      .integer("system_step", &T::system_step,
+               "Aircraft k of the group has a system id this many times k higher.",
+               {.at_least = 0, .at_most = 255})
+      .boolean("signed", &T::is_signed,
+               "Frames are signed with the key of links.key_file, others refused.")
+      .number("rate_hz", &T::rate_hz, "How often it is asked to say how it moves.",
+              {.at_least = 1, .at_most = 100})
+      .duration_s("silence_s", &T::silence, "Its link is down when it is silent so long.",
+                  {.at_least = 1, .at_most = 60})
+      .duration_s("max_age_s", &T::max_age,
+                  "Its sensors see nothing, and it is sent no setpoints, when its last "
+                  "position is older.",
+                  {.at_least = 0.5, .at_most = 60})
+      .angle_deg("bank_limit_deg", &T::bank_limit,
+                 "Fixed wings: the largest bank that it is sent. Plans are made for the "
+                 "turn radius of its plant; what is more is for corrections.",
+                 {.above = 5, .at_most = 70})
+      .object("lateral", &T::lateral, lateral_fields(), "Guidance along lines.")
+      .rule("endpoint", endpoint_error);
+}
+
+Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
+                                                  const VehicleContext& c) {
+  if (c.recorded)
+    return std::unique_ptr<VehiclePort>(
+        std::make_unique<mixed::RecordedPort>(*c.recorded));
+  const int system = options.system + options.system_step * c.index;
+  if (system > 255)
+    return Error{ErrorCode::kBadInput, "vehicle.system",
+                 fmt::format("{} would have the system id {}; the largest is 255.",
+                             c.parts.name, system),
+                 ""};
+  vehicle_links::LinkedVehicle linked;
+  linked.endpoint.address = transport::moved(
+      transport::parse_endpoint(options.endpoint).value(), options.port_step * c.index);
+  linked.endpoint.is_signed = options.is_signed;
+  linked.client.system = static_cast<std::uint8_t>(system);
+  linked.client.hovers = c.aircraft.limits.slowest == 0;
+  linked.client.rate = options.rate_hz;
+  linked.client.silence = options.silence;
+  const auto number = c.links.add(linked);
+  if (!number) return number.error();
+  return c.links.port(number.value());
+}
+
+// What guidance may ask for: turns as tight as the bank allows, while corners are rounded
+// as planners do it.
+FlightLimits guided_limits(const FlightLimits& planned, double bank_limit) {
+  FlightLimits limits = planned;
+  const double tightest =
+      planned.airspeed * planned.airspeed / (kGravity * math::tan(bank_limit));
+  limits.turn_radius = std::min(planned.turn_radius, tightest);
+  return limits;
+}
+
+Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
+  auto port = mavlink_port(options, c);
+  if (!port) return port.error();
+  autopilot::SkeinOptions guidance;
+  guidance.wing_guidance.lateral = options.lateral;
+  const FlightLimits limits = guided_limits(c.aircraft.limits, options.bank_limit);
+  guidance.wing_guidance.radius_margin *=
+      c.aircraft.limits.turn_radius / limits.turn_radius;
+  mixed::RealVehicleParts parts;
+  parts.name = c.parts.name;
+  parts.port = std::move(port).value();
+  parts.guidance = std::make_unique<autopilot::SetpointAutopilot>(
+      autopilot::setpoint_setup(guidance, limits, c.aircraft.airframe),
+      c.aircraft.initial);
+  parts.payload = std::move(c.parts.payload);
+  parts.limits = c.aircraft.limits;
+  parts.start = c.aircraft.initial;
+  parts.max_age = options.max_age;
+  return std::unique_ptr<Vehicle>(std::make_unique<mixed::RealVehicle>(std::move(parts)));
+}
+
+}  // namespace
+
+Kinds<Vehicle, VehicleContext> vehicle_kinds() {
+  Kinds<Vehicle, VehicleContext> kinds("vehicle");
+  kinds.add("simulated", "Plant, autopilot and sensors are models.",
+            Fields<NoVehicleOptions>(),
+            [](const NoVehicleOptions&, const VehicleContext& c) -> Made {
+              if (auto done = c.complete(); !done) return done.error();
+              return std::unique_ptr<Vehicle>(
+                  std::make_unique<simulation::SimulatedVehicle>(std::move(c.parts)));
+            });
+  kinds.add("mavlink",
+            "An aircraft elsewhere, real or in another program, whose autopilot speaks "
+            "MAVLink (ArduPilot, PX4, skein vehicle). Its plant here says what it can "
+            "do; of its sensors the payload is here and looks at the virtual world.",
+            mavlink_fields(), [](const MavlinkOptions& o, const VehicleContext& c) {
+              return make_mavlink(o, c);
+            });
+  return kinds;
+}
+
+}  // namespace skein::assemble

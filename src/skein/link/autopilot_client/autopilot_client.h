@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/vehicle_report.h"
+#include "skein/geo/local_frame.h"
+#include "skein/link/autopilot_client/clock_alignment.h"
+#include "skein/link/autopilot_client/command_sender.h"
+#include "skein/link/autopilot_client/telemetry.h"
+#include "skein/link/mavlink/frame.h"
+#include "skein/link/mavlink/sequence_watch.h"
+#include "skein/link/vehicle_services/outbox.h"
+
+namespace skein::autopilot_client {
+
+using vehicle_services::Channel;
+using vehicle_services::Outbox;
+
+struct AutopilotClientOptions {
+  std::uint8_t system = 1;  ///< of the vehicle
+  /// What it must be; another that answers with its number is not commanded.
+  bool hovers = false;
+  double rate = 10;                      ///< of its motion [Hz]
+  Time silence = Time::from_seconds(3);  ///< then its link is down
+};
+
+/// The far end of a link to one vehicle with an autopilot of ArduPilot, PX4 or a make
+/// that behaves like them: heartbeats, clocks, telemetry, requests until they are
+/// answered, setpoints.
+///
+/// Knows no sockets: frames are handed in with the channel that they came by, what goes
+/// out goes to an Outbox. Times are of one clock that never goes back.
+///
+/// What it does about
+///   - silence: the link is down, what waits for an answer is given up; heard again, it
+///     is up, and set up anew;
+///   - a reboot (the vehicle's clock goes back): reported, set up anew;
+///   - another vehicle under its number: reported once; one of another airframe is not
+///     commanded; of two at once the first counts.
+class AutopilotClient {
+ public:
+  AutopilotClient(const AutopilotClientOptions& options, const geo::LocalFrame& frame);
+
+  std::uint8_t system() const { return options_.system; }
+
+  /// A peer by which the vehicle may be reached.
+  void open(Channel channel) { channels_.insert(channel); }
+  void close(Channel channel);
+
+  /// Takes in a frame of its vehicle; passes over those of others.
+  void receive(const mavlink::Frame& frame, Channel from, Time now, Outbox& out);
+
+  /// Puts a request to the vehicle.
+  /// @param number  comes back with its answer; 0: no answer is wanted.
+  void request(std::uint32_t number, const VehicleRequest& request, Time now,
+               Outbox& out);
+
+  /// Sends what is due. To be called every 20 ms or so.
+  void step(Time now, Outbox& out);
+
+  /// What has been learnt since the last call, in order.
+  std::vector<VehicleReport> take_reports();
+
+  bool up() const { return up_; }
+  /// The channel by which the vehicle is heard; none while the link is down.
+  std::optional<Channel> channel() const {
+    return up_ ? std::optional(*channel_) : std::nullopt;
+  }
+  /// Of the vehicle's frames.
+  const mavlink::SequenceWatch& sequence() const { return sequence_; }
+  double round_trip() const { return clock_.shortest_round_trip(); }
+
+ private:
+  struct Handler;
+
+  bool accepts(const mavlink::Frame& frame, Channel from, Time now);
+  void hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channel from, Time now);
+  void hear_clock(Time boot, Time now);
+  void hear_text(const mavlink::Statustext& text, Time now);
+  void hear_identity(const mavlink::AutopilotVersion& version);
+  void come_up(const std::string& text);
+  void go_down(const std::string& why);
+  void set_up(Time now);
+  void report_condition(Time now);
+  void report_change(LinkChange::Kind kind, std::string text);
+  void send_bank(const BankSetpoint& setpoint, Time now, Outbox& out);
+  void send_track(const TrackSetpoint& setpoint, Outbox& out);
+  bool ours() const { return !mismatched_; }
+
+  AutopilotClientOptions options_;
+  geo::LocalFrame frame_;
+  Telemetry telemetry_;
+  ClockAlignment clock_;
+  CommandSender commands_;
+  mavlink::SequenceWatch sequence_;
+  std::set<Channel> channels_;
+  std::optional<Channel> channel_;  // by which it is heard
+  bool up_ = false, mismatched_ = false, duplicate_ = false;
+  bool was_up_ = false;
+  Time heard_;                // heartbeat, last
+  Time position_;             // last
+  Time set_up_;               // last
+  std::optional<Time> boot_;  // the vehicle's clock, last
+  std::optional<Time> rebooted_;
+  std::optional<std::uint64_t> uid_;
+  std::uint64_t capabilities_ = 0;
+  std::uint32_t version_ = 0;
+  Time heartbeat_due_, timesync_due_, condition_due_, altitude_due_, airspeed_due_;
+  VehicleCondition reported_;
+  std::optional<double> airspeed_;  // demanded last
+  std::optional<double> altitude_;  // the same
+  std::string complaint_;           // the last text of weight
+  Time complained_;
+  std::string long_text_;  // of several parts
+  std::vector<VehicleReport> reports_;
+};
+
+}  // namespace skein::autopilot_client

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/vehicle_report.h"
+#include "skein/link/mavlink/messages.h"
+#include "skein/link/vehicle_services/outbox.h"
+
+namespace skein::autopilot_client {
+
+/// Changes a parameter; done when the vehicle says the new value.
+struct SetParameter {
+  std::string name;
+  float value = 0;
+  std::uint8_t type = 9;  ///< MAV_PARAM_TYPE
+};
+
+/// Replaces the stored mission.
+struct SendMission {
+  std::vector<mavlink::MissionItemInt> items;
+};
+
+/// One part of a request: what is sent until it is answered.
+using RequestStep =
+    std::variant<mavlink::CommandLong, mavlink::CommandInt, SetParameter, SendMission>;
+
+/// A request with its steps, one after the other; the first that fails ends it.
+struct NumberedRequest {
+  std::uint32_t number = 0;  ///< 0: its answer interests nobody
+  std::vector<RequestStep> steps;
+};
+
+/// Sends requests one after the other until each is answered.
+///
+/// A step that is not answered is sent again each half second, commands with a rising
+/// confirmation, for six seconds; what is in progress, and a mission of which items are
+/// asked for, may take longer. All of the vehicle's protocols are played by the vehicle's
+/// own rules of repetition, so that answers which come twice do no harm.
+class CommandSender {
+ public:
+  explicit CommandSender(std::uint8_t system, std::uint8_t component = 1)
+      : system_(system), component_(component) {}
+
+  /// @returns  false when too many wait already.
+  bool add(NumberedRequest request);
+
+  void handle(const mavlink::CommandAck& ack, Time now);
+  void handle(const mavlink::ParamValue& value);
+  void handle(const mavlink::MissionRequest& request, vehicle_services::Channel channel,
+              Time now, vehicle_services::Outbox& out);
+  void handle(const mavlink::MissionRequestInt& request,
+              vehicle_services::Channel channel, Time now, vehicle_services::Outbox& out);
+  void handle(const mavlink::MissionAck& ack);
+
+  /// Sends what is due over the vehicle's channel.
+  void step(Time now, vehicle_services::Channel channel, vehicle_services::Outbox& out);
+
+  /// The vehicle is gone: nothing that waits will be answered.
+  void abandon(const std::string& why);
+
+  /// Answers since the last call.
+  std::vector<RequestAnswer> take_answers();
+  bool idle() const { return waiting_.empty(); }
+
+ private:
+  void send(Time now, vehicle_services::Channel channel, vehicle_services::Outbox& out);
+  void send_item(std::uint16_t number, vehicle_services::Channel channel, Time now,
+                 vehicle_services::Outbox& out);
+  void begin_step();
+  void step_done();
+  void fail(RequestAnswer::Outcome outcome, std::string text);
+  template <class T>
+  const T* current() const {
+    return waiting_.empty() ? nullptr : std::get_if<T>(&waiting_.front().steps[place_]);
+  }
+
+  std::uint8_t system_, component_;
+  std::deque<NumberedRequest> waiting_;
+  std::size_t place_ = 0;     // of the step of the first that is under way
+  std::optional<Time> sent_;  // that step, last
+  Time patient_until_;        // for its answer
+  std::uint8_t tries_ = 0;
+  bool rejected_ = false;              // for now, as the vehicle said
+  std::optional<std::uint16_t> item_;  // of a mission: sent last
+  std::vector<RequestAnswer> answers_;
+};
+
+}  // namespace skein::autopilot_client

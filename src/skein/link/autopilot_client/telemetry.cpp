@@ -1,0 +1,104 @@
+#include "skein/link/autopilot_client/telemetry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/base/math.h"
+
+namespace skein::autopilot_client {
+namespace {
+
+constexpr std::uint8_t kFix3D = 3;
+constexpr std::uint8_t kLandedOnGround = 1;  // MAV_LANDED_STATE
+constexpr std::uint8_t kStatusCritical = 5;  // MAV_STATE
+constexpr std::uint8_t kStatusEmergency = 6;
+constexpr std::uint32_t kPreArmCheck = 0x1000'0000;  // MAV_SYS_STATUS
+constexpr std::uint16_t kUnknown16 = 0xffff;
+constexpr double kTypicalPositionSd = 2;  // of a receiver that does not say [m]
+
+// MAV_TYPE of what flies on rotors: quadrotor, coaxial, helicopter, hexa-, octo-,
+// tricopter, dodecarotor.
+bool rotorcraft(std::uint8_t type) {
+  constexpr std::uint8_t kTypes[] = {2, 3, 4, 13, 14, 15, 29};
+  return std::find(std::begin(kTypes), std::end(kTypes), type) != std::end(kTypes);
+}
+
+}  // namespace
+
+bool Telemetry::hovers() const {
+  return rotorcraft(type_);
+}
+
+void Telemetry::handle(const mavlink::Heartbeat& m) {
+  make_ = mavlink::make_of(m.autopilot);
+  type_ = m.type;
+  custom_mode_ = m.custom_mode;
+  condition_.armed = (m.base_mode & mavlink::kModeArmed) != 0;
+  condition_.emergency =
+      m.system_status == kStatusEmergency || m.system_status == kStatusCritical;
+  const VehicleMode mode = mavlink::mode_of(make_, hovers(), m.custom_mode);
+  const std::string name = mavlink::mode_name(make_, hovers(), m.custom_mode);
+  condition_.mode = mode;
+  if (condition_.mode_name != name) condition_.mode_name = name;
+  // Until it says more: what is not armed stands.
+  if (!landed_known_) condition_.on_ground = !condition_.armed;
+}
+
+void Telemetry::handle(const mavlink::Attitude& m) {
+  motion_.q_NB = geo::from_euler({m.roll, m.pitch, m.yaw});
+  motion_.w_NB_B = {m.rollspeed, m.pitchspeed, m.yawspeed};
+}
+
+void Telemetry::handle(const mavlink::VfrHud& m) {
+  motion_.airspeed = m.airspeed;
+}
+
+void Telemetry::handle(const mavlink::Wind& m) {
+  const double from = geo::radians(m.direction);
+  motion_.wind_N = -static_cast<double>(m.speed) * geo::unit(from);
+}
+
+void Telemetry::handle(const mavlink::WindCov& m) {
+  motion_.wind_N = {m.wind_x, m.wind_y};
+}
+
+void Telemetry::handle(const mavlink::GpsRawInt& m) {
+  fixed_ = m.fix_type >= kFix3D;
+  motion_.position_sd = m.h_acc > 0 ? m.h_acc / 1000.0 / std::sqrt(2.0)
+                        : m.eph != kUnknown16 && m.eph > 0
+                            ? m.eph / 100.0 * kTypicalPositionSd
+                            : kTypicalPositionSd;
+}
+
+void Telemetry::handle(const mavlink::SysStatus& m) {
+  if ((m.onboard_control_sensors_present & kPreArmCheck) != 0)
+    condition_.ready = (m.onboard_control_sensors_health & kPreArmCheck) != 0;
+  if (m.battery_remaining >= 0) condition_.charge = m.battery_remaining / 100.0;
+  if (m.voltage_battery != kUnknown16) condition_.voltage = m.voltage_battery / 1000.0;
+  if (m.current_battery >= 0) condition_.current = m.current_battery / 100.0;
+}
+
+void Telemetry::handle(const mavlink::ExtendedSysState& m) {
+  landed_known_ = m.landed_state != 0;
+  if (landed_known_) condition_.on_ground = m.landed_state == kLandedOnGround;
+}
+
+void Telemetry::handle(const mavlink::HomePosition& m) {
+  home_msl_ = m.altitude / 1000.0;
+}
+
+std::optional<VehicleMotion> Telemetry::handle(const mavlink::GlobalPositionInt& m,
+                                               Time now, const ClockAlignment& clock) {
+  // Until its estimator has an origin it says zeros, or nearly.
+  const bool known = fixed_ && (std::abs(m.lat) > 10000 || std::abs(m.lon) > 10000);
+  condition_.position = known;
+  if (!known) return std::nullopt;
+  const Vec2 place = frame_.to_plane(m.lat * 1e-7, m.lon * 1e-7);
+  motion_.time =
+      clock.to_here(Time::from_ns(std::int64_t{m.time_boot_ms} * 1'000'000), now);
+  motion_.p_N = {place.x(), place.y(), -m.alt / 1000.0};
+  motion_.v_N = {m.vx / 100.0, m.vy / 100.0, m.vz / 100.0};
+  return motion_;
+}
+
+}  // namespace skein::autopilot_client

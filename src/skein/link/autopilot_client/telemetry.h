@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/vehicle_report.h"
+#include "skein/geo/local_frame.h"
+#include "skein/link/autopilot_client/clock_alignment.h"
+#include "skein/link/mavlink/flight_modes.h"
+#include "skein/link/mavlink/messages.h"
+
+namespace skein::autopilot_client {
+
+/// What a vehicle's telemetry says of its motion and condition.
+///
+/// A motion is made with each position (GLOBAL_POSITION_INT), which has a time; attitude,
+/// airspeed and wind are the newest that came before.
+class Telemetry {
+ public:
+  explicit Telemetry(const geo::LocalFrame& frame) : frame_(frame) {}
+
+  void handle(const mavlink::Heartbeat& m);
+  void handle(const mavlink::Attitude& m);
+  void handle(const mavlink::VfrHud& m);
+  void handle(const mavlink::Wind& m);
+  void handle(const mavlink::WindCov& m);
+  void handle(const mavlink::GpsRawInt& m);
+  void handle(const mavlink::SysStatus& m);
+  void handle(const mavlink::ExtendedSysState& m);
+  void handle(const mavlink::HomePosition& m);
+  /// @returns  the motion; nothing while the vehicle does not know where it is.
+  std::optional<VehicleMotion> handle(const mavlink::GlobalPositionInt& m, Time now,
+                                      const ClockAlignment& clock);
+
+  const VehicleCondition& condition() const { return condition_; }
+  mavlink::Make make() const { return make_; }
+  /// MAV_TYPE.
+  std::uint8_t type() const { return type_; }
+  bool hovers() const;
+  std::uint32_t custom_mode() const { return custom_mode_; }
+  /// Where the vehicle calls home, which relative altitudes count from [m].
+  std::optional<double> home_msl() const { return home_msl_; }
+
+ private:
+  geo::LocalFrame frame_;
+  VehicleCondition condition_;
+  VehicleMotion motion_;
+  mavlink::Make make_ = mavlink::Make::kOther;
+  std::uint8_t type_ = 0;
+  std::uint32_t custom_mode_ = 0;
+  std::optional<double> home_msl_;
+  bool landed_known_ = false;
+  bool fixed_ = false;  // its receiver has a fix
+};
+
+}  // namespace skein::autopilot_client

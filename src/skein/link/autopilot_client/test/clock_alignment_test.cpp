@@ -1,0 +1,74 @@
+#include "skein/link/autopilot_client/clock_alignment.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace skein::autopilot_client {
+namespace {
+
+Time s(double seconds) {
+  return Time::from_seconds(seconds);
+}
+
+// A vehicle whose clock began at 100 s of ours and runs fast by `drift`; messages take
+// `delay` and up to `jitter` more.
+struct Far {
+  double delay = 0.05, jitter = 0.1, drift = 0;
+  std::mt19937 random{3};
+  double way() {
+    return delay + jitter * std::uniform_real_distribution<double>()(random);
+  }
+  double boot(double ours) const { return (ours - 100) * (1 + drift); }
+};
+
+TEST(ClockAlignment, IsOffByTheFastestMessageWithoutRoundTrips) {
+  Far far;
+  ClockAlignment clock;
+  for (double t = 110; t < 140; t += 0.1) {
+    const Time now = s(t + far.way());
+    clock.hear(s(far.boot(t)), now);
+    const double here = clock.to_here(s(far.boot(t)), now).seconds();
+    EXPECT_GE(here, t);              // never before it happened
+    EXPECT_LE(here, now.seconds());  // nor in the future
+  }
+  // The fastest of 300 took its delay and hardly more.
+  const double here = clock.to_here(s(far.boot(140)), s(140.2)).seconds();
+  EXPECT_NEAR(here, 140.05, 0.005);
+}
+
+TEST(ClockAlignment, TakesHalfOfTheShortestRoundTrip) {
+  Far far;
+  ClockAlignment clock;
+  for (double t = 110; t < 140; t += 1) {
+    const double there = t + far.way(), back = there + far.way();
+    clock.hear(s(far.boot(there)), s(back));
+    clock.round_trip(s(t), s(far.boot(there)), s(back));
+  }
+  EXPECT_NEAR(clock.to_here(s(far.boot(140)), s(141)).seconds(), 140, 0.02);
+  EXPECT_LT(clock.shortest_round_trip(), 0.15);
+}
+
+TEST(ClockAlignment, FollowsAClockThatRunsSlow) {
+  Far far{0.02, 0.05, -50e-6};
+  ClockAlignment clock;
+  double t = 110;
+  for (; t < 4000; t += 0.5) {
+    const Time now = s(t + far.way());
+    clock.hear(s(far.boot(t)), now);
+  }
+  // It has lost 0.2 s by now.
+  EXPECT_NEAR(clock.to_here(s(far.boot(t)), s(t + 1)).seconds(), t + 0.02, 0.03);
+}
+
+TEST(ClockAlignment, IgnoresAnswersThatCannotBe) {
+  ClockAlignment clock;
+  clock.hear(s(5), s(10));
+  clock.round_trip(s(12), s(5), s(10));   // sent in the future
+  clock.round_trip(s(-40), s(5), s(10));  // another's question
+  EXPECT_EQ(clock.shortest_round_trip(), 0);
+  EXPECT_EQ(clock.to_here(s(6), s(20)), s(11));
+}
+
+}  // namespace
+}  // namespace skein::autopilot_client

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle_request.h"
+#include "skein/role/vehicle.h"
+#include "skein/role/vehicle_port.h"
+
+namespace skein::mixed {
+
+/// Brings an outside autopilot into the mode that is needed, and notices when somebody
+/// else takes it.
+///
+///   take_off()   arms and takes off, again every few seconds as long as that is denied
+///   fly()        guided, to be led by setpoints
+///   land()       lands, and disarms
+///
+/// A mode that nobody here asked for is somebody's will: a pilot's, who flies by sticks,
+/// or a failsafe's. It is left alone until the mode is the one asked for again. What
+/// changed while the link was down was nobody's will, but for sticks: it is asked for
+/// again when the link is back.
+class FlightDirector {
+ public:
+  explicit FlightDirector(bool hovers) : hovers_(hovers) {}
+
+  void take_off(const TakeOffRequest& request);
+  void fly();
+  void land(const LandRequest& request);
+
+  /// What the vehicle has said of its link.
+  void hear(const LinkChange& change);
+  void hear(const RequestAnswer& answer, Time now, std::vector<VehicleEvent>& events);
+
+  /// Once a step of the run: asks for what is missing.
+  void step(Time now, const VehicleCondition& condition, double altitude_msl,
+            VehiclePort& port, std::vector<VehicleEvent>& events);
+
+  bool up() const { return up_; }
+  /// Setpoints are of use: it is guided, or is to become so.
+  bool takes_setpoints() const { return up_ && goal_ == Goal::kFly && !taken_; }
+  /// It is in the mode that was asked for.
+  bool reached() const { return reached_; }
+  /// Somebody else has it; then in which mode.
+  std::optional<VehicleMode> taken() const {
+    return taken_ ? std::optional(last_mode_) : std::nullopt;
+  }
+  /// What was asked for is over: it has climbed, it has landed.
+  bool done() const { return done_; }
+  bool taking_off() const { return goal_ == Goal::kTakeOff; }
+  bool landing() const { return goal_ == Goal::kLand; }
+
+ private:
+  enum class Goal : std::uint8_t { kNone, kTakeOff, kFly, kLand };
+
+  void set_goal(Goal goal);
+  void watch_mode(const VehicleCondition& condition, std::vector<VehicleEvent>& events);
+  void step_take_off(Time now, const VehicleCondition& condition, double altitude_msl,
+                     VehiclePort& port);
+  void step_flight(Time now, const VehicleCondition& condition, VehiclePort& port);
+  void step_landing(Time now, const VehicleCondition& condition, VehiclePort& port);
+  void ask(Time now, const VehicleRequest& request, VehiclePort& port);
+  bool may_ask(Time now) const { return pending_ == 0 && now >= again_at_; }
+  bool is_wanted(VehicleMode mode) const;
+
+  bool hovers_;
+  Goal goal_ = Goal::kNone;
+  TakeOffRequest take_off_;
+  LandRequest land_;
+  bool up_ = false, was_up_ = false;
+  bool came_up_ = false;  // since the last step
+  bool started_ = false;  // what was asked for was accepted
+  bool reached_ = false, done_ = false, taken_ = false;
+  VehicleMode last_mode_ = VehicleMode::kOther;
+  std::string last_name_;
+  std::uint32_t number_ = 0, pending_ = 0;  // of requests
+  Time again_at_;
+  std::optional<Time> on_ground_since_;
+  std::string denied_;  // the last reason, reported once
+};
+
+}  // namespace skein::mixed

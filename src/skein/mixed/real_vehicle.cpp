@@ -1,0 +1,237 @@
+#include "skein/mixed/real_vehicle.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace skein::mixed {
+namespace {
+
+// Time over which a climb rate becomes an altitude to fly to: the time constant with
+// which guidance closes an altitude error [s].
+constexpr double kClimbLead = 3;
+
+bool hovers(const FlightLimits& limits) {
+  return limits.slowest == 0;
+}
+
+const char* event_of(LinkChange::Kind kind) {
+  switch (kind) {
+    case LinkChange::Kind::kUp:
+      return "link-up";
+    case LinkChange::Kind::kDown:
+      return "link-lost";
+    case LinkChange::Kind::kRebooted:
+      return "vehicle-rebooted";
+    case LinkChange::Kind::kMismatch:
+      return "wrong-vehicle";
+    case LinkChange::Kind::kDuplicate:
+      return "duplicate-vehicle";
+  }
+  return "";
+}
+
+// What a mode that others have chosen does, as failsafes' reactions are named.
+FailsafeReaction reaction_of(VehicleMode mode) {
+  switch (mode) {
+    case VehicleMode::kReturn:
+      return FailsafeReaction::kReturn;
+    case VehicleMode::kLand:
+      return FailsafeReaction::kLand;
+    default:
+      return FailsafeReaction::kHold;
+  }
+}
+
+}  // namespace
+
+RealVehicle::RealVehicle(RealVehicleParts parts)
+    : parts_(std::move(parts)),
+      tracker_(!hovers(parts_.limits)),
+      director_(hovers(parts_.limits)),
+      estimate_(parts_.start) {}
+
+// What the vehicle says, one report after the other.
+struct RealVehicle::Listener {
+  RealVehicle& self;
+  Time now;
+
+  void operator()(const VehicleMotion& motion) const { self.tracker_.add(motion); }
+  void operator()(const VehicleCondition& condition) const {
+    self.condition_ = condition;
+  }
+  void operator()(const LinkChange& change) const {
+    self.events_.push_back({event_of(change.kind), change.text});
+    self.director_.hear(change);
+  }
+  void operator()(const RequestAnswer& answer) const {
+    self.director_.hear(answer, now, self.events_);
+  }
+  void operator()(const VehicleText& text) const {
+    constexpr std::uint8_t kError = 3;  // and what is worse
+    if (text.severity <= kError) self.events_.push_back({"vehicle-says", text.text});
+  }
+  void operator()(const MissionProgress&) const {}
+  void operator()(const VehicleIdentity& identity) const {
+    self.events_.push_back({"vehicle-identified", identity.make});
+  }
+  void operator()(const LinkHealth&) const {}
+};
+
+void RealVehicle::begin(const Surroundings&, Time now) {
+  begin_step(now);
+  parts_.guidance->begin(estimate_, condition_.on_ground);
+}
+
+bool RealVehicle::fresh(Time now) const {
+  return tracker_.known() && now - tracker_.time() <= parts_.max_age;
+}
+
+void RealVehicle::begin_step(Time now) {
+  if (!blocked_) {
+    const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
+    parts_.port->receive(now, reports_);
+    for (auto report = reports_.begin() + begin; report != reports_.end(); ++report)
+      std::visit(Listener{*this, now}, *report);
+  }
+  if (!tracker_.known()) return;
+  const bool old = !fresh(now);
+  if (old && !std::exchange(stale_, true))
+    events_.push_back({"position-old", fmt::format("its last position is {:.1f} s old",
+                                                   (now - tracker_.time()).seconds())});
+  if (!old) stale_ = false;
+  estimate_ = as_estimate(tracker_.at(now));
+  estimate_.time = tracker_.time();
+}
+
+void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out) {
+  if (parts_.payload.empty()) return;
+  if (!fresh(now)) {
+    out.ends.resize(out.ends.size() + parts_.payload.size(), out.samples.size());
+    return;
+  }
+  const VehicleState state = as_state(tracker_.at(now), condition_.on_ground);
+  Air air;
+  air.wind_N = world.wind.wind(state.p_N, now);
+  SensorView view{now,           state,       air, world.terrain, world.phenomena,
+                  world.objects, std::nullopt};
+  if (region_of_interest_) view.gaze_N = *region_of_interest_ - state.p_N;
+  for (const auto& sensor : parts_.payload) {
+    sensor->sample(view, out.samples);
+    out.ends.push_back(out.samples.size());
+  }
+}
+
+void RealVehicle::advance(const Surroundings&, Time now, Time until, const Vehicle*) {
+  if (blocked_) return;
+  director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
+  if (!tracker_.known()) return;
+  const VehicleMotion motion = tracker_.at(now);
+  parts_.guidance->sense(TruthSample{now,
+                                     motion.p_N,
+                                     motion.v_N,
+                                     motion.q_NB,
+                                     motion.w_NB_B,
+                                     {motion.wind_N.x(), motion.wind_N.y(), 0}});
+  if (fresh(now) && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
+}
+
+void RealVehicle::send_setpoint(Time now, double dt) {
+  const Control control = parts_.guidance->control(now, dt);
+  if (!director_.takes_setpoints()) return;
+  if (const auto* flight = std::get_if<FlightCommand>(&control)) {
+    BankSetpoint setpoint;
+    setpoint.roll = flight->roll;
+    setpoint.airspeed = flight->airspeed;
+    setpoint.climb_rate = flight->climb_rate;
+    setpoint.altitude_msl = -estimate_.p_N.z() + kClimbLead * flight->climb_rate;
+    parts_.port->send(0, setpoint);
+  } else if (const auto* track = std::get_if<TrackSetpoint>(&control)) {
+    parts_.port->send(0, *track);
+  }
+}
+
+void RealVehicle::give(const AutopilotCommand& command) {
+  refusals_before_ = parts_.guidance->status().refusals;
+  parts_.guidance->command(command);
+}
+
+void RealVehicle::command(const AutopilotCommand& command) {
+  ++commands_;
+  if (const auto* up = std::get_if<TakeOff>(&command.guidance)) {
+    director_.take_off({command.altitude_msl, up->course});
+    give({HoldPosition{geo::horizontal(estimate_.p_N)}, command.altitude_msl, {}});
+    return;
+  }
+  if (const auto* down = std::get_if<Land>(&command.guidance)) {
+    director_.land({down->point, down->ground_msl, down->course});
+    return;
+  }
+  give(command);
+  director_.fly();
+}
+
+CommandFate RealVehicle::command_fate() const {
+  if (commands_ == 0) return {};
+  const AutopilotStatus status = parts_.guidance->status();
+  if (status.refusals > refusals_before_)
+    return {commands_, CommandFate::State::kRefused, status.refused};
+  return {
+      commands_,
+      director_.reached() ? CommandFate::State::kAccepted : CommandFate::State::kPending,
+      {}};
+}
+
+void RealVehicle::set_return(const ReturnRoute& route) {
+  parts_.guidance->set_return(route);
+}
+
+AutopilotStatus RealVehicle::status() const {
+  AutopilotStatus status = parts_.guidance->status();
+  status.on_ground = condition_.on_ground;
+  status.charge = condition_.charge;
+  status.reserve = condition_.charge;
+  status.mode = FlightMode::kGuided;
+  const bool follows = director_.takes_setpoints() && director_.reached();
+  if (!follows) {
+    status.follows = false;
+    status.done = director_.done() && (director_.landing() || director_.taking_off());
+  }
+  if (director_.landing() && director_.reached()) status.mode = FlightMode::kAuto;
+  if (const auto mode = director_.taken()) {
+    if (*mode == VehicleMode::kManual)
+      status.mode = FlightMode::kManual;
+    else if (*mode == VehicleMode::kStabilized)
+      status.mode = FlightMode::kStabilized;
+    else
+      status.reaction = reaction_of(*mode);
+  }
+  return status;
+}
+
+void RealVehicle::take_events(std::vector<VehicleEvent>& out) {
+  for (VehicleEvent& event : events_) out.push_back(std::move(event));
+  events_.clear();
+}
+
+void RealVehicle::take_reports(std::vector<VehicleReport>& out) {
+  for (VehicleReport& report : reports_) out.push_back(std::move(report));
+  reports_.clear();
+}
+
+Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time) {
+  if (part != "link")
+    return Error{ErrorCode::kBadInput, "",
+                 fmt::format("{} is not simulated here: of its parts only \"link\" can "
+                             "be made to fail.",
+                             parts_.name),
+                 ""};
+  if (blocked_ == fails) return {};
+  blocked_ = fails;
+  events_.push_back({fails ? "failure" : "repaired", "link"});
+  LinkChange change{fails ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
+  director_.hear(change);
+  return {};
+}
+
+}  // namespace skein::mixed

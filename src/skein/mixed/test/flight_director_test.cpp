@@ -1,0 +1,174 @@
+#include "skein/mixed/flight_director.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace skein::mixed {
+namespace {
+
+using Outcome = RequestAnswer::Outcome;
+
+// Keeps what is sent; answers are the test's.
+struct Desk final : VehiclePort {
+  void receive(Time, std::vector<VehicleReport>&) override {}
+  void send(std::uint32_t number, const VehicleRequest& request) override {
+    sent.emplace_back(number, request);
+  }
+  std::vector<std::pair<std::uint32_t, VehicleRequest>> sent;
+};
+
+struct Cockpit {
+  explicit Cockpit(bool hovers = false) : director(hovers) {
+    director.hear(LinkChange{LinkChange::Kind::kUp, {}});
+  }
+  void set(VehicleMode mode, const char* name, bool armed, bool on_ground) {
+    condition.mode = mode;
+    condition.mode_name = name;
+    condition.armed = armed;
+    condition.on_ground = on_ground;
+  }
+  void run(double seconds) {
+    for (int k = 0; k < 10 * seconds; ++k) {
+      now = now + Time::from_seconds(0.1);
+      director.step(now, condition, altitude, desk, events);
+    }
+  }
+  void answer(Outcome outcome, const char* text = "") {
+    ASSERT_FALSE(desk.sent.empty());
+    director.hear(RequestAnswer{desk.sent.back().first, outcome, text}, now, events);
+  }
+  template <class T>
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::count_if(
+        desk.sent.begin(), desk.sent.end(),
+        [](const auto& each) { return std::holds_alternative<T>(each.second); }));
+  }
+  std::size_t reported(const std::string& kind) const {
+    return static_cast<std::size_t>(
+        std::count_if(events.begin(), events.end(),
+                      [&](const VehicleEvent& e) { return e.kind == kind; }));
+  }
+
+  FlightDirector director;
+  Desk desk;
+  VehicleCondition condition;
+  double altitude = 0;
+  std::vector<VehicleEvent> events;
+  Time now;
+};
+
+// Flies in the guided mode that was asked for.
+Cockpit guided() {
+  Cockpit c;
+  c.set(VehicleMode::kHold, "LOITER", true, false);
+  c.director.fly();
+  c.run(1);
+  c.answer(Outcome::kAccepted);
+  c.set(VehicleMode::kGuided, "GUIDED", true, false);
+  c.run(1);
+  return c;
+}
+
+TEST(FlightDirector, AsksToTakeOffAgainAndReportsADenialOnce) {
+  Cockpit c;
+  c.set(VehicleMode::kManual, "MANUAL", false, true);
+  c.director.take_off({100, {}});
+  c.run(1);
+  EXPECT_EQ(c.count<TakeOffRequest>(), 1u);  // as long as there is no answer
+  for (int k = 0; k < 5; ++k) {
+    c.answer(Outcome::kDenied, "Arm: waiting for EKF");
+    c.run(4);
+  }
+  EXPECT_EQ(c.count<TakeOffRequest>(), 6u);
+  EXPECT_EQ(c.reported("arming-denied"), 1u);
+  EXPECT_EQ(c.reported("pilot-took-over"), 0u);  // manual, but on the ground
+}
+
+TEST(FlightDirector, GoesOverToGuidedWhenItHasClimbed) {
+  Cockpit c;
+  c.set(VehicleMode::kManual, "MANUAL", false, true);
+  c.director.take_off({100, {}});
+  c.director.fly();  // waits for the end of the take-off
+  c.run(1);
+  c.answer(Outcome::kAccepted);
+  c.set(VehicleMode::kTakeOff, "TAKEOFF", true, false);
+  c.altitude = 50;
+  c.run(2);
+  EXPECT_EQ(c.count<ModeRequest>(), 0u);
+  EXPECT_FALSE(c.director.takes_setpoints());
+  c.altitude = 95;
+  c.run(1);
+  EXPECT_EQ(c.count<ModeRequest>(), 1u);
+  EXPECT_TRUE(c.director.takes_setpoints());
+}
+
+TEST(FlightDirector, LeavesTheFlightToAPilotUntilItIsHandedBack) {
+  Cockpit c = guided();
+  EXPECT_TRUE(c.director.reached());
+  const std::size_t before = c.desk.sent.size();
+  c.set(VehicleMode::kStabilized, "FBWA", true, false);
+  c.run(30);
+  EXPECT_EQ(c.desk.sent.size(), before);
+  EXPECT_FALSE(c.director.takes_setpoints());
+  EXPECT_EQ(c.director.taken(), VehicleMode::kStabilized);
+  EXPECT_EQ(c.reported("pilot-took-over"), 1u);
+  c.set(VehicleMode::kGuided, "GUIDED", true, false);
+  c.run(1);
+  EXPECT_EQ(c.reported("handed-back"), 1u);
+  EXPECT_TRUE(c.director.takes_setpoints());
+}
+
+TEST(FlightDirector, LeavesAFailsafeAlone) {
+  Cockpit c = guided();
+  const std::size_t before = c.desk.sent.size();
+  c.set(VehicleMode::kReturn, "RTL", true, false);
+  c.run(30);
+  EXPECT_EQ(c.desk.sent.size(), before);
+  EXPECT_EQ(c.director.taken(), VehicleMode::kReturn);
+  EXPECT_EQ(c.reported("mode-changed"), 1u);
+}
+
+TEST(FlightDirector, AsksAgainForWhatChangedWhileTheLinkWasDown) {
+  Cockpit c = guided();
+  c.director.hear(LinkChange{LinkChange::Kind::kDown, {}});
+  c.run(30);
+  EXPECT_FALSE(c.director.takes_setpoints());
+  c.set(VehicleMode::kReturn, "RTL", true, false);
+  c.director.hear(LinkChange{LinkChange::Kind::kUp, {}});
+  const std::size_t before = c.count<ModeRequest>();
+  c.run(1);
+  EXPECT_EQ(c.count<ModeRequest>(), before + 1);
+  EXPECT_FALSE(c.director.taken());
+}
+
+TEST(FlightDirector, NeverTakesItFromAPilotWhoFliesAlready) {
+  Cockpit c;
+  c.set(VehicleMode::kManual, "MANUAL", true, false);
+  c.director.fly();
+  c.run(30);
+  EXPECT_TRUE(c.desk.sent.empty());
+  EXPECT_EQ(c.director.taken(), VehicleMode::kManual);
+}
+
+TEST(FlightDirector, LandsAndDisarms) {
+  Cockpit c = guided();
+  c.director.land({Vec2(0, 0), 0, {}});
+  c.run(1);
+  EXPECT_EQ(c.count<LandRequest>(), 1u);
+  c.answer(Outcome::kAccepted);
+  c.set(VehicleMode::kMission, "AUTO", true, false);
+  c.run(60);
+  EXPECT_EQ(c.count<LandRequest>(), 1u);
+  EXPECT_FALSE(c.director.done());
+  c.condition.on_ground = true;
+  c.run(10);
+  EXPECT_EQ(c.count<ArmRequest>(), 1u);
+  c.condition.armed = false;
+  c.run(1);
+  EXPECT_TRUE(c.director.done());
+}
+
+}  // namespace
+}  // namespace skein::mixed

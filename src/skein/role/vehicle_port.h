@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "skein/base/time.h"
+#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle_request.h"
+
+namespace skein {
+
+/// The near end of a link to a vehicle that is not simulated here.
+///
+/// Threads: called by one at a time; what is behind it has a thread of its own. No call
+/// waits.
+class VehiclePort {
+ public:
+  virtual ~VehiclePort() = default;
+
+  /// Appends what the vehicle has said since the last call, in order; its times are of
+  /// the run's clock and not after `now`.
+  virtual void receive(Time now, std::vector<VehicleReport>& out) = 0;
+
+  /// Puts a request to the vehicle; nothing while the link is down.
+  /// @param number  comes back in a RequestAnswer; 0: none is wanted.
+  virtual void send(std::uint32_t number, const VehicleRequest& request) = 0;
+};
+
+}  // namespace skein
