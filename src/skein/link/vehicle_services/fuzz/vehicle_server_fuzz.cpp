@@ -1,18 +1,14 @@
-// Any messages in any order, clocks that jump, links that come and go, a simulation that
-// says anything: a vehicle neither fails nor grows, and all that it sends are frames, over
-// links that are open.
-#include <algorithm>
+// A simulated vehicle, whatever ground stations send and whatever the simulation says: it
+// neither fails nor grows, all that it sends are frames over links that are there, and
+// what it asks of the simulation can be flown.
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <set>
 #include <span>
-#include <tuple>
-#include <vector>
+#include <variant>
 
-#include "skein/base/check.h"
-#include "skein/link/mavlink/frame_parser.h"
-#include "skein/link/mavlink/frame_writer.h"
+#include "skein/link/mavlink/dispatch.h"
+#include "skein/link/mavlink/fuzz/message_feed.h"
 #include "skein/link/mavlink/messages.h"
 #include "skein/link/vehicle_services/request_queue.h"
 #include "skein/link/vehicle_services/vehicle_server.h"
@@ -21,32 +17,8 @@ namespace {
 
 using namespace skein;
 using namespace skein::vehicle_services;
-
-// Reads the input from its begin on; zeros after its end.
-class Input {
- public:
-  explicit Input(std::span<const std::byte> bytes) : left_(bytes) {}
-  bool empty() const { return left_.empty(); }
-  template <class T>
-  T take() {
-    T value{};
-    const std::size_t size = std::min(sizeof value, left_.size());
-    std::memcpy(&value, left_.data(), size);
-    left_ = left_.subspan(size);
-    return value;
-  }
-  std::span<const std::byte> take_bytes(std::size_t size) {
-    const auto bytes = left_.first(std::min(size, left_.size()));
-    left_ = left_.subspan(bytes.size());
-    return bytes;
-  }
-
- private:
-  std::span<const std::byte> left_;
-};
-
-// What a vehicle does with most of its time.
-using Concerning = std::tuple<
+using mavlink::Frame;
+using Feed = mavlink::MessageFeed<
     mavlink::CommandLong, mavlink::CommandInt, mavlink::SetMode, mavlink::MissionCount,
     mavlink::MissionItemInt, mavlink::MissionItem, mavlink::MissionRequestList,
     mavlink::MissionRequestInt, mavlink::MissionRequest, mavlink::MissionClearAll,
@@ -57,145 +29,192 @@ using Concerning = std::tuple<
     mavlink::SetPositionTargetLocalNed, mavlink::Timesync, mavlink::Ping,
     mavlink::FileTransferProtocol, mavlink::LogRequestList, mavlink::LogRequestData>;
 
-constexpr Channel kChannels = 4;
+constexpr int kMaxBurst = 1000;    // frames of one call
+constexpr double kMaxPlace = 2e6;  // of what is asked for [m]
 
-class World {
- public:
-  explicit World(std::uint8_t identity)
-      : server_(options(identity), geo::LocalFrame::at({47, 8, 0}).value()),
-        out_(7, 1, [this](Channel channel, std::span<const std::byte> bytes) {
-          take_frame(channel, bytes);
-        }) {}
+VehicleServerOptions options_of(std::uint8_t byte) {
+  VehicleServerOptions options;
+  options.system = 7;
+  options.make = (byte & 1) != 0 ? Make::kPx4 : Make::kArduPilot;
+  options.hovers = (byte & 2) != 0;
+  if (options.hovers) options.limits.slowest = 0;
+  options.home_can_be_set = (byte & 4) != 0;
+  return options;
+}
 
-  void act(Input& input) {
-    frames_ = 0;
-    switch (input.take<std::uint8_t>() % 12) {
-      case 0:
-        now_.wall = Time::from_ns(input.take<std::int32_t>() * 10'000LL);
-        break;
-      case 1:
-        now_.simulated = Time::from_ns(input.take<std::int32_t>() * 10'000LL);
-        break;
-      case 2:
-        open(input.take<std::uint8_t>() % kChannels);
-        break;
-      case 3:
-        close(input.take<std::uint8_t>() % kChannels);
-        break;
-      case 4:
-        server_.update(snapshot(input));
-        break;
-      case 5:
-        step();
-        break;
-      case 6:
-        SKEIN_CHECK(server_.take_requests().size() <= RequestQueue::kMaxWaiting);
-        break;
-      case 7:
-        receive_bytes(input.take_bytes(64));
-        break;
-      default:
-        receive(input, static_cast<const Concerning*>(nullptr));
+// What the simulation says next: of `code` the low bits are what, the rest how much.
+void change(VehicleSnapshot& snapshot, std::uint32_t code) {
+  const double amount = (code >> 8) % 2048 - 1024.0;
+  switch (code % 11) {
+    case 0:
+      snapshot.condition.armed = !snapshot.condition.armed;
+      break;
+    case 1:
+      snapshot.condition.on_ground = !snapshot.condition.on_ground;
+      break;
+    case 2:
+      snapshot.condition.position = !snapshot.condition.position;
+      break;
+    case 3:
+      snapshot.condition.mode = static_cast<VehicleMode>((code >> 8) % 9);
+      break;
+    case 4:
+      snapshot.progress = {static_cast<std::uint16_t>((code >> 8) % 8),
+                           (code >> 16) % 2 != 0};
+      break;
+    case 5:
+      snapshot.paused = !snapshot.paused;
+      break;
+    case 6:
+      snapshot.not_ready = snapshot.not_ready.empty() ? "no reason" : "";
+      break;
+    case 7:
+      snapshot.motion.v_N = {amount, -amount, amount / 8};
+      snapshot.motion.wind_N = {amount / 32, amount};
+      break;
+    case 8:
+      snapshot.condition.charge = amount / 1024;
+      snapshot.condition.voltage = amount;
+      snapshot.condition.emergency = amount < -1000;
+      break;
+    case 9:
+      snapshot.home_N.z() = -amount;
+      break;
+    default:
+      snapshot.motion.p_N += Vec3(amount, 2 * amount, -amount);
+  }
+}
+
+bool is_place(const Vec3& p) {
+  return p.norm() < kMaxPlace;
+}
+
+// Whether the simulation can do something with a request.
+struct Flyable {
+  bool operator()(const TakeOffRequest& r) const {
+    return std::abs(r.altitude_msl) < kMaxPlace &&
+           (!r.course || std::isfinite(*r.course));
+  }
+  bool operator()(const LandRequest& r) const {
+    return std::abs(r.ground_msl) < kMaxPlace &&
+           (!r.point || r.point->norm() < kMaxPlace) &&
+           (!r.course || std::isfinite(*r.course));
+  }
+  bool operator()(const FlyToRequest& r) const {
+    return is_place(r.p_N) && r.radius >= 0 && std::isfinite(r.radius) &&
+           (!r.airspeed || *r.airspeed > 0);
+  }
+  bool operator()(const BankSetpoint& r) const {
+    return std::abs(r.roll) <= geo::kPi && std::abs(r.altitude_msl) < kMaxPlace &&
+           std::abs(r.climb_rate) < 100 && r.airspeed > 0 && r.airspeed < 100;
+  }
+  bool operator()(const TrackSetpoint& r) const {
+    return is_place(r.p_N) && r.v_N.norm() < 1e4 && r.a_N.norm() < 1e4 &&
+           (!r.heading || std::isfinite(*r.heading));
+  }
+  bool operator()(const SpeedRequest& r) const {
+    return r.airspeed > 0 && r.airspeed < 100;
+  }
+  bool operator()(const MissionUpload& r) const {
+    for (const MissionItem& item : r.items)
+      if (!is_place(item.p_N) || !(item.hold >= 0) || !std::isfinite(item.hold) ||
+          (item.kind == MissionItem::Kind::kJump && item.to >= r.items.size()))
+        return false;
+    return true;
+  }
+  bool operator()(const PilotRequest& r) const {
+    return std::abs(r.input.roll) <= 1 && std::abs(r.input.pitch) <= 1 &&
+           std::abs(r.input.yaw) <= 1 && std::abs(r.input.throttle) <= 1;
+  }
+  template <class Other>
+  bool operator()(const Other&) const {
+    return true;
+  }
+};
+
+struct Subject {
+  explicit Subject(Feed& from) : feed(from) {
+    snapshot.home_N = snapshot.motion.p_N = {100, 200, -400};
+    snapshot.ground_msl = 400;
+  }
+
+  Clocks clocks() const { return {feed.now(), Time::from_ns(feed.now().ns() * pace)}; }
+
+  void open(Channel channel) { server.open(channel, clocks()); }
+  void close(Channel channel) {
+    server.close(channel);
+    out.close(channel);
+  }
+
+  void receive(const Frame& frame, Channel channel, Time) {
+    sent = 0;
+    server.receive(frame, channel, clocks(), out);
+    // A message that no vehicle takes says what the simulation does.
+    if (frame.message && frame.id() == mavlink::kFacts<mavlink::LogRequestData>.id)
+      mavlink::dispatch<mavlink::LogRequestData>(
+          frame, [&](const auto& m) { simulate(m.ofs ^ m.count); });
+  }
+
+  void step(Time now) {
+    simulate(static_cast<std::uint32_t>(now.ns() / 1'000'000));
+    sent = 0;
+    server.step(clocks(), out);
+    const auto requests = server.take_requests();
+    SKEIN_CHECK(requests.size() <= RequestQueue::kMaxWaiting);
+    for (const VehicleRequest& request : requests) {
+      SKEIN_CHECK(std::visit(Flyable(), request), request.index());
+      if (const auto* arm = std::get_if<ArmRequest>(&request))
+        snapshot.condition.armed = arm->arm;
+      if (const auto* mode = std::get_if<ModeRequest>(&request))
+        snapshot.condition.mode = mode->mode;
+    }
+    if (const auto home = server.take_home()) {
+      SKEIN_CHECK(is_place(*home));
+      snapshot.home_N = *home;
     }
   }
 
- private:
-  static VehicleServerOptions options(std::uint8_t identity) {
-    VehicleServerOptions options;
-    options.system = 7;
-    options.make = (identity & 1) != 0 ? Make::kPx4 : Make::kArduPilot;
-    options.hovers = (identity & 2) != 0;
-    return options;
+  void simulate(std::uint32_t code) {
+    change(snapshot, code);
+    snapshot.motion.time = clocks().simulated;
+    server.update(snapshot);
   }
 
-  static VehicleSnapshot snapshot(Input& input) {
-    VehicleSnapshot snapshot;
-    const auto bits = input.take<std::uint8_t>();
-    snapshot.condition.armed = (bits & 1) != 0;
-    snapshot.condition.on_ground = (bits & 2) != 0;
-    snapshot.condition.position = (bits & 4) != 0;
-    snapshot.condition.emergency = (bits & 8) != 0;
-    snapshot.paused = (bits & 16) != 0;
-    if ((bits & 32) != 0) snapshot.not_ready = "no reason";
-    snapshot.condition.mode = static_cast<VehicleMode>(input.take<std::uint8_t>() % 9);
-    snapshot.progress.current = input.take<std::uint8_t>();
-    snapshot.progress.finished = (bits & 64) != 0;
-    const auto coordinate = [&] { return input.take<std::int16_t>() * 1.0; };
-    snapshot.motion.p_N = {coordinate(), coordinate(), coordinate()};
-    snapshot.motion.v_N = {coordinate(), coordinate(), coordinate()};
-    snapshot.motion.wind_N = {coordinate(), coordinate()};
-    snapshot.condition.voltage = coordinate();
-    snapshot.condition.charge = coordinate();
-    snapshot.home_N = {0, 0, -400};
-    return snapshot;
-  }
-
-  void open(Channel channel) {
-    open_.insert(channel);
-    server_.open(channel, now_);
-  }
-  void close(Channel channel) {
-    open_.erase(channel);
-    server_.close(channel);
-    out_.close(channel);
-  }
-
-  void step() { server_.step(now_, out_); }
-
-  void take_frame(Channel channel, std::span<const std::byte> bytes) {
-    SKEIN_CHECK(open_.contains(channel));
-    // Texts, a list of modes, telemetry: no input makes a burst of more.
-    SKEIN_CHECK(++frames_ <= 1000);
-    int whole = 0;
-    mavlink::FrameParser parser;
-    parser.read(bytes, [&](const mavlink::Frame& frame) {
-      SKEIN_CHECK(frame.message && frame.system() == 7 && frame.component() == 1);
-      SKEIN_CHECK(frame.bytes.size() == bytes.size());
-      ++whole;
-    });
-    SKEIN_CHECK(whole == 1);
-  }
-
-  void receive_bytes(std::span<const std::byte> bytes) {
-    mavlink::FrameParser().read(bytes, [&](const mavlink::Frame& frame) {
-      server_.receive(frame, 0, now_, out_);
+  void check_sent(Channel channel, std::span<const std::byte> bytes) {
+    SKEIN_CHECK(++sent <= kMaxBurst);
+    SKEIN_CHECK(feed.is_open(channel), channel);
+    mavlink::take_sent(bytes, [&](const Frame& frame) {
+      SKEIN_CHECK(frame.system() == 7 && frame.component() == 1);
+      mavlink::dispatch<mavlink::MissionRequestInt>(frame, [&](const auto& m) {
+        mavlink::MissionItemInt item;
+        item.seq = m.seq;
+        item.mission_type = m.mission_type;
+        item.target_system = 7;
+        item.frame = 6;
+        item.command = m.mission_type == 0 ? 16 : m.mission_type == 1 ? 5004 : 5100;
+        item.param1 = 50;
+        item.x = 470'000'000;
+        item.y = 80'000'000;
+        item.z = 50;
+        feed.expect(item, channel, m.target_system, m.target_component);
+      });
     });
   }
 
-  template <class... Ts>
-  void receive(Input& input, const std::tuple<Ts...>*) {
-    const std::size_t kind = input.take<std::uint8_t>() % sizeof...(Ts);
-    const auto channel = static_cast<Channel>(input.take<std::uint8_t>() % kChannels);
-    std::size_t at = 0;
-    ((at++ == kind ? receive_one<Ts>(input, channel) : void()), ...);
-  }
-
-  template <class T>
-  void receive_one(Input& input, Channel channel) {
-    const auto who = input.take<std::uint8_t>();
-    T message = mavlink::unpack<T>(input.take_bytes(mavlink::kLength<T>));
-    if constexpr (requires { message.target_system; }) message.target_system %= 8;
-    if constexpr (requires { message.target_component; }) message.target_component %= 2;
-    if constexpr (requires { message.mission_type; }) message.mission_type %= 4;
-    mavlink::FrameWriter writer(static_cast<std::uint8_t>(255 - who % 2), 190);
-    mavlink::FrameParser().read(writer.write(message), [&](const mavlink::Frame& frame) {
-      server_.receive(frame, channel, now_, out_);
-    });
-  }
-
-  Clocks now_;
-  std::set<Channel> open_;
-  VehicleServer server_;
-  Outbox out_;
-  int frames_ = 0;
+  Feed& feed;
+  std::uint8_t option = feed.option();
+  int pace = option / 8;  // of the run's clock
+  VehicleSnapshot snapshot;
+  VehicleServer server{options_of(option), geo::LocalFrame::at({47, 8, 0}).value()};
+  Outbox out{7, 1, [this](Channel to, auto bytes) { check_sent(to, bytes); }};
+  int sent = 0;  // by the last call
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  Input input({reinterpret_cast<const std::byte*>(data), size});
-  World world(input.take<std::uint8_t>());
-  while (!input.empty()) world.act(input);
+  Feed feed({data, size}, 7, 1);
+  Subject subject(feed);
+  feed.run(subject);
   return 0;
 }
