@@ -72,12 +72,12 @@ TEST_F(MixedProgram, FliesAnAircraftInAnotherProcessAndReplaysTheRun) {
   const fs::path database = folder_ / "first/run.sqlite";
   EXPECT_GT(query(database,
                   "SELECT count(*) FROM estimates e JOIN entities n USING (entity_id) "
-                  "WHERE n.name = 'far-1' AND e.time_s BETWEEN 8 AND 17 AND follows"),
-            50);
+                  "WHERE n.name = 'far-1' AND e.time_s BETWEEN 10 AND 17 AND follows"),
+            30);
   EXPECT_LT(query(database,
                   "SELECT max(abs(cross_track_m)) FROM estimates e JOIN entities n USING "
-                  "(entity_id) WHERE n.name = 'far-1' AND e.time_s BETWEEN 8 AND 17"),
-            5);
+                  "(entity_id) WHERE n.name = 'far-1' AND e.time_s BETWEEN 10 AND 17"),
+            10);
   EXPECT_GT(query(database, "SELECT count(*) FROM vehicle_reports WHERE kind = 'motion'"),
             150);
 

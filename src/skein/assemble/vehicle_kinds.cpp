@@ -21,6 +21,13 @@ using Made = Result<std::unique_ptr<Vehicle>>;
 
 struct NoVehicleOptions {};
 
+// Banks reach an autopilot at the far end of a link, and take effect, this much later.
+autopilot::LateralOptions far_lateral() {
+  autopilot::LateralOptions options;
+  options.roll_lag = 0.8;
+  return options;
+}
+
 // A vehicle at the far end of a MAVLink connection.
 struct MavlinkOptions {
   std::string endpoint = "udpin:14551";
@@ -32,7 +39,7 @@ struct MavlinkOptions {
   Time silence = Time::from_seconds(3);
   Time max_age = Time::from_seconds(5);
   double bank_limit = geo::radians(45);
-  autopilot::LateralOptions lateral = {.roll_lag = 0.8};
+  autopilot::LateralOptions lateral = far_lateral();
 };
 
 std::string endpoint_error(const MavlinkOptions& options) {

@@ -71,7 +71,7 @@ class FlightDirector {
   Goal goal_ = Goal::kNone;
   TakeOffRequest take_off_;
   LandRequest land_;
-  bool up_ = false, was_up_ = false;
+  bool up_ = false;
   bool came_up_ = false;  // since the last step
   bool started_ = false;  // what was asked for was accepted
   bool reached_ = false, done_ = false, taken_ = false;

@@ -116,10 +116,12 @@ void step_guided(ServedVehicle& vehicle) {
 namespace {
 
 // The attitude counts; or, as ArduPilot's fixed wings take it, of the attitude the roll
-// alone: its own bit says to ignore it, that of the roll rate does not.
+// alone: its own bit and those of pitch and yaw rate say to ignore them, that of the roll
+// rate does not.
 bool takes_roll(std::uint8_t mask) {
-  constexpr std::uint8_t kIgnoreRollRate = 1;
-  return (mask & mavlink::kIgnoreAttitude) == 0 || (mask & kIgnoreRollRate) == 0;
+  constexpr std::uint8_t kOnlyRoll = mavlink::kIgnoreAttitude | 0b110;
+  constexpr std::uint8_t kCounts = mavlink::kIgnoreAttitude | 0b111;
+  return (mask & mavlink::kIgnoreAttitude) == 0 || (mask & kCounts) == kOnlyRoll;
 }
 
 }  // namespace

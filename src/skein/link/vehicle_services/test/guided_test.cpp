@@ -306,6 +306,15 @@ TEST(AttitudeTarget, IsPassedOverWhereItIsNone) {
   EXPECT_TRUE(multirotor.server.take_requests().empty());
 }
 
+TEST(AttitudeTarget, GivesTheRollAloneAsArduPilotTakesIt) {
+  Station s;
+  s.show(flying());
+  auto m = bank(0.4);
+  m.type_mask = 0b1100'0110;
+  s.send(m);
+  EXPECT_NEAR(s.only_request<BankSetpoint>().roll, 0.4, 1e-6);
+}
+
 TEST(GuidedCommands, ChangeTheAltitudeOfThePlace) {
   Station s;
   s.show(flying());
