@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/vehicle_services/message_numbers.h"
 #include "skein/link/vehicle_services/telemetry.h"
 
@@ -69,11 +70,10 @@ mavlink::Heartbeat heartbeat(const ServedVehicle& v) {
   mavlink::Heartbeat m;
   m.type = static_cast<std::uint8_t>(v.options.hovers ? mavlink::VehicleType::kQuadrotor
                                                       : mavlink::VehicleType::kFixedWing);
-  m.autopilot = static_cast<std::uint8_t>(v.options.make == Make::kPx4
-                                              ? mavlink::AutopilotMake::kPx4
-                                              : mavlink::AutopilotMake::kArduPilot);
+  m.autopilot = v.options.make == Make::kPx4 ? mavlink::kAutopilotPx4
+                                             : mavlink::kAutopilotArduPilot;
   m.base_mode = mode_flags_of(v.snapshot.condition.mode);
-  if (v.snapshot.condition.armed) m.base_mode |= mavlink::mode_flag::kArmed;
+  if (v.snapshot.condition.armed) m.base_mode |= mavlink::kModeArmed;
   m.custom_mode = v.shown_mode().number;
   m.system_status = static_cast<std::uint8_t>(state_of(v));
   m.mavlink_version = 3;
