@@ -25,6 +25,13 @@ using Made = Result<std::unique_ptr<Vehicle>>;
 
 struct NoVehicleOptions {};
 
+// Banks reach an autopilot at the far end of a link, and take effect, this much later.
+autopilot::LateralOptions far_lateral() {
+  autopilot::LateralOptions options;
+  options.roll_lag = 0.8;
+  return options;
+}
+
 // A vehicle at the far end of a MAVLink connection.
 struct MavlinkOptions {
   std::string endpoint = "udpin:14551";
@@ -36,7 +43,7 @@ struct MavlinkOptions {
   Time silence = Time::from_seconds(3);
   Time max_age = Time::from_seconds(5);
   double bank_limit = geo::radians(45);
-  autopilot::LateralOptions lateral = {.roll_lag = 0.8};
+  autopilot::LateralOptions lateral = far_lateral();
   PhysicsChoice physics;
 };
 
@@ -96,9 +103,8 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(
                              c.parts.name, system),
                  ""};
   vehicle_links::LinkedVehicle linked;
-  linked.endpoint.address =
-      transport::moved(transport::parse_endpoint(options.endpoint).value(),
-                       options.port_step * c.index);
+  linked.endpoint.address = transport::moved(
+      transport::parse_endpoint(options.endpoint).value(), options.port_step * c.index);
   linked.endpoint.is_signed = options.is_signed;
   linked.client.system = static_cast<std::uint8_t>(system);
   linked.client.hovers = c.aircraft.limits.slowest == 0;
@@ -145,8 +151,7 @@ Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
   parts.start = c.aircraft.initial;
   parts.max_age = options.max_age;
   parts.body = std::move(body.plant);
-  return std::unique_ptr<Vehicle>(
-      std::make_unique<mixed::RealVehicle>(std::move(parts)));
+  return std::unique_ptr<Vehicle>(std::make_unique<mixed::RealVehicle>(std::move(parts)));
 }
 
 }  // namespace
@@ -165,7 +170,9 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
             "MAVLink (ArduPilot, PX4, skein vehicle). Its plant here says what it can "
             "do; of its sensors the payload is here and looks at the virtual world. With "
             "physics the plant is here too, and only the autopilot elsewhere.",
-            mavlink_fields(), make_mavlink);
+            mavlink_fields(), [](const MavlinkOptions& o, const VehicleContext& c) {
+              return make_mavlink(o, c);
+            });
   return kinds;
 }
 

@@ -125,7 +125,7 @@ std::optional<SensorView> RealVehicle::view(const Surroundings& world, Time now,
   } else {
     return std::nullopt;
   }
-  SensorView view{now,           state,         air, world.terrain, world.phenomena,
+  SensorView view{now,           state,       air, world.terrain, world.phenomena,
                   world.objects, std::nullopt};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - state.p_N;
   return view;
@@ -155,7 +155,10 @@ void RealVehicle::command_autopilot(Time now, Time until) {
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
   if (!tracker_.known()) return;
   const VehicleMotion motion = tracker_.at(now);
-  parts_.guidance->sense(TruthSample{now, motion.p_N, motion.v_N, motion.q_NB,
+  parts_.guidance->sense(TruthSample{now,
+                                     motion.p_N,
+                                     motion.v_N,
+                                     motion.q_NB,
                                      motion.w_NB_B,
                                      {motion.wind_N.x(), motion.wind_N.y(), 0}});
   if (fresh(now) && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
@@ -201,10 +204,10 @@ CommandFate RealVehicle::command_fate() const {
   const AutopilotStatus status = parts_.guidance->status();
   if (status.refusals > refusals_before_)
     return {commands_, CommandFate::State::kRefused, status.refused};
-  return {commands_,
-          director_.reached() ? CommandFate::State::kAccepted
-                              : CommandFate::State::kPending,
-          {}};
+  return {
+      commands_,
+      director_.reached() ? CommandFate::State::kAccepted : CommandFate::State::kPending,
+      {}};
 }
 
 void RealVehicle::set_return(const ReturnRoute& route) {
