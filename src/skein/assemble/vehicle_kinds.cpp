@@ -156,6 +156,12 @@ Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
 
 }  // namespace
 
+bool plant_is_here(const scenario::Choice& vehicle) {
+  return vehicle.kind == "simulated" ||
+         (vehicle.kind == "mavlink" &&
+          vehicle.as<MavlinkOptions>().physics.kind != PhysicsChoice::Kind::kNone);
+}
+
 Kinds<Vehicle, VehicleContext> vehicle_kinds() {
   Kinds<Vehicle, VehicleContext> kinds("vehicle");
   kinds.add("simulated", "Plant, autopilot and sensors are models.",

@@ -29,7 +29,7 @@ aircraft:
   - count: 1
     vehicle: {{kind: mavlink, endpoint: "udpin:0", physics: {}}}
     plant: {}
-    agent: wingman
+    agent: scout
     sensors: [gnss, fire]
     altitude_agl_m: 200
     start: {{placement: list, positions_m: [[100, 0]], heading_deg: 0}}
@@ -51,6 +51,7 @@ TEST(DrivenVehicle, IsTheWorldsAndGoesAsFastAsItsAutopilot) {
   const auto json = driven_build("{kind: ardupilot-json, port: 9}", kAerosonde);
   ASSERT_TRUE(json) << json.error().text();
   EXPECT_FALSE(json.value().mixed);
+  EXPECT_EQ(json.value().world.entities[1].reality.presence, Reality::kVirtual);
   ASSERT_TRUE(json.value().world.entities[1].vehicle->truth());
   EXPECT_NEAR(json.value().world.entities[1].vehicle->truth()->p_N.x(), 100, 1e-9);
   const auto serial =
@@ -60,6 +61,7 @@ TEST(DrivenVehicle, IsTheWorldsAndGoesAsFastAsItsAutopilot) {
   const auto none = driven_build("{kind: none}", kAerosonde);
   ASSERT_TRUE(none);
   EXPECT_TRUE(none.value().mixed);
+  EXPECT_EQ(none.value().world.entities[1].reality.presence, Reality::kPhysical);
   EXPECT_FALSE(none.value().world.entities[1].vehicle->truth());
 }
 
