@@ -19,6 +19,7 @@
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
 #include "skein/record/run_recorder.h"
+#include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
