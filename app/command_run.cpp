@@ -150,8 +150,8 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
   return created;
 }
 
-// Aircraft elsewhere fly by the wall clock, but those in lock-step. A run that is done again needs
-// no clock.
+// Aircraft elsewhere fly by the wall clock, but those in lock-step. A run that is done
+// again needs no clock.
 Result<void> set_clock(assemble::Build& ready, double speed,
                        const RunArguments& arguments, bool again) {
   ready.options.speed = speed;

@@ -104,12 +104,12 @@ Result<Time> step_of(const PhysicsChoice& choice, const VehicleContext& c) {
   if (c.group.flight_step) return *c.group.flight_step;
   const Time step = choice.kind == Kind::kArduPilotJson ? kArduPilotStep : kHilStep;
   if (c.scenario.step.ns() % step.ns() == 0) return step;
-  return Error{ErrorCode::kBadInput, c.parts.name,
-               fmt::format("steps of {} s, as its autopilot wants them, do not divide "
-                           "step_s, {} s.",
-                           scenario::seconds_text(step),
-                           scenario::seconds_text(c.scenario.step)),
-               "Give flight_step_s, or another step_s."};
+  return Error{
+      ErrorCode::kBadInput, c.parts.name,
+      fmt::format("steps of {} s, as its autopilot wants them, do not divide "
+                  "step_s, {} s.",
+                  scenario::seconds_text(step), scenario::seconds_text(c.scenario.step)),
+      "Give flight_step_s, or another step_s."};
 }
 
 Result<ChannelMap> channels_of(const PhysicsChoice& choice, const Airframe& airframe) {
@@ -204,10 +204,11 @@ scenario::Fields<PhysicsChoice> physics_fields() {
       .text("folder", &T::folder, "Where the program works; made when missing.")
       .text("log", &T::log, "Gets what the program says.")
       .boolean("restart", &T::restart, "The program is started again when it ends.")
-      .text("outputs", &T::outputs,
-            "What each output of the autopilot moves, from the first: aileron, elevator, "
-            "rudder, throttle, brake, rotor-0, rotor-1..., none; a \"-\" before a surface "
-            "turns it round. []: as its make has it.")
+      .text(
+          "outputs", &T::outputs,
+          "What each output of the autopilot moves, from the first: aileron, elevator, "
+          "rudder, throttle, brake, rotor-0, rotor-1..., none; a \"-\" before a surface "
+          "turns it round. []: as its make has it.")
       .duration_s("contact_s", &T::contact, "How long it is waited for at first.",
                   {.at_least = 0.1, .at_most = 600})
       .duration_s("patience_s", &T::patience,

@@ -209,12 +209,12 @@ struct ActuatorOutputs {
 
 constexpr auto describe(const ActuatorOutputs*) {
   using T = ActuatorOutputs;
-  return described<T>({"actuator_outputs"},
-                      "What an outside autopilot had the actuators of a plant here do.",
-                      field("channels", &T::channels, "numbers of a row"),
-                      field("values", &T::values, Storage::kJson, "row after row"),
-                      field("steps", &T::steps, Storage::kJson,
-                            "physics steps for which each row held"));
+  return described<T>(
+      {"actuator_outputs"},
+      "What an outside autopilot had the actuators of a plant here do.",
+      field("channels", &T::channels, "numbers of a row"),
+      field("values", &T::values, Storage::kJson, "row after row"),
+      field("steps", &T::steps, Storage::kJson, "physics steps for which each row held"));
 }
 
 /// Something happened to an outside autopilot that moves a plant here, or to its program.

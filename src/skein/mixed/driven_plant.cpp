@@ -88,8 +88,7 @@ void DrivenPlant::note_outputs() {
   const auto begin = outputs_.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(parts_.channels);
   const auto count = static_cast<std::ptrdiff_t>(parts_.channels);
-  if (!applied_.steps.empty() &&
-      std::equal(begin, end, applied_.values.end() - count)) {
+  if (!applied_.steps.empty() && std::equal(begin, end, applied_.values.end() - count)) {
     ++applied_.steps.back();
     return;
   }

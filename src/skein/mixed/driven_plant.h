@@ -37,9 +37,9 @@ struct DrivenPlantParts {
 
 /// A plant of the simulation whose autopilot is elsewhere.
 ///
-/// Each of its steps: the plant moves under the last known actuator outputs, the autopilot
-/// is given what its sensors feel of it and answers with new ones. Its specific force is
-/// the mean of the step:
+/// Each of its steps: the plant moves under the last known actuator outputs, the
+/// autopilot is given what its sensors feel of it and answers with new ones. Its specific
+/// force is the mean of the step:
 ///
 ///   f_B = R_NB^T ((v(t + dt) - v(t)) / dt - g)      each axis within +-16 g
 ///

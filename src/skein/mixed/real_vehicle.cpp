@@ -264,7 +264,8 @@ Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time no
 
 void RealVehicle::set_blocked(bool blocked) {
   if (std::exchange(blocked_, blocked) == blocked) return;
-  director_.hear(LinkChange{blocked ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}});
+  director_.hear(
+      LinkChange{blocked ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}});
 }
 
 }  // namespace skein::mixed

@@ -53,16 +53,16 @@ double PlantFlight::ground_below() const {
 
 // The ground comes up too fast, because of the motion over it.
 bool PlantFlight::hits_hillside() const {
-  return geo::horizontal(state_.v_N).dot(
-             terrain_.gradient(geo::horizontal(state_.p_N))) > kHillside;
+  return geo::horizontal(state_.v_N).dot(terrain_.gradient(geo::horizontal(state_.p_N))) >
+         kHillside;
 }
 
 std::optional<std::string> PlantFlight::step(Time now, const Control& control, double dt,
                                              bool last) {
   air_.wind_N = wind_.wind(state_.p_N, now);
   if (turbulence_) {
-    const Gust gust = turbulence_->advance(
-        {now, state_, -state_.p_N.z() - ground_, air_.wind_N}, dt);
+    const Gust gust =
+        turbulence_->advance({now, state_, -state_.p_N.z() - ground_, air_.wind_N}, dt);
     air_.wind_N += gust.velocity_N;
     air_.rates_B = gust.rates_B;
   }

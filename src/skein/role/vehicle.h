@@ -49,9 +49,9 @@ class Vehicle {
  public:
   virtual ~Vehicle() = default;
 
-  /// Opens what it needs outside of the run: ports, programs. Called once, before the run,
-  /// by the thread that runs it; not for a run that is done again.
-  /// Fails: what cannot be opened.
+  /// Opens what it needs outside of the run: ports, programs. Called once, before the
+  /// run, by the thread that runs it; not for a run that is done again. Fails: what
+  /// cannot be opened.
   virtual Result<void> open() { return {}; }
 
   /// It moves by the wall clock, and so must the run.

@@ -20,8 +20,8 @@ constexpr const char* kAerosonde = "{kind: fixed-wing, aircraft: aerosonde}";
 Result<Build> driven_build(const std::string& physics, const std::string& plant,
                            const std::string& more = "") {
   const KindRegistry kinds;
-  const auto read = scenario::read_scenario_text(
-      fmt::format(R"(
+  const auto read =
+      scenario::read_scenario_text(fmt::format(R"(
 duration_s: 60
 environment: {{terrain: flat, wind: {{kind: uniform, speed_mps: 0}}, phenomena: []}}
 missions: []
@@ -35,8 +35,8 @@ aircraft:
     start: {{placement: list, positions_m: [[100, 0]], heading_deg: 0}}
     {}
 )",
-                  physics, plant, more),
-      "driven", SKEIN_SOURCE_DIR, kinds.table());
+                                               physics, plant, more),
+                                   "driven", SKEIN_SOURCE_DIR, kinds.table());
   if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
   return build(*read.scenario, kinds);
 }
@@ -106,8 +106,9 @@ TEST(DrivenVehicle, PartsOfThePlantCanBeMadeToFail) {
 TEST(DrivenVehicle, KeepsTheContractOfItsRole) {
   const environment::UniformWind wind({});
   const auto make = [] {
-    auto built = driven_build("{kind: ardupilot-json}", "{kind: multirotor, aircraft: quad}",
-                              "flight_step_s: 0.01");
+    auto built =
+        driven_build("{kind: ardupilot-json}", "{kind: multirotor, aircraft: quad}",
+                     "flight_step_s: 0.01");
     EXPECT_TRUE(built) << built.error().text();
     return std::move(built.value().world.entities.at(1).vehicle);
   };

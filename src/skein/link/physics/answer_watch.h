@@ -44,7 +44,7 @@ class AnswerWatch {
   Patience patience_;
   std::string where_;
   State state_ = State::kNew;
-  bool contact_ = true;  // is waited for
+  bool contact_ = true;     // is waited for
   Clock::time_point pace_;  // when the next step is due that nobody answers
 };
 

@@ -15,8 +15,8 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kMetresPerDegree = 111'318.84502145034;  // of SITL's sphere
-constexpr auto kLook = 200ms;     // between looks at the program while it is waited for
-constexpr auto kReport = 5s;      // between lines about waiting
+constexpr auto kLook = 200ms;      // between looks at the program while it is waited for
+constexpr auto kReport = 5s;       // between lines about waiting
 constexpr auto kFarewell = 300ms;  // for its orderly end
 
 }  // namespace
@@ -39,8 +39,8 @@ ArduPilotDrive::ArduPilotDrive(ArduPilotDriveOptions options,
       channels_(std::move(channels)),
       program_(std::move(program)),
       clock_(std::move(clock)),
-      watch_(options_.patience,
-             fmt::format("ArduPilot SITL at port {}", options_.port)) {}
+      watch_(options_.patience, fmt::format("ArduPilot SITL at port {}", options_.port)) {
+}
 
 ArduPilotDrive::~ArduPilotDrive() {
   if (!backend_ || program_.ended()) return;
@@ -58,8 +58,8 @@ Result<void> ArduPilotDrive::open() {
   auto backend = ArduPilotBackend::open(options_.port);
   if (!backend) {
     Error error = backend.error();
-    error.hint = fmt::format("{} is to be moved by an autopilot that asks there.",
-                             options_.name);
+    error.hint =
+        fmt::format("{} is to be moved by an autopilot that asks there.", options_.name);
     return error;
   }
   backend_ = std::move(backend).value();
@@ -85,7 +85,8 @@ std::optional<ServoFrame> ArduPilotDrive::wait(std::chrono::nanoseconds allowed)
   for (;;) {
     const Clock::time_point now = Clock::now();
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - now);
-    if (auto frame = backend_->wait(std::clamp<std::chrono::milliseconds>(left, 0ms, kLook)))
+    if (auto frame =
+            backend_->wait(std::clamp<std::chrono::milliseconds>(left, 0ms, kLook)))
       return frame;
     if (left <= kLook || program_.ended()) return std::nullopt;
     if (now < report_due) continue;
@@ -123,21 +124,20 @@ bool ArduPilotDrive::exchange(const SensedMotion& motion, std::span<float> chann
   if (!asked_) {
     if (program_.ended()) return false;
     asked_ = wait(allowed()).has_value();
-    if (!asked_) {
-      watch_.missed(events_);
-      return false;
-    }
+    if (!asked_) return miss();
   }
   if (!reply(motion)) return false;
   watch_.answered(events_);
   const auto frame = wait(allowed());
   asked_ = frame.has_value();
-  if (!frame) {
-    watch_.missed(events_);
-    return false;
-  }
+  if (!frame) return miss();
   channels_.apply(outputs_of(*frame, channels_), channels);
   return true;
+}
+
+bool ArduPilotDrive::miss() {
+  watch_.missed(events_, program_.ended() ? "its program has ended" : "");
+  return false;
 }
 
 void ArduPilotDrive::take_events(Time, std::vector<OutsideEvent>& out) {

@@ -67,6 +67,7 @@ class ArduPilotDrive final : public AutopilotDrive {
  private:
   std::optional<ServoFrame> wait(std::chrono::nanoseconds allowed);
   bool reply(const SensedMotion& motion);
+  bool miss();
 
   ArduPilotDriveOptions options_;
   geo::LocalFrame frame_;

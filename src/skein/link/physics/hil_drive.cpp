@@ -42,16 +42,16 @@ HilSensors HilSensing::sensors(const SensedMotion& motion) {
   sensors.imu = {motion.f_B + noise3(0.05), motion.w_NB_B + noise3(0.001)};
   sensors.field_B_gauss = motion.q_NB.conjugate() * field_N + noise3(0.002);
   const double error = 1.5 * noise_();
-  sensors.barometer = {air.pressure + error,
-                       altitude - error / (air.density * kGravity), air.temperature};
+  sensors.barometer = {air.pressure + error, altitude - error / (air.density * kGravity),
+                       air.temperature};
   sensors.pitot_pressure =
       air.density * motion.airspeed * motion.airspeed / 2 + 2 * noise_();
   return sensors;
 }
 
 HilFix HilSensing::fix(const SensedMotion& motion) {
-  const Vec3 p_N = motion.p_N + noise3(1).cwiseProduct(
-                                    Vec3(kPositionSd, kPositionSd, kAltitudeSd));
+  const Vec3 p_N =
+      motion.p_N + noise3(1).cwiseProduct(Vec3(kPositionSd, kPositionSd, kAltitudeSd));
   const geo::Geodetic at = frame_.from_plane(geo::horizontal(p_N));
   HilFix fix;
   fix.utc_us = start_utc_us_ + motion.time.ns() / 1000;
@@ -119,8 +119,8 @@ bool HilDrive::wait_for_connection(std::chrono::nanoseconds allowed) {
   const Clock::time_point until = Clock::now() + allowed;
   Clock::time_point line_due = Clock::now() + kLine;
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        until - Clock::now());
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
     simulator_->serve(std::clamp<std::chrono::milliseconds>(left, 0ms, kServe));
     if (simulator_->connected()) return true;
     if (left <= kServe || program_.ended()) return false;

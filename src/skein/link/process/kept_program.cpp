@@ -42,10 +42,10 @@ std::optional<KeptProgram::Change> KeptProgram::look(Clock::time_point now) {
     if (status.running) return std::nullopt;
     ended_ = true;
     again_at_ = now + kPause;
-    return Change{false, fmt::format("{} {}; the end of {}: {}",
-                                     program_.arguments.front(), status.text(),
-                                     program_.log.string(),
-                                     fmt::join(process_->last_lines(kLines), " | "))};
+    return Change{false,
+                  fmt::format("{} {}; the end of {}: {}", program_.arguments.front(),
+                              status.text(), program_.log.string(),
+                              fmt::join(process_->last_lines(kLines), " | "))};
   }
   if (!restart_ || restarts_ == kMaxRestarts || now < again_at_) return std::nullopt;
   ++restarts_;

@@ -10,8 +10,8 @@
 
 namespace skein::child_process {
 
-/// A program that is started, looked after and, if so wanted, started again a second after
-/// it has ended, at most ten times.
+/// A program that is started, looked after and, if so wanted, started again a second
+/// after it has ended, at most ten times.
 ///
 /// Threads: see ChildProcess; start() and look() by one thread, which outlives this.
 class KeptProgram {

@@ -69,8 +69,8 @@ class VehicleLinks::Port final : public VehiclePort {
   Port(VehicleLinks& links, std::shared_ptr<Mailbox> mailbox, bool by_run)
       : links_(links), mailbox_(std::move(mailbox)), by_run_(by_run) {}
 
-  // The age of a motion is what counts: the run's clock stands still in pauses. Times of a
-  // vehicle that goes by the run's clock are the run's.
+  // The age of a motion is what counts: the run's clock stands still in pauses. Times of
+  // a vehicle that goes by the run's clock are the run's.
   void receive(Time now, std::vector<VehicleReport>& out) override {
     if (by_run_) links_.catch_up();
     const Time here = by_run_ ? now : links_.now();

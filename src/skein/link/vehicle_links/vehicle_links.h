@@ -37,8 +37,8 @@ struct LinkEndpoint {
 struct LinkedVehicle {
   LinkEndpoint endpoint;
   autopilot_client::AutopilotClientOptions client;
-  /// The run's time as the vehicle has it [ns], which moves by the steps of its plant here;
-  /// null: it goes by the wall clock.
+  /// The run's time as the vehicle has it [ns], which moves by the steps of its plant
+  /// here; null: it goes by the wall clock.
   std::shared_ptr<const std::atomic<std::int64_t>> clock_ns = nullptr;
 };
 

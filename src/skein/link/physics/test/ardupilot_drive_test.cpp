@@ -174,12 +174,12 @@ TEST(ArduPilotDrive, SaysThatItsPortIsTaken) {
 TEST(SitlPlace, IsWhereTheFrameMeans) {
   const geo::LocalFrame frame = driven_frame();
   const SitlHome home{36.989, -122.0514, 120};
-  for (const Vec3& p_N : {Vec3(0, 0, -120), Vec3(8000, -5000, -300), Vec3(-40, 7000, 0)}) {
+  for (const Vec3& p_N :
+       {Vec3(0, 0, -120), Vec3(8000, -5000, -300), Vec3(-40, 7000, 0)}) {
     const Vec3 d = sitl_place(p_N, frame, home);
     const double lat = home.latitude_deg + d.x() / 111'318.84502145034;
     const double mean = geo::radians((lat + home.latitude_deg) / 2);
-    const double lon =
-        home.longitude_deg + d.y() / 111'318.84502145034 / std::cos(mean);
+    const double lon = home.longitude_deg + d.y() / 111'318.84502145034 / std::cos(mean);
     EXPECT_LT((frame.to_plane(lat, lon) - geo::horizontal(p_N)).norm(), 1e-3);
     EXPECT_DOUBLE_EQ(home.alt_msl - d.z(), -p_N.z());
   }

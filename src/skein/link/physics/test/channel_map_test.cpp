@@ -24,7 +24,8 @@ std::array<float, 8> applied(const ChannelMap& map, std::vector<double> outputs)
   return channels;
 }
 
-// The autopilot's rolls right, pitches up and yaws right; ours pitches down and yaws left.
+// The autopilot's rolls right, pitches up and yaws right; ours pitches down and yaws
+// left.
 TEST(ChannelMap, HasTheSignsOfThePlantsSurfaces) {
   const auto ardupilot = ChannelMap::usual(Make::kArduPilot, FixedWingAirframe{});
   const auto px4 = ChannelMap::usual(Make::kPx4, FixedWingAirframe{});
@@ -42,7 +43,8 @@ TEST(ChannelMap, HasTheSignsOfThePlantsSurfaces) {
 TEST(ChannelMap, FindsTheMotorsOfAnXByTheirPlaces) {
   // Ours: rear right, front left, rear left, front right.
   const auto map = ChannelMap::usual(
-      Make::kArduPilot, rotors_at({{{-1, 1}, -1}, {{1, -1}, -1}, {{-1, -1}, 1}, {{1, 1}, 1}}));
+      Make::kArduPilot,
+      rotors_at({{{-1, 1}, -1}, {{1, -1}, -1}, {{-1, -1}, 1}, {{1, 1}, 1}}));
   ASSERT_TRUE(map);
   EXPECT_EQ(map.value().channels(), 4u);
   // Front right, rear left, front left, rear right.
@@ -72,8 +74,10 @@ TEST(ChannelMap, IsReadFromWords) {
   EXPECT_EQ(channels[channel::kElevator], 0.5F);
   EXPECT_EQ(channels[channel::kThrottle], 0.25F);
   EXPECT_EQ(channels[channel::kAileron], 0);
-  for (const std::vector<std::string>& wrong :
-       {std::vector<std::string>{"flap"}, {"rotor-0"}, {"-throttle"}, {"aileron", "aileron"}})
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"flap"},
+                                                {"rotor-0"},
+                                                {"-throttle"},
+                                                {"aileron", "aileron"}})
     EXPECT_FALSE(ChannelMap::of_words(wrong, FixedWingAirframe{})) << wrong[0];
 }
 

@@ -3,11 +3,15 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <cstddef>
+#include <thread>
 
 #include "skein/link/mavlink/frame_writer.h"
 
@@ -70,34 +74,54 @@ struct HilStand {
   std::array<float, 5> channels{};
 };
 
-void send_controls(int fd, mavlink::FrameWriter& writer) {
-  mavlink::HilActuatorControls controls;
-  controls.controls[0] = 0.5F;
-  controls.controls[1] = 0.25F;
-  controls.controls[2] = 0.125F;
-  controls.controls[3] = 0.75F;
-  const auto bytes = writer.write(controls);
-  EXPECT_EQ(::write(fd, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-}
+// An autopilot that answers whatever comes with the same controls.
+class Answering {
+ public:
+  explicit Answering(int fd) : thread_([this, fd] { run(fd); }) {}
+  Answering(const Answering&) = delete;
+  Answering& operator=(const Answering&) = delete;
+  ~Answering() {
+    stop_ = true;
+    thread_.join();
+  }
+
+ private:
+  void run(int fd) {
+    mavlink::FrameWriter writer(1, 1);
+    mavlink::HilActuatorControls controls;
+    controls.controls[0] = 0.5F;
+    controls.controls[1] = 0.25F;
+    controls.controls[2] = 0.125F;
+    controls.controls[3] = 0.75F;
+    while (!stop_) {
+      pollfd ready{fd, POLLIN, 0};
+      std::byte bytes[4096];
+      if (::poll(&ready, 1, 10) <= 0 || ::read(fd, bytes, sizeof bytes) <= 0) continue;
+      const auto frame = writer.write(controls);
+      if (::write(fd, frame.data(), frame.size()) < 0) return;
+    }
+  }
+
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
 
 TEST(HilDrive, MovesThePlantAsItsAutopilotSays) {
-  HilStand stand(true, {10'000ms, 20ms});
+  HilStand stand(true, {10'000ms, 1000ms});
   const int fd = stand.connect();
-  mavlink::FrameWriter writer(1, 1);
-  stand.step();
-  bool answered = false;
-  for (int k = 0; k < 500 && !answered; ++k) {
-    send_controls(fd, writer);
-    answered = stand.step();
+  {
+    const Answering autopilot(fd);
+    bool answered = false;
+    for (int k = 0; k < 1000 && !answered; ++k) answered = stand.step();
+    ASSERT_TRUE(answered);
   }
-  ASSERT_TRUE(answered);
   EXPECT_EQ(stand.channels[channel::kAileron], 0.5F);
   EXPECT_EQ(stand.channels[channel::kElevator], -0.25F);
   EXPECT_EQ(stand.channels[channel::kRudder], -0.125F);
   EXPECT_EQ(stand.channels[channel::kThrottle], 0.75F);
   EXPECT_EQ(*stand.clock, stand.now.ns());
   EXPECT_EQ(stand.events(), std::vector<std::string>{"autopilot-heard"});
-  for (int k = 0; k < 3; ++k) stand.step();
+  for (int k = 0; k < 5; ++k) stand.step();
   EXPECT_EQ(stand.events(), std::vector<std::string>{"autopilot-silent"});
   EXPECT_EQ(stand.channels[channel::kThrottle], 0.75F);
   ::close(fd);
