@@ -12,12 +12,16 @@ TEST_F(Program, ArduPilotFliesAPlantOfSkeinsAndTheRunIsDoneAgainWithoutIt) {
   const fs::path scenario =
       fs::path(SKEIN_SOURCE_DIR) / "scenarios/mixed-ardupilot-physics.yaml";
   const Finished flown =
-      run({"run", scenario.string(), "--out", "first", "--set", "duration_s=200", "--set",
-           std::string("aircraft[0].vehicle.physics.program[0]=") + arduplane});
+      run({"run", scenario.string(), "--out", "first", "--set",
+           std::string("aircraft[0].vehicle.physics.program[0]=") + arduplane, "--set",
+           "aircraft[0].vehicle.physics.instance=40", "--set",
+           "aircraft[0].vehicle.endpoint='tcp:127.0.0.1:6160'"});
   ASSERT_EQ(flown.status, 0) << flown.err;
   const auto summary = nlohmann::json::parse(read_file(folder_ / "first/summary.json"));
   EXPECT_EQ(summary["accidents"], 0) << flown.err;
-  EXPECT_LT(summary["cross_track_rms_m"], 15) << "off its route";
+  // Seen: 11 m, nearly all of it where it joins the route after its take-off.
+  EXPECT_LT(summary["cross_track_rms_m"], 20);
+  EXPECT_LT(summary["min_charge"], 0.95) << "it has not flown";
   const Finished again = run({"run", "--replay", "first", "--out", "again"});
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_NE(again.err.find("The same content hash"), std::string::npos) << again.err;
