@@ -19,6 +19,7 @@
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
 #include "skein/record/run_recorder.h"
+#include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
@@ -149,8 +150,8 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
   return created;
 }
 
-// Aircraft that are not simulated fly by the wall clock. A run that is done again needs
-// no clock.
+// Aircraft elsewhere fly by the wall clock, but those in lock-step. A run that is done
+// again needs no clock.
 Result<void> set_clock(assemble::Build& ready, double speed,
                        const RunArguments& arguments, bool again) {
   ready.options.speed = speed;
@@ -227,6 +228,9 @@ Result<void> start_links(assemble::Build& ready) {
   const auto places = ready.links->start();
   if (!places) return places.error();
   for (const std::string& place : places.value()) complain("waiting at {}\n", place);
+  for (simulation::Entity& entity : ready.world.entities)
+    if (entity.vehicle)
+      if (auto opened = entity.vehicle->open(); !opened) return opened;
   return {};
 }
 

@@ -138,10 +138,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto parts = mount_sensors(group, context, vehicle);
   if (!parts) return parts.error();
   context.fitted = flight_sensors_in(parts.value().sensors);
-  const auto complete = [&]() -> Result<void> {
-    auto autopilot = kinds_.autopilot.make(group.autopilot, context);
-    if (!autopilot) return at(name, autopilot.error());
-    vehicle.autopilot = std::move(autopilot).value();
+  const auto complete_body = [&]() -> Result<void> {
     auto turbulence = gusty_air(context);
     if (!turbulence) return turbulence.error();
     vehicle.turbulence = std::move(turbulence).value();
@@ -152,9 +149,16 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     vehicle.breakable = breakable_parts(parts.value());
     return {};
   };
+  const auto complete = [&]() -> Result<void> {
+    auto autopilot = kinds_.autopilot.make(group.autopilot, context);
+    if (!autopilot) return at(name, autopilot.error());
+    vehicle.autopilot = std::move(autopilot).value();
+    return complete_body();
+  };
   auto flown = kinds_.vehicle.make(
-      group.vehicle, VehicleContext{context, index, vehicle, complete, links_,
-                                    recorded_ ? &(*recorded_)[self] : nullptr});
+      group.vehicle,
+      VehicleContext{context, scenario_, group, index, vehicle, complete, complete_body,
+                     links_, recorded_ ? &(*recorded_)[self] : nullptr});
   if (!flown) return at(name, flown.error());
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();

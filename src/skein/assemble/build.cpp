@@ -255,7 +255,6 @@ class Builder {
     for (std::uint32_t k = 0; k < first; ++k)
       teams_.push_back({EntityId{k}, scenario_.stations[k].name, {}});
     for (const AircraftGroup& group : scenario_.aircraft) {
-      build_.mixed |= group.count > 0 && group.vehicle.kind != "simulated";
       StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {
         const auto next = static_cast<std::uint32_t>(build_.world.entities.size());
@@ -263,6 +262,7 @@ class Builder {
         if (!note(made)) break;  // the others of its group are alike
         if (!note_fit(group, i, made.value())) break;
         station.team.push_back(builder.last());
+        build_.mixed |= made.value().vehicle->real_time();
         build_.world.entities.push_back(std::move(made).value());
       }
     }

@@ -33,7 +33,7 @@ struct Build {
   /// Shows simulated aircraft to ground stations: a listener of the records, and a source
   /// of commands. Null: nobody is to see them.
   std::unique_ptr<vehicle_links::VehicleFeed> feed;
-  bool mixed = false;  ///< an aircraft is not simulated: it runs in real time
+  bool mixed = false;  ///< an aircraft goes by the wall clock, and so must the run
   simulation::World world;
   simulation::RunOptions options;  ///< speed and threads are the caller's
   /// What was repaired in outside data, and what cannot be done as asked for.

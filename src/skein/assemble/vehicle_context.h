@@ -6,6 +6,7 @@
 #include "skein/assemble/contexts.h"
 #include "skein/base/result.h"
 #include "skein/mixed/recorded_port.h"
+#include "skein/scenario/scenario.h"
 #include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::vehicle_links {
@@ -17,12 +18,16 @@ namespace skein::assemble {
 /// What every vehicle is given besides its options.
 struct VehicleContext {
   const AircraftContext& aircraft;
+  const scenario::Scenario& scenario;
+  const scenario::AircraftGroup& group;
   int index = 0;  ///< in its group
   /// Name, plant, step, sensors, payload and where it starts; a vehicle takes what it is
   /// made of.
   simulation::VehicleParts& parts;
   /// Adds the rest of what a simulated vehicle is made of: autopilot, turbulence, faults.
   std::function<Result<void>()> complete;
+  /// Adds the rest of what a body is made of: turbulence, faults.
+  std::function<Result<void>()> complete_body;
   vehicle_links::VehicleLinks& links;  ///< of the run
   /// What a vehicle that is not simulated said, in a run that is done again; null: it is
   /// to speak for itself.

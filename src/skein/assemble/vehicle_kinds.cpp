@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <memory>
 
+#include "skein/assemble/driven_plant_kind.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/skein_autopilot_kind.h"
 #include "skein/assemble/vehicle_context.h"
@@ -40,6 +44,7 @@ struct MavlinkOptions {
   Time max_age = Time::from_seconds(5);
   double bank_limit = geo::radians(45);
   autopilot::LateralOptions lateral = far_lateral();
+  PhysicsChoice physics;
 };
 
 std::string endpoint_error(const MavlinkOptions& options) {
@@ -76,15 +81,22 @@ Fields<MavlinkOptions> mavlink_fields() {
                  "turn radius of its plant; what is more is for corrections.",
                  {.above = 5, .at_most = 70})
       .object("lateral", &T::lateral, lateral_fields(), "Guidance along lines.")
+      .object("physics", &T::physics, physics_fields(),
+              "Whether its plant is here; see docs/outside-physics.md.")
       .rule("endpoint", endpoint_error);
 }
 
-Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
-                                                  const VehicleContext& c) {
+int system_of(const MavlinkOptions& options, const VehicleContext& c) {
+  return options.system + options.system_step * c.index;
+}
+
+Result<std::unique_ptr<VehiclePort>> mavlink_port(
+    const MavlinkOptions& options, const VehicleContext& c,
+    std::shared_ptr<const std::atomic<std::int64_t>> clock_ns) {
   if (c.recorded)
     return std::unique_ptr<VehiclePort>(
         std::make_unique<mixed::RecordedPort>(*c.recorded));
-  const int system = options.system + options.system_step * c.index;
+  const int system = system_of(options, c);
   if (system > 255)
     return Error{ErrorCode::kBadInput, "vehicle.system",
                  fmt::format("{} would have the system id {}; the largest is 255.",
@@ -98,6 +110,7 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
   linked.client.hovers = c.aircraft.limits.slowest == 0;
   linked.client.rate = options.rate_hz;
   linked.client.silence = options.silence;
+  linked.clock_ns = std::move(clock_ns);
   const auto number = c.links.add(linked);
   if (!number) return number.error();
   return c.links.port(number.value());
@@ -114,7 +127,13 @@ FlightLimits guided_limits(const FlightLimits& planned, double bank_limit) {
 }
 
 Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
-  auto port = mavlink_port(options, c);
+  DrivenBody body;
+  if (options.physics.kind != PhysicsChoice::Kind::kNone) {
+    auto made = driven_body(options.physics, system_of(options, c), c);
+    if (!made) return made.error();
+    body = std::move(made).value();
+  }
+  auto port = mavlink_port(options, c, body.clock_ns);
   if (!port) return port.error();
   autopilot::SkeinOptions guidance;
   guidance.wing_guidance.lateral = options.lateral;
@@ -131,10 +150,17 @@ Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
   parts.limits = c.aircraft.limits;
   parts.start = c.aircraft.initial;
   parts.max_age = options.max_age;
+  parts.body = std::move(body.plant);
   return std::unique_ptr<Vehicle>(std::make_unique<mixed::RealVehicle>(std::move(parts)));
 }
 
 }  // namespace
+
+bool plant_is_here(const scenario::Choice& vehicle) {
+  return vehicle.kind == "simulated" ||
+         (vehicle.kind == "mavlink" &&
+          vehicle.as<MavlinkOptions>().physics.kind != PhysicsChoice::Kind::kNone);
+}
 
 Kinds<Vehicle, VehicleContext> vehicle_kinds() {
   Kinds<Vehicle, VehicleContext> kinds("vehicle");
@@ -148,7 +174,8 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
   kinds.add("mavlink",
             "An aircraft elsewhere, real or in another program, whose autopilot speaks "
             "MAVLink (ArduPilot, PX4, skein vehicle). Its plant here says what it can "
-            "do; of its sensors the payload is here and looks at the virtual world.",
+            "do; of its sensors the payload is here and looks at the virtual world. With "
+            "physics the plant is here too, and only the autopilot elsewhere.",
             mavlink_fields(), [](const MavlinkOptions& o, const VehicleContext& c) {
               return make_mavlink(o, c);
             });

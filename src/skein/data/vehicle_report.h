@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
@@ -198,9 +199,42 @@ constexpr auto describe(const LinkHealth*) {
       field("round_trip", &T::round_trip, unit::kSecond, "0: not measured yet"));
 }
 
+/// What an outside autopilot had the actuators of a plant here do in one step of the run,
+/// physics step by physics step.
+struct ActuatorOutputs {
+  std::uint32_t channels = 0;        ///< numbers of a row, in the order of Actuators
+  std::vector<float> values;         ///< row after row
+  std::vector<std::uint32_t> steps;  ///< physics steps for which each row held
+};
+
+constexpr auto describe(const ActuatorOutputs*) {
+  using T = ActuatorOutputs;
+  return described<T>(
+      {"actuator_outputs"},
+      "What an outside autopilot had the actuators of a plant here do.",
+      field("channels", &T::channels, "numbers of a row"),
+      field("values", &T::values, Storage::kJson, "row after row"),
+      field("steps", &T::steps, Storage::kJson, "physics steps for which each row held"));
+}
+
+/// Something happened to an outside autopilot that moves a plant here, or to its program.
+struct OutsideEvent {
+  std::string kind;  ///< as events have it
+  std::string text;  ///< for people
+};
+
+constexpr auto describe(const OutsideEvent*) {
+  using T = OutsideEvent;
+  return described<T>({"outside_event"},
+                      "Something happened to an outside autopilot or its program.",
+                      field("event", &T::kind, "as events have it"),
+                      field("text", &T::text, "for people"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
 using VehicleReport =
     std::variant<VehicleMotion, VehicleCondition, LinkChange, RequestAnswer, VehicleText,
-                 MissionProgress, VehicleIdentity, LinkHealth>;
+                 MissionProgress, VehicleIdentity, LinkHealth, ActuatorOutputs,
+                 OutsideEvent>;
 
 }  // namespace skein

@@ -76,9 +76,13 @@ struct RealVehicle::Listener {
     self.events_.push_back({"vehicle-identified", identity.make});
   }
   void operator()(const LinkHealth&) const {}
+  // Of a body's drive, not of the link.
+  void operator()(const ActuatorOutputs&) const {}
+  void operator()(const OutsideEvent&) const {}
 };
 
-void RealVehicle::begin(const Surroundings&, Time now) {
+void RealVehicle::begin(const Surroundings& world, Time now) {
+  if (parts_.body) parts_.body->begin(world, now);
   begin_step(now);
   parts_.guidance->begin(estimate_, condition_.on_ground);
 }
@@ -88,6 +92,10 @@ bool RealVehicle::fresh(Time now) const {
 }
 
 void RealVehicle::begin_step(Time now) {
+  if (parts_.body) {
+    parts_.body->begin_step(now);
+    set_blocked(parts_.body->faults().link);
+  }
   if (!blocked_) {
     const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
     parts_.port->receive(now, reports_);
@@ -104,26 +112,46 @@ void RealVehicle::begin_step(Time now) {
   estimate_.time = tracker_.time();
 }
 
-void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out) {
-  if (parts_.payload.empty()) return;
-  if (!fresh(now)) {
-    out.ends.resize(out.ends.size() + parts_.payload.size(), out.samples.size());
-    return;
+// How its payload sees the world, from `state` in `air`; none when nobody knows where it
+// is.
+std::optional<SensorView> RealVehicle::view(const Surroundings& world, Time now,
+                                            VehicleState& state, Air& air) const {
+  if (parts_.body) {
+    state = parts_.body->state();
+    air = parts_.body->air();
+  } else if (fresh(now)) {
+    state = as_state(tracker_.at(now), condition_.on_ground);
+    air.wind_N = world.wind.wind(state.p_N, now);
+  } else {
+    return std::nullopt;
   }
-  const VehicleState state = as_state(tracker_.at(now), condition_.on_ground);
-  Air air;
-  air.wind_N = world.wind.wind(state.p_N, now);
   SensorView view{now,           state,       air, world.terrain, world.phenomena,
                   world.objects, std::nullopt};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - state.p_N;
-  for (const auto& sensor : parts_.payload) {
-    sensor->sample(view, out.samples);
+  return view;
+}
+
+void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out) {
+  if (parts_.payload.empty()) return;
+  VehicleState state;
+  Air air;
+  const auto seen = view(world, now, state, air);
+  for (std::size_t k = 0; k < parts_.payload.size(); ++k) {
+    const auto before = static_cast<std::ptrdiff_t>(out.samples.size());
+    if (seen) parts_.payload[k]->sample(*seen, out.samples);
+    if (parts_.body && parts_.body->faults().payload_silent(k))
+      out.samples.erase(out.samples.begin() + before, out.samples.end());
     out.ends.push_back(out.samples.size());
   }
 }
 
-void RealVehicle::advance(const Surroundings&, Time now, Time until, const Vehicle*) {
-  if (blocked_) return;
+void RealVehicle::advance(const Surroundings& world, Time now, Time until,
+                          const Vehicle*) {
+  if (!blocked_) command_autopilot(now, until);
+  if (parts_.body) parts_.body->advance(world, now, until);
+}
+
+void RealVehicle::command_autopilot(Time now, Time until) {
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
   if (!tracker_.known()) return;
   const VehicleMotion motion = tracker_.at(now);
@@ -189,8 +217,8 @@ void RealVehicle::set_return(const ReturnRoute& route) {
 AutopilotStatus RealVehicle::status() const {
   AutopilotStatus status = parts_.guidance->status();
   status.on_ground = condition_.on_ground;
-  status.charge = condition_.charge;
-  status.reserve = condition_.charge;
+  status.charge = parts_.body ? parts_.body->state().energy.charge : condition_.charge;
+  status.reserve = status.charge;
   status.mode = FlightMode::kGuided;
   const bool follows = director_.takes_setpoints() && director_.reached();
   if (!follows) {
@@ -210,28 +238,34 @@ AutopilotStatus RealVehicle::status() const {
 }
 
 void RealVehicle::take_events(std::vector<VehicleEvent>& out) {
+  if (parts_.body) parts_.body->take_events(out);
   for (VehicleEvent& event : events_) out.push_back(std::move(event));
   events_.clear();
 }
 
 void RealVehicle::take_reports(std::vector<VehicleReport>& out) {
+  if (parts_.body) parts_.body->take_reports(out);
   for (VehicleReport& report : reports_) out.push_back(std::move(report));
   reports_.clear();
 }
 
-Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time) {
+Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time now) {
+  if (parts_.body) return parts_.body->set_fault(part, fails, now);
   if (part != "link")
     return Error{ErrorCode::kBadInput, "",
                  fmt::format("{} is not simulated here: of its parts only \"link\" can "
                              "be made to fail.",
                              parts_.name),
                  ""};
-  if (blocked_ == fails) return {};
-  blocked_ = fails;
-  events_.push_back({fails ? "failure" : "repaired", "link"});
-  LinkChange change{fails ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
-  director_.hear(change);
+  if (blocked_ != fails) events_.push_back({fails ? "failure" : "repaired", "link"});
+  set_blocked(fails);
   return {};
+}
+
+void RealVehicle::set_blocked(bool blocked) {
+  if (std::exchange(blocked_, blocked) == blocked) return;
+  director_.hear(
+      LinkChange{blocked ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}});
 }
 
 }  // namespace skein::mixed

@@ -49,6 +49,14 @@ class Vehicle {
  public:
   virtual ~Vehicle() = default;
 
+  /// Opens what it needs outside of the run: ports, programs. Called once, before the
+  /// run, by the thread that runs it; not for a run that is done again. Fails: what
+  /// cannot be opened.
+  virtual Result<void> open() { return {}; }
+
+  /// It moves by the wall clock, and so must the run.
+  virtual bool real_time() const { return false; }
+
   /// It takes part from `now` on, or again.
   virtual void begin(const Surroundings& world, Time now) = 0;
 

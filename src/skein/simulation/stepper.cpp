@@ -166,15 +166,20 @@ void Stepper::update_parts(Time now) {
     Vehicle* vehicle = world_.entities[i].vehicle.get();
     if (!states_[i].active || !vehicle) continue;
     vehicle->begin_step(now);
-    vehicle_reports_.clear();
-    vehicle->take_reports(vehicle_reports_);
-    for (VehicleReport& report : vehicle_reports_)
-      recorder_.record(VehicleReportRecord{now, id_of(i), std::move(report)});
+    record_reports(now, i);
     vehicle_events_.clear();
     vehicle->take_events(vehicle_events_);
     for (VehicleEvent& event : vehicle_events_)
       record_event(now, i, std::move(event.kind), std::move(event.text));
   }
+}
+
+// What a vehicle was told from outside of the run.
+void Stepper::record_reports(Time now, std::size_t i) {
+  vehicle_reports_.clear();
+  world_.entities[i].vehicle->take_reports(vehicle_reports_);
+  for (VehicleReport& report : vehicle_reports_)
+    recorder_.record(VehicleReportRecord{now, id_of(i), std::move(report)});
 }
 
 void Stepper::look(Time now) {
@@ -321,6 +326,8 @@ void Stepper::advance(Time now, Time until) {
     states_[i].status = vehicle->status();  // as long as it is at hand
     states_[i].lost = vehicle->lost();
   });
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].active && world_.entities[i].vehicle) record_reports(now, i);
 }
 
 // What ends an aircraft, but not the run.

@@ -17,6 +17,8 @@ constexpr std::uint8_t kOwnSystem = 245;
 constexpr std::uint8_t kOwnComponent = 191;  // an on-board computer
 
 constexpr std::chrono::milliseconds kTurn{10};
+constexpr std::chrono::milliseconds kMaxTurn{100};  // that a catch-up waits
+constexpr int kMaxEvents = 1000;                    // of what happens in it
 const Time kHealthPeriod = Time::from_seconds(5);
 const Time kShownPeriod = Time::from_seconds(0.02);
 constexpr std::size_t kMaxRequests = 1000;  // of a vehicle, while nobody takes them
@@ -31,12 +33,14 @@ std::int64_t unix_ns() {
 
 struct VehicleLinks::Vehicle {
   Vehicle(const autopilot_client::AutopilotClientOptions& options,
-          const geo::LocalFrame& frame, transport::EndpointId at)
-      : client(options, frame), endpoint(at) {}
+          const geo::LocalFrame& frame, transport::EndpointId at,
+          std::shared_ptr<const std::atomic<std::int64_t>> clock)
+      : client(options, frame), endpoint(at), clock_ns(std::move(clock)) {}
 
   autopilot_client::AutopilotClient client;
   transport::EndpointId endpoint;
   std::shared_ptr<Mailbox> mailbox = std::make_shared<Mailbox>();
+  std::shared_ptr<const std::atomic<std::int64_t>> clock_ns;  // null: the wall's
   Time health_due;
 };
 
@@ -62,12 +66,14 @@ struct VehicleLinks::Shown {
 
 class VehicleLinks::Port final : public VehiclePort {
  public:
-  Port(VehicleLinks& links, std::shared_ptr<Mailbox> mailbox)
-      : links_(links), mailbox_(std::move(mailbox)) {}
+  Port(VehicleLinks& links, std::shared_ptr<Mailbox> mailbox, bool by_run)
+      : links_(links), mailbox_(std::move(mailbox)), by_run_(by_run) {}
 
-  // The age of a motion is what counts: the run's clock stands still in pauses.
+  // The age of a motion is what counts: the run's clock stands still in pauses. Times of
+  // a vehicle that goes by the run's clock are the run's.
   void receive(Time now, std::vector<VehicleReport>& out) override {
-    const Time here = links_.now();
+    if (by_run_) links_.catch_up();
+    const Time here = by_run_ ? now : links_.now();
     for (VehicleReport& report : mailbox_->take_reports()) {
       if (auto* motion = std::get_if<VehicleMotion>(&report))
         motion->time = now - (here - motion->time);
@@ -83,6 +89,7 @@ class VehicleLinks::Port final : public VehiclePort {
  private:
   VehicleLinks& links_;
   std::shared_ptr<Mailbox> mailbox_;
+  bool by_run_;
 };
 
 VehicleLinks::VehicleLinks(const geo::LocalFrame& frame)
@@ -107,6 +114,10 @@ Time VehicleLinks::now() const {
           .count());
 }
 
+Time VehicleLinks::now(const Vehicle& vehicle) const {
+  return vehicle.clock_ns ? Time::from_ns(*vehicle.clock_ns) : now();
+}
+
 transport::EndpointId VehicleLinks::endpoint_of(const LinkEndpoint& endpoint) {
   const std::string text = transport::text_of(endpoint.address);
   for (std::size_t k = 0; k < planned_.size(); ++k)
@@ -124,7 +135,8 @@ Result<std::size_t> VehicleLinks::add(const LinkedVehicle& vehicle) {
           ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
           fmt::format("two vehicles have number {} there.", vehicle.client.system),
           "Give each a system of its own."};
-  vehicles_.push_back(std::make_unique<Vehicle>(vehicle.client, frame_, endpoint));
+  vehicles_.push_back(
+      std::make_unique<Vehicle>(vehicle.client, frame_, endpoint, vehicle.clock_ns));
   return vehicles_.size() - 1;
 }
 
@@ -169,7 +181,8 @@ std::vector<VehicleRequest> VehicleLinks::take_requests(std::size_t shown) {
 }
 
 std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
-  return std::make_unique<Port>(*this, vehicles_.at(vehicle)->mailbox);
+  const Vehicle& of = *vehicles_.at(vehicle);
+  return std::make_unique<Port>(*this, of.mailbox, of.clock_ns != nullptr);
 }
 
 Result<std::vector<std::string>> VehicleLinks::start() {
@@ -196,9 +209,28 @@ void VehicleLinks::run() {
   while (!stop_) {
     endpoints_.run_for(kTurn);
     security_.set_time(unix_ns());
-    step(now());
+    const std::uint64_t asked = [this] {
+      const std::lock_guard lock(turn_mutex_);
+      return turn_asked_;
+    }();
+    if (asked != turn_done_)
+      for (int k = 0; k < kMaxEvents && endpoints_.run_one_for({}); ++k) {
+      }
+    step();
     step_shown(now());
+    if (asked == turn_done_) continue;
+    const std::lock_guard lock(turn_mutex_);
+    turn_done_ = asked;
+    turned_.notify_all();
   }
+}
+
+void VehicleLinks::catch_up() {
+  std::unique_lock lock(turn_mutex_);
+  if (!thread_.joinable()) return;
+  const std::uint64_t mine = ++turn_asked_;
+  endpoints_.wake();
+  turned_.wait_for(lock, kMaxTurn, [&] { return turn_done_ >= mine; });
 }
 
 void VehicleLinks::step_shown(Time now) {
@@ -231,8 +263,9 @@ void VehicleLinks::serve(const Peer& peer, transport::ChannelId channel,
       shown->server.receive(frame, channel, clocks(now), shown->out);
 }
 
-void VehicleLinks::step(Time now) {
+void VehicleLinks::step() {
   for (const auto& vehicle : vehicles_) {
+    const Time now = this->now(*vehicle);
     for (Mailbox::Request& request : vehicle->mailbox->take_requests())
       vehicle->client.request(request.number, request.what, now, out_);
     vehicle->client.step(now, out_);
@@ -304,7 +337,7 @@ void VehicleLinks::received(transport::ChannelId channel,
     else
       for (const auto& vehicle : vehicles_)
         if (vehicle->endpoint == peer.endpoint)
-          vehicle->client.receive(frame, channel, arrived, out_);
+          vehicle->client.receive(frame, channel, now(*vehicle), out_);
     forward(channel, frame);
   });
   for (const auto& vehicle : vehicles_)

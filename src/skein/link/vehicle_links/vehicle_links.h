@@ -2,10 +2,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -35,6 +37,9 @@ struct LinkEndpoint {
 struct LinkedVehicle {
   LinkEndpoint endpoint;
   autopilot_client::AutopilotClientOptions client;
+  /// The run's time as the vehicle has it [ns], which moves by the steps of its plant
+  /// here; null: it goes by the wall clock.
+  std::shared_ptr<const std::atomic<std::int64_t>> clock_ns = nullptr;
 };
 
 /// The links of a run to real vehicles and ground stations, in a thread of their own.
@@ -44,6 +49,10 @@ struct LinkedVehicle {
 /// an endpoint; they are told apart by their numbers. What a vehicle sends goes to the
 /// ground stations too, and what those send to the vehicle it is for: they see it as if
 /// they were connected to it.
+///
+/// A vehicle that goes by the run's clock (LinkedVehicle::clock_ns) may move much faster
+/// than the wall clock: before its port hands out what has come, the thread here has read
+/// all that is there and sent all that is due.
 ///
 /// Use: add vehicles and stations, take ports, start(). Ports may be used until this
 /// ends, and before start(): then nothing comes.
@@ -104,7 +113,7 @@ class VehicleLinks final : public transport::ChannelListener {
   void received(transport::ChannelId channel, std::span<const std::byte> bytes) override;
   void closed(transport::ChannelId channel, const std::string& why) override;
   void run();
-  void step(Time now);
+  void step();
   void step_shown(Time now);
   void serve(const Peer& peer, transport::ChannelId channel, const mavlink::Frame& frame,
              Time now);
@@ -116,6 +125,9 @@ class VehicleLinks final : public transport::ChannelListener {
   LinkHealth health_of(const Vehicle& vehicle) const;
   transport::EndpointId endpoint_of(const LinkEndpoint& endpoint);
   Time now() const;
+  Time now(const Vehicle& vehicle) const;
+  // Waits until the thread has read and sent all that there is.
+  void catch_up();
 
   geo::LocalFrame frame_;
   Clock::time_point begin_ = Clock::now();
@@ -133,6 +145,9 @@ class VehicleLinks final : public transport::ChannelListener {
   vehicle_services::Outbox out_;
   transport::Endpoints endpoints_;
   std::atomic<bool> stop_ = false;
+  std::mutex turn_mutex_;
+  std::condition_variable turned_;
+  std::uint64_t turn_asked_ = 0, turn_done_ = 0;
   std::thread thread_;
 };
 
