@@ -49,6 +49,7 @@ RealVehicle::RealVehicle(RealVehicleParts parts)
     : parts_(std::move(parts)),
       tracker_(!hovers(parts_.limits)),
       director_(hovers(parts_.limits)),
+      feeds_(std::move(parts_.feeds)),
       estimate_(parts_.start) {}
 
 // What the vehicle says, one report after the other.
@@ -63,9 +64,11 @@ struct RealVehicle::Listener {
   void operator()(const LinkChange& change) const {
     self.events_.push_back({event_of(change.kind), change.text});
     self.director_.hear(change);
+    self.feeds_.hear(change);
   }
   void operator()(const RequestAnswer& answer) const {
     self.director_.hear(answer, now, self.events_);
+    self.feeds_.hear(answer, now, self.events_);
   }
   void operator()(const VehicleText& text) const {
     constexpr std::uint8_t kError = 3;  // and what is worse
@@ -76,6 +79,7 @@ struct RealVehicle::Listener {
     self.events_.push_back({"vehicle-identified", identity.make});
   }
   void operator()(const LinkHealth&) const {}
+  void operator()(const FeedHealth&) const {}
 };
 
 void RealVehicle::begin(const Surroundings&, Time now) {
@@ -88,6 +92,7 @@ bool RealVehicle::fresh(Time now) const {
 }
 
 void RealVehicle::begin_step(Time now) {
+  feeds_.look(now);
   if (!blocked_) {
     const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
     parts_.port->receive(now, reports_);
@@ -113,7 +118,7 @@ void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out)
   const VehicleState state = as_state(tracker_.at(now), condition_.on_ground);
   Air air;
   air.wind_N = world.wind.wind(state.p_N, now);
-  SensorView view{now,           state,         air, world.terrain, world.phenomena,
+  SensorView view{now,           state,       air, world.terrain, world.phenomena,
                   world.objects, std::nullopt};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - state.p_N;
   for (const auto& sensor : parts_.payload) {
@@ -122,12 +127,19 @@ void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out)
   }
 }
 
-void RealVehicle::advance(const Surroundings&, Time now, Time until, const Vehicle*) {
+void RealVehicle::advance(const Surroundings& world, Time now, Time until,
+                          const Vehicle*) {
   if (blocked_) return;
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
-  if (!tracker_.known()) return;
+  if (!tracker_.known())
+    return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
   const VehicleMotion motion = tracker_.at(now);
-  parts_.guidance->sense(TruthSample{now, motion.p_N, motion.v_N, motion.q_NB,
+  feeds_.step(world, now, fresh(now) ? &motion : nullptr, condition_.on_ground,
+              *parts_.port);
+  parts_.guidance->sense(TruthSample{now,
+                                     motion.p_N,
+                                     motion.v_N,
+                                     motion.q_NB,
                                      motion.w_NB_B,
                                      {motion.wind_N.x(), motion.wind_N.y(), 0}});
   if (fresh(now) && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
@@ -173,10 +185,10 @@ CommandFate RealVehicle::command_fate() const {
   const AutopilotStatus status = parts_.guidance->status();
   if (status.refusals > refusals_before_)
     return {commands_, CommandFate::State::kRefused, status.refused};
-  return {commands_,
-          director_.reached() ? CommandFate::State::kAccepted
-                              : CommandFate::State::kPending,
-          {}};
+  return {
+      commands_,
+      director_.reached() ? CommandFate::State::kAccepted : CommandFate::State::kPending,
+      {}};
 }
 
 void RealVehicle::set_return(const ReturnRoute& route) {
@@ -228,6 +240,7 @@ Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time) {
   events_.push_back({fails ? "failure" : "repaired", "link"});
   LinkChange change{fails ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
   director_.hear(change);
+  feeds_.hear(change);
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include "skein/data/vehicle_report.h"
 #include "skein/mixed/flight_director.h"
 #include "skein/mixed/motion_tracker.h"
+#include "skein/mixed/virtual_feeds.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/sensor.h"
 #include "skein/role/vehicle.h"
@@ -24,8 +25,9 @@ struct RealVehicleParts {
   std::unique_ptr<Autopilot> guidance;
   std::vector<std::unique_ptr<Sensor>> payload;  ///< virtual: they look at the world here
   FlightLimits limits;
-  NavEstimate start;                        ///< where it is believed until it says so
-  Time max_age = Time::from_seconds(5);     ///< older motions are good for nothing
+  NavEstimate start;                     ///< where it is believed until it says so
+  Time max_age = Time::from_seconds(5);  ///< older motions are good for nothing
+  VirtualFeedOptions feeds;              ///< what it is sent of the virtual world
 };
 
 /// A vehicle that is not simulated here: a real aircraft, or one in another program. Its
@@ -56,6 +58,7 @@ class RealVehicle final : public Vehicle {
   void set_region_of_interest(const RegionOfInterest& region) override {
     region_of_interest_ = region.place_N;
   }
+  void set_zones(std::span<const Zone> zones) override { feeds_.set_zones(zones); }
   void ground_received(Time /*now*/) override {}
   bool link_works() const override { return director_.up(); }
   void take_events(std::vector<VehicleEvent>& out) override;
@@ -73,6 +76,7 @@ class RealVehicle final : public Vehicle {
   RealVehicleParts parts_;
   MotionTracker tracker_;
   FlightDirector director_;
+  VirtualFeeds feeds_;
   VehicleCondition condition_;
   NavEstimate estimate_;
   std::optional<Vec3> region_of_interest_;

@@ -26,8 +26,9 @@ struct AutopilotClientOptions {
   std::uint8_t system = 1;  ///< of the vehicle
   /// What it must be; another that answers with its number is not commanded.
   bool hovers = false;
-  double rate = 10;  ///< of its motion [Hz]
+  double rate = 10;                      ///< of its motion [Hz]
   Time silence = Time::from_seconds(3);  ///< then its link is down
+  std::int64_t unix_ns = 0;              ///< since 1970, at time 0 of this end's clock
 };
 
 /// The far end of a link to one vehicle with an autopilot of ArduPilot, PX4 or a make
@@ -74,6 +75,8 @@ class AutopilotClient {
   }
   /// Of the vehicle's frames.
   const mavlink::SequenceWatch& sequence() const { return sequence_; }
+  /// What it was sent of a virtual world, but for traffic.
+  const FeedHealth& feeds() const { return feeds_; }
   double round_trip() const { return clock_.shortest_round_trip(); }
 
  private:
@@ -91,6 +94,9 @@ class AutopilotClient {
   void report_change(LinkChange::Kind kind, std::string text);
   void send_bank(const BankSetpoint& setpoint, Time now, Outbox& out);
   void send_track(const TrackSetpoint& setpoint, Outbox& out);
+  void request_fence(std::uint32_t number, const FenceUpload& fence);
+  void refuse(std::uint32_t number, RequestAnswer::Outcome outcome, std::string why);
+  void step_requests(Time now, Outbox& out);
   bool ours() const { return !mismatched_; }
 
   AutopilotClientOptions options_;
@@ -98,26 +104,28 @@ class AutopilotClient {
   Telemetry telemetry_;
   ClockAlignment clock_;
   CommandSender commands_;
+  CommandSender fences_;  // beside them: commands do not wait for a long fence
+  FeedHealth feeds_;
   mavlink::SequenceWatch sequence_;
   std::set<Channel> channels_;
   std::optional<Channel> channel_;  // by which it is heard
   bool up_ = false, mismatched_ = false, duplicate_ = false;
   bool was_up_ = false;
-  Time heard_;             // heartbeat, last
-  Time position_;          // last
-  Time set_up_;            // last
-  std::optional<Time> boot_;     // the vehicle's clock, last
+  Time heard_;                // heartbeat, last
+  Time position_;             // last
+  Time set_up_;               // last
+  std::optional<Time> boot_;  // the vehicle's clock, last
   std::optional<Time> rebooted_;
   std::optional<std::uint64_t> uid_;
   std::uint64_t capabilities_ = 0;
   std::uint32_t version_ = 0;
   Time heartbeat_due_, timesync_due_, condition_due_, altitude_due_, airspeed_due_;
   VehicleCondition reported_;
-  std::optional<double> airspeed_;   // demanded last
-  std::optional<double> altitude_;   // the same
-  std::string complaint_;            // the last text of weight
+  std::optional<double> airspeed_;  // demanded last
+  std::optional<double> altitude_;  // the same
+  std::string complaint_;           // the last text of weight
   Time complained_;
-  std::string long_text_;            // of several parts
+  std::string long_text_;  // of several parts
   std::vector<VehicleReport> reports_;
 };
 
