@@ -209,6 +209,8 @@ struct FeedHealth {
   std::uint64_t fences_refused = 0;     ///< or not answered
   std::uint64_t fixes = 0;              ///< positions, in place of a receiver's
   std::uint64_t fixes_limited = 0;      ///< left out: a newer one was there
+
+  bool operator==(const FeedHealth&) const = default;
 };
 
 constexpr auto describe(const FeedHealth*) {

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "skein/base/result.h"
@@ -19,6 +21,7 @@
 #include "skein/link/router/frame_router.h"
 #include "skein/link/transport/endpoints.h"
 #include "skein/link/vehicle_links/mailbox.h"
+#include "skein/link/vehicle_links/traffic_exchange.h"
 #include "skein/link/vehicle_services/vehicle_server.h"
 #include "skein/role/vehicle_port.h"
 
@@ -35,6 +38,15 @@ struct LinkEndpoint {
 struct LinkedVehicle {
   LinkEndpoint endpoint;
   autopilot_client::AutopilotClientOptions client;
+  std::string name;                       ///< as the scenario has it
+  std::optional<TrafficOptions> traffic;  ///< that it is told of; none: of nobody
+};
+
+/// Where a simulated aircraft is.
+struct SimulatedTraffic {
+  std::size_t number = 0;  ///< by add_traffic()
+  Vec3 p_N = Vec3::Zero();
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
 };
 
 /// The links of a run to real vehicles and ground stations, in a thread of their own.
@@ -43,7 +55,8 @@ struct LinkedVehicle {
 /// at each port: those beyond are at the next port. Several real vehicles may share an
 /// endpoint; they are told apart by their numbers. What a
 /// vehicle sends goes to the ground stations too, and what those send to the vehicle it
-/// is for: they see it as if they were connected to it.
+/// is for: they see it as if they were connected to it. Of one another, and of simulated
+/// aircraft, vehicles are told as soon as it is known where those are (TrafficExchange).
 ///
 /// Use: add vehicles and stations, take ports, start(). Ports may be used until this ends,
 /// and before start(): then nothing comes.
@@ -65,6 +78,15 @@ class VehicleLinks final : public transport::ChannelListener {
   bool needs_key() const;
   /// For endpoints that are signed; before start().
   void set_key(const mavlink::SigningKey& key) { security_ = mavlink::LinkSecurity(key); }
+
+  /// A simulated aircraft that real vehicles are told of; before start().
+  /// @param name  no two have the same, nor has a real vehicle.
+  /// @returns  its number among these.
+  std::size_t add_traffic(const std::string& name);
+  /// Whether a vehicle is to be told of others.
+  bool needs_traffic() const;
+  /// Where simulated aircraft are now; any thread may call it.
+  void update_traffic(const std::vector<SimulatedTraffic>& where);
 
   /// Of a vehicle that is shown; any thread may call these.
   void update(std::size_t shown, const vehicle_services::VehicleSnapshot& snapshot);
@@ -89,6 +111,7 @@ class VehicleLinks final : public transport::ChannelListener {
     LinkEndpoint endpoint;
     bool station = false;
     std::uint16_t group = 0;  // of shown vehicles, for stations
+    std::map<std::uint8_t, Vehicle*> vehicles = {};  // by their systems
   };
   struct Peer {
     mavlink::FrameParser parser;
@@ -111,9 +134,14 @@ class VehicleLinks final : public transport::ChannelListener {
   vehicle_services::Clocks clocks(Time now) const {
     return {now, Time::from_ns(simulated_ns_)};
   }
+  void begin_traffic();
+  void send_requests(Vehicle& vehicle, Time now);
+  void hand_over(Vehicle& vehicle, Time now);
+  void take_traffic(Time now);
   void forward(transport::ChannelId from, const mavlink::Frame& frame);
   void send(transport::ChannelId channel, std::span<const std::byte> bytes);
   LinkHealth health_of(const Vehicle& vehicle) const;
+  FeedHealth feeds_of(const Vehicle& vehicle) const;
   transport::EndpointId endpoint_of(const LinkEndpoint& endpoint);
   Time now() const;
 
@@ -122,6 +150,12 @@ class VehicleLinks final : public transport::ChannelListener {
   std::vector<Planned> planned_;  // endpoints, by their numbers
   std::vector<std::unique_ptr<Vehicle>> vehicles_;
   std::vector<std::unique_ptr<Shown>> shown_;
+  std::map<std::pair<std::uint16_t, std::uint8_t>, Shown*> shown_at_;  // group, system
+  std::vector<std::string> simulated_;  // aircraft that others are told of
+  std::optional<TrafficExchange> traffic_;  // once started
+  std::mutex traffic_mutex_;
+  std::vector<SimulatedTraffic> traffic_now_;  // from the simulation
+  std::vector<SimulatedTraffic> traffic_taken_;
   std::vector<LinkEndpoint> stations_;
   std::atomic<std::int64_t> simulated_ns_ = 0;
   std::atomic<bool> paused_ = false;
