@@ -151,8 +151,8 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
 
 // Aircraft that are not simulated fly by the wall clock. A run that is done again needs
 // no clock.
-Result<void> set_clock(assemble::Build& ready, double speed, const RunArguments& arguments,
-                       bool again) {
+Result<void> set_clock(assemble::Build& ready, double speed,
+                       const RunArguments& arguments, bool again) {
   ready.options.speed = speed;
   if (!ready.mixed || again) return {};
   if (!arguments.speed.empty() && speed != 1)
@@ -257,9 +257,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   const auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return say_error(frame.error());
   const bool again = order.recorded.has_value();
-  auto built = again
-                   ? assemble::build(scenario, order.kinds, order.recorded->reports)
-                   : assemble::build(scenario, order.kinds);
+  auto built = again ? assemble::build(scenario, order.kinds, order.recorded->reports)
+                     : assemble::build(scenario, order.kinds);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
   for (const std::string& warning : ready.warnings) log_warning("{}", warning);
@@ -299,7 +298,7 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   }
   const int status = finish(arguments, folder, closed.value(), simulated.value());
   return status == kDone && order.recorded ? compare(*order.recorded, closed.value())
-                                            : status;
+                                           : status;
 }
 
 }  // namespace skein::app

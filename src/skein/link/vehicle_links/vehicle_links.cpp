@@ -97,11 +97,12 @@ class VehicleLinks::Port final : public VehiclePort {
 
 VehicleLinks::VehicleLinks(const geo::LocalFrame& frame)
     : frame_(frame),
-      out_(kOwnSystem, kOwnComponent,
-           [this](transport::ChannelId channel, std::span<const std::byte> bytes) {
-             send(channel, bytes);
-           },
-           &security_),
+      out_(
+          kOwnSystem, kOwnComponent,
+          [this](transport::ChannelId channel, std::span<const std::byte> bytes) {
+            send(channel, bytes);
+          },
+          &security_),
       endpoints_(*this) {}
 
 VehicleLinks::~VehicleLinks() {
@@ -180,8 +181,7 @@ void VehicleLinks::add_station(const LinkEndpoint& endpoint) {
 
 std::size_t VehicleLinks::show(vehicle_services::VehicleServerOptions vehicle) {
   const std::size_t first = shown_.empty() ? vehicle.system : shown_.front()->system;
-  const auto numbers =
-      vehicle_services::numbers_of_vehicle(first - 1 + shown_.size());
+  const auto numbers = vehicle_services::numbers_of_vehicle(first - 1 + shown_.size());
   vehicle.system = numbers.system;
   vehicle_services::Outbox out(
       vehicle.system, vehicle.component,
@@ -221,9 +221,9 @@ std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
 }
 
 Result<std::vector<std::string>> VehicleLinks::start() {
-  const std::uint16_t groups =
-      shown_.empty() ? std::uint16_t{1}
-                     : static_cast<std::uint16_t>(shown_.back()->group + 1);
+  const std::uint16_t groups = shown_.empty()
+                                   ? std::uint16_t{1}
+                                   : static_cast<std::uint16_t>(shown_.back()->group + 1);
   for (const LinkEndpoint& station : stations_)
     for (std::uint16_t group = 0; group < groups; ++group) {
       LinkEndpoint at = station;
