@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 #include "skein/link/vehicle_links/test/stand_ins.h"
@@ -112,8 +113,9 @@ TEST(VehicleLinks, OfWhatIsGoodForAMomentOnlyTheNewestGoesOutAndAllIsCounted) {
 TEST(VehicleLinks, WhoSharesAConnectionDoesNotSeeItselfThere) {
   const auto frame = geo::LocalFrame::at({47.0, 8.0, 0}).value();
   VehicleLinks links(frame);
-  for (const std::uint8_t system : {1, 2, 3})
-    ASSERT_TRUE(links.add(linked(system, std::string(1, 'a' + system - 1))).ok());
+  const std::array<const char*, 3> names = {"a", "b", "c"};
+  for (std::uint8_t k = 0; k < 3; ++k)
+    ASSERT_TRUE(links.add(linked(static_cast<std::uint8_t>(k + 1), names[k])).ok());
   const auto places = links.start();
   ASSERT_TRUE(places.ok());
   StandIns vehicles(frame, places.value().front());
