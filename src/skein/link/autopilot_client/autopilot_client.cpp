@@ -422,7 +422,11 @@ void AutopilotClient::step(Time now, Outbox& out) {
     heartbeat.autopilot = mavlink::kAutopilotInvalid;
     heartbeat.system_status = kActive;
     heartbeat.mavlink_version = 3;
-    for (const Channel channel : channels_) out.send(channel, heartbeat);
+    // While it is heard, by its channel alone: others are those of other vehicles.
+    if (up_)
+      out.send(*channel_, heartbeat);
+    else
+      for (const Channel channel : channels_) out.send(channel, heartbeat);
   }
   if (!up_) return;
   if (now >= timesync_due_) {

@@ -19,6 +19,9 @@ constexpr std::uint8_t kOwnComponent = 191;  // an on-board computer
 constexpr std::chrono::milliseconds kTurn{10};
 const Time kHealthPeriod = Time::from_seconds(5);
 const Time kShownPeriod = Time::from_seconds(0.02);
+// Telemetry of many vehicles goes out in few datagrams: buffers of sockets hold some
+// hundreds of them, however small.
+constexpr std::size_t kMaxDatagram = 1400;
 constexpr std::size_t kMaxTraffic = 20'000;  // while nobody takes it
 constexpr std::size_t kMaxRequests = 1000;  // of a vehicle, while nobody takes them
 
@@ -254,6 +257,7 @@ void VehicleLinks::run() {
 void VehicleLinks::step_shown(Time now) {
   if (now < shown_due_) return;
   shown_due_ = now + kShownPeriod;
+  gathers_ = true;
   for (const auto& shown : shown_) {
     {
       const std::lock_guard lock(shown->mutex);
@@ -270,6 +274,8 @@ void VehicleLinks::step_shown(Time now) {
       if (shown->requests.size() < kMaxRequests)
         shown->requests.push_back(std::move(request));
   }
+  gathers_ = false;
+  for (auto& [channel, peer] : peers_) send_gathered(channel, peer);
 }
 
 // To the shown vehicles that a station's frame is for.
@@ -376,7 +382,22 @@ LinkHealth VehicleLinks::health_of(const Vehicle& vehicle) const {
 void VehicleLinks::send(transport::ChannelId channel, std::span<const std::byte> bytes) {
   const auto peer = peers_.find(channel);
   if (peer == peers_.end()) return;
-  ++(endpoints_.send(channel, bytes) ? peer->second.sent : peer->second.dropped);
+  if (!gathers_ || !peer->second.station) {
+    ++(endpoints_.send(channel, bytes) ? peer->second.sent : peer->second.dropped);
+    return;
+  }
+  std::vector<std::byte>& gathered = peer->second.gathered;
+  if (gathered.size() + bytes.size() > kMaxDatagram) send_gathered(channel, peer->second);
+  gathered.insert(gathered.end(), bytes.begin(), bytes.end());
+  ++peer->second.gathered_frames;
+}
+
+void VehicleLinks::send_gathered(transport::ChannelId channel, Peer& peer) {
+  if (peer.gathered.empty()) return;
+  const bool sent = endpoints_.send(channel, peer.gathered);
+  (sent ? peer.sent : peer.dropped) += peer.gathered_frames;
+  peer.gathered.clear();
+  peer.gathered_frames = 0;
 }
 
 void VehicleLinks::opened(transport::ChannelId channel, transport::EndpointId endpoint,

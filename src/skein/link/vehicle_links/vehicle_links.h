@@ -119,6 +119,8 @@ class VehicleLinks final : public transport::ChannelListener {
     bool station = false;
     std::uint16_t group = 0;
     std::uint64_t sent = 0, dropped = 0;
+    std::vector<std::byte> gathered;  // frames that go out together
+    std::uint64_t gathered_frames = 0;
   };
   class Port;
 
@@ -140,6 +142,7 @@ class VehicleLinks final : public transport::ChannelListener {
   void take_traffic(Time now);
   void forward(transport::ChannelId from, const mavlink::Frame& frame);
   void send(transport::ChannelId channel, std::span<const std::byte> bytes);
+  void send_gathered(transport::ChannelId channel, Peer& peer);
   LinkHealth health_of(const Vehicle& vehicle) const;
   FeedHealth feeds_of(const Vehicle& vehicle) const;
   transport::EndpointId endpoint_of(const LinkEndpoint& endpoint);
@@ -163,6 +166,7 @@ class VehicleLinks final : public transport::ChannelListener {
   std::map<transport::ChannelId, Peer> peers_;
   router::FrameRouter router_;
   std::vector<router::Channel> to_;  // used again for each frame
+  bool gathers_ = false;             // what is for stations
   mavlink::LinkSecurity security_;
   vehicle_services::Outbox out_;
   transport::Endpoints endpoints_;
