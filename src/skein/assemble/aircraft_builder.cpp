@@ -158,8 +158,14 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto flown = kinds_.vehicle.make(
       group.vehicle,
       VehicleContext{context, scenario_, group, index, vehicle, complete, complete_body,
-                     links_, recorded_ ? &(*recorded_)[self] : nullptr});
+                     links_, recorded_ ? &(*recorded_)[self] : nullptr,
+                     [this](const std::string& other) { return is_simulated(other); },
+                     [made = made_](const std::string& other) -> const Vehicle* {
+                       const auto found = made->find(other);
+                       return found == made->end() ? nullptr : found->second;
+                     }});
   if (!flown) return at(name, flown.error());
+  (*made_)[name] = flown.value().get();
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
@@ -178,6 +184,13 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   entity.agent_period = group.agent_period;
   entity.active = presence(group, index, scenario_.duration);
   return entity;
+}
+
+bool AircraftBuilder::is_simulated(const std::string& name) const {
+  for (std::size_t k = 0; k < names_.size(); ++k)
+    if (std::find(names_[k].begin(), names_[k].end(), name) != names_[k].end())
+      return scenario_.aircraft[k].vehicle.kind == "simulated";
+  return false;
 }
 
 Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(

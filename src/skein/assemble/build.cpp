@@ -301,7 +301,7 @@ class Builder {
       const auto address = transport::parse_endpoint(link.endpoint);
       if (note(address)) build_.links->add_station({address.value(), link.is_signed});
     }
-    if (!links.ground_stations.empty()) show_aircraft();
+    show_aircraft(!links.ground_stations.empty());
     if (!links.key_file.empty()) {
       const auto key = mavlink::read_signing_key(links.key_file);
       if (note(key)) build_.links->set_key(key.value());
@@ -312,14 +312,18 @@ class Builder {
     }
   }
 
-  void show_aircraft() {
+  // Simulated aircraft, to ground stations and to real vehicles.
+  void show_aircraft(bool to_stations) {
     std::vector<vehicle_links::ShownAircraft> all;
+    std::vector<std::string> traffic;
     std::size_t entity = scenario_.stations.size();
     for (const AircraftGroup& group : scenario_.aircraft)
       for (int i = 0; i < group.count && entity < build_.world.entities.size();
            ++i, ++entity) {
         const simulation::Entity& aircraft = build_.world.entities[entity];
         if (group.vehicle.kind != "simulated") continue;
+        if (build_.links->needs_traffic()) traffic.push_back(aircraft.name);
+        if (!to_stations) continue;
         const FlightLimits limits = parts_of(aircraft).plant->limits();
         vehicle_services::VehicleServerOptions server;
         server.system = static_cast<std::uint8_t>(scenario_.links.first_system);
@@ -341,9 +345,9 @@ class Builder {
         shown.server = build_.links->show(std::move(server));
         all.push_back(std::move(shown));
       }
-    if (!all.empty())
-      build_.feed =
-          std::make_unique<vehicle_links::VehicleFeed>(*build_.links, std::move(all));
+    if (!all.empty() || !traffic.empty())
+      build_.feed = std::make_unique<vehicle_links::VehicleFeed>(*build_.links,
+                                                                 std::move(all), traffic);
   }
 
   Result<void> radio() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "skein/assemble/contexts.h"
@@ -32,6 +33,10 @@ struct VehicleContext {
   /// What a vehicle that is not simulated said, in a run that is done again; null: it is
   /// to speak for itself.
   const std::vector<mixed::TimedReport>* recorded = nullptr;
+  /// Whether the scenario has a simulated aircraft of a name.
+  std::function<bool(const std::string&)> is_simulated = {};
+  /// An aircraft by its name, once all are made; before, and without one, null.
+  std::function<const Vehicle*(const std::string&)> find = {};
 };
 
 }  // namespace skein::assemble

@@ -231,10 +231,39 @@ constexpr auto describe(const OutsideEvent*) {
                       field("text", &T::text, "for people"));
 }
 
+/// What a vehicle was sent of the virtual world since the begin. Of records only; nothing
+/// simulated depends on it.
+struct FeedHealth {
+  std::uint64_t traffic = 0;            ///< frames about other aircraft
+  std::uint64_t traffic_limited = 0;    ///< left out: too soon, or too many in range
+  std::uint64_t obstacles = 0;          ///< frames
+  std::uint64_t obstacles_limited = 0;  ///< left out: a newer one was there
+  std::uint64_t fences = 0;             ///< accepted by the vehicle
+  std::uint64_t fences_refused = 0;     ///< or not answered
+  std::uint64_t fixes = 0;              ///< positions, in place of a receiver's
+  std::uint64_t fixes_limited = 0;      ///< left out: a newer one was there
+
+  bool operator==(const FeedHealth&) const = default;
+};
+
+constexpr auto describe(const FeedHealth*) {
+  using T = FeedHealth;
+  return described<T>(
+      {"feed_health"}, "What a vehicle was sent of the virtual world so far.",
+      field("traffic", &T::traffic, "frames about other aircraft"),
+      field("traffic_limited", &T::traffic_limited, "too soon, or too many in range"),
+      field("obstacles", &T::obstacles, "frames"),
+      field("obstacles_limited", &T::obstacles_limited, "a newer one was there"),
+      field("fences", &T::fences, "accepted"),
+      field("fences_refused", &T::fences_refused, "or not answered"),
+      field("fixes", &T::fixes, "positions, in place of a receiver's"),
+      field("fixes_limited", &T::fixes_limited, "a newer one was there"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
 using VehicleReport =
     std::variant<VehicleMotion, VehicleCondition, LinkChange, RequestAnswer, VehicleText,
                  MissionProgress, VehicleIdentity, LinkHealth, ActuatorOutputs,
-                 OutsideEvent>;
+                 OutsideEvent, FeedHealth>;
 
 }  // namespace skein

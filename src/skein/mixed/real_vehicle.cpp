@@ -49,6 +49,7 @@ RealVehicle::RealVehicle(RealVehicleParts parts)
     : parts_(std::move(parts)),
       tracker_(!hovers(parts_.limits)),
       director_(hovers(parts_.limits)),
+      feeds_(std::move(parts_.feeds)),
       estimate_(parts_.start) {}
 
 // What the vehicle says, one report after the other.
@@ -63,9 +64,11 @@ struct RealVehicle::Listener {
   void operator()(const LinkChange& change) const {
     self.events_.push_back({event_of(change.kind), change.text});
     self.director_.hear(change);
+    self.feeds_.hear(change);
   }
   void operator()(const RequestAnswer& answer) const {
     self.director_.hear(answer, now, self.events_);
+    self.feeds_.hear(answer, now, self.events_);
   }
   void operator()(const VehicleText& text) const {
     constexpr std::uint8_t kError = 3;  // and what is worse
@@ -76,9 +79,13 @@ struct RealVehicle::Listener {
     self.events_.push_back({"vehicle-identified", identity.make});
   }
   void operator()(const LinkHealth&) const {}
+<<<<<<< HEAD
   // Of a body's drive, not of the link.
   void operator()(const ActuatorOutputs&) const {}
   void operator()(const OutsideEvent&) const {}
+=======
+  void operator()(const FeedHealth&) const {}
+>>>>>>> wt-feeds
 };
 
 void RealVehicle::begin(const Surroundings& world, Time now) {
@@ -92,10 +99,14 @@ bool RealVehicle::fresh(Time now) const {
 }
 
 void RealVehicle::begin_step(Time now) {
+<<<<<<< HEAD
   if (parts_.body) {
     parts_.body->begin_step(now);
     set_blocked(parts_.body->faults().link);
   }
+=======
+  feeds_.look(now);
+>>>>>>> wt-feeds
   if (!blocked_) {
     const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
     parts_.port->receive(now, reports_);
@@ -147,14 +158,21 @@ void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out)
 
 void RealVehicle::advance(const Surroundings& world, Time now, Time until,
                           const Vehicle*) {
+<<<<<<< HEAD
   if (!blocked_) command_autopilot(now, until);
   if (parts_.body) parts_.body->advance(world, now, until);
 }
 
 void RealVehicle::command_autopilot(Time now, Time until) {
+=======
+  if (blocked_) return;
+>>>>>>> wt-feeds
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
-  if (!tracker_.known()) return;
+  if (!tracker_.known())
+    return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
   const VehicleMotion motion = tracker_.at(now);
+  feeds_.step(world, now, fresh(now) ? &motion : nullptr, condition_.on_ground,
+              *parts_.port);
   parts_.guidance->sense(TruthSample{now,
                                      motion.p_N,
                                      motion.v_N,
@@ -257,8 +275,17 @@ Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time no
                              "be made to fail.",
                              parts_.name),
                  ""};
+<<<<<<< HEAD
   if (blocked_ != fails) events_.push_back({fails ? "failure" : "repaired", "link"});
   set_blocked(fails);
+=======
+  if (blocked_ == fails) return {};
+  blocked_ = fails;
+  events_.push_back({fails ? "failure" : "repaired", "link"});
+  LinkChange change{fails ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
+  director_.hear(change);
+  feeds_.hear(change);
+>>>>>>> wt-feeds
   return {};
 }
 

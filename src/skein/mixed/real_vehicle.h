@@ -10,6 +10,7 @@
 #include "skein/mixed/driven_plant.h"
 #include "skein/mixed/flight_director.h"
 #include "skein/mixed/motion_tracker.h"
+#include "skein/mixed/virtual_feeds.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/sensor.h"
 #include "skein/role/vehicle.h"
@@ -27,8 +28,12 @@ struct RealVehicleParts {
   FlightLimits limits;
   NavEstimate start;                     ///< where it is believed until it says so
   Time max_age = Time::from_seconds(5);  ///< older motions are good for nothing
+<<<<<<< HEAD
   /// Its plant, where that is simulated here and only its autopilot is elsewhere.
   std::unique_ptr<DrivenPlant> body = nullptr;
+=======
+  VirtualFeedOptions feeds;              ///< what it is sent of the virtual world
+>>>>>>> wt-feeds
 };
 
 /// A vehicle that is not simulated here: a real aircraft, or one in another program. Its
@@ -66,6 +71,7 @@ class RealVehicle final : public Vehicle {
   void set_region_of_interest(const RegionOfInterest& region) override {
     region_of_interest_ = region.place_N;
   }
+  void set_zones(std::span<const Zone> zones) override { feeds_.set_zones(zones); }
   void ground_received(Time /*now*/) override {}
   bool link_works() const override { return director_.up(); }
   const VehicleState* truth() const override {
@@ -91,6 +97,7 @@ class RealVehicle final : public Vehicle {
   RealVehicleParts parts_;
   MotionTracker tracker_;
   FlightDirector director_;
+  VirtualFeeds feeds_;
   VehicleCondition condition_;
   NavEstimate estimate_;
   std::optional<Vec3> region_of_interest_;

@@ -251,9 +251,12 @@ void Stepper::think(Time now, Entity& entity, EntityState& state) {
     entity.vehicle->set_return(*state.output.return_route);
   if (state.output.region_of_interest && entity.vehicle)
     entity.vehicle->set_region_of_interest(*state.output.region_of_interest);
+  if (state.output.zones && entity.vehicle)
+    entity.vehicle->set_zones(*state.output.zones);
   state.output.command.reset();
   state.output.return_route.reset();
   state.output.region_of_interest.reset();
+  state.output.zones.reset();
   state.payload.samples.clear();
   state.fresh = 0;
   state.inbox.clear();
