@@ -79,13 +79,10 @@ struct RealVehicle::Listener {
     self.events_.push_back({"vehicle-identified", identity.make});
   }
   void operator()(const LinkHealth&) const {}
-<<<<<<< HEAD
   // Of a body's drive, not of the link.
   void operator()(const ActuatorOutputs&) const {}
   void operator()(const OutsideEvent&) const {}
-=======
   void operator()(const FeedHealth&) const {}
->>>>>>> wt-feeds
 };
 
 void RealVehicle::begin(const Surroundings& world, Time now) {
@@ -99,14 +96,11 @@ bool RealVehicle::fresh(Time now) const {
 }
 
 void RealVehicle::begin_step(Time now) {
-<<<<<<< HEAD
   if (parts_.body) {
     parts_.body->begin_step(now);
     set_blocked(parts_.body->faults().link);
   }
-=======
   feeds_.look(now);
->>>>>>> wt-feeds
   if (!blocked_) {
     const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
     parts_.port->receive(now, reports_);
@@ -158,15 +152,11 @@ void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out)
 
 void RealVehicle::advance(const Surroundings& world, Time now, Time until,
                           const Vehicle*) {
-<<<<<<< HEAD
-  if (!blocked_) command_autopilot(now, until);
+  if (!blocked_) command_autopilot(world, now, until);
   if (parts_.body) parts_.body->advance(world, now, until);
 }
 
-void RealVehicle::command_autopilot(Time now, Time until) {
-=======
-  if (blocked_) return;
->>>>>>> wt-feeds
+void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time until) {
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
   if (!tracker_.known())
     return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
@@ -275,24 +265,16 @@ Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time no
                              "be made to fail.",
                              parts_.name),
                  ""};
-<<<<<<< HEAD
   if (blocked_ != fails) events_.push_back({fails ? "failure" : "repaired", "link"});
   set_blocked(fails);
-=======
-  if (blocked_ == fails) return {};
-  blocked_ = fails;
-  events_.push_back({fails ? "failure" : "repaired", "link"});
-  LinkChange change{fails ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
-  director_.hear(change);
-  feeds_.hear(change);
->>>>>>> wt-feeds
   return {};
 }
 
 void RealVehicle::set_blocked(bool blocked) {
   if (std::exchange(blocked_, blocked) == blocked) return;
-  director_.hear(
-      LinkChange{blocked ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}});
+  const LinkChange change{blocked ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
+  director_.hear(change);
+  feeds_.hear(change);
 }
 
 }  // namespace skein::mixed

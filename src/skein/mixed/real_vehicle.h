@@ -28,12 +28,9 @@ struct RealVehicleParts {
   FlightLimits limits;
   NavEstimate start;                     ///< where it is believed until it says so
   Time max_age = Time::from_seconds(5);  ///< older motions are good for nothing
-<<<<<<< HEAD
   /// Its plant, where that is simulated here and only its autopilot is elsewhere.
   std::unique_ptr<DrivenPlant> body = nullptr;
-=======
-  VirtualFeedOptions feeds;              ///< what it is sent of the virtual world
->>>>>>> wt-feeds
+  VirtualFeedOptions feeds = {};  ///< what it is sent of the virtual world
 };
 
 /// A vehicle that is not simulated here: a real aircraft, or one in another program. Its
@@ -90,7 +87,7 @@ class RealVehicle final : public Vehicle {
   void set_blocked(bool blocked);
   std::optional<SensorView> view(const Surroundings& world, Time now, VehicleState& state,
                                  Air& air) const;
-  void command_autopilot(Time now, Time until);
+  void command_autopilot(const Surroundings& world, Time now, Time until);
   void give(const AutopilotCommand& command);
   void send_setpoint(Time now, double dt);
 
