@@ -9,7 +9,7 @@ namespace skein::vehicle_services {
 namespace {
 
 constexpr std::uint16_t kNoVoltage = 65'535;
-constexpr double kMaxVoltage_mV = 65'534;  // of one cell's field
+constexpr double kMaxMillivolts = 65'534;  // of one cell's field
 
 // Of which a vehicle's voltage takes as many as it needs.
 template <std::size_t N>
@@ -18,8 +18,8 @@ void spread_voltage(double voltage, std::array<std::uint16_t, N>& cells_mV) {
   double left_mV = voltage * 1000;
   for (std::uint16_t& cell : cells_mV) {
     if (!(left_mV > 0)) return;
-    cell = rounded<std::uint16_t>(std::min(left_mV, kMaxVoltage_mV));
-    left_mV -= kMaxVoltage_mV;
+    cell = rounded<std::uint16_t>(std::min(left_mV, kMaxMillivolts));
+    left_mV -= kMaxMillivolts;
   }
 }
 
