@@ -284,7 +284,7 @@ class Taker {
         return fits(from.template get<std::uint64_t>(), value);
       return fits(from.template get<std::int64_t>(), value);
     } else {
-      if (from.is_number()) value = from.template get<double>();
+      if (from.is_number()) value = from.template get<T>();
       return from.is_number();
     }
   }

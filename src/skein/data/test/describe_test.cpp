@@ -31,8 +31,8 @@ class Drawer {
   void fill(T& value) {
     if constexpr (std::is_same_v<T, bool>) {
       value = below(2) == 1;
-    } else if constexpr (std::is_same_v<T, double>) {
-      value = std::uniform_real_distribution<double>(-1, 1)(engine_);
+    } else if constexpr (std::is_floating_point_v<T>) {
+      value = std::uniform_real_distribution<T>(-1, 1)(engine_);
     } else if constexpr (std::is_same_v<T, Time>) {
       value = Time::from_ns(static_cast<std::int64_t>(engine_() % 1'000'000'000'000));
     } else if constexpr (std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3>) {
