@@ -87,7 +87,7 @@ void Endpoints::wake() {
 }
 
 bool Endpoints::run_one_for(std::chrono::nanoseconds patience) {
-  boost::asio::io_context& io = implementation_->hub.io;
+  boost::asio::io_context& io = implementation_->loop.io;
   io.restart();
   // Without patience run_one_for() would not even look.
   return io.poll_one() > 0 || io.run_one_for(patience) > 0;
