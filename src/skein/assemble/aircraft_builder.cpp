@@ -16,6 +16,7 @@
 #include "skein/layer/environment/turbulence/discrete_gusts.h"
 #include "skein/layer/environment/turbulence/gusts.h"
 #include "skein/layer/sensory/sensor_suite.h"
+#include "skein/link/world_link/agent_parts.h"
 #include "skein/role/agent.h"
 
 namespace skein::assemble {
@@ -151,8 +152,10 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     vehicle.breakable = breakable_parts(parts.value());
     return {};
   };
+  std::unique_ptr<Agent> remote;
   auto flown = kinds_.vehicle.make(
-      group.vehicle, VehicleContext{context, index, vehicle, complete, links_,
+      group.vehicle, VehicleContext{context, index, vehicle, complete, links_.vehicles,
+                                    links_.entities, remote,
                                     recorded_ ? &(*recorded_)[self] : nullptr});
   if (!flown) return at(name, flown.error());
   auto agent = kinds_.agent.make(group.agent, context);
@@ -170,6 +173,13 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   entity.agent = std::move(agent).value();
   entity.vehicle = std::move(flown).value();
   entity.agent_period = group.agent_period;
+  if (remote) {  // it thinks elsewhere; what it says is taken at once
+    entity.agent = std::move(remote);
+    entity.agent_period = scenario_.step;
+  } else if (links_.world) {
+    entity.agent = std::make_unique<world_link::ConnectedAgent>(std::move(entity.agent),
+                                                                self, *links_.world);
+  }
   entity.active = presence(group, index, scenario_.duration);
   return entity;
 }
@@ -264,6 +274,11 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
       (payload ? parts.payload : parts.sensors).push_back(part.kind);
       (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));
     }
+  }
+  if (links_.world) {  // that is what the payload looks at
+    vehicle.payload.clear();
+    vehicle.payload.push_back(
+        std::make_unique<world_link::ReceivedPayload>(*links_.world));
   }
   return parts;
 }

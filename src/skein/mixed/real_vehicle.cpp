@@ -76,6 +76,7 @@ struct RealVehicle::Listener {
     self.events_.push_back({"vehicle-identified", identity.make});
   }
   void operator()(const LinkHealth&) const {}
+  void operator()(const EntityReport&) const {}  // its agent is here
 };
 
 void RealVehicle::begin(const Surroundings&, Time now) {
