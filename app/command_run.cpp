@@ -153,8 +153,8 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
 
 // Aircraft that are not simulated fly by the wall clock. A run that is done again needs
 // no clock.
-Result<void> set_clock(assemble::Build& ready, double speed, const RunArguments& arguments,
-                       bool again) {
+Result<void> set_clock(assemble::Build& ready, double speed,
+                       const RunArguments& arguments, bool again) {
   ready.options.speed = speed;
   if (!ready.mixed || again) return {};
   if (!arguments.speed.empty() && speed != 1)
@@ -318,7 +318,7 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   }
   const int status = finish(arguments, folder, closed.value(), simulated.value());
   return status == kDone && order.recorded ? compare(*order.recorded, closed.value())
-                                            : status;
+                                           : status;
 }
 
 }  // namespace skein::app

@@ -31,21 +31,24 @@ Result<std::string> parts_of(const VehicleArguments& arguments) {
                  fmt::format("has no section fixed_wing or multirotor, only {}.",
                              file.value().plants()),
                  "See skein list aircraft; \"point\" is one without a file."};
-  const char* key = arguments.aircraft.find('.') == std::string::npos ? "aircraft" : "file";
-  return fmt::format(
-      "plant: {{kind: {}, {}: '{}'}}, autopilot: skein, sensors: [{}]", plant, key,
-      arguments.aircraft, arguments.true_state ? "ideal-navigation" : "flight");
+  const char* key =
+      arguments.aircraft.find('.') == std::string::npos ? "aircraft" : "file";
+  return fmt::format("plant: {{kind: {}, {}: '{}'}}, autopilot: skein, sensors: [{}]",
+                     plant, key, arguments.aircraft,
+                     arguments.true_state ? "ideal-navigation" : "flight");
 }
 
 std::string links_of(const VehicleArguments& arguments) {
   std::string endpoints;
   for (const std::string& link : arguments.links)
-    endpoints += fmt::format("{}{{endpoint: '{}', signed: {}}}",
-                             endpoints.empty() ? "" : ", ", link,
-                             !arguments.key_file.empty());
+    endpoints +=
+        fmt::format("{}{{endpoint: '{}', signed: {}}}", endpoints.empty() ? "" : ", ",
+                    link, !arguments.key_file.empty());
   return fmt::format(
-      "links: {{ground_stations: [{}], autopilot: {}, first_system: {}, key_file: '{}'}}\n",
-      endpoints, arguments.autopilot, arguments.system, arguments.key_file);
+      "links: {{ground_stations: [{}], autopilot: {}, first_system: {}{}}}\n", endpoints,
+      arguments.autopilot, arguments.system,
+      arguments.key_file.empty() ? ""
+                                 : fmt::format(", key_file: '{}'", arguments.key_file));
 }
 
 Result<std::string> scenario_of(const VehicleArguments& arguments) {
@@ -56,7 +59,7 @@ Result<std::string> scenario_of(const VehicleArguments& arguments) {
       "name: {}\nseed: {}\nduration_s: {}\nstep_s: {}\n"
       "origin: {{latitude_deg: {}, longitude_deg: {}}}\n"
       "environment:\n"
-      "  terrain: {{kind: flat, elevation_msl_m: {}}}\n"
+      "  terrain: {{kind: flat, elevation_m: {}}}\n"
       "  wind: {{kind: uniform, speed_mps: {}, from_deg: {}}}\n"
       "  phenomena: []\n"
       "aircraft:\n"
@@ -68,9 +71,8 @@ Result<std::string> scenario_of(const VehicleArguments& arguments) {
       arguments.name, arguments.seed, arguments.duration > 0 ? arguments.duration : kDay,
       arguments.step, arguments.latitude_deg, arguments.longitude_deg,
       arguments.ground_msl, arguments.wind_speed, arguments.wind_from_deg, arguments.name,
-      arguments.step, arguments.altitude, parts.value(), arguments.north,
-      arguments.east, arguments.heading_deg, ground, 1 / arguments.step,
-      links_of(arguments));
+      arguments.step, arguments.altitude, parts.value(), arguments.north, arguments.east,
+      arguments.heading_deg, ground, 1 / arguments.step, links_of(arguments));
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ struct VehicleArguments {
   bool flying = false;      ///< it begins in flight; a point always does
   bool true_state = false;  ///< its autopilot knows its true state
   double wind_speed = 0, wind_from_deg = 0;
-  double step = 0.02;       ///< [s]
-  double duration = 0;      ///< [s]; 0: until it is interrupted
+  double step = 0.02;   ///< [s]
+  double duration = 0;  ///< [s]; 0: until it is interrupted
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< folder for records; empty: none
   bool overwrite = false;

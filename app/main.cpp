@@ -405,33 +405,51 @@ Command add_vehicle(CLI::App& program) {
   const auto given = std::make_shared<VehicleArguments>();
   auto* command = program.add_subcommand(
       "vehicle", "One simulated aircraft as a MAVLink vehicle of its own.");
-  command->add_option("--aircraft", given->aircraft,
-                      "Built in, a file, or \"point\": a point in coordinated flight.")->capture_default_str();
+  command
+      ->add_option("--aircraft", given->aircraft,
+                   "Built in, a file, or \"point\": a point in coordinated flight.")
+      ->capture_default_str();
   command->add_option("--name", given->name, "What it is called.")->capture_default_str();
-  command->add_option("--link", given->links,
-                      "Where ground stations or Skein are met; several times for several.")->capture_default_str();
-  command->add_option("--autopilot", given->autopilot, "What it looks like.")->capture_default_str()
+  command
+      ->add_option("--link", given->links,
+                   "Where ground stations or Skein are met; several times for several.")
+      ->capture_default_str();
+  command->add_option("--autopilot", given->autopilot, "What it looks like.")
+      ->capture_default_str()
       ->check(CLI::IsMember({"ardupilot", "px4"}));
-  command->add_option("--system", given->system, "Its MAVLink system id.")->capture_default_str()
+  command->add_option("--system", given->system, "Its MAVLink system id.")
+      ->capture_default_str()
       ->check(CLI::Range(1, 250));
   command->add_option("--key", given->key_file,
                       "File with the key of its links, which are then signed.");
-  command->add_option("--latitude", given->latitude_deg, "Of the local origin.")->capture_default_str();
-  command->add_option("--longitude", given->longitude_deg, "Of the local origin.")->capture_default_str();
-  command->add_option("--north", given->north, "Where it begins [m].")->capture_default_str();
-  command->add_option("--east", given->east, "Where it begins [m].")->capture_default_str();
-  command->add_option("--ground", given->ground_msl, "Ground above sea level [m].")->capture_default_str();
-  command->add_option("--heading", given->heading_deg, "At the start [deg].")->capture_default_str();
+  command->add_option("--latitude", given->latitude_deg, "Of the local origin.")
+      ->capture_default_str();
+  command->add_option("--longitude", given->longitude_deg, "Of the local origin.")
+      ->capture_default_str();
+  command->add_option("--north", given->north, "Where it begins [m].")
+      ->capture_default_str();
+  command->add_option("--east", given->east, "Where it begins [m].")
+      ->capture_default_str();
+  command->add_option("--ground", given->ground_msl, "Ground above sea level [m].")
+      ->capture_default_str();
+  command->add_option("--heading", given->heading_deg, "At the start [deg].")
+      ->capture_default_str();
   command->add_flag("--flying", given->flying, "It begins in flight.");
-  command->add_option("--altitude", given->altitude,
-                      "Above the ground, where it begins in flight [m].")->capture_default_str();
+  command
+      ->add_option("--altitude", given->altitude,
+                   "Above the ground, where it begins in flight [m].")
+      ->capture_default_str();
   command->add_flag("--true-state", given->true_state,
                     "Its autopilot knows its true state, without sensors.");
-  command->add_option("--wind", given->wind_speed, "Of its own air [m/s].")->capture_default_str();
-  command->add_option("--wind-from", given->wind_from_deg, "[deg]")->capture_default_str();
-  command->add_option("--step", given->step, "Of its simulation [s].")->capture_default_str()
+  command->add_option("--wind", given->wind_speed, "Of its own air [m/s].")
+      ->capture_default_str();
+  command->add_option("--wind-from", given->wind_from_deg, "[deg]")
+      ->capture_default_str();
+  command->add_option("--step", given->step, "Of its simulation [s].")
+      ->capture_default_str()
       ->check(CLI::Range(0.005, 0.1));
-  command->add_option("--seed", given->seed, "Of its sensors' errors.")->capture_default_str();
+  command->add_option("--seed", given->seed, "Of its sensors' errors.")
+      ->capture_default_str();
   command->add_option("--for", given->duration, "End after so many seconds.")
       ->check(CLI::Range(0.1, 1e6));
   command->add_option("--out", given->out, "Folder for records; default: none.");
@@ -601,8 +619,8 @@ int run_program(int argc, char** argv) {
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  for (auto* add : {add_report, add_export, add_fire, add_link, add_vehicle, add_agent, add_study, add_campaign,
-                    add_completion})
+  for (auto* add : {add_report, add_export, add_fire, add_link, add_vehicle, add_study,
+                    add_campaign, add_completion})
     commands.push_back(add(program));
 
   try {

@@ -5,6 +5,9 @@ export interface Entity {
   entity_id: number; // its number
   name: string; // as the scenario has it
   kind: string; // aircraft or station
+  presence: "none" | "virtual" | "physical" | "both"; // corporeal presence: the world that its body is in
+  interaction: "none" | "virtual" | "physical" | "both"; // interactive capacity: the worlds that it perceives
+  updates: "none" | "virtual" | "physical" | "both"; // update capability: the worlds of which it may refresh what the server knows
 }
 
 /** The true state of a vehicle. */
@@ -517,11 +520,94 @@ export interface ChangeTask {
   to: string; // who goes on with it; empty: nobody
 }
 
+/** It shall change its mode. */
+export interface SetMode {
+  mode: "other" | "manual" | "stabilized" | "hold" | "guided" | "mission" | "take-off" | "return" | "land"; // to this
+}
+
+/** Its motors shall be ready to turn, or not. */
+export interface Arm {
+  arm: boolean; // ready
+  force: boolean; // whatever the checks say
+}
+
+/** It shall take off. */
+export interface TakeOff {
+  altitude_msl_m: number | null; // to climb to
+  course_deg: number | null; // of the run; null: as it stands
+}
+
+/** Flown from moment to moment by a bank. */
+export interface BankSetpoint {
+  roll_deg: number | null; // right positive
+  altitude_msl_m: number | null; // to be at
+  climb_rate_mps: number | null; // on the way there
+  airspeed_mps: number | null; // to fly
+}
+
+/** Flown from moment to moment along a line. */
+export interface TrackSetpoint {
+  north_m: number | null; // to be at now
+  east_m: number | null; // to be at now
+  altitude_msl_m: number | null; // to be at now
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  acceleration_north_m: number | null; // over ground
+  acceleration_east_m: number | null; // over ground
+  acceleration_down_m: number | null; // over ground
+  heading_deg: number | null; // null: its own
+}
+
+/** It shall fly at another airspeed. */
+export interface SetSpeed {
+  airspeed_mps: number | null; // from now on
+}
+
+/** One part of a stored mission. */
+export interface MissionItem {
+  kind: "take-off" | "waypoint" | "hold" | "speed" | "land" | "return" | "jump"; // what to do
+  north_m: number | null; // where
+  east_m: number | null; // where
+  altitude_msl_m: number | null; // where
+  hold_s: number | null; // of a hold; 0: for good
+  airspeed_mps: number | null; // to fly
+  to: number; // of a jump: the item to go on with
+  repeats: number; // of a jump: how often
+}
+
+/** Its stored mission is replaced. */
+export interface UploadMission {
+  items: MissionItem[]; // one after the other
+}
+
+/** Its stored mission is flown. */
+export interface StartMission {
+  item: number; // from this one on
+}
+
+/** What sticks say, sent over the link. */
+export interface Pilot {
+  input_time_s: number; // when
+  input_takes_over: boolean; // the pilot flies
+  input_mode: "manual" | "stabilized" | "auto" | "guided"; // manual or stabilized
+  input_roll: number | null; // stick, right positive, -1 to 1
+  input_pitch: number | null; // stick, nose up positive, -1 to 1
+  input_yaw: number | null; // stick, right positive, -1 to 1
+  input_throttle: number | null; // 0 to 1
+}
+
+/** What a program outside asks of an aircraft. */
+export interface Vehicle {
+  aircraft: string; // who
+  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot); // what
+}
+
 /** A command that somebody gave. */
 export interface CommandRecord {
   time_s: number; // it counts from this step on
   sender: string; // who gave it
-  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask)
+  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle)
 }
 
 /** A value that a plugin has recorded. */
@@ -595,4 +681,110 @@ export interface Arrival {
   steps: ArrivalStep[]; // the distribution
   phenomenon: number; // whose boundary
   mission: string; // whose belief
+}
+
+/** How a vehicle behind a link moves, as it says. */
+export interface Motion {
+  time_s: number; // when it was so
+  north_m: number | null; // position
+  east_m: number | null; // position
+  altitude_msl_m: number | null; // position
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  heading_deg: number; // attitude
+  roll_deg: number; // attitude
+  pitch_deg: number; // attitude
+  roll_rate_dps: number | null; // rates of turn
+  pitch_rate_dps: number | null; // rates of turn
+  yaw_rate_dps: number | null; // rates of turn
+  airspeed_mps: number | null; // 0: not measured
+  wind_north_mps: number | null; // as it estimates it
+  wind_east_mps: number | null; // as it estimates it
+  position_sd_m: number | null; // per horizontal axis
+}
+
+/** What a vehicle behind a link does, and how it is. */
+export interface Condition {
+  armed: boolean; // its motors may turn
+  on_ground: boolean; // it stands
+  ready: boolean; // its checks let it arm
+  emergency: boolean; // as it says of itself
+  mode: "other" | "manual" | "stabilized" | "hold" | "guided" | "mission" | "take-off" | "return" | "land"; // who flies it
+  mode_name: string; // as its make calls it
+  charge: number | null; // left, from 0 to 1
+  voltage_v: number | null; // 0: it does not say
+  current: number | null; // in ampere; 0: it does not say
+  position: boolean; // it knows where it is
+}
+
+/** Something happened to a link. */
+export interface LinkChange {
+  change: "up" | "down" | "rebooted" | "mismatch" | "duplicate"; // what
+  text: string; // for people
+}
+
+/** What became of a request to a vehicle. */
+export interface Answer {
+  number: number; // of the request
+  outcome: "accepted" | "denied" | "unsupported" | "no answer"; // what became of it
+  text: string; // a reason, if it gave one
+}
+
+/** Something that a vehicle says to people. */
+export interface Text {
+  severity: number; // 0: emergency, to 7: debug
+  text: string; // what
+}
+
+/** Where a vehicle is in its stored mission. */
+export interface MissionProgress {
+  current: number; // item flown now
+  finished: boolean; // the last one is done
+}
+
+/** What a vehicle behind a link is. */
+export interface Identity {
+  make: string; // of its autopilot
+  airframe: string; // as it says
+  hovers: boolean; // it can stay in one place
+  following: "places" | "bank" | "trajectory"; // by what it flies along a line
+}
+
+/** How a link did so far. */
+export interface LinkHealth {
+  received: number; // frames
+  lost: number; // frames, by the sender's count
+  damaged: number; // frames with a bad checksum
+  sent: number; // frames
+  dropped: number; // frames not sent in time
+  round_trip_s: number | null; // 0: not measured yet
+}
+
+/** What a vehicle behind a link has said: all that a run is told from outside. */
+export interface VehicleReport {
+  time_s: number; // of the step that took it in
+  entity_id: number; // whose
+  kind: string; // what it said: fields of ({ kind: "motion" } & Motion) | ({ kind: "condition" } & Condition) | ({ kind: "link_change" } & LinkChange) | ({ kind: "answer" } & Answer) | ({ kind: "text" } & Text) | ({ kind: "mission_progress" } & MissionProgress) | ({ kind: "identity" } & Identity) | ({ kind: "link_health" } & LinkHealth)
+}
+
+/** An object that exists in reality: an upright cylinder on the ground. */
+export interface PhysicalObject {
+  object_id: number; // which
+  radius_m: number | null; // of the cylinder
+  height_m: number | null; // above the ground
+}
+
+/** What became of an observation in the server's memory of the physical world. */
+export interface Observation {
+  time_s: number; // when it was taken in, refused or forgotten
+  object_id: number; // what was seen
+  seen_s: number; // when
+  north_m: number | null; // where
+  east_m: number | null; // where
+  position_sd_m: number | null; // per axis
+  class: "person" | "animal" | "vehicle" | "structure"; // what it is
+  entity_id: number; // who saw it
+  source: "none" | "virtual" | "physical" | "both"; // of the sensor: physical or virtual
+  fate: "remembered" | "late" | "refused" | "expired" | "not-found"; // what became of it
 }

@@ -10,6 +10,7 @@
 #include "skein/assemble/presence.h"
 #include "skein/assemble/sampling.h"
 #include "skein/assemble/sensor_kinds.h"
+#include "skein/assemble/server_memory.h"
 #include "skein/assemble/vehicle_context.h"
 #include "skein/assemble/vehicle_faults.h"
 #include "skein/geo/polygon.h"
@@ -170,6 +171,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   simulation::Entity entity;
   entity.name = name;
   entity.kind = "aircraft";
+  entity.reality = reality_of(group);
   entity.agent = std::move(agent).value();
   entity.vehicle = std::move(flown).value();
   entity.agent_period = group.agent_period;

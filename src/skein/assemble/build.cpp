@@ -13,6 +13,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
 #include "skein/assemble/sampling.h"
+#include "skein/assemble/server_memory.h"
 #include "skein/exchange/plan_reading.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
@@ -26,8 +27,9 @@
 #include "skein/link/world_link/entity_links.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
-#include "skein/scenario/zones.h"
+#include "skein/role/world_memory.h"
 #include "skein/scenario/utc.h"
+#include "skein/scenario/zones.h"
 #include "skein/simulation/commanded_wind.h"
 #include "skein/simulation/simulated_vehicle.h"
 
@@ -105,6 +107,8 @@ class Builder {
     build_.options = run_options(scenario_, kinds_.table());
     build_.options.commands = commands();
     build_.warnings = sampling_warnings(scenario_, kinds_.table());
+    for (std::string& warning : memory_warnings(scenario_))
+      build_.warnings.push_back(std::move(warning));
     for (std::string& warning : scenario::zone_warnings(scenario_.environment))
       build_.warnings.push_back(std::move(warning));
     if (std::all_of(scenario_.aircraft.begin(), scenario_.aircraft.end(),
@@ -216,6 +220,7 @@ class Builder {
       simulation::Entity& entity = all.emplace_back();
       entity.name = station.name;
       entity.kind = "station";
+      entity.reality = entity_reality(Reality::kVirtual, Reality::kNone);
       entity.agent = ground_station(teams_[k], std::move(wanted[k]));
       entity.agent_period = station.agent_period;
       entity.active = {{Time(), scenario_.duration + Time::from_ns(1)}};
@@ -384,11 +389,14 @@ class Builder {
     for (const scenario::PlacedObject& object : scenario_.environment.objects) {
       auto movement = kinds_.kinds().movement.make(object.movement,
                                                    {scenario_.seed, id, object.position});
-      if (note(movement))
-        build_.world.objects.emplace_back(GroundObject{id, object.name, object.what},
-                                          std::move(movement).value());
+      if (note(movement)) {
+        simulation::WorldObject& made = build_.world.objects.emplace_back(
+            GroundObject{id, object.name, object.what}, std::move(movement).value());
+        if (object.physical) made.body = body_of(object, id);
+      }
       ++id;
     }
+    build_.world.memory = server_memory(scenario_.environment.memory, build_.world, map_);
   }
 
   // Where ground stations are met, and who is shown there: all that is simulated.
@@ -396,8 +404,7 @@ class Builder {
     const scenario::Links& links = scenario_.links;
     for (const scenario::StationLink& link : links.ground_stations) {
       const auto address = transport::parse_endpoint(link.endpoint);
-      if (note(address))
-        build_.links->add_station({address.value(), link.is_signed});
+      if (note(address)) build_.links->add_station({address.value(), link.is_signed});
     }
     if (!links.ground_stations.empty()) show_aircraft();
     if (!links.key_file.empty()) {

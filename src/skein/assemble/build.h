@@ -18,7 +18,7 @@
 namespace skein::vehicle_links {
 class VehicleFeed;
 class VehicleLinks;
-}
+}  // namespace skein::vehicle_links
 namespace skein::world_link {
 class EntityLinks;
 class WorldClient;
@@ -59,7 +59,8 @@ struct Build {
 /// ground station, then the aircraft in the order of their groups.
 /// @param kinds     that the scenario was read with; the world does not need them any
 ///                  more.
-/// @param recorded  what vehicles that are not simulated said in a run that is done again;
+/// @param recorded  what vehicles that are not simulated said in a run that is done
+/// again;
 ///                  without, they speak for themselves.
 /// Fails: what terrain, wind or fire cannot be made from; an aircraft that starts inside
 ///        terrain or a no-fly zone.

@@ -15,8 +15,8 @@ void for_each_role(Visit visit) {
   using K = KindsByRole;
   const auto all = [&visit](auto... role) { (visit(role), ...); };
   all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::vehicle,
-      &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission, &K::radio, &K::estimator,
-      &K::strategy, &K::planner);
+      &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission, &K::radio,
+      &K::estimator, &K::strategy, &K::planner);
 }
 
 KindsByRole own_kinds() {

@@ -23,6 +23,13 @@ using Made = Result<std::unique_ptr<Vehicle>>;
 
 struct NoVehicleOptions {};
 
+// Banks reach an autopilot at the far end of a link, and take effect, this much later.
+autopilot::LateralOptions far_lateral() {
+  autopilot::LateralOptions options;
+  options.roll_lag = 0.8;
+  return options;
+}
+
 // A vehicle at the far end of a MAVLink connection.
 struct MavlinkOptions {
   std::string endpoint = "udpin:14551";
@@ -34,7 +41,7 @@ struct MavlinkOptions {
   Time silence = Time::from_seconds(3);
   Time max_age = Time::from_seconds(5);
   double bank_limit = geo::radians(45);
-  autopilot::LateralOptions lateral = {.roll_lag = 0.8};
+  autopilot::LateralOptions lateral = far_lateral();
 };
 
 std::string endpoint_error(const MavlinkOptions& options) {
@@ -86,9 +93,8 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
                              c.parts.name, system),
                  ""};
   vehicle_links::LinkedVehicle linked;
-  linked.endpoint.address =
-      transport::moved(transport::parse_endpoint(options.endpoint).value(),
-                       options.port_step * c.index);
+  linked.endpoint.address = transport::moved(
+      transport::parse_endpoint(options.endpoint).value(), options.port_step * c.index);
   linked.endpoint.is_signed = options.is_signed;
   linked.client.system = static_cast<std::uint8_t>(system);
   linked.client.hovers = c.aircraft.limits.slowest == 0;
@@ -127,8 +133,7 @@ Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
   parts.limits = c.aircraft.limits;
   parts.start = c.aircraft.initial;
   parts.max_age = options.max_age;
-  return std::unique_ptr<Vehicle>(
-      std::make_unique<mixed::RealVehicle>(std::move(parts)));
+  return std::unique_ptr<Vehicle>(std::make_unique<mixed::RealVehicle>(std::move(parts)));
 }
 
 // An entity whose vehicle and agent are both in another program: `skein agent`.
@@ -203,7 +208,9 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
             "An aircraft elsewhere, real or in another program, whose autopilot speaks "
             "MAVLink (ArduPilot, PX4, skein vehicle). Its plant here says what it can "
             "do; of its sensors the payload is here and looks at the virtual world.",
-            mavlink_fields(), make_mavlink);
+            mavlink_fields(), [](const MavlinkOptions& o, const VehicleContext& c) {
+              return make_mavlink(o, c);
+            });
   kinds.add("remote",
             "An aircraft whose agent is in another program too (skein agent). Of its "
             "parts here the payload looks at the virtual world.",

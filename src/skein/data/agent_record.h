@@ -15,7 +15,8 @@ namespace skein {
 /// What an agent may want to have recorded besides events: what it has measured or found,
 /// zones that it has put into force or taken back, what it believes about a boundary or
 /// an object now, what it forecasts, what its planners do, how its missions go, how
-/// far it is with a stored mission, a plugin's own. The simulation adds when, who, and what was true.
+/// far it is with a stored mission, a plugin's own. The simulation adds when, who, and
+/// what was true.
 using AgentRecord = std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief,
                                  PluginRecord, PlannerChange, ObjectBelief, MissionChange,
                                  PerimeterForecast, ArrivalForecast, MissionProgress>;

@@ -177,9 +177,10 @@ constexpr auto describe(const VehicleCommand*) {
 }
 
 /// New kinds go to the end: the place in this list is part of the wire form.
-using Command = std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand,
-                             StepCommand, SpeedCommand, FaultCommand, WindCommand,
-                             AddCommand, RemoveCommand, TaskChangeCommand, VehicleCommand>;
+using Command =
+    std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
+                 SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand,
+                 TaskChangeCommand, VehicleCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

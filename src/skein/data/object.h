@@ -36,6 +36,38 @@ constexpr auto describe(const GroundObject*) {
                       field("class", &T::what, "what it is"));
 }
 
+/// The body of an object that exists in reality: an upright cylinder on the ground.
+struct PhysicalObject {
+  std::uint32_t id = 0;  ///< GroundObject::id
+  double radius = 0;     ///< [m]
+  double height = 0;     ///< [m]
+};
+
+constexpr auto describe(const PhysicalObject*) {
+  using T = PhysicalObject;
+  return described<T>(
+      {"physical_object", "physical_objects"},
+      "An object that exists in reality: an upright cylinder on the ground.",
+      field("object_id", &T::id, "which"),
+      field("radius", &T::radius, unit::kMetre, "of the cylinder"),
+      field("height", &T::height, unit::kMetre, "above the ground"));
+}
+
+/// How large things of a class are, unless it is said [m].
+constexpr PhysicalObject typical_body(ObjectClass what) {
+  switch (what) {
+    case ObjectClass::kPerson:
+      return {0, 0.5, 2};
+    case ObjectClass::kAnimal:
+      return {0, 1, 1.5};
+    case ObjectClass::kVehicle:
+      return {0, 3, 3};
+    case ObjectClass::kStructure:
+      return {0, 5, 20};
+  }
+  return {};
+}
+
 /// An object as sensors may find it now.
 struct VisibleObject {
   std::uint32_t id = 0;  ///< GroundObject::id

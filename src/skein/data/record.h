@@ -14,6 +14,7 @@
 #include "skein/data/message.h"
 #include "skein/data/mission.h"
 #include "skein/data/object.h"
+#include "skein/data/observation.h"
 #include "skein/data/payload.h"
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
@@ -32,6 +33,7 @@ struct EntityRecord {
   EntityId id;
   std::string name;
   std::string kind;  ///< "aircraft" or "station"
+  EntityReality reality = {};
 };
 
 constexpr auto describe(const EntityRecord*) {
@@ -39,7 +41,8 @@ constexpr auto describe(const EntityRecord*) {
   return described<T>({"entity", "entities"}, "An aircraft or ground station.",
                       field("entity_id", &T::id, "its number"),
                       field("name", &T::name, "as the scenario has it"),
-                      field("kind", &T::kind, "aircraft or station"));
+                      field("kind", &T::kind, "aircraft or station"),
+                      field("", &T::reality, "physical or virtual"));
 }
 
 /// The true motion of a vehicle.
@@ -230,13 +233,32 @@ constexpr auto describe(const MissionProgressRecord*) {
                       field("", &T::progress, "the item"));
 }
 
+/// What became of an observation in the server's memory of the physical world: the newest
+/// that is remembered of an object, and not forgotten since, is what is known of it.
+struct ObservationRecord {
+  Time time;
+  Observation observation;
+  ObservationFate fate = ObservationFate::kRemembered;
+};
+
+constexpr auto describe(const ObservationRecord*) {
+  using T = ObservationRecord;
+  return described<T>(
+      {"observation", "observations"},
+      "What became of an observation in the server's memory of the physical world.",
+      field("time", &T::time, "when it was taken in, refused or forgotten"),
+      field("", &T::observation, "of what, by whom"),
+      field("fate", &T::fate, "what became of it"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record = std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading,
-                            Crossing, MessageRecord, PerimeterRecord, Event, ZoneRecord,
-                            GroundObject, Detection, Footprint, RangeScan, CommandRecord,
-                            PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
-                            MissionRecord, ForecastRecord, ArrivalRecord,
-                            VehicleReportRecord, MissionProgressRecord>;
+using Record =
+    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
+                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
+                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
+                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
+                 ForecastRecord, ArrivalRecord, VehicleReportRecord,
+                 MissionProgressRecord, PhysicalObject, ObservationRecord>;
 
 }  // namespace skein

@@ -94,7 +94,7 @@ constexpr auto names_of(const LinkChange::Kind*) {
 constexpr auto describe(const LinkChange*) {
   using T = LinkChange;
   return described<T>({"link_change"}, "Something happened to a link.",
-                      field("kind", &T::kind, "what"),
+                      field("change", &T::kind, "what"),
                       field("text", &T::text, "for people"));
 }
 

@@ -7,8 +7,8 @@
 namespace skein::mixed {
 namespace {
 
-const Time kAgain = Time::from_seconds(3);       // after a denial
-const Time kSettled = Time::from_seconds(5);     // on the ground: then motors off
+const Time kAgain = Time::from_seconds(3);    // after a denial
+const Time kSettled = Time::from_seconds(5);  // on the ground: then motors off
 constexpr double kArrival = 8;  // from the altitude of a take-off, counted as there [m]
 
 bool by_sticks(VehicleMode mode) {
@@ -94,8 +94,7 @@ bool FlightDirector::is_wanted(VehicleMode mode) const {
     case Goal::kFly:
       return mode == VehicleMode::kGuided;
     case Goal::kLand:
-      return mode == VehicleMode::kLand ||
-             (!hovers_ && mode == VehicleMode::kMission);
+      return mode == VehicleMode::kLand || (!hovers_ && mode == VehicleMode::kMission);
   }
   return true;
 }

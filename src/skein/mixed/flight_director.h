@@ -42,9 +42,7 @@ class FlightDirector {
 
   bool up() const { return up_; }
   /// Setpoints are of use: it is guided, or is to become so.
-  bool takes_setpoints() const {
-    return up_ && goal_ == Goal::kFly && !taken_;
-  }
+  bool takes_setpoints() const { return up_ && goal_ == Goal::kFly && !taken_; }
   /// It is in the mode that was asked for.
   bool reached() const { return reached_; }
   /// Somebody else has it; then in which mode.
@@ -73,9 +71,9 @@ class FlightDirector {
   Goal goal_ = Goal::kNone;
   TakeOffRequest take_off_;
   LandRequest land_;
-  bool up_ = false, was_up_ = false;
-  bool came_up_ = false;   // since the last step
-  bool started_ = false;   // what was asked for was accepted
+  bool up_ = false;
+  bool came_up_ = false;  // since the last step
+  bool started_ = false;  // what was asked for was accepted
   bool reached_ = false, done_ = false, taken_ = false;
   VehicleMode last_mode_ = VehicleMode::kOther;
   std::string last_name_;

@@ -30,9 +30,8 @@ VehicleMotion MotionTracker::at(Time now) const {
   const Vec2 v = geo::horizontal(m.v_N);
   const double speed = v.norm();
   const double roll = geo::to_euler(m.q_NB).roll;
-  const double rate = turns_by_banking_ && speed > kMinSpeed
-                          ? kGravity * math::tan(roll) / speed
-                          : 0.0;
+  const double rate =
+      turns_by_banking_ && speed > kMinSpeed ? kGravity * math::tan(roll) / speed : 0.0;
   const double turning = std::min(age, kBelievedTurn), half = rate * turning / 2;
   const double sinc = std::abs(half) > 1e-6 ? math::sin(half) / half : 1.0;
   const Vec2 after = turned(v, 2 * half);

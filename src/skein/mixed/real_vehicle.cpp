@@ -114,7 +114,7 @@ void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out)
   const VehicleState state = as_state(tracker_.at(now), condition_.on_ground);
   Air air;
   air.wind_N = world.wind.wind(state.p_N, now);
-  SensorView view{now,           state,         air, world.terrain, world.phenomena,
+  SensorView view{now,           state,       air, world.terrain, world.phenomena,
                   world.objects, std::nullopt};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - state.p_N;
   for (const auto& sensor : parts_.payload) {
@@ -128,7 +128,10 @@ void RealVehicle::advance(const Surroundings&, Time now, Time until, const Vehic
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
   if (!tracker_.known()) return;
   const VehicleMotion motion = tracker_.at(now);
-  parts_.guidance->sense(TruthSample{now, motion.p_N, motion.v_N, motion.q_NB,
+  parts_.guidance->sense(TruthSample{now,
+                                     motion.p_N,
+                                     motion.v_N,
+                                     motion.q_NB,
                                      motion.w_NB_B,
                                      {motion.wind_N.x(), motion.wind_N.y(), 0}});
   if (fresh(now) && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
@@ -174,10 +177,10 @@ CommandFate RealVehicle::command_fate() const {
   const AutopilotStatus status = parts_.guidance->status();
   if (status.refusals > refusals_before_)
     return {commands_, CommandFate::State::kRefused, status.refused};
-  return {commands_,
-          director_.reached() ? CommandFate::State::kAccepted
-                              : CommandFate::State::kPending,
-          {}};
+  return {
+      commands_,
+      director_.reached() ? CommandFate::State::kAccepted : CommandFate::State::kPending,
+      {}};
 }
 
 void RealVehicle::set_return(const ReturnRoute& route) {

@@ -24,8 +24,8 @@ struct RealVehicleParts {
   std::unique_ptr<Autopilot> guidance;
   std::vector<std::unique_ptr<Sensor>> payload;  ///< virtual: they look at the world here
   FlightLimits limits;
-  NavEstimate start;                        ///< where it is believed until it says so
-  Time max_age = Time::from_seconds(5);     ///< older motions are good for nothing
+  NavEstimate start;                     ///< where it is believed until it says so
+  Time max_age = Time::from_seconds(5);  ///< older motions are good for nothing
 };
 
 /// A vehicle that is not simulated here: a real aircraft, or one in another program. Its

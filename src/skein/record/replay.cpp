@@ -29,9 +29,8 @@ Result<RecordedRun> read_recorded(const std::filesystem::path& directory) {
       [&](CommandRecord command) { run.commands.push_back(std::move(command)); });
   if (!done) return done.error();
   done = for_each_record<VehicleReportRecord>(
-      database, "ORDER BY rowid", [&](VehicleReportRecord report) {
-        run.reports.push_back(std::move(report));
-      });
+      database, "ORDER BY rowid",
+      [&](VehicleReportRecord report) { run.reports.push_back(std::move(report)); });
   if (!done) return done.error();
   bool interrupted = false;
   double simulated = 0;

@@ -13,10 +13,10 @@ namespace skein::record {
 
 /// What a run needs to be done again, besides its scenario.
 struct RecordedRun {
-  std::vector<CommandRecord> commands;      ///< as they were given, in order
+  std::vector<CommandRecord> commands;       ///< as they were given, in order
   std::vector<VehicleReportRecord> reports;  ///< of vehicles behind links, in order
-  std::optional<std::string> content_hash;  ///< none: the run was cut off
-  std::optional<Time> interrupted;          ///< its first step that was not made
+  std::optional<std::string> content_hash;   ///< none: the run was cut off
+  std::optional<Time> interrupted;           ///< its first step that was not made
 };
 
 /// Reads the run in `directory`.

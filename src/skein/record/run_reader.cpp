@@ -61,8 +61,8 @@ class Reader {
          {&Reader::schema, &Reader::meta, &Reader::entities, &Reader::duration,
           &Reader::events, &Reader::metrics, &Reader::forecasts, &Reader::tracks,
           &Reader::estimates, &Reader::readings, &Reader::messages, &Reader::perimeters,
-          &Reader::crossings, &Reader::payload, &Reader::zones, &Reader::missions,
-          &Reader::terrain, &Reader::summary})
+          &Reader::crossings, &Reader::payload, &Reader::memory, &Reader::zones,
+          &Reader::missions, &Reader::terrain, &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -92,7 +92,7 @@ class Reader {
 
   Result<void> entities() {
     return records<EntityRecord>("", [this](EntityRecord entity) {
-      statistics_.entity(entity.id, entity.name, entity.kind);
+      statistics_.entity(entity);
       run_.entities.push_back(std::move(entity));
     });
   }
@@ -127,8 +127,8 @@ class Reader {
                      [](const Event& a, const Event& b) { return a.time < b.time; });
     run_.events_left_out = total - static_cast<int>(run_.events.size());
     done = rows(
-        "SELECT kind, text, entity_id FROM events WHERE kind IN ('accident', 'failsafe')"
-        " ORDER BY rowid",
+        "SELECT kind, text, entity_id FROM events WHERE kind IN ('accident', 'failsafe',"
+        " 'non-actual-observation', 'unknown-object-interaction') ORDER BY rowid",
         [this](const Statement& row) {
           statistics_.event({Time(), entity_id(row, 2), row.text(0), row.text(1)});
         });
@@ -387,6 +387,17 @@ class Reader {
     if (!done) return done;
     return rows("SELECT 1 FROM ranges",
                 [this](const Statement&) { statistics_.payload().ranges(); });
+  }
+
+  // Only for the counts of a run that was cut off.
+  Result<void> memory() {
+    auto done = rows("SELECT 1 FROM physical_objects", [this](const Statement&) {
+      statistics_.memory().physical_object();
+    });
+    if (!done) return done;
+    return records<ObservationRecord>("", [this](const ObservationRecord& record) {
+      statistics_.memory().observation(record.fate);
+    });
   }
 
   Result<void> terrain() {

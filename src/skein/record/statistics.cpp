@@ -9,7 +9,7 @@ namespace {
 struct Taker {
   RunStatistics& statistics;
 
-  void operator()(const EntityRecord& r) { statistics.entity(r.id, r.name, r.kind); }
+  void operator()(const EntityRecord& r) { statistics.entity(r); }
   void operator()(const TruthRecord& r) {
     statistics.truth(r.time, r.id, r.state.p_N, r.state.energy.charge);
     statistics.missions().truth(r.time, r.id, r.state.p_N);
@@ -49,6 +49,8 @@ struct Taker {
   void operator()(const ForecastRecord& r) { statistics.forecasts().forecast(r); }
   void operator()(const ArrivalRecord& r) { statistics.forecasts().arrival(r); }
   void operator()(const RangeScan&) { statistics.payload().ranges(); }
+  void operator()(const PhysicalObject&) { statistics.memory().physical_object(); }
+  void operator()(const ObservationRecord& r) { statistics.memory().observation(r.fate); }
   // No figures are made of these.
   void operator()(const ZoneRecord&) {}
   void operator()(const CommandRecord&) {}
@@ -64,10 +66,10 @@ void RunStatistics::take(const Record& record) {
   std::visit(Taker{*this}, record);
 }
 
-void RunStatistics::entity(EntityId id, const std::string& name,
-                           const std::string& kind) {
-  flights_[id].name = name;
-  if (kind == "aircraft") ++aircraft_;
+void RunStatistics::entity(const EntityRecord& entity) {
+  flights_[entity.id].name = entity.name;
+  if (entity.kind == "aircraft") ++aircraft_;
+  memory_.entity(entity.reality);
 }
 
 void RunStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
@@ -89,6 +91,7 @@ void RunStatistics::message(bool lost) {
 
 void RunStatistics::event(const Event& event) {
   flight_statistics_.event(event);
+  memory_.event(event);
   if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
   if (event.kind == "over-confident" || event.kind == "trusted") judged_ = true;
   if (event.kind == "over-confident" && !over_confident_since_)
@@ -167,6 +170,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   payload_.add_figures(out);
   missions_.add_figures(out);
   forecasts_.add_figures(out);
+  memory_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

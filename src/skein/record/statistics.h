@@ -10,6 +10,7 @@
 #include "skein/record/believer.h"
 #include "skein/record/flight_statistics.h"
 #include "skein/record/forecast_statistics.h"
+#include "skein/record/memory_statistics.h"
 #include "skein/record/metrics.h"
 #include "skein/record/mission/mission_statistics.h"
 #include "skein/record/payload_statistics.h"
@@ -25,7 +26,7 @@ class RunStatistics {
   /// Takes in what a run gives its recorders.
   void take(const Record& record);
 
-  void entity(EntityId id, const std::string& name, const std::string& kind);
+  void entity(const EntityRecord& entity);
   void truth(Time time, EntityId id, const Vec3& p_N, double charge);
   /// See FlightStatistics.
   void estimate(Time time, EntityId id, const Vec3& p_N,
@@ -36,6 +37,7 @@ class RunStatistics {
   PayloadStatistics& payload() { return payload_; }
   MissionStatistics& missions() { return missions_; }
   ForecastStatistics& forecasts() { return forecasts_; }
+  MemoryStatistics& memory() { return memory_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
@@ -78,6 +80,7 @@ class RunStatistics {
   PayloadStatistics payload_;
   MissionStatistics missions_;
   ForecastStatistics forecasts_;
+  MemoryStatistics memory_;
   ReadingAges ages_;
   std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs
   std::optional<Time> allocation_start_;

@@ -7,6 +7,7 @@
 
 #include "skein/base/time.h"
 #include "skein/data/object.h"
+#include "skein/data/observation.h"
 #include "skein/geo/local_frame.h"
 #include "skein/geo/polygon.h"
 #include "skein/scenario/choice.h"
@@ -20,6 +21,16 @@ struct PlacedObject {
   ObjectClass what = ObjectClass::kPerson;
   Vec2 position = Vec2::Zero();  ///< at the start [m]
   Choice movement{"standing"};
+  bool physical = false;         ///< it exists in reality
+  std::optional<double> radius;  ///< of its body [m]; none: typical of its class
+  std::optional<double> height;  ///< of its body [m]; none: typical of its class
+};
+
+/// What the server remembers of physical objects, and when it says that this was wrong.
+struct ServerMemory {
+  ForgettingRules forgetting;
+  double moved = 5;           ///< beyond three standard deviations [m]
+  double safety_radius = 10;  ///< [m]
 };
 
 /// A single gust that every aircraft meets: it rises and falls as 1 - cos.
@@ -61,6 +72,7 @@ struct Environment {
   std::vector<geo::Ring> zone_rings;  ///< no-fly zones, at all altitudes and times [m]
   std::vector<NoFlightZone> zones;
   std::vector<PlacedObject> objects;
+  ServerMemory memory;
 };
 
 /// How the aircraft of a group stand at the start.
@@ -122,8 +134,10 @@ struct AircraftGroup {
   Choice autopilot{"path"};
   std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
   Choice agent{"scout"};
-  std::string station;        ///< that it belongs to; empty: the first
-  double altitude_agl = 120;  ///< [m]
+  std::optional<bool> physical;     ///< its body is real; none: unless it is simulated
+  std::optional<Reality> observes;  ///< none: what is simulated here sees its own world
+  std::string station;              ///< that it belongs to; empty: the first
+  double altitude_agl = 120;        ///< [m]
   Time agent_period = Time::from_seconds(0.5);
   Start start;
   std::optional<Time> flight_step;  ///< of plant and autopilot; none: as the plant needs

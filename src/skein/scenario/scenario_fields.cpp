@@ -94,7 +94,78 @@ Fields<PlacedObject> object_fields() {
              {"animal", ObjectClass::kAnimal, "remembered for 5 minutes"},
              {"vehicle", ObjectClass::kVehicle, "remembered for 5 minutes"},
              {"structure", ObjectClass::kStructure, "stands; never forgotten"}})
-      .kind("movement", &T::movement, "movement", "How it moves.");
+      .kind("movement", &T::movement, "movement", "How it moves.")
+      .boolean(
+          "physical", &T::physical,
+          "It exists in reality (here its motion stands for it): the server knows of "
+          "it only what physical sensors have seen.")
+      .number("radius_m", &T::radius,
+              "Physical: of its body, an upright cylinder. Null: person 0.5, animal 1, "
+              "vehicle 3, structure 5.",
+              {.above = 0, .at_most = 10000})
+      .number("height_m", &T::height,
+              "Physical: of its body. Null: person 2, animal 1.5, vehicle 3, structure "
+              "20.",
+              {.above = 0, .at_most = 10000})
+      .rule("physical", [](const T& t) {
+        return !t.physical && (t.radius || t.height)
+                   ? std::string(
+                         "is needed: only physical objects have radius_m and "
+                         "height_m.")
+                   : std::string();
+      });
+}
+
+Fields<ServerMemory> memory_fields() {
+  using T = ServerMemory;
+  constexpr Range kAge{.above = 0};
+  constexpr Range kDistance{.at_least = 0, .at_most = 10000};
+  constexpr IntegerRange kLooks{.at_least = 1, .at_most = 1000};
+  const auto max_age = [](ObjectClass what) {
+    return [what](T & t) -> auto& {
+      return t.forgetting.max_age[static_cast<std::size_t>(what)];
+    };
+  };
+  return Fields<T>()
+      .word("model", [](T & t) -> auto& { return t.forgetting.model; },
+            "What makes the server forget where a physical object was seen.",
+            {{"temporal", ForgettingModel::kTemporal, "its age"},
+             {"logical", ForgettingModel::kLogical,
+              "physical sensors that looked there and did not find it"}})
+      .duration_s("person_max_age_s", max_age(ObjectClass::kPerson),
+                  "Temporal: how long a person is remembered unseen. Null: for good.",
+                  kAge)
+      .duration_s("animal_max_age_s", max_age(ObjectClass::kAnimal),
+                  "Temporal: how long an animal is remembered unseen. Null: for good.",
+                  kAge)
+      .duration_s("vehicle_max_age_s", max_age(ObjectClass::kVehicle),
+                  "Temporal: how long a vehicle is remembered unseen. Null: for good.",
+                  kAge)
+      .duration_s("structure_max_age_s", max_age(ObjectClass::kStructure),
+                  "Temporal: how long a structure is remembered unseen. Null: for good.",
+                  kAge)
+      .word("stable", [](T & t) -> auto& { return t.forgetting.stable; },
+            "Classes that do not move; all others are unstable.",
+            {{"person", ObjectClass::kPerson, "people"},
+             {"animal", ObjectClass::kAnimal, "animals"},
+             {"vehicle", ObjectClass::kVehicle, "vehicles"},
+             {"structure", ObjectClass::kStructure, "structures"}})
+      .integer(
+          "unstable_looks", [](T & t) -> auto& { return t.forgetting.unstable_looks; },
+          "Pictures of its place, one after the other, without it, after which an "
+          "unstable object is not there any more. Logical: it is forgotten.",
+          kLooks)
+      .integer(
+          "stable_looks", [](T & t) -> auto& { return t.forgetting.stable_looks; },
+          "The same of a stable object.", kLooks)
+      .number("moved_m", &T::moved,
+              "Seen further than this and three standard deviations from where it was "
+              "remembered, it has moved.",
+              kDistance)
+      .number("safety_radius_m", &T::safety_radius,
+              "A virtual aircraft that passed the body of a stable object nearer than "
+              "this, before anybody had seen it, would have met it.",
+              kDistance);
 }
 
 Fields<Environment> environment_fields() {
@@ -123,7 +194,10 @@ Fields<Environment> environment_fields() {
       .rules_of_valid(zone_list_errors)
       .object("objects", &T::objects, object_fields(),
               "Things on the ground, for cameras to find.")
-      .items({.at_most = 10000});
+      .items({.at_most = 10000})
+      .object(
+          "memory", &T::memory, memory_fields(),
+          "What the server remembers of physical objects; see docs/mixed-reality.md.");
 }
 
 Fields<Start> start_fields() {
@@ -225,6 +299,15 @@ std::string positions_error(const AircraftGroup& group) {
                      group.count);
 }
 
+std::string observes_error(const AircraftGroup& group) {
+  const bool physical = group.physical.value_or(group.vehicle.kind != "simulated");
+  return group.observes == Reality::kPhysical && !physical
+             ? std::string(
+                   "physical needs physical: true: what is simulated sees the "
+                   "physical world beside its own. Say both.")
+             : std::string();
+}
+
 std::string failures_error(const AircraftGroup& group) {
   for (const Failure& failure : group.failures) {
     if (failure.aircraft >= group.count) {
@@ -253,6 +336,18 @@ Fields<AircraftGroup> aircraft_fields() {
       .kind("sensors", &T::sensors, "sensor", "What it senses with.")
       .items({.at_most = 50})
       .kind("agent", &T::agent, "agent", "What reasons on board.")
+      .boolean("physical", &T::physical,
+               "Its body exists in reality. A simulated one stands for a real one then, "
+               "and so do its sensors. Null: unless it is simulated.")
+      .word("observes", &T::observes,
+            "Which objects its sensors see. Null: virtual; physical for a simulated "
+            "aircraft that is physical.",
+            {{"virtual", Reality::kVirtual, "those that exist in the simulation"},
+             {"physical", Reality::kPhysical, "those that exist in reality"},
+             {"both", Reality::kBoth,
+              "all of them; what has no physical body sees physical objects where the "
+              "server remembers them"}})
+      .rule("observes", observes_error)
       .text("station", &T::station,
             "Ground station that it belongs to. Empty: the first.")
       .number("altitude_agl_m", &T::altitude_agl, "Flight altitude above ground.",
@@ -339,13 +434,15 @@ Fields<Links> links_fields() {
             "What simulated aircraft look like to ground stations.",
             {{"ardupilot", ShownAs::kArduPilot, "ArduPilot"},
              {"px4", ShownAs::kPx4, "PX4"}})
-      .integer("first_system", &Links::first_system,
-               "System id of the first simulated aircraft; the others follow, 250 on each "
-               "port.",
-               {.at_least = 1, .at_most = 250})
+      .integer(
+          "first_system", &Links::first_system,
+          "System id of the first simulated aircraft; the others follow, 250 on each "
+          "port.",
+          {.at_least = 1, .at_most = 250})
       .file("key_file", &Links::key_file,
             "With the key of signed links, which nobody else may be able to read; \"\": "
-            "none.");
+            "none.",
+            {.may_be_empty = true});
 }
 
 // Periods that are no whole number of steps.

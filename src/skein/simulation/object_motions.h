@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "skein/data/object.h"
+#include "skein/data/observation.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/recorder.h"
 #include "skein/simulation/world.h"
@@ -18,17 +19,31 @@ class ObjectMotions {
   /// @param objects  of the world; kept as a reference.
   explicit ObjectMotions(std::vector<WorldObject>& objects);
 
-  void advance(const ObjectView& view);
+  /// @param view      with all aircraft.
+  /// @param physical  with those that exist in reality: physical objects notice no
+  /// others.
+  void advance(const ObjectView& view, const ObjectView& physical);
+
+  /// What is remembered of the physical ones, for whoever is not there: until the next
+  /// call.
+  void remember(std::span<const VisibleObject> remembered);
 
   /// Records those that do not go on as was recorded of them last.
   void record(Time now, Recorder& recorder);
 
-  /// All, as of the last advance().
-  std::span<const VisibleObject> visible() const { return visible_; }
+  /// Whether one of them exists in reality.
+  bool any_physical() const { return any_physical_; }
+
+  /// What an entity's sensors may find, as of the last advance(). Whoever has a body in
+  /// reality finds physical objects where they are, others where they are remembered.
+  std::span<const VisibleObject> visible_to(const EntityReality& entity) const;
 
  private:
   std::vector<WorldObject>& objects_;
-  std::vector<VisibleObject> visible_;
+  bool any_physical_ = false;
+  std::vector<VisibleObject> all_;
+  std::vector<VisibleObject> physical_, virtual_;  // empty without physical ones
+  std::vector<VisibleObject> remembered_;          // with the virtual ones
   std::vector<std::optional<ObjectMotion>> recorded_;
 };
 

@@ -64,8 +64,9 @@ class CommandServer {
       steps_ += paused_ ? step->steps : 0;
     } else if (const auto* speed = std::get_if<SpeedCommand>(&given.command)) {
       if (options_.real_time_only && speed->factor != 1)
-        stepper_.refuse(now, "aircraft that are not simulated fly in real time: no other "
-                             "speed can be had.");
+        stepper_.refuse(now,
+                        "aircraft that are not simulated fly in real time: no other "
+                        "speed can be had.");
       else if (options_.clock_by_command)
         pace_.set_speed(speed->factor, now);
     }

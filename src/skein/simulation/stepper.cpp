@@ -12,6 +12,7 @@
 #include "skein/role/phenomenon.h"
 #include "skein/role/radio.h"
 #include "skein/role/terrain.h"
+#include "skein/role/world_memory.h"
 #include "skein/simulation/commanded_wind.h"
 #include "skein/simulation/fork_join.h"
 #include "skein/simulation/payload_log.h"
@@ -53,19 +54,24 @@ Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
       recorder_(recorder),
       arena_(options.threads),
       objects_(world.objects),
+      tap_(recorder),
       states_(world.entities.size()) {
   for (const auto& each : world_.phenomena) phenomena_.push_back(each.get());
 }
 
-Surroundings Stepper::surroundings() const {
-  return {*world_.terrain, *world_.wind, phenomena_, objects_.visible()};
+Surroundings Stepper::surroundings(std::size_t i) const {
+  return {*world_.terrain, *world_.wind, phenomena_,
+          objects_.visible_to(world_.entities[i].reality)};
 }
 
 void Stepper::introduce() {
   for (std::size_t i = 0; i < world_.entities.size(); ++i)
-    recorder_.record(
-        EntityRecord{id_of(i), world_.entities[i].name, world_.entities[i].kind});
-  for (const WorldObject& each : world_.objects) recorder_.record(each.object);
+    recorder_.record(EntityRecord{id_of(i), world_.entities[i].name,
+                                  world_.entities[i].kind, world_.entities[i].reality});
+  for (const WorldObject& each : world_.objects) {
+    recorder_.record(each.object);
+    if (each.body) recorder_.record(*each.body);
+  }
   for (const Zone& zone : world_.zones)
     recorder_.record(ZoneRecord{Time(), {0, true, zone}});
 }
@@ -77,6 +83,7 @@ Result<void> Stepper::step(Time now) {
   update_presence(now);
   update_parts(now);
   look(now);
+  record_memory();
   think(now);
   exchange(now);
   record_vehicles(now);
@@ -115,13 +122,22 @@ void Stepper::for_each(Body body) {
 void Stepper::move_objects(Time now) {
   if (world_.objects.empty()) return;
   aircraft_places_.clear();
+  physical_places_.clear();
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Vehicle* vehicle = world_.entities[i].vehicle.get();
     if (!states_[i].active || !vehicle) continue;
     const VehicleState* truth = vehicle->truth();
-    aircraft_places_.push_back(truth ? truth->p_N : vehicle->estimate().p_N);
+    const Vec3 place = truth ? truth->p_N : vehicle->estimate().p_N;
+    aircraft_places_.push_back(place);
+    if (world_.entities[i].reality.presence == Reality::kPhysical)
+      physical_places_.push_back(place);
+    if (world_.memory) world_.memory->take_position(now, id_of(i), place);
   }
-  objects_.advance({now, aircraft_places_});
+  objects_.advance({now, aircraft_places_}, {now, physical_places_});
+  if (world_.memory) {
+    world_.memory->begin_step(now);
+    objects_.remember(world_.memory->remembered());
+  }
   if (due(now, options_.record_period)) objects_.record(now, recorder_);
 }
 
@@ -135,7 +151,7 @@ void Stepper::update_presence(Time now) {
     state.active = active;
     state.inbox.clear();
     if (active && entity.vehicle) {
-      entity.vehicle->begin(surroundings(), now);
+      entity.vehicle->begin(surroundings(i), now);
       state.last_status = entity.vehicle->status();
       state.was_on_ground = state.last_status.on_ground;
     }
@@ -167,25 +183,42 @@ void Stepper::look(Time now) {
     if (!state.active || !world_.entities[i].vehicle) return;
     state.fresh = state.payload.samples.size();
     state.payload.ends.clear();
-    world_.entities[i].vehicle->look(surroundings(), now, state.payload);
+    world_.entities[i].vehicle->look(surroundings(i), now, state.payload);
   });
-  log_payload_samples();
+  log_payload_samples(now);
 }
 
 // What cameras and ranging sensors have said in this step.
-void Stepper::log_payload_samples() {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    const EntityState& state = states_[i];
-    const std::span<const SensorSample> samples = state.payload.samples;
-    if (!state.active || state.fresh == samples.size()) continue;
-    const NavEstimate nav = world_.entities[i].vehicle->estimate();
-    std::size_t begin = state.fresh;
-    for (std::uint32_t k = 0; k < state.payload.ends.size(); ++k) {
-      const std::size_t end = state.payload.ends[k];
-      log_payload(samples.subspan(begin, end - begin), id_of(i), k, nav, recorder_);
-      begin = end;
-    }
+void Stepper::log_payload_samples(Time now) {
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].active && states_[i].fresh < states_[i].payload.samples.size())
+      log_payload_samples(now, i);
+}
+
+void Stepper::log_payload_samples(Time now, std::size_t i) {
+  const EntityState& state = states_[i];
+  const std::span<const SensorSample> samples = state.payload.samples;
+  const NavEstimate nav = world_.entities[i].vehicle->estimate();
+  Recorder& recorder = world_.memory ? tap_ : recorder_;
+  std::size_t begin = state.fresh;
+  for (std::uint32_t k = 0; k < state.payload.ends.size(); ++k) {
+    const std::size_t end = state.payload.ends[k];
+    log_payload(samples.subspan(begin, end - begin), id_of(i), k, nav, recorder);
+    begin = end;
+    if (!world_.memory) continue;
+    world_.memory->take_payload(now, id_of(i), tap_.pictures, tap_.detections);
+    tap_.clear();
   }
+}
+
+// What has become of what was seen of the physical world.
+void Stepper::record_memory() {
+  if (!world_.memory) return;
+  observations_.clear();
+  memory_events_.clear();
+  world_.memory->take_news(observations_, memory_events_);
+  for (const ObservationRecord& each : observations_) recorder_.record(each);
+  for (const Event& each : memory_events_) record_event(each);
 }
 
 void Stepper::think(Time now) {
@@ -284,7 +317,7 @@ void Stepper::advance(Time now, Time until) {
     if (!states_[i].active || !vehicle) return;
     const Vehicle* next =
         i + 1 < states_.size() ? world_.entities[i + 1].vehicle.get() : nullptr;
-    vehicle->advance(surroundings(), now, until, next);
+    vehicle->advance(surroundings(i), now, until, next);
     states_[i].status = vehicle->status();  // as long as it is at hand
     states_[i].lost = vehicle->lost();
   });

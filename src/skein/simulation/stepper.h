@@ -11,6 +11,7 @@
 #include "skein/role/recorder.h"
 #include "skein/role/vehicle.h"
 #include "skein/simulation/object_motions.h"
+#include "skein/simulation/payload_tap.h"
 #include "skein/simulation/refusals.h"
 #include "skein/simulation/run.h"
 #include "skein/simulation/world.h"
@@ -63,7 +64,9 @@ class Stepper {
   void update_presence(Time now);
   void update_parts(Time now);
   void look(Time now);
-  void log_payload_samples();
+  void log_payload_samples(Time now);
+  void log_payload_samples(Time now, std::size_t i);
+  void record_memory();
   void think(Time now);
   void think(Time now, Entity& entity, EntityState& state);
   void exchange(Time now);
@@ -83,14 +86,17 @@ class Stepper {
   void obey(Time now, const Command& command);
   template <class Body>
   void for_each(Body body);  // body(i) for every entity
-  Surroundings surroundings() const;
+  Surroundings surroundings(std::size_t i) const;
 
   World& world_;
   const RunOptions& options_;
   Recorder& recorder_;
   oneapi::tbb::task_arena arena_;
   ObjectMotions objects_;
-  std::vector<Vec3> aircraft_places_;
+  std::vector<Vec3> aircraft_places_, physical_places_;
+  PayloadTap tap_;
+  std::vector<ObservationRecord> observations_;
+  std::vector<Event> memory_events_;
   std::vector<const Phenomenon*> phenomena_;
   std::vector<EntityState> states_;
   std::vector<Message> arrived_, lost_;

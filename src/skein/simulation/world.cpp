@@ -8,6 +8,7 @@
 #include "skein/role/radio.h"
 #include "skein/role/terrain.h"
 #include "skein/role/vehicle.h"
+#include "skein/role/world_memory.h"
 #include "skein/simulation/commanded_wind.h"
 
 namespace skein::simulation {

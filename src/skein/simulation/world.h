@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/object.h"
+#include "skein/data/observation.h"
 #include "skein/data/zone.h"
 
 namespace skein {
@@ -16,6 +18,7 @@ class Phenomenon;
 class Radio;
 class Terrain;
 class Vehicle;
+class WorldMemory;
 }  // namespace skein
 
 namespace skein::simulation {
@@ -36,7 +39,9 @@ struct Entity {
   ~Entity();
 
   std::string name;
-  std::string kind;                  ///< "aircraft" or "station"
+  std::string kind;  ///< "aircraft" or "station"
+  /// Which objects its sensors see, and how.
+  EntityReality reality = entity_reality(Reality::kVirtual, Reality::kVirtual);
   std::unique_ptr<Agent> agent;      ///< never null
   std::unique_ptr<Vehicle> vehicle;  ///< null for a station
   Time agent_period;                 ///< a multiple of the step
@@ -52,6 +57,7 @@ struct WorldObject {
 
   GroundObject object;
   std::unique_ptr<MovingObject> movement;  ///< never null
+  std::optional<PhysicalObject> body;      ///< of one that exists in reality
 };
 
 /// Everything that exists in a run. Entity k has EntityId k.
@@ -67,6 +73,8 @@ struct World {
   std::unique_ptr<Radio> radio;
   std::vector<Entity> entities;
   std::vector<WorldObject> objects;
+  /// What is known of the physical ones; null where there are none.
+  std::unique_ptr<WorldMemory> memory;
   std::vector<Zone> zones;  ///< in force from the start; for the records
 };
 

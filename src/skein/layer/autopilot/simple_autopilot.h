@@ -30,12 +30,12 @@ struct SimpleAutopilotOptions {
 /// A repeated path goes on where it is, so that only its altitude changes.
 /// Until the first command it circles the place where it was made.
 ///
-/// Plans, waypoints, banks, take-off, landing and return are flown by FixedWingGuidance with the
-/// same gains; its lateral acceleration a becomes tan(roll) = a / (g cos(drift angle)).
-/// Of these, what cannot be flown is refused (AutopilotStatus::refused) and the old
-/// command goes on. The vehicle starts in the air and has no wheels: take-off climbs, and
-/// a landing ends 30 m above the ground, in a circle around the point. Valid: turns too
-/// tight even then are flown as tightly as the vehicle can and joined again; see
+/// Plans, waypoints, banks, take-off, landing and return are flown by FixedWingGuidance
+/// with the same gains; its lateral acceleration a becomes tan(roll) = a / (g cos(drift
+/// angle)). Of these, what cannot be flown is refused (AutopilotStatus::refused) and the
+/// old command goes on. The vehicle starts in the air and has no wheels: take-off climbs,
+/// and a landing ends 30 m above the ground, in a circle around the point. Valid: turns
+/// too tight even then are flown as tightly as the vehicle can and joined again; see
 /// docs/aircraft.md.
 class SimpleAutopilot final : public Autopilot {
  public:

@@ -164,7 +164,7 @@ void AutopilotClient::receive(const mavlink::Frame& frame, Channel from, Time no
   // Before its first heartbeat nothing tells what it is.
   if (!up_ && frame.id() != mavlink::kFacts<mavlink::Heartbeat>.id) return;
   using namespace mavlink;  // NOLINT: a list of messages
-  dispatch<Heartbeat, GlobalPositionInt, Attitude, VfrHud, Wind, WindCov, GpsRawInt,
+  dispatch<mavlink::Heartbeat, GlobalPositionInt, Attitude, VfrHud, Wind, WindCov, GpsRawInt,
            SysStatus, ExtendedSysState, HomePosition, SystemTime, Timesync,
            AutopilotVersion, Statustext, CommandAck, ParamValue, MissionRequest,
            MissionRequestInt, MissionAck, MissionCurrent>(frame,
@@ -184,12 +184,12 @@ void AutopilotClient::hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channe
   }
   const bool other = telemetry_.hovers() != options_.hovers;
   if (other && !mismatched_)
-    report_change(Kind::kMismatch,
-                  fmt::format("a {} answers as number {}, a {} was expected; it is not "
-                              "commanded",
-                              telemetry_.hovers() ? "multirotor" : "fixed wing",
-                              options_.system,
-                              options_.hovers ? "multirotor" : "fixed wing"));
+    report_change(
+        Kind::kMismatch,
+        fmt::format("a {} answers as number {}, a {} was expected; it is not "
+                    "commanded",
+                    telemetry_.hovers() ? "multirotor" : "fixed wing", options_.system,
+                    options_.hovers ? "multirotor" : "fixed wing"));
   mismatched_ = other;
 }
 
@@ -215,9 +215,9 @@ void AutopilotClient::set_up(Time now) {
   altitude_.reset();
   const auto ask = [&](mavlink::CommandLong what) { commands_.add({0, {what}}); };
   for (const Stream& stream : kStreams)
-    ask(command(kSetMessageInterval, static_cast<float>(stream.message),
-                static_cast<float>(
-                    1e6 / (stream.rate > 0 ? stream.rate : options_.rate))));
+    ask(command(
+        kSetMessageInterval, static_cast<float>(stream.message),
+        static_cast<float>(1e6 / (stream.rate > 0 ? stream.rate : options_.rate))));
   ask(command(kRequestMessage,
               static_cast<float>(mavlink::kFacts<mavlink::AutopilotVersion>.id)));
   ask(command(kRequestMessage,
@@ -288,7 +288,8 @@ void AutopilotClient::hear_text(const mavlink::Statustext& text, Time now) {
 void AutopilotClient::request(std::uint32_t number, const VehicleRequest& request,
                               Time now, Outbox& out) {
   const auto refuse = [&](RequestAnswer::Outcome outcome, std::string why) {
-    if (number != 0) reports_.emplace_back(RequestAnswer{number, outcome, std::move(why)});
+    if (number != 0)
+      reports_.emplace_back(RequestAnswer{number, outcome, std::move(why)});
   };
   if (!up_) return refuse(RequestAnswer::Outcome::kNoAnswer, "the link is down");
   if (!ours())
@@ -328,8 +329,8 @@ void AutopilotClient::send_bank(const BankSetpoint& setpoint, Time now, Outbox& 
     target.time_boot_ms = attitude.time_boot_ms;
     target.target_system = options_.system;
     target.target_component = kAutopilotComponent;
-    target.coordinate_frame = 5;    // global, altitude above mean sea level
-    target.type_mask = 0xfffb;      // nothing but the altitude
+    target.coordinate_frame = 5;  // global, altitude above mean sea level
+    target.type_mask = 0xfffb;    // nothing but the altitude
     target.alt = static_cast<float>(setpoint.altitude_msl);
     out.send(*channel_, target);
   }
@@ -338,8 +339,8 @@ void AutopilotClient::send_bank(const BankSetpoint& setpoint, Time now, Outbox& 
   if (faster && now >= airspeed_due_) {
     airspeed_ = setpoint.airspeed;
     airspeed_due_ = now + kSecond;
-    commands_.add({0, {command(kDoChangeSpeed, 0, static_cast<float>(setpoint.airspeed),
-                               -1)}});
+    commands_.add(
+        {0, {command(kDoChangeSpeed, 0, static_cast<float>(setpoint.airspeed), -1)}});
   }
 }
 

@@ -26,7 +26,7 @@ struct AutopilotClientOptions {
   std::uint8_t system = 1;  ///< of the vehicle
   /// What it must be; another that answers with its number is not commanded.
   bool hovers = false;
-  double rate = 10;  ///< of its motion [Hz]
+  double rate = 10;                      ///< of its motion [Hz]
   Time silence = Time::from_seconds(3);  ///< then its link is down
 };
 
@@ -103,21 +103,21 @@ class AutopilotClient {
   std::optional<Channel> channel_;  // by which it is heard
   bool up_ = false, mismatched_ = false, duplicate_ = false;
   bool was_up_ = false;
-  Time heard_;             // heartbeat, last
-  Time position_;          // last
-  Time set_up_;            // last
-  std::optional<Time> boot_;     // the vehicle's clock, last
+  Time heard_;                // heartbeat, last
+  Time position_;             // last
+  Time set_up_;               // last
+  std::optional<Time> boot_;  // the vehicle's clock, last
   std::optional<Time> rebooted_;
   std::optional<std::uint64_t> uid_;
   std::uint64_t capabilities_ = 0;
   std::uint32_t version_ = 0;
   Time heartbeat_due_, timesync_due_, condition_due_, altitude_due_, airspeed_due_;
   VehicleCondition reported_;
-  std::optional<double> airspeed_;   // demanded last
-  std::optional<double> altitude_;   // the same
-  std::string complaint_;            // the last text of weight
+  std::optional<double> airspeed_;  // demanded last
+  std::optional<double> altitude_;  // the same
+  std::string complaint_;           // the last text of weight
   Time complained_;
-  std::string long_text_;            // of several parts
+  std::string long_text_;  // of several parts
   std::vector<VehicleReport> reports_;
 };
 

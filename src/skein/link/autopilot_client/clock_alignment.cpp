@@ -5,7 +5,7 @@
 namespace skein::autopilot_client {
 namespace {
 
-constexpr double kDrift = 100e-6;  // of two quartz clocks, with a margin
+constexpr double kDrift = 100e-6;             // of two quartz clocks, with a margin
 const Time kMemory = Time::from_seconds(30);  // of the shortest round trip
 const Time kMaxRoundTrip = Time::from_seconds(10);
 

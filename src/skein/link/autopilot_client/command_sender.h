@@ -83,12 +83,12 @@ class CommandSender {
 
   std::uint8_t system_, component_;
   std::deque<NumberedRequest> waiting_;
-  std::size_t place_ = 0;      // of the step of the first that is under way
-  std::optional<Time> sent_;   // that step, last
-  Time patient_until_;         // for its answer
+  std::size_t place_ = 0;     // of the step of the first that is under way
+  std::optional<Time> sent_;  // that step, last
+  Time patient_until_;        // for its answer
   std::uint8_t tries_ = 0;
-  bool rejected_ = false;               // for now, as the vehicle said
-  std::optional<std::uint16_t> item_;   // of a mission: sent last
+  bool rejected_ = false;              // for now, as the vehicle said
+  std::optional<std::uint16_t> item_;  // of a mission: sent last
   std::vector<RequestAnswer> answers_;
 };
 

@@ -12,7 +12,7 @@ using mavlink::Make;
 using mavlink::MissionItemInt;
 using Steps = std::vector<RequestStep>;
 
-constexpr std::uint8_t kFrameGlobal = 0;     // MAV_FRAME
+constexpr std::uint8_t kFrameGlobal = 0;  // MAV_FRAME
 constexpr std::uint8_t kFrameMission = 2;
 constexpr std::uint8_t kFrameGlobalInt = 5;
 constexpr float kForce = 21196;
@@ -40,9 +40,8 @@ class StepMaker {
       return steps;
     }
     CommandLong climb = command(kNavTakeOff);
-    climb.param4 = request.course
-                       ? static_cast<float>(geo::degrees(*request.course))
-                       : kNotANumber;
+    climb.param4 =
+        request.course ? static_cast<float>(geo::degrees(*request.course)) : kNotANumber;
     Steps steps;
     if (target_.make == Make::kArduPilot) {
       append(steps, mode(VehicleMode::kGuided));
@@ -96,8 +95,7 @@ class StepMaker {
 
   Steps operator()(const MissionStart& start) const {
     const int first = target_.make == Make::kArduPilot ? 1 : 0;  // after home
-    Steps steps = {
-        command(kDoSetMissionCurrent, static_cast<float>(start.item + first))};
+    Steps steps = {command(kDoSetMissionCurrent, static_cast<float>(start.item + first))};
     append(steps, mode(VehicleMode::kMission));
     return steps;
   }
@@ -201,8 +199,7 @@ class StepMaker {
 
 }  // namespace
 
-mavlink::CommandLong command(std::uint16_t id, float param1, float param2,
-                             float param3) {
+mavlink::CommandLong command(std::uint16_t id, float param1, float param2, float param3) {
   CommandLong command;
   command.command = id;
   command.param1 = param1;

@@ -9,8 +9,8 @@ namespace skein::autopilot_client {
 namespace {
 
 constexpr std::uint8_t kFix3D = 3;
-constexpr std::uint8_t kLandedOnGround = 1;          // MAV_LANDED_STATE
-constexpr std::uint8_t kStatusCritical = 5;          // MAV_STATE
+constexpr std::uint8_t kLandedOnGround = 1;  // MAV_LANDED_STATE
+constexpr std::uint8_t kStatusCritical = 5;  // MAV_STATE
 constexpr std::uint8_t kStatusEmergency = 6;
 constexpr std::uint32_t kPreArmCheck = 0x1000'0000;  // MAV_SYS_STATUS
 constexpr std::uint16_t kUnknown16 = 0xffff;
@@ -90,13 +90,12 @@ void Telemetry::handle(const mavlink::HomePosition& m) {
 std::optional<VehicleMotion> Telemetry::handle(const mavlink::GlobalPositionInt& m,
                                                Time now, const ClockAlignment& clock) {
   // Until its estimator has an origin it says zeros, or nearly.
-  const bool known =
-      fixed_ && (std::abs(m.lat) > 10000 || std::abs(m.lon) > 10000);
+  const bool known = fixed_ && (std::abs(m.lat) > 10000 || std::abs(m.lon) > 10000);
   condition_.position = known;
   if (!known) return std::nullopt;
   const Vec2 place = frame_.to_plane(m.lat * 1e-7, m.lon * 1e-7);
-  motion_.time = clock.to_here(Time::from_ns(std::int64_t{m.time_boot_ms} * 1'000'000),
-                               now);
+  motion_.time =
+      clock.to_here(Time::from_ns(std::int64_t{m.time_boot_ms} * 1'000'000), now);
   motion_.p_N = {place.x(), place.y(), -m.alt / 1000.0};
   motion_.v_N = {m.vx / 100.0, m.vy / 100.0, m.vz / 100.0};
   return motion_;

@@ -20,7 +20,7 @@ void Forwarder::received(transport::ChannelId channel, std::span<const std::byte
   Peer& peer = peers_.at(channel);
   peer.parser.read(bytes, [&](const mavlink::Frame& frame) {
     peer.watch.hear(frame);
-    if (tlog_) tlog_->write(clock_(), frame);
+    if (tlog_ && !carries_key(frame)) tlog_->write(clock_(), frame);
     router_.route(channel, frame, to_);
     for (const Channel to : to_) {
       ChannelHealth& there = peers_.at(to).health;

@@ -17,6 +17,10 @@ constexpr std::uint32_t kOvertaking = 1000;
 
 }  // namespace
 
+bool carries_key(const mavlink::Frame& frame) {
+  return frame.message && frame.id() == kFacts<mavlink::SetupSigning>.id;
+}
+
 void FrameRouter::close(Channel channel) {
   channels_.erase(channel);
   for (auto it = heard_.begin(); it != heard_.end();) {
@@ -44,7 +48,7 @@ void FrameRouter::route(Channel from, const mavlink::Frame& frame,
                         std::vector<Channel>& out) {
   out.clear();
   learn(from, frame);
-  if (frame.message && frame.id() == kFacts<mavlink::SetupSigning>.id) return;
+  if (carries_key(frame)) return;
   const std::uint8_t system = frame.target_system(), component = frame.target_component();
   if (system == 0) {
     out.assign(channels_.begin(), channels_.end());

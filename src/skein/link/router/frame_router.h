@@ -13,15 +13,18 @@ namespace skein::router {
 /// A link that frames come in and go out by.
 using Channel = std::uint32_t;
 
+/// Whether a frame carries a key for signing (SETUP_SIGNING), which is for one link only:
+/// it is neither handed on nor recorded.
+bool carries_key(const mavlink::Frame& frame);
+
 /// Decides where frames go, by the systems that were heard on each channel:
 ///
 ///   for all, or of a kind that is not known here    to every other channel
 ///   for a system, or a component of it              to the other channels on which it
 ///                                                   was heard; nowhere when on none
 ///
-/// No frame goes back to where it came from. A key for signing (SETUP_SIGNING) goes
-/// nowhere. A system whose clock goes back has begun anew: where it was heard before is
-/// forgotten.
+/// No frame goes back to where it came from, and none with a key goes anywhere. A system
+/// whose clock goes back has begun anew: where it was heard before is forgotten.
 class FrameRouter {
  public:
   void open(Channel channel) { channels_.insert(channel); }

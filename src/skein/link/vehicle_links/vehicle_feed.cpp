@@ -75,9 +75,8 @@ struct VehicleFeed::Listener {
     shown->snapshot.throttle = throttle_of(r.state, shown->aircraft.hovers);
     VehicleCondition& condition = shown->snapshot.condition;
     condition.voltage = r.state.energy.voltage;
-    condition.current = r.state.energy.voltage > 0
-                            ? r.state.energy.power / r.state.energy.voltage
-                            : 0;
+    condition.current =
+        r.state.energy.voltage > 0 ? r.state.energy.power / r.state.energy.voltage : 0;
   }
   void operator()(const MissionProgressRecord& r) const {
     if (Shown* shown = feed.find(r.id)) {

@@ -52,9 +52,9 @@ class VehicleFeed final : public Recorder {
   struct Listener;
 
   Shown* find(EntityId id);
-  void hear(Shown& shown, const VehicleRequest& request,
-            std::vector<CommandRecord>& out);
-  std::optional<Command> task_for(const Shown& shown, const VehicleRequest& request) const;
+  void hear(Shown& shown, const VehicleRequest& request, std::vector<CommandRecord>& out);
+  std::optional<Command> task_for(const Shown& shown,
+                                  const VehicleRequest& request) const;
 
   VehicleLinks& links_;
   std::vector<Shown> shown_;

@@ -87,11 +87,12 @@ class VehicleLinks::Port final : public VehiclePort {
 
 VehicleLinks::VehicleLinks(const geo::LocalFrame& frame)
     : frame_(frame),
-      out_(kOwnSystem, kOwnComponent,
-           [this](transport::ChannelId channel, std::span<const std::byte> bytes) {
-             send(channel, bytes);
-           },
-           &security_),
+      out_(
+          kOwnSystem, kOwnComponent,
+          [this](transport::ChannelId channel, std::span<const std::byte> bytes) {
+            send(channel, bytes);
+          },
+          &security_),
       endpoints_(*this) {}
 
 VehicleLinks::~VehicleLinks() {
@@ -119,10 +120,10 @@ Result<std::size_t> VehicleLinks::add(const LinkedVehicle& vehicle) {
   const transport::EndpointId endpoint = endpoint_of(vehicle.endpoint);
   for (const auto& other : vehicles_)
     if (other->endpoint == endpoint && other->client.system() == vehicle.client.system)
-      return Error{ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
-                   fmt::format("two vehicles have number {} there.",
-                               vehicle.client.system),
-                   "Give each a system of its own."};
+      return Error{
+          ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
+          fmt::format("two vehicles have number {} there.", vehicle.client.system),
+          "Give each a system of its own."};
   vehicles_.push_back(std::make_unique<Vehicle>(vehicle.client, frame_, endpoint));
   return vehicles_.size() - 1;
 }
@@ -133,8 +134,7 @@ void VehicleLinks::add_station(const LinkEndpoint& endpoint) {
 
 std::size_t VehicleLinks::show(vehicle_services::VehicleServerOptions vehicle) {
   const std::size_t first = shown_.empty() ? vehicle.system : shown_.front()->system;
-  const auto numbers =
-      vehicle_services::numbers_of_vehicle(first - 1 + shown_.size());
+  const auto numbers = vehicle_services::numbers_of_vehicle(first - 1 + shown_.size());
   vehicle.system = numbers.system;
   vehicle_services::Outbox out(
       vehicle.system, vehicle.component,
@@ -173,9 +173,9 @@ std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
 }
 
 Result<std::vector<std::string>> VehicleLinks::start() {
-  const std::uint16_t groups =
-      shown_.empty() ? std::uint16_t{1}
-                     : static_cast<std::uint16_t>(shown_.back()->group + 1);
+  const std::uint16_t groups = shown_.empty()
+                                   ? std::uint16_t{1}
+                                   : static_cast<std::uint16_t>(shown_.back()->group + 1);
   for (const LinkEndpoint& station : stations_)
     for (std::uint16_t group = 0; group < groups; ++group) {
       LinkEndpoint at = station;

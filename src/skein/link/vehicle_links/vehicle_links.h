@@ -39,14 +39,14 @@ struct LinkedVehicle {
 
 /// The links of a run to real vehicles and ground stations, in a thread of their own.
 ///
-/// Simulated vehicles that are shown appear at the ground stations' endpoints, 250 of them
-/// at each port: those beyond are at the next port. Several real vehicles may share an
-/// endpoint; they are told apart by their numbers. What a
-/// vehicle sends goes to the ground stations too, and what those send to the vehicle it
-/// is for: they see it as if they were connected to it.
+/// Simulated vehicles that are shown appear at the ground stations' endpoints, 250 of
+/// them at each port: those beyond are at the next port. Several real vehicles may share
+/// an endpoint; they are told apart by their numbers. What a vehicle sends goes to the
+/// ground stations too, and what those send to the vehicle it is for: they see it as if
+/// they were connected to it.
 ///
-/// Use: add vehicles and stations, take ports, start(). Ports may be used until this ends,
-/// and before start(): then nothing comes.
+/// Use: add vehicles and stations, take ports, start(). Ports may be used until this
+/// ends, and before start(): then nothing comes.
 class VehicleLinks final : public transport::ChannelListener {
  public:
   explicit VehicleLinks(const geo::LocalFrame& frame);

@@ -11,7 +11,9 @@ using mavlink::CommandId;
 using mavlink::CommandResult;
 
 constexpr std::size_t kMaxExecuted = 16;
-const Time kRemembered = Time::from_seconds(10);
+// A sender that says that it repeats itself has heard nothing since.
+const Time kRepeated = Time::from_seconds(30);
+const Time kUnsaid = Time::from_seconds(10);
 const Time kReportAgain = Time::from_seconds(1);
 constexpr std::uint8_t kNoProgress = 255;
 
@@ -37,8 +39,9 @@ CommandService::Executed* CommandService::find_repeated(const Command& command,
                                                         std::uint8_t sequence,
                                                         Time wall) {
   for (auto e = executed_.rbegin(); e != executed_.rend(); ++e) {
-    if (wall - e->at > kRemembered) break;
-    if (!is_from(e->from, from) || !e->command.is_same(command)) continue;
+    if (wall - e->at > (command.is_repeated ? kRepeated : kUnsaid) ||
+        !is_from(e->from, from) || !e->command.is_same(command))
+      continue;
     const bool frame_again = e->sequence == sequence;
     const bool cannot_say = command.in_integers && e == executed_.rbegin();
     if (command.is_repeated || frame_again || cannot_say) return &*e;
@@ -66,7 +69,8 @@ void CommandService::handle(const Command& command, const Peer& from,
   }
   if (for_all) return;
   const Time wall = parts.vehicle.now.wall;
-  if (const Executed* known = find_repeated(command, from, sequence, wall)) {
+  if (Executed* known = find_repeated(command, from, sequence, wall)) {
+    known->at = wall;
     if (known->result == CommandResult::kInProgress && running_)
       return acknowledge(command.id, CommandResult::kInProgress, running_->percent, from,
                          out);

@@ -14,11 +14,12 @@ namespace skein::vehicle_services {
 /// The command protocol of a vehicle: each command is answered to its sender, and
 /// executed once.
 ///
-/// A command is the same again when its sender sends the same with the same parameters
-/// within ten seconds, and either says so (confirmation above 0), or the frame has come
-/// twice, or it cannot say so (COMMAND_INT) and nothing else was executed since. It is
-/// answered as before. A take-off is reported on each second, by the altitude, until it
-/// is done; others that ask for one meanwhile are refused.
+/// A command is the same again when its sender sends the same with the same parameters,
+/// and says so (confirmation above 0) within thirty seconds of the last time; or within
+/// ten, when the frame has come twice, or when it cannot say so (COMMAND_INT) and nothing
+/// else was executed since. It is answered as before. A take-off is reported on each
+/// second, by the altitude, until it is done; others that ask for one meanwhile are
+/// refused.
 class CommandService {
  public:
   /// @param sequence  of the frame that brought it.
@@ -34,7 +35,7 @@ class CommandService {
     Command command;
     Peer from;
     std::uint8_t sequence = 0;
-    Time at;  // by the wall clock
+    Time at;  // or asked for again, by the wall clock
     mavlink::CommandResult result{};
   };
   struct Running {

@@ -144,8 +144,8 @@ Answer land(ServedVehicle& vehicle, PilotOverride& pilot, std::optional<Vec2> po
             std::optional<double> ground_msl, std::optional<double> course) {
   if (!vehicle.known)
     return {CommandResult::kTemporarilyRejected, "Land: the simulation has not begun"};
-  const LandRequest request{point, ground_msl.value_or(vehicle.snapshot.ground_msl),
-                            course};
+  const LandRequest request{std::move(point),
+                            ground_msl.value_or(vehicle.snapshot.ground_msl), course};
   return request_mode(vehicle, pilot, request, own_row(vehicle, VehicleMode::kLand));
 }
 

@@ -113,8 +113,21 @@ void step_guided(ServedVehicle& vehicle) {
   guided.next_heading = vehicle.now.simulated + kHeadingAgain;
 }
 
+namespace {
+
+// The attitude counts; or, as ArduPilot's fixed wings take it, of the attitude the roll
+// alone: its own bit and those of pitch and yaw rate say to ignore them, that of the roll
+// rate does not.
+bool takes_roll(std::uint8_t mask) {
+  constexpr std::uint8_t kOnlyRoll = mavlink::kIgnoreAttitude | 0b110;
+  constexpr std::uint8_t kCounts = mavlink::kIgnoreAttitude | 0b111;
+  return (mask & mavlink::kIgnoreAttitude) == 0 || (mask & kCounts) == kOnlyRoll;
+}
+
+}  // namespace
+
 void handle(const mavlink::SetAttitudeTarget& m, ServedVehicle& vehicle) {
-  if (vehicle.options.hovers || (m.type_mask & mavlink::kIgnoreAttitude) != 0) return;
+  if (vehicle.options.hovers || !takes_roll(m.type_mask)) return;
   const Quat q_NB(static_cast<double>(m.q[0]), static_cast<double>(m.q[1]),
                   static_cast<double>(m.q[2]), static_cast<double>(m.q[3]));
   // It is to be a rotation, but for the rounding of floats.

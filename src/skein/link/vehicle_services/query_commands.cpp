@@ -33,28 +33,25 @@ bool is_query(CommandId id) {
 }
 
 Answer judge_query(const Command& command, VehicleParts& parts, Channel channel) {
+  const ServedVehicle& vehicle = parts.vehicle;
   const std::uint32_t id = message_id(command.param(1));
+  // Telemetry is made of what the simulation says.
+  const Answer if_known =
+      vehicle.known ? CommandResult::kAccepted : CommandResult::kTemporarilyRejected;
   switch (command.id) {
     case CommandId::kRequestMessage:
-      if (!can_send(id, command.param(2), parts.vehicle))
-        return CommandResult::kUnsupported;
-      break;
+      if (!can_send(id, command.param(2), vehicle)) return CommandResult::kUnsupported;
+      return telemetry_row_of(id, vehicle.options.make) ? if_known : Answer();
+    case CommandId::kGetHome:
+      return if_known;
     case CommandId::kSetMessageInterval:
       if (!parts.streams.set_interval(channel, id, static_cast<double>(command.param(2)),
-                                      parts.vehicle.now.simulated))
+                                      vehicle.now.simulated))
         return CommandResult::kUnsupported;
       return {};
-    case CommandId::kGetMessageInterval:
-    case CommandId::kRequestProtocolVersion:
-    case CommandId::kRequestCapabilities:
-      return {};
     default:
-      break;
+      return {};
   }
-  // Telemetry is made of what the simulation says.
-  if (!parts.vehicle.known && id != mavlink::kFacts<mavlink::AutopilotVersion>.id)
-    return CommandResult::kTemporarilyRejected;
-  return {};
 }
 
 void send_reply(const Command& command, const VehicleParts& parts, Channel channel,

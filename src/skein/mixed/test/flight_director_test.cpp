@@ -41,10 +41,9 @@ struct Cockpit {
   }
   template <class T>
   std::size_t count() const {
-    return static_cast<std::size_t>(
-        std::count_if(desk.sent.begin(), desk.sent.end(), [](const auto& each) {
-          return std::holds_alternative<T>(each.second);
-        }));
+    return static_cast<std::size_t>(std::count_if(
+        desk.sent.begin(), desk.sent.end(),
+        [](const auto& each) { return std::holds_alternative<T>(each.second); }));
   }
   std::size_t reported(const std::string& kind) const {
     return static_cast<std::size_t>(

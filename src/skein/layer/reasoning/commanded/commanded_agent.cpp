@@ -112,8 +112,8 @@ void CommandedAgent::give(decltype(AutopilotCommand::guidance) guidance,
   command.guidance = std::move(guidance);
   command.altitude_msl = altitude_msl;
   if (airspeed_)
-    command.airspeed = std::clamp(*airspeed_, std::max(limits_.slowest, kMinSpeed),
-                                  limits_.fastest);
+    command.airspeed =
+        std::clamp(*airspeed_, std::max(limits_.slowest, kMinSpeed), limits_.fastest);
   last_ = command;
   out.command = std::move(command);
 }
@@ -139,10 +139,9 @@ void CommandedAgent::follow(const TrackSetpoint& setpoint, const AgentInput& in,
     const double dt = kPlanAhead.seconds();
     FollowPlan plan;
     plan.plan.push_back({in.now, setpoint.p_N, setpoint.v_N});
-    plan.plan.push_back(
-        {in.now + kPlanAhead,
-         setpoint.p_N + dt * setpoint.v_N + 0.5 * dt * dt * setpoint.a_N,
-         setpoint.v_N + dt * setpoint.a_N});
+    plan.plan.push_back({in.now + kPlanAhead,
+                         setpoint.p_N + dt * setpoint.v_N + 0.5 * dt * dt * setpoint.a_N,
+                         setpoint.v_N + dt * setpoint.a_N});
     return give(std::move(plan), altitude, out);
   }
   const Vec2 v = geo::horizontal(setpoint.v_N), a = geo::horizontal(setpoint.a_N);
@@ -155,7 +154,8 @@ void CommandedAgent::follow(const TrackSetpoint& setpoint, const AgentInput& in,
   const double back = kPathBehind * speed, turned = line.curvature * back / 2;
   line.course = geo::bearing(v) - 2 * turned;
   const double sinc = std::abs(turned) > 1e-6 ? math::sin(turned) / turned : 1.0;
-  line.start = geo::horizontal(setpoint.p_N) - back * sinc * geo::unit(geo::bearing(v) - turned);
+  line.start =
+      geo::horizontal(setpoint.p_N) - back * sinc * geo::unit(geo::bearing(v) - turned);
   line.length = back + kPathAhead * speed;
   give(FollowPath{{line}}, altitude, out);
 }

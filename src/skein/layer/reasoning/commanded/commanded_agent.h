@@ -42,8 +42,8 @@ class CommandedAgent final : public Agent {
   std::shared_ptr<const Terrain> map_;
   MissionFlight mission_;
   MissionProgress reported_;
-  std::optional<double> airspeed_;   // commanded
-  std::optional<Time> setpoint_;     // last, while flown by them
+  std::optional<double> airspeed_;  // commanded
+  std::optional<Time> setpoint_;    // last, while flown by them
   std::optional<AutopilotCommand> last_;
   std::optional<Vec3> home_;
 };

@@ -109,8 +109,8 @@ void MissionFlight::advance(const AgentInput& in) {
     return;
   }
   // The next waypoint of a route is flown to already.
-  in_route_ = route && next == current_ + std::size_t{1} && waypoint(next) &&
-              !in.autopilot.done;
+  in_route_ =
+      route && next == current_ + std::size_t{1} && waypoint(next) && !in.autopilot.done;
   current_ = static_cast<std::uint16_t>(next);
 }
 
@@ -120,8 +120,7 @@ std::optional<AutopilotCommand> MissionFlight::step(const AgentInput& in) {
     const Kind kind = items_[current_].kind;
     if (!begun_) {
       begun_ = true;
-      if (kind != Kind::kSpeed && kind != Kind::kJump &&
-          !std::exchange(in_route_, false))
+      if (kind != Kind::kSpeed && kind != Kind::kJump && !std::exchange(in_route_, false))
         return command_for(in);
     }
     if (!is_done(in)) return std::nullopt;

@@ -44,8 +44,8 @@ class MissionFlight {
   std::vector<std::uint16_t> jumped_;  // how often each jump was taken
   std::uint16_t current_ = 0;
   bool flies_ = false, finished_ = false;
-  bool begun_ = false;    // the current item was commanded
-  bool in_route_ = false; // as a part of a route that is flown already
+  bool begun_ = false;     // the current item was commanded
+  bool in_route_ = false;  // as a part of a route that is flown already
   std::optional<double> airspeed_;
   std::optional<Time> there_;  // since when, of a hold
 };

@@ -29,8 +29,8 @@ TEST(ClockAlignment, IsOffByTheFastestMessageWithoutRoundTrips) {
     const Time now = s(t + far.way());
     clock.hear(s(far.boot(t)), now);
     const double here = clock.to_here(s(far.boot(t)), now).seconds();
-    EXPECT_GE(here, t);               // never before it happened
-    EXPECT_LE(here, now.seconds());   // nor in the future
+    EXPECT_GE(here, t);              // never before it happened
+    EXPECT_LE(here, now.seconds());  // nor in the future
   }
   // The fastest of 300 took its delay and hardly more.
   const double here = clock.to_here(s(far.boot(140)), s(140.2)).seconds();

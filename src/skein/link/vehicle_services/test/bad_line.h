@@ -28,10 +28,19 @@ class BadLine {
  public:
   using Receiver = std::function<void(const mavlink::Frame&)>;
 
-  BadLine(const Trouble& trouble, unsigned seed) : trouble_(trouble), random_(seed) {}
+  /// Both ends sign over secured channels.
+  BadLine(const Trouble& trouble, unsigned seed,
+          mavlink::LinkSecurity* of_vehicle = nullptr,
+          mavlink::LinkSecurity* of_station = nullptr)
+      : vehicle(
+            7, 1, [this](Channel, auto bytes) { send(to_station_, bytes); }, of_vehicle),
+        station(
+            255, 190, [this](Channel, auto bytes) { send(to_vehicle_, bytes); },
+            of_station),
+        trouble_(trouble),
+        random_(seed) {}
 
-  Outbox vehicle{7, 1, [this](Channel, auto bytes) { send(to_station_, bytes); }};
-  Outbox station{255, 190, [this](Channel, auto bytes) { send(to_vehicle_, bytes); }};
+  Outbox vehicle, station;
   Receiver at_vehicle, at_station;
   Time now;
 

@@ -126,10 +126,9 @@ TEST(CommandedAgent, FliesAMissionToItsEnd) {
   jump.repeats = 1;
   MissionItem hold = item(Kind::kHold, {400, 0, -90});
   hold.hold = 2;
-  const MissionUpload upload{{item(Kind::kTakeOff, {0, 0, -60}),
-                              item(Kind::kWaypoint, {300, 0, -80}),
-                              item(Kind::kWaypoint, {600, 0, -80}), jump, hold,
-                              item(Kind::kLand, {0, 0, -12})}};
+  const MissionUpload upload{
+      {item(Kind::kTakeOff, {0, 0, -60}), item(Kind::kWaypoint, {300, 0, -80}),
+       item(Kind::kWaypoint, {600, 0, -80}), jump, hold, item(Kind::kLand, {0, 0, -12})}};
   EXPECT_FALSE(flight.step({upload}));
   const auto up = flight.step({MissionStart{0}});
   ASSERT_TRUE(guidance<TakeOff>(up));
