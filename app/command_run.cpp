@@ -226,7 +226,8 @@ int finish(const RunArguments& arguments, const fs::path& folder,
 }  // namespace
 
 Result<assemble::Build> build_order(const RunOrder& order) {
-  if (order.agent) return assemble::build_agent(order.scenario, order.kinds, *order.agent);
+  if (order.agent)
+    return assemble::build_agent(order.scenario, order.kinds, *order.agent);
   if (order.recorded)
     return assemble::build(order.scenario, order.kinds, order.recorded->reports);
   return assemble::build(order.scenario, order.kinds);

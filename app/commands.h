@@ -89,12 +89,12 @@ struct VehicleArguments {
 /// `skein agent`.
 struct AgentArguments {
   std::string scenario;
-  std::string entity;      ///< an aircraft of the scenario
-  std::string world;       ///< where its world is met; empty: it is alone
+  std::string entity;             ///< an aircraft of the scenario
+  std::string world;              ///< where its world is met; empty: it is alone
   std::vector<std::string> team;  ///< where other agents are met directly
-  std::string autopilot;   ///< MAVLink endpoint; empty: the vehicle is simulated here
-  int system = 1;          ///< MAVLink system id there
-  double duration = 0;     ///< [s]; 0: until it is interrupted
+  std::string autopilot;  ///< MAVLink endpoint; empty: the vehicle is simulated here
+  int system = 1;         ///< MAVLink system id there
+  double duration = 0;    ///< [s]; 0: until it is interrupted
   std::vector<std::string> overrides, plugins;
   std::filesystem::path out;  ///< folder for records; empty: none
   bool overwrite = false;

@@ -18,7 +18,7 @@ namespace skein::app {
 struct RunOrder {
   assemble::KindRegistry kinds;
   scenario::Scenario scenario;
-  std::optional<record::RecordedRun> recorded;  ///< that is done again
+  std::optional<record::RecordedRun> recorded;     ///< that is done again
   std::optional<assemble::AgentOrder> agent = {};  ///< of a single agent; none: all
 };
 

@@ -46,8 +46,8 @@ class Agents : public Program {
   pid_t start_agent(std::vector<std::string> more = {}) {
     prefix_ = "agent-";
     std::vector<std::string> arguments = {
-        "agent",   "pair.yaml", "--entity",
-        "far-1",   "--world",   "udpout:127.0.0.1:" + std::to_string(port_)};
+        "agent", "pair.yaml", "--entity",
+        "far-1", "--world",   "udpout:127.0.0.1:" + std::to_string(port_)};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return start(arguments);
   }
@@ -88,8 +88,8 @@ TEST_F(Agents, AreOrderedReportAndReplay) {
                        "content_kind = 'report'",
                        3));
   // It flies north, where it is told to.
-  EXPECT_TRUE(comes_to("world",
-                       "SELECT max(north_m) FROM truth WHERE entity_id = 1", 250, 25))
+  EXPECT_TRUE(
+      comes_to("world", "SELECT max(north_m) FROM truth WHERE entity_id = 1", 250, 25))
       << query(folder_ / "world/run.sqlite",
                "SELECT max(north_m) FROM truth WHERE entity_id = 1");
   EXPECT_EQ(query(folder_ / "world/run.sqlite", events("link-up")), 1);

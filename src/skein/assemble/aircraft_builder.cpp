@@ -155,9 +155,9 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   };
   std::unique_ptr<Agent> remote;
   auto flown = kinds_.vehicle.make(
-      group.vehicle, VehicleContext{context, index, vehicle, complete, links_.vehicles,
-                                    links_.entities, remote,
-                                    recorded_ ? &(*recorded_)[self] : nullptr});
+      group.vehicle,
+      VehicleContext{context, index, vehicle, complete, links_.vehicles, links_.entities,
+                     remote, recorded_ ? &(*recorded_)[self] : nullptr});
   if (!flown) return at(name, flown.error());
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();

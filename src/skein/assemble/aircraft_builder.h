@@ -25,7 +25,7 @@ class VehicleLinks;
 namespace skein::world_link {
 class EntityLinks;
 class WorldClient;
-}
+}  // namespace skein::world_link
 
 namespace skein::assemble {
 

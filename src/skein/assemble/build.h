@@ -70,7 +70,7 @@ Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kind
 
 /// An agent in a program of its own, and whom it meets.
 struct AgentOrder {
-  std::string entity;  ///< an aircraft of the scenario
+  std::string entity;                               ///< an aircraft of the scenario
   std::optional<transport::EndpointAddress> world;  ///< none: it is alone
   std::vector<transport::EndpointAddress> team;     ///< other agents, directly
 };

@@ -170,9 +170,8 @@ Result<std::unique_ptr<EntityPort>> remote_port(const RemoteOptions& options,
   if (c.recorded)
     return std::unique_ptr<EntityPort>(
         std::make_unique<mixed::RecordedEntityPort>(*c.recorded));
-  const auto number =
-      c.remotes.add({c.parts.name, transport::parse_endpoint(options.listen).value(),
-                     options.silence});
+  const auto number = c.remotes.add(
+      {c.parts.name, transport::parse_endpoint(options.listen).value(), options.silence});
   if (!number) return number.error();
   return c.remotes.port(number.value());
 }

@@ -11,6 +11,7 @@
 #include "skein/data/flight_plan.h"
 #include "skein/data/type_traits.h"
 #include "skein/data/zone.h"
+#include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
 
 /// What is done to all parts of described values, by their descriptions.
@@ -68,8 +69,8 @@ bool has_sound_numbers(T& value) {
     void operator()(Vec2& vector) { sound = sound && vector.allFinite(); }
     void operator()(Vec3& vector) { sound = sound && vector.allFinite(); }
     void operator()(Quat& turn) {
-      sound = sound && turn.coeffs().allFinite() &&
-              std::abs(turn.squaredNorm() - 1) < 1e-3;
+      sound =
+          sound && turn.coeffs().allFinite() && std::abs(turn.squaredNorm() - 1) < 1e-3;
     }
   } look;
   parts(value, look);

@@ -31,8 +31,7 @@ VehicleMotion believed_motion(const NavEstimate& nav) {
   motion.p_N = nav.p_N;
   motion.v_N = nav.v_N;
   motion.q_NB = geo::from_euler({nav.roll, nav.pitch, nav.heading});
-  motion.airspeed =
-      (geo::horizontal(nav.v_N) - nav.wind_N).norm();
+  motion.airspeed = (geo::horizontal(nav.v_N) - nav.wind_N).norm();
   motion.wind_N = nav.wind_N;
   motion.position_sd = nav.position_sd;
   return motion;
@@ -160,9 +159,8 @@ void RemoteVehicle::begin_step(Time now) {
 void RemoteVehicle::carry_on(Time now) {
   const bool old = state_ && !fresh(now);
   if (old && !std::exchange(stale_, true))
-    events_.push_back(
-        {"position-old", fmt::format("its last position is {:.1f} s old",
-                                     (now - state_->nav.time).seconds())});
+    events_.push_back({"position-old", fmt::format("its last position is {:.1f} s old",
+                                                   (now - state_->nav.time).seconds())});
   if (!old) stale_ = false;
   if (believed_.known()) {
     estimate_ = as_estimate(believed_.at(now));
@@ -187,7 +185,7 @@ void RemoteVehicle::look(const Surroundings& world, Time now, PayloadSamples& ou
       truth_ ? *truth_ : as_state(believed_.at(now), state_->status.on_ground);
   Air air;
   air.wind_N = world.wind.wind(state.p_N, now);
-  SensorView view{now,           state,         air, world.terrain, world.phenomena,
+  SensorView view{now,           state,       air, world.terrain, world.phenomena,
                   world.objects, std::nullopt};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - estimate_.p_N;
   const std::size_t before = out.samples.size();

@@ -83,9 +83,9 @@ class RemoteVehicle final : public Vehicle {
   std::vector<std::unique_ptr<Sensor>> payload_;
   Time max_age_;
   MotionTracker believed_, true_;
-  NavEstimate estimate_;                // at the beginning of the step
-  std::optional<VehicleState> truth_;   // the same
-  std::optional<RemoteState> state_;    // the newest
+  NavEstimate estimate_;               // at the beginning of the step
+  std::optional<VehicleState> truth_;  // the same
+  std::optional<RemoteState> state_;   // the newest
   std::optional<Vec3> region_of_interest_;
   std::vector<VehicleReport> reports_;  // of this step
   std::vector<VehicleEvent> events_;

@@ -37,7 +37,9 @@ TEST(ShiftTimes, MovesTheTimesOfZonesAndPlans) {
   const FlightElement& element = std::get<FlyPlan>(task.what).plan[0];
   EXPECT_EQ(element.start, 3610);
   EXPECT_EQ(element.duration, 4);
-  task.what = Rendezvous{{}, Time::from_seconds(60), {}};
+  Rendezvous meeting;
+  meeting.time = Time::from_seconds(60);
+  task.what = meeting;
   shift_times(task, kHour);
   EXPECT_EQ(std::get<Rendezvous>(task.what).time, Time::from_seconds(3660));
 }

@@ -50,9 +50,8 @@ struct SerialLine {
   std::uint32_t baud = 57'600;
 };
 
-using EndpointAddress =
-    std::variant<UdpServer, UdpClient, UdpBroadcast, TcpServer, TcpClient, SerialLine,
-                 UdpMulticast>;
+using EndpointAddress = std::variant<UdpServer, UdpClient, UdpBroadcast, TcpServer,
+                                     TcpClient, SerialLine, UdpMulticast>;
 
 /// Fails: kBadInput for a text of none of these forms, naming what is wrong with it.
 Result<EndpointAddress> parse_endpoint(std::string_view text);

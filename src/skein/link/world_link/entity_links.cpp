@@ -180,8 +180,7 @@ void EntityLinks::step(Entity& entity) {
     else if (entity.session.up())
       entity.session.post(std::move(coded), now());
   }
-  entity.session.step(now(),
-                      [&](const Packet& packet) { send(entity.channel, packet); });
+  entity.session.step(now(), [&](const Packet& packet) { send(entity.channel, packet); });
   report(entity);
 }
 
@@ -222,9 +221,8 @@ void EntityLinks::received(transport::ChannelId channel,
                            std::span<const std::byte> bytes) {
   Peer& peer = peers_.at(channel);
   if (!peer.connection) return take(channel, peer, bytes);
-  peer.frames.read(bytes, [&](std::span<const std::byte> packet) {
-    take(channel, peer, packet);
-  });
+  peer.frames.read(
+      bytes, [&](std::span<const std::byte> packet) { take(channel, peer, packet); });
 }
 
 void EntityLinks::take(transport::ChannelId channel, Peer& peer,
@@ -239,9 +237,8 @@ void EntityLinks::take(transport::ChannelId channel, Peer& peer,
     return;
   }
   Session& session = peer.entity->session;
-  session.receive(packet.value(), now(), [&](const Delivery& delivery) {
-    deliver(*peer.entity, delivery);
-  });
+  session.receive(packet.value(), now(),
+                  [&](const Delivery& delivery) { deliver(*peer.entity, delivery); });
   if (session.peer() == packet.value().session) peer.entity->channel = channel;
   report(*peer.entity);
 }
@@ -277,7 +274,8 @@ void EntityLinks::report(Entity& entity) {
   for (SessionChange& change : entity.session.take_changes()) {
     LinkChange::Kind kind = LinkChange::Kind::kDown;
     if (change.kind == SessionChange::Kind::kUp) kind = LinkChange::Kind::kUp;
-    if (change.kind == SessionChange::Kind::kRestarted) kind = LinkChange::Kind::kRebooted;
+    if (change.kind == SessionChange::Kind::kRestarted)
+      kind = LinkChange::Kind::kRebooted;
     if (change.kind == SessionChange::Kind::kRefused) kind = LinkChange::Kind::kMismatch;
     entity.mailbox->put(LinkChange{kind, std::move(change.text)});
   }

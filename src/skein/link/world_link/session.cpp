@@ -7,12 +7,12 @@
 namespace skein::world_link {
 namespace {
 
-constexpr std::uint64_t kWindow = 64;     // parcels under way
-constexpr std::size_t kPacketSize = 1200; // that links carry in one piece [bytes]
+constexpr std::uint64_t kWindow = 64;      // parcels under way
+constexpr std::size_t kPacketSize = 1200;  // that links carry in one piece [bytes]
 constexpr std::size_t kMaxShown = 64;
-constexpr int kMaxBurst = 16;             // packets of one step
+constexpr int kMaxBurst = 16;  // packets of one step
 const Time kMinResend = Time::from_seconds(0.1);
-constexpr double kResendFactor = 1.2;     // of a round trip
+constexpr double kResendFactor = 1.2;  // of a round trip
 
 std::vector<std::uint8_t> as_numbers(const std::vector<std::byte>& bytes) {
   std::vector<std::uint8_t> numbers(bytes.size());
@@ -60,7 +60,8 @@ bool Session::admits(std::uint64_t session, Time now) const {
 bool Session::meet(const Packet& packet, Time now) {
   if (packet.session == peer_) return true;
   if (!packet.hello) {
-    answer_due_ = true;  // who is that?
+    // Who is that? It may ask the same.
+    answer_due_ = greets_ = true;
     return false;
   }
   if (!admits(packet.session, now)) return false;
@@ -86,8 +87,8 @@ void Session::receive(const Packet& packet, Time now, const Deliver& deliver) {
         change(SessionChange::Kind::kRefused, refusal_ = packet.bye->why);
     } else if (packet.session == peer_) {
       ended_ = peer_;
-      if (std::exchange(up_, false))
-        change(SessionChange::Kind::kDown, packet.bye->why);
+      knows_us_ = false;
+      if (std::exchange(up_, false)) change(SessionChange::Kind::kDown, packet.bye->why);
     }
     return;
   }
@@ -99,8 +100,7 @@ void Session::receive(const Packet& packet, Time now, const Deliver& deliver) {
     answered_ = now;
     if (packet.echo && packet.echo->held >= Time())
       alignment_.round_trip(packet.echo->sent + packet.echo->held, packet.sent, now);
-    if (!std::exchange(up_, true))
-      change(SessionChange::Kind::kUp, peer_hello_.software);
+    if (!std::exchange(up_, true)) change(SessionChange::Kind::kUp, peer_hello_.software);
     refusal_.clear();
     hear_acknowledgements(packet);
   }
@@ -179,7 +179,7 @@ Packet Session::next_packet(Time now) {
   for (const auto& [number, coded] : early_)
     if (number > expected_ && number - expected_ <= kWindow)
       packet.ahead |= std::uint64_t{1} << (number - expected_ - 1);
-  if (!knows_us_) packet.hello = options_.hello;
+  if (!knows_us_ || std::exchange(greets_, false)) packet.hello = options_.hello;
   return packet;
 }
 

@@ -48,9 +48,9 @@ struct Delivery {
 /// output of its own: packets and times come as arguments.
 ///
 /// Parcels are sent again until they are acknowledged or too old, and come once and in
-/// order; of what is shown only the newest comes, or nothing. Of two sessions of the other
-/// side the one that began later counts, or the one that is still there. Parcels that wait
-/// when the other side begins anew are for the new one.
+/// order; of what is shown only the newest comes, or nothing. Of two sessions of the
+/// other side the one that began later counts, or the one that is still there. Parcels
+/// that wait when the other side begins anew are for the new one.
 ///
 /// Holds a bounded number of bytes, whatever comes.
 class Session {
@@ -119,7 +119,7 @@ class Session {
   std::string refusal_;  // reported
   Time heard_;           // its last packet
   Time answered_;        // its last packet that knows of this session
-  bool knows_us_ = false, up_ = false;
+  bool knows_us_ = false, up_ = false, greets_ = false;
   std::uint64_t newest_ = 0;  // number of its newest packet
   Time newest_sent_;          // of that, by its clock
   Time newest_heard_;

@@ -21,8 +21,8 @@ struct TeamPacket {
   std::uint32_t protocol = 0x314D4B53;  ///< "SKM1"
   std::uint64_t session = 0;            ///< of the sender, from the time of its start
   EntityId from;
-  std::uint64_t number = 0;  ///< counts the session's packets, from 1
-  Time sent;                 ///< by the sender's clock, as are times in the message
+  std::uint64_t number = 0;        ///< counts the session's packets, from 1
+  Time sent;                       ///< by the sender's clock, as are times in the message
   std::optional<Message> message;  ///< none: it is there, nothing more
 };
 

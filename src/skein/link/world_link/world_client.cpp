@@ -172,10 +172,10 @@ void WorldClient::opened(transport::ChannelId channel, transport::EndpointId end
                          const std::string&) {
   Peer& peer = peers_[channel];
   peer.endpoint = endpoint;
-  peer.connection = of_world(peer)
-                        ? is_connection(*options_.world)
-                        : is_connection(options_.team.at(
-                              endpoint - (options_.world ? 1u : 0u)));
+  peer.connection =
+      of_world(peer)
+          ? is_connection(*options_.world)
+          : is_connection(options_.team.at(endpoint - (options_.world ? 1u : 0u)));
 }
 
 void WorldClient::closed(transport::ChannelId channel, const std::string&) {

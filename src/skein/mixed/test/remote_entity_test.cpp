@@ -149,8 +149,9 @@ TEST(RemoteAgent, SaysWhatTheEntitySaysUnderItsOwnName) {
   const Event event{seconds(9), EntityId{7}, "found", "a person"};
   FireReading reading;
   reading.aircraft = EntityId{8};
-  stand.desk.waiting = {EntityReport{Message{EntityId{9}, EntityId{0}, 5, {}, Heartbeat{}}},
-                        EntityReport{event}, EntityReport{reading}};
+  stand.desk.waiting = {
+      EntityReport{Message{EntityId{9}, EntityId{0}, 5, {}, Heartbeat{}}},
+      EntityReport{event}, EntityReport{reading}};
   const AgentOutput out = stand.step(seconds(10));
   ASSERT_EQ(out.outbox.size(), 1u);
   ASSERT_EQ(out.events.size(), 1u);
@@ -188,6 +189,7 @@ TEST(RemoteVehicle, ALinkThatIsMadeToFailBringsNothing) {
   EXPECT_EQ(stand.vehicle->estimate().p_N.x(), 0);
   ASSERT_TRUE(stand.vehicle->set_fault("link", false, seconds(2)).ok());
   EXPECT_TRUE(stand.vehicle->link_works());
+  stand.step(seconds(3));
   EXPECT_EQ(stand.kinds(), (std::vector<std::string>{"link-up", "failure", "repaired"}));
 }
 

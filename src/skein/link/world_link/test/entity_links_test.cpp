@@ -64,9 +64,11 @@ WorldClientOptions scout(const transport::EndpointAddress& world) {
 }
 
 bool wait(const std::function<bool()>& until) {
-  for (int k = 0; k < 1000 && !until(); ++k)
+  for (int k = 0; k < 1000; ++k) {
+    if (until()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return until();
+  }
+  return false;
 }
 
 class EntityLinksOver : public testing::TestWithParam<const char*> {};

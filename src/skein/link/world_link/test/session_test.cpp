@@ -113,8 +113,8 @@ TEST(Session, GoesOnWithWhoeverBeginsAnew) {
     line.run_for(2, &again, &ends.agent);
     EXPECT_EQ(ends.agent.came.back(), "hello from " + std::to_string(id));
   }
-  EXPECT_EQ(ends.agent.changes,
-            (std::vector{Kind::kUp, Kind::kRestarted, Kind::kUp, Kind::kDown, Kind::kUp}));
+  EXPECT_EQ(ends.agent.changes, (std::vector{Kind::kUp, Kind::kRestarted, Kind::kUp,
+                                             Kind::kDown, Kind::kUp}));
 }
 
 TEST(Session, OfTwoTheOneThatBeganLaterCounts) {
@@ -146,13 +146,31 @@ TEST(Session, AByeEndsItAtOnceAndLatePacketsDoNotRaiseIt) {
   PacketLine line({}, 6);
   line.run_for(1, &ends.world, &ends.agent);
   std::optional<Packet> late;
-  ends.agent.session.step(line.now + Time::from_seconds(1), [&](const Packet& p) { late = p; });
+  ends.agent.session.step(line.now + Time::from_seconds(1),
+                          [&](const Packet& p) { late = p; });
   ASSERT_TRUE(late);
   ends.agent.session.say_bye(line.now, "the end",
                              [&](const Packet& p) { ends.world.take(p, line.now); });
   EXPECT_FALSE(ends.world.session.up());
   ends.world.take(*late, line.now);
   EXPECT_EQ(ends.world.changes, (std::vector{Kind::kUp, Kind::kDown}));
+}
+
+TEST(Session, IsTakenUpByOneThatAsksWhoIsThere) {
+  PacketLine line({}, 8);
+  Ends ends;
+  line.run_for(1, &ends.world, &ends.agent);
+  // A new world got a packet without a hello, and answers that it knows nobody.
+  Packet question;
+  question.session = 101;
+  question.number = 1;
+  ends.agent.take(question, line.now);
+  std::optional<Packet> answer;
+  ends.agent.session.step(line.now + ends.agent.ahead,
+                          [&](const Packet& packet) { answer = packet; });
+  ASSERT_TRUE(answer);
+  ASSERT_TRUE(answer->hello);
+  EXPECT_EQ(answer->hello->software, "test 200");
 }
 
 TEST(Session, HoldsABoundedNumberOfParcels) {
