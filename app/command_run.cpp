@@ -21,6 +21,7 @@
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
 #include "skein/record/run_recorder.h"
+#include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
@@ -151,8 +152,8 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
   return created;
 }
 
-// Aircraft that are not simulated fly by the wall clock. A run that is done again needs
-// no clock.
+// Aircraft elsewhere fly by the wall clock, but those in lock-step. A run that is done
+// again needs no clock.
 Result<void> set_clock(assemble::Build& ready, double speed,
                        const RunArguments& arguments, bool again) {
   ready.options.speed = speed;
@@ -242,7 +243,12 @@ Result<void> start_links(assemble::Build& ready) {
   };
   if (auto started = start(*ready.links); !started) return started;
   if (auto started = start(*ready.entity_links); !started) return started;
-  return ready.world_client ? start(*ready.world_client) : Result<void>();
+  if (ready.world_client)
+    if (auto started = start(*ready.world_client); !started) return started;
+  for (simulation::Entity& entity : ready.world.entities)
+    if (entity.vehicle)
+      if (auto opened = entity.vehicle->open(); !opened) return opened;
+  return {};
 }
 
 Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* recorder,

@@ -77,7 +77,8 @@ export interface RunData {
   duration_s: number;
   allocation_start_s: number | null;
   summary: Record<string, number>;
-  entities: Entity[];
+  /** `class`: what entities between the physical and the virtual like it are called. */
+  entities: (Entity & { class: string })[];
   metrics: { time_s: Packed; columns: Record<string, Packed> }; // float32, NaN = absent
   /** The first aircraft, over time; empty in comparisons. */
   flights: { entity: number; time_s: Packed; columns: Record<FlightColumn, Packed> }[]; // float32

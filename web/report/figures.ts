@@ -69,6 +69,8 @@ const kCounts: Count[] = [
   { label: "Crossings", show: key("crossings") },
   { label: "Lowest reserve", unit: "%", show: (run) => lowest(run, "min_reserve_", 100) },
   { label: "Objects found", show: (run) => run.summary.objects && run.summary.objects_found },
+  { label: "Non-actual observations", show: key("non_actual_observations") },
+  { label: "Unknown object interactions", show: key("unknown_object_interactions") },
   { label: "Detections", show: key("detections") },
   { label: "Scans", show: key("range_scans") },
   { label: "Messages lost", unit: "%",

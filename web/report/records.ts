@@ -761,11 +761,24 @@ export interface LinkHealth {
   round_trip_s: number | null; // 0: not measured yet
 }
 
+/** What an outside autopilot had the actuators of a plant here do. */
+export interface ActuatorOutputs {
+  channels: number; // numbers of a row
+  values: number[]; // row after row
+  steps: number[]; // physics steps for which each row held
+}
+
+/** Something happened to an outside autopilot or its program. */
+export interface OutsideEvent {
+  event: string; // as events have it
+  text: string; // for people
+}
+
 /** What a vehicle behind a link has said: all that a run is told from outside. */
 export interface VehicleReport {
   time_s: number; // of the step that took it in
   entity_id: number; // whose
-  kind: string; // what it said: fields of ({ kind: "motion" } & Motion) | ({ kind: "condition" } & Condition) | ({ kind: "link_change" } & LinkChange) | ({ kind: "answer" } & Answer) | ({ kind: "text" } & Text) | ({ kind: "mission_progress" } & MissionProgress) | ({ kind: "identity" } & Identity) | ({ kind: "link_health" } & LinkHealth)
+  kind: string; // what it said: fields of ({ kind: "motion" } & Motion) | ({ kind: "condition" } & Condition) | ({ kind: "link_change" } & LinkChange) | ({ kind: "answer" } & Answer) | ({ kind: "text" } & Text) | ({ kind: "mission_progress" } & MissionProgress) | ({ kind: "identity" } & Identity) | ({ kind: "link_health" } & LinkHealth) | ({ kind: "actuator_outputs" } & ActuatorOutputs) | ({ kind: "outside_event" } & OutsideEvent)
 }
 
 /** An object that exists in reality: an upright cylinder on the ground. */

@@ -126,6 +126,19 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
   ].flat();
 }
 
+/** Who is real and sees what; nothing where everybody is purely simulated. */
+function realityTable(run: RunData): HTMLElement | null {
+  const aircraft = run.entities.filter((entity) => entity.interaction !== "none");
+  if (aircraft.every((entity) => entity.class === "pure-simulated")) return null;
+  const columns = ["Aircraft", "Class", "Its body is", "It perceives", "It may update"];
+  return h("div", { class: "scroll" }, h("table", { class: "events" },
+    h("caption", {}, "Physical and virtual"),
+    h("thead", {}, h("tr", {}, ...columns.map((t) => h("th", { scope: "col" }, t)))),
+    h("tbody", {}, ...aircraft.map((entity) => h("tr", {},
+      ...[entity.name, entity.class, entity.presence, entity.interaction, entity.updates]
+        .map((text) => h("td", {}, text)))))));
+}
+
 function eventList(runs: RunData[]): HTMLElement | null {
   const tables = runs.filter((run) => run.events.length > 0).map((run) => {
     const names = new Map(run.entities.map((entity) => [entity.entity_id, entity.name]));
@@ -159,7 +172,7 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
     : section("Overview", "overview", tiles(runs[0]),
       hasMetrics(runs[0])
         ? h("div", { class: "side-by-side" }, h("div", {}, figuresTable(runs[0]), meaning), identity(runs[0]))
-        : identity(runs[0]), missionTable(runs));
+        : identity(runs[0]), missionTable(runs), realityTable(runs[0]));
   return [
     h("header", {}, h("h1", {}, title)),
     overview,

@@ -139,10 +139,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto parts = mount_sensors(group, context, vehicle);
   if (!parts) return parts.error();
   context.fitted = flight_sensors_in(parts.value().sensors);
-  const auto complete = [&]() -> Result<void> {
-    auto autopilot = kinds_.autopilot.make(group.autopilot, context);
-    if (!autopilot) return at(name, autopilot.error());
-    vehicle.autopilot = std::move(autopilot).value();
+  const auto complete_body = [&]() -> Result<void> {
     auto turbulence = gusty_air(context);
     if (!turbulence) return turbulence.error();
     vehicle.turbulence = std::move(turbulence).value();
@@ -153,12 +150,35 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     vehicle.breakable = breakable_parts(parts.value());
     return {};
   };
+  const auto complete = [&]() -> Result<void> {
+    auto autopilot = kinds_.autopilot.make(group.autopilot, context);
+    if (!autopilot) return at(name, autopilot.error());
+    vehicle.autopilot = std::move(autopilot).value();
+    return complete_body();
+  };
   std::unique_ptr<Agent> remote;
   auto flown = kinds_.vehicle.make(
       group.vehicle,
-      VehicleContext{context, index, vehicle, complete, links_.vehicles, links_.entities,
-                     remote, recorded_ ? &(*recorded_)[self] : nullptr});
+      VehicleContext{.aircraft = context,
+                     .scenario = scenario_,
+                     .group = group,
+                     .index = index,
+                     .parts = vehicle,
+                     .complete = complete,
+                     .complete_body = complete_body,
+                     .links = links_.vehicles,
+                     .remotes = links_.entities,
+                     .agent = remote,
+                     .recorded = recorded_ ? &(*recorded_)[self] : nullptr,
+                     .is_simulated = [this](const std::string& other) {
+                       return is_simulated(other);
+                     },
+                     .find = [made = made_](const std::string& other) -> const Vehicle* {
+                       const auto found = made->find(other);
+                       return found == made->end() ? nullptr : found->second;
+                     }});
   if (!flown) return at(name, flown.error());
+  (*made_)[name] = flown.value().get();
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
@@ -184,6 +204,13 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   }
   entity.active = presence(group, index, scenario_.duration);
   return entity;
+}
+
+bool AircraftBuilder::is_simulated(const std::string& name) const {
+  for (std::size_t k = 0; k < names_.size(); ++k)
+    if (std::find(names_[k].begin(), names_[k].end(), name) != names_[k].end())
+      return scenario_.aircraft[k].vehicle.kind == "simulated";
+  return false;
 }
 
 Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(

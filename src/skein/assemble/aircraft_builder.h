@@ -83,6 +83,7 @@ class AircraftBuilder {
                               AircraftContext& context,
                               simulation::VehicleParts& vehicle) const;
   Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
+  bool is_simulated(const std::string& name) const;
 
   const scenario::Scenario& scenario_;
   const KindsByRole& kinds_;
@@ -95,6 +96,9 @@ class AircraftBuilder {
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
   std::vector<std::vector<std::string>> names_;                // of each group
+  // All that were made, for those who look at others when the run goes.
+  std::shared_ptr<std::map<std::string, const Vehicle*>> made_ =
+      std::make_shared<std::map<std::string, const Vehicle*>>();
   TeamAircraft last_;
 };
 

@@ -320,7 +320,6 @@ class Builder {
     for (std::uint32_t k = 0; k < first; ++k)
       teams_.push_back({EntityId{k}, scenario_.stations[k].name, {}});
     for (const AircraftGroup& group : scenario_.aircraft) {
-      build_.mixed |= group.count > 0 && group.vehicle.kind != "simulated";
       StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {
         const auto next = static_cast<std::uint32_t>(build_.world.entities.size());
@@ -328,6 +327,7 @@ class Builder {
         if (!note(made)) break;  // the others of its group are alike
         if (!note_fit(group, i, made.value())) break;
         station.team.push_back(builder.last());
+        build_.mixed |= made.value().vehicle->real_time();
         build_.world.entities.push_back(std::move(made).value());
       }
     }
@@ -406,7 +406,7 @@ class Builder {
       const auto address = transport::parse_endpoint(link.endpoint);
       if (note(address)) build_.links->add_station({address.value(), link.is_signed});
     }
-    if (!links.ground_stations.empty()) show_aircraft();
+    show_aircraft(!links.ground_stations.empty());
     if (!links.key_file.empty()) {
       const auto key = mavlink::read_signing_key(links.key_file);
       if (note(key)) build_.links->set_key(key.value());
@@ -417,14 +417,18 @@ class Builder {
     }
   }
 
-  void show_aircraft() {
+  // Simulated aircraft, to ground stations and to real vehicles.
+  void show_aircraft(bool to_stations) {
     std::vector<vehicle_links::ShownAircraft> all;
+    std::vector<std::string> traffic;
     std::size_t entity = scenario_.stations.size();
     for (const AircraftGroup& group : scenario_.aircraft)
       for (int i = 0; i < group.count && entity < build_.world.entities.size();
            ++i, ++entity) {
         const simulation::Entity& aircraft = build_.world.entities[entity];
         if (group.vehicle.kind != "simulated") continue;
+        if (build_.links->needs_traffic()) traffic.push_back(aircraft.name);
+        if (!to_stations) continue;
         const FlightLimits limits = parts_of(aircraft).plant->limits();
         vehicle_services::VehicleServerOptions server;
         server.system = static_cast<std::uint8_t>(scenario_.links.first_system);
@@ -446,9 +450,9 @@ class Builder {
         shown.server = build_.links->show(std::move(server));
         all.push_back(std::move(shown));
       }
-    if (!all.empty())
-      build_.feed =
-          std::make_unique<vehicle_links::VehicleFeed>(*build_.links, std::move(all));
+    if (!all.empty() || !traffic.empty())
+      build_.feed = std::make_unique<vehicle_links::VehicleFeed>(*build_.links,
+                                                                 std::move(all), traffic);
   }
 
   Result<void> radio() {

@@ -46,7 +46,7 @@ struct Build {
   /// the records that tells the world. Null: this is the world.
   std::unique_ptr<world_link::WorldClient> world_client;
   std::unique_ptr<world_link::WorldFeed> world_feed;
-  bool mixed = false;  ///< an aircraft is not simulated: it runs in real time
+  bool mixed = false;  ///< an aircraft goes by the wall clock, and so must the run
   simulation::World world;
   simulation::RunOptions options;  ///< speed and threads are the caller's
   /// What was repaired in outside data, and what cannot be done as asked for.

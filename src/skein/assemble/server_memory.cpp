@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "skein/assemble/driven_plant_kind.h"
 #include "skein/mixed/server_memory.h"
 
 namespace skein::assemble {
 
 EntityReality reality_of(const scenario::AircraftGroup& group) {
-  const bool simulated = group.vehicle.kind == "simulated";
+  const bool simulated = plant_is_here(group.vehicle);
   // One in another program may be simulated there: it is not taken for real unasked.
   const bool elsewhere = group.vehicle.kind == "remote";
   const bool physical = group.physical.value_or(!simulated && !elsewhere);

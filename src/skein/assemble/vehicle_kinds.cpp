@@ -3,7 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "skein/assemble/driven_plant_kind.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/skein_autopilot_kind.h"
 #include "skein/assemble/vehicle_context.h"
@@ -30,6 +37,20 @@ autopilot::LateralOptions far_lateral() {
   return options;
 }
 
+// A position that it is given in place of its satellite receiver's.
+struct GpsOptions {
+  std::string group;
+  double rate_hz = 5;
+};
+
+// What it is sent of the virtual world.
+struct FeedOptions {
+  std::optional<vehicle_links::TrafficOptions> traffic = vehicle_links::TrafficOptions{};
+  std::optional<mixed::ObstacleFeed> obstacles;
+  bool fence = false;
+  std::optional<GpsOptions> gps;
+};
+
 // A vehicle at the far end of a MAVLink connection.
 struct MavlinkOptions {
   std::string endpoint = "udpin:14551";
@@ -42,7 +63,45 @@ struct MavlinkOptions {
   Time max_age = Time::from_seconds(5);
   double bank_limit = geo::radians(45);
   autopilot::LateralOptions lateral = far_lateral();
+  PhysicsChoice physics;
+  FeedOptions feeds;
 };
+
+Fields<FeedOptions> feed_fields() {
+  using Traffic = vehicle_links::TrafficOptions;
+  using Obstacles = mixed::ObstacleFeed;
+  return Fields<FeedOptions>()
+      .object("traffic", &FeedOptions::traffic,
+              Fields<Traffic>()
+                  .number("range_m", &Traffic::range, "On the map.",
+                          {.above = 0, .at_most = 500'000})
+                  .number("rate_hz", &Traffic::rate, "How often, of each, at most.",
+                          {.at_least = 0.1, .at_most = 20})
+                  .integer("max", &Traffic::max, "So many, the nearest.",
+                           {.at_least = 1, .at_most = 250}),
+              "Other aircraft, real and simulated, are shown to it (ADSB_VEHICLE); null: "
+              "none.")
+      .object("obstacles", &FeedOptions::obstacles,
+              Fields<Obstacles>()
+                  .number("range_m", &Obstacles::range, "So far is looked.",
+                          {.at_least = 5, .at_most = 650})
+                  .number("rate_hz", &Obstacles::rate, "How often.",
+                          {.at_least = 0.1, .at_most = 20})
+                  .boolean("zones", &Obstacles::zones, "No-fly zones are walls."),
+              "What stands around it at its altitude, from the run's terrain "
+              "(OBSTACLE_DISTANCE); null: none.")
+      .boolean("fence", &FeedOptions::fence,
+               "The no-fly zones in force replace its exclusion fence, again whenever "
+               "they change.")
+      .object("gps", &FeedOptions::gps,
+              Fields<GpsOptions>()
+                  .text("group", &GpsOptions::group,
+                        "Aircraft k is where aircraft k of this group is, which is "
+                        "simulated.")
+                  .number("rate_hz", &GpsOptions::rate_hz, "How often.",
+                          {.at_least = 1, .at_most = 10}),
+              "A position in place of its satellite receiver's (GPS_INPUT); null: none.");
+}
 
 std::string endpoint_error(const MavlinkOptions& options) {
   const auto address = transport::parse_endpoint(options.endpoint);
@@ -78,15 +137,23 @@ Fields<MavlinkOptions> mavlink_fields() {
                  "turn radius of its plant; what is more is for corrections.",
                  {.above = 5, .at_most = 70})
       .object("lateral", &T::lateral, lateral_fields(), "Guidance along lines.")
+      .object("physics", &T::physics, physics_fields(),
+              "Whether its plant is here; see docs/outside-physics.md.")
+      .object("feeds", &T::feeds, feed_fields(), "What it is sent of the virtual world.")
       .rule("endpoint", endpoint_error);
 }
 
-Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
-                                                  const VehicleContext& c) {
+int system_of(const MavlinkOptions& options, const VehicleContext& c) {
+  return options.system + options.system_step * c.index;
+}
+
+Result<std::unique_ptr<VehiclePort>> mavlink_port(
+    const MavlinkOptions& options, const VehicleContext& c,
+    std::shared_ptr<const std::atomic<std::int64_t>> clock_ns) {
   if (c.recorded)
     return std::unique_ptr<VehiclePort>(
         std::make_unique<mixed::RecordedPort>(*c.recorded));
-  const int system = options.system + options.system_step * c.index;
+  const int system = system_of(options, c);
   if (system > 255)
     return Error{ErrorCode::kBadInput, "vehicle.system",
                  fmt::format("{} would have the system id {}; the largest is 255.",
@@ -100,9 +167,33 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(const MavlinkOptions& options,
   linked.client.hovers = c.aircraft.limits.slowest == 0;
   linked.client.rate = options.rate_hz;
   linked.client.silence = options.silence;
+  linked.clock_ns = std::move(clock_ns);
+  linked.name = c.parts.name;
+  linked.traffic = options.feeds.traffic;
   const auto number = c.links.add(linked);
   if (!number) return number.error();
   return c.links.port(number.value());
+}
+
+Result<mixed::VirtualFeedOptions> virtual_feeds(const FeedOptions& options,
+                                                const VehicleContext& c) {
+  mixed::VirtualFeedOptions feeds;
+  feeds.obstacles = options.obstacles;
+  feeds.fence = options.fence;
+  feeds.zones = c.aircraft.zones;
+  if (options.gps) {
+    const std::string name = fmt::format("{}-{}", options.gps->group, c.index + 1);
+    if (!c.is_simulated(name))
+      return Error{ErrorCode::kBadInput, "vehicle.feeds.gps.group",
+                   fmt::format("{} is to be where {} is, but the scenario has no "
+                               "simulated aircraft of that name.",
+                               c.parts.name, name),
+                   "Give a group of simulated aircraft that is as large, or leave gps "
+                   "out: nobody knows where a real one truly is."};
+    feeds.fix = mixed::FixFeed{[find = c.find, name] { return find(name); },
+                               options.gps->rate_hz};
+  }
+  return feeds;
 }
 
 // What guidance may ask for: turns as tight as the bank allows, while corners are rounded
@@ -116,7 +207,15 @@ FlightLimits guided_limits(const FlightLimits& planned, double bank_limit) {
 }
 
 Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
-  auto port = mavlink_port(options, c);
+  auto feeds = virtual_feeds(options.feeds, c);
+  if (!feeds) return feeds.error();
+  DrivenBody body;
+  if (options.physics.kind != PhysicsChoice::Kind::kNone) {
+    auto made = driven_body(options.physics, system_of(options, c), c);
+    if (!made) return made.error();
+    body = std::move(made).value();
+  }
+  auto port = mavlink_port(options, c, body.clock_ns);
   if (!port) return port.error();
   autopilot::SkeinOptions guidance;
   guidance.wing_guidance.lateral = options.lateral;
@@ -133,6 +232,8 @@ Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
   parts.limits = c.aircraft.limits;
   parts.start = c.aircraft.initial;
   parts.max_age = options.max_age;
+  parts.body = std::move(body.plant);
+  parts.feeds = std::move(feeds).value();
   return std::unique_ptr<Vehicle>(std::make_unique<mixed::RealVehicle>(std::move(parts)));
 }
 
@@ -194,6 +295,12 @@ Made make_remote(const RemoteOptions& options, const VehicleContext& c) {
 
 }  // namespace
 
+bool plant_is_here(const scenario::Choice& vehicle) {
+  return vehicle.kind == "simulated" ||
+         (vehicle.kind == "mavlink" &&
+          vehicle.as<MavlinkOptions>().physics.kind != PhysicsChoice::Kind::kNone);
+}
+
 Kinds<Vehicle, VehicleContext> vehicle_kinds() {
   Kinds<Vehicle, VehicleContext> kinds("vehicle");
   kinds.add("simulated", "Plant, autopilot and sensors are models.",
@@ -206,7 +313,8 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
   kinds.add("mavlink",
             "An aircraft elsewhere, real or in another program, whose autopilot speaks "
             "MAVLink (ArduPilot, PX4, skein vehicle). Its plant here says what it can "
-            "do; of its sensors the payload is here and looks at the virtual world.",
+            "do; of its sensors the payload is here and looks at the virtual world. With "
+            "physics the plant is here too, and only the autopilot elsewhere.",
             mavlink_fields(), [](const MavlinkOptions& o, const VehicleContext& c) {
               return make_mavlink(o, c);
             });

@@ -37,6 +37,7 @@ enum class Purpose : std::uint32_t {
   kTurbulence = 25,
   kObject = 26,
   kRadioOutage = 27,
+  kOutsideSensors = 28,
   kVehicleFault = 40,
   kAirframe = 41,
   /// Kinds of plugins: this and every number above it, as `static_cast<Purpose>(...)`.

@@ -12,6 +12,7 @@
 #include "skein/data/payload.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
+#include "skein/data/zone.h"
 
 namespace skein {
 
@@ -34,6 +35,7 @@ struct AgentOutput {
   std::optional<ReturnRoute>
       return_route;  ///< when returns shall lead elsewhere from now on
   std::optional<RegionOfInterest> region_of_interest;  ///< from now on
+  std::optional<std::vector<Zone>> zones;  ///< no-fly, in force, when others are
   std::vector<Event> events;
   std::vector<AgentRecord> records;  ///< what else it wants to have recorded
 };

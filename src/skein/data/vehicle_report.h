@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
@@ -184,9 +185,71 @@ constexpr auto describe(const LinkHealth*) {
       field("round_trip", &T::round_trip, unit::kSecond, "0: not measured yet"));
 }
 
+/// What an outside autopilot had the actuators of a plant here do in one step of the run,
+/// physics step by physics step.
+struct ActuatorOutputs {
+  std::uint32_t channels = 0;        ///< numbers of a row, in the order of Actuators
+  std::vector<float> values;         ///< row after row
+  std::vector<std::uint32_t> steps;  ///< physics steps for which each row held
+};
+
+constexpr auto describe(const ActuatorOutputs*) {
+  using T = ActuatorOutputs;
+  return described<T>(
+      {"actuator_outputs"},
+      "What an outside autopilot had the actuators of a plant here do.",
+      field("channels", &T::channels, "numbers of a row"),
+      field("values", &T::values, Storage::kJson, "row after row"),
+      field("steps", &T::steps, Storage::kJson, "physics steps for which each row held"));
+}
+
+/// Something happened to an outside autopilot that moves a plant here, or to its program.
+struct OutsideEvent {
+  std::string kind;  ///< as events have it
+  std::string text;  ///< for people
+};
+
+constexpr auto describe(const OutsideEvent*) {
+  using T = OutsideEvent;
+  return described<T>({"outside_event"},
+                      "Something happened to an outside autopilot or its program.",
+                      field("event", &T::kind, "as events have it"),
+                      field("text", &T::text, "for people"));
+}
+
+/// What a vehicle was sent of the virtual world since the begin. Of records only; nothing
+/// simulated depends on it.
+struct FeedHealth {
+  std::uint64_t traffic = 0;            ///< frames about other aircraft
+  std::uint64_t traffic_limited = 0;    ///< left out: too soon, or too many in range
+  std::uint64_t obstacles = 0;          ///< frames
+  std::uint64_t obstacles_limited = 0;  ///< left out: a newer one was there
+  std::uint64_t fences = 0;             ///< accepted by the vehicle
+  std::uint64_t fences_refused = 0;     ///< or not answered
+  std::uint64_t fixes = 0;              ///< positions, in place of a receiver's
+  std::uint64_t fixes_limited = 0;      ///< left out: a newer one was there
+
+  bool operator==(const FeedHealth&) const = default;
+};
+
+constexpr auto describe(const FeedHealth*) {
+  using T = FeedHealth;
+  return described<T>(
+      {"feed_health"}, "What a vehicle was sent of the virtual world so far.",
+      field("traffic", &T::traffic, "frames about other aircraft"),
+      field("traffic_limited", &T::traffic_limited, "too soon, or too many in range"),
+      field("obstacles", &T::obstacles, "frames"),
+      field("obstacles_limited", &T::obstacles_limited, "a newer one was there"),
+      field("fences", &T::fences, "accepted"),
+      field("fences_refused", &T::fences_refused, "or not answered"),
+      field("fixes", &T::fixes, "positions, in place of a receiver's"),
+      field("fixes_limited", &T::fixes_limited, "a newer one was there"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
 using VehicleReport =
     std::variant<VehicleMotion, VehicleCondition, LinkChange, RequestAnswer, VehicleText,
-                 MissionProgress, VehicleIdentity, LinkHealth, EntityReport>;
+                 MissionProgress, VehicleIdentity, LinkHealth, ActuatorOutputs,
+                 OutsideEvent, FeedHealth, EntityReport>;
 
 }  // namespace skein

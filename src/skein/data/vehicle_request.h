@@ -11,6 +11,7 @@
 #include "skein/data/describe.h"
 #include "skein/data/pilot.h"
 #include "skein/data/setpoint.h"
+#include "skein/data/zone.h"
 #include "skein/geo/vec.h"
 
 // What a vehicle behind a link is asked for. A real vehicle is sent these; a simulated
@@ -183,10 +184,55 @@ constexpr auto describe(const PilotRequest*) {
                                  field("input", &PilotRequest::input, "the sticks"));
 }
 
+/// What stands around it in the virtual world at its altitude: the distance to it in each
+/// of 72 directions, every 5 degrees from straight ahead clockwise.
+struct ObstacleDistances {
+  static constexpr std::size_t kDirections = 72;
+  double range = 0;                                ///< looked so far [m]
+  std::array<double, kDirections> distances = {};  ///< [m]; infinite: nothing in range
+};
+
+constexpr auto describe(const ObstacleDistances*) {
+  using T = ObstacleDistances;
+  return described<T>(
+      {"obstacles"}, "What stands around it in the virtual world.",
+      field("range", &T::range, unit::kMetre, "looked so far"),
+      field("distances", &T::distances, Storage::kJson,
+            "in metres, every 5 degrees from ahead clockwise; null: nothing in range"));
+}
+
+/// Its exclusion fence is replaced by the areas of these zones, at all altitudes: fences
+/// of autopilots have none.
+struct FenceUpload {
+  std::vector<Zone> zones;
+};
+
+constexpr auto describe(const FenceUpload*) {
+  return described<FenceUpload>(
+      {"upload_fence"}, "Its exclusion fence is replaced.",
+      field("zones", &FenceUpload::zones, Storage::kJson, "that it shall keep out of"));
+}
+
+/// What a satellite receiver on board would say, for a vehicle that flies without one.
+struct PositionFix {
+  Vec3 p_N = Vec3::Zero();  ///< [m]
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
+  double position_sd = 1;   ///< per horizontal axis [m]
+};
+
+constexpr auto describe(const PositionFix*) {
+  using T = PositionFix;
+  return described<T>(
+      {"position_fix"}, "What a satellite receiver on board would say.",
+      field("", &T::p_N, axes::kPlace, "position"),
+      field("", &T::v_N, axes::kVelocity, "over ground"),
+      field("position_sd", &T::position_sd, unit::kMetre, "per horizontal axis"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
 using VehicleRequest =
     std::variant<ModeRequest, ArmRequest, TakeOffRequest, LandRequest, FlyToRequest,
                  BankSetpoint, TrackSetpoint, SpeedRequest, MissionUpload, MissionStart,
-                 PilotRequest>;
+                 PilotRequest, ObstacleDistances, FenceUpload, PositionFix>;
 
 }  // namespace skein

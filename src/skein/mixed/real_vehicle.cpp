@@ -49,6 +49,7 @@ RealVehicle::RealVehicle(RealVehicleParts parts)
     : parts_(std::move(parts)),
       tracker_(!hovers(parts_.limits)),
       director_(hovers(parts_.limits)),
+      feeds_(std::move(parts_.feeds)),
       estimate_(parts_.start) {}
 
 // What the vehicle says, one report after the other.
@@ -63,9 +64,11 @@ struct RealVehicle::Listener {
   void operator()(const LinkChange& change) const {
     self.events_.push_back({event_of(change.kind), change.text});
     self.director_.hear(change);
+    self.feeds_.hear(change);
   }
   void operator()(const RequestAnswer& answer) const {
     self.director_.hear(answer, now, self.events_);
+    self.feeds_.hear(answer, now, self.events_);
   }
   void operator()(const VehicleText& text) const {
     constexpr std::uint8_t kError = 3;  // and what is worse
@@ -77,9 +80,14 @@ struct RealVehicle::Listener {
   }
   void operator()(const LinkHealth&) const {}
   void operator()(const EntityReport&) const {}  // its agent is here
+  // Of a body's drive, not of the link.
+  void operator()(const ActuatorOutputs&) const {}
+  void operator()(const OutsideEvent&) const {}
+  void operator()(const FeedHealth&) const {}
 };
 
-void RealVehicle::begin(const Surroundings&, Time now) {
+void RealVehicle::begin(const Surroundings& world, Time now) {
+  if (parts_.body) parts_.body->begin(world, now);
   begin_step(now);
   parts_.guidance->begin(estimate_, condition_.on_ground);
 }
@@ -89,6 +97,11 @@ bool RealVehicle::fresh(Time now) const {
 }
 
 void RealVehicle::begin_step(Time now) {
+  if (parts_.body) {
+    parts_.body->begin_step(now);
+    set_blocked(parts_.body->faults().link);
+  }
+  feeds_.look(now);
   if (!blocked_) {
     const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
     parts_.port->receive(now, reports_);
@@ -105,29 +118,52 @@ void RealVehicle::begin_step(Time now) {
   estimate_.time = tracker_.time();
 }
 
-void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out) {
-  if (parts_.payload.empty()) return;
-  if (!fresh(now)) {
-    out.ends.resize(out.ends.size() + parts_.payload.size(), out.samples.size());
-    return;
+// How its payload sees the world, from `state` in `air`; none when nobody knows where it
+// is.
+std::optional<SensorView> RealVehicle::view(const Surroundings& world, Time now,
+                                            VehicleState& state, Air& air) const {
+  if (parts_.body) {
+    state = parts_.body->state();
+    air = parts_.body->air();
+  } else if (fresh(now)) {
+    state = as_state(tracker_.at(now), condition_.on_ground);
+    air.wind_N = world.wind.wind(state.p_N, now);
+  } else {
+    return std::nullopt;
   }
-  const VehicleState state = as_state(tracker_.at(now), condition_.on_ground);
-  Air air;
-  air.wind_N = world.wind.wind(state.p_N, now);
   SensorView view{now,           state,       air, world.terrain, world.phenomena,
                   world.objects, std::nullopt};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - state.p_N;
-  for (const auto& sensor : parts_.payload) {
-    sensor->sample(view, out.samples);
+  return view;
+}
+
+void RealVehicle::look(const Surroundings& world, Time now, PayloadSamples& out) {
+  if (parts_.payload.empty()) return;
+  VehicleState state;
+  Air air;
+  const auto seen = view(world, now, state, air);
+  for (std::size_t k = 0; k < parts_.payload.size(); ++k) {
+    const auto before = static_cast<std::ptrdiff_t>(out.samples.size());
+    if (seen) parts_.payload[k]->sample(*seen, out.samples);
+    if (parts_.body && parts_.body->faults().payload_silent(k))
+      out.samples.erase(out.samples.begin() + before, out.samples.end());
     out.ends.push_back(out.samples.size());
   }
 }
 
-void RealVehicle::advance(const Surroundings&, Time now, Time until, const Vehicle*) {
-  if (blocked_) return;
+void RealVehicle::advance(const Surroundings& world, Time now, Time until,
+                          const Vehicle*) {
+  if (!blocked_) command_autopilot(world, now, until);
+  if (parts_.body) parts_.body->advance(world, now, until);
+}
+
+void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time until) {
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
-  if (!tracker_.known()) return;
+  if (!tracker_.known())
+    return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
   const VehicleMotion motion = tracker_.at(now);
+  feeds_.step(world, now, fresh(now) ? &motion : nullptr, condition_.on_ground,
+              *parts_.port);
   parts_.guidance->sense(TruthSample{now,
                                      motion.p_N,
                                      motion.v_N,
@@ -190,8 +226,8 @@ void RealVehicle::set_return(const ReturnRoute& route) {
 AutopilotStatus RealVehicle::status() const {
   AutopilotStatus status = parts_.guidance->status();
   status.on_ground = condition_.on_ground;
-  status.charge = condition_.charge;
-  status.reserve = condition_.charge;
+  status.charge = parts_.body ? parts_.body->state().energy.charge : condition_.charge;
+  status.reserve = status.charge;
   status.mode = FlightMode::kGuided;
   const bool follows = director_.takes_setpoints() && director_.reached();
   if (!follows) {
@@ -211,28 +247,35 @@ AutopilotStatus RealVehicle::status() const {
 }
 
 void RealVehicle::take_events(std::vector<VehicleEvent>& out) {
+  if (parts_.body) parts_.body->take_events(out);
   for (VehicleEvent& event : events_) out.push_back(std::move(event));
   events_.clear();
 }
 
 void RealVehicle::take_reports(std::vector<VehicleReport>& out) {
+  if (parts_.body) parts_.body->take_reports(out);
   for (VehicleReport& report : reports_) out.push_back(std::move(report));
   reports_.clear();
 }
 
-Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time) {
+Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time now) {
+  if (parts_.body) return parts_.body->set_fault(part, fails, now);
   if (part != "link")
     return Error{ErrorCode::kBadInput, "",
                  fmt::format("{} is not simulated here: of its parts only \"link\" can "
                              "be made to fail.",
                              parts_.name),
                  ""};
-  if (blocked_ == fails) return {};
-  blocked_ = fails;
-  events_.push_back({fails ? "failure" : "repaired", "link"});
-  LinkChange change{fails ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
-  director_.hear(change);
+  if (blocked_ != fails) events_.push_back({fails ? "failure" : "repaired", "link"});
+  set_blocked(fails);
   return {};
+}
+
+void RealVehicle::set_blocked(bool blocked) {
+  if (std::exchange(blocked_, blocked) == blocked) return;
+  const LinkChange change{blocked ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
+  director_.hear(change);
+  feeds_.hear(change);
 }
 
 }  // namespace skein::mixed

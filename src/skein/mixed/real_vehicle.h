@@ -7,8 +7,10 @@
 
 #include "skein/base/time.h"
 #include "skein/data/vehicle_report.h"
+#include "skein/mixed/driven_plant.h"
 #include "skein/mixed/flight_director.h"
 #include "skein/mixed/motion_tracker.h"
+#include "skein/mixed/virtual_feeds.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/sensor.h"
 #include "skein/role/vehicle.h"
@@ -26,6 +28,9 @@ struct RealVehicleParts {
   FlightLimits limits;
   NavEstimate start;                     ///< where it is believed until it says so
   Time max_age = Time::from_seconds(5);  ///< older motions are good for nothing
+  /// Its plant, where that is simulated here and only its autopilot is elsewhere.
+  std::unique_ptr<DrivenPlant> body = nullptr;
+  VirtualFeedOptions feeds = {};  ///< what it is sent of the virtual world
 };
 
 /// A vehicle that is not simulated here: a real aircraft, or one in another program. Its
@@ -37,12 +42,19 @@ struct RealVehicleParts {
 /// guidance; arming, taking off, modes and landing are FlightDirector's. Nobody knows
 /// the truth.
 ///
+/// With a body here (DrivenPlant) only the autopilot is elsewhere: then the truth is the
+/// body's, which the payload looks from, and its parts can be made to fail.
+///
 /// Everything it learns comes in by its port and is given out by take_reports(), so a run
 /// can be done again with what was recorded.
 class RealVehicle final : public Vehicle {
  public:
   explicit RealVehicle(RealVehicleParts parts);
 
+  Result<void> open() override {
+    return parts_.body ? parts_.body->open() : Result<void>();
+  }
+  bool real_time() const override { return !parts_.body || parts_.body->real_time(); }
   void begin(const Surroundings& world, Time now) override;
   void begin_step(Time now) override;
   void look(const Surroundings& world, Time now, PayloadSamples& out) override;
@@ -56,23 +68,33 @@ class RealVehicle final : public Vehicle {
   void set_region_of_interest(const RegionOfInterest& region) override {
     region_of_interest_ = region.place_N;
   }
+  void set_zones(std::span<const Zone> zones) override { feeds_.set_zones(zones); }
   void ground_received(Time /*now*/) override {}
   bool link_works() const override { return director_.up(); }
+  const VehicleState* truth() const override {
+    return parts_.body ? &parts_.body->state() : nullptr;
+  }
+  bool lost() const override { return parts_.body && parts_.body->lost(); }
   void take_events(std::vector<VehicleEvent>& out) override;
   void take_reports(std::vector<VehicleReport>& out) override;
-  /// Part "link": nothing comes in or goes out any more.
+  /// Part "link": nothing comes in or goes out any more. Others: of its body.
   Result<void> set_fault(const std::string& part, bool fails, Time now) override;
 
  private:
   struct Listener;
 
   bool fresh(Time now) const;
+  void set_blocked(bool blocked);
+  std::optional<SensorView> view(const Surroundings& world, Time now, VehicleState& state,
+                                 Air& air) const;
+  void command_autopilot(const Surroundings& world, Time now, Time until);
   void give(const AutopilotCommand& command);
   void send_setpoint(Time now, double dt);
 
   RealVehicleParts parts_;
   MotionTracker tracker_;
   FlightDirector director_;
+  VirtualFeeds feeds_;
   VehicleCondition condition_;
   NavEstimate estimate_;
   std::optional<Vec3> region_of_interest_;

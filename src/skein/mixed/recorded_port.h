@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "skein/role/vehicle_port.h"
@@ -24,11 +25,17 @@ class RecordedPort final : public VehiclePort {
 
   void receive(Time now, std::vector<VehicleReport>& out) override {
     for (; next_ < reports_.size() && reports_[next_].time <= now; ++next_)
-      out.push_back(reports_[next_].report);
+      if (of_vehicle(reports_[next_].report)) out.push_back(reports_[next_].report);
   }
   void send(std::uint32_t, const VehicleRequest&) override {}
 
  private:
+  // The others are said by a DrivenPlant.
+  static bool of_vehicle(const VehicleReport& report) {
+    return !std::holds_alternative<ActuatorOutputs>(report) &&
+           !std::holds_alternative<OutsideEvent>(report);
+  }
+
   std::vector<TimedReport> reports_;
   std::size_t next_ = 0;
 };

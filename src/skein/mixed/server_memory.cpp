@@ -122,12 +122,11 @@ void ServerMemory::find_passages(Time now, const Observation& seen, const Known&
                                                options_.safety_radius))
     events_.push_back(
         {now, each.aircraft, "unknown-object-interaction",
-         fmt::format("{} at {:.1f} s, {:.1f} m from it; nobody knew of it until {} saw "
-                     "it at {:.1f} s",
-                     each.distance > 0 ? "passed " + known.what.object.name
-                                       : "went through " + known.what.object.name,
-                     each.time.seconds(), each.distance, name_of(seen.observer),
-                     seen.time.seconds())});
+         fmt::format("{} {} at {:.1f} s, {:.1f} m from it (its place is known to {:.1f} "
+                     "m); nobody knew of it until {} saw it at {:.1f} s",
+                     each.distance > 0 ? "passed" : "went through",
+                     known.what.object.name, each.time.seconds(), each.distance,
+                     seen.position_sd, name_of(seen.observer), seen.time.seconds())});
 }
 
 // What was found in the picture is remembered as of its time by now: the look was not in

@@ -147,8 +147,10 @@ Json mission_figures_json(const StoredRun& run) {
 
 Json run_json(const StoredRun& run, const std::string& label, const fs::path& directory) {
   Json entities = Json::array(), events = Json::array();
-  for (const EntityRecord& entity : run.entities)
+  for (const EntityRecord& entity : run.entities) {
     entities.push_back(json::to_json(entity));
+    entities.back()["class"] = class_of(entity.reality);
+  }
   for (const Event& event : run.events) events.push_back(json::to_json(event));
   std::string scenario = run.info.scenario_text;
   if (scenario.size() > kLongestScenario)

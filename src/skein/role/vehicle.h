@@ -15,6 +15,7 @@
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/vehicle_report.h"
+#include "skein/data/zone.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/terrain.h"
 #include "skein/role/wind_field.h"
@@ -49,6 +50,14 @@ class Vehicle {
  public:
   virtual ~Vehicle() = default;
 
+  /// Opens what it needs outside of the run: ports, programs. Called once, before the
+  /// run, by the thread that runs it; not for a run that is done again. Fails: what
+  /// cannot be opened.
+  virtual Result<void> open() { return {}; }
+
+  /// It moves by the wall clock, and so must the run.
+  virtual bool real_time() const { return false; }
+
   /// It takes part from `now` on, or again.
   virtual void begin(const Surroundings& world, Time now) = 0;
 
@@ -81,6 +90,10 @@ class Vehicle {
   virtual void set_return(const ReturnRoute& route) = 0;
   /// Replaces where its gimbals look from now on; nothing for what has none.
   virtual void set_region_of_interest(const RegionOfInterest& /*region*/) {}
+
+  /// Replaces the no-fly zones in force, for autopilots that keep a fence of their own;
+  /// nothing for others.
+  virtual void set_zones(std::span<const Zone> /*zones*/) {}
 
   /// What a safety pilot's sticks say; nothing for what has no receiver here.
   virtual void pilot(const PilotInput& /*sticks*/) {}

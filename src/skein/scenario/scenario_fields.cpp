@@ -339,14 +339,14 @@ Fields<AircraftGroup> aircraft_fields() {
       .boolean("physical", &T::physical,
                "Its body exists in reality. A simulated one stands for a real one then, "
                "and so do its sensors. Null: unless it is simulated.")
-      .word("observes", &T::observes,
-            "Which objects its sensors see. Null: virtual; physical for a simulated "
-            "aircraft that is physical.",
-            {{"virtual", Reality::kVirtual, "those that exist in the simulation"},
-             {"physical", Reality::kPhysical, "those that exist in reality"},
-             {"both", Reality::kBoth,
-              "all of them; what has no physical body sees physical objects where the "
-              "server remembers them"}})
+      .word(
+          "observes", &T::observes,
+          "Which objects its sensors see. Without a body in reality it sees physical "
+          "ones where the server remembers them. Null: virtual; physical for a simulated "
+          "aircraft that is physical.",
+          {{"virtual", Reality::kVirtual, "those that exist in the simulation"},
+           {"physical", Reality::kPhysical, "those that exist in reality"},
+           {"both", Reality::kBoth, "all of them"}})
       .rule("observes", observes_error)
       .text("station", &T::station,
             "Ground station that it belongs to. Empty: the first.")

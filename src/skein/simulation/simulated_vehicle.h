@@ -7,6 +7,7 @@
 #include "skein/data/air.h"
 #include "skein/data/fault.h"
 #include "skein/role/autopilot.h"
+#include "skein/role/fault_schedule.h"
 #include "skein/role/plant.h"
 #include "skein/role/sensor.h"
 #include "skein/role/turbulence.h"
@@ -60,7 +61,7 @@ class SimulatedVehicle final : public Vehicle {
   }
   void pilot(const PilotInput& sticks) override { parts_.autopilot->sense(sticks); }
   void ground_received(Time now) override { parts_.autopilot->sense(LinkSample{now}); }
-  bool link_works() const override { return !link_down_; }
+  bool link_works() const override { return !faults_.in_force().link; }
   const VehicleState* truth() const override { return &parts_.state; }
   bool lost() const override { return lost_; }
   void take_events(std::vector<VehicleEvent>& out) override;
@@ -73,23 +74,16 @@ class SimulatedVehicle final : public Vehicle {
   void sample_one(Sensor& sensor, bool silent, const SensorView& view,
                   std::vector<SensorSample>& out) const;
   void sense(const Surroundings& world, Time now);
-  void move(const Surroundings& world, Time now, double ground, double dt);
-  void touch_ground(const Surroundings& world, double ground, double dt);
-  void update_faults(Time now);
-  void apply(const VehicleFault& fault, Faults& faults);
-  void lose(std::string text);
 
   VehicleParts parts_;
   WorkingSet working_set_;
   std::vector<SensorSample> flight_samples_;  // of one step, kept for its memory
   std::optional<Vec3> region_of_interest_;    // where gimbals look
-  VehicleState before_;                       // at the start of the last advance()
-  std::vector<bool> fault_active_;            // of each of the faults
-  std::uint64_t silent_sensors_ = 0, silent_payload_ = 0;  // bit k: sensor k
+  FaultSchedule faults_;
   std::vector<VehicleEvent> events_;
   std::uint32_t commands_ = 0;
   int refusals_before_ = 0;  // when the last command was given
-  bool link_down_ = false, lost_ = false, flew_ = false, answered_ = false;
+  bool lost_ = false, flew_ = false, answered_ = false;
 };
 
 /// The parts of an entity whose vehicle is simulated. Fails: Bug for any other.

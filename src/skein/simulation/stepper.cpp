@@ -166,15 +166,20 @@ void Stepper::update_parts(Time now) {
     Vehicle* vehicle = world_.entities[i].vehicle.get();
     if (!states_[i].active || !vehicle) continue;
     vehicle->begin_step(now);
-    vehicle_reports_.clear();
-    vehicle->take_reports(vehicle_reports_);
-    for (VehicleReport& report : vehicle_reports_)
-      recorder_.record(VehicleReportRecord{now, id_of(i), std::move(report)});
+    record_reports(now, i);
     vehicle_events_.clear();
     vehicle->take_events(vehicle_events_);
     for (VehicleEvent& event : vehicle_events_)
       record_event(now, i, std::move(event.kind), std::move(event.text));
   }
+}
+
+// What a vehicle was told from outside of the run.
+void Stepper::record_reports(Time now, std::size_t i) {
+  vehicle_reports_.clear();
+  world_.entities[i].vehicle->take_reports(vehicle_reports_);
+  for (VehicleReport& report : vehicle_reports_)
+    recorder_.record(VehicleReportRecord{now, id_of(i), std::move(report)});
 }
 
 void Stepper::look(Time now) {
@@ -246,9 +251,12 @@ void Stepper::think(Time now, Entity& entity, EntityState& state) {
     entity.vehicle->set_return(*state.output.return_route);
   if (state.output.region_of_interest && entity.vehicle)
     entity.vehicle->set_region_of_interest(*state.output.region_of_interest);
+  if (state.output.zones && entity.vehicle)
+    entity.vehicle->set_zones(*state.output.zones);
   state.output.command.reset();
   state.output.return_route.reset();
   state.output.region_of_interest.reset();
+  state.output.zones.reset();
   state.payload.samples.clear();
   state.fresh = 0;
   state.inbox.clear();
@@ -321,6 +329,8 @@ void Stepper::advance(Time now, Time until) {
     states_[i].status = vehicle->status();  // as long as it is at hand
     states_[i].lost = vehicle->lost();
   });
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].active && world_.entities[i].vehicle) record_reports(now, i);
 }
 
 // What ends an aircraft, but not the run.

@@ -63,6 +63,7 @@ class Stepper {
   void move_objects(Time now);
   void update_presence(Time now);
   void update_parts(Time now);
+  void record_reports(Time now, std::size_t i);
   void look(Time now);
   void log_payload_samples(Time now);
   void log_payload_samples(Time now, std::size_t i);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "skein/link/autopilot_client/request_steps.h"
+#include "skein/link/autopilot_client/virtual_senses.h"
 #include "skein/link/mavlink/dispatch.h"
 
 namespace skein::autopilot_client {
@@ -19,6 +20,7 @@ constexpr std::uint8_t kActive = 4;              // MAV_STATE
 constexpr std::uint8_t kWarning = 4;             // MAV_SEVERITY
 constexpr std::uint64_t kTakesAttitude = 64;     // MAV_PROTOCOL_CAPABILITY
 constexpr std::uint64_t kTakesLocalTarget = 128;
+constexpr std::uint64_t kTakesFence = 16384;
 constexpr std::size_t kMaxText = 500;
 
 const Time kSecond = Time::from_seconds(1);
@@ -72,7 +74,11 @@ Time from_ms(std::uint32_t ms) {
 
 AutopilotClient::AutopilotClient(const AutopilotClientOptions& options,
                                  const geo::LocalFrame& frame)
-    : options_(options), frame_(frame), telemetry_(frame), commands_(options.system) {}
+    : options_(options),
+      frame_(frame),
+      telemetry_(frame),
+      commands_(options.system),
+      fences_(options.system) {}
 
 void AutopilotClient::close(Channel channel) {
   channels_.erase(channel);
@@ -120,11 +126,16 @@ struct AutopilotClient::Handler {
   void operator()(const mavlink::ParamValue& m) const { self.commands_.handle(m); }
   void operator()(const mavlink::MissionRequest& m) const {
     self.commands_.handle(m, from, now, out);
+    self.fences_.handle(m, from, now, out);
   }
   void operator()(const mavlink::MissionRequestInt& m) const {
     self.commands_.handle(m, from, now, out);
+    self.fences_.handle(m, from, now, out);
   }
-  void operator()(const mavlink::MissionAck& m) const { self.commands_.handle(m); }
+  void operator()(const mavlink::MissionAck& m) const {
+    self.commands_.handle(m);
+    self.fences_.handle(m);
+  }
   void operator()(const mavlink::MissionCurrent& m) const {
     const int first = self.telemetry_.make() == mavlink::Make::kArduPilot ? 1 : 0;
     MissionProgress progress;
@@ -204,6 +215,7 @@ void AutopilotClient::come_up(const std::string& text) {
 void AutopilotClient::go_down(const std::string& why) {
   up_ = false;
   commands_.abandon("the link is down");
+  fences_.abandon("the link is down");
   report_change(Kind::kDown, why);
 }
 
@@ -239,6 +251,7 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
                                   options_.system));
     } else {
       commands_.abandon("the vehicle has rebooted");
+      fences_.abandon("the vehicle has rebooted");
       report_change(Kind::kRebooted, fmt::format("its clock went back from {:.1f} to "
                                                  "{:.1f} s",
                                                  boot_->seconds(), boot.seconds()));
@@ -285,26 +298,50 @@ void AutopilotClient::hear_text(const mavlink::Statustext& text, Time now) {
   reports_.emplace_back(VehicleText{text.severity, std::move(whole)});
 }
 
+void AutopilotClient::refuse(std::uint32_t number, RequestAnswer::Outcome outcome,
+                             std::string why) {
+  if (number != 0) reports_.emplace_back(RequestAnswer{number, outcome, std::move(why)});
+}
+
 void AutopilotClient::request(std::uint32_t number, const VehicleRequest& request,
                               Time now, Outbox& out) {
-  const auto refuse = [&](RequestAnswer::Outcome outcome, std::string why) {
-    if (number != 0)
-      reports_.emplace_back(RequestAnswer{number, outcome, std::move(why)});
-  };
-  if (!up_) return refuse(RequestAnswer::Outcome::kNoAnswer, "the link is down");
+  if (!up_) return refuse(number, RequestAnswer::Outcome::kNoAnswer, "the link is down");
   if (!ours())
-    return refuse(RequestAnswer::Outcome::kDenied, "it is not the vehicle expected");
+    return refuse(number, RequestAnswer::Outcome::kDenied,
+                  "it is not the vehicle expected");
   if (const auto* bank = std::get_if<BankSetpoint>(&request))
     return send_bank(*bank, now, out);
   if (const auto* track = std::get_if<TrackSetpoint>(&request))
     return send_track(*track, out);
+  if (const auto* obstacles = std::get_if<ObstacleDistances>(&request)) {
+    ++feeds_.obstacles;
+    return out.send(*channel_, coded(*obstacles, now));
+  }
+  if (const auto* fix = std::get_if<PositionFix>(&request)) {
+    ++feeds_.fixes;
+    return out.send(*channel_, coded(*fix, frame_, options_.unix_ns + now.ns()));
+  }
+  if (const auto* fence = std::get_if<FenceUpload>(&request))
+    return request_fence(number, *fence);
   const RequestTarget target{telemetry_.make(), telemetry_.hovers(),
                              telemetry_.home_msl().value_or(0)};
   std::vector<RequestStep> steps = steps_of(request, target, frame_);
   if (steps.empty())
-    return refuse(RequestAnswer::Outcome::kUnsupported, "it has no such command");
+    return refuse(number, RequestAnswer::Outcome::kUnsupported, "it has no such command");
   if (!commands_.add({number, std::move(steps)}))
-    refuse(RequestAnswer::Outcome::kNoAnswer, "too many requests wait");
+    refuse(number, RequestAnswer::Outcome::kNoAnswer, "too many requests wait");
+}
+
+void AutopilotClient::request_fence(std::uint32_t number, const FenceUpload& fence) {
+  if (capabilities_ != 0 && (capabilities_ & kTakesFence) == 0)
+    return refuse(number, RequestAnswer::Outcome::kUnsupported, "it keeps no fence");
+  std::vector<RequestStep> steps = steps_of(fence, {}, frame_);
+  if (steps.empty())
+    return refuse(number, RequestAnswer::Outcome::kUnsupported,
+                  "the fence has too many corners");
+  // What waits is of older zones.
+  fences_.abandon("another fence follows");
+  fences_.add({number, std::move(steps)});
 }
 
 void AutopilotClient::send_bank(const BankSetpoint& setpoint, Time now, Outbox& out) {
@@ -385,7 +422,11 @@ void AutopilotClient::step(Time now, Outbox& out) {
     heartbeat.autopilot = mavlink::kAutopilotInvalid;
     heartbeat.system_status = kActive;
     heartbeat.mavlink_version = 3;
-    for (const Channel channel : channels_) out.send(channel, heartbeat);
+    // While it is heard, by its channel alone: others are those of other vehicles.
+    if (up_)
+      out.send(*channel_, heartbeat);
+    else
+      for (const Channel channel : channels_) out.send(channel, heartbeat);
   }
   if (!up_) return;
   if (now >= timesync_due_) {
@@ -396,14 +437,25 @@ void AutopilotClient::step(Time now, Outbox& out) {
   }
   // It answers but says nothing of its motion: what was asked for was lost.
   if (now - position_ > kDuplicateWindow && now - set_up_ > kDuplicateWindow) set_up(now);
+  step_requests(now, out);
+  report_condition(now);
+}
+
+void AutopilotClient::step_requests(Time now, Outbox& out) {
   commands_.step(now, *channel_, out);
-  for (RequestAnswer& answer : commands_.take_answers()) {
+  fences_.step(now, *channel_, out);
+  std::vector<RequestAnswer> answers = commands_.take_answers();
+  for (RequestAnswer& answer : fences_.take_answers()) {
+    const bool taken = answer.outcome == RequestAnswer::Outcome::kAccepted;
+    ++(taken ? feeds_.fences : feeds_.fences_refused);
+    answers.push_back(std::move(answer));
+  }
+  for (RequestAnswer& answer : answers) {
     if (answer.outcome == RequestAnswer::Outcome::kDenied &&
         now - complained_ < kFreshComplaint && !complaint_.empty())
       answer.text += ": " + complaint_;
     reports_.emplace_back(std::move(answer));
   }
-  report_condition(now);
 }
 
 std::vector<VehicleReport> AutopilotClient::take_reports() {

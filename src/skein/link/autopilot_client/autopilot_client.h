@@ -28,6 +28,7 @@ struct AutopilotClientOptions {
   bool hovers = false;
   double rate = 10;                      ///< of its motion [Hz]
   Time silence = Time::from_seconds(3);  ///< then its link is down
+  std::int64_t unix_ns = 0;              ///< since 1970, at time 0 of this end's clock
 };
 
 /// The far end of a link to one vehicle with an autopilot of ArduPilot, PX4 or a make
@@ -74,6 +75,8 @@ class AutopilotClient {
   }
   /// Of the vehicle's frames.
   const mavlink::SequenceWatch& sequence() const { return sequence_; }
+  /// What it was sent of a virtual world, but for traffic.
+  const FeedHealth& feeds() const { return feeds_; }
   double round_trip() const { return clock_.shortest_round_trip(); }
 
  private:
@@ -91,6 +94,9 @@ class AutopilotClient {
   void report_change(LinkChange::Kind kind, std::string text);
   void send_bank(const BankSetpoint& setpoint, Time now, Outbox& out);
   void send_track(const TrackSetpoint& setpoint, Outbox& out);
+  void request_fence(std::uint32_t number, const FenceUpload& fence);
+  void refuse(std::uint32_t number, RequestAnswer::Outcome outcome, std::string why);
+  void step_requests(Time now, Outbox& out);
   bool ours() const { return !mismatched_; }
 
   AutopilotClientOptions options_;
@@ -98,6 +104,8 @@ class AutopilotClient {
   Telemetry telemetry_;
   ClockAlignment clock_;
   CommandSender commands_;
+  CommandSender fences_;  // beside them: commands do not wait for a long fence
+  FeedHealth feeds_;
   mavlink::SequenceWatch sequence_;
   std::set<Channel> channels_;
   std::optional<Channel> channel_;  // by which it is heard

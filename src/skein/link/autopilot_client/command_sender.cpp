@@ -33,6 +33,10 @@ std::optional<std::uint16_t> command_in(const RequestStep& step) {
   return std::nullopt;
 }
 
+std::uint8_t number_of(const SendMission& mission) {
+  return static_cast<std::uint8_t>(mission.type);
+}
+
 std::string text_of_result(std::uint8_t result) {
   switch (result) {
     case kResultTemporarilyRejected:
@@ -122,20 +126,23 @@ void CommandSender::handle(const mavlink::ParamValue& value) {
 
 void CommandSender::handle(const mavlink::MissionRequest& request, Channel channel,
                            Time now, Outbox& out) {
-  if (request.mission_type == 0) send_item(request.seq, channel, now, out);
+  send_item(request.seq, request.mission_type, channel, now, out);
 }
 
 void CommandSender::handle(const mavlink::MissionRequestInt& request, Channel channel,
                            Time now, Outbox& out) {
-  if (request.mission_type == 0) send_item(request.seq, channel, now, out);
+  send_item(request.seq, request.mission_type, channel, now, out);
 }
 
-void CommandSender::send_item(std::uint16_t number, Channel channel, Time now,
-                              Outbox& out) {
+void CommandSender::send_item(std::uint16_t number, std::uint8_t type, Channel channel,
+                              Time now, Outbox& out) {
   const auto* mission = current<SendMission>();
-  if (!mission || !sent_ || number >= mission->items.size()) return;
+  if (!mission || !sent_ || number >= mission->items.size() ||
+      type != number_of(*mission))
+    return;
   mavlink::MissionItemInt item = mission->items[number];
   item.seq = number;
+  item.mission_type = type;
   item.target_system = system_;
   item.target_component = component_;
   out.send(channel, item);
@@ -145,9 +152,12 @@ void CommandSender::send_item(std::uint16_t number, Channel channel, Time now,
 }
 
 void CommandSender::handle(const mavlink::MissionAck& ack) {
-  if (!current<SendMission>() || !sent_ || ack.mission_type != 0) return;
+  const auto* mission = current<SendMission>();
+  if (!mission || !sent_ || ack.mission_type != number_of(*mission)) return;
   if (ack.type == 0) return step_done();
-  fail(Outcome::kDenied, fmt::format("mission refused: result {}", ack.type));
+  const bool fence = mission->type == mavlink::MissionType::kFence;
+  fail(Outcome::kDenied,
+       fmt::format("{} refused: result {}", fence ? "fence" : "mission", ack.type));
 }
 
 void CommandSender::send(Time now, Channel channel, Outbox& out) {
@@ -178,11 +188,13 @@ void CommandSender::send(Time now, Channel channel, Outbox& out) {
     }
     void operator()(const SendMission& mission) const {
       // Once items are asked for, the count would begin it anew.
-      if (self.item_) return self.send_item(*self.item_, channel, now, out);
+      if (self.item_)
+        return self.send_item(*self.item_, number_of(mission), channel, now, out);
       mavlink::MissionCount count;
       count.target_system = self.system_;
       count.target_component = self.component_;
       count.count = static_cast<std::uint16_t>(mission.items.size());
+      count.mission_type = number_of(mission);
       out.send(channel, count);
     }
   };

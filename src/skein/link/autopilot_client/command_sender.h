@@ -10,6 +10,7 @@
 
 #include "skein/base/time.h"
 #include "skein/data/vehicle_report.h"
+#include "skein/link/mavlink/constants.h"
 #include "skein/link/mavlink/messages.h"
 #include "skein/link/vehicle_services/outbox.h"
 
@@ -22,9 +23,10 @@ struct SetParameter {
   std::uint8_t type = 9;  ///< MAV_PARAM_TYPE
 };
 
-/// Replaces the stored mission.
+/// Replaces the stored mission, or another list that is loaded up the same way.
 struct SendMission {
   std::vector<mavlink::MissionItemInt> items;
+  mavlink::MissionType type = mavlink::MissionType::kMission;
 };
 
 /// One part of a request: what is sent until it is answered.
@@ -71,7 +73,8 @@ class CommandSender {
 
  private:
   void send(Time now, vehicle_services::Channel channel, vehicle_services::Outbox& out);
-  void send_item(std::uint16_t number, vehicle_services::Channel channel, Time now,
+  void send_item(std::uint16_t number, std::uint8_t type,
+                 vehicle_services::Channel channel, Time now,
                  vehicle_services::Outbox& out);
   void begin_step();
   void step_done();

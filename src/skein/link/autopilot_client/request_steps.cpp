@@ -19,6 +19,7 @@ constexpr float kForce = 21196;
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr double kApproachLength = 500;  // of a fixed wing's landing [m]
 constexpr double kApproachHeight = 45;   // where it begins [m]
+constexpr std::size_t kMaxFenceItems = 10'000;
 
 class StepMaker {
  public:
@@ -100,9 +101,19 @@ class StepMaker {
     return steps;
   }
 
+  Steps operator()(const FenceUpload& upload) const {
+    SendMission fence;
+    fence.type = mavlink::MissionType::kFence;
+    for (const Zone& zone : upload.zones) add_zone(zone, fence.items);
+    if (fence.items.size() > kMaxFenceItems) return {};
+    return {fence};
+  }
+
   Steps operator()(const BankSetpoint&) const { return {}; }
   Steps operator()(const TrackSetpoint&) const { return {}; }
   Steps operator()(const PilotRequest&) const { return {}; }
+  Steps operator()(const ObstacleDistances&) const { return {}; }
+  Steps operator()(const PositionFix&) const { return {}; }
 
  private:
   static void append(Steps& steps, const Steps& more) {
@@ -136,6 +147,20 @@ class StepMaker {
     item.y = place.longitude;
     item.z = static_cast<float>(altitude_msl);
     return item;
+  }
+
+  // Each corner of a polygon says how many there are.
+  void add_zone(const Zone& zone, std::vector<MissionItemInt>& items) const {
+    const auto add = [&](mavlink::CommandId what, const Vec2& place, double param1) {
+      items.push_back(item(static_cast<std::uint16_t>(what), place, 0));
+      items.back().param1 = static_cast<float>(param1);
+    };
+    if (const auto* disc = std::get_if<Disc>(&zone.area))
+      return add(mavlink::CommandId::kFenceExclusionCircle, disc->centre, disc->radius);
+    const auto& ring = std::get<geo::Ring>(zone.area);
+    for (const Vec2& corner : ring)
+      add(mavlink::CommandId::kFenceExclusionVertex, corner,
+          static_cast<double>(ring.size()));
   }
 
   // Item 0 of ArduPilot's missions, which it replaces by its own home.

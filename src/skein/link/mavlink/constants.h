@@ -6,30 +6,12 @@
 /// of the same definitions as messages.txt.
 namespace skein::mavlink {
 
-/// MAV_AUTOPILOT: whose messages a vehicle speaks.
-enum class AutopilotMake : std::uint8_t {
-  kGeneric = 0,
-  kArduPilot = 3,
-  kInvalid = 8,  ///< no autopilot: ground stations, cameras
-  kPx4 = 12,
-};
-
 /// MAV_TYPE.
 enum class VehicleType : std::uint8_t {
   kFixedWing = 1,
   kQuadrotor = 2,
   kGroundStation = 6,
 };
-
-/// MAV_MODE_FLAG, bits of a heartbeat's base mode.
-namespace mode_flag {
-inline constexpr std::uint8_t kCustom = 1;  ///< the custom mode is valid
-inline constexpr std::uint8_t kAuto = 4;
-inline constexpr std::uint8_t kGuided = 8;
-inline constexpr std::uint8_t kStabilize = 16;
-inline constexpr std::uint8_t kManualInput = 64;
-inline constexpr std::uint8_t kArmed = 128;
-}  // namespace mode_flag
 
 /// MAV_STATE.
 enum class SystemState : std::uint8_t {

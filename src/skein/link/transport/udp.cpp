@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kForgotten{60};  // after which a silent sender is
 constexpr std::chrono::seconds kLook{1};        // between looks for such
 constexpr std::size_t kMaxPeers = 512;
+constexpr int kReceiveBuffer = 1 << 20;  // of a socket, asked for [B]
 
 // Datagrams as they come; what cannot be sent at once is dropped.
 class Datagrams : public Endpoint {
@@ -32,6 +33,10 @@ class Datagrams : public Endpoint {
     socket_.open(udp::v4(), error);
     if (!error) socket_.bind(at, error);
     if (!error) socket_.non_blocking(true, error);
+    // Bursts of many vehicles; systems that allow less give what they can.
+    boost::system::error_code smaller;
+    socket_.set_option(boost::asio::socket_base::receive_buffer_size(kReceiveBuffer),
+                       smaller);
     return error;
   }
   boost::system::error_code allow_broadcast() {

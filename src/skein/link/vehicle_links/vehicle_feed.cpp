@@ -24,8 +24,9 @@ double throttle_of(const VehicleState& state, bool hovers) {
 
 }  // namespace
 
-VehicleFeed::VehicleFeed(VehicleLinks& links, std::vector<ShownAircraft> aircraft)
-    : links_(links) {
+VehicleFeed::VehicleFeed(VehicleLinks& links, std::vector<ShownAircraft> aircraft,
+                         const std::vector<std::string>& traffic)
+    : links_(links), traffic_(links, traffic) {
   for (ShownAircraft& each : aircraft) {
     const bool commanded = each.commanded;
     shown_.push_back({std::move(each), {}, ShownMode(commanded), {}, {}, false});
@@ -37,10 +38,12 @@ struct VehicleFeed::Listener {
   VehicleFeed& feed;
 
   void operator()(const EntityRecord& r) const {
+    feed.traffic_.hear(r);
     for (std::size_t k = 0; k < feed.shown_.size(); ++k)
       if (feed.shown_[k].aircraft.name == r.name) feed.by_entity_[r.id] = k;
   }
   void operator()(const EstimateRecord& r) const {
+    feed.traffic_.hear(r);
     Shown* shown = feed.find(r.id);
     if (!shown) return;
     shown->known = true;
@@ -114,6 +117,7 @@ Result<void> VehicleFeed::step_done(Time time) {
     links_.update(shown.aircraft.server, shown.snapshot);
   }
   links_.set_simulated(time);
+  traffic_.publish();
   return {};
 }
 

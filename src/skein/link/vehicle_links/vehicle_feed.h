@@ -9,6 +9,7 @@
 #include "skein/data/airframe.h"
 #include "skein/data/command.h"
 #include "skein/link/vehicle_links/shown_mode.h"
+#include "skein/link/vehicle_links/traffic_feed.h"
 #include "skein/link/vehicle_links/vehicle_links.h"
 #include "skein/role/recorder.h"
 
@@ -25,14 +26,17 @@ struct ShownAircraft {
   double take_off_height = 50;  ///< [m]
 };
 
-/// Shows simulated aircraft to ground stations, and hands on what those ask for.
+/// Shows simulated aircraft to ground stations, and hands on what those ask for; shows
+/// them to real vehicles as traffic.
 ///
 /// As a listener of a run's records it knows how each aircraft is; as a source of
 /// commands it says what ground stations ask for. Called by the simulation's thread.
 class VehicleFeed final : public Recorder {
  public:
-  /// @param links  outlives it.
-  VehicleFeed(VehicleLinks& links, std::vector<ShownAircraft> aircraft);
+  /// @param links    outlives it.
+  /// @param traffic  names of simulated aircraft that real vehicles are told of.
+  VehicleFeed(VehicleLinks& links, std::vector<ShownAircraft> aircraft,
+              const std::vector<std::string>& traffic = {});
 
   void record(const Record& record) override;
   Result<void> step_done(Time time) override;
@@ -57,6 +61,7 @@ class VehicleFeed final : public Recorder {
                                   const VehicleRequest& request) const;
 
   VehicleLinks& links_;
+  TrafficFeed traffic_;
   std::vector<Shown> shown_;
   std::map<EntityId, std::size_t> by_entity_;
   Time now_;

@@ -17,8 +17,14 @@ constexpr std::uint8_t kOwnSystem = 245;
 constexpr std::uint8_t kOwnComponent = 191;  // an on-board computer
 
 constexpr std::chrono::milliseconds kTurn{10};
+constexpr std::chrono::milliseconds kMaxTurn{100};  // that a catch-up waits
+constexpr int kMaxEvents = 1000;                    // of what happens in it
 const Time kHealthPeriod = Time::from_seconds(5);
 const Time kShownPeriod = Time::from_seconds(0.02);
+// Telemetry of many vehicles goes out in few datagrams: buffers of sockets hold some
+// hundreds of them, however small.
+constexpr std::size_t kMaxDatagram = 1400;
+constexpr std::size_t kMaxTraffic = 20'000;  // while nobody takes it
 constexpr std::size_t kMaxRequests = 1000;  // of a vehicle, while nobody takes them
 
 std::int64_t unix_ns() {
@@ -30,13 +36,24 @@ std::int64_t unix_ns() {
 }  // namespace
 
 struct VehicleLinks::Vehicle {
-  Vehicle(const autopilot_client::AutopilotClientOptions& options,
-          const geo::LocalFrame& frame, transport::EndpointId at)
-      : client(options, frame), endpoint(at) {}
+  Vehicle(const LinkedVehicle& linked, const geo::LocalFrame& frame,
+          transport::EndpointId at, std::uint32_t of)
+      : client(linked.client, frame),
+        endpoint(at),
+        number(of),
+        name(linked.name),
+        traffic(linked.traffic),
+        clock_ns(linked.clock_ns) {}
 
   autopilot_client::AutopilotClient client;
   transport::EndpointId endpoint;
+  std::uint32_t number;  // also as traffic
+  std::string name;
+  std::optional<TrafficOptions> traffic;
+  FeedHealth feeds;  // what was left out
+  FeedHealth reported;
   std::shared_ptr<Mailbox> mailbox = std::make_shared<Mailbox>();
+  std::shared_ptr<const std::atomic<std::int64_t>> clock_ns;  // null: the wall's
   Time health_due;
 };
 
@@ -62,12 +79,14 @@ struct VehicleLinks::Shown {
 
 class VehicleLinks::Port final : public VehiclePort {
  public:
-  Port(VehicleLinks& links, std::shared_ptr<Mailbox> mailbox)
-      : links_(links), mailbox_(std::move(mailbox)) {}
+  Port(VehicleLinks& links, std::shared_ptr<Mailbox> mailbox, bool by_run)
+      : links_(links), mailbox_(std::move(mailbox)), by_run_(by_run) {}
 
-  // The age of a motion is what counts: the run's clock stands still in pauses.
+  // The age of a motion is what counts: the run's clock stands still in pauses. Times of
+  // a vehicle that goes by the run's clock are the run's.
   void receive(Time now, std::vector<VehicleReport>& out) override {
-    const Time here = links_.now();
+    if (by_run_) links_.catch_up();
+    const Time here = by_run_ ? now : links_.now();
     for (VehicleReport& report : mailbox_->take_reports()) {
       if (auto* motion = std::get_if<VehicleMotion>(&report))
         motion->time = now - (here - motion->time);
@@ -83,6 +102,7 @@ class VehicleLinks::Port final : public VehiclePort {
  private:
   VehicleLinks& links_;
   std::shared_ptr<Mailbox> mailbox_;
+  bool by_run_;
 };
 
 VehicleLinks::VehicleLinks(const geo::LocalFrame& frame)
@@ -107,6 +127,10 @@ Time VehicleLinks::now() const {
           .count());
 }
 
+Time VehicleLinks::now(const Vehicle& vehicle) const {
+  return vehicle.clock_ns ? Time::from_ns(*vehicle.clock_ns) : now();
+}
+
 transport::EndpointId VehicleLinks::endpoint_of(const LinkEndpoint& endpoint) {
   const std::string text = transport::text_of(endpoint.address);
   for (std::size_t k = 0; k < planned_.size(); ++k)
@@ -118,14 +142,51 @@ transport::EndpointId VehicleLinks::endpoint_of(const LinkEndpoint& endpoint) {
 
 Result<std::size_t> VehicleLinks::add(const LinkedVehicle& vehicle) {
   const transport::EndpointId endpoint = endpoint_of(vehicle.endpoint);
-  for (const auto& other : vehicles_)
-    if (other->endpoint == endpoint && other->client.system() == vehicle.client.system)
-      return Error{
-          ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
-          fmt::format("two vehicles have number {} there.", vehicle.client.system),
-          "Give each a system of its own."};
-  vehicles_.push_back(std::make_unique<Vehicle>(vehicle.client, frame_, endpoint));
+  if (planned_[endpoint].vehicles.contains(vehicle.client.system))
+    return Error{ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
+                 fmt::format("two vehicles have number {} there.", vehicle.client.system),
+                 "Give each a system of its own."};
+  LinkedVehicle timed = vehicle;
+  timed.client.unix_ns = unix_ns() - now().ns();
+  vehicles_.push_back(std::make_unique<Vehicle>(
+      timed, frame_, endpoint, static_cast<std::uint32_t>(vehicles_.size())));
+  planned_[endpoint].vehicles[vehicle.client.system] = vehicles_.back().get();
   return vehicles_.size() - 1;
+}
+
+std::size_t VehicleLinks::add_traffic(const std::string& name) {
+  simulated_.push_back(name);
+  return simulated_.size() - 1;
+}
+
+bool VehicleLinks::needs_traffic() const {
+  return std::any_of(vehicles_.begin(), vehicles_.end(),
+                     [](const auto& vehicle) { return vehicle->traffic.has_value(); });
+}
+
+void VehicleLinks::update_traffic(const std::vector<SimulatedTraffic>& where) {
+  {
+    const std::lock_guard lock(traffic_mutex_);
+    traffic_now_.insert(traffic_now_.end(), where.begin(), where.end());
+    if (traffic_now_.size() > kMaxTraffic) traffic_now_.clear();  // nobody takes it
+  }
+  endpoints_.wake();
+}
+
+// The vehicles first: their numbers are those of traffic too.
+void VehicleLinks::begin_traffic() {
+  double range = 1;
+  for (const auto& vehicle : vehicles_)
+    if (vehicle->traffic) range = std::max(range, vehicle->traffic->range);
+  traffic_.emplace(frame_, range,
+                   [this](std::uint32_t number, const mavlink::AdsbVehicle& message) {
+                     const auto& client = vehicles_[number]->client;
+                     if (const auto channel = client.channel())
+                       out_.send(*channel, message);
+                   });
+  for (const auto& vehicle : vehicles_)
+    traffic_->add(vehicle->name, false, vehicle->traffic);
+  for (const std::string& name : simulated_) traffic_->add(name, true, std::nullopt);
 }
 
 void VehicleLinks::add_station(const LinkEndpoint& endpoint) {
@@ -144,6 +205,7 @@ std::size_t VehicleLinks::show(vehicle_services::VehicleServerOptions vehicle) {
       &security_);
   shown_.push_back(
       std::make_unique<Shown>(vehicle, frame_, numbers.port_offset, std::move(out)));
+  shown_at_[{numbers.port_offset, numbers.system}] = shown_.back().get();
   return shown_.size() - 1;
 }
 
@@ -169,7 +231,8 @@ std::vector<VehicleRequest> VehicleLinks::take_requests(std::size_t shown) {
 }
 
 std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
-  return std::make_unique<Port>(*this, vehicles_.at(vehicle)->mailbox);
+  const Vehicle& of = *vehicles_.at(vehicle);
+  return std::make_unique<Port>(*this, of.mailbox, of.clock_ns != nullptr);
 }
 
 Result<std::vector<std::string>> VehicleLinks::start() {
@@ -187,6 +250,7 @@ Result<std::vector<std::string>> VehicleLinks::start() {
   for (const Planned& planned : planned_)
     if (auto opened = endpoints_.open(planned.endpoint.address); !opened)
       return opened.error();
+  begin_traffic();
   std::vector<std::string> places = endpoints_.places();
   thread_ = std::thread([this] { run(); });
   return places;
@@ -196,14 +260,35 @@ void VehicleLinks::run() {
   while (!stop_) {
     endpoints_.run_for(kTurn);
     security_.set_time(unix_ns());
-    step(now());
+    const std::uint64_t asked = [this] {
+      const std::lock_guard lock(turn_mutex_);
+      return turn_asked_;
+    }();
+    if (asked != turn_done_)
+      for (int k = 0; k < kMaxEvents && endpoints_.run_one_for({}); ++k) {
+      }
+    take_traffic(now());
+    step();
     step_shown(now());
+    if (asked == turn_done_) continue;
+    const std::lock_guard lock(turn_mutex_);
+    turn_done_ = asked;
+    turned_.notify_all();
   }
+}
+
+void VehicleLinks::catch_up() {
+  std::unique_lock lock(turn_mutex_);
+  if (!thread_.joinable()) return;
+  const std::uint64_t mine = ++turn_asked_;
+  endpoints_.wake();
+  turned_.wait_for(lock, kMaxTurn, [&] { return turn_done_ >= mine; });
 }
 
 void VehicleLinks::step_shown(Time now) {
   if (now < shown_due_) return;
   shown_due_ = now + kShownPeriod;
+  gathers_ = true;
   for (const auto& shown : shown_) {
     {
       const std::lock_guard lock(shown->mutex);
@@ -220,29 +305,99 @@ void VehicleLinks::step_shown(Time now) {
       if (shown->requests.size() < kMaxRequests)
         shown->requests.push_back(std::move(request));
   }
+  gathers_ = false;
+  for (auto& [channel, peer] : peers_) send_gathered(channel, peer);
 }
 
 // To the shown vehicles that a station's frame is for.
 void VehicleLinks::serve(const Peer& peer, transport::ChannelId channel,
                          const mavlink::Frame& frame, Time now) {
   const std::uint8_t target = frame.target_system();
+  if (target != 0) {
+    const auto shown = shown_at_.find({peer.group, target});
+    if (shown != shown_at_.end())
+      shown->second->server.receive(frame, channel, clocks(now), shown->second->out);
+    return;
+  }
   for (const auto& shown : shown_)
-    if (shown->group == peer.group && (target == 0 || target == shown->system))
+    if (shown->group == peer.group)
       shown->server.receive(frame, channel, clocks(now), shown->out);
 }
 
-void VehicleLinks::step(Time now) {
+void VehicleLinks::step() {
   for (const auto& vehicle : vehicles_) {
-    for (Mailbox::Request& request : vehicle->mailbox->take_requests())
-      vehicle->client.request(request.number, request.what, now, out_);
+    const Time now = this->now(*vehicle);
+    send_requests(*vehicle, now);
     vehicle->client.step(now, out_);
     std::vector<VehicleReport> reports = vehicle->client.take_reports();
     if (vehicle->client.up() && now >= vehicle->health_due) {
       vehicle->health_due = now + kHealthPeriod;
       reports.emplace_back(health_of(*vehicle));
+      const FeedHealth feeds = feeds_of(*vehicle);
+      if (std::exchange(vehicle->reported, feeds) != feeds) reports.emplace_back(feeds);
     }
     vehicle->mailbox->put(std::move(reports));
+    if (!vehicle->client.up()) traffic_->lost(vehicle->number);
   }
+}
+
+// Of what is good for a moment only the newest goes out.
+void VehicleLinks::send_requests(Vehicle& vehicle, Time now) {
+  const std::vector<Mailbox::Request> requests = vehicle.mailbox->take_requests();
+  bool obstacles = false, fix = false;
+  std::vector<const Mailbox::Request*> kept;
+  for (auto request = requests.rbegin(); request != requests.rend(); ++request) {
+    if (std::holds_alternative<ObstacleDistances>(request->what)) {
+      if (std::exchange(obstacles, true)) {
+        ++vehicle.feeds.obstacles_limited;
+        continue;
+      }
+    } else if (std::holds_alternative<PositionFix>(request->what)) {
+      if (std::exchange(fix, true)) {
+        ++vehicle.feeds.fixes_limited;
+        continue;
+      }
+    }
+    kept.push_back(&*request);
+  }
+  for (auto request = kept.rbegin(); request != kept.rend(); ++request)
+    vehicle.client.request((*request)->number, (*request)->what, now, out_);
+}
+
+FeedHealth VehicleLinks::feeds_of(const Vehicle& vehicle) const {
+  FeedHealth health = vehicle.client.feeds();
+  const TrafficExchange::Counts& traffic = traffic_->counts(vehicle.number);
+  health.traffic = traffic.sent;
+  health.traffic_limited = traffic.limited;
+  health.obstacles_limited = vehicle.feeds.obstacles_limited;
+  health.fixes_limited = vehicle.feeds.fixes_limited;
+  return health;
+}
+
+// What the simulation says of its aircraft.
+void VehicleLinks::take_traffic(Time now) {
+  {
+    const std::lock_guard lock(traffic_mutex_);
+    traffic_taken_.swap(traffic_now_);
+  }
+  const auto first = static_cast<std::uint32_t>(vehicles_.size());
+  for (const SimulatedTraffic& each : traffic_taken_)
+    traffic_->moved(first + static_cast<std::uint32_t>(each.number),
+                    {now, each.p_N, each.v_N}, now);
+  traffic_taken_.clear();
+}
+
+// What a vehicle has said, to those who are near it, then to the simulation.
+void VehicleLinks::hand_over(Vehicle& vehicle, Time now) {
+  std::vector<VehicleReport> reports = vehicle.client.take_reports();
+  const Time there = this->now(vehicle);
+  for (const VehicleReport& report : reports)
+    if (const auto* motion = std::get_if<VehicleMotion>(&report))
+      traffic_->moved(vehicle.number,
+                      {now - (there - motion->time), motion->p_N, motion->v_N,
+                       vehicle.client.channel()},
+                      now);
+  vehicle.mailbox->put(std::move(reports));
 }
 
 LinkHealth VehicleLinks::health_of(const Vehicle& vehicle) const {
@@ -261,7 +416,22 @@ LinkHealth VehicleLinks::health_of(const Vehicle& vehicle) const {
 void VehicleLinks::send(transport::ChannelId channel, std::span<const std::byte> bytes) {
   const auto peer = peers_.find(channel);
   if (peer == peers_.end()) return;
-  ++(endpoints_.send(channel, bytes) ? peer->second.sent : peer->second.dropped);
+  if (!gathers_ || !peer->second.station) {
+    ++(endpoints_.send(channel, bytes) ? peer->second.sent : peer->second.dropped);
+    return;
+  }
+  std::vector<std::byte>& gathered = peer->second.gathered;
+  if (gathered.size() + bytes.size() > kMaxDatagram) send_gathered(channel, peer->second);
+  gathered.insert(gathered.end(), bytes.begin(), bytes.end());
+  ++peer->second.gathered_frames;
+}
+
+void VehicleLinks::send_gathered(transport::ChannelId channel, Peer& peer) {
+  if (peer.gathered.empty()) return;
+  const bool sent = endpoints_.send(channel, peer.gathered);
+  (sent ? peer.sent : peer.dropped) += peer.gathered_frames;
+  peer.gathered.clear();
+  peer.gathered_frames = 0;
 }
 
 void VehicleLinks::opened(transport::ChannelId channel, transport::EndpointId endpoint,
@@ -299,17 +469,19 @@ void VehicleLinks::received(transport::ChannelId channel,
   Peer& peer = peers_.at(channel);
   peer.parser.read(bytes, [&](const mavlink::Frame& frame) {
     if (!security_.admits(channel, frame)) return;
-    if (peer.station)
+    if (peer.station) {
       serve(peer, channel, frame, arrived);
-    else
-      for (const auto& vehicle : vehicles_)
-        if (vehicle->endpoint == peer.endpoint)
-          vehicle->client.receive(frame, channel, arrived, out_);
+    } else {
+      const auto& vehicles = planned_[peer.endpoint].vehicles;
+      const auto found = vehicles.find(frame.system());
+      if (found != vehicles.end()) {
+        Vehicle& vehicle = *found->second;
+        vehicle.client.receive(frame, channel, now(vehicle), out_);
+        hand_over(vehicle, arrived);
+      }
+    }
     forward(channel, frame);
   });
-  for (const auto& vehicle : vehicles_)
-    if (vehicle->endpoint == peer.endpoint)
-      vehicle->mailbox->put(vehicle->client.take_reports());
 }
 
 // Between vehicles and stations only: what one vehicle says is no other's business.

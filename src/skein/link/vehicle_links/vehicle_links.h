@@ -2,13 +2,16 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "skein/base/result.h"
@@ -19,6 +22,7 @@
 #include "skein/link/router/frame_router.h"
 #include "skein/link/transport/endpoints.h"
 #include "skein/link/vehicle_links/mailbox.h"
+#include "skein/link/vehicle_links/traffic_exchange.h"
 #include "skein/link/vehicle_services/vehicle_server.h"
 #include "skein/role/vehicle_port.h"
 
@@ -35,6 +39,18 @@ struct LinkEndpoint {
 struct LinkedVehicle {
   LinkEndpoint endpoint;
   autopilot_client::AutopilotClientOptions client;
+  /// The run's time as the vehicle has it [ns], which moves by the steps of its plant
+  /// here; null: it goes by the wall clock.
+  std::shared_ptr<const std::atomic<std::int64_t>> clock_ns = nullptr;
+  std::string name = {};                       ///< as the scenario has it
+  std::optional<TrafficOptions> traffic = {};  ///< that it is told of; none: of nobody
+};
+
+/// Where a simulated aircraft is.
+struct SimulatedTraffic {
+  std::size_t number = 0;  ///< by add_traffic()
+  Vec3 p_N = Vec3::Zero();
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
 };
 
 /// The links of a run to real vehicles and ground stations, in a thread of their own.
@@ -43,7 +59,12 @@ struct LinkedVehicle {
 /// them at each port: those beyond are at the next port. Several real vehicles may share
 /// an endpoint; they are told apart by their numbers. What a vehicle sends goes to the
 /// ground stations too, and what those send to the vehicle it is for: they see it as if
-/// they were connected to it.
+/// they were connected to it. Of one another, and of simulated aircraft, vehicles are
+/// told as soon as it is known where those are (TrafficExchange).
+///
+/// A vehicle that goes by the run's clock (LinkedVehicle::clock_ns) may move much faster
+/// than the wall clock: before its port hands out what has come, the thread here has read
+/// all that is there and sent all that is due.
 ///
 /// Use: add vehicles and stations, take ports, start(). Ports may be used until this
 /// ends, and before start(): then nothing comes.
@@ -65,6 +86,15 @@ class VehicleLinks final : public transport::ChannelListener {
   bool needs_key() const;
   /// For endpoints that are signed; before start().
   void set_key(const mavlink::SigningKey& key) { security_ = mavlink::LinkSecurity(key); }
+
+  /// A simulated aircraft that real vehicles are told of; before start().
+  /// @param name  no two have the same, nor has a real vehicle.
+  /// @returns  its number among these.
+  std::size_t add_traffic(const std::string& name);
+  /// Whether a vehicle is to be told of others.
+  bool needs_traffic() const;
+  /// Where simulated aircraft are now; any thread may call it.
+  void update_traffic(const std::vector<SimulatedTraffic>& where);
 
   /// Of a vehicle that is shown; any thread may call these.
   void update(std::size_t shown, const vehicle_services::VehicleSnapshot& snapshot);
@@ -89,6 +119,7 @@ class VehicleLinks final : public transport::ChannelListener {
     LinkEndpoint endpoint;
     bool station = false;
     std::uint16_t group = 0;  // of shown vehicles, for stations
+    std::map<std::uint8_t, Vehicle*> vehicles = {};  // by their systems
   };
   struct Peer {
     mavlink::FrameParser parser;
@@ -96,6 +127,8 @@ class VehicleLinks final : public transport::ChannelListener {
     bool station = false;
     std::uint16_t group = 0;
     std::uint64_t sent = 0, dropped = 0;
+    std::vector<std::byte> gathered;  // frames that go out together
+    std::uint64_t gathered_frames = 0;
   };
   class Port;
 
@@ -104,24 +137,39 @@ class VehicleLinks final : public transport::ChannelListener {
   void received(transport::ChannelId channel, std::span<const std::byte> bytes) override;
   void closed(transport::ChannelId channel, const std::string& why) override;
   void run();
-  void step(Time now);
+  void step();
   void step_shown(Time now);
   void serve(const Peer& peer, transport::ChannelId channel, const mavlink::Frame& frame,
              Time now);
   vehicle_services::Clocks clocks(Time now) const {
     return {now, Time::from_ns(simulated_ns_)};
   }
+  void begin_traffic();
+  void send_requests(Vehicle& vehicle, Time now);
+  void hand_over(Vehicle& vehicle, Time now);
+  void take_traffic(Time now);
   void forward(transport::ChannelId from, const mavlink::Frame& frame);
   void send(transport::ChannelId channel, std::span<const std::byte> bytes);
+  void send_gathered(transport::ChannelId channel, Peer& peer);
   LinkHealth health_of(const Vehicle& vehicle) const;
+  FeedHealth feeds_of(const Vehicle& vehicle) const;
   transport::EndpointId endpoint_of(const LinkEndpoint& endpoint);
   Time now() const;
+  Time now(const Vehicle& vehicle) const;
+  // Waits until the thread has read and sent all that there is.
+  void catch_up();
 
   geo::LocalFrame frame_;
   Clock::time_point begin_ = Clock::now();
   std::vector<Planned> planned_;  // endpoints, by their numbers
   std::vector<std::unique_ptr<Vehicle>> vehicles_;
   std::vector<std::unique_ptr<Shown>> shown_;
+  std::map<std::pair<std::uint16_t, std::uint8_t>, Shown*> shown_at_;  // group, system
+  std::vector<std::string> simulated_;  // aircraft that others are told of
+  std::optional<TrafficExchange> traffic_;  // once started
+  std::mutex traffic_mutex_;
+  std::vector<SimulatedTraffic> traffic_now_;  // from the simulation
+  std::vector<SimulatedTraffic> traffic_taken_;
   std::vector<LinkEndpoint> stations_;
   std::atomic<std::int64_t> simulated_ns_ = 0;
   std::atomic<bool> paused_ = false;
@@ -129,10 +177,14 @@ class VehicleLinks final : public transport::ChannelListener {
   std::map<transport::ChannelId, Peer> peers_;
   router::FrameRouter router_;
   std::vector<router::Channel> to_;  // used again for each frame
+  bool gathers_ = false;             // what is for stations
   mavlink::LinkSecurity security_;
   vehicle_services::Outbox out_;
   transport::Endpoints endpoints_;
   std::atomic<bool> stop_ = false;
+  std::mutex turn_mutex_;
+  std::condition_variable turned_;
+  std::uint64_t turn_asked_ = 0, turn_done_ = 0;
   std::thread thread_;
 };
 

@@ -1,5 +1,6 @@
 #include "skein/link/vehicle_services/message_dispatch.h"
 
+#include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/mavlink/payload.h"
 #include "skein/link/vehicle_services/flight_modes.h"
 #include "skein/link/vehicle_services/guided_inputs.h"
@@ -51,7 +52,7 @@ bool to_commands(const Delivery& d, bool for_all) {
 // Messages that mean the same as a command, from before there were any.
 bool to_old_commands(const Delivery& d) {
   return d.on<mavlink::SetMode>([&](const auto& m) {
-    const bool custom = (m.base_mode & mavlink::mode_flag::kCustom) != 0;
+    const bool custom = (m.base_mode & mavlink::kModeCustom) != 0;
     Answer answer = custom ? set_mode(d.vehicle(), d.to.pilot, m.custom_mode)
                            : Answer(mavlink::CommandResult::kDenied);
     if (!answer.reason.empty())

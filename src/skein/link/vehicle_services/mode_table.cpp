@@ -1,4 +1,5 @@
 #include "skein/link/vehicle_services/mode_table.h"
+#include "skein/link/mavlink/flight_modes.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,7 @@ constexpr std::array kPlaneModes = {
     ModeRow{kMission, 10, "AUTO", true, StandardMode::kMission},
     ModeRow{kTakeOff, 13, "TAKEOFF", true, StandardMode::kTakeOff},
     ModeRow{kReturn, 11, "RTL", true, StandardMode::kReturn},
+    // Of releases after the one that is claimed, which has no mode for it.
     ModeRow{kLand, 26, "AUTOLAND", true, StandardMode::kLand},
     ModeRow{kOther, 16, "INITIALISING", false},
 };
@@ -28,7 +30,6 @@ constexpr std::array kCopterModes = {
     ModeRow{kManual, 1, "ACRO"},
     ModeRow{kStabilized, 0, "STABILIZE"},
     ModeRow{kHold, 5, "LOITER"},
-    ModeRow{kHold, 16, "POSHOLD"},
     ModeRow{kHold, 17, "BRAKE"},
     ModeRow{kGuided, 4, "GUIDED"},
     ModeRow{kMission, 3, "AUTO", true, StandardMode::kMission},
@@ -62,7 +63,6 @@ constexpr auto kPx4PlaneModes = with_px4_shared(std::array{
 constexpr auto kPx4CopterModes = with_px4_shared(std::array{
     ModeRow{kManual, px4_mode(5), "Acro"},
     ModeRow{kStabilized, px4_mode(7), "Stabilized"},
-    ModeRow{kStabilized, px4_mode(1), "Manual"},
 });
 
 }  // namespace
@@ -93,18 +93,18 @@ const ModeRow& row_of_place(Make make, bool hovers) {
 }
 
 std::uint8_t mode_flags_of(VehicleMode mode) {
-  using namespace mavlink::mode_flag;
+  using namespace mavlink;
   switch (mode) {
     case kManual:
-      return kCustom | kManualInput;
+      return kModeCustom | kModeManualInput;
     case kStabilized:
-      return kCustom | kManualInput | kStabilize;
-    case VehicleMode::kGuided:
-      return kCustom | kStabilize | mavlink::mode_flag::kGuided;
+      return kModeCustom | kModeManualInput | kModeStabilized;
+    case kGuided:
+      return kModeCustom | kModeStabilized | kModeGuided;
     case kOther:
-      return kCustom;
+      return kModeCustom;
     default:
-      return kCustom | kStabilize | mavlink::mode_flag::kGuided | kAuto;
+      return kModeCustom | kModeStabilized | kModeGuided | kModeAuto;
   }
 }
 

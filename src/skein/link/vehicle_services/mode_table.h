@@ -10,7 +10,8 @@
 
 namespace skein::vehicle_services {
 
-/// A mode as a make calls it.
+/// A mode that simulated vehicles have, as a make calls it. What all numbers of a make
+/// mean is in skein/link/mavlink/flight_modes.h.
 struct ModeRow {
   VehicleMode mode = VehicleMode::kOther;
   std::uint32_t number = 0;  ///< of heartbeats (custom_mode)

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/vehicle_services/message_numbers.h"
 #include "skein/link/vehicle_services/telemetry.h"
 
@@ -8,7 +9,7 @@ namespace skein::vehicle_services {
 namespace {
 
 constexpr std::uint16_t kNoVoltage = 65'535;
-constexpr double kMaxVoltage_mV = 65'534;  // of one cell's field
+constexpr double kMaxMillivolts = 65'534;  // of one cell's field
 
 // Of which a vehicle's voltage takes as many as it needs.
 template <std::size_t N>
@@ -17,8 +18,8 @@ void spread_voltage(double voltage, std::array<std::uint16_t, N>& cells_mV) {
   double left_mV = voltage * 1000;
   for (std::uint16_t& cell : cells_mV) {
     if (!(left_mV > 0)) return;
-    cell = rounded<std::uint16_t>(std::min(left_mV, kMaxVoltage_mV));
-    left_mV -= kMaxVoltage_mV;
+    cell = rounded<std::uint16_t>(std::min(left_mV, kMaxMillivolts));
+    left_mV -= kMaxMillivolts;
   }
 }
 
@@ -69,11 +70,10 @@ mavlink::Heartbeat heartbeat(const ServedVehicle& v) {
   mavlink::Heartbeat m;
   m.type = static_cast<std::uint8_t>(v.options.hovers ? mavlink::VehicleType::kQuadrotor
                                                       : mavlink::VehicleType::kFixedWing);
-  m.autopilot = static_cast<std::uint8_t>(v.options.make == Make::kPx4
-                                              ? mavlink::AutopilotMake::kPx4
-                                              : mavlink::AutopilotMake::kArduPilot);
+  m.autopilot = v.options.make == Make::kPx4 ? mavlink::kAutopilotPx4
+                                             : mavlink::kAutopilotArduPilot;
   m.base_mode = mode_flags_of(v.snapshot.condition.mode);
-  if (v.snapshot.condition.armed) m.base_mode |= mavlink::mode_flag::kArmed;
+  if (v.snapshot.condition.armed) m.base_mode |= mavlink::kModeArmed;
   m.custom_mode = v.shown_mode().number;
   m.system_status = static_cast<std::uint8_t>(state_of(v));
   m.mavlink_version = 3;

@@ -7,17 +7,17 @@
 namespace skein::vehicle_services {
 namespace {
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr std::int64_t kMinInterval_ns = 5'000'000;
-constexpr std::int64_t kMaxInterval_ns = 3600 * kSecond_ns;
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kMinInterval = 5'000'000;
+constexpr std::int64_t kMaxInterval = 3600 * kSecond;
 constexpr std::int64_t kMaxHurry = 10;
 constexpr Time kNever = Time::from_ns(std::numeric_limits<std::int64_t>::max());
 
 constexpr auto kHeartbeatRow = std::size_t{0};
 
 std::int64_t allowed_interval_ns(double interval_ns) {
-  return std::llround(std::clamp(interval_ns, static_cast<double>(kMinInterval_ns),
-                                 static_cast<double>(kMaxInterval_ns)));
+  return std::llround(std::clamp(interval_ns, static_cast<double>(kMinInterval),
+                                 static_cast<double>(kMaxInterval)));
 }
 
 }  // namespace
@@ -46,8 +46,9 @@ void TelemetryStreams::set(Link& link, std::size_t row, std::int64_t interval_ns
   Stream& stream = link.streams[row];
   stream.interval_ns = interval_ns;
   // Streams and vehicles begin at different times, so that they do not come in bursts.
-  const std::int64_t phase = (system_ * 61 + static_cast<std::int64_t>(row) * 37) % 100;
-  stream.due = simulated + Time::from_ns(std::min(interval_ns, kSecond_ns) / 100 * phase);
+  const auto phase =
+      static_cast<std::int64_t>((std::size_t{system_} * 61 + row * 37) % 100);
+  stream.due = simulated + Time::from_ns(std::min(interval_ns, kSecond) / 100 * phase);
   link.next = std::min(link.next, stream.due);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/vehicle_services/flight_modes.h"
 #include "skein/link/vehicle_services/guided_inputs.h"
 #include "skein/link/vehicle_services/message_numbers.h"
@@ -48,7 +49,7 @@ Answer set_mode(const Command& command, VehicleParts& parts) {
   const auto number_of = [](float value) {
     return rounded<std::uint32_t>(static_cast<double>(value));
   };
-  if ((number_of(command.param(1)) & mavlink::mode_flag::kCustom) == 0)
+  if ((number_of(command.param(1)) & mavlink::kModeCustom) == 0)
     return {CommandResult::kDenied, "Mode: only those of its make"};
   const std::uint32_t number = number_of(command.param(2));
   return set_mode(parts.vehicle, parts.pilot,
@@ -129,6 +130,8 @@ Answer change_speed(const Command& command, VehicleParts& parts) {
 
 Answer set_home(const Command& command, VehicleParts& parts) {
   ServedVehicle& vehicle = parts.vehicle;
+  if (!vehicle.options.home_can_be_set)
+    return {CommandResult::kDenied, "Home: it stays where it is"};
   if (!vehicle.known || !vehicle.snapshot.condition.position)
     return {CommandResult::kTemporarilyRejected, "Home: its position is not known"};
   if (command.param(1) == 1) {

@@ -43,7 +43,7 @@ class VehicleServer {
 
   /// A link is there. Frames of links that are not open are passed over.
   void open(Channel channel, const Clocks& now);
-  /// It is gone; the outbox is to be told too.
+  /// It is gone; Outbox::close() is the caller's business.
   void close(Channel channel);
 
   /// Takes in a frame. One that is for another system, or of no kind that concerns a
@@ -62,7 +62,8 @@ class VehicleServer {
   /// at one.
   std::vector<VehicleRequest> take_requests();
 
-  /// Home as a ground station has set it since the last call.
+  /// Home as a ground station has set it since the last call; only where the options let
+  /// it be set.
   std::optional<Vec3> take_home();
 
   const Fence& fence() const;

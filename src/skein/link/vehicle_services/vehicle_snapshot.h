@@ -50,6 +50,9 @@ struct VehicleServerOptions {
   double take_off_height = 50;     ///< above home, where none is given [m]
   double low_charge = 0.25;        ///< of the battery, from 0 to 1: shown as low
   double critical_charge = 0.1;    ///< shown as critical
+  /// Ground stations may set home: whoever runs the vehicle takes it (take_home) and
+  /// shows it in snapshots. Else they are refused.
+  bool home_can_be_set = false;
   /// Further ones, after those that the make has: facts about the vehicle, for people.
   std::vector<Parameter> parameters;
 };

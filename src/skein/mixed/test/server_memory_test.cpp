@@ -173,10 +173,9 @@ TEST_F(ServerMemoryTest, WhoeverWentThroughAnUnknownMastIsReported) {
       << "the second was 58 m from it, and the real one met it in reality";
   const Event& event = last("unknown-object-interaction");
   EXPECT_EQ(event.entity, kPure);
-  EXPECT_EQ(
-      event.text,
-      "passed mast at 10.0 s, 6.0 m from it; nobody knew of it until real saw it at "
-      "40.0 s");
+  EXPECT_EQ(event.text,
+            "passed mast at 10.0 s, 6.0 m from it (its place is known to 1.0 m); nobody "
+            "knew of it until real saw it at 40.0 s");
 }
 
 TEST_F(ServerMemoryTest, WhatIsKnownIsNoLongerAnUnknownObject) {

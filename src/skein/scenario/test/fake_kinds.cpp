@@ -57,6 +57,7 @@ KindTable fake_kinds() {
   for (const Choice& mission : defaults.missions) add("mission", mission);
   add("plant", group.plant);
   add("autopilot", group.autopilot);
+  add("vehicle", group.vehicle);
   add("agent", group.agent);
   for (const Choice& sensor : group.sensors) add("sensor", sensor);
   return kinds;

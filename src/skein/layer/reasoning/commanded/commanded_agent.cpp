@@ -104,6 +104,10 @@ struct CommandedAgent::Obedience {
   }
   // Sticks go to the autopilot past the agent.
   void operator()(const PilotRequest&) const {}
+  // Of a virtual world to vehicles that are not in it.
+  void operator()(const ObstacleDistances&) const {}
+  void operator()(const FenceUpload&) const {}
+  void operator()(const PositionFix&) const {}
 };
 
 void CommandedAgent::give(decltype(AutopilotCommand::guidance) guidance,

@@ -30,7 +30,9 @@ bool ZoneMonitor::listen(const AgentInput& in, AgentOutput& out) {
                                       change->zone.name)});
   }
   if (!changed) return false;
-  avoidance_.set_zones(known_.zones());
+  const std::span<const Zone> zones = known_.zones();
+  out.zones.emplace(zones.begin(), zones.end());
+  avoidance_.set_zones(zones);
   detours_.reset();
   changed_ = true;
   return true;

@@ -25,7 +25,8 @@ class ZoneMonitor {
         avoidance_(options, limits, zones),
         self_(self) {}
 
-  /// Takes in the changes that have been received, with events "zone-on" and "zone-off".
+  /// Takes in the changes that have been received, with events "zone-on" and "zone-off",
+  /// and says which zones are in force then.
   /// They count from this step on.
   /// @returns  whether zones() has changed.
   bool listen(const AgentInput& in, AgentOutput& out);

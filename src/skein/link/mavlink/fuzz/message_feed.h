@@ -258,9 +258,9 @@ class MessageFeed {
 
   template <class Subject>
   void pass(Subject& subject, std::uint8_t what) {
-    static constexpr std::array<std::int64_t, 8> kSpans_ms = {1,    20,   100,    500,
+    static constexpr std::array<std::int64_t, 8> kSpans = {1,    20,   100,    500,
                                                               1000, 5000, 11'000, 70'000};
-    now_ += Time::from_ns(kSpans_ms[what % kSpans_ms.size()] * 1'000'000);
+    now_ += Time::from_ns(kSpans[what % kSpans.size()] * 1'000'000);
     subject.step(now_);
   }
 

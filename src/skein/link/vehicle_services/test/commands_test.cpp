@@ -386,9 +386,10 @@ int end_of_take_off(const std::function<void(Station&, VehicleSnapshot&)>& happe
   s.clear();
   happens(s, snapshot);
   s.show(snapshot);
+  int last = -1;
   for (const auto& ack : s.heard<mavlink::CommandAck>())
-    if (ack.command == 22) return ack.result;
-  return -1;
+    if (ack.command == 22) last = ack.result;
+  return last;
 }
 
 TEST(TakeOff, EndsForOtherReasonsToo) {
@@ -406,11 +407,20 @@ TEST(TakeOff, EndsForOtherReasonsToo) {
               v.condition.mode = VehicleMode::kLand;
             }),
             number(kFailed));
-  EXPECT_EQ(end_of_take_off([](Station&, VehicleSnapshot& v) {
-              v.motion.p_N.z() = -445;
-              v.condition.mode = VehicleMode::kHold;
-            }),
-            number(kAccepted));
+  // The vehicle has ended it below the altitude, and climbs on or does not.
+  for (const auto& [altitude, result] :
+       {std::pair{449.5, kAccepted}, {442., kAccepted}, {430., kFailed}})
+    EXPECT_EQ(end_of_take_off([altitude = altitude](Station& s, VehicleSnapshot& v) {
+                v.motion.p_N.z() = -432;
+                v.condition.mode = VehicleMode::kHold;
+                s.show(v);
+                s.run(5);
+                v.motion.p_N.z() = -altitude;
+                s.show(v);
+                s.run(6);
+              }),
+              number(result))
+        << altitude;
   EXPECT_EQ(end_of_take_off([](Station& s, VehicleSnapshot&) {
               s.now.simulated += Time::from_seconds(181);
             }),
@@ -483,7 +493,9 @@ TEST(Speed, StaysWithinWhatTheVehicleFlies) {
 }
 
 TEST(Home, IsGivenOutAndSet) {
-  Station s;
+  VehicleServerOptions options = test_options(Make::kArduPilot, false);
+  options.home_can_be_set = true;
+  Station s(options);
   s.show(flying());
   EXPECT_EQ(s.result(CommandId::kGetHome), 0);
   EXPECT_EQ(s.last<mavlink::HomePosition>().altitude, 400'000);
@@ -504,6 +516,11 @@ TEST(Home, IsGivenOutAndSet) {
   EXPECT_EQ(s.command_int(CommandId::kSetHome, {0}, CoordinateFrame::kGlobal, -47, 8, 420)
                 .result,
             number(kDenied));
+  Station fixed;
+  fixed.show(flying());
+  EXPECT_EQ(fixed.result(CommandId::kSetHome, {1}), number(kDenied))
+      << "where nobody takes it";
+  EXPECT_FALSE(fixed.server.take_home());
 }
 
 }  // namespace

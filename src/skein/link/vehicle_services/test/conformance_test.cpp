@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/vehicle_services/mode_table.h"
 #include "skein/link/vehicle_services/test/ground_station.h"
 
@@ -178,7 +179,7 @@ void come_home(GroundStation& g, const Identity& identity) {
   ASSERT_EQ(g.command(CommandId::kSetMode, mode(identity, VehicleMode::kReturn)), 0);
   EXPECT_TRUE(g.wait(200, [&] {
     const auto heartbeat = g.last<mavlink::Heartbeat>();
-    return (heartbeat.base_mode & mavlink::mode_flag::kArmed) == 0 &&
+    return (heartbeat.base_mode & mavlink::kModeArmed) == 0 &&
            heartbeat.system_status == 3;
   }));
   EXPECT_TRUE(

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/vehicle_services/mode_table.h"
 #include "skein/link/vehicle_services/test/station.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using mavlink::CommandId;
 using mavlink::CommandResult;
-using namespace mavlink::mode_flag;
+using mavlink::kModeArmed;
 
 TEST(Heartbeat, IsSentEachSecondOfTheWallClockWhateverTheRunDoes) {
   Station s;
@@ -53,7 +54,7 @@ TEST(Heartbeat, SaysWhatItIsAndWhatItDoes) {
     s.show(snapshot);
     const auto m = s.last<mavlink::Heartbeat>();
     EXPECT_EQ(m.custom_mode, number);
-    EXPECT_EQ(m.base_mode, flags | kArmed) << number;
+    EXPECT_EQ(m.base_mode, flags | kModeArmed) << number;
     EXPECT_EQ(m.autopilot, make == Make::kPx4 ? 12 : 3);
     EXPECT_EQ(m.type, hovers ? 2 : 1);
     EXPECT_EQ(m.mavlink_version, 3);
@@ -70,7 +71,7 @@ TEST(Heartbeat, ComesAtOnceWhenSomethingChanges) {
   armed.condition.armed = true;
   s.show(armed);
   ASSERT_EQ(s.heard<mavlink::Heartbeat>().size(), 1U);
-  EXPECT_EQ(s.last<mavlink::Heartbeat>().base_mode & kArmed, kArmed);
+  EXPECT_EQ(s.last<mavlink::Heartbeat>().base_mode & kModeArmed, kModeArmed);
 }
 
 TEST(Heartbeat, HasTheStateOfTheVehicle) {
@@ -101,6 +102,19 @@ TEST(ModeTable, EveryMakeShowsEveryModeAndNumbersMeanOneMode) {
         EXPECT_EQ(row_of(mode, make, hovers).mode, mode);
       }
     }
+}
+
+TEST(ModeTable, MeansWhatItMeansToWhoCommandsRealVehicles) {
+  for (const auto& [make, of_messages] :
+       {std::pair{Make::kArduPilot, mavlink::Make::kArduPilot},
+        {Make::kPx4, mavlink::Make::kPx4}})
+    for (const bool hovers : {false, true})
+      for (const ModeRow& row : modes_of(make, hovers)) {
+        const VehicleMode mode = mavlink::mode_of(of_messages, hovers, row.number);
+        if (row.selectable && mode != VehicleMode::kOther) {
+          EXPECT_EQ(mode, row.mode) << row.name;
+        }
+      }
 }
 
 TEST(Telemetry, SaysWhereItIsAndHowItMoves) {
@@ -419,15 +433,15 @@ TEST(Identity, ListsItsModes) {
   s.show(standing());
   EXPECT_EQ(s.result(CommandId::kRequestMessage, {435, 0}), 0);
   const auto modes = s.heard<mavlink::AvailableModes>();
-  ASSERT_EQ(modes.size(), 9U);
+  ASSERT_EQ(modes.size(), 8U);
   for (std::size_t k = 0; k < modes.size(); ++k) {
-    EXPECT_EQ(modes[k].number_modes, 9);
+    EXPECT_EQ(modes[k].number_modes, 8);
     EXPECT_EQ(modes[k].mode_index, k + 1);
   }
-  EXPECT_EQ(s.result(CommandId::kRequestMessage, {435, 6}), 0);
+  EXPECT_EQ(s.result(CommandId::kRequestMessage, {435, 5}), 0);
   ASSERT_EQ(s.heard<mavlink::AvailableModes>().size(), 1U);
   EXPECT_EQ(mavlink::text_of(s.last<mavlink::AvailableModes>().mode_name), "GUIDED");
-  EXPECT_EQ(s.result(CommandId::kRequestMessage, {435, 10}),
+  EXPECT_EQ(s.result(CommandId::kRequestMessage, {435, 9}),
             number(CommandResult::kUnsupported));
   EXPECT_EQ(s.result(CommandId::kRequestMessage, {436}), 0);
   EXPECT_EQ(s.last<mavlink::CurrentMode>().custom_mode, 5U);

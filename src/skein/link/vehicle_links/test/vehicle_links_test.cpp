@@ -1,0 +1,140 @@
+// Real vehicles are told of one another over real sockets.
+#include "skein/link/vehicle_links/vehicle_links.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "skein/link/vehicle_links/test/stand_ins.h"
+#include "skein/link/vehicle_links/traffic_feed.h"
+
+namespace skein::vehicle_links {
+namespace {
+
+using namespace std::chrono_literals;
+
+LinkedVehicle linked(std::uint8_t system, const std::string& name) {
+  LinkedVehicle vehicle;
+  vehicle.endpoint.address = transport::UdpServer{};
+  vehicle.client.system = system;
+  vehicle.client.hovers = true;
+  vehicle.name = name;
+  vehicle.traffic = TrafficOptions{};
+  return vehicle;
+}
+
+// How often each was told of each address.
+std::map<std::pair<std::size_t, std::uint32_t>, int> told(const StandIns& stand_ins) {
+  std::map<std::pair<std::size_t, std::uint32_t>, int> counts;
+  for (const StandIns::Heard& each : stand_ins.heard)
+    ++counts[{each.by, each.what.ICAO_address}];
+  return counts;
+}
+
+TEST(VehicleLinks, VehiclesAreToldOfOneAnotherAndOfSimulatedAircraft) {
+  const auto frame = geo::LocalFrame::at({47.0, 8.0, 0}).value();
+  VehicleLinks links(frame);
+  ASSERT_TRUE(links.add(linked(1, "a")).ok());
+  ASSERT_TRUE(links.add(linked(2, "b")).ok());
+  LinkedVehicle alone = linked(3, "c");
+  alone.traffic.reset();
+  ASSERT_TRUE(links.add(alone).ok());
+  EXPECT_TRUE(links.needs_traffic());
+  TrafficFeed feed(links, {"wing-1", "wing-2"});
+  auto port = links.port(0);
+  const auto places = links.start();
+  ASSERT_TRUE(places.ok());
+  StandIns vehicles(frame, places.value().front());
+  vehicles.add(1, {0, 0});
+  vehicles.add(2, {500, 0});
+  vehicles.add(3, {0, 500});
+  feed.hear(EntityRecord{EntityId{4}, "wing-1", "aircraft"});
+  feed.hear(EntityRecord{EntityId{5}, "wing-2", "aircraft"});
+  EstimateRecord near{EntityId{4}, {}, {}}, far{EntityId{5}, {}, {}};
+  near.nav.p_N = {100, 100, -50};
+  far.nav.p_N = {20'000, 0, -50};
+  for (int k = 0; k < 20; ++k) {
+    vehicles.run(100ms);
+    feed.hear(near);
+    feed.hear(far);
+    feed.publish();
+  }
+  const auto counts = told(vehicles);
+  const auto count = [&](std::size_t who, const char* of) {
+    const auto found = counts.find({who, icao_address(of)});
+    return found == counts.end() ? 0 : found->second;
+  };
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    EXPECT_GE(count(k, k == 0 ? "b" : "a"), 2);
+    EXPECT_LE(count(k, k == 0 ? "b" : "a"), 5);  // twice a second
+    EXPECT_EQ(count(k, k == 0 ? "a" : "b"), 0);  // of itself
+    EXPECT_GE(count(k, "c"), 2);
+    EXPECT_GE(count(k, "wing-1"), 2);
+    EXPECT_EQ(count(k, "wing-2"), 0);
+  }
+  for (const char* of : {"a", "b", "c", "wing-1"}) EXPECT_EQ(count(2, of), 0) << of;
+
+  std::vector<VehicleReport> reports;
+  port->receive(Time(), reports);
+  EXPECT_TRUE(std::any_of(reports.begin(), reports.end(), [](const VehicleReport& r) {
+    return std::holds_alternative<VehicleMotion>(r);
+  }));
+}
+
+TEST(VehicleLinks, OfWhatIsGoodForAMomentOnlyTheNewestGoesOutAndAllIsCounted) {
+  const auto frame = geo::LocalFrame::at({47.0, 8.0, 0}).value();
+  VehicleLinks links(frame);
+  ASSERT_TRUE(links.add(linked(1, "a")).ok());
+  auto port = links.port(0);
+  const auto places = links.start();
+  ASSERT_TRUE(places.ok());
+  StandIns vehicles(frame, places.value().front());
+  vehicles.add(1, {0, 0});
+  vehicles.run(500ms);
+  constexpr std::uint64_t kSent = 100;
+  for (std::uint64_t k = 0; k < kSent; ++k) {
+    port->send(0, ObstacleDistances{});
+    port->send(0, PositionFix{});
+  }
+  vehicles.run(6s);  // figures come each 5 s
+  std::vector<VehicleReport> reports;
+  port->receive(Time(), reports);
+  FeedHealth last;
+  for (const VehicleReport& report : reports)
+    if (const auto* health = std::get_if<FeedHealth>(&report)) last = *health;
+  EXPECT_EQ(last.obstacles + last.obstacles_limited, kSent);
+  EXPECT_EQ(last.fixes + last.fixes_limited, kSent);
+  EXPECT_EQ(vehicles.obstacles, last.obstacles);
+  EXPECT_EQ(vehicles.fixes, last.fixes);
+  EXPECT_GE(last.obstacles, 1u);
+}
+
+TEST(VehicleLinks, WhoSharesAConnectionDoesNotSeeItselfThere) {
+  const auto frame = geo::LocalFrame::at({47.0, 8.0, 0}).value();
+  VehicleLinks links(frame);
+  const std::array<const char*, 3> names = {"a", "b", "c"};
+  for (std::uint8_t k = 0; k < 3; ++k)
+    ASSERT_TRUE(links.add(linked(static_cast<std::uint8_t>(k + 1), names[k])).ok());
+  const auto places = links.start();
+  ASSERT_TRUE(places.ok());
+  StandIns vehicles(frame, places.value().front());
+  vehicles.add(1, {0, 0});
+  vehicles.add(2, {500, 0}, true);
+  vehicles.add(3, {0, 500});
+  vehicles.run(2s);
+  for (const StandIns::Heard& each : vehicles.heard) {
+    const bool alone = each.by == 2;
+    EXPECT_EQ(each.what.ICAO_address == icao_address("c"), !alone);
+  }
+  EXPECT_GE(vehicles.heard.size(), 6u);
+}
+
+TEST(VehicleLinks, TwoOfOneNumberAtOneEndpointAreRefused) {
+  VehicleLinks links(geo::LocalFrame::at({47.0, 8.0, 0}).value());
+  EXPECT_TRUE(links.add(linked(1, "a")).ok());
+  EXPECT_FALSE(links.add(linked(1, "b")).ok());
+}
+
+}  // namespace
+}  // namespace skein::vehicle_links
