@@ -14,6 +14,8 @@
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
 #include "skein/link/vehicle_links/linked_console.h"
+#include "skein/link/world_link/agent_parts.h"
+#include "skein/link/world_link/entity_links.h"
 #include "skein/record/fan_out.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
@@ -224,10 +226,25 @@ int finish(const RunArguments& arguments, const fs::path& folder,
 
 }  // namespace
 
+Result<assemble::Build> build_order(const RunOrder& order) {
+  if (order.agent)
+    return assemble::build_agent(order.scenario, order.kinds, *order.agent);
+  if (order.recorded)
+    return assemble::build(order.scenario, order.kinds, order.recorded->reports);
+  return assemble::build(order.scenario, order.kinds);
+}
+
 Result<void> start_links(assemble::Build& ready) {
-  const auto places = ready.links->start();
-  if (!places) return places.error();
-  for (const std::string& place : places.value()) complain("waiting at {}\n", place);
+  const auto start = [](auto& links) -> Result<void> {
+    const auto places = links.start();
+    if (!places) return places.error();
+    for (const std::string& place : places.value()) complain("waiting at {}\n", place);
+    return {};
+  };
+  if (auto started = start(*ready.links); !started) return started;
+  if (auto started = start(*ready.entity_links); !started) return started;
+  if (ready.world_client)
+    if (auto started = start(*ready.world_client); !started) return started;
   for (simulation::Entity& entity : ready.world.entities)
     if (entity.vehicle)
       if (auto opened = entity.vehicle->open(); !opened) return opened;
@@ -236,10 +253,17 @@ Result<void> start_links(assemble::Build& ready) {
 
 Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* recorder,
                                           OperatorConsole& console) {
-  if (!ready.feed) return simulation::run(ready.world, ready.options, *recorder, console);
-  std::vector<Recorder*> listeners = {ready.feed.get()};
+  std::vector<Recorder*> listeners;
+  if (ready.feed) listeners.push_back(ready.feed.get());
+  if (ready.world_feed) listeners.push_back(ready.world_feed.get());
+  if (listeners.empty())
+    return simulation::run(ready.world, ready.options, *recorder, console);
   if (recorder) listeners.push_back(recorder);
   record::FanOut all(std::move(listeners));
+  if (ready.world_client) {
+    world_link::WorldConsole linked(console, *ready.world_client);
+    return simulation::run(ready.world, ready.options, all, linked);
+  }
   vehicle_links::LinkedConsole linked(console, *ready.feed);
   return simulation::run(ready.world, ready.options, all, linked);
 }
@@ -261,8 +285,7 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   const auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return say_error(frame.error());
   const bool again = order.recorded.has_value();
-  auto built = again ? assemble::build(scenario, order.kinds, order.recorded->reports)
-                     : assemble::build(scenario, order.kinds);
+  auto built = build_order(order);
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
   for (const std::string& warning : ready.warnings) log_warning("{}", warning);

@@ -86,6 +86,21 @@ struct VehicleArguments {
   bool overwrite = false;
 };
 
+/// `skein agent`.
+struct AgentArguments {
+  std::string scenario;
+  std::string entity;             ///< an aircraft of the scenario
+  std::string world;              ///< where its world is met; empty: it is alone
+  std::vector<std::string> team;  ///< where other agents are met directly
+  std::string autopilot;  ///< MAVLink endpoint; empty: the vehicle is simulated here
+  int system = 1;         ///< MAVLink system id there
+  double duration = 0;    ///< [s]; 0: until it is interrupted
+  std::vector<std::string> overrides, plugins;
+  std::filesystem::path out;  ///< folder for records; empty: none
+  bool overwrite = false;
+};
+
+int agent_command(const AgentArguments& arguments, const std::atomic<bool>& stop);
 int vehicle_command(const VehicleArguments& arguments, const std::atomic<bool>& stop);
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
 int check_command(const std::string& scenario, const std::vector<std::string>& overrides,

@@ -89,11 +89,22 @@ Examples:
   skein vehicle --aircraft quad --link tcpin:5760 --autopilot px4
   skein vehicle --aircraft aerosonde --flying --system 7 --link udpout:127.0.0.1:14551)";
 
+constexpr const char* kAgentExamples = R"(
+It reads the scenario of its world and is one aircraft of it, whose vehicle the world has as
+{kind: remote}; see docs/agent.md. When the world is gone it goes on alone.
+
+Examples:
+  skein run fire.yaml --set "aircraft[0].vehicle={kind: remote, listen: 'udpin:14700'}"
+  skein agent fire.yaml --entity scout-1 --world udpout:127.0.0.1:14700
+  skein agent fire.yaml --entity scout-1 --world udpout:10.0.0.2:14700 \
+      --autopilot serial:/dev/ttyACM0:115200 --team udpmulti:239.255.77.1:14800:10.0.0.7)";
+
 constexpr const char* kLinkExamples = R"(
 Endpoints:
   udpin:[HOST:]PORT      waits for datagrams, answers each sender
   udpout:HOST:PORT       sends to one place
   udpbcast:ADDRESS:PORT  sends to all of a network
+  udpmulti:GROUP:PORT[:INTERFACE]  sends to all of a multicast group, and hears them
   tcpin:[HOST:]PORT      waits for connections
   tcp:HOST:PORT          connects, again and again
   serial:DEVICE[:BAUD]   a serial line; 57600 without a rate
@@ -445,6 +456,44 @@ Command add_vehicle(CLI::App& program) {
   command->add_flag("--overwrite", given->overwrite, "Replace records that are there.");
   command->footer(kVehicleExamples);
   return {command, [given] { return vehicle_command(*given, stop_requested); }};
+}
+
+Command add_agent(CLI::App& program) {
+  const auto given = std::make_shared<AgentArguments>();
+  auto* command =
+      program.add_subcommand("agent", "One aircraft's agent in a program of its own.");
+  command->add_option("scenario", given->scenario, "The scenario file of its world.")
+      ->required();
+  command->add_option("--entity", given->entity, "Which aircraft: GROUP-1, GROUP-2...")
+      ->required();
+  command->add_option("--world", given->world,
+                      "Where its world is met: udpout:HOST:PORT or tcp:HOST:PORT.");
+  command
+      ->add_option("--team", given->team,
+                   "Where other agents are met directly; several times for several.")
+      ->take_all()
+      ->allow_extra_args(false);
+  auto* autopilot =
+      command->add_option("--autopilot", given->autopilot,
+                          "Where its autopilot is met by MAVLink; else the vehicle is "
+                          "simulated here.");
+  command->add_option("--system", given->system, "MAVLink system id of the autopilot.")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 255))
+      ->needs(autopilot);
+  command
+      ->add_option("--set", given->overrides,
+                   "KEY=VALUE: overrides a key of the scenario.")
+      ->take_all()
+      ->allow_extra_args(false);
+  add_plugin_option(*command, given->plugins);
+  command->add_option("--for", given->duration, "End after so many seconds.")
+      ->check(CLI::Range(0.1, 1e6));
+  command->add_option("--out", given->out, "Folder for records; default: none.");
+  command->add_flag("--overwrite", given->overwrite, "Replace records that are there.");
+  add_log_option(*command);
+  command->footer(kAgentExamples);
+  return {command, [given] { return agent_command(*given, stop_requested); }};
 }
 
 Command add_fire(CLI::App& program) {

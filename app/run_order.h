@@ -18,18 +18,24 @@ namespace skein::app {
 struct RunOrder {
   assemble::KindRegistry kinds;
   scenario::Scenario scenario;
-  std::optional<record::RecordedRun> recorded;  ///< that is done again
+  std::optional<record::RecordedRun> recorded;     ///< that is done again
+  std::optional<assemble::AgentOrder> agent = {};  ///< of a single agent; none: all
 };
 
 /// Runs it, with records, summary and report as the arguments say; the exit status.
 int run_order(const RunOrder& order, const RunArguments& arguments,
               const std::atomic<bool>& stop);
 
+/// Makes what shall be run.
+/// Fails: as assemble::build() and build_agent().
+Result<assemble::Build> build_order(const RunOrder& order);
+
 /// Opens the links to whoever takes part from outside, and says where servers wait.
 Result<void> start_links(assemble::Build& ready);
 
-/// Runs a world with ground stations as listeners and givers of commands, if it has any.
-/// @param recorder  null: nothing is recorded; then there are ground stations.
+/// Runs a world with ground stations, or the world that an agent takes part in, as
+/// listeners and givers of commands, if it has any.
+/// @param recorder  null: nothing is recorded; then there are such listeners.
 Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* recorder,
                                           OperatorConsole& console);
 

@@ -53,7 +53,9 @@ class Program : public testing::Test {
     const pid_t child = fork();
     if (child != 0) return child;
     if (chdir(folder_.c_str()) != 0) _exit(99);
-    if (!freopen("out.txt", "w", stdout) || !freopen("err.txt", "w", stderr)) _exit(99);
+    if (!freopen((prefix_ + "out.txt").c_str(), "w", stdout) ||
+        !freopen((prefix_ + "err.txt").c_str(), "w", stderr))
+      _exit(99);
     if (out >= 0) dup2(out, STDOUT_FILENO);
     if (!input_.empty() && !freopen(input_.c_str(), "r", stdin)) _exit(99);
     const rlimit limit{file_limit, file_limit}, memory{memory_limit, memory_limit};
@@ -71,8 +73,8 @@ class Program : public testing::Test {
     waitpid(child, &status, 0);
     Finished result;
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    result.out = read_file(folder_ / "out.txt");
-    result.err = read_file(folder_ / "err.txt");
+    result.out = read_file(folder_ / (prefix_ + "out.txt"));
+    result.err = read_file(folder_ / (prefix_ + "err.txt"));
     return result;
   }
 
@@ -135,6 +137,7 @@ class Program : public testing::Test {
 #endif
 
   fs::path folder_;
+  std::string prefix_;  // of the files that programs write to: several may run at once
   fs::path input_;  // what programs read from standard input; empty: what the test has
 };
 

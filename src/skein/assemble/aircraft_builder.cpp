@@ -17,6 +17,7 @@
 #include "skein/layer/environment/turbulence/discrete_gusts.h"
 #include "skein/layer/environment/turbulence/gusts.h"
 #include "skein/layer/sensory/sensor_suite.h"
+#include "skein/link/world_link/agent_parts.h"
 #include "skein/role/agent.h"
 
 namespace skein::assemble {
@@ -155,12 +156,24 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     vehicle.autopilot = std::move(autopilot).value();
     return complete_body();
   };
+  std::unique_ptr<Agent> remote;
   auto flown = kinds_.vehicle.make(
       group.vehicle,
-      VehicleContext{context, scenario_, group, index, vehicle, complete, complete_body,
-                     links_, recorded_ ? &(*recorded_)[self] : nullptr,
-                     [this](const std::string& other) { return is_simulated(other); },
-                     [made = made_](const std::string& other) -> const Vehicle* {
+      VehicleContext{.aircraft = context,
+                     .scenario = scenario_,
+                     .group = group,
+                     .index = index,
+                     .parts = vehicle,
+                     .complete = complete,
+                     .complete_body = complete_body,
+                     .links = links_.vehicles,
+                     .remotes = links_.entities,
+                     .agent = remote,
+                     .recorded = recorded_ ? &(*recorded_)[self] : nullptr,
+                     .is_simulated = [this](const std::string& other) {
+                       return is_simulated(other);
+                     },
+                     .find = [made = made_](const std::string& other) -> const Vehicle* {
                        const auto found = made->find(other);
                        return found == made->end() ? nullptr : found->second;
                      }});
@@ -182,6 +195,13 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   entity.agent = std::move(agent).value();
   entity.vehicle = std::move(flown).value();
   entity.agent_period = group.agent_period;
+  if (remote) {  // it thinks elsewhere; what it says is taken at once
+    entity.agent = std::move(remote);
+    entity.agent_period = scenario_.step;
+  } else if (links_.world) {
+    entity.agent = std::make_unique<world_link::ConnectedAgent>(std::move(entity.agent),
+                                                                self, *links_.world);
+  }
   entity.active = presence(group, index, scenario_.duration);
   return entity;
 }
@@ -283,6 +303,11 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
       (payload ? parts.payload : parts.sensors).push_back(part.kind);
       (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));
     }
+  }
+  if (links_.world) {  // that is what the payload looks at
+    vehicle.payload.clear();
+    vehicle.payload.push_back(
+        std::make_unique<world_link::ReceivedPayload>(*links_.world));
   }
   return parts;
 }

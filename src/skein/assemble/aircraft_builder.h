@@ -22,6 +22,10 @@
 namespace skein::vehicle_links {
 class VehicleLinks;
 }
+namespace skein::world_link {
+class EntityLinks;
+class WorldClient;
+}  // namespace skein::world_link
 
 namespace skein::assemble {
 
@@ -31,15 +35,23 @@ using RecordedReports = std::map<EntityId, std::vector<mixed::TimedReport>>;
 /// What the aircraft of a scenario are called, group by group: GROUP-1, GROUP-2...
 std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& scenario);
 
+/// What joins aircraft to others outside of this program. All outlive what is made.
+struct OutsideLinks {
+  vehicle_links::VehicleLinks& vehicles;  ///< real ones
+  world_link::EntityLinks& entities;      ///< in other programs
+  /// The world that the aircraft of this program takes part in; null: it is this one.
+  world_link::WorldClient* world = nullptr;
+};
+
 /// Makes the aircraft of a scenario, one after the other. Those of one group share their
 /// plant, unless each differs a little.
 class AircraftBuilder {
  public:
-  /// All references outlive the builder; the links outlive what it makes.
+  /// All references outlive the builder.
   /// @param recorded  null: vehicles that are not simulated speak for themselves.
   AircraftBuilder(const scenario::Scenario& scenario, const KindsByRole& kinds,
                   std::shared_ptr<const Terrain> map, const std::vector<Zone>& zones,
-                  const WindField& wind, vehicle_links::VehicleLinks& links,
+                  const WindField& wind, const OutsideLinks& links,
                   RecordedReports* recorded)
       : scenario_(scenario),
         kinds_(kinds),
@@ -78,7 +90,7 @@ class AircraftBuilder {
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;
-  vehicle_links::VehicleLinks& links_;
+  OutsideLinks links_;
   RecordedReports* recorded_;
   std::shared_ptr<const PathPlanner> planner_;
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;

@@ -8,6 +8,8 @@
 
 #include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/aircraft_fit.h"
+#include "skein/assemble/common_ground.h"
+#include "skein/assemble/interface_version.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
 #include "skein/assemble/sampling.h"
@@ -21,6 +23,8 @@
 #include "skein/layer/reasoning/station/nearest_allocator.h"
 #include "skein/link/mavlink/signing_key_file.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
+#include "skein/link/world_link/agent_parts.h"
+#include "skein/link/world_link/entity_links.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
 #include "skein/role/world_memory.h"
@@ -48,6 +52,16 @@ class SharedTerrain : public Terrain {
  private:
   std::shared_ptr<const Terrain> terrain_;
 };
+
+// Stands for the agents of others where only one is at home.
+class AbsentAgent final : public Agent {
+ public:
+  void step(const AgentInput&, AgentOutput&) override {}
+};
+
+std::string software() {
+  return fmt::format("Skein {}", kInterfaceVersion);
+}
 
 simulation::RunOptions run_options(const Scenario& scenario,
                                    const scenario::KindTable& kinds) {
@@ -80,6 +94,8 @@ class Builder {
         frame_(std::move(frame)),
         recorded_(recorded) {
     build_.links = std::make_unique<vehicle_links::VehicleLinks>(frame_);
+    build_.entity_links =
+        std::make_unique<world_link::EntityLinks>(software(), common_ground(scenario));
     const scenario::Environment& environment = scenario.environment;
     for (std::size_t i = 0; i < environment.zone_rings.size(); ++i)
       zones_.push_back(scenario::ring_zone(environment.zone_rings[i], i));
@@ -111,6 +127,20 @@ class Builder {
     return std::move(build_);
   }
 
+  // One aircraft only.
+  Result<Build> build_agent(const AgentOrder& order) {
+    build_.options = run_options(scenario_, kinds_.table());
+    // The world is told of every step.
+    build_.options.record_period = build_.options.step;
+    build_.mixed = true;
+    if (auto joined = join_world(order); !joined) return joined.error();
+    surroundings();
+    only_aircraft();
+    build_.world.radio = std::make_unique<world_link::WorldRadio>(*build_.world_client);
+    if (!errors_.empty()) return together(errors_);
+    return std::move(build_);
+  }
+
  private:
   template <class T>
   bool note(const Result<T>& made) {
@@ -118,7 +148,45 @@ class Builder {
     return made.ok();
   }
 
+  Result<void> join_world(const AgentOrder& order) {
+    world_link::WorldClientOptions options;
+    options.entity = order.entity;
+    options.software = software();
+    options.scenario = common_ground(scenario_);
+    options.world = order.world;
+    options.team = order.team;
+    std::size_t entity = scenario_.stations.size();
+    std::string all;
+    bool found = false;
+    for (const auto& group : aircraft_names(scenario_))
+      for (const std::string& name : group) {
+        all += (all.empty() ? "" : ", ") + name;
+        found |= name == order.entity;
+        if (name == order.entity)
+          options.self = EntityId{static_cast<std::uint32_t>(entity)};
+        ++entity;
+      }
+    if (!found)
+      return Error{ErrorCode::kBadInput, order.entity,
+                   fmt::format("is no aircraft of the scenario; it has: {}.", all), ""};
+    options.entities = entity;
+    self_ = options.self;
+    build_.world_client = std::make_unique<world_link::WorldClient>(std::move(options));
+    build_.world_feed =
+        std::make_unique<world_link::WorldFeed>(*build_.world_client, self_);
+    return {};
+  }
+
   void environment() {
+    EnvironmentContext context = surroundings();
+    for (const scenario::Choice& chosen : scenario_.environment.phenomena) {
+      auto made = kinds_.kinds().phenomenon.make(chosen, context);
+      if (note(made)) build_.world.phenomena.push_back(std::move(made).value());
+    }
+  }
+
+  // Terrain and wind.
+  EnvironmentContext surroundings() {
     EnvironmentContext context{frame_,  scenario_.start_utc, scenario_.seed, nullptr,
                                nullptr, &build_.warnings};
     auto terrain = kinds_.kinds().terrain.make(scenario_.environment.terrain, context);
@@ -136,10 +204,7 @@ class Builder {
                    : std::make_unique<environment::UniformWind>(
                          environment::UniformWindOptions{}));
     context.wind = build_.world.wind.get();
-    for (const scenario::Choice& chosen : scenario_.environment.phenomena) {
-      auto made = kinds_.kinds().phenomenon.make(chosen, context);
-      if (note(made)) build_.world.phenomena.push_back(std::move(made).value());
-    }
+    return context;
   }
 
   // Entities are the stations, then the aircraft.
@@ -250,7 +315,7 @@ class Builder {
 
   void aircraft() {
     AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
-                            *build_.links, recorded_);
+                            {*build_.links, *build_.entity_links}, recorded_);
     const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
     for (std::uint32_t k = 0; k < first; ++k)
       teams_.push_back({EntityId{k}, scenario_.stations[k].name, {}});
@@ -266,6 +331,46 @@ class Builder {
         build_.world.entities.push_back(std::move(made).value());
       }
     }
+  }
+
+  // The aircraft of this program; others stand in the list, so that numbers are those of
+  // the world, and never take part.
+  void only_aircraft() {
+    AircraftBuilder builder(
+        scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
+        {*build_.links, *build_.entity_links, build_.world_client.get()}, nullptr);
+    for (const scenario::Station& station : scenario_.stations)
+      add_absent(station.name, "station");
+    const auto names = aircraft_names(scenario_);
+    for (std::size_t g = 0; g < names.size(); ++g) {
+      const AircraftGroup& group = scenario_.aircraft[g];
+      for (std::size_t i = 0; i < names[g].size(); ++i) {
+        if (build_.world.entities.size() != self_.value) {
+          add_absent(names[g][i], "aircraft");
+          continue;
+        }
+        const int index = static_cast<int>(i);
+        if (group.vehicle.kind == "remote")
+          errors_.push_back({ErrorCode::kBadInput, names[g][i] + ": vehicle",
+                             "is in another program; this is that program.",
+                             "Choose simulated or mavlink."});
+        const auto station = static_cast<std::uint32_t>(station_of(scenario_, group));
+        auto made = builder.make(group, index, self_, EntityId{station});
+        if (!note(made) || !note_fit(group, index, made.value())) return;
+        build_.world.entities.push_back(std::move(made).value());
+        build_.world.entities.back().active = {
+            {Time(), scenario_.duration + Time::from_ns(1)}};
+        build_.map_centre = builder.last().place;
+      }
+    }
+  }
+
+  void add_absent(const std::string& name, const char* kind) {
+    simulation::Entity& entity = build_.world.entities.emplace_back();
+    entity.name = name;
+    entity.kind = kind;
+    entity.agent = std::make_unique<AbsentAgent>();
+    entity.agent_period = scenario_.step;
   }
 
   bool note_fit(const AircraftGroup& group, int index,
@@ -379,6 +484,7 @@ class Builder {
   std::vector<Zone> zones_;
   std::shared_ptr<const Terrain> map_;
   RecordedReports* recorded_;
+  EntityId self_;                   // of the only aircraft
   std::vector<StationTeam> teams_;  // of each station
   Build build_;
   std::vector<Error> errors_;
@@ -420,6 +526,13 @@ Result<Build> build(const Scenario& scenario, const KindRegistry& kinds,
   for (const VehicleReportRecord& each : recorded)
     reports[each.id].push_back({each.time, each.report});
   return build_from(scenario, kinds, &reports);
+}
+
+Result<Build> build_agent(const Scenario& scenario, const KindRegistry& kinds,
+                          const AgentOrder& order) {
+  auto frame = geo::LocalFrame::at(scenario.origin);
+  if (!frame) return frame.error();
+  return Builder(scenario, kinds, std::move(frame).value(), nullptr).build_agent(order);
 }
 
 TerrainPatch sample_terrain(const Terrain& terrain, const Vec2& centre,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "skein/base/result.h"
 #include "skein/data/record.h"
 #include "skein/geo/local_frame.h"
+#include "skein/link/transport/endpoint_address.h"
 #include "skein/scenario/scenario.h"
 #include "skein/simulation/run.h"
 #include "skein/simulation/world.h"
@@ -17,6 +19,11 @@ namespace skein::vehicle_links {
 class VehicleFeed;
 class VehicleLinks;
 }  // namespace skein::vehicle_links
+namespace skein::world_link {
+class EntityLinks;
+class WorldClient;
+class WorldFeed;
+}  // namespace skein::world_link
 
 namespace skein::assemble {
 
@@ -33,6 +40,12 @@ struct Build {
   /// Shows simulated aircraft to ground stations: a listener of the records, and a source
   /// of commands. Null: nobody is to see them.
   std::unique_ptr<vehicle_links::VehicleFeed> feed;
+  /// To entities whose agents are in other programs; started like `links`.
+  std::unique_ptr<world_link::EntityLinks> entity_links;
+  /// Of a single agent: the link to its world, which is started too, and the listener of
+  /// the records that tells the world. Null: this is the world.
+  std::unique_ptr<world_link::WorldClient> world_client;
+  std::unique_ptr<world_link::WorldFeed> world_feed;
   bool mixed = false;  ///< an aircraft goes by the wall clock, and so must the run
   simulation::World world;
   simulation::RunOptions options;  ///< speed and threads are the caller's
@@ -54,6 +67,21 @@ struct Build {
 Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kinds,
                     std::span<const VehicleReportRecord> recorded);
 Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kinds);
+
+/// An agent in a program of its own, and whom it meets.
+struct AgentOrder {
+  std::string entity;                               ///< an aircraft of the scenario
+  std::optional<transport::EndpointAddress> world;  ///< none: it is alone
+  std::vector<transport::EndpointAddress> team;     ///< other agents, directly
+};
+
+/// Makes one aircraft of a scenario with its agent and its surroundings, without anybody
+/// else: the others, the missions and what the payload looks at are in the world that it
+/// takes part in. It takes part from the start on.
+/// Fails: as build(); an aircraft that the scenario does not have, or whose vehicle is to
+///        be in yet another program.
+Result<Build> build_agent(const scenario::Scenario& scenario, const KindRegistry& kinds,
+                          const AgentOrder& order);
 
 /// Heights of the ground for a map: `count` x `count` points about `centre`.
 struct TerrainPatch {

@@ -9,7 +9,9 @@ namespace skein::assemble {
 
 EntityReality reality_of(const scenario::AircraftGroup& group) {
   const bool simulated = plant_is_here(group.vehicle);
-  const bool physical = group.physical.value_or(!simulated);
+  // One in another program may be simulated there: it is not taken for real unasked.
+  const bool elsewhere = group.vehicle.kind == "remote";
+  const bool physical = group.physical.value_or(!simulated && !elsewhere);
   const Reality own = physical && simulated ? Reality::kPhysical : Reality::kVirtual;
   return entity_reality(physical ? Reality::kPhysical : Reality::kVirtual,
                         group.observes.value_or(own));

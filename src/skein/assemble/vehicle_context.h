@@ -1,17 +1,22 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "skein/assemble/contexts.h"
 #include "skein/base/result.h"
 #include "skein/mixed/recorded_port.h"
+#include "skein/role/agent.h"
 #include "skein/scenario/scenario.h"
 #include "skein/simulation/simulated_vehicle.h"
 
 namespace skein::vehicle_links {
 class VehicleLinks;
+}
+namespace skein::world_link {
+class EntityLinks;
 }
 
 namespace skein::assemble {
@@ -30,6 +35,10 @@ struct VehicleContext {
   /// Adds the rest of what a body is made of: turbulence, faults.
   std::function<Result<void>()> complete_body;
   vehicle_links::VehicleLinks& links;  ///< of the run
+  world_link::EntityLinks& remotes;    ///< of the run: to entities in other programs
+  /// What stands here for an agent that is where its vehicle is; a vehicle whose agent is
+  /// here leaves it null.
+  std::unique_ptr<Agent>& agent;
   /// What a vehicle that is not simulated said, in a run that is done again; null: it is
   /// to speak for itself.
   const std::vector<mixed::TimedReport>* recorded = nullptr;

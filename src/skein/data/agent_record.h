@@ -4,10 +4,10 @@
 
 #include "skein/data/fire.h"
 #include "skein/data/mission.h"
+#include "skein/data/mission_progress.h"
 #include "skein/data/object.h"
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
-#include "skein/data/vehicle_report.h"
 #include "skein/data/zone_change.h"
 
 namespace skein {

@@ -190,8 +190,15 @@ class Taker {
       for (std::size_t k = 0; k < value.size(); ++k)
         take(joined(name, std::to_string(k + 1)), form, value[k]);
     } else if constexpr (kIsOptional<T>) {
-      const Json* found = find(name + std::string(suffix_of(form)));
-      if (found && !found->is_null()) take(name, form, value.emplace());
+      using Inner = typename T::value_type;
+      if constexpr (std::is_same_v<Inner, Vec2> || std::is_same_v<Inner, Vec3>) {
+        // A vector is its components, each under a name of its own.
+        if (find(joined(name, form.names[0]).append(form.unit.suffix)))
+          take(name, form, value.emplace());
+      } else {
+        const Json* found = find(name + std::string(suffix_of(form)));
+        if (found && !found->is_null()) take(name, form, value.emplace());
+      }
     } else if constexpr (Described<T>) {
       take_fields(name, value);
     } else if constexpr (std::is_same_v<T, double>) {

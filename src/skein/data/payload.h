@@ -21,6 +21,13 @@ struct RegionOfInterest {
   std::optional<Vec3> place_N;  ///< [m]; none: straight down
 };
 
+constexpr auto describe(const RegionOfInterest*) {
+  using T = RegionOfInterest;
+  return described<T>({"region_of_interest"}, "Where gimbals are to look from now on.",
+                      field("place", &T::place_N, axes::kPlace,
+                            "in the local frame; null: straight down"));
+}
+
 /// An object that a camera has found, where the aircraft believes it.
 struct Detection {
   Time time;

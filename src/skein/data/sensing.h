@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <variant>
 
 #include "skein/base/time.h"
@@ -17,6 +18,9 @@ namespace skein {
 
 /// How a receiver came by its position.
 enum class GnssKind : std::uint8_t { kSingle, kDifferential, kRtk };
+constexpr auto names_of(const GnssKind*) {
+  return std::to_array<std::string_view>({"single", "differential", "rtk"});
+}
 
 /// Position and velocity from satellites. Without a fix there is none.
 struct GnssFix {
@@ -30,12 +34,35 @@ struct GnssFix {
   std::uint8_t unit = 0;  ///< which of several on board, from 0
 };
 
+constexpr auto describe(const GnssFix*) {
+  using T = GnssFix;
+  return described<T>(
+      {"gnss_fix"}, "Position and velocity from satellites.",
+      field("time", &T::time, "when it was measured"),
+      field("", &T::p_N, axes::kPlace, "position"),
+      field("", &T::v_N, axes::kVelocity, "over ground"),
+      field("position_sd", &T::position_sd, unit::kMetre, "per horizontal axis"),
+      field("altitude_sd", &T::altitude_sd, unit::kMetre, "of the altitude"),
+      field("velocity_sd", &T::velocity_sd, unit::kMetrePerSecond, "per axis"),
+      field("gnss_kind", &T::kind, "how the receiver came by it"),
+      field("unit", &T::unit, "which of several on board"));
+}
+
 /// The in/out fire sensor: does the ground at the looked-at point burn?
 struct FireSample {
   Time time;
   double look_ahead = 0;  ///< horizontal distance of the point ahead of the vehicle [m]
   bool inside = false;
 };
+
+constexpr auto describe(const FireSample*) {
+  using T = FireSample;
+  return described<T>(
+      {"fire"}, "Whether the ground at the point looked at burns.",
+      field("time", &T::time, "when it was measured"),
+      field("look_ahead", &T::look_ahead, unit::kMetre, "from the vehicle to the point"),
+      field("inside", &T::inside, "it burns"));
+}
 
 /// An ideal edge finder: where the real boundary is, seen from the vehicle. No cheap
 /// aircraft has one; it serves the third reading of the tracking benchmark.
@@ -45,12 +72,30 @@ struct EdgeSample {
   Vec2 tangent = Vec2::Zero();  ///< unit tangent there, fire on its right
 };
 
+constexpr auto describe(const EdgeSample*) {
+  using T = EdgeSample;
+  return described<T>(
+      {"edge"}, "Where the real boundary is, seen from the vehicle.",
+      field("time", &T::time, "when it was measured"),
+      field("", &T::offset, axes::kOffset, "to the nearest point of the boundary"),
+      field("tangent", &T::tangent, axes::kDirection, "there, fire on its right"));
+}
+
 /// Airspeed and heading, as an air data and attitude system gives them.
 struct AirDataSample {
   Time time;
   double airspeed = 0;  ///< [m/s]
   double heading = 0;   ///< [rad]
 };
+
+constexpr auto describe(const AirDataSample*) {
+  using T = AirDataSample;
+  return described<T>(
+      {"air_data"}, "Airspeed and heading of an air data system.",
+      field("time", &T::time, "when it was measured"),
+      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "through the air"),
+      field("heading", &T::heading, unit::kDegree, "clockwise from north"));
+}
 
 /// Inertial measurement: means over the time since the last sample, as strapdown units
 /// integrate them.
@@ -62,11 +107,31 @@ struct ImuSample {
   std::uint8_t unit = 0;       ///< which of several on board, from 0
 };
 
+constexpr auto describe(const ImuSample*) {
+  using T = ImuSample;
+  return described<T>(
+      {"imu"}, "Means of inertial measurements over an interval.",
+      field("time", &T::time, "when it was measured"),
+      field("interval", &T::interval, unit::kSecond, "that ends at the time"),
+      field("", &T::w_NB_B, axes::kBodyRates, "rates of turn"),
+      field("force", &T::f_B, axes::kBodyDirection, "specific, in m/s^2"),
+      field("unit", &T::unit, "which of several on board"));
+}
+
 struct BarometerSample {
   Time time;
   double altitude_msl = 0;  ///< pressure altitude [m]
   std::uint8_t unit = 0;    ///< which of several on board, from 0
 };
+
+constexpr auto describe(const BarometerSample*) {
+  using T = BarometerSample;
+  return described<T>(
+      {"barometer"}, "Altitude by pressure.",
+      field("time", &T::time, "when it was measured"),
+      field("altitude_msl", &T::altitude_msl, unit::kMetre, "by pressure"),
+      field("unit", &T::unit, "which of several on board"));
+}
 
 struct MagnetometerSample {
   Time time;
@@ -74,12 +139,28 @@ struct MagnetometerSample {
   std::uint8_t unit = 0;    ///< which of several on board, from 0
 };
 
+constexpr auto describe(const MagnetometerSample*) {
+  using T = MagnetometerSample;
+  return described<T>({"magnetometer"}, "Direction of the magnetic field.",
+                      field("time", &T::time, "when it was measured"),
+                      field("field", &T::m_B, axes::kBodyDirection, "over its strength"),
+                      field("unit", &T::unit, "which of several on board"));
+}
+
 /// Pitot tube.
 struct AirspeedSample {
   Time time;
   double airspeed = 0;    ///< [m/s]
   std::uint8_t unit = 0;  ///< which of several on board, from 0
 };
+
+constexpr auto describe(const AirspeedSample*) {
+  using T = AirspeedSample;
+  return described<T>(
+      {"airspeed"}, "Pitot tube.", field("time", &T::time, "when it was measured"),
+      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "through the air"),
+      field("unit", &T::unit, "which of several on board"));
+}
 
 /// Distance along one beam.
 struct RangeSample {
@@ -103,11 +184,26 @@ struct HeightSample {
   double height_agl = 0;  ///< [m]
 };
 
+constexpr auto describe(const HeightSample*) {
+  using T = HeightSample;
+  return described<T>(
+      {"height"}, "Height above the ground straight below.",
+      field("time", &T::time, "when it was measured"),
+      field("height_agl", &T::height_agl, unit::kMetre, "above the ground"));
+}
+
 /// On-board anemometer: velocity of the vehicle through the air.
 struct AnemometerSample {
   Time time;
   Vec3 v_AB_B = Vec3::Zero();  ///< [m/s]
 };
+
+constexpr auto describe(const AnemometerSample*) {
+  using T = AnemometerSample;
+  return described<T>({"anemometer"}, "Velocity of the vehicle through the air.",
+                      field("time", &T::time, "when it was measured"),
+                      field("air_velocity", &T::v_AB_B, axes::kBodyDirection, "in m/s"));
+}
 
 /// Battery monitor, with the speed of each motor.
 struct PowerSample {
@@ -118,11 +214,28 @@ struct PowerSample {
   std::uint8_t motors_standing = 0;  ///< bit k: actuator channel k is a motor that stands
 };
 
+constexpr auto describe(const PowerSample*) {
+  using T = PowerSample;
+  return described<T>(
+      {"power"}, "Battery monitor.", field("time", &T::time, "when it was measured"),
+      field("voltage", &T::voltage, unit::kVolt, "under load"),
+      field("current", &T::current, "in ampere"),
+      field("charge", &T::charge, "left, from 0 to 1"),
+      field("motors_standing", &T::motors_standing, "bit k: motor k stands"));
+}
+
 /// What the camera sees of the ground: corners of its picture in order.
 struct FootprintSample {
   Time time;
   std::array<Vec2, 4> corners{};
 };
+
+constexpr auto describe(const FootprintSample*) {
+  using T = FootprintSample;
+  return described<T>({"footprint"}, "The ground in a camera's picture.",
+                      field("time", &T::time, "when it was measured"),
+                      field("corner", &T::corners, axes::kOffset, "in order"));
+}
 
 /// An object seen by the camera.
 struct DetectionSample {
@@ -132,6 +245,16 @@ struct DetectionSample {
   double position_sd = 0;        ///< per axis [m]
   ObjectClass what = ObjectClass::kPerson;
 };
+
+constexpr auto describe(const DetectionSample*) {
+  using T = DetectionSample;
+  return described<T>({"detection"}, "An object seen by a camera.",
+                      field("time", &T::time, "when it was measured"),
+                      field("object_id", &T::object, "which"),
+                      field("", &T::position, axes::kOffset, "from the vehicle"),
+                      field("position_sd", &T::position_sd, unit::kMetre, "per axis"),
+                      field("class", &T::what, "what it is"));
+}
 
 /// Everything about the own motion, without errors: for control without an estimator.
 struct TruthSample {
@@ -143,11 +266,29 @@ struct TruthSample {
   Vec3 wind_N = Vec3::Zero();
 };
 
+constexpr auto describe(const TruthSample*) {
+  using T = TruthSample;
+  return described<T>({"truth"}, "Everything about the own motion, without errors.",
+                      field("time", &T::time, "when it was measured"),
+                      field("", &T::p_N, axes::kPlace, "position"),
+                      field("", &T::v_N, axes::kVelocity, "over ground"),
+                      field("", &T::q_NB, "attitude"),
+                      field("", &T::w_NB_B, axes::kBodyRates, "rates of turn"),
+                      field("", &T::wind_N, axes::kWind, "at the vehicle"));
+}
+
 /// Something was received from the ground.
 struct LinkSample {
   Time time;
 };
 
+constexpr auto describe(const LinkSample*) {
+  using T = LinkSample;
+  return described<T>({"link"}, "Something was received from the ground.",
+                      field("time", &T::time, "when it was measured"));
+}
+
+/// New kinds go to the end: the place in this list is part of the wire form.
 using SensorSample =
     std::variant<GnssFix, FireSample, EdgeSample, AirDataSample, ImuSample,
                  BarometerSample, MagnetometerSample, AirspeedSample, RangeSample,

@@ -10,6 +10,7 @@
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
+#include "skein/data/entity_report.h"
 #include "skein/data/vehicle_request.h"
 #include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
@@ -136,21 +137,6 @@ constexpr auto describe(const VehicleText*) {
                       field("text", &T::text, "what"));
 }
 
-/// Where it is in its stored mission.
-struct MissionProgress {
-  std::uint16_t current = 0;  ///< flown now
-  bool finished = false;
-
-  bool operator==(const MissionProgress&) const = default;
-};
-
-constexpr auto describe(const MissionProgress*) {
-  using T = MissionProgress;
-  return described<T>({"mission_progress"}, "Where a vehicle is in its stored mission.",
-                      field("current", &T::current, "item flown now"),
-                      field("finished", &T::finished, "the last one is done"));
-}
-
 /// How it is to be commanded, as it says or as is known of its make.
 struct VehicleIdentity {
   /// By what it flies along a given line.
@@ -264,6 +250,6 @@ constexpr auto describe(const FeedHealth*) {
 using VehicleReport =
     std::variant<VehicleMotion, VehicleCondition, LinkChange, RequestAnswer, VehicleText,
                  MissionProgress, VehicleIdentity, LinkHealth, ActuatorOutputs,
-                 OutsideEvent, FeedHealth>;
+                 OutsideEvent, FeedHealth, EntityReport>;
 
 }  // namespace skein

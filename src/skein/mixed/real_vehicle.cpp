@@ -79,6 +79,7 @@ struct RealVehicle::Listener {
     self.events_.push_back({"vehicle-identified", identity.make});
   }
   void operator()(const LinkHealth&) const {}
+  void operator()(const EntityReport&) const {}  // its agent is here
   // Of a body's drive, not of the link.
   void operator()(const ActuatorOutputs&) const {}
   void operator()(const OutsideEvent&) const {}

@@ -301,7 +301,7 @@ void Stepper::receive(Time now) {
     const bool link_down = vehicle && !vehicle->link_works();
     record_message(message, now, link_down);
     if (!known || link_down || !states_[message.to.value].active) continue;
-    if (vehicle && !world_.entities[message.from.value].vehicle)
+    if (vehicle && world_.entities[message.from.value].kind == "station")
       vehicle->ground_received(now);
     states_[message.to.value].inbox.push_back(std::move(message));
   }

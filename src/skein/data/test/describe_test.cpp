@@ -232,6 +232,17 @@ TEST(Json, EveryKindComesBackAsItWas) {
     });
 }
 
+TEST(Json, AVectorThatMayBeMissingComesBack) {
+  LandRequest request;
+  request.point = Vec2(3, -4);
+  const auto read = json::from_json<LandRequest>(json::to_json(request));
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read.value().point, request.point);
+  const auto nowhere = json::from_json<LandRequest>(json::to_json(LandRequest()));
+  ASSERT_TRUE(nowhere.ok());
+  EXPECT_FALSE(nowhere.value().point);
+}
+
 TEST(Json, WhatIsWrongIsNamed) {
   const auto read =
       json::from_json<Crossing>(json::Json::parse(R"({"time_s": 1, "north_m": "far"})"));

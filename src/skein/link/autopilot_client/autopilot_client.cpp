@@ -175,8 +175,8 @@ void AutopilotClient::receive(const mavlink::Frame& frame, Channel from, Time no
   // Before its first heartbeat nothing tells what it is.
   if (!up_ && frame.id() != mavlink::kFacts<mavlink::Heartbeat>.id) return;
   using namespace mavlink;  // NOLINT: a list of messages
-  dispatch<Heartbeat, GlobalPositionInt, Attitude, VfrHud, Wind, WindCov, GpsRawInt,
-           SysStatus, ExtendedSysState, HomePosition, SystemTime, Timesync,
+  dispatch<mavlink::Heartbeat, GlobalPositionInt, Attitude, VfrHud, Wind, WindCov,
+           GpsRawInt, SysStatus, ExtendedSysState, HomePosition, SystemTime, Timesync,
            AutopilotVersion, Statustext, CommandAck, ParamValue, MissionRequest,
            MissionRequestInt, MissionAck, MissionCurrent>(frame,
                                                           Handler{*this, from, now, out});

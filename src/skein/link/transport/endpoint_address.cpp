@@ -10,8 +10,9 @@ namespace skein::transport {
 namespace {
 
 constexpr std::string_view kForms =
-    "udpin:[HOST:]PORT, udpout:HOST:PORT, udpbcast:ADDRESS:PORT, tcpin:[HOST:]PORT, "
-    "tcp:HOST:PORT, serial:DEVICE[:BAUD]";
+    "udpin:[HOST:]PORT, udpout:HOST:PORT, udpbcast:ADDRESS:PORT, "
+    "udpmulti:GROUP:PORT[:INTERFACE], tcpin:[HOST:]PORT, tcp:HOST:PORT, "
+    "serial:DEVICE[:BAUD]";
 
 constexpr std::uint32_t kMinBaud = 50, kMaxBaud = 10'000'000;
 
@@ -66,6 +67,30 @@ Result<EndpointAddress> parse_serial(std::string_view whole, std::string_view te
   return EndpointAddress(line);
 }
 
+// Whether a text is an address of a multicast group.
+bool is_group(std::string_view host) {
+  const auto first = number<int>(host.substr(0, host.find('.')));
+  return first && *first >= 224 && *first <= 239;
+}
+
+Result<EndpointAddress> parse_multicast(std::string_view whole, std::string_view text) {
+  UdpMulticast multicast;
+  const std::size_t last = text.rfind(':');
+  if (last != std::string_view::npos && text.find(':') != last) {
+    multicast.interface = text.substr(last + 1);
+    text = text.substr(0, last);
+    if (multicast.interface.empty()) return bad(whole, "the interface is empty");
+  }
+  auto group = parse_place(whole, text, false);
+  if (!group) return group.error();
+  if (!is_group(group.value().host))
+    return bad(whole, fmt::format("\"{}\" is no address from 224.0.0.0 to "
+                                  "239.255.255.255",
+                                  group.value().host));
+  multicast.group = std::move(group).value();
+  return EndpointAddress(multicast);
+}
+
 template <class Kind>
 Result<EndpointAddress> as(const Result<NetworkPlace>& place) {
   if (!place) return place.error();
@@ -81,6 +106,9 @@ struct TextOf {
   std::string operator()(const UdpBroadcast& e) const { return place("udpbcast", e.to); }
   std::string operator()(const TcpServer& e) const { return place("tcpin", e.at); }
   std::string operator()(const TcpClient& e) const { return place("tcp", e.to); }
+  std::string operator()(const UdpMulticast& e) const {
+    return place("udpmulti", e.group) + ":" + e.interface;
+  }
   std::string operator()(const SerialLine& e) const {
     return fmt::format("serial:{}:{}", e.device, e.baud);
   }
@@ -96,6 +124,7 @@ Result<EndpointAddress> parse_endpoint(std::string_view text) {
   if (kind == "udpin") return as<UdpServer>(parse_place(text, rest, true));
   if (kind == "udpout") return as<UdpClient>(parse_place(text, rest, false));
   if (kind == "udpbcast") return as<UdpBroadcast>(parse_place(text, rest, false));
+  if (kind == "udpmulti") return parse_multicast(text, rest);
   if (kind == "tcpin") return as<TcpServer>(parse_place(text, rest, true));
   if (kind == "tcp") return as<TcpClient>(parse_place(text, rest, false));
   if (kind == "serial") return parse_serial(text, rest);
@@ -111,6 +140,7 @@ EndpointAddress moved(const EndpointAddress& address, int ports) {
     void operator()(UdpClient& a) const { to(a.to.port); }
     void operator()(UdpBroadcast& a) const { to(a.to.port); }
     void operator()(TcpClient& a) const { to(a.to.port); }
+    void operator()(UdpMulticast& a) const { to(a.group.port); }
     void operator()(SerialLine&) const {}
   };
   EndpointAddress other = address;

@@ -12,6 +12,8 @@
 ///   udpin:[HOST:]PORT      waits for datagrams, answers each sender
 ///   udpout:HOST:PORT       sends to one place
 ///   udpbcast:ADDRESS:PORT  sends to all of a network
+///   udpmulti:GROUP:PORT[:INTERFACE]  sends to all of a multicast group, and hears them;
+///                          by the network of the interface's address
 ///   tcpin:[HOST:]PORT      waits for connections
 ///   tcp:HOST:PORT          connects, again and again
 ///   serial:DEVICE[:BAUD]   a serial line or pseudo-terminal; 57600 without a rate
@@ -33,6 +35,10 @@ struct UdpClient {
 struct UdpBroadcast {
   NetworkPlace to;
 };
+struct UdpMulticast {
+  NetworkPlace group;                   ///< an address from 224.0.0.0 to 239.255.255.255
+  std::string interface = "127.0.0.1";  ///< address of this machine in the network
+};
 struct TcpServer {
   NetworkPlace at;
 };
@@ -44,8 +50,8 @@ struct SerialLine {
   std::uint32_t baud = 57'600;
 };
 
-using EndpointAddress =
-    std::variant<UdpServer, UdpClient, UdpBroadcast, TcpServer, TcpClient, SerialLine>;
+using EndpointAddress = std::variant<UdpServer, UdpClient, UdpBroadcast, TcpServer,
+                                     TcpClient, SerialLine, UdpMulticast>;
 
 /// Fails: kBadInput for a text of none of these forms, naming what is wrong with it.
 Result<EndpointAddress> parse_endpoint(std::string_view text);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/multicast.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -41,6 +42,24 @@ class Datagrams : public Endpoint {
   boost::system::error_code allow_broadcast() {
     boost::system::error_code error;
     socket_.set_option(boost::asio::socket_base::broadcast(true), error);
+    return error;
+  }
+  // Several programs of a machine may be in one group.
+  boost::system::error_code open_group(const udp::endpoint& group,
+                                       const boost::asio::ip::address_v4& interface) {
+    namespace multicast = boost::asio::ip::multicast;
+    boost::system::error_code error;
+    socket_.open(udp::v4(), error);
+    if (!error) socket_.set_option(udp::socket::reuse_address(true), error);
+    if (!error) socket_.bind(group, error);
+    if (!error) socket_.non_blocking(true, error);
+    const auto set = [&](const auto& option) {
+      if (!error) socket_.set_option(option, error);
+    };
+    set(multicast::join_group(group.address().to_v4(), interface));
+    set(multicast::outbound_interface(interface));
+    set(multicast::hops(1));
+    set(multicast::enable_loopback(true));
     return error;
   }
   void receive() {
@@ -184,6 +203,19 @@ Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpClient& address) {
 
 Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpBroadcast& address) {
   return open_client(hub, address, true);
+}
+
+Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpMulticast& address) {
+  const Result<udp::endpoint> group = resolve<udp>(hub.io, address.group);
+  if (!group) return group.error();
+  const Result<udp::endpoint> interface = resolve<udp>(hub.io, {address.interface, 0});
+  if (!interface) return interface.error();
+  auto client = std::make_unique<Client>(hub, group.value());
+  if (const auto error =
+          client->open_group(group.value(), interface.value().address().to_v4()))
+    return bad_place(address.group, error);
+  client->begin(text_of(address));
+  return std::unique_ptr<Endpoint>(std::move(client));
 }
 
 }  // namespace skein::transport

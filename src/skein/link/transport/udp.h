@@ -10,5 +10,8 @@ namespace skein::transport {
 Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpServer& address);
 Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpClient& address);
 Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpBroadcast& address);
+/// What it sends comes back to the programs of this machine too, to itself as well; it
+/// gets no further than the network.
+Result<std::unique_ptr<Endpoint>> open_udp(Hub& hub, const UdpMulticast& address);
 
 }  // namespace skein::transport

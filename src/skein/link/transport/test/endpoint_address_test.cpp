@@ -10,7 +10,8 @@ namespace {
 TEST(EndpointAddress, IsReadAndWrittenTheSame) {
   for (const char* text :
        {"udpin:0.0.0.0:14550", "udpout:gcs.example:14550", "udpbcast:10.0.0.255:14550",
-        "tcpin:127.0.0.1:5760", "tcp:127.0.0.1:5760", "serial:/dev/ttyACM0:115200"}) {
+        "tcpin:127.0.0.1:5760", "tcp:127.0.0.1:5760", "serial:/dev/ttyACM0:115200",
+        "udpmulti:239.1.2.3:14600:127.0.0.1"}) {
     const auto address = parse_endpoint(text);
     ASSERT_TRUE(address.ok()) << address.error().text();
     EXPECT_EQ(text_of(address.value()), text);
@@ -20,6 +21,8 @@ TEST(EndpointAddress, IsReadAndWrittenTheSame) {
 TEST(EndpointAddress, LetsOnlyTheSameMachineInWhereNothingElseIsSaid) {
   EXPECT_EQ(text_of(parse_endpoint("udpin:14550").value()), "udpin:127.0.0.1:14550");
   EXPECT_EQ(text_of(parse_endpoint("tcpin:0").value()), "tcpin:127.0.0.1:0");
+  EXPECT_EQ(text_of(parse_endpoint("udpmulti:239.1.2.3:14600").value()),
+            "udpmulti:239.1.2.3:14600:127.0.0.1");
   EXPECT_EQ(text_of(parse_endpoint("serial:/dev/ttyUSB0").value()),
             "serial:/dev/ttyUSB0:57600");
 }
@@ -32,6 +35,9 @@ TEST(EndpointAddress, SaysWhatIsWrong) {
                                    {"tcp:host:0", "\"0\" is no port from 1"},
                                    {"tcpin:70000", "no port from 0"},
                                    {"tcp:host:5x", "\"5x\" is no port"},
+                                   {"udpmulti:10.0.0.1:5", "\"10.0.0.1\" is no address"},
+                                   {"udpmulti:239.1.1.1", "a host and a port"},
+                                   {"udpmulti:239.1.1.1:5:", "the interface is empty"},
                                    {"serial:", "a device is wanted"},
                                    {"serial:/dev/ttyS0:fast", "\"fast\" is no rate"}}) {
     const auto address = parse_endpoint(text);

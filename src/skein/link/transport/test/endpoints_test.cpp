@@ -99,6 +99,21 @@ TEST(Endpoints, SendDatagramsToAllOfANetwork) {
   EXPECT_TRUE(all.wait([&] { return all.all_heard() == "hello|"; }));
 }
 
+TEST(Endpoints, SendDatagramsToAllOfAMulticastGroup) {
+  const std::string port = std::to_string(20'000 + getpid() % 20'000);
+  Side a, b, other;
+  a.open("udpmulti:239.255.77.1:" + port);
+  b.open("udpmulti:239.255.77.1:" + port);
+  other.open("udpmulti:239.255.77.2:" + port);
+  a.send_all("hello");
+  ASSERT_TRUE(b.wait([&] { return b.all_heard() == "hello|"; }, &a));
+  EXPECT_TRUE(a.wait([&] { return a.all_heard() == "hello|"; })) << "it hears itself";
+  b.send_all("you");
+  ASSERT_TRUE(a.wait([&] { return a.all_heard() == "helloyou|"; }, &b));
+  other.endpoints->run_for(20ms);
+  EXPECT_EQ(other.all_heard(), "");
+}
+
 TEST(Endpoints, CarryLongTextsOverConnections) {
   Side server, client;
   server.open("tcpin:0");

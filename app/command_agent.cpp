@@ -1,0 +1,103 @@
+// One aircraft's agent in a program of its own.
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/common.h"
+#include "app/output.h"
+#include "app/run_order.h"
+#include "skein/assemble/aircraft_builder.h"
+#include "skein/layer/hmi/terminal_console.h"
+#include "skein/link/world_link/agent_parts.h"
+#include "skein/link/world_link/entity_links.h"
+
+namespace skein::app {
+namespace {
+
+constexpr double kEndlessRun = 86400;  // [s]
+
+// The group that an aircraft is of; none: the scenario does not have it.
+std::optional<std::size_t> group_of(const scenario::Scenario& scenario,
+                                    const std::string& aircraft) {
+  const auto names = assemble::aircraft_names(scenario);
+  for (std::size_t g = 0; g < names.size(); ++g)
+    for (const std::string& name : names[g])
+      if (name == aircraft) return g;
+  return std::nullopt;
+}
+
+// What the aircraft's vehicle is in this program, as an override; empty: as it is there.
+std::string own_vehicle(const AgentArguments& arguments,
+                        const scenario::Scenario& scenario, std::size_t group) {
+  if (!arguments.autopilot.empty())
+    return fmt::format(
+        "aircraft[{}].vehicle={{kind: mavlink, endpoint: '{}', system: {}, "
+        "system_step: 0}}",
+        group, arguments.autopilot, arguments.system);
+  if (scenario.aircraft[group].vehicle.kind == "remote")
+    return fmt::format("aircraft[{}].vehicle=simulated", group);
+  return {};
+}
+
+Result<assemble::AgentOrder> agent_order(const AgentArguments& arguments) {
+  assemble::AgentOrder order;
+  order.entity = arguments.entity;
+  if (!arguments.world.empty()) {
+    auto world = transport::parse_endpoint(arguments.world);
+    if (!world) return world.error();
+    order.world = std::move(world).value();
+  }
+  for (const std::string& text : arguments.team) {
+    auto team = transport::parse_endpoint(text);
+    if (!team) return team.error();
+    order.team.push_back(std::move(team).value());
+  }
+  return order;
+}
+
+std::optional<RunOrder> read_order(const AgentArguments& arguments) {
+  std::vector<std::string> overrides = arguments.overrides;
+  overrides.push_back(fmt::format(
+      "duration_s={}", arguments.duration > 0 ? arguments.duration : kEndlessRun));
+  for (bool changed = false;; changed = true) {
+    auto kinds = load_kinds(arguments.plugins);
+    if (!kinds) return std::nullopt;
+    auto scenario =
+        load_scenario(arguments.scenario, overrides, arguments.plugins, *kinds);
+    if (!scenario) return std::nullopt;
+    const auto group = group_of(*scenario, arguments.entity);
+    const std::string vehicle =
+        group && !changed ? own_vehicle(arguments, *scenario, *group) : std::string();
+    // Without the aircraft it goes on, to say which there are.
+    if (vehicle.empty())
+      return RunOrder{*std::move(kinds), *std::move(scenario), std::nullopt, {}};
+    overrides.push_back(vehicle);
+  }
+}
+
+}  // namespace
+
+int agent_command(const AgentArguments& arguments, const std::atomic<bool>& stop) {
+  auto whom = agent_order(arguments);
+  if (!whom) return say_error(whom.error());
+  auto order = read_order(arguments);
+  if (!order) return kBadUsage;
+  order->agent = std::move(whom).value();
+  if (!arguments.out.empty()) {
+    RunArguments run;
+    run.out = arguments.out;
+    run.overwrite = arguments.overwrite;
+    return run_order(*order, run, stop);
+  }
+  auto built = build_order(*order);
+  if (!built) return say_error(built.error());
+  assemble::Build& ready = built.value();
+  ready.options.speed = 1;
+  ready.options.real_time_only = true;
+  if (auto started = start_links(ready); !started) return say_error(started.error());
+  hmi::TerminalConsole console(stop, stderr, -1);
+  const auto outcome = run_linked(ready, nullptr, console);
+  if (!outcome) return say_error(outcome.error());
+  return kDone;
+}
+
+}  // namespace skein::app

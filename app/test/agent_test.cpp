@@ -1,0 +1,165 @@
+// A world and an agent of it in another program, as users start them.
+#include <csignal>
+
+#include "app/test/program.h"
+
+namespace skein::app {
+namespace {
+
+// The fire is under the aircraft, so that their sensors have something to say.
+constexpr const char* kPair =
+    "name: pair\n"
+    "duration_s: 120\n"
+    "environment:\n"
+    "  wind: {kind: uniform, speed_mps: 3, from_deg: 270}\n"
+    "  phenomena: [{kind: front, ignitions: [{point_m: [0, 0], radius_m: 400}]}]\n"
+    "aircraft:\n"
+    "  - {name: far, start: {placement: list, positions_m: [[0, 100]]},\n"
+    "     vehicle: {kind: remote, listen: 'udpin:0'}}\n"
+    "  - {name: near, start: {placement: list, positions_m: [[0, -100]]}}\n"
+    "commands:\n"
+    "  - {at_s: 4, do: 'task far-1 fly_to 800,0'}\n";
+
+class Agents : public Program {
+ protected:
+  // Starts the world; at the port that it had before, if it had one.
+  pid_t start_world(const std::string& out) {
+    const auto scenario = write("pair.yaml", kPair);
+    prefix_ = "world-";
+    fs::remove(folder_ / "world-err.txt");
+    const pid_t world =
+        start({"run", scenario.string(), "--out", out, "--set",
+               "aircraft[0].vehicle.listen='udpin:" + std::to_string(port_) + "'"});
+    for (int k = 0; k < 1000; ++k) {
+      const std::string said = read_file(folder_ / "world-err.txt");
+      const std::string place = "waiting at udpin:127.0.0.1:";
+      const std::size_t at = said.find(place);
+      if (at != std::string::npos && said.find('\n', at) != std::string::npos) {
+        port_ = std::atoi(said.c_str() + at + place.size());
+        return world;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ADD_FAILURE() << "the world says no place: " << read_file(folder_ / "world-err.txt");
+    return world;
+  }
+  pid_t start_agent(std::vector<std::string> more = {}) {
+    prefix_ = "agent-";
+    std::vector<std::string> arguments = {
+        "agent", "pair.yaml", "--entity",
+        "far-1", "--world",   "udpout:127.0.0.1:" + std::to_string(port_)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return start(arguments);
+  }
+  Finished stop(pid_t program, const std::string& prefix) {
+    kill(program, SIGINT);
+    prefix_ = prefix;
+    return finish(program);
+  }
+  void kill_at_once(pid_t program) {
+    kill(program, SIGKILL);
+    waitpid(program, nullptr, 0);
+  }
+
+  // The number that a query of a running program's records gives, once it is as many.
+  bool comes_to(const std::string& run, const std::string& sql, double count,
+                int seconds = 15) {
+    const fs::path database = folder_ / run / "run.sqlite";
+    for (int k = 0; k < 10 * seconds; ++k) {
+      if (fs::exists(database) && query(database, sql) >= count) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  }
+  static std::string events(const std::string& kind) {
+    return "SELECT count(*) FROM events WHERE kind = '" + kind + "'";
+  }
+
+  int port_ = 0;
+};
+
+TEST_F(Agents, AreOrderedReportAndReplay) {
+  const pid_t world = start_world("world");
+  const pid_t agent = start_agent();
+  // Its readings are of the world's fire, its reports say that the order has come.
+  EXPECT_TRUE(comes_to("world", "SELECT count(*) FROM readings WHERE entity_id = 1", 3));
+  EXPECT_TRUE(comes_to("world",
+                       "SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0 AND "
+                       "content_kind = 'report'",
+                       3));
+  // It flies north, where it is told to.
+  EXPECT_TRUE(
+      comes_to("world", "SELECT max(north_m) FROM truth WHERE entity_id = 1", 250, 25))
+      << query(folder_ / "world/run.sqlite",
+               "SELECT max(north_m) FROM truth WHERE entity_id = 1");
+  EXPECT_EQ(query(folder_ / "world/run.sqlite", events("link-up")), 1);
+  EXPECT_EQ(stop(agent, "agent-").status, 0) << read_file(folder_ / "agent-err.txt");
+  EXPECT_TRUE(comes_to("world", events("link-lost"), 1));
+  EXPECT_EQ(stop(world, "world-").status, 130);
+  const Finished again = run({"run", "--replay", "world", "--out", "again"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("The same content hash"), std::string::npos) << again.err;
+}
+
+TEST_F(Agents, MayBeKilledAndComeBack) {
+  const pid_t world = start_world("world");
+  pid_t agent = start_agent();
+  ASSERT_TRUE(comes_to("world", events("link-up"), 1));
+  kill_at_once(agent);
+  ASSERT_TRUE(comes_to("world", events("link-lost"), 1));
+  // The world goes on without it.
+  const fs::path database = folder_ / "world/run.sqlite";
+  const std::string steps = "SELECT count(*) FROM truth WHERE entity_id = 2";
+  EXPECT_TRUE(comes_to("world", steps, query(database, steps) + 20));
+  agent = start_agent();
+  ASSERT_TRUE(comes_to("world", events("link-up"), 2));
+  EXPECT_TRUE(comes_to("world",
+                       "SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0 AND "
+                       "sent_s > (SELECT max(time_s) FROM events WHERE kind = 'link-up')",
+                       2))
+      << "it speaks again";
+  EXPECT_EQ(query(database, events("link-lost")), 1) << "said once";
+  EXPECT_EQ(stop(agent, "agent-").status, 0);
+  EXPECT_EQ(stop(world, "world-").status, 130);
+  const Finished again = run({"run", "--replay", "world", "--out", "again"});
+  EXPECT_EQ(again.status, 0) << again.err;
+}
+
+TEST_F(Agents, GoOnAloneAndJoinTheNextWorld) {
+  pid_t world = start_world("first");
+  const pid_t agent = start_agent({"--out", "agent"});
+  ASSERT_TRUE(comes_to("agent", events("world-joined"), 1));
+  kill_at_once(world);
+  ASSERT_TRUE(comes_to("agent", events("world-lost"), 1));
+  const fs::path database = folder_ / "agent/run.sqlite";
+  const std::string steps = "SELECT count(*) FROM truth WHERE entity_id = 1";
+  EXPECT_TRUE(comes_to("agent", steps, query(database, steps) + 20)) << "it flies on";
+  world = start_world("second");
+  EXPECT_TRUE(comes_to("agent", events("world-back"), 1));
+  EXPECT_TRUE(comes_to("second", events("link-up"), 1));
+  EXPECT_TRUE(comes_to("second", "SELECT count(*) FROM truth WHERE entity_id = 1", 10))
+      << "the new world knows where it is";
+  EXPECT_EQ(query(database, events("world-lost")), 1) << "said once";
+  EXPECT_EQ(stop(agent, "agent-").status, 130);
+  EXPECT_EQ(stop(world, "world-").status, 130);
+}
+
+TEST_F(Agents, SayWhatIsWrong) {
+  write("pair.yaml", kPair);
+  prefix_ = "agent-";
+  const Finished nobody = run({"agent", "pair.yaml", "--entity", "far-7"});
+  EXPECT_EQ(nobody.status, 2);
+  EXPECT_NE(nobody.err.find("it has: far-1, near-1"), std::string::npos) << nobody.err;
+  const Finished nowhere =
+      run({"agent", "pair.yaml", "--entity", "far-1", "--world", "udpout:14"});
+  EXPECT_EQ(nowhere.status, 2);
+  const Finished serial = run({"agent", "pair.yaml", "--entity", "far-1", "--world",
+                               "serial:/dev/ttyS0", "--for", "1"});
+  EXPECT_EQ(serial.status, 2);
+  EXPECT_NE(serial.err.find("UDP or TCP only"), std::string::npos) << serial.err;
+  EXPECT_EQ(run({"agent", "pair.yaml", "--entity", "far-1", "--for", "1"}).status, 0)
+      << "it may be alone";
+}
+
+}  // namespace
+}  // namespace skein::app

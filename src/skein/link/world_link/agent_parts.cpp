@@ -1,0 +1,102 @@
+#include "skein/link/world_link/agent_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace skein::world_link {
+namespace {
+
+// Events that the world makes by itself of the state that it is told.
+constexpr std::array<std::string_view, 15> kMadeInWorld = {
+    "joined",       "left",       "mode",        "failsafe",        "refused",
+    "landed",       "took-off",   "sensor-lost", "sensor-back",     "sensor-switched",
+    "world-joined", "world-lost", "world-back",  "world-restarted", "world-refused"};
+
+bool made_in_world(const Event& event) {
+  return std::find(kMadeInWorld.begin(), kMadeInWorld.end(), event.kind) !=
+         kMadeInWorld.end();
+}
+
+}  // namespace
+
+const char* ConnectedAgent::event_of(SessionChange::Kind kind) {
+  switch (kind) {
+    case SessionChange::Kind::kUp:
+      return std::exchange(joined_, true) ? "world-back" : "world-joined";
+    case SessionChange::Kind::kDown:
+      return "world-lost";
+    case SessionChange::Kind::kRestarted:
+      return "world-restarted";
+    case SessionChange::Kind::kRefused:
+      return "world-refused";
+  }
+  return "";
+}
+
+void ConnectedAgent::step(const AgentInput& in, AgentOutput& out) {
+  agent_->step(in, out);
+  if (out.region_of_interest) client_.say(in.now, *out.region_of_interest);
+  for (SessionChange& change : client_.take_changes())
+    out.events.push_back({in.now, self_, event_of(change.kind), std::move(change.text)});
+}
+
+// Of the entity itself; what is of others or of nobody stays here.
+struct WorldFeed::Listener {
+  WorldFeed& feed;
+
+  RemoteState& state() const {
+    return feed.state_ ? *feed.state_ : feed.state_.emplace();
+  }
+  void operator()(const TruthRecord& record) const {
+    if (record.id != feed.self_) return;
+    state().truth = record.state;
+    state().truth_time = record.time;
+  }
+  void operator()(const EstimateRecord& record) const {
+    if (record.id != feed.self_) return;
+    state().nav = record.nav;
+    state().status = record.status;
+    state().refused = record.status.refused;
+    state().status.refused = {};
+  }
+  void operator()(const Event& event) const {
+    if (event.entity != feed.self_) return;
+    if (event.kind == "accident") state().lost = true;
+    if (!made_in_world(event)) feed.said_.emplace_back(event);
+  }
+  void operator()(const FireReading& reading) const { feed.said_.emplace_back(reading); }
+  void operator()(const Crossing& crossing) const { feed.said_.emplace_back(crossing); }
+  void operator()(const PluginRecord& record) const { feed.said_.emplace_back(record); }
+  void operator()(const PlannerRecord& record) const {
+    feed.said_.emplace_back(record.change);
+  }
+  void operator()(const MissionProgressRecord& record) const {
+    feed.said_.emplace_back(record.progress);
+  }
+  void operator()(const ObjectBeliefRecord& record) const {
+    feed.said_.emplace_back(record.belief);
+  }
+  template <class Other>
+  void operator()(const Other&) const {}
+};
+
+void WorldFeed::record(const Record& record) {
+  std::visit(Listener{*this}, record);
+}
+
+Result<void> WorldFeed::step_done(Time time) {
+  for (EntitySaying& saying : said_) client_.say(time, std::move(saying));
+  said_.clear();
+  if (state_) client_.say(time, *state_);
+  return {};
+}
+
+std::vector<CommandRecord> WorldConsole::commands() {
+  std::vector<CommandRecord> all = console_.commands();
+  for (Command& command : client_.take_commands())
+    all.push_back({Time(), "world", std::move(command)});
+  return all;
+}
+
+}  // namespace skein::world_link
