@@ -260,12 +260,12 @@ Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* reco
     return simulation::run(ready.world, ready.options, *recorder, console);
   if (recorder) listeners.push_back(recorder);
   record::FanOut all(std::move(listeners));
-  if (ready.world_client) {
-    world_link::WorldConsole linked(console, *ready.world_client);
-    return simulation::run(ready.world, ready.options, all, linked);
-  }
-  vehicle_links::LinkedConsole linked(console, *ready.feed);
-  return simulation::run(ready.world, ready.options, all, linked);
+  OperatorConsole* source = &console;
+  std::optional<vehicle_links::LinkedConsole> stations;
+  if (ready.feed) source = &stations.emplace(*source, *ready.feed);
+  std::optional<world_link::WorldConsole> world;
+  if (ready.world_client) source = &world.emplace(*source, *ready.world_client);
+  return simulation::run(ready.world, ready.options, all, *source);
 }
 
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
