@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "skein/geo/local_frame.h"
@@ -61,6 +63,13 @@ struct Places {
   }
 };
 
+// Of the program that runs this.
+std::string own_program() {
+  std::error_code error;
+  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? "skein" : path.string();
+}
+
 physics_link::SitlHome home_of(const VehicleContext& c, const geo::LocalFrame& frame) {
   const VehicleState& start = c.parts.state;
   const Vec2 place = geo::horizontal(start.p_N);
@@ -73,6 +82,8 @@ Places places_of(const PhysicsChoice& choice, int system, const VehicleContext& 
                  const physics_link::SitlHome& home) {
   const double heading =
       geo::degrees(geo::wrap_2pi(geo::to_euler(c.parts.state.q_NB).yaw));
+  const double ground = c.aircraft.map->elevation_msl(geo::horizontal(c.parts.state.p_N));
+  const Vec2 wind = geo::horizontal(c.parts.air.wind_N);
   return {{{"name", c.parts.name},
            {"index", std::to_string(c.index)},
            {"instance", std::to_string(choice.instance + c.index)},
@@ -85,6 +96,10 @@ Places places_of(const PhysicsChoice& choice, int system, const VehicleContext& 
            {"north", fmt::format("{:.3f}", c.parts.state.p_N.x())},
            {"east", fmt::format("{:.3f}", c.parts.state.p_N.y())},
            {"heading", fmt::format("{:.2f}", heading)},
+           {"altitude", fmt::format("{:.2f}", -c.parts.state.p_N.z() - ground)},
+           {"wind_speed", fmt::format("{:.3f}", wind.norm())},
+           {"wind_from", fmt::format("{:.2f}", geo::degrees(geo::bearing(-wind)))},
+           {"skein", own_program()},
            {"seed", std::to_string(c.aircraft.seed + c.aircraft.self.value)},
            {"parameters", choice.parameters}}};
 }
@@ -207,8 +222,9 @@ scenario::Fields<PhysicsChoice> physics_fields() {
             "without any it is started by somebody else. In braces: {name}, {index}, "
             "{instance}, {port}, {system}, {home} (latitude, longitude, altitude, "
             "heading), {latitude}, {longitude} (of the origin), {north}, {east}, "
-            "{heading} (where it begins), {seed}, {parameters}; with kind none {link}: "
-            "where it finds the vehicle's endpoint.")
+            "{heading}, {altitude} (where it begins; above ground), {wind_speed}, "
+            "{wind_from} (the wind there), {seed}, {parameters}, {skein} (this program); "
+            "with kind none {link}: where it finds the vehicle's endpoint.")
       .text("environment", &T::environment,
             "NAME=value: more variables of the program; braces as there.")
       .file("parameters", &T::parameters,
