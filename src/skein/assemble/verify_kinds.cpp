@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "skein/assemble/build.h"
 #include "skein/geo/local_frame.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
@@ -19,6 +20,7 @@
 #include "skein/role/radio.h"
 #include "skein/role/sensor.h"
 #include "skein/role/turbulence.h"
+#include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {
@@ -119,6 +121,7 @@ class Stage {
   }
 
   KindVerdict autopilot_verdict(const scenario::Kind& kind) const;
+  KindVerdict vehicle_verdict(const scenario::Kind& kind) const;
   auto agent_suite(bool has_vehicle) const {
     return [this, has_vehicle](const contract::Make<Agent>& make) {
       const NavEstimate nav = start(plants_.front().second->limits());
@@ -166,6 +169,35 @@ KindVerdict Stage::autopilot_verdict(const scenario::Kind& kind) const {
   return verdict;
 }
 
+// As the only aircraft of a small world.
+KindVerdict Stage::vehicle_verdict(const scenario::Kind& kind) const {
+  KindVerdict verdict{"vehicle", kind.name, "", {}};
+  const auto read = scenario::read_scenario_text(
+      fmt::format("name: contract\nmissions: [formation]\n"
+                  "aircraft: [{{vehicle: {}, agent: wingman}}]\n",
+                  kind.name),
+      "contract", ".", kinds_.table());
+  if (!read.ok()) {
+    verdict.not_tested = read.report();
+    return verdict;
+  }
+  std::vector<Build> builds;  // outlive their vehicles
+  const contract::Make<Vehicle> make = [&]() -> std::unique_ptr<Vehicle> {
+    auto built = build(*read.scenario, kinds_);
+    if (!built) {
+      verdict.not_tested = built.error().text();
+      return nullptr;
+    }
+    builds.push_back(std::move(built).value());
+    return std::move(builds.back().world.entities.back().vehicle);
+  };
+  if (const auto one = make(); one && one->real_time())
+    verdict.not_tested = "it needs somebody at the far end of its link.";
+  if (verdict.not_tested.empty())
+    verdict.violations = contract::vehicle_violations(make, wind_);
+  return verdict;
+}
+
 KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) const {
   const scenario::Choice choice =
       scenario::default_choice(kinds_.table(), role, kind.name);
@@ -187,6 +219,7 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
     test(subject(all.turbulence, choice), contract::turbulence_violations);
   if (role == "plant") test(subject(all.plant, choice), contract::plant_violations);
   if (role == "autopilot") return autopilot_verdict(kind);
+  if (role == "vehicle") return vehicle_verdict(kind);
   if (role == "sensor") test(subject(all.sensor, choice), contract::sensor_violations);
   if (role == "agent") test(subject(all.agent, choice), agent_suite(true));
   if (role == "mission")

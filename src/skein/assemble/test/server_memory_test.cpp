@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "skein/assemble/kind_registry.h"
+#include "skein/scenario/kind_table.h"
+
 namespace skein::assemble {
 namespace {
 
 EntityReality reality(const std::string& vehicle, std::optional<bool> physical,
                       std::optional<Reality> observes) {
   scenario::AircraftGroup group;
-  group.vehicle.kind = vehicle;
+  group.vehicle = scenario::default_choice(KindRegistry().table(), "vehicle", vehicle);
   group.physical = physical;
   group.observes = observes;
   return reality_of(group);

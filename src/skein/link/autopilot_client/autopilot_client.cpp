@@ -174,6 +174,7 @@ void AutopilotClient::receive(const mavlink::Frame& frame, Channel from, Time no
   if (frame.target_system() != 0 && frame.target_system() != out.system()) return;
   // Before its first heartbeat nothing tells what it is.
   if (!up_ && frame.id() != mavlink::kFacts<mavlink::Heartbeat>.id) return;
+  if (up_) heard_ = now;
   using namespace mavlink;  // NOLINT: a list of messages
   dispatch<mavlink::Heartbeat, GlobalPositionInt, Attitude, VfrHud, Wind, WindCov,
            GpsRawInt, SysStatus, ExtendedSysState, HomePosition, SystemTime, Timesync,

@@ -111,7 +111,7 @@ class AutopilotClient {
   std::optional<Channel> channel_;  // by which it is heard
   bool up_ = false, mismatched_ = false, duplicate_ = false;
   bool was_up_ = false;
-  Time heard_;                // heartbeat, last
+  Time heard_;                // last
   Time position_;             // last
   Time set_up_;               // last
   std::optional<Time> boot_;  // the vehicle's clock, last

@@ -40,6 +40,9 @@ class BadLine {
         trouble_(trouble),
         random_(seed) {}
 
+  /// From now on; what is under way comes as it would have.
+  void set_trouble(const Trouble& trouble) { trouble_ = trouble; }
+
   Outbox vehicle, station;
   Receiver at_vehicle, at_station;
   Time now;

@@ -75,6 +75,10 @@ class PaperVehicle {
     snapshot.condition.on_ground = false;
     if (item.kind == MissionItem::Kind::kSpeed) airspeed = item.airspeed;
     if (item.kind != MissionItem::Kind::kSpeed && !approach(item.p_N, dt)) return;
+    if (item.kind == MissionItem::Kind::kLand) {
+      snapshot.condition.on_ground = true;
+      snapshot.condition.armed = false;
+    }
     if (progress.current + 1U < mission.size())
       ++progress.current;
     else
