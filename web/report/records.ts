@@ -597,10 +597,113 @@ export interface Pilot {
   input_throttle: number | null; // 0 to 1
 }
 
+/** What stands around it in the virtual world. */
+export interface Obstacles {
+  range_m: number | null; // looked so far
+  distances_1: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_2: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_3: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_4: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_5: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_6: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_7: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_8: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_9: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_10: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_11: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_12: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_13: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_14: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_15: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_16: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_17: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_18: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_19: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_20: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_21: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_22: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_23: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_24: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_25: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_26: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_27: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_28: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_29: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_30: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_31: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_32: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_33: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_34: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_35: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_36: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_37: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_38: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_39: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_40: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_41: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_42: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_43: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_44: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_45: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_46: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_47: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_48: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_49: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_50: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_51: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_52: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_53: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_54: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_55: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_56: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_57: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_58: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_59: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_60: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_61: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_62: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_63: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_64: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_65: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_66: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_67: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_68: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_69: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_70: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_71: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+  distances_72: number | null; // in metres, every 5 degrees from ahead clockwise; null: nothing in range
+}
+
+/** A no-fly zone. */
+export interface Zone {
+  name: string; // for people
+  area: { kind: "ring"; points: [number, number][] } | ({ kind: "disc" } & Disc); // a ring of corners or a disc
+  floor_msl_m: number | null; // lowest altitude; null: no limit
+  ceiling_msl_m: number | null; // highest altitude; null: no limit
+  from_s: number | null; // forbidden since; null: always
+  until_s: number | null; // forbidden until; null: for ever
+}
+
+/** Its exclusion fence is replaced. */
+export interface UploadFence {
+  zones: Zone[]; // that it shall keep out of
+}
+
+/** What a satellite receiver on board would say. */
+export interface PositionFix {
+  north_m: number | null; // position
+  east_m: number | null; // position
+  altitude_msl_m: number | null; // position
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  position_sd_m: number | null; // per horizontal axis
+}
+
 /** What a program outside asks of an aircraft. */
 export interface Vehicle {
   aircraft: string; // who
-  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot); // what
+  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot) | ({ kind: "obstacles" } & Obstacles) | ({ kind: "upload_fence" } & UploadFence) | ({ kind: "position_fix" } & PositionFix); // what
 }
 
 /** A command that somebody gave. */
@@ -774,11 +877,23 @@ export interface OutsideEvent {
   text: string; // for people
 }
 
+/** What a vehicle was sent of the virtual world so far. */
+export interface FeedHealth {
+  traffic: number; // frames about other aircraft
+  traffic_limited: number; // too soon, or too many in range
+  obstacles: number; // frames
+  obstacles_limited: number; // a newer one was there
+  fences: number; // accepted
+  fences_refused: number; // or not answered
+  fixes: number; // positions, in place of a receiver's
+  fixes_limited: number; // a newer one was there
+}
+
 /** What a vehicle behind a link has said: all that a run is told from outside. */
 export interface VehicleReport {
   time_s: number; // of the step that took it in
   entity_id: number; // whose
-  kind: string; // what it said: fields of ({ kind: "motion" } & Motion) | ({ kind: "condition" } & Condition) | ({ kind: "link_change" } & LinkChange) | ({ kind: "answer" } & Answer) | ({ kind: "text" } & Text) | ({ kind: "mission_progress" } & MissionProgress) | ({ kind: "identity" } & Identity) | ({ kind: "link_health" } & LinkHealth) | ({ kind: "actuator_outputs" } & ActuatorOutputs) | ({ kind: "outside_event" } & OutsideEvent)
+  kind: string; // what it said: fields of ({ kind: "motion" } & Motion) | ({ kind: "condition" } & Condition) | ({ kind: "link_change" } & LinkChange) | ({ kind: "answer" } & Answer) | ({ kind: "text" } & Text) | ({ kind: "mission_progress" } & MissionProgress) | ({ kind: "identity" } & Identity) | ({ kind: "link_health" } & LinkHealth) | ({ kind: "actuator_outputs" } & ActuatorOutputs) | ({ kind: "outside_event" } & OutsideEvent) | ({ kind: "feed_health" } & FeedHealth) | ({ kind: "entity" } & Entity)
 }
 
 /** An object that exists in reality: an upright cylinder on the ground. */

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "skein/assemble/aircraft_fit.h"
+#include "skein/assemble/driven_plant_kind.h"
 #include "skein/assemble/placement.h"
 #include "skein/assemble/presence.h"
 #include "skein/assemble/sampling.h"
@@ -255,7 +256,7 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
                              "where the ground is at {:.1f} m.",
                              altitude, ground),
                  "Raise start.altitude_msl_m or leave it out."};
-  if (group.start.on_ground &&
+  if (group.start.on_ground && plant_is_here(group.vehicle) &&
       std::holds_alternative<SelfStabilised>(vehicle.plant->airframe()))
     return Error{
         ErrorCode::kBadInput, name,

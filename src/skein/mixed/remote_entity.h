@@ -48,6 +48,7 @@ class RemoteVehicle final : public Vehicle {
   /// What stands here for its agent; it shares the port.
   std::unique_ptr<Agent> agent() const;
 
+  bool real_time() const override { return true; }
   void begin(const Surroundings& world, Time now) override;
   void begin_step(Time now) override;
   void look(const Surroundings& world, Time now, PayloadSamples& out) override;

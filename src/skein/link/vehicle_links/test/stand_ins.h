@@ -86,7 +86,7 @@ class StandIns final : public transport::ChannelListener {
       mavlink::Heartbeat heartbeat;
       heartbeat.type = 2;
       heartbeat.autopilot = 3;
-      heartbeat.base_mode = 1;
+      heartbeat.base_mode = 129;  // armed
       heartbeat.system_status = 4;
       heartbeat.mavlink_version = 3;
       vehicle.out.send(vehicle.channel, heartbeat);
