@@ -130,7 +130,7 @@ std::optional<RunOrder> order_of(const RunArguments& arguments) {
 void replay(const record::RecordedRun& recorded, simulation::RunOptions& options) {
   options.commands = recorded.commands;
   options.clock_by_command = false;
-  if (recorded.interrupted) options.duration = *recorded.interrupted - options.step;
+  if (recorded.interrupted) options.duration = *recorded.interrupted;
 }
 
 Result<std::unique_ptr<record::RunRecorder>> open_records(
