@@ -9,9 +9,14 @@ function(skein_precompile name)
   target_link_libraries(${name} PRIVATE Eigen3::Eigen fmt::fmt)
 endfunction()
 
-skein_precompile(skein_precompiled ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
-if(SKEIN_TESTS)
-  skein_precompile(skein_precompiled_tests ${PROJECT_SOURCE_DIR}/cmake/precompiled.h
-                   <gtest/gtest.h>)
-  target_link_libraries(skein_precompiled_tests PRIVATE GTest::gtest)
-endif()
+# Twice: for what lies below the values of data/, and with them for all that stands on it.
+# src/skein/CMakeLists.txt says from where on by SKEIN_PRECOMPILED, "" or "_data".
+set(SKEIN_PRECOMPILED "")
+foreach(part "" _data)
+  set(headers ${PROJECT_SOURCE_DIR}/cmake/precompiled${part}.h)
+  skein_precompile(skein_precompiled${part} ${headers})
+  if(SKEIN_TESTS)
+    skein_precompile(skein_precompiled_tests${part} ${headers} <gtest/gtest.h>)
+    target_link_libraries(skein_precompiled_tests${part} PRIVATE GTest::gtest)
+  endif()
+endforeach()

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "skein/assemble/build.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
@@ -105,12 +106,14 @@ TEST(DrivenVehicle, PartsOfThePlantCanBeMadeToFail) {
 // Without its autopilot it does nothing, but keeps the contract.
 TEST(DrivenVehicle, KeepsTheContractOfItsRole) {
   const environment::UniformWind wind({});
-  const auto make = [] {
+  std::vector<Build> builds;  // outlive their vehicles
+  const auto make = [&] {
     auto built =
         driven_build("{kind: ardupilot-json}", "{kind: multirotor, aircraft: quad}",
                      "flight_step_s: 0.01");
     EXPECT_TRUE(built) << built.error().text();
-    return std::move(built.value().world.entities.at(1).vehicle);
+    builds.push_back(std::move(built).value());
+    return std::move(builds.back().world.entities.at(1).vehicle);
   };
   EXPECT_EQ(contract::vehicle_violations(make, wind), contract::Violations{});
 }

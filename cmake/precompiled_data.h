@@ -1,0 +1,11 @@
+#pragma once
+
+// What lies in precompiled.h, and the values that layers exchange, for all that stands on
+// them (cmake/precompiled.cmake). No file counts on it: each includes what it uses.
+
+#include "precompiled.h"
+#include "skein/base/result.h"
+#include "skein/data/agent_step.h"
+#include "skein/data/record.h"
+#include "skein/data/vehicle_request.h"
+#include "skein/geo/local_frame.h"
