@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "skein/assemble/program_places.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/physics/ardupilot_drive.h"
 #include "skein/link/physics/channel_map.h"
@@ -45,21 +46,6 @@ std::string program_error(const PhysicsChoice& choice) {
              : "";
 }
 
-// What stands in braces in programs and paths.
-struct Places {
-  std::vector<std::pair<std::string, std::string>> values;
-
-  std::string filled(std::string text) const {
-    for (const auto& [name, value] : values) {
-      const std::string mark = "{" + name + "}";
-      for (std::size_t at = text.find(mark); at != std::string::npos;
-           at = text.find(mark, at + value.size()))
-        text.replace(at, mark.size(), value);
-    }
-    return text;
-  }
-};
-
 physics_link::SitlHome home_of(const VehicleContext& c, const geo::LocalFrame& frame) {
   const VehicleState& start = c.parts.state;
   const Vec2 place = geo::horizontal(start.p_N);
@@ -68,7 +54,7 @@ physics_link::SitlHome home_of(const VehicleContext& c, const geo::LocalFrame& f
           start.on_ground ? -start.p_N.z() : c.aircraft.map->elevation_msl(place)};
 }
 
-Places places_of(const PhysicsChoice& choice, int system, const VehicleContext& c,
+ProgramPlaces places_of(const PhysicsChoice& choice, int system, const VehicleContext& c,
                  const physics_link::SitlHome& home) {
   const double heading =
       geo::degrees(geo::wrap_2pi(geo::to_euler(c.parts.state.q_NB).yaw));
@@ -83,7 +69,7 @@ Places places_of(const PhysicsChoice& choice, int system, const VehicleContext& 
 }
 
 physics_link::DrivingProgram program_of(const PhysicsChoice& choice,
-                                        const Places& places) {
+                                        const ProgramPlaces& places) {
   if (choice.program.empty()) return {};
   child_process::Program program;
   for (const std::string& each : choice.program)
@@ -129,7 +115,7 @@ Result<std::unique_ptr<AutopilotDrive>> drive_of(const PhysicsChoice& choice, in
   auto frame = geo::LocalFrame::at(c.scenario.origin);
   if (!frame) return frame.error();
   const physics_link::SitlHome home = home_of(c, frame.value());
-  const Places places = places_of(choice, system, c, home);
+  const ProgramPlaces places = places_of(choice, system, c, home);
   const physics_link::Patience patience{whole_ms(choice.contact),
                                         whole_ms(choice.patience)};
   const int port = port_of(choice, c.index);

@@ -35,8 +35,9 @@ struct PhysicsChoice {
 
 scenario::Fields<PhysicsChoice> physics_fields();
 
-/// Whether a vehicle's plant is simulated here, wherever its autopilot is.
-bool plant_is_here(const scenario::Choice& vehicle);
+/// Whether a vehicle's plant is a model, here or in an outside flight model, wherever its
+/// autopilot is.
+bool plant_is_simulated(const scenario::Choice& vehicle);
 
 /// A plant here with its autopilot elsewhere.
 struct DrivenBody {
