@@ -6,9 +6,8 @@
 #include "app/output.h"
 #include "app/run_order.h"
 #include "skein/assemble/aircraft_builder.h"
+#include "skein/assemble/run.h"
 #include "skein/layer/hmi/terminal_console.h"
-#include "skein/link/world_link/agent_parts.h"
-#include "skein/link/world_link/entity_links.h"
 
 namespace skein::app {
 namespace {
@@ -95,7 +94,7 @@ int agent_command(const AgentArguments& arguments, const std::atomic<bool>& stop
   ready.options.real_time_only = true;
   if (auto started = start_links(ready); !started) return say_error(started.error());
   hmi::TerminalConsole console(stop, stderr, -1);
-  const auto outcome = run_linked(ready, nullptr, console);
+  const auto outcome = assemble::run_linked(ready, nullptr, console);
   if (!outcome) return say_error(outcome.error());
   return kDone;
 }

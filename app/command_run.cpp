@@ -11,17 +11,13 @@
 #include "skein/assemble/build.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
+#include "skein/assemble/run.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
-#include "skein/link/vehicle_links/linked_console.h"
-#include "skein/link/world_link/agent_parts.h"
-#include "skein/link/world_link/entity_links.h"
-#include "skein/record/fan_out.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
 #include "skein/record/run_recorder.h"
-#include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
@@ -175,7 +171,7 @@ Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
   hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
   console.read_with(
       [&frame](std::string_view line) { return assemble::read_command(line, frame); });
-  const auto outcome = run_linked(ready, &recorder, console);
+  const auto outcome = assemble::run_linked(ready, &recorder, console);
   if (!outcome) return outcome.error();
   recorder.set_figure("deadline_misses",
                       static_cast<double>(outcome.value().deadline_misses));
@@ -235,37 +231,10 @@ Result<assemble::Build> build_order(const RunOrder& order) {
 }
 
 Result<void> start_links(assemble::Build& ready) {
-  const auto start = [](auto& links) -> Result<void> {
-    const auto places = links.start();
-    if (!places) return places.error();
-    for (const std::string& place : places.value()) complain("waiting at {}\n", place);
-    return {};
-  };
-  if (auto started = start(*ready.links); !started) return started;
-  if (auto started = start(*ready.entity_links); !started) return started;
-  if (ready.world_client)
-    if (auto started = start(*ready.world_client); !started) return started;
-  for (simulation::Entity& entity : ready.world.entities)
-    if (entity.vehicle)
-      if (auto opened = entity.vehicle->open(); !opened) return opened;
+  const auto places = assemble::open_links(ready);
+  if (!places) return places.error();
+  for (const std::string& place : places.value()) complain("waiting at {}\n", place);
   return {};
-}
-
-Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* recorder,
-                                          OperatorConsole& console) {
-  std::vector<Recorder*> listeners;
-  if (ready.feed) listeners.push_back(ready.feed.get());
-  if (ready.world_feed) listeners.push_back(ready.world_feed.get());
-  if (listeners.empty())
-    return simulation::run(ready.world, ready.options, *recorder, console);
-  if (recorder) listeners.push_back(recorder);
-  record::FanOut all(std::move(listeners));
-  OperatorConsole* source = &console;
-  std::optional<vehicle_links::LinkedConsole> stations;
-  if (ready.feed) source = &stations.emplace(*source, *ready.feed);
-  std::optional<world_link::WorldConsole> world;
-  if (ready.world_client) source = &world.emplace(*source, *ready.world_client);
-  return simulation::run(ready.world, ready.options, all, *source);
 }
 
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {

@@ -7,8 +7,8 @@
 #include "app/output.h"
 #include "app/run_order.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
+#include "skein/assemble/run.h"
 #include "skein/layer/hmi/terminal_console.h"
-#include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
@@ -103,7 +103,7 @@ int vehicle_command(const VehicleArguments& arguments, const std::atomic<bool>& 
   ready.options.real_time_only = true;
   if (auto started = start_links(ready); !started) return say_error(started.error());
   hmi::TerminalConsole console(stop, stderr, -1);
-  const auto outcome = run_linked(ready, nullptr, console);
+  const auto outcome = assemble::run_linked(ready, nullptr, console);
   if (!outcome) return say_error(outcome.error());
   return kDone;
 }

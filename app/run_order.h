@@ -8,8 +8,6 @@
 #include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/record/replay.h"
-#include "skein/role/operator_console.h"
-#include "skein/role/recorder.h"
 #include "skein/scenario/scenario.h"
 
 namespace skein::app {
@@ -32,11 +30,5 @@ Result<assemble::Build> build_order(const RunOrder& order);
 
 /// Opens the links to whoever takes part from outside, and says where servers wait.
 Result<void> start_links(assemble::Build& ready);
-
-/// Runs a world with ground stations, or the world that an agent takes part in, as
-/// listeners and givers of commands, if it has any.
-/// @param recorder  null: nothing is recorded; then there are such listeners.
-Result<simulation::RunOutcome> run_linked(assemble::Build& ready, Recorder* recorder,
-                                          OperatorConsole& console);
 
 }  // namespace skein::app

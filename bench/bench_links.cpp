@@ -1,6 +1,6 @@
 // Links in real time, over sockets of this machine: how long it takes from a vehicle's
-// telemetry to its report at the others, beside a bare answer to it over the same sockets,
-// and what it costs to show 250 vehicles to a ground station.
+// telemetry to its report at the others, beside a bare answer to it over the same
+// sockets, and what it costs to show 250 vehicles to a ground station.
 //
 //   build/release/bench_links [SECONDS]
 #include <fmt/core.h>
@@ -111,9 +111,10 @@ void measure_echo(int duration) {
   thread.join();
   const Quantiles all = quantiles(
       vehicles, [](const mavlink::AdsbVehicle& m) { return m.ICAO_address - 1; });
-  fmt::print("a bare answer, {} vehicles at 10 Hz, {} s:\n"
-             "  {} answers, median {:.2f} ms, 99 % {:.2f} ms, largest {:.2f} ms\n",
-             kReal, duration, all.count, all.median, all.most, all.largest);
+  fmt::print(
+      "a bare answer, {} vehicles at 10 Hz, {} s:\n"
+      "  {} answers, median {:.2f} ms, 99 % {:.2f} ms, largest {:.2f} ms\n",
+      kReal, duration, all.count, all.median, all.most, all.largest);
 }
 
 // Of 50 vehicles that send 10 positions a second, each is told of the 49 others.
@@ -147,12 +148,13 @@ bool measure_latency(int duration, double rate) {
   const Quantiles all = quantiles(vehicles, [&](const mavlink::AdsbVehicle& m) {
     return by_address.at(m.ICAO_address);
   });
-  fmt::print("telemetry in to report out, {} vehicles at 10 Hz, each told of {} at up to "
-             "{} Hz, {} s:\n"
-             "  {} reports, median {:.2f} ms, 99 % {:.2f} ms, largest {:.2f} ms; thread "
-             "of the links {:.1f} % of a core\n",
-             kReal, kReal - 1, rate, duration, all.count, all.median, all.most,
-             all.largest, 100 * cpu / duration);
+  fmt::print(
+      "telemetry in to report out, {} vehicles at 10 Hz, each told of {} at up to "
+      "{} Hz, {} s:\n"
+      "  {} reports, median {:.2f} ms, 99 % {:.2f} ms, largest {:.2f} ms; thread "
+      "of the links {:.1f} % of a core\n",
+      kReal, kReal - 1, rate, duration, all.count, all.median, all.most, all.largest,
+      100 * cpu / duration);
   return all.count > 0 && all.most < 5;
 }
 
@@ -277,15 +279,16 @@ bool measure_load(int duration) {
   const auto missed = static_cast<double>(
       gaps.end() - std::upper_bound(gaps.begin(), gaps.end(), 1.5 * period));
   const double share = missed / static_cast<double>(gaps.size());
-  fmt::print("{} simulated vehicles, updates at 10 Hz, one ground station, {} s:\n"
-             "  {:.0f} frames/s, {:.0f} kB/s; thread of the links {:.1f} % of a core, "
-             "updates {:.1f} %\n"
-             "  {} steps, {} late; {} positions at {:.0f} Hz, {:.3f} % missed, largest "
-             "gap {:.0f} ms\n",
-             kShown, duration, static_cast<double>(station.frames) / duration,
-             static_cast<double>(station.bytes_in) / 1000 / duration,
-             100 * cpu / duration, 100 * simulation / duration, steps, late, gaps.size(),
-             1 / period, 100 * share, 1000 * gaps.back());
+  fmt::print(
+      "{} simulated vehicles, updates at 10 Hz, one ground station, {} s:\n"
+      "  {:.0f} frames/s, {:.0f} kB/s; thread of the links {:.1f} % of a core, "
+      "updates {:.1f} %\n"
+      "  {} steps, {} late; {} positions at {:.0f} Hz, {:.3f} % missed, largest "
+      "gap {:.0f} ms\n",
+      kShown, duration, static_cast<double>(station.frames) / duration,
+      static_cast<double>(station.bytes_in) / 1000 / duration, 100 * cpu / duration,
+      100 * simulation / duration, steps, late, gaps.size(), 1 / period, 100 * share,
+      1000 * gaps.back());
   return share < 0.001 && late == 0 && cpu < duration;
 }
 

@@ -170,9 +170,8 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
                      .remotes = links_.entities,
                      .agent = remote,
                      .recorded = recorded_ ? &(*recorded_)[self] : nullptr,
-                     .is_simulated = [this](const std::string& other) {
-                       return is_simulated(other);
-                     },
+                     .is_simulated =
+                         [this](const std::string& other) { return is_simulated(other); },
                      .find = [made = made_](const std::string& other) -> const Vehicle* {
                        const auto found = made->find(other);
                        return found == made->end() ? nullptr : found->second;

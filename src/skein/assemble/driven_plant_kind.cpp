@@ -11,6 +11,7 @@
 #include "skein/link/physics/ardupilot_drive.h"
 #include "skein/link/physics/channel_map.h"
 #include "skein/link/physics/hil_drive.h"
+#include "skein/link/physics/started_port.h"
 #include "skein/mixed/recorded_drive.h"
 #include "skein/scenario/numbers.h"
 #include "skein/scenario/utc.h"
@@ -55,7 +56,7 @@ physics_link::SitlHome home_of(const VehicleContext& c, const geo::LocalFrame& f
 }
 
 ProgramPlaces places_of(const PhysicsChoice& choice, int system, const VehicleContext& c,
-                 const physics_link::SitlHome& home) {
+                        const physics_link::SitlHome& home) {
   const double heading =
       geo::degrees(geo::wrap_2pi(geo::to_euler(c.parts.state.q_NB).yaw));
   return {{{"name", c.parts.name},
@@ -65,12 +66,17 @@ ProgramPlaces places_of(const PhysicsChoice& choice, int system, const VehicleCo
            {"system", std::to_string(system)},
            {"home", fmt::format("{:.8f},{:.8f},{:.3f},{:.2f}", home.latitude_deg,
                                 home.longitude_deg, home.alt_msl, heading)},
+           {"latitude", fmt::format("{:.8f}", c.scenario.origin.latitude_deg)},
+           {"longitude", fmt::format("{:.8f}", c.scenario.origin.longitude_deg)},
+           {"north", fmt::format("{:.3f}", c.parts.state.p_N.x())},
+           {"east", fmt::format("{:.3f}", c.parts.state.p_N.y())},
+           {"heading", fmt::format("{:.2f}", heading)},
+           {"seed", std::to_string(c.aircraft.seed + c.aircraft.self.value)},
            {"parameters", choice.parameters}}};
 }
 
-physics_link::DrivingProgram program_of(const PhysicsChoice& choice,
-                                        const ProgramPlaces& places) {
-  if (choice.program.empty()) return {};
+child_process::Program program_of(const PhysicsChoice& choice,
+                                  const ProgramPlaces& places) {
   child_process::Program program;
   for (const std::string& each : choice.program)
     program.arguments.push_back(places.filled(each));
@@ -78,8 +84,14 @@ physics_link::DrivingProgram program_of(const PhysicsChoice& choice,
     program.environment.push_back(places.filled(each));
   program.folder = places.filled(choice.folder);
   program.log = places.filled(choice.log);
+  return program;
+}
+
+physics_link::DrivingProgram driving_program(const PhysicsChoice& choice,
+                                             const ProgramPlaces& places) {
+  if (choice.program.empty()) return {};
   return physics_link::DrivingProgram(
-      child_process::KeptProgram(std::move(program), choice.restart));
+      child_process::KeptProgram(program_of(choice, places), choice.restart));
 }
 
 std::chrono::milliseconds whole_ms(Time time) {
@@ -127,7 +139,7 @@ Result<std::unique_ptr<AutopilotDrive>> drive_of(const PhysicsChoice& choice, in
         c.parts.name, static_cast<std::uint16_t>(port), home, patience};
     return Drive(std::make_unique<physics_link::ArduPilotDrive>(
         std::move(options), frame.value(), std::move(channels),
-        program_of(choice, places), std::move(clock)));
+        driving_program(choice, places), std::move(clock)));
   }
   physics_link::HilDriveOptions options;
   options.name = c.parts.name;
@@ -144,7 +156,7 @@ Result<std::unique_ptr<AutopilotDrive>> drive_of(const PhysicsChoice& choice, in
       start_s * 1'000'000, choice.declination);
   return Drive(std::make_unique<physics_link::HilDrive>(
       std::move(options), std::move(sensing), std::move(channels),
-      program_of(choice, places), std::move(clock)));
+      driving_program(choice, places), std::move(clock)));
 }
 
 bool of_flight_sensor(const VehicleFault& fault) {
@@ -181,7 +193,9 @@ scenario::Fields<PhysicsChoice> physics_fields() {
             "The autopilot's program and its arguments, which is started with the run; "
             "without any it is started by somebody else. In braces: {name}, {index}, "
             "{instance}, {port}, {system}, {home} (latitude, longitude, altitude, "
-            "heading), {parameters}.")
+            "heading), {latitude}, {longitude} (of the origin), {north}, {east}, "
+            "{heading} (where it begins), {seed}, {parameters}; with kind none {link}: "
+            "where it finds the vehicle's endpoint.")
       .text("environment", &T::environment,
             "NAME=value: more variables of the program; braces as there.")
       .file("parameters", &T::parameters,
@@ -206,6 +220,17 @@ scenario::Fields<PhysicsChoice> physics_fields() {
                  {.at_least = -180, .at_most = 180})
       .rule("at", at_error)
       .rule("program", program_error);
+}
+
+std::unique_ptr<VehiclePort> started_port(std::unique_ptr<VehiclePort> port,
+                                          const PhysicsChoice& choice, int system,
+                                          std::function<std::string()> link,
+                                          const VehicleContext& c) {
+  const auto frame = geo::LocalFrame::at(c.scenario.origin);
+  if (choice.program.empty() || !frame) return port;
+  const ProgramPlaces places = places_of(choice, system, c, home_of(c, frame.value()));
+  return std::make_unique<physics_link::StartedPort>(
+      std::move(port), program_of(choice, places), choice.restart, std::move(link));
 }
 
 Result<DrivenBody> driven_body(const PhysicsChoice& choice, int system,

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "skein/assemble/vehicle_context.h"
 #include "skein/base/result.h"
 #include "skein/mixed/driven_plant.h"
+#include "skein/role/vehicle_port.h"
 #include "skein/scenario/fields.h"
 
 namespace skein::assemble {
@@ -34,6 +36,14 @@ struct PhysicsChoice {
 };
 
 scenario::Fields<PhysicsChoice> physics_fields();
+
+/// The port of a vehicle whose plant is elsewhere too: with its program, if the choice
+/// has one.
+/// @param link  where the program finds the link to here, asked for when it starts.
+std::unique_ptr<VehiclePort> started_port(std::unique_ptr<VehiclePort> port,
+                                          const PhysicsChoice& choice, int system,
+                                          std::function<std::string()> link,
+                                          const VehicleContext& context);
 
 /// Whether a vehicle's plant is a model, here or in an outside flight model, wherever its
 /// autopilot is.

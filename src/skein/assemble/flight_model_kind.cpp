@@ -50,9 +50,8 @@ struct FlightModelChoice {
 std::string datagrams_error(const std::string& endpoint, bool waits) {
   const auto address = transport::parse_endpoint(endpoint);
   if (!address) return address.error().message;
-  const bool fits = waits
-                        ? std::holds_alternative<transport::UdpServer>(address.value())
-                        : std::holds_alternative<transport::UdpClient>(address.value());
+  const bool fits = waits ? std::holds_alternative<transport::UdpServer>(address.value())
+                          : std::holds_alternative<transport::UdpClient>(address.value());
   return fits ? std::string()
               : fmt::format("must be {}.", waits ? "udpin:PORT" : "udpout:HOST:PORT");
 }
@@ -79,11 +78,12 @@ scenario::Fields<FlightModelChoice> flight_model_fields() {
                   {.at_least = 0.1, .at_most = 60})
       .boolean("sends_wind", &T::sends_wind,
                "FlightGear's air moves as the wind of the scenario; else it has its own.")
-      .text("command", &T::command,
-            "The program and its arguments, which is started with the run; without any it "
-            "is started by somebody else. In braces: {name}, {index}, {folder}, "
-            "{in_port}, {out_port}, and where it begins: {latitude_deg}, "
-            "{longitude_deg}, {altitude_ft}, {heading_deg}, {airspeed_kt}.")
+      .text(
+          "command", &T::command,
+          "The program and its arguments, which is started with the run; without any it "
+          "is started by somebody else. In braces: {name}, {index}, {folder}, "
+          "{in_port}, {out_port}, and where it begins: {latitude_deg}, "
+          "{longitude_deg}, {altitude_ft}, {heading_deg}, {airspeed_kt}.")
       .text("environment", &T::environment,
             "NAME=value: more variables of the program; braces as there.")
       .text("folder", &T::folder,
@@ -128,23 +128,22 @@ ProgramPlaces model_places(const FlightModelChoice& choice, const VehicleContext
   const VehicleState& start = c.parts.state;
   const geo::Geodetic at = frame.from_plane(geo::horizontal(start.p_N));
   const double heading = geo::wrap_2pi(geo::to_euler(start.q_NB).yaw);
-  ProgramPlaces places{
-      {{"name", c.parts.name},
-       {"index", std::to_string(c.index)},
-       {"in_port", std::to_string(in_port)},
-       {"out_port", std::to_string(out_port)},
-       {"latitude_deg", fmt::format("{:.8f}", at.latitude_deg)},
-       {"longitude_deg", fmt::format("{:.8f}", at.longitude_deg)},
-       {"altitude_ft", fmt::format("{:.1f}", -start.p_N.z() / kFoot)},
-       {"heading_deg", fmt::format("{:.2f}", geo::degrees(heading))},
-       {"airspeed_kt", fmt::format("{:.1f}", start.airspeed / kKnot)}}};
+  ProgramPlaces places{{{"name", c.parts.name},
+                        {"index", std::to_string(c.index)},
+                        {"in_port", std::to_string(in_port)},
+                        {"out_port", std::to_string(out_port)},
+                        {"latitude_deg", fmt::format("{:.8f}", at.latitude_deg)},
+                        {"longitude_deg", fmt::format("{:.8f}", at.longitude_deg)},
+                        {"altitude_ft", fmt::format("{:.1f}", -start.p_N.z() / kFoot)},
+                        {"heading_deg", fmt::format("{:.2f}", geo::degrees(heading))},
+                        {"airspeed_kt", fmt::format("{:.1f}", start.airspeed / kKnot)}}};
   places.values.emplace_back(
       "folder", std::filesystem::absolute(places.filled(choice.folder)).string());
   return places;
 }
 
 std::optional<child_process::KeptProgram> model_program(const FlightModelChoice& choice,
-                                                     const ProgramPlaces& places) {
+                                                        const ProgramPlaces& places) {
   if (choice.command.empty()) return std::nullopt;
   child_process::Program program;
   for (const std::string& each : choice.command)
@@ -203,12 +202,13 @@ Result<std::unique_ptr<Vehicle>> make_flight_model(const FlightModelChoice& choi
                  "flight model, which is flown by its controls.",
                  "Choose fixed-wing."};
   if (c.scenario.step > kMaxModelStep)
-    return Error{ErrorCode::kBadInput, "step_s",
-                 fmt::format("{} s is too long: an outside flight model is steered once in "
-                             "each step, which takes {} s at most.",
-                             scenario::seconds_text(c.scenario.step),
-                             scenario::seconds_text(kMaxModelStep)),
-                 "Give step_s: 0.02."};
+    return Error{
+        ErrorCode::kBadInput, "step_s",
+        fmt::format("{} s is too long: an outside flight model is steered once in "
+                    "each step, which takes {} s at most.",
+                    scenario::seconds_text(c.scenario.step),
+                    scenario::seconds_text(kMaxModelStep)),
+        "Give step_s: 0.02."};
   if (auto done = c.complete(); !done) return done.error();
   if (std::any_of(c.parts.faults.begin(), c.parts.faults.end(), is_of_model))
     return Error{ErrorCode::kBadInput, "failures",

@@ -1,12 +1,13 @@
 #include "skein/assemble/run.h"
 
+#include <optional>
 #include <utility>
-#include <vector>
 
-#include "skein/assemble/build.h"
+#include "skein/link/vehicle_links/linked_console.h"
+#include "skein/link/world_link/agent_parts.h"
+#include "skein/link/world_link/entity_links.h"
 #include "skein/record/fan_out.h"
 #include "skein/record/summary_recorder.h"
-#include "skein/simulation/run.h"
 
 namespace skein::assemble {
 namespace {
@@ -23,12 +24,48 @@ class QuietConsole : public OperatorConsole {
 
 }  // namespace
 
+Result<std::vector<std::string>> open_links(Build& ready) {
+  std::vector<std::string> places;
+  const auto start = [&places](auto& links) -> Result<void> {
+    auto started = links.start();
+    if (!started) return started.error();
+    places.insert(places.end(), started.value().begin(), started.value().end());
+    return {};
+  };
+  if (auto started = start(*ready.links); !started) return started.error();
+  if (auto started = start(*ready.entity_links); !started) return started.error();
+  if (ready.world_client)
+    if (auto started = start(*ready.world_client); !started) return started.error();
+  for (simulation::Entity& entity : ready.world.entities)
+    if (entity.vehicle)
+      if (auto opened = entity.vehicle->open(); !opened) return opened.error();
+  return places;
+}
+
+Result<simulation::RunOutcome> run_linked(Build& ready, Recorder* recorder,
+                                          OperatorConsole& console) {
+  std::vector<Recorder*> listeners;
+  if (ready.feed) listeners.push_back(ready.feed.get());
+  if (ready.world_feed) listeners.push_back(ready.world_feed.get());
+  if (listeners.empty())
+    return simulation::run(ready.world, ready.options, *recorder, console);
+  if (recorder) listeners.push_back(recorder);
+  record::FanOut all(std::move(listeners));
+  OperatorConsole* source = &console;
+  std::optional<vehicle_links::LinkedConsole> stations;
+  if (ready.feed) source = &stations.emplace(*source, *ready.feed);
+  std::optional<world_link::WorldConsole> world;
+  if (ready.world_client) source = &world.emplace(*source, *ready.world_client);
+  return simulation::run(ready.world, ready.options, all, *source);
+}
+
 Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
                                        const KindRegistry& kinds, const QuietRun& how) {
   auto built = build(scenario, kinds);
   if (!built) return built.error();
   Build& ready = built.value();
-  ready.options.speed = how.speed;
+  ready.options.speed = ready.mixed ? 1 : how.speed;
+  ready.options.real_time_only = ready.mixed;
   ready.options.threads = how.threads;
   record::SummaryRecorder recorder(
       {how.version, scenario.seed, scenario.name, how.text, scenario.start_utc});
@@ -36,7 +73,8 @@ Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
   std::vector<Recorder*> listeners = {&recorder};
   if (how.listener) listeners.push_back(how.listener);
   record::FanOut all(std::move(listeners));
-  const auto outcome = simulation::run(ready.world, ready.options, all, console);
+  if (auto opened = open_links(ready); !opened) return opened.error();
+  const auto outcome = run_linked(ready, &all, console);
   if (!outcome) return outcome.error();
   if (outcome.value().end == simulation::RunOutcome::End::kStopped)
     return Error{ErrorCode::kInterrupted, scenario.name, "stopped before its end.", ""};

@@ -2,14 +2,31 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
+#include "skein/assemble/build.h"
 #include "skein/assemble/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/record/summary.h"
+#include "skein/role/operator_console.h"
 #include "skein/role/recorder.h"
 #include "skein/scenario/scenario.h"
+#include "skein/simulation/run.h"
 
 namespace skein::assemble {
+
+/// Opens the links to whoever takes part from outside, and starts their programs; before
+/// run_linked(), by the same thread.
+/// @returns  where servers wait.
+/// Fails: what cannot be opened or started.
+Result<std::vector<std::string>> open_links(Build& ready);
+
+/// Runs a world with ground stations, or the world that an agent takes part in, as
+/// listeners and givers of commands, if it has any.
+/// @param recorder  null: nothing is recorded; then there are such listeners.
+/// Fails: as simulation::run().
+Result<simulation::RunOutcome> run_linked(Build& ready, Recorder* recorder,
+                                          OperatorConsole& console);
 
 /// How a run without records of its own is done.
 struct QuietRun {
@@ -21,8 +38,10 @@ struct QuietRun {
   Recorder* listener = nullptr;  ///< receives all that is recorded; may be null
 };
 
-/// Builds a scenario, runs it and gives its key figures; writes nothing.
-/// Fails: as build() and simulation::run(); kInterrupted when stopped early.
+/// Builds a scenario, runs it and gives its key figures; writes nothing. One that goes by
+/// the wall clock is run in real time, whatever its speed is to be.
+/// Fails: as build(), open_links() and simulation::run(); kInterrupted when stopped
+/// early.
 Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
                                        const KindRegistry& kinds, const QuietRun& how);
 

@@ -152,8 +152,8 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(
     const MavlinkOptions& options, const VehicleContext& c,
     std::shared_ptr<const std::atomic<std::int64_t>> clock_ns) {
   if (c.recorded)
-    return std::unique_ptr<VehiclePort>(
-        std::make_unique<mixed::RecordedPort>(*c.recorded));
+    return std::unique_ptr<VehiclePort>(std::make_unique<mixed::RecordedPort>(
+        *c.recorded, options.physics.kind != PhysicsChoice::Kind::kNone));
   const int system = system_of(options, c);
   if (system > 255)
     return Error{ErrorCode::kBadInput, "vehicle.system",
@@ -173,7 +173,12 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(
   linked.traffic = options.feeds.traffic;
   const auto number = c.links.add(linked);
   if (!number) return number.error();
-  return c.links.port(number.value());
+  auto port = c.links.port(number.value());
+  return options.physics.kind == PhysicsChoice::Kind::kNone
+             ? started_port(
+                   std::move(port), options.physics, system,
+                   [&links = c.links, k = number.value()] { return links.far_end(k); }, c)
+             : std::move(port);
 }
 
 Result<mixed::VirtualFeedOptions> virtual_feeds(const FeedOptions& options,

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 /// Descriptions of values: what a struct that crosses a boundary is made of, said once.
@@ -107,16 +106,34 @@ struct KindName {
   std::string_view table = {};  ///< of the run database; empty: it has none of its own
 };
 
+/// Fields of different types, by their places. std::tuple checks, for each list of types,
+/// in how many ways it can be built: with a hundred structs most of the time of
+/// compiling.
+template <std::size_t K, class F>
+struct FieldAt {
+  F field;
+};
+template <class Places, class... Fields>
+struct FieldList;
+template <std::size_t... K, class... Fields>
+struct FieldList<std::index_sequence<K...>, Fields...> : FieldAt<K, Fields>... {
+  template <class Visit>
+  constexpr void for_each(Visit&& visit) const {
+    (visit(static_cast<const FieldAt<K, Fields>&>(*this).field), ...);
+  }
+};
+
 template <class T, class... Fields>
 struct Description {
   KindName name;
   std::string_view help;
-  std::tuple<Fields...> fields;
+  FieldList<std::index_sequence_for<Fields...>, Fields...> fields;
+  static constexpr std::size_t kFields = sizeof...(Fields);
 };
 
 template <class T, class... Fields>
 constexpr auto described(KindName name, std::string_view help, Fields... fields) {
-  return Description<T, Fields...>{name, help, {fields...}};
+  return Description<T, Fields...>{name, help, {{fields}...}};
 }
 
 /// A struct with a description.
@@ -137,8 +154,7 @@ constexpr std::string_view kind_of() {
 /// Calls `visit(field)` for each field in order.
 template <Described T, class Visit>
 constexpr void for_each_field(Visit&& visit) {
-  std::apply([&](const auto&... fields) { (visit(fields), ...); },
-             kDescription<T>.fields);
+  kDescription<T>.fields.for_each(visit);
 }
 
 /// An enumeration whose words are given by names_of(), in the order of its values from 0.

@@ -67,9 +67,9 @@ void FlightModelVehicle::begin_step(Time now) {
   const bool old = !motion_.known() || now - motion_.newest().time > parts_.max_age;
   if (old && contact_ == Contact::kHeard) {
     contact_ = Contact::kSilent;
-    events_.push_back({"flight-model-silent",
-                       fmt::format("nothing for {:.1f} s; its controls stay",
-                                   parts_.max_age.seconds())});
+    events_.push_back(
+        {"flight-model-silent", fmt::format("nothing for {:.1f} s; its controls stay",
+                                            parts_.max_age.seconds())});
   }
   if (contact_ == Contact::kHeard) place(now);
 }

@@ -20,7 +20,7 @@ namespace skein::mixed {
 struct FlightModelVehicleParts {
   std::string name;
   std::unique_ptr<FlightModel> model;
-  std::unique_ptr<Autopilot> autopilot;  ///< takes actuators
+  std::unique_ptr<Autopilot> autopilot;          ///< takes actuators
   std::vector<std::unique_ptr<Sensor>> sensors;  ///< of the autopilot
   std::vector<std::unique_ptr<Sensor>> payload;  ///< of the agent
   std::vector<VehicleFault> faults;     ///< that are going to happen: sensors, link

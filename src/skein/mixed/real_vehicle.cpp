@@ -79,10 +79,11 @@ struct RealVehicle::Listener {
     self.events_.push_back({"vehicle-identified", identity.make});
   }
   void operator()(const LinkHealth&) const {}
-  void operator()(const EntityReport&) const {}  // its agent is here
-  // Of a body's drive, not of the link.
-  void operator()(const ActuatorOutputs&) const {}
-  void operator()(const OutsideEvent&) const {}
+  void operator()(const EntityReport&) const {}     // its agent is here
+  void operator()(const ActuatorOutputs&) const {}  // of a body's drive
+  void operator()(const OutsideEvent& event) const {
+    self.events_.push_back({event.kind, event.text});
+  }
   void operator()(const FeedHealth&) const {}
 };
 

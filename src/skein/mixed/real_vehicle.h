@@ -52,6 +52,7 @@ class RealVehicle final : public Vehicle {
   explicit RealVehicle(RealVehicleParts parts);
 
   Result<void> open() override {
+    if (auto opened = parts_.port->open(); !opened) return opened;
     return parts_.body ? parts_.body->open() : Result<void>();
   }
   bool real_time() const override { return !parts_.body || parts_.body->real_time(); }

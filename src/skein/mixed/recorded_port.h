@@ -20,8 +20,9 @@ struct TimedReport {
 class RecordedPort final : public VehiclePort {
  public:
   /// @param reports  by rising time.
-  explicit RecordedPort(std::vector<TimedReport> reports)
-      : reports_(std::move(reports)) {}
+  /// @param driven   its plant is here: a DrivenPlant says what is of its drive.
+  RecordedPort(std::vector<TimedReport> reports, bool driven)
+      : reports_(std::move(reports)), driven_(driven) {}
 
   void receive(Time now, std::vector<VehicleReport>& out) override {
     for (; next_ < reports_.size() && reports_[next_].time <= now; ++next_)
@@ -30,13 +31,13 @@ class RecordedPort final : public VehiclePort {
   void send(std::uint32_t, const VehicleRequest&) override {}
 
  private:
-  // The others are said by a DrivenPlant.
-  static bool of_vehicle(const VehicleReport& report) {
-    return !std::holds_alternative<ActuatorOutputs>(report) &&
-           !std::holds_alternative<OutsideEvent>(report);
+  bool of_vehicle(const VehicleReport& report) const {
+    return !driven_ || (!std::holds_alternative<ActuatorOutputs>(report) &&
+                        !std::holds_alternative<OutsideEvent>(report));
   }
 
   std::vector<TimedReport> reports_;
+  bool driven_;
   std::size_t next_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "skein/base/result.h"
 #include "skein/base/time.h"
 #include "skein/data/vehicle_report.h"
 #include "skein/data/vehicle_request.h"
@@ -16,6 +17,11 @@ namespace skein {
 class VehiclePort {
  public:
   virtual ~VehiclePort() = default;
+
+  /// Before the run, by the thread that runs it: starts the vehicle's program, if it has
+  /// one that is ours.
+  /// Fails: what cannot be started.
+  virtual Result<void> open() { return {}; }
 
   /// Appends what the vehicle has said since the last call, in order; its times are of
   /// the run's clock and not after `now`.

@@ -29,8 +29,8 @@ namespace {
 Result<Build> outside_build(const std::string& vehicle, const std::string& more = "",
                             const std::string& step = "0.02") {
   const KindRegistry kinds;
-  const auto read = scenario::read_scenario_text(
-      fmt::format(R"(
+  const auto read =
+      scenario::read_scenario_text(fmt::format(R"(
 duration_s: 60
 step_s: {}
 origin: {{latitude_deg: 36.989, longitude_deg: -122.0514}}
@@ -47,8 +47,8 @@ aircraft:
     start: {{placement: list, positions_m: [[100, 0]], heading_deg: 0}}
     {}
 )",
-                  step, vehicle, more),
-      "outside", SKEIN_SOURCE_DIR, kinds.table());
+                                               step, vehicle, more),
+                                   "outside", SKEIN_SOURCE_DIR, kinds.table());
   if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
   return build(*read.scenario, kinds);
 }
@@ -79,9 +79,9 @@ TEST(FlightModelKind, SaysWhatDoesNotFit) {
   has(outside_error("in: 'udpin:0'", "", "0.1"), "step_s: 0.02");
   has(outside_error("in: 'udpin:0'", "failures: [{kind: motor, at_s: 5}]"),
       "flight model's");
-  EXPECT_EQ(outside_error("in: 'udpin:0'",
-                          "failures: [{kind: sensor, part: fire, at_s: 5}]"),
-            "");
+  EXPECT_EQ(
+      outside_error("in: 'udpin:0'", "failures: [{kind: sensor, part: fire, at_s: 5}]"),
+      "");
   EXPECT_EQ(outside_error("program: x-plane, in: '', out: 'udpout:127.0.0.1:49000'"), "");
 }
 

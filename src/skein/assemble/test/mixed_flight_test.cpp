@@ -16,7 +16,8 @@ namespace {
 
 using vehicle_links::StandIns;
 
-// One aircraft elsewhere, which stands still above a growing fire; two that are simulated.
+// One aircraft elsewhere, which stands still above a growing fire; two that are
+// simulated.
 std::string mixed_scenario(const std::string& feeds, double duration) {
   return fmt::format(R"(
 duration_s: {}
@@ -85,8 +86,8 @@ TEST(MixedFlight, AFireSensorWorksWhileTheLinkIsGoodAndIsSilentWhenThePositionIs
   built.value().options.speed = 0;
   Readings readings;
   Silent console;
-  const auto run = simulation::run(built.value().world, built.value().options, readings,
-                                   console);
+  const auto run =
+      simulation::run(built.value().world, built.value().options, readings, console);
   ASSERT_TRUE(run.ok());
   const auto count = [&](double from, double until, bool inside) {
     return std::count_if(
@@ -119,10 +120,10 @@ TEST(MixedFlight, PositionsAreThoseOfSimulatedAircraftOnly) {
 // Over sockets, in real time.
 TEST(MixedFlight, AnAircraftElsewhereIsSentWhatItsScenarioAsksFor) {
   const KindRegistry kinds;
-  const auto scenario = read(
-      mixed_scenario(
-          "{traffic: {rate_hz: 5}, obstacles: {rate_hz: 5}, gps: {group: near}}", 4),
-      kinds);
+  const auto scenario =
+      read(mixed_scenario(
+               "{traffic: {rate_hz: 5}, obstacles: {rate_hz: 5}, gps: {group: near}}", 4),
+           kinds);
   auto built = build(scenario, kinds);
   ASSERT_TRUE(built.ok()) << built.error().text();
   ASSERT_NE(built.value().feed, nullptr);

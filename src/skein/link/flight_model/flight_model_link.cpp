@@ -16,11 +16,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kTurn = 100ms;   // at most between two looks at what is to be done
-constexpr auto kAsk = 1s;       // of silence, before the program is asked again
-constexpr auto kLook = 100ms;   // between looks at the program
-constexpr auto kReport = 5s;    // between lines that it is waited for
-constexpr auto kOrderly = 1s;   // that a program has to end in order
+constexpr auto kTurn = 100ms;  // at most between two looks at what is to be done
+constexpr auto kAsk = 1s;      // of silence, before the program is asked again
+constexpr auto kLook = 100ms;  // between looks at the program
+constexpr auto kReport = 5s;   // between lines that it is waited for
+constexpr auto kOrderly = 1s;  // that a program has to end in order
 
 class FlightGear final : public Protocol {
  public:
@@ -131,8 +131,7 @@ Result<void> FlightModelLink::wait_for_contact() {
     }
     arrived_.wait_for(lock, kLook);
   }
-  if (!newest_)
-    log_warning("{}: its flight model does not say anything", options_.name);
+  if (!newest_) log_warning("{}: its flight model does not say anything", options_.name);
   return {};
 }
 
@@ -153,8 +152,8 @@ void FlightModelLink::receive(Time now, std::vector<VehicleReport>& out) {
     arrived = std::exchange(newest_, std::nullopt);
   }
   if (!arrived) return;
-  const auto age = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() -
-                                                                         arrived->came);
+  const auto age =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - arrived->came);
   follower_.take(arrived->state, now - Time::from_ns(age.count()), out);
 }
 

@@ -43,7 +43,7 @@ struct FlightModelOptions {
   std::string name;  ///< of the vehicle, for people
   /// Where states come in; none: they come back from `out`.
   std::optional<transport::EndpointAddress> in;
-  transport::EndpointAddress out;  ///< where controls go
+  transport::EndpointAddress out;             ///< where controls go
   std::chrono::milliseconds contact{60'000};  ///< that open() waits for the first state
   bool sends_wind = false;
   /// Files for the program, which are written before it starts: place and content.

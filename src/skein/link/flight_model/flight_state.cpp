@@ -8,11 +8,11 @@
 namespace skein::flight_model {
 namespace {
 
-constexpr double kMaxTime = 1e7;                     // of a program's clock [s]
+constexpr double kMaxTime = 1e7;                            // of a program's clock [s]
 constexpr double kMinAltitude = -1000, kMaxAltitude = 1e5;  // [m]
-constexpr double kMaxSpeed = 3000;                   // [m/s]
-constexpr double kMaxRate = 100;                     // of turn [rad/s]
-constexpr double kMaxWind = 300;                     // [m/s]
+constexpr double kMaxSpeed = 3000;                          // [m/s]
+constexpr double kMaxRate = 100;                            // of turn [rad/s]
+constexpr double kMaxWind = 300;                            // [m/s]
 
 Error out_of_range(const char* what) {
   return {ErrorCode::kBadInput, "", fmt::format("its {} cannot be.", what), ""};

@@ -14,9 +14,9 @@ namespace skein::flight_model {
 
 /// How the aircraft of a program moves.
 struct FlightState {
-  double time = 0;  ///< of the program's clock, which stands in its pauses [s]
-  geo::Geodetic place;           ///< its height is above mean sea level
-  Vec3 v_N = Vec3::Zero();       ///< over ground [m/s]
+  double time = 0;          ///< of the program's clock, which stands in its pauses [s]
+  geo::Geodetic place;      ///< its height is above mean sea level
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
   Quat q_NB = Quat::Identity();  ///< attitude
   Vec3 w_NB_B = Vec3::Zero();    ///< rate of turn [rad/s]
   Vec3 wind_N = Vec3::Zero();    ///< velocity of the air over ground [m/s]

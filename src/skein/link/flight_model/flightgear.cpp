@@ -10,8 +10,9 @@
 namespace skein::flight_model {
 namespace {
 
-constexpr double kFoot = 0.3048;           // [m]
-constexpr std::string_view kMark = "skein-1";  // begins each line; its number is the form's
+constexpr double kFoot = 0.3048;  // [m]
+constexpr std::string_view kMark =
+    "skein-1";  // begins each line; its number is the form's
 
 // A property of FlightGear's and how it is written.
 struct Property {
@@ -107,7 +108,8 @@ Result<std::array<double, kOuts>> numbers_of(std::string_view line) {
   const char* at = line.data();
   const char* const end = at + line.size();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (at == end || *at != ',') return no_line(fmt::format("number {} is missing", k + 1));
+    if (at == end || *at != ',')
+      return no_line(fmt::format("number {} is missing", k + 1));
     ++at;
     const auto read = std::from_chars(at, end, numbers[k]);
     if (read.ec != std::errc()) return no_line(fmt::format("number {} is none", k + 1));
@@ -159,11 +161,10 @@ Result<FlightState> parse_flightgear(std::string_view line) {
 
 std::string flightgear_line(const FlightControls& controls) {
   // Its elevator is positive where the nose goes down.
-  std::string line =
-      fmt::format("{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}",
-                  shown_number(controls.aileron), shown_number(-controls.elevator),
-                  shown_number(controls.rudder), controls.throttle, controls.throttle,
-                  controls.brake, controls.brake);
+  std::string line = fmt::format(
+      "{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}", shown_number(controls.aileron),
+      shown_number(-controls.elevator), shown_number(controls.rudder), controls.throttle,
+      controls.throttle, controls.brake, controls.brake);
   if (controls.wind_N)
     fmt::format_to(std::back_inserter(line), ",{:.4f},{:.4f}",
                    shown_number(-controls.wind_N->x() / kFoot),

@@ -9,12 +9,12 @@
 namespace skein::flight_model {
 namespace {
 
-constexpr double kSmoothing = 1;        // of the difference of the clocks [s]
+constexpr double kSmoothing = 1;         // of the difference of the clocks [s]
 constexpr double kMaxDifference = 0.25;  // that is smoothed [s]
-constexpr double kRoom = 50;            // off where it can be [m]
-constexpr double kAcceleration = 50;    // that it may have had in between [m/s^2]
-constexpr double kLongGap = 5;          // after it nobody knows where it can be [s]
-constexpr double kFuelStep = 0.01;      // less is no news
+constexpr double kRoom = 50;             // off where it can be [m]
+constexpr double kAcceleration = 50;     // that it may have had in between [m/s^2]
+constexpr double kLongGap = 5;           // after it nobody knows where it can be [s]
+constexpr double kFuelStep = 0.01;       // less is no news
 
 }  // namespace
 
@@ -22,8 +22,7 @@ constexpr double kFuelStep = 0.01;      // less is no news
 std::optional<std::string> StateFollower::jump(const FlightState& state,
                                                const Vec3& p_N) const {
   const double dt = state.time - before_->state.time;
-  if (dt < 0)
-    return fmt::format("its clock went back by {:.1f} s", -dt);
+  if (dt < 0) return fmt::format("its clock went back by {:.1f} s", -dt);
   if (dt > kLongGap) return std::nullopt;
   const Vec3 expected = before_->p_N + dt * (before_->state.v_N + state.v_N) / 2;
   const double off = (p_N - expected).norm();

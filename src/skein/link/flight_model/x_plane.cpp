@@ -100,8 +100,8 @@ std::vector<std::string> x_plane_controls(const FlightControls& controls,
   all.push_back(setting("sim/joystick/yoke_roll_ratio", controls.aileron));
   all.push_back(setting("sim/joystick/yoke_pitch_ratio", controls.elevator));
   all.push_back(setting("sim/joystick/yoke_heading_ratio", controls.rudder));
-  all.push_back(setting("sim/cockpit2/engine/actuators/throttle_ratio_all",
-                        controls.throttle));
+  all.push_back(
+      setting("sim/cockpit2/engine/actuators/throttle_ratio_all", controls.throttle));
   all.push_back(setting("sim/cockpit2/controls/left_brake_ratio", controls.brake));
   all.push_back(setting("sim/cockpit2/controls/right_brake_ratio", controls.brake));
   return all;

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 
 #include "skein/data/describe.h"
@@ -44,7 +43,7 @@ struct Element<std::array<Item, N>> {
 
 template <Message T>
 inline constexpr std::size_t kFieldCount =
-    std::tuple_size_v<decltype(kDescription<T>.fields)>;
+    std::remove_const_t<decltype(kDescription<T>)>::kFields;
 
 // Where each field lies in the payload, in the order of the description.
 template <Message T>

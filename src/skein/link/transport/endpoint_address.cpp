@@ -152,4 +152,12 @@ std::string text_of(const EndpointAddress& address) {
   return std::visit(TextOf(), address);
 }
 
+std::optional<EndpointAddress> counterpart(const EndpointAddress& address) {
+  if (const auto* server = std::get_if<UdpServer>(&address)) return UdpClient{server->at};
+  if (const auto* server = std::get_if<TcpServer>(&address)) return TcpClient{server->at};
+  if (const auto* client = std::get_if<UdpClient>(&address)) return UdpServer{client->to};
+  if (const auto* client = std::get_if<TcpClient>(&address)) return TcpServer{client->to};
+  return std::nullopt;
+}
+
 }  // namespace skein::transport

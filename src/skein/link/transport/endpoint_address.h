@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -61,5 +62,9 @@ EndpointAddress moved(const EndpointAddress& address, int ports);
 
 /// The text that parse_endpoint() reads as this address.
 std::string text_of(const EndpointAddress& address);
+
+/// The other end of the line, for another program of the same machine: a client for a
+/// server and a server for a client; none for the others.
+std::optional<EndpointAddress> counterpart(const EndpointAddress& address);
 
 }  // namespace skein::transport

@@ -69,6 +69,10 @@ std::vector<std::string> Endpoints::places() const {
   return places;
 }
 
+std::string Endpoints::place(EndpointId endpoint) const {
+  return implementation_->endpoints.at(endpoint)->place();
+}
+
 bool Endpoints::send(ChannelId channel, std::span<const std::byte> bytes) {
   const auto owner = implementation_->loop.owners.find(channel);
   return owner != implementation_->loop.owners.end() &&

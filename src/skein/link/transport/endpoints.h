@@ -52,6 +52,9 @@ class Endpoints {
   /// they have got.
   std::vector<std::string> places() const;
 
+  /// Where a server waits, with the port that it has got; "" for the others.
+  std::string place(EndpointId endpoint) const;
+
   /// Sends bytes to a peer, or drops them; nothing for a channel that is closed.
   /// @returns  false when they were dropped.
   bool send(ChannelId channel, std::span<const std::byte> bytes);

@@ -33,7 +33,8 @@ class ReceiverGrid {
     cell_of_[who] = kNowhere;
   }
 
-  /// Calls visit(who) for all that are within a cell's side of the place, and some others.
+  /// Calls visit(who) for all that are within a cell's side of the place, and some
+  /// others.
   template <class Visit>
   void visit_near(const Vec2& p, Visit visit) const {
     const std::int64_t row = index(p.x()), column = index(p.y());

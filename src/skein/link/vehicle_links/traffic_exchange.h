@@ -23,14 +23,14 @@ struct TrafficOptions {
   std::size_t max = 50;  ///< the nearest
 };
 
-/// Tells vehicles of one another: whoever says where it is, is shown at once to those that
-/// are near.
+/// Tells vehicles of one another: whoever says where it is, is shown at once to those
+/// that are near.
 ///
 /// Without clocks and I/O; called by one thread. An aircraft costs work for the receivers
-/// in range, not for all. Of those in range a receiver is told of the nearest by what they
-/// said last; each of them as often as its rate allows, on average. Who shares the
-/// connection of a receiver is not shown there: ADSB_VEHICLE has no addressee, so it would
-/// see itself.
+/// in range, not for all. Of those in range a receiver is told of the nearest by what
+/// they said last; each of them as often as its rate allows, on average. Who shares the
+/// connection of a receiver is not shown there: ADSB_VEHICLE has no addressee, so it
+/// would see itself.
 class TrafficExchange {
  public:
   using Id = std::uint32_t;
@@ -72,9 +72,9 @@ class TrafficExchange {
     TrafficIdentity identity;
     std::optional<TrafficOptions> receives;
     std::optional<TrafficState> state;
-    Time heard;                // last
-    std::vector<Pair> pairs;   // with each other one, by its number
-    std::vector<Id> chosen;    // the nearest
+    Time heard;               // last
+    std::vector<Pair> pairs;  // with each other one, by its number
+    std::vector<Id> chosen;   // the nearest
     Counts counts;
   };
 

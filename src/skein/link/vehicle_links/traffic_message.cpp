@@ -10,8 +10,8 @@
 namespace skein::vehicle_links {
 namespace {
 
-constexpr std::uint8_t kGeometric = 1;    // ADSB_ALTITUDE_TYPE
-constexpr std::uint8_t kUncrewed = 14;    // ADSB_EMITTER_TYPE
+constexpr std::uint8_t kGeometric = 1;  // ADSB_ALTITUDE_TYPE
+constexpr std::uint8_t kUncrewed = 14;  // ADSB_EMITTER_TYPE
 constexpr std::size_t kMaxCallsign = 8;
 constexpr double kMinCourseSpeed = 0.5;  // below it there is no course [m/s]
 
@@ -78,7 +78,8 @@ mavlink::AdsbVehicle coded(const TrafficIdentity& who, const TrafficState& state
   m.ver_velocity = fitted<std::int16_t>(-state.v_N.z() * 100);
   mavlink::set_text(m.callsign, who.callsign);
   m.emitter_type = kUncrewed;
-  m.tslc = static_cast<std::uint8_t>(std::clamp((now - state.time).seconds(), 0.0, 255.0));
+  m.tslc =
+      static_cast<std::uint8_t>(std::clamp((now - state.time).seconds(), 0.0, 255.0));
   m.flags = kValidPlace | kValidAltitude | kValidVelocity | kValidVerticalVelocity;
   if (v.norm() >= kMinCourseSpeed) {
     const double course = geo::degrees(geo::wrap_2pi(geo::bearing(v)));

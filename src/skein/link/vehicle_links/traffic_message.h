@@ -20,9 +20,9 @@ struct TrafficIdentity {
 
 /// Where an aircraft is, as it says itself.
 struct TrafficState {
-  Time time;                     ///< when it was so, of the links' clock
-  Vec3 p_N = Vec3::Zero();       ///< [m]
-  Vec3 v_N = Vec3::Zero();       ///< over ground [m/s]
+  Time time;                ///< when it was so, of the links' clock
+  Vec3 p_N = Vec3::Zero();  ///< [m]
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
   /// The connection by which it is heard; none for what is simulated here.
   std::optional<std::uint32_t> line = std::nullopt;
 };

@@ -25,7 +25,7 @@ const Time kShownPeriod = Time::from_seconds(0.02);
 // hundreds of them, however small.
 constexpr std::size_t kMaxDatagram = 1400;
 constexpr std::size_t kMaxTraffic = 20'000;  // while nobody takes it
-constexpr std::size_t kMaxRequests = 1000;  // of a vehicle, while nobody takes them
+constexpr std::size_t kMaxRequests = 1000;   // of a vehicle, while nobody takes them
 
 std::int64_t unix_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -236,6 +236,7 @@ std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
 }
 
 Result<std::vector<std::string>> VehicleLinks::start() {
+  if (vehicles_.empty() && stations_.empty()) return std::vector<std::string>();
   const std::uint16_t groups = shown_.empty()
                                    ? std::uint16_t{1}
                                    : static_cast<std::uint16_t>(shown_.back()->group + 1);
@@ -251,9 +252,25 @@ Result<std::vector<std::string>> VehicleLinks::start() {
     if (auto opened = endpoints_.open(planned.endpoint.address); !opened)
       return opened.error();
   begin_traffic();
+  note_far_ends();
   std::vector<std::string> places = endpoints_.places();
   thread_ = std::thread([this] { run(); });
   return places;
+}
+
+// Ports of servers are known only now.
+void VehicleLinks::note_far_ends() {
+  for (std::size_t k = 0; k < planned_.size(); ++k) {
+    const std::string place = endpoints_.place(static_cast<transport::EndpointId>(k));
+    const auto opened = place.empty() ? planned_[k].endpoint.address
+                                      : transport::parse_endpoint(place).value();
+    const auto other = transport::counterpart(opened);
+    far_ends_.push_back(other ? transport::text_of(*other) : std::string());
+  }
+}
+
+std::string VehicleLinks::far_end(std::size_t vehicle) const {
+  return far_ends_.at(vehicles_.at(vehicle)->endpoint);
 }
 
 void VehicleLinks::run() {

@@ -106,7 +106,11 @@ class VehicleLinks final : public transport::ChannelListener {
   /// The simulation's end of a vehicle, by the number that add() gave it.
   std::unique_ptr<VehiclePort> port(std::size_t vehicle);
 
-  /// Opens the endpoints, and begins.
+  /// Where another program of this machine finds the link of a vehicle, as an endpoint of
+  /// its own; after start(). Empty where the link is no network's.
+  std::string far_end(std::size_t vehicle) const;
+
+  /// Opens the endpoints, if there are any, and begins.
   /// @returns  where servers wait, with the ports that they have got.
   /// Fails: kBadInput where an endpoint cannot be opened.
   Result<std::vector<std::string>> start();
@@ -118,7 +122,7 @@ class VehicleLinks final : public transport::ChannelListener {
   struct Planned {
     LinkEndpoint endpoint;
     bool station = false;
-    std::uint16_t group = 0;  // of shown vehicles, for stations
+    std::uint16_t group = 0;                         // of shown vehicles, for stations
     std::map<std::uint8_t, Vehicle*> vehicles = {};  // by their systems
   };
   struct Peer {
@@ -145,6 +149,7 @@ class VehicleLinks final : public transport::ChannelListener {
     return {now, Time::from_ns(simulated_ns_)};
   }
   void begin_traffic();
+  void note_far_ends();
   void send_requests(Vehicle& vehicle, Time now);
   void hand_over(Vehicle& vehicle, Time now);
   void take_traffic(Time now);
@@ -165,7 +170,7 @@ class VehicleLinks final : public transport::ChannelListener {
   std::vector<std::unique_ptr<Vehicle>> vehicles_;
   std::vector<std::unique_ptr<Shown>> shown_;
   std::map<std::pair<std::uint16_t, std::uint8_t>, Shown*> shown_at_;  // group, system
-  std::vector<std::string> simulated_;  // aircraft that others are told of
+  std::vector<std::string> simulated_;      // aircraft that others are told of
   std::optional<TrafficExchange> traffic_;  // once started
   std::mutex traffic_mutex_;
   std::vector<SimulatedTraffic> traffic_now_;  // from the simulation
@@ -174,6 +179,7 @@ class VehicleLinks final : public transport::ChannelListener {
   std::atomic<std::int64_t> simulated_ns_ = 0;
   std::atomic<bool> paused_ = false;
   Time shown_due_;
+  std::vector<std::string> far_ends_;  // of endpoints
   std::map<transport::ChannelId, Peer> peers_;
   router::FrameRouter router_;
   std::vector<router::Channel> to_;  // used again for each frame

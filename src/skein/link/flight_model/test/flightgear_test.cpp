@@ -35,8 +35,8 @@ TEST(FlightGear, ReadsALineInSi) {
       << "FlightGear says where it comes from";
   EXPECT_EQ(state.fuel, 0.75);
   EXPECT_FALSE(state.on_ground);
-  const auto rolling = parse_flightgear(line_of(
-      "1,36,-122,10,0,0,0,0,0,0,0,0,0,0,0,1,0,1,0"));
+  const auto rolling =
+      parse_flightgear(line_of("1,36,-122,10,0,0,0,0,0,0,0,0,0,0,0,1,0,1,0"));
   ASSERT_TRUE(rolling);
   EXPECT_TRUE(rolling.value().on_ground);
 }
@@ -98,8 +98,8 @@ TEST(FlightGear, TellsItTheControlsInItsSigns) {
 RC_GTEST_PROP(FlightGear, ControlsStayWithinTheirBounds, ()) {
   Actuators actuators;
   for (double& each : actuators.channel) each = *rc::gen::arbitrary<double>();
-  actuators[channel::kAileron] = *rc::gen::element(
-      1.0, -7.0, std::numeric_limits<double>::quiet_NaN(), 1e300);
+  actuators[channel::kAileron] =
+      *rc::gen::element(1.0, -7.0, std::numeric_limits<double>::quiet_NaN(), 1e300);
   const FlightControls c = controls_of(actuators);
   for (const double surface : {c.aileron, c.elevator, c.rudder})
     RC_ASSERT(surface >= -1 && surface <= 1);
@@ -120,7 +120,8 @@ TEST(FlightGear, TheProtocolFileHasANumberForEachPlaceOfTheLine) {
   EXPECT_EQ(count("<chunk>", text.substr(0, input)), 1 + count(",", kTurn));
   FlightControls controls;
   controls.wind_N = Vec3::Zero();
-  EXPECT_EQ(count("<chunk>", text.substr(input)), 1 + count(",", flightgear_line(controls)));
+  EXPECT_EQ(count("<chunk>", text.substr(input)),
+            1 + count(",", flightgear_line(controls)));
   EXPECT_NE(text.find("skein-1,%.6f"), std::string::npos);
 }
 

@@ -69,7 +69,8 @@ TEST(XPlane, SaysNothingWhileItIsPaused) {
 TEST(XPlane, PassesOverWhatIsBroken) {
   XPlaneReader reader;
   take(reader, rref({{kTime, 1}, {kGround, 0}}));
-  take(reader, rref({{kTime, std::numeric_limits<float>::quiet_NaN()}, {-1, 3}, {99, 3}}));
+  take(reader,
+       rref({{kTime, std::numeric_limits<float>::quiet_NaN()}, {-1, 3}, {99, 3}}));
   XPlanePosition at = over_the_bay();
   EXPECT_TRUE(take(reader, rpos(at))) << "numbers that are not asked for change nothing";
   at.latitude_deg = 100;
@@ -87,7 +88,9 @@ TEST(XPlane, PassesOverWhatIsBroken) {
 TEST(XPlane, AsksForPositionAndDatarefs) {
   const auto requests = x_plane_requests();
   ASSERT_GT(requests.size(), 3U);
-  EXPECT_EQ(requests[0], std::string("RPOS\0" "50\0", 8));
+  EXPECT_EQ(requests[0], std::string("RPOS\0"
+                                     "50\0",
+                                     8));
   for (std::size_t k = 1; k < requests.size(); ++k) {
     ASSERT_EQ(requests[k].size(), 413U);
     EXPECT_EQ(requests[k].substr(0, 5), std::string("RREF\0", 5));

@@ -259,7 +259,7 @@ class MessageFeed {
   template <class Subject>
   void pass(Subject& subject, std::uint8_t what) {
     static constexpr std::array<std::int64_t, 8> kSpans = {1,    20,   100,    500,
-                                                              1000, 5000, 11'000, 70'000};
+                                                           1000, 5000, 11'000, 70'000};
     now_ += Time::from_ns(kSpans[what % kSpans.size()] * 1'000'000);
     subject.step(now_);
   }

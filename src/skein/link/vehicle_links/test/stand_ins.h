@@ -17,8 +17,8 @@
 
 namespace skein::vehicle_links {
 
-/// Multirotors at the far ends of a run's links, in one thread: they hover where they were
-/// put, say so ten times a second, accept every command, and keep what they receive.
+/// Multirotors at the far ends of a run's links, in one thread: they hover where they
+/// were put, say so ten times a second, accept every command, and keep what they receive.
 class StandIns final : public transport::ChannelListener {
  public:
   using Clock = std::chrono::steady_clock;
@@ -37,8 +37,7 @@ class StandIns final : public transport::ChannelListener {
   /// One more, with a connection of its own, or that of the one before.
   void add(std::uint8_t system, const Vec2& place, bool with_last = false) {
     if (!with_last) {
-      const auto opened =
-          endpoints_.open(transport::parse_endpoint(server_).value());
+      const auto opened = endpoints_.open(transport::parse_endpoint(server_).value());
       if (!opened) throw std::runtime_error(opened.error().text());
     }
     vehicles_.push_back({autopilot_client::scaled_place(place, frame_), last_channel_,

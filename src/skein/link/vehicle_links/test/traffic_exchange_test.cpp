@@ -38,9 +38,9 @@ struct Sky {
     exchange.moved(who, state, s(now));
   }
   std::size_t count(TrafficExchange::Id receiver, TrafficExchange::Id who) const {
-    return static_cast<std::size_t>(std::count(
-        told.begin(), told.end(),
-        std::pair{receiver, exchange.identity(who).icao_address}));
+    return static_cast<std::size_t>(
+        std::count(told.begin(), told.end(),
+                   std::pair{receiver, exchange.identity(who).icao_address}));
   }
 
   TrafficExchange exchange;
@@ -87,7 +87,8 @@ TEST(ReceiverGrid, PlacesFarBeyondTheEarthAreNoTrouble) {
 
 TEST(TrafficExchange, TellsOthersInRangeAtOnceAndNobodyOfItself) {
   Sky sky;
-  for (const char* name : {"a", "b", "c"}) sky.exchange.add(name, false, TrafficOptions{});
+  for (const char* name : {"a", "b", "c"})
+    sky.exchange.add(name, false, TrafficOptions{});
   const auto simulated = sky.exchange.add("d", true, {});
   sky.say(0, at(0, 0), 1);
   sky.say(1, at(1000, 0), 1);
@@ -106,7 +107,8 @@ TEST(TrafficExchange, TellsOthersInRangeAtOnceAndNobodyOfItself) {
 
 TEST(TrafficExchange, WhoSharesAConnectionIsNotShownThere) {
   Sky sky;
-  for (const char* name : {"a", "b", "c"}) sky.exchange.add(name, false, TrafficOptions{});
+  for (const char* name : {"a", "b", "c"})
+    sky.exchange.add(name, false, TrafficOptions{});
   const auto on = [](std::uint32_t line, double north) {
     TrafficState state = at(north, 0);
     state.line = line;
