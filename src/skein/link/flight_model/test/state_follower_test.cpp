@@ -109,7 +109,7 @@ TEST(StateFollower, AJumpIsAResetAndAFastTurnIsNone) {
   follower.take(next, s(100.2), out);
   const auto changes = all_of<LinkChange>(out);
   ASSERT_EQ(changes.size(), 1U);
-  EXPECT_NE(changes[0].text.find("400 m"), std::string::npos) << changes[0].text;
+  EXPECT_NE(changes[0].text.find("398 m"), std::string::npos) << changes[0].text;
 }
 
 }  // namespace
