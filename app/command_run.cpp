@@ -14,6 +14,7 @@
 #include "skein/assemble/run.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
+#include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
 #include "skein/record/report.h"

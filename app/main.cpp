@@ -619,8 +619,8 @@ int run_program(int argc, char** argv) {
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  for (auto* add : {add_report, add_export, add_fire, add_link, add_vehicle, add_study,
-                    add_campaign, add_completion})
+  for (auto* add : {add_report, add_export, add_fire, add_link, add_vehicle, add_agent,
+                    add_study, add_campaign, add_completion})
     commands.push_back(add(program));
 
   try {

@@ -6,12 +6,12 @@
 # NEEDS entries that are modules of this project are linked as skein_<entry>. TEST_ONLY
 # modules are tests of several others together; they are not installed.
 
-# Source files of a target are compiled together, eight at a time: what they include is read
+# Source files of a target are compiled together, some at a time: what they include is read
 # once, and building the program takes 0.6 of the time (docs/building.md). Names of an
 # anonymous namespace are therefore unique within a folder.
 function(skein_unity target)
   set_target_properties(${target} PROPERTIES
-    UNITY_BUILD ${SKEIN_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+    UNITY_BUILD ${SKEIN_UNITY} UNITY_BUILD_BATCH_SIZE ${SKEIN_UNITY_FILES})
 endfunction()
 
 # Libraries without anything to link: those who use ours need not have them.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "skein/assemble/program_places.h"
@@ -47,6 +49,15 @@ std::string program_error(const PhysicsChoice& choice) {
              : "";
 }
 
+using Places = ProgramPlaces;
+
+// Of the program that runs this.
+std::string own_program() {
+  std::error_code error;
+  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? "skein" : path.string();
+}
+
 physics_link::SitlHome home_of(const VehicleContext& c, const geo::LocalFrame& frame) {
   const VehicleState& start = c.parts.state;
   const Vec2 place = geo::horizontal(start.p_N);
@@ -55,10 +66,12 @@ physics_link::SitlHome home_of(const VehicleContext& c, const geo::LocalFrame& f
           start.on_ground ? -start.p_N.z() : c.aircraft.map->elevation_msl(place)};
 }
 
-ProgramPlaces places_of(const PhysicsChoice& choice, int system, const VehicleContext& c,
-                        const physics_link::SitlHome& home) {
+Places places_of(const PhysicsChoice& choice, int system, const VehicleContext& c,
+                 const physics_link::SitlHome& home) {
   const double heading =
       geo::degrees(geo::wrap_2pi(geo::to_euler(c.parts.state.q_NB).yaw));
+  const double ground = c.aircraft.map->elevation_msl(geo::horizontal(c.parts.state.p_N));
+  const Vec2 wind = geo::horizontal(c.parts.air.wind_N);
   return {{{"name", c.parts.name},
            {"index", std::to_string(c.index)},
            {"instance", std::to_string(choice.instance + c.index)},
@@ -71,12 +84,15 @@ ProgramPlaces places_of(const PhysicsChoice& choice, int system, const VehicleCo
            {"north", fmt::format("{:.3f}", c.parts.state.p_N.x())},
            {"east", fmt::format("{:.3f}", c.parts.state.p_N.y())},
            {"heading", fmt::format("{:.2f}", heading)},
+           {"altitude", fmt::format("{:.2f}", -c.parts.state.p_N.z() - ground)},
+           {"wind_speed", fmt::format("{:.3f}", wind.norm())},
+           {"wind_from", fmt::format("{:.2f}", geo::degrees(geo::bearing(-wind)))},
+           {"skein", own_program()},
            {"seed", std::to_string(c.aircraft.seed + c.aircraft.self.value)},
            {"parameters", choice.parameters}}};
 }
 
-child_process::Program program_of(const PhysicsChoice& choice,
-                                  const ProgramPlaces& places) {
+child_process::Program program_of(const PhysicsChoice& choice, const Places& places) {
   child_process::Program program;
   for (const std::string& each : choice.program)
     program.arguments.push_back(places.filled(each));
@@ -88,7 +104,7 @@ child_process::Program program_of(const PhysicsChoice& choice,
 }
 
 physics_link::DrivingProgram driving_program(const PhysicsChoice& choice,
-                                             const ProgramPlaces& places) {
+                                             const Places& places) {
   if (choice.program.empty()) return {};
   return physics_link::DrivingProgram(
       child_process::KeptProgram(program_of(choice, places), choice.restart));
@@ -127,7 +143,7 @@ Result<std::unique_ptr<AutopilotDrive>> drive_of(const PhysicsChoice& choice, in
   auto frame = geo::LocalFrame::at(c.scenario.origin);
   if (!frame) return frame.error();
   const physics_link::SitlHome home = home_of(c, frame.value());
-  const ProgramPlaces places = places_of(choice, system, c, home);
+  const Places places = places_of(choice, system, c, home);
   const physics_link::Patience patience{whole_ms(choice.contact),
                                         whole_ms(choice.patience)};
   const int port = port_of(choice, c.index);
@@ -194,8 +210,9 @@ scenario::Fields<PhysicsChoice> physics_fields() {
             "without any it is started by somebody else. In braces: {name}, {index}, "
             "{instance}, {port}, {system}, {home} (latitude, longitude, altitude, "
             "heading), {latitude}, {longitude} (of the origin), {north}, {east}, "
-            "{heading} (where it begins), {seed}, {parameters}; with kind none {link}: "
-            "where it finds the vehicle's endpoint.")
+            "{heading}, {altitude} (where it begins; above ground), {wind_speed}, "
+            "{wind_from} (the wind there), {seed}, {parameters}, {skein} (this program); "
+            "with kind none {link}: where it finds the vehicle's endpoint.")
       .text("environment", &T::environment,
             "NAME=value: more variables of the program; braces as there.")
       .file("parameters", &T::parameters,
@@ -228,7 +245,7 @@ std::unique_ptr<VehiclePort> started_port(std::unique_ptr<VehiclePort> port,
                                           const VehicleContext& c) {
   const auto frame = geo::LocalFrame::at(c.scenario.origin);
   if (choice.program.empty() || !frame) return port;
-  const ProgramPlaces places = places_of(choice, system, c, home_of(c, frame.value()));
+  const Places places = places_of(choice, system, c, home_of(c, frame.value()));
   return std::make_unique<physics_link::StartedPort>(
       std::move(port), program_of(choice, places), choice.restart, std::move(link));
 }

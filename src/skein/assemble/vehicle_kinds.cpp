@@ -327,7 +327,9 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
   kinds.add("remote",
             "An aircraft whose agent is in another program too (skein agent). Of its "
             "parts here the payload looks at the virtual world.",
-            remote_fields(), make_remote);
+            remote_fields(), [](const RemoteOptions& o, const VehicleContext& c) {
+              return make_remote(o, c);
+            });
   add_flight_model_kind(kinds);
   return kinds;
 }

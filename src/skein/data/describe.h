@@ -107,8 +107,7 @@ struct KindName {
 };
 
 /// Fields of different types, by their places. std::tuple checks, for each list of types,
-/// in how many ways it can be built: with a hundred structs most of the time of
-/// compiling.
+/// in how many ways it can be built: with many structs most of the time of compiling.
 template <std::size_t K, class F>
 struct FieldAt {
   F field;

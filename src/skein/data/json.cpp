@@ -15,6 +15,13 @@ const Json* Taker::find(const std::string& name) {
   return found == object_.end() ? nullptr : &*found;
 }
 
+bool Taker::has_parts(const std::string& name) const {
+  const std::string begin = name + "_";
+  for (auto at = object_.begin(); at != object_.end(); ++at)
+    if (at.key().starts_with(begin)) return true;
+  return false;
+}
+
 void Taker::fail(const std::string& name, const char* what) {
   if (wrong_.empty()) wrong_ = name + ": " + what + ".";
 }

@@ -169,6 +169,8 @@ class Taker {
  private:
   // The value of a name; null when there is none.
   const Json* find(const std::string& name);
+  // Whether there are values under names that begin with `name_`.
+  bool has_parts(const std::string& name) const;
   void fail(const std::string& name, const char* what);
 
   template <class T, class Form>
@@ -195,6 +197,8 @@ class Taker {
         // A vector is its components, each under a name of its own.
         if (find(joined(name, form.names[0]).append(form.unit.suffix)))
           take(name, form, value.emplace());
+      } else if constexpr (Described<Inner>) {
+        if (has_parts(name)) take(name, form, value.emplace());
       } else {
         const Json* found = find(name + std::string(suffix_of(form)));
         if (found && !found->is_null()) take(name, form, value.emplace());

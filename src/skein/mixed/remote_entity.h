@@ -99,7 +99,7 @@ class RecordedEntityPort final : public EntityPort {
  public:
   /// @param reports  by rising time.
   explicit RecordedEntityPort(std::vector<TimedReport> reports)
-      : recorded_(std::move(reports)) {}
+      : recorded_(std::move(reports), false) {}
 
   void receive(Time now, std::vector<VehicleReport>& out) override {
     recorded_.receive(now, out);

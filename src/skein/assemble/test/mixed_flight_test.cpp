@@ -93,7 +93,7 @@ TEST(MixedFlight, AFireSensorWorksWhileTheLinkIsGoodAndIsSilentWhenThePositionIs
     return std::count_if(
         readings.all.begin(), readings.all.end(), [&](const FireReading& r) {
           const double t = r.time.seconds();
-          return r.source == far && t >= from && t < until && r.inside == inside;
+          return r.aircraft == far && t >= from && t < until && r.inside == inside;
         });
   };
   EXPECT_GT(count(1, 10, false), 5);  // a kilometre from the fire

@@ -120,6 +120,10 @@ class PaperVehicle {
     set(VehicleMode::kMission);
   }
   void obey_one(const PilotRequest&) { ++obeyed["pilot"]; }
+  // Of a virtual world it sees nothing.
+  void obey_one(const ObstacleDistances&) {}
+  void obey_one(const FenceUpload&) {}
+  void obey_one(const PositionFix&) {}
 
   double target_msl_ = 0;
   std::optional<Vec3> place_;
