@@ -34,8 +34,8 @@ constexpr Time kMaxModelStep = Time::from_ns(50'000'000);
 struct FlightModelChoice {
   enum class Program { kFlightGear, kXPlane };
   Program program = Program::kFlightGear;
-  std::string in = "udpin:5501";
-  std::string out = "udpout:127.0.0.1:5502";
+  std::string in = "udpin:7755";
+  std::string out = "udpout:127.0.0.1:7756";
   int port_step = 10;
   Time max_age = Time::from_seconds(0.5);
   bool sends_wind = true;
