@@ -82,9 +82,9 @@ TEST(FlightModelKind, SaysWhatDoesNotFit) {
   has(outside_error("in: 'udpin:0', contact_s: 0", "", "0.1"), "step_s: 0.02");
   has(outside_error("in: 'udpin:0', contact_s: 0", "failures: [{kind: motor, at_s: 5}]"),
       "flight model's");
-  EXPECT_EQ(
-      outside_error("in: 'udpin:0', contact_s: 0", "failures: [{kind: sensor, part: fire, at_s: 5}]"),
-      "");
+  EXPECT_EQ(outside_error("in: 'udpin:0', contact_s: 0",
+                          "failures: [{kind: sensor, part: fire, at_s: 5}]"),
+            "");
   EXPECT_EQ(outside_error("program: x-plane, in: '', out: 'udpout:127.0.0.1:49000'"), "");
 }
 
@@ -131,7 +131,8 @@ class StandInFlightGear {
 
   void run() {
     const auto frame = geo::LocalFrame::at({36.989, -122.0514, 0}).value();
-    const asset::FixedWingPlant plant(*load_aircraft("aerosonde", ".").value().fixed_wing);
+    const asset::FixedWingPlant plant(
+        *load_aircraft("aerosonde", ".").value().fixed_wing);
     VehicleStart begin;
     begin.p_N = {100, 0, -200};
     VehicleState state = plant.start(begin);
@@ -157,8 +158,7 @@ class StandInFlightGear {
       if (got <= 0) return;
       std::array<double, 4> numbers{};
       const char* at = text;
-      for (double& number : numbers)
-        at = std::from_chars(at, text + got, number).ptr + 1;
+      for (double& number : numbers) at = std::from_chars(at, text + got, number).ptr + 1;
       actuators[channel::kAileron] = numbers[0];
       actuators[channel::kElevator] = numbers[1];
       actuators[channel::kRudder] = -numbers[2];
@@ -234,9 +234,9 @@ TEST(FlightModelKind, FliesAnOutsidePlantAndDoesTheRunAgainWithoutIt) {
   OutsideLog log;
   log.program = &program;
   const record::RunSummary flown = fly(built.value(), log);
-  EXPECT_EQ(log.events, (std::vector<std::string>{"flight-model-heard",
-                                                  "flight-model-silent",
-                                                  "flight-model-back"}));
+  EXPECT_EQ(log.events,
+            (std::vector<std::string>{"flight-model-heard", "flight-model-silent",
+                                      "flight-model-back"}));
   double off = 0, high = 0, north = 0;
   int motions = 0;
   for (const VehicleReportRecord& each : log.reports)
