@@ -239,7 +239,10 @@ void add_flight_model_kind(Kinds<Vehicle, VehicleContext>& kinds) {
   kinds.add(std::string(kFlightModelKind),
             "An aircraft whose flight model is in FlightGear or X-Plane, and whose "
             "autopilot and sensors are here. Its plant says what airframe that is.",
-            flight_model_fields(), make_flight_model);
+            flight_model_fields(),
+            [](const FlightModelChoice& o, const VehicleContext& c) {
+              return make_flight_model(o, c);
+            });
 }
 
 }  // namespace skein::assemble
