@@ -129,7 +129,7 @@ double shown_number(double value) {
 std::string flightgear_protocol() {
   std::string text =
       "<?xml version=\"1.0\"?>\n"
-      "<!-- What FlightGear and Skein say to each other: --generic=...,skein -->\n"
+      "<!-- What FlightGear and Skein say to each other; docs/outside-physics.md -->\n"
       "<PropertyList>\n  <generic>\n";
   write_chunks(kOut, "output", std::string(kMark) + ",", text);
   write_chunks(kIn, "input", {}, text);

@@ -123,6 +123,8 @@ TEST(FlightGear, TheProtocolFileHasANumberForEachPlaceOfTheLine) {
   EXPECT_EQ(count("<chunk>", text.substr(input)),
             1 + count(",", flightgear_line(controls)));
   EXPECT_NE(text.find("skein-1,%.6f"), std::string::npos);
+  // FlightGear refuses what is not well-formed: "--" belongs to the ends of comments.
+  EXPECT_EQ(count("--", text), count("<!--", text) + count("-->", text));
 }
 
 // For who starts FlightGear by hand.
