@@ -38,6 +38,7 @@ struct FlightModelChoice {
   std::string out = "udpout:127.0.0.1:7756";
   int port_step = 10;
   Time max_age = Time::from_seconds(0.5);
+  Time settling;
   bool sends_wind = true;
   std::vector<std::string> command;
   std::vector<std::string> environment;
@@ -76,6 +77,10 @@ scenario::Fields<FlightModelChoice> flight_model_fields() {
       .duration_s("max_age_s", &T::max_age,
                   "It counts as silent when its last state is older.",
                   {.at_least = 0.1, .at_most = 60})
+      .duration_s("settling_s", &T::settling,
+                  "States before this time of the program's clock are passed over: until "
+                  "then its engine starts and nobody steers.",
+                  {.at_least = 0, .at_most = 600})
       .boolean("sends_wind", &T::sends_wind,
                "FlightGear's air moves as the wind of the scenario; else it has its own.")
       .text(
@@ -174,6 +179,7 @@ Result<std::unique_ptr<FlightModel>> model_of(const FlightModelChoice& choice,
     options.in = in.value();
     options.sends_wind = choice.sends_wind;
   }
+  options.settling = choice.settling.seconds();
   options.contact = std::chrono::milliseconds(choice.contact.ns() / 1'000'000);
   const ProgramPlaces places =
       model_places(choice, c, frame.value(), options.in ? port_in(*options.in) : 0,

@@ -206,7 +206,7 @@ void FlightModelLink::opened(transport::ChannelId channel, transport::EndpointId
 
 void FlightModelLink::received(transport::ChannelId, std::span<const std::byte> bytes) {
   const auto state = protocol_->read(bytes);
-  if (!state) return;
+  if (!state || state->time < options_.settling) return;
   heard_ = Clock::now();
   {
     const std::lock_guard lock(mutex_);

@@ -45,6 +45,8 @@ struct FlightModelOptions {
   std::optional<transport::EndpointAddress> in;
   transport::EndpointAddress out;             ///< where controls go
   std::chrono::milliseconds contact{60'000};  ///< that open() waits for the first state
+  /// States before this time of the program's clock are passed over [s].
+  double settling = 0;
   bool sends_wind = false;
   /// Files for the program, which are written before it starts: place and content.
   std::vector<std::pair<std::string, std::string>> files;

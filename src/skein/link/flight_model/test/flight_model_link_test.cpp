@@ -100,12 +100,14 @@ TEST(FlightModelLink, FlightGearSaysStatesAndIsToldControls) {
   FlightModelOptions options = options_to(program);
   options.in = transport::UdpServer{};
   options.sends_wind = true;
+  options.settling = 2;
   FlightModelLink link(options, link_frame(), flightgear(), std::nullopt);
   ASSERT_TRUE(link.open());
   ASSERT_EQ(link.places().size(), 1U);
   const std::uint16_t to = port_at(link.places()[0]);
   program.send(line(0, 999), to);  // before its flight model runs
   program.send("garbage", to);
+  program.send(line(1.9, 999), to);  // before it has settled
   program.send(line(3, 100), to);
   const auto motion = motion_of(link, Time::from_seconds(7));
   ASSERT_TRUE(motion);
