@@ -26,6 +26,7 @@
 #include "skein/record/fan_out.h"
 #include "skein/record/summary_recorder.h"
 #include "skein/role/contract/contract.h"
+#include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {

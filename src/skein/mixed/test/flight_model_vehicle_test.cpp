@@ -168,8 +168,9 @@ TEST(FlightModelVehicle, ASilentModelIsNotFlownAndGoesOnWhenItIsBack) {
   flight.step();
   flight.say(501);
   flight.step();
+  for (int k = 0; k < 30; ++k) flight.step();
   const double held = flight.script.told.back()[channel::kAileron];
-  for (int k = 0; k < 50; ++k) flight.step();
+  for (int k = 0; k < 20; ++k) flight.step();
   EXPECT_EQ(flight.kinds(), (Kinds{"flight-model-heard", "flight-model-silent"}));
   const int samples = flight.log.samples;
   EXPECT_TRUE(flight.step().empty()) << "its payload sees nothing";
