@@ -32,11 +32,9 @@
 namespace skein::assemble {
 namespace {
 
-Result<Build> outside_build(const std::string& vehicle, const std::string& more = "",
-                            const std::string& step = "0.02") {
-  const KindRegistry kinds;
-  const auto read =
-      scenario::read_scenario_text(fmt::format(R"(
+std::string outside_text(const std::string& vehicle, const std::string& more = "",
+                         const std::string& step = "0.02") {
+  return fmt::format(R"(
 duration_s: 14
 step_s: {}
 origin: {{latitude_deg: 36.989, longitude_deg: -122.0514}}
@@ -53,8 +51,14 @@ aircraft:
     start: {{placement: list, positions_m: [[100, 0]], heading_deg: 0}}
     {}
 )",
-                                               step, vehicle, more),
-                                   "outside", SKEIN_SOURCE_DIR, kinds.table());
+                     step, vehicle, more);
+}
+
+Result<Build> outside_build(const std::string& vehicle, const std::string& more = "",
+                            const std::string& step = "0.02") {
+  const KindRegistry kinds;
+  const auto read = scenario::read_scenario_text(
+      outside_text(vehicle, more, step), "outside", SKEIN_SOURCE_DIR, kinds.table());
   if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
   return build(*read.scenario, kinds);
 }
