@@ -128,8 +128,8 @@ void FlightModelVehicle::advance(const Surroundings& world, Time now, Time until
     sense(world, now);
     const Control control = parts_.autopilot->control(now, (until - now).seconds());
     if (const auto* actuators = std::get_if<Actuators>(&control)) actuators_ = *actuators;
+    answered_ = true;
   }
-  answered_ = true;
   parts_.model->send(actuators_, world.wind.wind(parts_.state.p_N, now));
 }
 

@@ -22,10 +22,8 @@
 #include "skein/data/air.h"
 #include "skein/geo/local_frame.h"
 #include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
-#include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/record/fan_out.h"
 #include "skein/record/summary_recorder.h"
-#include "skein/role/contract/contract.h"
 #include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
@@ -93,17 +91,6 @@ TEST(FlightModelKind, SaysWhatDoesNotFit) {
                           "failures: [{kind: sensor, part: fire, at_s: 5}]"),
             "");
   EXPECT_EQ(outside_error("program: x-plane, in: '', out: 'udpout:127.0.0.1:49000'"), "");
-}
-
-// Without its program it does nothing, but keeps the contract.
-TEST(FlightModelKind, KeepsTheContractOfItsRole) {
-  const environment::UniformWind wind({});
-  const auto make = [] {
-    auto built = outside_build("in: 'udpin:0', contact_s: 0");
-    EXPECT_TRUE(built) << built.error().text();
-    return std::move(built.value().world.entities.at(1).vehicle);
-  };
-  EXPECT_EQ(contract::vehicle_violations(make, wind), contract::Violations{});
 }
 
 // Plays FlightGear with a plant of Skein's, in real time and a thread of its own.
