@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "skein/assemble/program_places.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/physics/ardupilot_drive.h"
 #include "skein/link/physics/channel_map.h"
@@ -48,20 +49,7 @@ std::string program_error(const PhysicsChoice& choice) {
              : "";
 }
 
-// What stands in braces in programs and paths.
-struct Places {
-  std::vector<std::pair<std::string, std::string>> values;
-
-  std::string filled(std::string text) const {
-    for (const auto& [name, value] : values) {
-      const std::string mark = "{" + name + "}";
-      for (std::size_t at = text.find(mark); at != std::string::npos;
-           at = text.find(mark, at + value.size()))
-        text.replace(at, mark.size(), value);
-    }
-    return text;
-  }
-};
+using Places = ProgramPlaces;
 
 // Of the program that runs this.
 std::string own_program() {

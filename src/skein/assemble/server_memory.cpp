@@ -8,7 +8,7 @@
 namespace skein::assemble {
 
 EntityReality reality_of(const scenario::AircraftGroup& group) {
-  const bool simulated = plant_is_here(group.vehicle);
+  const bool simulated = plant_is_simulated(group.vehicle);
   // One in another program may be simulated there: it is not taken for real unasked.
   const bool elsewhere = group.vehicle.kind == "remote";
   const bool physical = group.physical.value_or(!simulated && !elsewhere);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "skein/assemble/driven_plant_kind.h"
+#include "skein/assemble/flight_model_kind.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/skein_autopilot_kind.h"
 #include "skein/assemble/vehicle_context.h"
@@ -300,8 +301,8 @@ Made make_remote(const RemoteOptions& options, const VehicleContext& c) {
 
 }  // namespace
 
-bool plant_is_here(const scenario::Choice& vehicle) {
-  return vehicle.kind == "simulated" ||
+bool plant_is_simulated(const scenario::Choice& vehicle) {
+  return vehicle.kind == "simulated" || vehicle.kind == kFlightModelKind ||
          (vehicle.kind == "mavlink" &&
           vehicle.as<MavlinkOptions>().physics.kind != PhysicsChoice::Kind::kNone);
 }
@@ -329,6 +330,7 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
             remote_fields(), [](const RemoteOptions& o, const VehicleContext& c) {
               return make_remote(o, c);
             });
+  add_flight_model_kind(kinds);
   return kinds;
 }
 
