@@ -256,7 +256,7 @@ Result<void> AircraftBuilder::put(const std::string& name, const AircraftGroup& 
                              "where the ground is at {:.1f} m.",
                              altitude, ground),
                  "Raise start.altitude_msl_m or leave it out."};
-  if (group.start.on_ground && plant_is_here(group.vehicle) &&
+  if (group.start.on_ground && plant_is_simulated(group.vehicle) &&
       std::holds_alternative<SelfStabilised>(vehicle.plant->airframe()))
     return Error{
         ErrorCode::kBadInput, name,

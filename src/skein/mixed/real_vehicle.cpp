@@ -11,6 +11,10 @@ namespace {
 // which guidance closes an altitude error [s].
 constexpr double kClimbLead = 3;
 
+// Above its landing point is who is so near and so slow.
+constexpr double kOverPoint = 1;  // [m]
+constexpr double kOverSpeed = 1;  // [m/s]
+
 bool hovers(const FlightLimits& limits) {
   return limits.slowest == 0;
 }
@@ -159,6 +163,7 @@ void RealVehicle::advance(const Surroundings& world, Time now, Time until,
 }
 
 void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time until) {
+  land_from_above();
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
   if (!tracker_.known())
     return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
@@ -172,6 +177,17 @@ void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time un
                                      motion.w_NB_B,
                                      {motion.wind_N.x(), motion.wind_N.y(), 0}});
   if (fresh(now) && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
+}
+
+// What hovers comes down where it is: so it is led above the point first.
+void RealVehicle::land_from_above() {
+  if (!over_landing_) return;
+  const Vec2 way = *over_landing_->point - geo::horizontal(estimate_.p_N);
+  if (!condition_.on_ground && (way.norm() > kOverPoint ||
+                                geo::horizontal(estimate_.v_N).norm() > kOverSpeed))
+    return;
+  director_.land(*over_landing_);
+  over_landing_.reset();
 }
 
 void RealVehicle::send_setpoint(Time now, double dt) {
@@ -196,13 +212,18 @@ void RealVehicle::give(const AutopilotCommand& command) {
 
 void RealVehicle::command(const AutopilotCommand& command) {
   ++commands_;
+  over_landing_.reset();
   if (const auto* up = std::get_if<TakeOff>(&command.guidance)) {
     director_.take_off({command.altitude_msl, up->course});
     give({HoldPosition{geo::horizontal(estimate_.p_N)}, command.altitude_msl, {}});
     return;
   }
   if (const auto* down = std::get_if<Land>(&command.guidance)) {
-    director_.land({down->point, down->ground_msl, down->course});
+    const LandRequest land{down->point, down->ground_msl, down->course};
+    if (!hovers(parts_.limits)) return director_.land(land);
+    over_landing_ = land;
+    give({HoldPosition{down->point}, -estimate_.p_N.z(), {}});
+    director_.fly();
     return;
   }
   give(command);
@@ -235,6 +256,7 @@ AutopilotStatus RealVehicle::status() const {
     status.follows = false;
     status.done = director_.done() && (director_.landing() || director_.taking_off());
   }
+  if (over_landing_) status.done = false;
   if (director_.landing() && director_.reached()) status.mode = FlightMode::kAuto;
   if (const auto mode = director_.taken()) {
     if (*mode == VehicleMode::kManual)

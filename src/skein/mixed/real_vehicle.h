@@ -88,6 +88,7 @@ class RealVehicle final : public Vehicle {
   void set_blocked(bool blocked);
   std::optional<SensorView> view(const Surroundings& world, Time now, VehicleState& state,
                                  Air& air) const;
+  void land_from_above();
   void command_autopilot(const Surroundings& world, Time now, Time until);
   void give(const AutopilotCommand& command);
   void send_setpoint(Time now, double dt);
@@ -99,6 +100,7 @@ class RealVehicle final : public Vehicle {
   VehicleCondition condition_;
   NavEstimate estimate_;
   std::optional<Vec3> region_of_interest_;
+  std::optional<LandRequest> over_landing_;  // it flies to above the point first
   std::vector<VehicleReport> reports_;  // of this step
   std::vector<VehicleEvent> events_;
   std::uint32_t commands_ = 0;

@@ -129,6 +129,26 @@ struct Flight {
   Time now;
 };
 
+TEST(RealVehicle, WhatHoversIsLedAboveItsLandingPointBeforeItComesDown) {
+  Flight flight;
+  flight.condition.armed = true;
+  flight.condition.mode = VehicleMode::kGuided;
+  flight.run(1);
+  AutopilotCommand command;
+  command.guidance = Land{{50, 0}, 0, {}};
+  flight.vehicle->command(command);
+  flight.run(2);
+  EXPECT_TRUE(flight.script.all<LandRequest>().empty()) << "it is 50 m away";
+  EXPECT_FALSE(flight.script.all<TrackSetpoint>().empty());
+  EXPECT_FALSE(flight.vehicle->status().done);
+  for (int k = 0; k < 10; ++k) {
+    flight.says_it_is_at(50.5);
+    flight.step();
+  }
+  ASSERT_FALSE(flight.script.all<LandRequest>().empty());
+  EXPECT_EQ(flight.script.all<LandRequest>().front().point, Vec2(50, 0));
+}
+
 TEST(RealVehicle, SensesAFireWhereItSaysItIs) {
   Flight flight;
   EXPECT_TRUE(flight.step().empty());  // nobody knows where it is
