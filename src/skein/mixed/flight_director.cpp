@@ -20,7 +20,7 @@ bool by_sticks(VehicleMode mode) {
 void FlightDirector::set_goal(Goal goal) {
   if (goal_ == goal) return;
   goal_ = goal;
-  started_ = reached_ = done_ = false;
+  asked_ = started_ = reached_ = done_ = false;
   pending_ = 0;
   again_at_ = Time();
   denied_.clear();
@@ -58,7 +58,7 @@ void FlightDirector::hear(const LinkChange& change) {
     case LinkChange::Kind::kRebooted:
       came_up_ = true;
       pending_ = 0;
-      started_ = reached_ = false;
+      asked_ = started_ = reached_ = false;
       return;
     case LinkChange::Kind::kMismatch:
     case LinkChange::Kind::kDuplicate:
@@ -128,6 +128,7 @@ void FlightDirector::watch_mode(const VehicleCondition& condition,
 }
 
 void FlightDirector::ask(Time now, const VehicleRequest& request, VehiclePort& port) {
+  asked_ = true;
   pending_ = ++number_;
   again_at_ = now;
   port.send(pending_, request);
@@ -155,11 +156,12 @@ void FlightDirector::step_take_off(Time now, const VehicleCondition& condition,
                                    double altitude_msl, VehiclePort& port) {
   const bool flies = condition.armed && !condition.on_ground;
   // In the air already: there is nothing to take off from.
-  if (flies && !started_ && pending_ == 0) done_ = true;
+  if (flies && !asked_) done_ = true;
   if (flies && altitude_msl >= take_off_.altitude_msl - kArrival) done_ = true;
   reached_ = flies && started_;
   if (done_) return set_goal(Goal::kFly);
-  if (!flies && started_ && !condition.armed && pending_ == 0) started_ = false;
+  // That it is armed is told some time after it was accepted.
+  if (!flies && started_ && !condition.armed && may_ask(now)) started_ = false;
   if (!started_ && may_ask(now)) ask(now, take_off_, port);
 }
 

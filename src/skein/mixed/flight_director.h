@@ -73,6 +73,7 @@ class FlightDirector {
   LandRequest land_;
   bool up_ = false;
   bool came_up_ = false;  // since the last step
+  bool asked_ = false;    // since the goal was set, or the vehicle rebooted
   bool started_ = false;  // what was asked for was accepted
   bool reached_ = false, done_ = false, taken_ = false;
   VehicleMode last_mode_ = VehicleMode::kOther;

@@ -71,6 +71,31 @@ Cockpit guided() {
   return c;
 }
 
+// It stands, is accepted, and only later says that it is armed, that it rolls, and that
+// it is off the ground: at no height, so it still takes off.
+TEST(FlightDirector, LetsItClimbWhateverTheOrderOfWhatItSays) {
+  Cockpit c;
+  c.set(VehicleMode::kManual, "MANUAL", false, true);
+  c.director.take_off({100, {}});
+  c.run(1);
+  c.answer(Outcome::kAccepted);
+  c.set(VehicleMode::kTakeOff, "TAKEOFF", false, true);
+  c.run(0.5);
+  c.set(VehicleMode::kTakeOff, "TAKEOFF", true, true);
+  c.run(1);
+  c.set(VehicleMode::kTakeOff, "TAKEOFF", true, false);
+  c.director.fly();
+  c.run(5);
+  EXPECT_TRUE(c.director.taking_off());
+  EXPECT_FALSE(c.director.takes_setpoints());
+  EXPECT_EQ(c.count<TakeOffRequest>(), 1u);
+  EXPECT_EQ(c.count<ModeRequest>(), 0u);
+  c.altitude = 95;
+  c.director.fly();
+  c.run(1);
+  EXPECT_TRUE(c.director.takes_setpoints());
+}
+
 TEST(FlightDirector, AsksToTakeOffAgainAndReportsADenialOnce) {
   Cockpit c;
   c.set(VehicleMode::kManual, "MANUAL", false, true);
