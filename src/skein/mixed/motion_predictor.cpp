@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kPredicted = 0.2;  // at most [s]
 // Between two motions that give an acceleration [s].
-constexpr double kMinGap = 0.002, kMaxGap = 0.3;
+constexpr double kMinGap = 0.002, kMaxStateGap = 0.3;
 constexpr double kMaxAcceleration = 40;  // of what flies [m/s^2]
 
 }  // namespace
@@ -17,7 +17,7 @@ void MotionPredictor::add(const VehicleMotion& motion) {
   if (newest_) {
     const double dt = (motion.time - newest_->time).seconds();
     const Vec3 change = motion.v_N - newest_->v_N;
-    if (dt >= kMinGap && dt <= kMaxGap && change.norm() <= kMaxAcceleration * dt)
+    if (dt >= kMinGap && dt <= kMaxStateGap && change.norm() <= kMaxAcceleration * dt)
       a_N_ = change / dt;
   }
   newest_ = motion;

@@ -183,8 +183,8 @@ void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time un
 void RealVehicle::land_from_above() {
   if (!over_landing_) return;
   const Vec2 way = *over_landing_->point - geo::horizontal(estimate_.p_N);
-  if (!condition_.on_ground && (way.norm() > kOverPoint ||
-                                geo::horizontal(estimate_.v_N).norm() > kOverSpeed))
+  if (!condition_.on_ground &&
+      (way.norm() > kOverPoint || geo::horizontal(estimate_.v_N).norm() > kOverSpeed))
     return;
   director_.land(*over_landing_);
   over_landing_.reset();

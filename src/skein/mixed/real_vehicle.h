@@ -101,7 +101,7 @@ class RealVehicle final : public Vehicle {
   NavEstimate estimate_;
   std::optional<Vec3> region_of_interest_;
   std::optional<LandRequest> over_landing_;  // it flies to above the point first
-  std::vector<VehicleReport> reports_;  // of this step
+  std::vector<VehicleReport> reports_;       // of this step
   std::vector<VehicleEvent> events_;
   std::uint32_t commands_ = 0;
   int refusals_before_ = 0;  // when the last command was given
