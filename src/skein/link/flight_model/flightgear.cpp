@@ -6,6 +6,10 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace skein::flight_model {
 namespace {

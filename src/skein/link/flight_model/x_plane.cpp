@@ -60,7 +60,7 @@ std::string padded(std::string_view name, std::size_t size, char with) {
 
 std::string request(std::size_t number) {
   std::string text("RREF\0", kHead);
-  append(text, std::int32_t{kXPlaneRate_hz});
+  append(text, std::int32_t{kXPlaneRate});
   append(text, static_cast<std::int32_t>(number));
   return text + padded(kNames[number], kRequestName, '\0');
 }
@@ -84,7 +84,7 @@ double angle(float degrees) {
 
 std::vector<std::string> x_plane_requests() {
   std::vector<std::string> all;
-  const std::string rate = std::to_string(kXPlaneRate_hz);
+  const std::string rate = std::to_string(kXPlaneRate);
   all.push_back(std::string("RPOS\0", kHead) + rate + '\0');
   for (std::size_t k = 0; k < kNames.size(); ++k) all.push_back(request(k));
   return all;

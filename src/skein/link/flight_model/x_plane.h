@@ -15,7 +15,7 @@
 namespace skein::flight_model {
 
 /// X-Plane is asked for so many states a second.
-inline constexpr int kXPlaneRate_hz = 50;
+inline constexpr int kXPlaneRate = 50;
 
 /// What X-Plane is asked for, a datagram each: RPOS, and RREF for each dataref. It goes
 /// on until it ends; to be sent again when nothing comes.
