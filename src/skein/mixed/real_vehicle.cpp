@@ -107,7 +107,8 @@ void RealVehicle::begin_step(Time now) {
     set_blocked(parts_.body->faults().link);
   }
   feeds_.look(now);
-  if (!blocked_) {
+  // Once a step: what it begins with is what a run that is done again begins with.
+  if (!blocked_ && std::exchange(received_, now) != now) {
     const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
     parts_.port->receive(now, reports_);
     for (auto report = reports_.begin() + begin; report != reports_.end(); ++report)

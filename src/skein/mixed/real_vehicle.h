@@ -103,6 +103,7 @@ class RealVehicle final : public Vehicle {
   std::optional<LandRequest> over_landing_;  // it flies to above the point first
   std::vector<VehicleReport> reports_;       // of this step
   std::vector<VehicleEvent> events_;
+  std::optional<Time> received_;  // the step, last
   std::uint32_t commands_ = 0;
   int refusals_before_ = 0;  // when the last command was given
   bool blocked_ = false;     // its link was made to fail

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace skein::autopilot_client {
@@ -121,6 +123,12 @@ void CommandSender::handle(const mavlink::CommandAck& ack, Time now) {
 void CommandSender::handle(const mavlink::ParamValue& value) {
   const auto* change = current<SetParameter>();
   if (!change || !sent_ || mavlink::text_of(value.param_id) != change->name) return;
+  // Somebody else's question may bring the old one.
+  constexpr std::uint8_t kReal32 = 9;
+  const float tolerance = 1e-4F * std::max(1.F, std::abs(change->value));
+  if (change->type == kReal32 &&
+      !(std::abs(value.param_value - change->value) <= tolerance))
+    return;
   step_done();
 }
 

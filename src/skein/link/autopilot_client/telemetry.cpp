@@ -8,6 +8,11 @@
 namespace skein::autopilot_client {
 namespace {
 
+// What is beyond is no telemetry.
+constexpr double kMaxAngle = 10;    // [rad]
+constexpr double kMaxTurn = 1000;   // [rad/s]
+constexpr double kMaxSpeed = 1000;  // [m/s], and of a direction [deg]
+
 constexpr std::uint8_t kFix3D = 3;
 constexpr std::uint8_t kLandedOnGround = 1;  // MAV_LANDED_STATE
 constexpr std::uint8_t kStatusCritical = 5;  // MAV_STATE
@@ -21,6 +26,12 @@ constexpr double kTypicalPositionSd = 2;  // of a receiver that does not say [m]
 bool rotorcraft(std::uint8_t type) {
   constexpr std::uint8_t kTypes[] = {2, 3, 4, 13, 14, 15, 29};
   return std::find(std::begin(kTypes), std::end(kTypes), type) != std::end(kTypes);
+}
+
+// Whether all are numbers that a vehicle can mean.
+template <class... Numbers>
+bool sound(double limit, Numbers... numbers) {
+  return ((std::abs(static_cast<double>(numbers)) <= limit) && ...);
 }
 
 }  // namespace
@@ -45,21 +56,25 @@ void Telemetry::handle(const mavlink::Heartbeat& m) {
 }
 
 void Telemetry::handle(const mavlink::Attitude& m) {
+  if (!sound(kMaxAngle, m.roll, m.pitch, m.yaw) ||
+      !sound(kMaxTurn, m.rollspeed, m.pitchspeed, m.yawspeed))
+    return;
   motion_.q_NB = geo::from_euler({m.roll, m.pitch, m.yaw});
   motion_.w_NB_B = {m.rollspeed, m.pitchspeed, m.yawspeed};
 }
 
 void Telemetry::handle(const mavlink::VfrHud& m) {
-  motion_.airspeed = m.airspeed;
+  if (sound(kMaxSpeed, m.airspeed)) motion_.airspeed = m.airspeed;
 }
 
 void Telemetry::handle(const mavlink::Wind& m) {
+  if (!sound(kMaxSpeed, m.direction, m.speed)) return;
   const double from = geo::radians(m.direction);
   motion_.wind_N = -static_cast<double>(m.speed) * geo::unit(from);
 }
 
 void Telemetry::handle(const mavlink::WindCov& m) {
-  motion_.wind_N = {m.wind_x, m.wind_y};
+  if (sound(kMaxSpeed, m.wind_x, m.wind_y)) motion_.wind_N = {m.wind_x, m.wind_y};
 }
 
 void Telemetry::handle(const mavlink::GpsRawInt& m) {

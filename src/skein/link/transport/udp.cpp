@@ -179,7 +179,11 @@ Result<std::unique_ptr<Endpoint>> open_client(Hub& hub, const Address& address,
   const Result<udp::endpoint> to = resolve<udp>(hub.io, address.to);
   if (!to) return to.error();
   auto client = std::make_unique<Client>(hub, to.value());
-  boost::system::error_code error = client->open({udp::v4(), 0});
+  // Who talks to this machine is heard by this machine alone.
+  boost::system::error_code error =
+      client->open(to.value().address().is_loopback()
+                       ? udp::endpoint(boost::asio::ip::address_v4::loopback(), 0)
+                       : udp::endpoint(udp::v4(), 0));
   if (!error && broadcast) error = client->allow_broadcast();
   if (error) return bad_place(address.to, error);
   client->begin(text_of(address));

@@ -237,6 +237,7 @@ std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
 
 Result<std::vector<std::string>> VehicleLinks::start() {
   if (vehicles_.empty() && stations_.empty()) return std::vector<std::string>();
+  security_.set_time(unix_ns());  // before the first frame: old signatures are refused
   const std::uint16_t groups = shown_.empty()
                                    ? std::uint16_t{1}
                                    : static_cast<std::uint16_t>(shown_.back()->group + 1);

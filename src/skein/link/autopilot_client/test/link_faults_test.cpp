@@ -2,6 +2,9 @@
 // and afterwards all works again without anybody beginning anew.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "skein/link/autopilot_client/test/flight.h"
 
 namespace skein::autopilot_client {
@@ -89,6 +92,21 @@ TEST_F(LinkFaults, AClockThatJumpsAhead) {
   f.wait(12, [] { return false; });
   EXPECT_TRUE(is_well());
   expect_changes(1, 0, 0, 0);
+}
+
+TEST_F(LinkFaults, NumbersThatAreNoneAreNoTelemetry) {
+  mavlink::Attitude attitude;
+  attitude.roll = std::numeric_limits<float>::quiet_NaN();
+  mavlink::VfrHud hud;
+  hud.airspeed = std::numeric_limits<float>::infinity();
+  for (int k = 0; k < 50; ++k) {
+    f.line.vehicle.send(1, attitude);
+    f.line.vehicle.send(1, hud);
+    f.wait(0.02, [] { return false; });
+  }
+  EXPECT_TRUE(f.seen.q_NB.coeffs().allFinite());
+  EXPECT_TRUE(std::isfinite(f.seen.airspeed));
+  EXPECT_TRUE(is_well());
 }
 
 TEST_F(LinkFaults, AnotherVehicleOfItsNumber) {
