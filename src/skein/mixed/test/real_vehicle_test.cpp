@@ -85,7 +85,8 @@ struct Flight {
     parts.limits.slowest = 0;
     parts.feeds = std::move(feeds);
     vehicle = std::make_unique<RealVehicle>(std::move(parts));
-    vehicle->begin(world, Time());
+    // A step before the first: in one it takes in once.
+    vehicle->begin(world, Time::from_seconds(-0.1));
     script.says.emplace_back(LinkChange{LinkChange::Kind::kUp, {}});
     condition.on_ground = false;
   }
