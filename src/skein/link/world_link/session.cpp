@@ -22,7 +22,7 @@ std::vector<std::uint8_t> as_numbers(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
-bool Session::post(std::vector<std::byte> coded, Time now) {
+bool Session::post(const std::vector<std::byte>& coded, Time now) {
   if (coded.size() > kMaxValue) return false;
   bytes_ += coded.size();
   parcels_.push_back({as_numbers(coded), now, std::nullopt, false});
@@ -31,7 +31,7 @@ bool Session::post(std::vector<std::byte> coded, Time now) {
   return true;
 }
 
-void Session::show(std::vector<std::byte> coded) {
+void Session::show(const std::vector<std::byte>& coded) {
   if (!up_ || coded.size() > kMaxValue) return;
   if (shown_.size() >= kMaxShown) shown_.erase(shown_.begin());
   shown_.push_back(as_numbers(coded));

@@ -62,10 +62,10 @@ class Session {
 
   /// A value that is sent until it is acknowledged.
   /// @returns  false: it is larger than kMaxValue.
-  bool post(std::vector<std::byte> coded, Time now);
+  bool post(const std::vector<std::byte>& coded, Time now);
 
   /// A value that goes out with the next packet; nothing while the other side is lost.
-  void show(std::vector<std::byte> coded);
+  void show(const std::vector<std::byte>& coded);
 
   /// A packet came. Calls `deliver` for each value in it that is new.
   void receive(const Packet& packet, Time now, const Deliver& deliver);
