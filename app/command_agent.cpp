@@ -6,8 +6,6 @@
 #include "app/output.h"
 #include "app/run_order.h"
 #include "skein/assemble/aircraft_builder.h"
-#include "skein/assemble/run.h"
-#include "skein/layer/hmi/terminal_console.h"
 
 namespace skein::app {
 namespace {
@@ -87,16 +85,7 @@ int agent_command(const AgentArguments& arguments, const std::atomic<bool>& stop
     run.overwrite = arguments.overwrite;
     return run_order(*order, run, stop);
   }
-  auto built = build_order(*order);
-  if (!built) return say_error(built.error());
-  assemble::Build& ready = built.value();
-  ready.options.speed = 1;
-  ready.options.real_time_only = true;
-  if (auto started = start_links(ready); !started) return say_error(started.error());
-  hmi::TerminalConsole console(stop, stderr, -1);
-  const auto outcome = assemble::run_linked(ready, nullptr, console);
-  if (!outcome) return say_error(outcome.error());
-  return kDone;
+  return run_unrecorded(*order, stop);
 }
 
 }  // namespace skein::app

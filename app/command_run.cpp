@@ -221,8 +221,7 @@ int finish(const RunArguments& arguments, const fs::path& folder,
   return interrupted ? kInterrupted : kDone;
 }
 
-}  // namespace
-
+// Makes what shall be run.
 Result<assemble::Build> build_order(const RunOrder& order) {
   if (order.agent)
     return assemble::build_agent(order.scenario, order.kinds, *order.agent);
@@ -231,12 +230,15 @@ Result<assemble::Build> build_order(const RunOrder& order) {
   return assemble::build(order.scenario, order.kinds);
 }
 
+// Opens the links to whoever takes part from outside, and says where servers wait.
 Result<void> start_links(assemble::Build& ready) {
   const auto places = assemble::open_links(ready);
   if (!places) return places.error();
   for (const std::string& place : places.value()) complain("waiting at {}\n", place);
   return {};
 }
+
+}  // namespace
 
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop) {
   const auto order = order_of(arguments);
@@ -296,6 +298,18 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   const int status = finish(arguments, folder, closed.value(), simulated.value());
   return status == kDone && order.recorded ? compare(*order.recorded, closed.value())
                                            : status;
+}
+
+int run_unrecorded(const RunOrder& order, const std::atomic<bool>& stop) {
+  auto built = build_order(order);
+  if (!built) return say_error(built.error());
+  assemble::Build& ready = built.value();
+  ready.options.speed = 1;
+  ready.options.real_time_only = true;
+  if (auto started = start_links(ready); !started) return say_error(started.error());
+  hmi::TerminalConsole console(stop, stderr, -1);
+  const auto outcome = assemble::run_linked(ready, nullptr, console);
+  return outcome ? kDone : say_error(outcome.error());
 }
 
 }  // namespace skein::app

@@ -7,8 +7,6 @@
 #include "app/output.h"
 #include "app/run_order.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
-#include "skein/assemble/run.h"
-#include "skein/layer/hmi/terminal_console.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
@@ -96,16 +94,7 @@ int vehicle_command(const VehicleArguments& arguments, const std::atomic<bool>& 
     run.overwrite = arguments.overwrite;
     return run_order(order, run, stop);
   }
-  auto built = assemble::build(order.scenario, order.kinds);
-  if (!built) return say_error(built.error());
-  assemble::Build& ready = built.value();
-  ready.options.speed = 1;
-  ready.options.real_time_only = true;
-  if (auto started = start_links(ready); !started) return say_error(started.error());
-  hmi::TerminalConsole console(stop, stderr, -1);
-  const auto outcome = assemble::run_linked(ready, nullptr, console);
-  if (!outcome) return say_error(outcome.error());
-  return kDone;
+  return run_unrecorded(order, stop);
 }
 
 }  // namespace skein::app

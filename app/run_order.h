@@ -24,11 +24,7 @@ struct RunOrder {
 int run_order(const RunOrder& order, const RunArguments& arguments,
               const std::atomic<bool>& stop);
 
-/// Makes what shall be run.
-/// Fails: as assemble::build() and build_agent().
-Result<assemble::Build> build_order(const RunOrder& order);
-
-/// Opens the links to whoever takes part from outside, and says where servers wait.
-Result<void> start_links(assemble::Build& ready);
+/// Runs it in real time, without records; the exit status.
+int run_unrecorded(const RunOrder& order, const std::atomic<bool>& stop);
 
 }  // namespace skein::app

@@ -61,7 +61,8 @@ void FlightModelVehicle::begin_flight(Time now) {
 void FlightModelVehicle::begin_step(Time now) {
   faults_.update(now, events_);
   const auto first = static_cast<std::ptrdiff_t>(reports_.size());
-  parts_.model->receive(now, reports_);
+  // Once a step: what it begins with is what a run that is done again begins with.
+  if (std::exchange(received_, now) != now) parts_.model->receive(now, reports_);
   for (auto report = reports_.begin() + first; report != reports_.end(); ++report)
     std::visit(Listener{*this}, *report);
   const bool old = !motion_.known() || now - motion_.newest().time > parts_.max_age;

@@ -97,6 +97,7 @@ class FlightModelVehicle final : public Vehicle {
   Actuators actuators_;  // what they do now
   std::vector<SensorSample> samples_;
   std::vector<VehicleReport> reports_;
+  std::optional<Time> received_;  // the step, last
   std::vector<VehicleEvent> events_;
   std::uint32_t commands_ = 0;
   int refusals_before_ = 0;  // when the last command was given

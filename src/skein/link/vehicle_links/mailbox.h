@@ -13,7 +13,8 @@
 namespace skein::vehicle_links {
 
 /// What goes between the thread of the links and the simulation for one vehicle, each way
-/// in order. Holds a bounded number: when nobody takes them, the oldest motions go.
+/// in order. Holds a bounded number: when nobody takes them, the oldest motions go, then
+/// the oldest of all but changes of the link and answers, which somebody waits for.
 class Mailbox {
  public:
   struct Request {
@@ -48,7 +49,13 @@ class Mailbox {
   static constexpr std::size_t kMaxReports = 2000;
   static constexpr std::size_t kMaxRequests = 200;
 
-  // Leaves out motions but the newest half, then whatever is oldest.
+  static bool is_vital(const VehicleReport& report) {
+    return std::holds_alternative<LinkChange>(report) ||
+           std::holds_alternative<RequestAnswer>(report);
+  }
+
+  // Leaves out motions but the newest half, then the oldest that nobody waits for, and
+  // only of a flood of the others the oldest of these.
   void thin() {
     std::size_t motions = 0;
     for (const VehicleReport& report : reports_)
@@ -59,9 +66,19 @@ class Mailbox {
       --surplus;
       return true;
     });
-    if (reports_.size() > kMaxReports)
-      reports_.erase(reports_.begin(),
-                     reports_.end() - static_cast<std::ptrdiff_t>(kMaxReports / 2));
+    drop(false);
+    drop(true);
+  }
+
+  // While there are too many: half of them, the oldest first.
+  void drop(bool vital) {
+    if (reports_.size() <= kMaxReports) return;
+    std::size_t excess = reports_.size() - kMaxReports / 2;
+    std::erase_if(reports_, [&](const VehicleReport& report) {
+      if (excess == 0 || is_vital(report) != vital) return false;
+      --excess;
+      return true;
+    });
   }
 
   std::mutex mutex_;

@@ -140,8 +140,31 @@ transport::EndpointId VehicleLinks::endpoint_of(const LinkEndpoint& endpoint) {
   return static_cast<transport::EndpointId>(planned_.size() - 1);
 }
 
+// Whoever shares an endpoint shares its key.
+Result<void> VehicleLinks::same_security(const LinkEndpoint& endpoint) {
+  if (planned_[endpoint_of(endpoint)].endpoint.is_signed == endpoint.is_signed) return {};
+  return Error{ErrorCode::kBadInput, transport::text_of(endpoint.address),
+               "is an endpoint twice, once signed and once not.",
+               "Say the same of both, or give each an endpoint of its own."};
+}
+
+// A ground station could not tell them apart, and would command both.
+Result<void> VehicleLinks::distinct_numbers() const {
+  if (stations_.empty()) return {};
+  for (const auto& vehicle : vehicles_)
+    for (const auto& shown : shown_)
+      if (shown->system == vehicle->client.system())
+        return Error{ErrorCode::kBadInput, "links.first_system",
+                     fmt::format("{} has system id {}, and so would a simulated aircraft "
+                                 "at the ground stations.",
+                                 vehicle->name, shown->system),
+                     "Choose another first_system, or another system of the vehicle."};
+  return {};
+}
+
 Result<std::size_t> VehicleLinks::add(const LinkedVehicle& vehicle) {
   const transport::EndpointId endpoint = endpoint_of(vehicle.endpoint);
+  if (auto fits = same_security(vehicle.endpoint); !fits) return fits.error();
   if (planned_[endpoint].vehicles.contains(vehicle.client.system))
     return Error{ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
                  fmt::format("two vehicles have number {} there.", vehicle.client.system),
@@ -238,6 +261,7 @@ std::unique_ptr<VehiclePort> VehicleLinks::port(std::size_t vehicle) {
 Result<std::vector<std::string>> VehicleLinks::start() {
   if (vehicles_.empty() && stations_.empty()) return std::vector<std::string>();
   security_.set_time(unix_ns());  // before the first frame: old signatures are refused
+  if (auto distinct = distinct_numbers(); !distinct) return distinct.error();
   const std::uint16_t groups = shown_.empty()
                                    ? std::uint16_t{1}
                                    : static_cast<std::uint16_t>(shown_.back()->group + 1);
@@ -246,6 +270,12 @@ Result<std::vector<std::string>> VehicleLinks::start() {
       LinkEndpoint at = station;
       at.address = transport::moved(at.address, group);
       Planned& planned = planned_[endpoint_of(at)];
+      if (!planned.vehicles.empty())
+        return Error{ErrorCode::kBadInput, transport::text_of(at.address),
+                     "is for a vehicle and for ground stations, which have one port for "
+                     "each 250 simulated aircraft.",
+                     "Give each an endpoint of its own."};
+      if (auto fits = same_security(at); !fits) return fits.error();
       planned.station = true;
       planned.group = group;
     }

@@ -75,7 +75,8 @@ class VehicleLinks final : public transport::ChannelListener {
   ~VehicleLinks() override;
 
   /// @returns  its number here.
-  /// Fails: kBadInput where the endpoint has a vehicle of that system already.
+  /// Fails: kBadInput where the endpoint has a vehicle of that system already, or is
+  ///        signed for one and not for another.
   Result<std::size_t> add(const LinkedVehicle& vehicle);
   void add_station(const LinkEndpoint& endpoint);
   /// A simulated vehicle that ground stations see. Its system id is the one after that of
@@ -112,7 +113,9 @@ class VehicleLinks final : public transport::ChannelListener {
 
   /// Opens the endpoints, if there are any, and begins.
   /// @returns  where servers wait, with the ports that they have got.
-  /// Fails: kBadInput where an endpoint cannot be opened.
+  /// Fails: kBadInput where an endpoint cannot be opened, is for vehicles and stations,
+  /// or
+  ///        a simulated vehicle would have the number of a real one there.
   Result<std::vector<std::string>> start();
 
  private:
@@ -148,6 +151,8 @@ class VehicleLinks final : public transport::ChannelListener {
   vehicle_services::Clocks clocks(Time now) const {
     return {now, Time::from_ns(simulated_ns_)};
   }
+  Result<void> same_security(const LinkEndpoint& endpoint);
+  Result<void> distinct_numbers() const;
   void begin_traffic();
   void note_far_ends();
   void send_requests(Vehicle& vehicle, Time now);

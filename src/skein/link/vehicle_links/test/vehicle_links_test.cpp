@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 
+#include "skein/link/vehicle_links/mailbox.h"
 #include "skein/link/vehicle_links/test/stand_ins.h"
 #include "skein/link/vehicle_links/traffic_feed.h"
 
@@ -134,6 +135,46 @@ TEST(VehicleLinks, TwoOfOneNumberAtOneEndpointAreRefused) {
   VehicleLinks links(geo::LocalFrame::at({47.0, 8.0, 0}).value());
   EXPECT_TRUE(links.add(linked(1, "a")).ok());
   EXPECT_FALSE(links.add(linked(1, "b")).ok());
+}
+
+TEST(VehicleLinks, AnEndpointIsSignedOrNotAndOfVehiclesOrStations) {
+  VehicleLinks links(geo::LocalFrame::at({47.0, 8.0, 0}).value());
+  ASSERT_TRUE(links.add(linked(1, "a")).ok());
+  LinkedVehicle other = linked(2, "b");
+  other.endpoint.is_signed = true;
+  EXPECT_FALSE(links.add(other).ok());
+  links.add_station(linked(1, "a").endpoint);
+  EXPECT_FALSE(links.start().ok());
+}
+
+TEST(VehicleLinks, ASimulatedAircraftWithTheNumberOfARealOneIsRefused) {
+  VehicleLinks links(geo::LocalFrame::at({47.0, 8.0, 0}).value());
+  ASSERT_TRUE(links.add(linked(2, "real")).ok());
+  vehicle_services::VehicleServerOptions shown;
+  shown.system = 1;
+  links.show(shown);
+  links.show(shown);  // has the next number
+  links.add_station({transport::parse_endpoint("udpin:0").value()});
+  const auto started = links.start();
+  ASSERT_FALSE(started.ok());
+  EXPECT_NE(started.error().text().find("real has system id 2"), std::string::npos)
+      << started.error().text();
+}
+
+// Nobody takes them for a quarter of an hour: the run is paused.
+TEST(Mailbox, KeepsWhatSomebodyWaitsForHoweverMuchElseComes) {
+  Mailbox mailbox;
+  mailbox.put({LinkChange{LinkChange::Kind::kUp, "heard"}, RequestAnswer{7, {}, {}}});
+  for (int k = 0; k < 20'000; ++k)
+    mailbox.put({VehicleMotion(), VehicleCondition(), MissionProgress()});
+  const std::vector<VehicleReport> kept = mailbox.take_reports();
+  EXPECT_LE(kept.size(), 2000u);
+  ASSERT_GE(kept.size(), 500u);
+  EXPECT_TRUE(std::holds_alternative<LinkChange>(kept[0]));
+  EXPECT_TRUE(std::holds_alternative<RequestAnswer>(kept[1]));
+  for (int k = 0; k < 20'000; ++k)
+    mailbox.put({LinkChange{LinkChange::Kind::kDuplicate, ""}});
+  EXPECT_LE(mailbox.take_reports().size(), 2000u) << "a flood of these is bounded too";
 }
 
 }  // namespace
