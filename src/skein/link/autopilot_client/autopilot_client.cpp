@@ -26,6 +26,7 @@ constexpr std::size_t kMaxText = 500;
 const Time kSecond = Time::from_seconds(1);
 const Time kRebootStep = Time::from_seconds(1);
 const Time kDuplicateWindow = Time::from_seconds(5);
+const Time kOneAgain = Time::from_seconds(10);  // of a clock that only goes forth
 const Time kFreshComplaint = Time::from_seconds(4);
 const Time kAltitudePeriod = Time::from_seconds(0.5);
 constexpr double kAltitudeStep = 0.5;  // demanded anew at once [m]
@@ -202,12 +203,13 @@ void AutopilotClient::hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channe
                     "commanded",
                     telemetry_.hovers() ? "multirotor" : "fixed wing", options_.system,
                     options_.hovers ? "multirotor" : "fixed wing"));
-  mismatched_ = other;
+  // Until the link is lost or it reboots: two may answer in turn.
+  mismatched_ = mismatched_ || other;
 }
 
 void AutopilotClient::come_up(const std::string& text) {
   up_ = true;
-  duplicate_ = false;
+  duplicate_ = ambiguous_ = mismatched_ = false;
   report_change(Kind::kUp, was_up_ ? "heard again: " + text : "heard: " + text);
   was_up_ = true;
   condition_due_ = Time();
@@ -245,12 +247,14 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
   if (boot_ && boot + kRebootStep < *boot_) {
     clock_.forget();
     if (rebooted_ && now - *rebooted_ < kDuplicateWindow) {
+      ambiguous_ = true;
       if (!std::exchange(duplicate_, true))
         report_change(Kind::kDuplicate,
                       fmt::format("two vehicles have number {}: its clock goes forth "
-                                  "and back",
+                                  "and back; neither is commanded",
                                   options_.system));
     } else {
+      mismatched_ = false;
       commands_.abandon("the vehicle has rebooted");
       fences_.abandon("the vehicle has rebooted");
       report_change(Kind::kRebooted, fmt::format("its clock went back from {:.1f} to "
@@ -260,6 +264,7 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
     }
     rebooted_ = now;
   }
+  if (ambiguous_ && now - *rebooted_ > kOneAgain) ambiguous_ = false;
   boot_ = boot;
   clock_.hear(boot, now);
 }

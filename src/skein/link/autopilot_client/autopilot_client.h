@@ -43,7 +43,8 @@ struct AutopilotClientOptions {
 ///     is up, and set up anew;
 ///   - a reboot (the vehicle's clock goes back): reported, set up anew;
 ///   - another vehicle under its number: reported once; one of another airframe is not
-///     commanded; of two at once the first counts.
+///     commanded; of two at once the first counts, and by one channel, where nobody can
+///     tell them apart, neither is commanded.
 class AutopilotClient {
  public:
   AutopilotClient(const AutopilotClientOptions& options, const geo::LocalFrame& frame);
@@ -97,7 +98,7 @@ class AutopilotClient {
   void request_fence(std::uint32_t number, const FenceUpload& fence);
   void refuse(std::uint32_t number, RequestAnswer::Outcome outcome, std::string why);
   void step_requests(Time now, Outbox& out);
-  bool ours() const { return !mismatched_; }
+  bool ours() const { return !mismatched_ && !ambiguous_; }
 
   AutopilotClientOptions options_;
   geo::LocalFrame frame_;
@@ -110,6 +111,7 @@ class AutopilotClient {
   std::set<Channel> channels_;
   std::optional<Channel> channel_;  // by which it is heard
   bool up_ = false, mismatched_ = false, duplicate_ = false;
+  bool ambiguous_ = false;  // two answer by one channel
   bool was_up_ = false;
   Time heard_;                // last
   Time position_;             // last

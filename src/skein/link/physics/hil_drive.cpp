@@ -19,8 +19,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kServe = 100ms;  // between looks while a connection is waited for
-constexpr auto kLine = 5s;      // between lines about waiting
+constexpr auto kServe = 100ms;    // between looks while a connection is waited for
+constexpr auto kMaxLate = 500ms;  // that is caught up with
+constexpr auto kLine = 5s;        // between lines about waiting
 const Time kFixPeriod = Time::from_seconds(0.1);
 constexpr double kPositionSd = 0.3, kAltitudeSd = 0.5, kVelocitySd = 0.1;
 constexpr std::uint8_t kSatellites = 14;
@@ -132,9 +133,11 @@ bool HilDrive::wait_for_connection(std::chrono::nanoseconds allowed) {
 
 // Until the wall clock is at `now` of the run.
 void HilDrive::wait_for_wall(Time now) {
-  if (!begin_wall_) begin_wall_ = Clock::now();
-  std::this_thread::sleep_until(*begin_wall_ +
-                                std::chrono::nanoseconds((now - begin_).ns()));
+  const std::chrono::nanoseconds since((now - begin_).ns());
+  // After a pause time goes on from there: what was missed is not made up for.
+  const Clock::time_point here = Clock::now();
+  if (!begin_wall_ || here > *begin_wall_ + since + kMaxLate) begin_wall_ = here - since;
+  std::this_thread::sleep_until(*begin_wall_ + since);
 }
 
 bool HilDrive::exchange(const SensedMotion& motion, std::span<float> channels) {

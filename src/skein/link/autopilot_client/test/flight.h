@@ -52,12 +52,16 @@ class Flight {
   /// The vehicle's clock jumps.
   void jump(const Time& by) { begun_ = begun_ - by; }
 
-  /// From now on another vehicle with the same number is heard by another channel.
-  void add_double() {
-    client_.open(2);
+  /// From now on another vehicle with the same number is heard, by another channel or by
+  /// the same; its clock has just begun.
+  void add_double(vehicle_services::Channel channel = 2) {
+    double_channel_ = channel;
+    double_begun_ = line.now;
+    client_.open(channel);
     double_ = std::make_unique<VehicleServer>(options_, frame_);
-    double_->open(1, clocks());
+    double_->open(1, double_clocks());
   }
+  void remove_double() { double_.reset(); }
 
   template <class Until>
   bool wait(double seconds, Until until) {
@@ -98,6 +102,9 @@ class Flight {
 
  private:
   vehicle_services::Clocks clocks() const { return {line.now, line.now - begun_}; }
+  vehicle_services::Clocks double_clocks() const {
+    return {line.now, line.now - double_begun_};
+  }
 
   void step() {
     line.step();
@@ -116,8 +123,9 @@ class Flight {
     if (!double_) return;
     vehicle_services::VehicleSnapshot elsewhere = paper.snapshot;
     elsewhere.motion.p_N = {5000, 5000, -900};
+    elsewhere.motion.time = double_clocks().simulated;
     double_->update(elsewhere);
-    double_->step(clocks(), doubles_);
+    double_->step(double_clocks(), doubles_);
   }
 
   void take(const VehicleReport& report) {
@@ -138,10 +146,12 @@ class Flight {
   std::unique_ptr<VehicleServer> server_;
   Time begun_;  // of the vehicle's clock
   std::unique_ptr<VehicleServer> double_;
+  Time double_begun_;
+  vehicle_services::Channel double_channel_ = 2;
   vehicle_services::Outbox doubles_{
       7, 1, [this](auto, auto bytes) {
         mavlink::FrameParser().read(bytes, [this](const mavlink::Frame& heard) {
-          client_.receive(heard, 2, line.now, line.station);
+          client_.receive(heard, double_channel_, line.now, line.station);
         });
       }};
   AutopilotClient client_;

@@ -94,6 +94,18 @@ TEST_F(LinkFaults, AClockThatJumpsAhead) {
   expect_changes(1, 0, 0, 0);
 }
 
+TEST_F(LinkFaults, AnotherVehicleOfItsNumberBehindTheSameRadio) {
+  f.jump(Time::from_seconds(500));
+  f.wait(3, [] { return false; });
+  f.add_double(1);
+  f.wait(20, [] { return false; });
+  EXPECT_EQ(f.changes[Kind::kDuplicate], 1);
+  EXPECT_EQ(f.request(SpeedRequest{25}), Outcome::kDenied) << "both would obey";
+  f.remove_double();
+  f.wait(15, [] { return false; });
+  EXPECT_TRUE(is_well());
+}
+
 TEST_F(LinkFaults, NumbersThatAreNoneAreNoTelemetry) {
   mavlink::Attitude attitude;
   attitude.roll = std::numeric_limits<float>::quiet_NaN();
