@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace skein::app {
+
+/// A command of the program, and what it does once its options are read.
+struct Command {
+  const CLI::App* app;
+  std::function<int()> run;
+};
+
+// Options that several commands have.
+
+/// --log
+void add_log_option(CLI::App& command);
+/// --plugin
+void add_plugin_option(CLI::App& command, std::vector<std::string>& plugins);
+/// --set, of a scenario
+void add_set_option(CLI::App& command, std::vector<std::string>& overrides);
+
+// Commands that talk to others by links.
+
+/// @param stop  asks for an early end.
+Command add_link(CLI::App& program, const std::atomic<bool>& stop);
+Command add_vehicle(CLI::App& program, const std::atomic<bool>& stop);
+Command add_agent(CLI::App& program, const std::atomic<bool>& stop);
+
+}  // namespace skein::app
