@@ -6,7 +6,7 @@
 #include <array>
 
 #include "skein/assemble/aircraft_fit.h"
-#include "skein/assemble/driven_plant_kind.h"
+#include "skein/assemble/kinds_of.h"
 #include "skein/assemble/placement.h"
 #include "skein/assemble/presence.h"
 #include "skein/assemble/sampling.h"

@@ -12,6 +12,7 @@
 #include "skein/assemble/interface_version.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
+#include "skein/assemble/remote_kind.h"
 #include "skein/assemble/sampling.h"
 #include "skein/assemble/server_memory.h"
 #include "skein/exchange/plan_reading.h"
@@ -350,7 +351,7 @@ class Builder {
           continue;
         }
         const int index = static_cast<int>(i);
-        if (group.vehicle.kind == "remote")
+        if (group.vehicle.kind == kRemoteKind)
           errors_.push_back({ErrorCode::kBadInput, names[g][i] + ": vehicle",
                              "is in another program; this is that program.",
                              "Choose simulated or mavlink."});

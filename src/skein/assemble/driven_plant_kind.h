@@ -45,10 +45,6 @@ std::unique_ptr<VehiclePort> started_port(std::unique_ptr<VehiclePort> port,
                                           std::function<std::string()> link,
                                           const VehicleContext& context);
 
-/// Whether a vehicle's plant is a model, here or in an outside flight model, wherever its
-/// autopilot is.
-bool plant_is_simulated(const scenario::Choice& vehicle);
-
 /// A plant here with its autopilot elsewhere.
 struct DrivenBody {
   std::unique_ptr<mixed::DrivenPlant> plant;

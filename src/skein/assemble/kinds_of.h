@@ -45,6 +45,10 @@ Kinds<Radio, RadioContext> radio_kinds();
 Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds();
 Kinds<MonitoringStrategy, StrategyContext> strategy_kinds();
 
+/// Whether a vehicle's plant is a model, here or in an outside flight model, wherever its
+/// autopilot is.
+bool plant_is_simulated(const scenario::Choice& vehicle);
+
 /// All of them, as scenarios are read with.
 scenario::KindTable kind_table();
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "skein/assemble/driven_plant_kind.h"
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/remote_kind.h"
 #include "skein/mixed/server_memory.h"
 
 namespace skein::assemble {
@@ -10,7 +11,7 @@ namespace skein::assemble {
 EntityReality reality_of(const scenario::AircraftGroup& group) {
   const bool simulated = plant_is_simulated(group.vehicle);
   // One in another program may be simulated there: it is not taken for real unasked.
-  const bool elsewhere = group.vehicle.kind == "remote";
+  const bool elsewhere = group.vehicle.kind == kRemoteKind;
   const bool physical = group.physical.value_or(!simulated && !elsewhere);
   const Reality own = physical && simulated ? Reality::kPhysical : Reality::kVirtual;
   return entity_reality(physical ? Reality::kPhysical : Reality::kVirtual,

@@ -13,15 +13,14 @@
 #include "skein/assemble/driven_plant_kind.h"
 #include "skein/assemble/flight_model_kind.h"
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/remote_kind.h"
 #include "skein/assemble/skein_autopilot_kind.h"
 #include "skein/assemble/vehicle_context.h"
 #include "skein/base/math.h"
 #include "skein/data/air.h"
 #include "skein/layer/autopilot/skein/setpoint_autopilot.h"
 #include "skein/link/vehicle_links/vehicle_links.h"
-#include "skein/link/world_link/entity_links.h"
 #include "skein/mixed/real_vehicle.h"
-#include "skein/mixed/remote_entity.h"
 
 namespace skein::assemble {
 namespace {
@@ -243,62 +242,6 @@ Made make_mavlink(const MavlinkOptions& options, const VehicleContext& c) {
   return std::unique_ptr<Vehicle>(std::make_unique<mixed::RealVehicle>(std::move(parts)));
 }
 
-// An entity whose vehicle and agent are both in another program: `skein agent`.
-struct RemoteOptions {
-  std::string listen = "udpin:14700";
-  Time silence = Time::from_seconds(2);
-  Time max_age = Time::from_seconds(5);
-};
-
-std::string listen_error(const RemoteOptions& options) {
-  const auto address = transport::parse_endpoint(options.listen);
-  if (!address) return address.error().message;
-  return world_link::carries_packets(address.value())
-             ? std::string()
-             : "agents are met by UDP or TCP only.";
-}
-
-Fields<RemoteOptions> remote_fields() {
-  using T = RemoteOptions;
-  return Fields<T>()
-      .text("listen", &T::listen,
-            "Where its agent is met: udpin:PORT, tcpin:PORT...; see docs/links.md. "
-            "Several entities may share it.")
-      .duration_s("silence_s", &T::silence, "Its link is down when it is silent so long.",
-                  {.at_least = 0.5, .at_most = 60})
-      .duration_s("max_age_s", &T::max_age,
-                  "Its sensors see nothing when its last state is older.",
-                  {.at_least = 0.5, .at_most = 60})
-      .rule("listen", listen_error);
-}
-
-Result<std::unique_ptr<EntityPort>> remote_port(const RemoteOptions& options,
-                                                const VehicleContext& c) {
-  if (c.recorded)
-    return std::unique_ptr<EntityPort>(
-        std::make_unique<mixed::RecordedEntityPort>(*c.recorded));
-  const auto number = c.remotes.add(
-      {c.parts.name, transport::parse_endpoint(options.listen).value(), options.silence});
-  if (!number) return number.error();
-  return c.remotes.port(number.value());
-}
-
-Made make_remote(const RemoteOptions& options, const VehicleContext& c) {
-  auto port = remote_port(options, c);
-  if (!port) return port.error();
-  mixed::RemoteEntityParts parts;
-  parts.name = c.parts.name;
-  parts.self = c.aircraft.self;
-  parts.port = std::move(port).value();
-  parts.payload = std::move(c.parts.payload);
-  parts.hovers = c.aircraft.limits.slowest == 0;
-  parts.start = c.aircraft.initial;
-  parts.max_age = options.max_age;
-  auto vehicle = std::make_unique<mixed::RemoteVehicle>(std::move(parts));
-  c.agent = vehicle->agent();
-  return std::unique_ptr<Vehicle>(std::move(vehicle));
-}
-
 }  // namespace
 
 bool plant_is_simulated(const scenario::Choice& vehicle) {
@@ -324,12 +267,7 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
             mavlink_fields(), [](const MavlinkOptions& o, const VehicleContext& c) {
               return make_mavlink(o, c);
             });
-  kinds.add("remote",
-            "An aircraft whose agent is in another program too (skein agent). Of its "
-            "parts here the payload looks at the virtual world.",
-            remote_fields(), [](const RemoteOptions& o, const VehicleContext& c) {
-              return make_remote(o, c);
-            });
+  add_remote_kind(kinds);
   add_flight_model_kind(kinds);
   return kinds;
 }

@@ -45,7 +45,7 @@ struct EntityLinks::Mailbox {
     };
     const std::lock_guard lock(mutex);
     if (is_state(report)) std::erase_if(reports, is_state);
-    if (reports.size() >= kMaxWaiting) reports.erase(reports.begin());
+    if (reports.size() >= kMaxWaiting) drop_one();
     reports.push_back(std::move(report));
   }
   std::vector<VehicleReport> take_reports() {
@@ -59,6 +59,14 @@ struct EntityLinks::Mailbox {
   std::vector<EntityInput> take_inputs() {
     const std::lock_guard lock(mutex);
     return std::exchange(inputs, {});
+  }
+
+  // The oldest; changes of the link last, for the simulation acts on them.
+  void drop_one() {
+    const auto oldest = std::ranges::find_if(reports, [](const VehicleReport& each) {
+      return !std::holds_alternative<LinkChange>(each);
+    });
+    reports.erase(oldest == reports.end() ? reports.begin() : oldest);
   }
 
   std::mutex mutex;
@@ -176,9 +184,9 @@ void EntityLinks::step(Entity& entity) {
     std::vector<std::byte> coded;
     wire::encode(input, coded);
     if (std::holds_alternative<PayloadReadings>(input))
-      entity.session.show(std::move(coded));
+      entity.session.show(coded);
     else if (entity.session.up())
-      entity.session.post(std::move(coded), now());
+      entity.session.post(coded, now());
   }
   entity.session.step(now(), [&](const Packet& packet) { send(entity.channel, packet); });
   report(entity);

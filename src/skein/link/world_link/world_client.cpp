@@ -143,9 +143,9 @@ void WorldClient::put_out(EntitySaying& saying) {
   std::vector<std::byte> coded;
   wire::encode(saying, coded);
   if (std::holds_alternative<RemoteState>(saying))
-    session_.show(std::move(coded));
+    session_.show(coded);
   else
-    session_.post(std::move(coded), now());
+    session_.post(coded, now());
 }
 
 void WorldClient::send_to_world(const Packet& packet) {

@@ -144,6 +144,29 @@ TEST(EntityLinks, RefuseAnAgentOfAnotherScenarioOrName) {
   EXPECT_TRUE(world.changes.empty());
 }
 
+// A run that is paused for long takes nothing in: what is lost are the oldest messages.
+TEST(EntityLinks, KeepChangesOfTheLinkHoweverMuchWaits) {
+  World world("udpin:0");
+  WorldClient agent(scout(world.door()));
+  ASSERT_TRUE(agent.start().ok());
+  ASSERT_TRUE(wait([&] {
+    std::vector<SessionChange> changes = agent.take_changes();
+    return !changes.empty();
+  }));
+  for (std::uint32_t k = 0; k < 2500; ++k) {
+    agent.say(kAgentNow, Message{{}, EntityId{0}, k, kAgentNow, Heartbeat{}});
+    if (k % 50 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  const auto last_came = [&] {
+    world.look();
+    return !world.said.empty() && std::get<Message>(world.said.back()).number == 2499;
+  };
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  ASSERT_TRUE(wait(last_came));
+  EXPECT_GT(std::get<Message>(world.said.front()).number, 0u) << "not all had room";
+  EXPECT_EQ(world.changes, std::vector{Kind::kUp});
+}
+
 TEST(EntityLinks, MeetAnAgentAndAWorldThatBeginAnew) {
   auto world = std::make_unique<World>("udpin:0");
   const transport::EndpointAddress door = world->door();
