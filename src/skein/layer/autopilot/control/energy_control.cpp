@@ -129,12 +129,15 @@ void EnergyControl::move_throttle(const FixedWingSetup& setup,
     aim = 0;
   } else if (phase == FlightPhase::kClimbOut) {
     aim = 1;
-  } else if (r.too_slow > 0) {
+  } else {
     aim += r.too_slow * (1 - aim);
-  } else if ((setpoint < 1 || error < 0) && (setpoint > 0 || error > 0)) {
-    throttle_sum_ =
-        bounded(throttle_sum_ + setup.throttle_slope * g.energy_integral * error * dt,
-                kMaxThrottleSum);
+    // Too slow, it grows only: an engine weaker than the airframe's file says is found out
+    // there as well, or it would stay there.
+    const bool may_fall = setpoint > 0 && r.too_slow <= 0;
+    if ((setpoint < 1 || error < 0) && (may_fall || error > 0))
+      throttle_sum_ =
+          bounded(throttle_sum_ + setup.throttle_slope * g.energy_integral * error * dt,
+                  kMaxThrottleSum);
   }
   const double max = g.throttle_rate * dt;
   throttle_ = bounded(bounded(aim, throttle_ - max, throttle_ + max), 0, 1);
