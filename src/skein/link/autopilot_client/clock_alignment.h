@@ -21,6 +21,7 @@ class ClockAlignment {
   void hear(Time boot, Time now);
 
   /// The vehicle has answered a question that went out at `sent` with its time `boot`.
+  /// Ignored when that cannot be, or is no time of the clock that its messages go by.
   void round_trip(Time sent, Time boot, Time now);
 
   /// When something happened that the vehicle gives its time for; never in the future.

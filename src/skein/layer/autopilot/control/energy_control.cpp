@@ -131,8 +131,8 @@ void EnergyControl::move_throttle(const FixedWingSetup& setup,
     aim = 1;
   } else {
     aim += r.too_slow * (1 - aim);
-    // Too slow, it grows only: an engine weaker than the airframe's file says is found out
-    // there as well, or it would stay there.
+    // Too slow, it grows only: an engine weaker than the airframe's file says is found
+    // out there as well, or it would stay there.
     const bool may_fall = setpoint > 0 && r.too_slow <= 0;
     if ((setpoint < 1 || error < 0) && (may_fall || error > 0))
       throttle_sum_ =

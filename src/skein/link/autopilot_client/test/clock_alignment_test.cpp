@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace skein::autopilot_client {
@@ -64,8 +65,18 @@ TEST(ClockAlignment, FollowsAClockThatRunsSlow) {
 TEST(ClockAlignment, IgnoresAnswersThatCannotBe) {
   ClockAlignment clock;
   clock.hear(s(5), s(10));
-  clock.round_trip(s(12), s(5), s(10));   // sent in the future
-  clock.round_trip(s(-40), s(5), s(10));  // another's question
+  clock.round_trip(s(12), s(5), s(10));       // sent in the future
+  clock.round_trip(s(-40), s(5), s(10));      // another's question
+  clock.round_trip(s(9.5), s(1.8e9), s(10));  // the time of day
+  const Time first = Time::from_ns(std::numeric_limits<std::int64_t>::min());
+  const Time last = Time::from_ns(std::numeric_limits<std::int64_t>::max());
+  for (const Time any : {first, last}) {
+    clock.round_trip(any, s(5), s(10));
+    clock.round_trip(s(9.5), any, s(10));
+    ClockAlignment without_messages;
+    without_messages.round_trip(s(9.5), any, s(10));
+    EXPECT_EQ(without_messages.shortest_round_trip(), 0);
+  }
   EXPECT_EQ(clock.shortest_round_trip(), 0);
   EXPECT_EQ(clock.to_here(s(6), s(20)), s(11));
 }
