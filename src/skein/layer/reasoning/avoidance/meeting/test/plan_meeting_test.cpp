@@ -1,0 +1,129 @@
+#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+const Separation kApart{50, 20};
+
+double number(double low, double high) {
+  return low + *rc::gen::inRange(0, 1000) / 999.0 * (high - low);
+}
+
+// Straights, turns, climbs and vertical turns in wind, one after the other.
+FlightPlan any_plan() {
+  FlightPlan plan;
+  FlightElement e;
+  e.start = number(0, 10);
+  e.p_N = {number(-400, 400), number(-400, 400), number(-130, -90)};
+  e.heading = number(-3, 3);
+  e.wind = {number(-8, 8), number(-8, 8)};
+  for (int k = 0; k < 5; ++k) {
+    e.airspeed = number(12, 25);
+    e.duration = number(0.5, 15);
+    e.turn_rate = *rc::gen::inRange(0, 2) == 0 ? 0 : number(-0.4, 0.4);
+    e.climb_rate = number(-3, 3);
+    e.climb_acceleration = *rc::gen::inRange(0, 3) == 0 ? number(-0.5, 0.5) : 0;
+    plan.push_back(e);
+    const model::FlightMoment end = model::end_of(e);
+    e.p_N = end.p_N;
+    e.heading = end.heading;
+    e.start += e.duration;
+  }
+  return plan;
+}
+
+double ratio_at(const FlightPlan& a, const FlightPlan& b, double time) {
+  const Vec3 apart = model::moment_at(a, time).p_N - model::moment_at(b, time).p_N;
+  return kApart.ratio(apart.head<2>().norm(), std::abs(apart.z()));
+}
+
+// 6 cm of 20 m.
+constexpr double kExactness = 0.06 / 20;
+
+RC_GTEST_PROP(PlanMeeting, IsWhereSamplesOfBothFlightsAreNear, ()) {
+  const FlightPlan a = any_plan(), b = any_plan();
+  const double from = number(0, 20), until = from + number(5, 60);
+  const auto meeting = first_meeting(a, b, kApart, from, until);
+  const double begin = std::max({from, model::start_of(a), model::start_of(b)});
+  const double end = std::min({until, model::end_time_of(a), model::end_time_of(b)});
+  RC_CLASSIFY(meeting.has_value(), "meet");
+  double least = 10;
+  for (double t = begin; t <= end; t += 0.02) {
+    const double ratio = ratio_at(a, b, t);
+    const bool before = !meeting || t < meeting->begin;
+    if (before) RC_ASSERT(ratio >= 1 - kExactness);
+    if (meeting && t > meeting->begin && t < meeting->end) {
+      RC_ASSERT(ratio <= 1 + kExactness);
+      least = std::min(least, ratio);
+    }
+  }
+  if (!meeting) return;
+  RC_ASSERT(meeting->begin >= begin && meeting->end <= end + 1e-9);
+  RC_ASSERT(meeting->closest_time >= meeting->begin - 1e-9);
+  RC_ASSERT(meeting->closest_time <= meeting->end + 1e-9);
+  RC_ASSERT(std::abs(ratio_at(a, b, meeting->closest_time) - meeting->min_ratio) <
+            kExactness);
+  if (meeting->end - meeting->begin > 0.05)
+    RC_ASSERT(least >= meeting->min_ratio - kExactness);
+}
+
+RC_GTEST_PROP(PlanMeeting, IsTheSameForBoth, ()) {
+  const FlightPlan a = any_plan(), b = any_plan();
+  const auto one = first_meeting(a, b, kApart, 0, 100);
+  const auto other = first_meeting(b, a, kApart, 0, 100);
+  RC_ASSERT(one.has_value() == other.has_value());
+  if (!one) return;
+  RC_ASSERT(one->begin == other->begin && one->end == other->end);
+  RC_ASSERT(one->min_ratio == other->min_ratio);
+}
+
+TEST(PlanMeeting, OfTwoHeadOnIsWhenTheySay) {
+  FlightElement north, south;
+  north.duration = south.duration = 100;
+  north.airspeed = south.airspeed = 20;
+  south.p_N = {2000, 0, 0};
+  south.heading = geo::kPi;
+  const auto meeting = first_meeting({north}, {south}, kApart, 0, 90);
+  ASSERT_TRUE(meeting);
+  EXPECT_NEAR(meeting->begin, 1950 / 40.0, 1e-9);
+  EXPECT_NEAR(meeting->end, 2050 / 40.0, 1e-9);
+  EXPECT_NEAR(meeting->min_ratio, 0, 1e-9);
+  EXPECT_NEAR(meeting->closest_time, 50, 1e-9);
+  south.p_N.z() = -25;
+  EXPECT_FALSE(first_meeting({north}, {south}, kApart, 0, 90));
+  EXPECT_FALSE(first_meeting({north}, {}, kApart, 0, 90));
+}
+
+TEST(PlanMeeting, IsTheFirstOfSeveralAndEndsWhereTheLookEnds) {
+  // One flies straight, the other crosses its path, turns around and crosses it again.
+  FlightElement straight;
+  straight.duration = 200;
+  straight.airspeed = 0.1;
+  FlightPlan weaving;
+  FlightElement e;
+  e.p_N = {0, -500, 0};
+  e.heading = geo::kPi / 2;
+  e.airspeed = 20;
+  e.duration = 50;
+  weaving.push_back(e);
+  e.p_N = model::end_of(e).p_N;
+  e.start = 50;
+  e.heading = -geo::kPi / 2;
+  weaving.push_back(e);
+  const auto first = first_meeting({straight}, weaving, kApart, 0, 200);
+  ASSERT_TRUE(first);
+  EXPECT_LT(first->end, 29);
+  const auto second = first_meeting({straight}, weaving, kApart, 30, 75);
+  ASSERT_TRUE(second);
+  EXPECT_GT(second->begin, 70);
+  EXPECT_EQ(second->end, 75);
+}
+
+}  // namespace
+}  // namespace skein::reasoning
