@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "skein/data/vehicle.h"
+
+namespace skein::reasoning {
+
+/// What an aircraft may do about a conflict.
+enum class ManoeuvreKind : std::uint8_t {
+  kGoOn,    ///< fly the plan
+  kDirect,  ///< the quickest way to the plan's end
+  kRight,   ///< pass right of where it would be closest
+  kLeft,
+  kUp,  ///< pass higher
+  kDown,
+  kSpeed,  ///< fly slower or faster until the conflict is over
+};
+constexpr auto names_of(const ManoeuvreKind*) {
+  return std::to_array<std::string_view>(
+      {"go-on", "direct", "right", "left", "up", "down", "speed"});
+}
+
+/// One of them, by numbers that both aircraft make the same flight of.
+struct Manoeuvre {
+  ManoeuvreKind kind = ManoeuvreKind::kGoOn;
+  double amount = 0;  ///< aside, up, down [m]; speed: times the airspeed
+  double lead = 0;    ///< aside: the plan is left so long before the conflict [s]
+
+  friend bool operator==(const Manoeuvre&, const Manoeuvre&) = default;
+};
+
+/// All that are looked at for a conflict, going on first.
+///
+/// Aside by 30, 60, 100, 160, 240 m, left 12, 25 or 50 s before; up and down by 23, 44,
+/// 66 m; both times the strength. Speed 0.76, 0.88, 1.12, 1.24 times cruise where the
+/// aircraft flies so slow or fast.
+///
+/// @param strength  1 at first, more where no pair of flights is free.
+std::vector<Manoeuvre> manoeuvres(const FlightLimits& limits, double strength);
+
+}  // namespace skein::reasoning

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "skein/data/flight_plan.h"
+#include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvre.h"
+
+namespace skein::reasoning {
+
+/// The flight that a manoeuvre changes, and the conflict that it is about.
+struct ConflictOfFlight {
+  const FlightPlan& plan;
+  const FlightLimits& limits;
+  double begin = 0;         ///< the plan may be left from then on [s]
+  double meets = 0;         ///< when the two come nearer than the separation [s]
+  double closest_time = 0;  ///< when they are closest [s]
+  double apart = 0;         ///< when they are apart again [s]
+};
+
+/// The flight with the manoeuvre, from `begin` to the end of the plan, within the limits
+/// and in the wind of the plan. The same input gives the same flight in every aircraft.
+///
+/// - Aside: the plan is left `lead` before the conflict; the flight passes beside where
+///   the plan would be when they are closest, with the plan's heading, and goes to the
+///   plan's end from there.
+/// - Up, down: begun as late as the climb allows, level until a second after the
+///   conflict, then to the plan's end. Sideways the plan is kept until then.
+/// - Speed: from `begin` to where the plan is two seconds after the conflict, then at
+///   cruise to its end. Turns take the radius of that airspeed at the same bank.
+///
+/// @returns  nothing where there is no time for it, or no such flight.
+std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
+                                     const ConflictOfFlight& conflict);
+
+}  // namespace skein::reasoning
