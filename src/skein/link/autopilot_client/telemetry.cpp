@@ -12,6 +12,7 @@ namespace {
 constexpr double kMaxAngle = 10;    // [rad]
 constexpr double kMaxTurn = 1000;   // [rad/s]
 constexpr double kMaxSpeed = 1000;  // [m/s], and of a direction [deg]
+constexpr std::int32_t kPole = 900'000'000, kHalfTurn = 1'800'000'000;  // [1e-7 deg]
 
 constexpr std::uint8_t kFix3D = 3;
 constexpr std::uint8_t kLandedOnGround = 1;  // MAV_LANDED_STATE
@@ -104,6 +105,8 @@ void Telemetry::handle(const mavlink::HomePosition& m) {
 
 std::optional<VehicleMotion> Telemetry::handle(const mavlink::GlobalPositionInt& m,
                                                Time now, const ClockAlignment& clock) {
+  if (std::abs(std::int64_t{m.lat}) > kPole || std::abs(std::int64_t{m.lon}) > kHalfTurn)
+    return std::nullopt;
   // Until its estimator has an origin it says zeros, or nearly.
   const bool known = fixed_ && (std::abs(m.lat) > 10000 || std::abs(m.lon) > 10000);
   condition_.position = known;

@@ -111,10 +111,15 @@ TEST_F(LinkFaults, NumbersThatAreNoneAreNoTelemetry) {
   attitude.roll = std::numeric_limits<float>::quiet_NaN();
   mavlink::VfrHud hud;
   hud.airspeed = std::numeric_limits<float>::infinity();
+  mavlink::GlobalPositionInt place;
+  place.lat = 1'500'000'000;  // beyond the pole
   for (int k = 0; k < 50; ++k) {
+    place.time_boot_ms = static_cast<std::uint32_t>(f.line.now.ns() / 1'000'000);
+    f.line.vehicle.send(1, place);
     f.line.vehicle.send(1, attitude);
     f.line.vehicle.send(1, hud);
     f.wait(0.02, [] { return false; });
+    ASSERT_TRUE(f.seen.p_N.allFinite());
   }
   EXPECT_TRUE(f.seen.q_NB.coeffs().allFinite());
   EXPECT_TRUE(std::isfinite(f.seen.airspeed));
