@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include <memory>
 #include <string>
@@ -79,7 +80,7 @@ class Station {
   }
   /// Both clocks run for so long, in hundredths of a second.
   void run(double seconds, bool simulation_too = true) {
-    for (int k = 0; k < static_cast<int>(seconds * 100 + 0.5); ++k) {
+    for (long k = 0; k < std::lround(seconds * 100); ++k) {
       now.wall += Time::from_seconds(0.01);
       if (simulation_too) now.simulated += Time::from_seconds(0.01);
       snapshot.motion.time = now.simulated;
