@@ -1,0 +1,117 @@
+#include "skein/model/well_clear/recovery.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/base/math.h"
+
+namespace skein::model {
+
+void RecoverySearch::start(std::size_t options) {
+  members_.clear();
+  clear_after_.assign(options, -math::kInfinity);
+  kept_until_.assign(options, math::kInfinity);
+  spans_.resize(options);
+}
+
+void RecoverySearch::add(const IntruderMotion& intruder, double horizontal_margin,
+                         double vertical_margin, double window,
+                         const ManoeuvreOptions& options,
+                         std::span<const OptionSpan> spans) {
+  members_.push_back({intruder, horizontal_margin, vertical_margin, window});
+  const double lookahead = configuration_->lookahead;
+  // An intruder that is no conflict now counts until its window ends, but for turns and
+  // changes of speed that last longer.
+  const bool level_changes = options.kind() == ManoeuvreKind::kAltitude;
+  const double counts_until = window < lookahead ? window : math::kInfinity;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const OptionSpan& span = spans[i];
+    double after = level_changes ? span.last_step : -math::kInfinity;
+    if (begins_within(span.straight, options.times()[i], window, lookahead))
+      after = std::max(after, span.straight.out);
+    if (begins_within(span.steady, options.steady_times()[i], window, lookahead))
+      after = std::max(after, span.steady.out);
+    after = std::min(after, counts_until);
+    if (!level_changes) after = std::max(after, span.last_step);
+    clear_after_[i] = std::max(clear_after_[i], after);
+  }
+}
+
+void RecoverySearch::keep(double horizontal, double vertical,
+                          const ManoeuvreOptions& options) {
+  const double lookahead = configuration_->lookahead;
+  std::fill(kept_until_.begin(), kept_until_.end(), math::kInfinity);
+  for (const Member& member : members_) {
+    const WellClearVolume volume{horizontal + member.horizontal_margin,
+                                 vertical + member.vertical_margin, 0, 0};
+    options.survey(volume, member.motion, lookahead, StepRule::kUntilNext, spans_);
+    // Beyond its window, what begins later within the window after the manoeuvre counts
+    // from there on.
+    const double latest = member.window < lookahead ? member.window : math::kInfinity;
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      const OptionSpan& span = spans_[i];
+      double until = kept_until_[i];
+      if (span.first_step < until)
+        until = std::nextafter(span.first_step, -math::kInfinity);
+      if (begins_within(span.straight, options.times()[i], member.window, lookahead))
+        until = std::min({until, span.straight.in, latest});
+      if (begins_within(span.steady, options.steady_times()[i], member.window, lookahead))
+        until = std::min({until, span.steady.in, latest});
+      kept_until_[i] = until;
+    }
+  }
+}
+
+bool RecoverySearch::some_regain_at(double time) const {
+  bool before = false;
+  for (std::size_t i = 0; i < clear_after_.size(); ++i) {
+    const bool regains = regains_at(i, time);
+    if (regains && before) return true;
+    before = regains;
+  }
+  return false;
+}
+
+double RecoverySearch::earliest() const {
+  constexpr double kPrecision = 0.5;  // [s]
+  double no = 0, yes = configuration_->lookahead;
+  while (yes - no > kPrecision) {
+    const double between = (no + yes) / 2;
+    (some_regain_at(between) ? yes : no) = between;
+  }
+  return yes;
+}
+
+BandRecovery RecoverySearch::search(const ManoeuvreOptions& options) {
+  using Outcome = BandRecovery::Outcome;
+  const auto& rule = configuration_->recovery;
+  const double lookahead = configuration_->lookahead;
+  BandRecovery result;
+  keep(rule.nmac_horizontal, rule.nmac_vertical, options);
+  bool kept = false;
+  for (std::size_t i = 1; i < kept_until_.size(); ++i)
+    kept = kept || (kept_until_[i - 1] >= lookahead && kept_until_[i] >= lookahead);
+  if (!kept) {
+    result.outcome = Outcome::kNotKept;
+    return result;
+  }
+  result.outcome = Outcome::kNoneFound;
+  double horizontal = rule.horizontal, vertical = rule.vertical;
+  while (horizontal > rule.nmac_horizontal || vertical > rule.nmac_vertical) {
+    keep(horizontal, vertical, options);
+    if (some_regain_at(lookahead)) {
+      recovery_time_ = std::min(lookahead, earliest() + rule.stability);
+      result.outcome = Outcome::kFound;
+      result.time = recovery_time_;
+      result.horizontal = horizontal;
+      result.vertical = vertical;
+      return result;
+    }
+    horizontal = std::max(rule.nmac_horizontal, horizontal * (1 - rule.ca_factor));
+    vertical = std::max(rule.nmac_vertical, vertical * (1 - rule.ca_factor));
+    ++result.shrunk;
+  }
+  return result;
+}
+
+}  // namespace skein::model

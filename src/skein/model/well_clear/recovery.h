@@ -1,0 +1,86 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "skein/model/well_clear/options.h"
+
+namespace skein::model {
+
+/// How well clear is regained when all values lead into conflict.
+struct BandRecovery {
+  enum class Outcome {
+    kNotNeeded,  ///< some values are without conflict
+    kFound,      ///< pieces of kRecovery regain it
+    kNoneFound,  ///< none keeps more than the distances of a near mid-air collision
+    kNotKept     ///< none even keeps these
+  };
+  Outcome outcome = Outcome::kNotNeeded;
+  double time = 0;                      ///< until well clear again [s]; if found
+  double horizontal = 0, vertical = 0;  ///< distances kept meanwhile [m]; if found
+  int shrunk = 0;                       ///< how often they were, before
+};
+
+/// Finds the values of one kind of manoeuvre that regain well clear soonest.
+///
+/// A value regains it at a time B if no volume is entered from B on and the recovery
+/// distances are kept before. Of distances from those of the configuration, shrunk again
+/// and again, the first are taken with which two neighbouring values regain it within the
+/// lookahead; B is the earliest, by bisection to 0.5 s, plus the stability time.
+///
+/// What may be B for a value is an interval, so that volumes are looked at once and
+/// distances some five times, not at every step of the bisection.
+class RecoverySearch {
+ public:
+  explicit RecoverySearch(const WellClearConfiguration& configuration)
+      : configuration_(&configuration) {}
+
+  /// Forgets the intruders added.
+  void start(std::size_t options);
+
+  /// Adds an intruder to be avoided.
+  ///
+  /// @param spans   when each option is within the corrective volume.
+  /// @param window  how long straight flight is looked at [s]; the lookahead for those in
+  ///                conflict now.
+  void add(const IntruderMotion& intruder, double horizontal_margin,
+           double vertical_margin, double window, const ManoeuvreOptions& options,
+           std::span<const OptionSpan> spans);
+
+  BandRecovery search(const ManoeuvreOptions& options);
+
+  /// Whether an option regains well clear, after a search that has found something.
+  bool regains(std::size_t option) const { return regains_at(option, recovery_time_); }
+
+ private:
+  struct Member {
+    IntruderMotion motion;
+    double horizontal_margin, vertical_margin, window;
+  };
+
+  bool regains_at(std::size_t option, double time) const {
+    return clear_after_[option] < time && time <= kept_until_[option];
+  }
+  // Whether two neighbours regain it.
+  bool some_regain_at(double time) const;
+  // Fills kept_until_ for distances shrunk so often.
+  void keep(double horizontal, double vertical, const ManoeuvreOptions& options);
+  double earliest() const;
+
+  const WellClearConfiguration* configuration_;
+  std::vector<Member> members_;
+  // What the time of regaining is after, and not after, of each option.
+  std::vector<double> clear_after_, kept_until_;
+  std::vector<OptionSpan> spans_;
+  double recovery_time_ = 0;
+};
+
+/// Whether a span that is looked at from `start` begins within `window` and the
+/// lookahead.
+inline bool begins_within(const ConflictSpan& span, double start, double window,
+                          double lookahead) {
+  return span.conflict() && span.in < start + window && span.in < lookahead;
+}
+
+}  // namespace skein::model
