@@ -1,0 +1,16 @@
+#pragma once
+
+#include "skein/layer/reasoning/team/allocation/tour_state.h"
+
+namespace skein::allocation {
+
+/// What the longest of several closed tours costs at least: the dearest place alone there
+/// and back; and, for costs that are symmetric and keep the triangle inequality, the
+/// least cost of one tour over all places, by the number of tours, since tours that meet
+/// in place 0 make one tour over all.
+///
+/// The one tour is bounded by 1-trees whose nodes are given prices by ascent.
+/// Reference: [Held71] section 3.
+double tour_bound(const TourCosts& costs, std::size_t tours);
+
+}  // namespace skein::allocation

@@ -1,0 +1,168 @@
+#include "skein/layer/reasoning/team/allocation/tour_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "skein/base/check.h"
+
+namespace skein::allocation {
+
+TourCosts::TourCosts(const TourProblem& problem)
+    : places_(static_cast<std::uint32_t>(problem.places)) {
+  SKEIN_CHECK(problem.places >= 1 && problem.tours >= 1 && problem.places < 1'000'000,
+              problem.places, problem.tours);
+  cost_.resize(std::size_t{places_} * places_);
+  for (std::uint32_t a = 0; a < places_; ++a)
+    for (std::uint32_t b = 0; b < places_; ++b)
+      cost_[a * places_ + b] = a == b ? 0 : problem.cost(a, b);
+  near_.resize(places_);
+  for (std::uint32_t a = 1; a < places_; ++a) {
+    for (std::uint32_t b = 1; b < places_; ++b)
+      if (b != a) near_[a].push_back(b);
+    const auto there_and_back = [&](std::uint32_t b) {
+      return (*this)(a, b) + (*this)(b, a);
+    };
+    std::stable_sort(near_[a].begin(), near_[a].end(),
+                     [&](std::uint32_t b, std::uint32_t c) {
+                       return there_and_back(b) < there_and_back(c);
+                     });
+  }
+}
+
+bool TourCosts::is_symmetric() const {
+  for (std::uint32_t a = 0; a < places_; ++a)
+    for (std::uint32_t b = 0; b < a; ++b)
+      if ((*this)(a, b) != (*this)(b, a)) return false;
+  return true;
+}
+
+bool TourCosts::is_metric() const {
+  for (std::uint32_t a = 0; a < places_; ++a)
+    for (std::uint32_t b = 0; b < places_; ++b)
+      for (std::uint32_t c = 0; c < places_; ++c)
+        if ((*this)(a, c) > ((*this)(a, b) + (*this)(b, c)) * (1 + 1e-12)) return false;
+  return true;
+}
+
+TourState::TourState(const TourCosts& costs, std::size_t tours) : costs_(&costs) {
+  const std::size_t nodes = costs.places() + tours;
+  next_.resize(nodes);
+  std::iota(next_.begin(), next_.end(), 0);
+  previous_ = next_;
+  tour_.assign(nodes, kNone);
+  for (std::size_t k = 0; k < tours; ++k)
+    tour_[costs.places() + k] = static_cast<std::uint32_t>(k);
+  count_.assign(tours, 0);
+  length_.assign(tours, 0);
+}
+
+double TourState::longest() const {
+  return *std::max_element(length_.begin(), length_.end());
+}
+
+std::uint32_t TourState::longest_tour() const {
+  return static_cast<std::uint32_t>(std::max_element(length_.begin(), length_.end()) -
+                                    length_.begin());
+}
+
+void TourState::insert(std::uint32_t place, std::uint32_t behind) {
+  const std::uint32_t tour = tour_[behind], after = next_[behind];
+  length_[tour] += added(place, behind);
+  ++count_[tour];
+  tour_[place] = tour;
+  next_[behind] = previous_[after] = place;
+  previous_[place] = behind;
+  next_[place] = after;
+}
+
+void TourState::remove(std::uint32_t place) {
+  const std::uint32_t tour = tour_[place];
+  const std::uint32_t before = previous_[place], after = next_[place];
+  next_[before] = after;
+  previous_[after] = before;
+  --count_[tour];
+  length_[tour] -= added(place, before);
+  tour_[place] = kNone;
+}
+
+void TourState::turn(std::uint32_t a, std::uint32_t b) {
+  length_[tour_[a]] += turned(a, b);
+  const std::uint32_t first = next_[a], after = next_[b];
+  // The ring from `first` to b, link by link the other way.
+  for (std::uint32_t node = first;;) {
+    const std::uint32_t onward = next_[node];
+    std::swap(next_[node], previous_[node]);
+    if (node == b) break;
+    node = onward;
+  }
+  next_[a] = b;
+  previous_[b] = a;
+  next_[first] = after;
+  previous_[after] = first;
+}
+
+// From a node to the end of its tour.
+double TourState::tail_behind(std::uint32_t node) const {
+  double length = 0;
+  do {
+    length += (*costs_)(place_of(node), place_of(next_[node]));
+    node = next_[node];
+  } while (!is_depot(node));
+  return length;
+}
+
+TourState::Lengths TourState::with_tails_swapped(std::uint32_t a, std::uint32_t b) const {
+  const double tail_a = tail_behind(a), tail_b = tail_behind(b);
+  const std::uint32_t pa = place_of(a), pb = place_of(b);
+  const std::uint32_t after_a = place_of(next_[a]), after_b = place_of(next_[b]);
+  return {length_[tour_[a]] - tail_a + (*costs_)(pa, after_b) + tail_b -
+              (*costs_)(pb, after_b),
+          length_[tour_[b]] - tail_b + (*costs_)(pb, after_a) + tail_a -
+              (*costs_)(pa, after_a)};
+}
+
+void TourState::swap_tails(std::uint32_t a, std::uint32_t b, const Lengths& lengths) {
+  const std::uint32_t tour_a = tour_[a], tour_b = tour_[b];
+  const std::uint32_t first_a = next_[a], first_b = next_[b];
+  // Hangs the places from `node` on behind `onto`, in a tour.
+  const auto hang = [&](std::uint32_t onto, std::uint32_t node, std::uint32_t tour) {
+    while (!is_depot(node)) {
+      const std::uint32_t onward = next_[node];
+      --count_[tour_[node]];
+      ++count_[tour];
+      tour_[node] = tour;
+      next_[onto] = node;
+      previous_[node] = onto;
+      onto = node;
+      node = onward;
+    }
+    next_[onto] = depot(tour);
+    previous_[depot(tour)] = onto;
+  };
+  hang(a, first_b, tour_a);
+  hang(b, first_a, tour_b);
+  length_[tour_a] = lengths.of_a;
+  length_[tour_b] = lengths.of_b;
+}
+
+void TourState::measure() {
+  for (std::uint32_t k = 0; k < tours(); ++k) {
+    length_[k] = 0;
+    std::uint32_t node = depot(k);
+    do {
+      length_[k] += (*costs_)(place_of(node), place_of(next_[node]));
+      node = next_[node];
+    } while (node != depot(k));
+  }
+}
+
+std::vector<std::vector<std::size_t>> TourState::lists() const {
+  std::vector<std::vector<std::size_t>> lists(tours());
+  for (std::uint32_t k = 0; k < tours(); ++k)
+    for (std::uint32_t node = next_[depot(k)]; node != depot(k); node = next_[node])
+      lists[k].push_back(node);
+  return lists;
+}
+
+}  // namespace skein::allocation

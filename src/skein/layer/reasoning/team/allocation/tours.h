@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "skein/layer/reasoning/team/allocation/answer.h"
+
+namespace skein::allocation {
+
+/// Places that several aircraft visit together, each in one closed tour from the first of
+/// them (place 0, where all begin and end). Minimised is the longest tour.
+struct TourProblem {
+  std::size_t places = 0;  ///< with place 0
+  std::size_t tours = 1;
+  /// Cost of flying from a place to another [s or m], not negative; in wind the cost back
+  /// is another one. Asked once for each pair.
+  std::function<double(std::size_t from, std::size_t to)> cost;
+};
+
+struct TourAnswer {
+  Quality quality;
+  std::vector<std::vector<std::size_t>> tours;  ///< places in order, without place 0
+};
+
+/// Shares the places among tours so that the longest one is as short as possible.
+///
+/// Ruin and recreate: strings of places near each other are taken out of their tours and
+/// put back one by one where the eighth power of the lengths grows least; a change is
+/// kept by simulated annealing of the longest tour. The bound is the larger of the
+/// dearest place there and back and, where costs keep the triangle inequality, the shared
+/// length of a shortest tour's own bound (1-trees, Held and Karp 1970, for symmetric
+/// costs).
+///
+/// @param effort  iterations 0: 4,000 per place and tour... see tours.cpp.
+/// Fails:     Bug when there is no place or no tour.
+/// Cost:      2 us an iteration at 200 places.
+/// Reference: [Chri20] sections 5 and 6; [Held71].
+TourAnswer shortest_tours(const TourProblem& problem, const Effort& effort);
+
+}  // namespace skein::allocation
