@@ -1,0 +1,82 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/base/result.h"
+
+/// Reading JSON that other people wrote, strictly: every key is known and given once,
+/// every number is within its bounds, and whatever is wrong is said with its place
+/// (`[3].events[0].t_s`). Problems are collected.
+///
+/// Includes all of the JSON library: for source files only.
+namespace skein::strict_json {
+
+using Json = nlohmann::json;
+
+/// What is wrong with a document; at most kMaxProblems are kept.
+class Problems {
+ public:
+  static constexpr std::size_t kMaxProblems = 20;
+
+  /// @param name  of the document, for messages.
+  explicit Problems(std::string name) : name_(std::move(name)) {}
+
+  void add(const std::string& path, const std::string& what);
+  bool any() const { return count_ > 0; }
+  bool full() const { return count_ >= kMaxProblems; }
+  /// All of them in one error.
+  Error error() const;
+
+ private:
+  std::string name_, first_place_, text_;
+  std::size_t count_ = 0;
+};
+
+/// The document; none when it is no JSON or a key stands twice in an object, which is
+/// then among the problems.
+std::optional<Json> parse(std::string_view text, Problems& problems);
+
+/// A value in a document, and its path there.
+class Value {
+ public:
+  Value(const Json& json, std::string path, Problems& problems)
+      : json_(&json), path_(std::move(path)), problems_(&problems) {}
+
+  const Json& json() const { return *json_; }
+  const std::string& path() const { return path_; }
+  void report(const std::string& what) const { problems_->add(path_, what); }
+
+  /// Whether it is an object with all `required` keys and no other than those and the
+  /// `optional` ones; reports what is wrong.
+  bool is_object_of(std::initializer_list<std::string_view> required,
+                    std::initializer_list<std::string_view> optional = {}) const;
+  bool has(std::string_view key) const { return json_->contains(key); }
+  /// The value of a key that is there.
+  Value at(std::string_view key) const;
+
+  /// The items of a list of at most `max_items`; reports when it is none.
+  std::vector<Value> items(std::size_t max_items) const;
+
+  /// A number within bounds; reports when it is none, and gives `low` then.
+  double number(double low, double high) const;
+  /// An integer within bounds; likewise.
+  std::int64_t integer(std::int64_t low, std::int64_t high) const;
+  /// A text of 1 to `max_bytes` bytes without control characters; likewise, empty.
+  std::string text(std::size_t max_bytes) const;
+
+ private:
+  const Json* json_;
+  std::string path_;
+  Problems* problems_;
+};
+
+}  // namespace skein::strict_json
