@@ -4,23 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "skein/model/well_clear/manoeuvre_bands.h"
 #include "skein/model/well_clear/options.h"
 
 namespace skein::model {
-
-/// How well clear is regained when all values lead into conflict.
-struct BandRecovery {
-  enum class Outcome {
-    kNotNeeded,  ///< some values are without conflict
-    kFound,      ///< pieces of kRecovery regain it
-    kNoneFound,  ///< none keeps more than the distances of a near mid-air collision
-    kNotKept     ///< none even keeps these
-  };
-  Outcome outcome = Outcome::kNotNeeded;
-  double time = 0;                      ///< until well clear again [s]; if found
-  double horizontal = 0, vertical = 0;  ///< distances kept meanwhile [m]; if found
-  int shrunk = 0;                       ///< how often they were, before
-};
 
 /// Finds the values of one kind of manoeuvre that regain well clear soonest.
 ///
