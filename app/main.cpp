@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/avoid_commands.h"
 #include "app/command_options.h"
 #include "app/commands.h"
 #include "app/number_range.h"
@@ -436,7 +437,8 @@ int run_program(int argc, char** argv) {
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  for (auto* add : {add_report, add_export, add_fire}) commands.push_back(add(program));
+  for (auto* add : {add_avoid, add_report, add_export, add_fire})
+    commands.push_back(add(program));
   for (auto* add : {add_link, add_vehicle, add_agent})
     commands.push_back(add(program, stop_requested));
   for (auto* add : {add_study, add_campaign, add_completion})

@@ -45,18 +45,24 @@ class RecoverySearch {
     IntruderMotion motion;
     double horizontal_margin, vertical_margin, window;
   };
+  struct Distances {
+    double horizontal, vertical;
+  };
 
   bool regains_at(std::size_t option, double time) const {
     return clear_after_[option] < time && time <= kept_until_[option];
   }
   // Whether two neighbours regain it.
   bool some_regain_at(double time) const;
-  // Fills kept_until_ for distances shrunk so often.
+  // Fills kept_until_ for these distances.
   void keep(double horizontal, double vertical, const ManoeuvreOptions& options);
   double earliest() const;
+  void list_distances();
+  std::size_t first_regained(const ManoeuvreOptions& options);
 
   const WellClearConfiguration* configuration_;
   std::vector<Member> members_;
+  std::vector<Distances> distances_;  // that are tried, largest first
   // What the time of regaining is after, and not after, of each option.
   std::vector<double> clear_after_, kept_until_;
   std::vector<OptionSpan> spans_;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/command_options.h"
+
+namespace skein::app {
+
+/// `skein avoid`: its sub-commands each stand in a file of their own.
+Command add_avoid(CLI::App& program);
+
+// Each adds a sub-command to `skein avoid`.
+
+Command add_avoid_detect(CLI::App& avoid);
+
+}  // namespace skein::app
