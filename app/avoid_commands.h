@@ -6,10 +6,12 @@
 
 namespace skein::app {
 
-/// `skein avoid` and its sub-commands.
+/// `skein avoid`: its sub-commands each stand in a file of their own.
 Command add_avoid(CLI::App& program);
 
-/// `skein avoid negotiate`.
+// Each adds a sub-command to `skein avoid`.
+
+Command add_avoid_detect(CLI::App& avoid);
 Command add_avoid_negotiate(CLI::App& avoid);
 
 }  // namespace skein::app

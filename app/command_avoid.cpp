@@ -1,4 +1,4 @@
-// skein avoid: what keeps aircraft apart, on its own.
+// skein avoid: keeping apart, worked out for tables of cases.
 #include <vector>
 
 #include "app/avoid_commands.h"
@@ -8,14 +8,16 @@ namespace skein::app {
 
 Command add_avoid(CLI::App& program) {
   auto* avoid = program.add_subcommand(
-      "avoid", "What keeps aircraft apart, on its own: tables in, tables out.");
+      "avoid", "Work out conflicts and how to avoid them, for tables of cases.");
   avoid->require_subcommand(1);
-  const std::vector<Command> commands = {add_avoid_negotiate(*avoid)};
-  avoid->footer("\nExamples:\n  skein avoid negotiate --help");
-  return {avoid, [commands]() -> int {
+  const std::vector<Command> commands = {add_avoid_detect(*avoid),
+                                         add_avoid_negotiate(*avoid)};
+  avoid->footer(
+      "\nExamples:\n  skein avoid detect --help\n  skein avoid negotiate --help");
+  return {avoid, [commands] {
             for (const Command& command : commands)
               if (*command.app) return command.run();
-            return kBadUsage;
+            return static_cast<int>(kBadUsage);
           }};
 }
 

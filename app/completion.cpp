@@ -17,7 +17,7 @@ constexpr const char* kBash = R"sh(_skein() {
     return
   fi
   if [ "${COMP_WORDS[1]}" = avoid ] && [ "$COMP_CWORD" = 2 ]; then
-    COMPREPLY=($(compgen -W "negotiate --help" -- "$cur"))
+    COMPREPLY=($(compgen -W "detect negotiate --help" -- "$cur"))
     return
   fi
   local command=${COMP_WORDS[1]}

@@ -437,8 +437,8 @@ int run_program(int argc, char** argv) {
                                      kKeysExamples, keys_command));
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
-  commands.push_back(add_avoid(program));
-  for (auto* add : {add_report, add_export, add_fire}) commands.push_back(add(program));
+  for (auto* add : {add_avoid, add_report, add_export, add_fire})
+    commands.push_back(add(program));
   for (auto* add : {add_link, add_vehicle, add_agent})
     commands.push_back(add(program, stop_requested));
   for (auto* add : {add_study, add_campaign, add_completion})

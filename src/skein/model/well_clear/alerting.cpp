@@ -76,10 +76,10 @@ int AlertHysteresis::level(const WellClearConfiguration& configuration,
             std::greater<>());
   // The highest level that m of them had or exceeded.
   const int agreed = count_ >= m ? sorted[m - 1] : 0;
-  const bool keeps = asked_ && agreed < held_ && time - held_since_ < rule.persistence;
+  const bool keeps = asked_ && agreed < held_ && time - raised_ < rule.persistence;
   if (!keeps && agreed != held_) {
+    if (agreed > held_) raised_ = time;
     held_ = agreed;
-    held_since_ = time;
   }
   asked_ = true;
   last_ = time;

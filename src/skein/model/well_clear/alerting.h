@@ -46,9 +46,9 @@ int alert_level(const WellClearConfiguration& configuration, const AircraftMotio
 /// Alerts for one intruder over time, without flicker.
 ///
 /// A level is taken when at least m of the last n answers had it or a higher one; the
-/// first answer counts m times. It is kept for the persistence time at least; while it is
-/// kept its early alerting time counts. All is forgotten when no answer was asked for the
-/// hysteresis time.
+/// first answer counts m times. It does not fall for the persistence time after it
+/// was raised; while it is kept its early alerting time counts. All is forgotten when no
+/// answer was asked for the hysteresis time.
 class AlertHysteresis {
  public:
   /// The level at `time` [s], of which those asked before are not later.
@@ -59,7 +59,7 @@ class AlertHysteresis {
   std::array<int, kMaxHysteresisAnswers> answers_{};  // latest first
   std::size_t count_ = 0;
   int held_ = 0;
-  double held_since_ = 0, last_ = 0;
+  double raised_ = 0, last_ = 0;
   bool asked_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "skein/model/well_clear/band_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "skein/base/check.h"
@@ -176,21 +177,6 @@ void BandSearch::list_track_pieces() {
     for (const BandPiece& piece : turned_)
       add_piece(std::clamp(piece.lo + shift, 0.0, kTurn),
                 std::clamp(piece.hi + shift, 0.0, kTurn), piece.region);
-}
-
-AlertRegion ManoeuvreBands::region(double value) const {
-  SKEIN_CHECK(!pieces.empty(), "bands without pieces");
-  double v = value;
-  if (kind == ManoeuvreKind::kTrack) {
-    v = v - kTurn * std::floor(v / kTurn);
-  } else {
-    v = std::clamp(v, pieces.front().lo, pieces.back().hi);
-  }
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (v > pieces[i].hi) continue;
-    return pieces[i].region;
-  }
-  return pieces.back().region;
 }
 
 }  // namespace skein::model

@@ -5,33 +5,11 @@
 #include <vector>
 
 #include "skein/model/well_clear/alerting.h"
+#include "skein/model/well_clear/manoeuvre_bands.h"
 #include "skein/model/well_clear/options.h"
 #include "skein/model/well_clear/recovery.h"
 
 namespace skein::model {
-
-/// A range of values and what they lead to.
-struct BandPiece {
-  double lo = 0, hi = 0;  ///< [rad, m/s or m]
-  AlertRegion region = AlertRegion::kNone;
-
-  bool operator==(const BandPiece&) const = default;
-};
-
-/// The bands of one kind of manoeuvre.
-struct ManoeuvreBands {
-  ManoeuvreKind kind = ManoeuvreKind::kTrack;
-  /// The whole range, ascending, neighbours of different regions. Track: [0, 2 pi],
-  /// clockwise from north. Speed over ground, vertical speed up, altitude above mean sea
-  /// level.
-  std::vector<BandPiece> pieces;
-  BandRecovery recovery;
-  double own = 0;  ///< the own value
-
-  /// What a value leads to; where pieces meet, to the better of both. Values out of range
-  /// count as its ends, tracks of whole turns more or less as the same.
-  AlertRegion region(double value) const;
-};
 
 /// Makes the bands of one kind of manoeuvre; see BandMaker.
 class BandSearch {

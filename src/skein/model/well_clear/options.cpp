@@ -197,6 +197,10 @@ void ManoeuvreOptions::survey_altitudes(const WellClearVolume& volume,
         begin[up].steady = {from + span.in, from + span.out};
       }
       option = begin[up];
+      if (until >= horizon) {
+        spans[i] = option;
+        continue;
+      }
       option.steady.out = std::min(option.steady.out, until);
     } else {
       steps.scan(change, 0, from, false, option);

@@ -95,23 +95,45 @@ BandRecovery RecoverySearch::search(const ManoeuvreOptions& options) {
     result.outcome = Outcome::kNotKept;
     return result;
   }
+  list_distances();
+  const std::size_t first = first_regained(options);
+  result.shrunk = static_cast<int>(first);
   result.outcome = Outcome::kNoneFound;
+  if (first == distances_.size()) return result;
+  keep(distances_[first].horizontal, distances_[first].vertical, options);
+  recovery_time_ = std::min(lookahead, earliest() + rule.stability);
+  result.outcome = Outcome::kFound;
+  result.time = recovery_time_;
+  result.horizontal = distances_[first].horizontal;
+  result.vertical = distances_[first].vertical;
+  return result;
+}
+
+void RecoverySearch::list_distances() {
+  const auto& rule = configuration_->recovery;
+  distances_.clear();
   double horizontal = rule.horizontal, vertical = rule.vertical;
   while (horizontal > rule.nmac_horizontal || vertical > rule.nmac_vertical) {
-    keep(horizontal, vertical, options);
-    if (some_regain_at(lookahead)) {
-      recovery_time_ = std::min(lookahead, earliest() + rule.stability);
-      result.outcome = Outcome::kFound;
-      result.time = recovery_time_;
-      result.horizontal = horizontal;
-      result.vertical = vertical;
-      return result;
-    }
+    distances_.push_back({horizontal, vertical});
     horizontal = std::max(rule.nmac_horizontal, horizontal * (1 - rule.ca_factor));
     vertical = std::max(rule.nmac_vertical, vertical * (1 - rule.ca_factor));
-    ++result.shrunk;
   }
-  return result;
+}
+
+// The first distances with which well clear is regained within the lookahead, or their
+// number: what is regained with some is regained with all that are smaller.
+std::size_t RecoverySearch::first_regained(const ManoeuvreOptions& options) {
+  std::size_t from = 0, to = distances_.size();
+  std::size_t tried = 0;  // most often the first will do
+  while (from < to) {
+    keep(distances_[tried].horizontal, distances_[tried].vertical, options);
+    if (some_regain_at(configuration_->lookahead))
+      to = tried;
+    else
+      from = tried + 1;
+    tried = (from + to) / 2;
+  }
+  return from;
 }
 
 }  // namespace skein::model

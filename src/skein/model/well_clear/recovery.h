@@ -4,23 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "skein/model/well_clear/manoeuvre_bands.h"
 #include "skein/model/well_clear/options.h"
 
 namespace skein::model {
-
-/// How well clear is regained when all values lead into conflict.
-struct BandRecovery {
-  enum class Outcome {
-    kNotNeeded,  ///< some values are without conflict
-    kFound,      ///< pieces of kRecovery regain it
-    kNoneFound,  ///< none keeps more than the distances of a near mid-air collision
-    kNotKept     ///< none even keeps these
-  };
-  Outcome outcome = Outcome::kNotNeeded;
-  double time = 0;                      ///< until well clear again [s]; if found
-  double horizontal = 0, vertical = 0;  ///< distances kept meanwhile [m]; if found
-  int shrunk = 0;                       ///< how often they were, before
-};
 
 /// Finds the values of one kind of manoeuvre that regain well clear soonest.
 ///
@@ -58,18 +45,24 @@ class RecoverySearch {
     IntruderMotion motion;
     double horizontal_margin, vertical_margin, window;
   };
+  struct Distances {
+    double horizontal, vertical;
+  };
 
   bool regains_at(std::size_t option, double time) const {
     return clear_after_[option] < time && time <= kept_until_[option];
   }
   // Whether two neighbours regain it.
   bool some_regain_at(double time) const;
-  // Fills kept_until_ for distances shrunk so often.
+  // Fills kept_until_ for these distances.
   void keep(double horizontal, double vertical, const ManoeuvreOptions& options);
   double earliest() const;
+  void list_distances();
+  std::size_t first_regained(const ManoeuvreOptions& options);
 
   const WellClearConfiguration* configuration_;
   std::vector<Member> members_;
+  std::vector<Distances> distances_;  // that are tried, largest first
   // What the time of regaining is after, and not after, of each option.
   std::vector<double> clear_after_, kept_until_;
   std::vector<OptionSpan> spans_;
