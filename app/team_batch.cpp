@@ -25,6 +25,7 @@ allocation::Effort effort_of(const TeamBatchArguments& given,
   allocation::Effort effort;
   effort.iterations = given.iterations;
   effort.seed = given.seed;
+  effort.timed = given.seconds > 0;
   effort.prove = given.prove;
   const Clock::time_point start = Clock::now();
   // Polled all the time: whoever sets no limit still can interrupt.

@@ -14,15 +14,13 @@
 namespace skein::assemble {
 
 inline constexpr std::size_t kMaxListed = 2000;  // aircraft or tasks of a problem
-inline constexpr double kFarthestPlace = 1e7;    // from the origin [m]
-inline constexpr std::int64_t kLargestId = 1'000'000'000;
+inline constexpr double kMaxPlace = 1e7;         // from the origin [m]
+inline constexpr std::int64_t kMaxId = 1'000'000'000;
 
 /// The point PREFIXnorth_m, PREFIXeast_m.
 inline Vec2 read_point(JsonFields& fields, const std::string& prefix) {
-  const double north =
-      fields.number((prefix + "north_m").c_str(), -kFarthestPlace, kFarthestPlace);
-  const double east =
-      fields.number((prefix + "east_m").c_str(), -kFarthestPlace, kFarthestPlace);
+  const double north = fields.number((prefix + "north_m").c_str(), -kMaxPlace, kMaxPlace);
+  const double east = fields.number((prefix + "east_m").c_str(), -kMaxPlace, kMaxPlace);
   return {north, east};
 }
 
@@ -40,7 +38,7 @@ void read_list(JsonFields& fields, const char* key, JsonProblems& problems,
   for (std::size_t k = 0; k < list->size(); ++k) {
     JsonFields inner((*list)[k], fmt::format("{}.{}[{}]", fields.place(), key, k),
                      problems);
-    ids.push_back(inner.whole("id", 1, kLargestId));
+    ids.push_back(inner.whole("id", 1, kMaxId));
     if (!seen.insert(ids.back()).second) inner.problem("id", "stands twice.");
     take(inner);
   }

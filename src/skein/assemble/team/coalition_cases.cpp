@@ -12,10 +12,10 @@ namespace {
 
 using namespace allocation;  // NOLINT: what is read is all of there
 
-constexpr double kMaxSpeed = 1000;    // [m/s]
-constexpr double kMaxDuration = 1e7;  // [s]
-constexpr double kMaxLength = 1e8;    // [m]
-constexpr double kLeast = 1e-9;       // of what must be above 0
+constexpr double kMaxSpeed = 1000;     // [m/s]
+constexpr double kMaxDuration = 1e7;   // [s]
+constexpr double kMaxLength = 1e8;     // [m]
+constexpr double kMinPositive = 1e-9;  // of what must be above 0
 
 TeamAircraft read_aircraft(JsonFields& fields, JsonProblems& problems) {
   TeamAircraft aircraft;
@@ -78,21 +78,21 @@ TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
   task.place = read_point(fields, "");
   switch (static_cast<Kind>(fields.word("kind", kKinds))) {
     case kSurvey:
-      task.what =
-          SurveillanceTask{fields.text("sensor"), fields.number("area_m2", kLeast, 1e14)};
+      task.what = SurveillanceTask{fields.text("sensor"),
+                                   fields.number("area_m2", kMinPositive, 1e14)};
       break;
     case kTrack:
       task.what = TrackingTask{fields.text("sensor"),
                                fields.number("target_speed_mps", 0, kMaxSpeed)};
       break;
     case kPatrol:
-      task.what = PatrolTask{fields.number("length_m", kLeast, kMaxLength),
-                             fields.number("revisit_s", kLeast, kMaxDuration),
+      task.what = PatrolTask{fields.number("length_m", kMinPositive, kMaxLength),
+                             fields.number("revisit_s", kMinPositive, kMaxDuration),
                              fields.flag("round", false)};
       break;
     case kWatch:
-      task.what = PatrolTask{fields.number("length_m", kLeast, kMaxLength),
-                             fields.number("revisit_s", kLeast, kMaxDuration),
+      task.what = PatrolTask{fields.number("length_m", kMinPositive, kMaxLength),
+                             fields.number("revisit_s", kMinPositive, kMaxDuration),
                              fields.flag("round", true)};
       break;
     case kWaypoints:
@@ -107,7 +107,7 @@ TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
       break;
     case kRelay:
       task.what = RelayTask{read_point(fields, "from_"), read_point(fields, "to_"),
-                            fields.number("range_m", kLeast, kMaxLength)};
+                            fields.number("range_m", kMinPositive, kMaxLength)};
       break;
     case kField:
     case kFire:

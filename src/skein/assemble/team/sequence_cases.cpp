@@ -134,7 +134,7 @@ class SequenceCaseReader {
   }
 
   std::size_t task_in(JsonFields& fields, const char* key) {
-    const std::int64_t id = fields.whole(key, 1, kLargestId);
+    const std::int64_t id = fields.whole(key, 1, kMaxId);
     const auto at = std::find(found_.tasks.begin(), found_.tasks.end(), id);
     if (at != found_.tasks.end())
       return static_cast<std::size_t>(at - found_.tasks.begin());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 3000;  // of a set: all pairs are kept
 constexpr double kMaxTours = 1000;
-constexpr double kFarthestPoint = 1e9;
+constexpr double kMaxPoint = 1e9;
 
 Error wrong_table(const std::string& place, std::string message) {
   return {ErrorCode::kBadInput, place, std::move(message), ""};
@@ -89,9 +89,9 @@ Result<PointSets> read_points(std::string_view text, const std::string& place) {
     if (row[0].empty()) return wrong_table(at, "set: must not be empty.");
     const auto number = number_of(row[1], 1, 1e9, at, "point");
     if (!number) return number.error();
-    const auto x = number_of(row[2], -kFarthestPoint, kFarthestPoint, at, "x");
+    const auto x = number_of(row[2], -kMaxPoint, kMaxPoint, at, "x");
     if (!x) return x.error();
-    const auto y = number_of(row[3], -kFarthestPoint, kFarthestPoint, at, "y");
+    const auto y = number_of(row[3], -kMaxPoint, kMaxPoint, at, "y");
     if (!y) return y.error();
     const auto whole = static_cast<std::int64_t>(number.value());
     if (static_cast<double>(whole) != number.value())
