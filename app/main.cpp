@@ -439,7 +439,7 @@ int run_program(int argc, char** argv) {
   const PlanOptions plan(program);
   for (auto* add : {add_avoid, add_report, add_export, add_fire})
     commands.push_back(add(program));
-  for (auto* add : {add_link, add_vehicle, add_agent})
+  for (auto* add : {add_link, add_vehicle, add_agent, add_team})
     commands.push_back(add(program, stop_requested));
   for (auto* add : {add_study, add_campaign, add_completion})
     commands.push_back(add(program));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 
 namespace skein::allocation {
 
@@ -22,8 +23,10 @@ struct Quality {
 /// How much work a search may do. Without `used` the answer depends on nothing but the
 /// problem and these numbers.
 struct Effort {
-  std::int64_t iterations =
-      0;  ///< moves of a search; 0: what the problem's size suggests
+  /// Moves of a search. 0: as many as are usual for the problem; of a search for
+  /// sequences or tours that is `timed`, as many as the time allows.
+  std::int64_t iterations = 0;
+  bool timed = false;  ///< `used` reaches 1 in reasonable time
   std::uint64_t seed = 1;
   bool prove = false;  ///< go on until nothing better is possible
   /// The share of the caller's time that is used up: 1 and more ends the search with the
@@ -33,6 +36,11 @@ struct Effort {
   /// As used(); 0 when time does not count.
   double share_used() const { return used ? used() : 0; }
   bool ended() const { return share_used() >= 1; }
+  /// The moves of a search of which so many are usual.
+  std::int64_t moves(std::int64_t usual) const {
+    if (iterations > 0) return iterations;
+    return timed ? std::numeric_limits<std::int64_t>::max() : usual;
+  }
 };
 
 /// Whether an allocation of utility `found` is to replace the present one: only when it

@@ -9,7 +9,7 @@
 namespace skein::allocation {
 namespace {
 
-constexpr double kLeastBid = 1e-9;  // what adds less is not taken
+constexpr double kMinBid = 1e-9;  // what adds less is not taken
 
 void take_over(TaskClaim& own, const TaskClaim& theirs) {
   own.taken = theirs.taken;
@@ -96,7 +96,7 @@ std::optional<Bidder::Offer> Bidder::best_offer() const {
   for (const auto& [task, claim] : claims_) {
     if (std::find(bundle_.begin(), bundle_.end(), task) != bundle_.end()) continue;
     const auto offer = offer_for(task, value);
-    if (!offer || offer->bid < kLeastBid || !beats(offer->bid, self_, claim)) continue;
+    if (!offer || offer->bid < kMinBid || !beats(offer->bid, self_, claim)) continue;
     if (!best || offer->bid > best->bid) best = offer;
   }
   return best;

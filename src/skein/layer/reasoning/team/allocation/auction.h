@@ -74,7 +74,8 @@ constexpr auto describe(const AuctionMessage*) {
 /// that of the task before, so that all still come to agree.
 ///
 /// Example: each second `build()`, send `message()`, `receive()` what comes.
-/// Reference: [Choi09] algorithms 3 and 4, table I; [John11] for bids that do not grow.
+/// Reference: [Choi09] algorithms 3 and 4, table I; [Johnson12] for bids that do not
+/// grow.
 class Bidder {
  public:
   /// What a path is worth to this aircraft, tasks in the order in which it does them; an

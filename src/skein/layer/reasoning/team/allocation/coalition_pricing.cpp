@@ -118,8 +118,8 @@ void add_leader(const Base& base, PricedGroup& group) {
 
 }  // namespace
 
-PricedGroup most_worth_group(const CoalitionTask& task, const std::vector<double>& price,
-                             const std::vector<Membership>& membership) {
+PricedGroup best_group(const CoalitionTask& task, const std::vector<double>& price,
+                       const std::vector<Membership>& membership) {
   Base base = base_of(task, price, membership);
   PricedGroup group = base.group;
   group.worth = satisfaction_of_sum(task.form, base.brought) - base.cost;

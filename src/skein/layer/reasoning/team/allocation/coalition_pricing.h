@@ -26,7 +26,7 @@ struct PricedGroup {
 ///
 /// @param price       by aircraft, any sign.
 /// @param membership  by aircraft.
-PricedGroup most_worth_group(const CoalitionTask& task, const std::vector<double>& price,
-                             const std::vector<Membership>& membership);
+PricedGroup best_group(const CoalitionTask& task, const std::vector<double>& price,
+                       const std::vector<Membership>& membership);
 
 }  // namespace skein::allocation

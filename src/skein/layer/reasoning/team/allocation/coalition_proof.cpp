@@ -60,7 +60,7 @@ class GroupPricing {
     double bound = 0;
     for (const double p : price) bound += p;
     for (std::size_t k = 0; k < problem_.tasks.size(); ++k) {
-      const PricedGroup group = most_worth_group(problem_.tasks[k], price, membership[k]);
+      const PricedGroup group = best_group(problem_.tasks[k], price, membership[k]);
       const bool must = has_must(membership[k]);
       bound += must ? group.bound : std::max(group.bound, 0.0);
       if (adds && !group.members.empty()) add_if_better(k, group);
@@ -198,11 +198,11 @@ class GroupPricing {
     for (std::size_t k = 0; k < problem_.tasks.size(); ++k) {
       auto& membership = node.membership[k];
       const double free =
-          std::max(most_worth_group(problem_.tasks[k], price_, membership).bound, 0.0);
+          std::max(best_group(problem_.tasks[k], price_, membership).bound, 0.0);
       for (std::size_t i = 0; i < problem_.aircraft; ++i) {
         if (membership[i] != Membership::kFree) continue;
         membership[i] = Membership::kMust;
-        const double with = most_worth_group(problem_.tasks[k], price_, membership).bound;
+        const double with = best_group(problem_.tasks[k], price_, membership).bound;
         membership[i] =
             is_closed(bound - free + with) ? Membership::kNever : Membership::kFree;
       }

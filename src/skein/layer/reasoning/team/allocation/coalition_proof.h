@@ -20,7 +20,7 @@ namespace skein::allocation {
 /// @param answer  an allocation; `bound` and `proven` are set, `task` and `value`
 /// replaced
 ///                by better ones.
-/// Reference: [Barn98].
+/// Reference: [Barnhart98].
 void bound_coalitions(const CoalitionProblem& problem, const Effort& effort,
                       CoalitionAnswer& answer);
 

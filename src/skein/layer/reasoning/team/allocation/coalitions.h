@@ -55,7 +55,7 @@ double utility_of(const CoalitionProblem& problem, const std::vector<std::size_t
 /// Fails:     Bug when a list is not as long as there are aircraft, a number is not
 /// finite,
 ///            or there are aircraft that may not be idle and no task.
-/// Reference: spec of the team, section 11; [Barn98] for branch and price.
+/// Reference: spec of the team, section 11; [Barnhart98] for branch and price.
 CoalitionAnswer best_coalitions(const CoalitionProblem& problem, const Effort& effort);
 
 /// Each aircraft in turn where it raises the utility most, until none does; those that

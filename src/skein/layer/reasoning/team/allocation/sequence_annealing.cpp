@@ -11,8 +11,8 @@ namespace {
 constexpr double kHotShare = 0.05, kColdShare = 1e-5;  // of the cost at the start
 constexpr double kMeanWeight = 0.02;                   // of the mean end beside the last
 constexpr double kLatePrice = 50;                      // of a second too late, in seconds
-constexpr std::size_t kLongestPart = 3;
-constexpr double kLeastGain = 1e-9;
+constexpr std::size_t kMaxPart = 3;
+constexpr double kMinGain = 1e-9;
 
 // What one route costs when no other matters.
 struct RouteCost {
@@ -58,7 +58,7 @@ class SequenceSearch {
       const double found = cost_now();
       if (found < cost || found < cost - temperature * math::log(random_.uniform())) {
         cost = found;
-        if (cost < best_cost_ - kLeastGain) keep(cost);
+        if (cost < best_cost_ - kMinGain) keep(cost);
       } else {
         undo();
       }
@@ -226,8 +226,7 @@ class SequenceSearch {
   bool move_part() {
     auto& from = routes_[first_];
     const std::size_t at = random_.below(from.size());
-    const std::size_t length =
-        1 + random_.below(std::min(kLongestPart, from.size() - at));
+    const std::size_t length = 1 + random_.below(std::min(kMaxPart, from.size() - at));
     const auto begin = from.begin() + static_cast<std::ptrdiff_t>(at);
     std::vector<std::size_t> part(begin, begin + static_cast<std::ptrdiff_t>(length));
     from.erase(begin, begin + static_cast<std::ptrdiff_t>(length));

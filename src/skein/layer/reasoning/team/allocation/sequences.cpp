@@ -11,7 +11,7 @@
 namespace skein::allocation {
 namespace {
 
-constexpr std::int64_t kSequenceMoves = 5'000'000;
+constexpr std::int64_t kSequenceMoves = 3'000'000;
 constexpr std::int64_t kMovesBeforeOrders = 20'000;
 constexpr double kSameCost = 1e-9;  // relative
 
@@ -80,8 +80,7 @@ Result<SequenceAnswer> best_sequences(const SequenceProblem& problem,
   if (!selections) return selections.error();
   const std::size_t count = selections.value().count();
   const std::int64_t moves =
-      (effort.iterations > 0 ? effort.iterations : kSequenceMoves) /
-      static_cast<std::int64_t>(count);
+      effort.moves(kSequenceMoves) / static_cast<std::int64_t>(count);
   SequenceAnswer answer;
   SelectionAnswer best;
   SequenceTable best_table;

@@ -86,7 +86,7 @@ struct SequenceAnswer {
 /// - Else annealing over routes, and a bound of relaxations.
 /// - Alternatives: each selection of tasks on its own.
 ///
-/// @param effort  iterations: moves of annealing; 0: 5 million.
+/// @param effort  iterations: moves of annealing; 0: 3 million.
 /// Fails:     kBadInput for numbers that make no sense, tasks that nobody may do,
 /// relations
 ///            and orders of tasks that do not exist or follow themselves, or more than

@@ -11,8 +11,8 @@ constexpr double kCovered = 0.8;   // of a swath: the rest overlaps
 constexpr double kNearTurn = 100;  // radius of turn that halves tracking [m]
 constexpr double kTooFast = 10;    // [m/s] above a target by which tracking falls to 1/e
 constexpr double kReserve = 1.2;   // of a route's time
-constexpr double kMostReserve = 1.5;  // more endurance than that is of no use
-constexpr double kRelayRange = 0.8;   // of the radio's
+constexpr double kMaxReserve = 1.5;  // more endurance than that is of no use
+constexpr double kRelayRange = 0.8;  // of the radio's
 
 using Aircraft = std::vector<TeamAircraft>;
 
@@ -46,7 +46,7 @@ struct Brings {
     const double distance = (aircraft.place - place).norm() + task.length;
     const double time =
         aircraft.cruise > 0 ? distance / aircraft.cruise : math::kInfinity;
-    const double reserve = std::min(kMostReserve, aircraft.endurance / (kReserve * time));
+    const double reserve = std::min(kMaxReserve, aircraft.endurance / (kReserve * time));
     return reserve >= 1 ? reserve : 0;
   }
   double operator()(const GuardTask& task) const {

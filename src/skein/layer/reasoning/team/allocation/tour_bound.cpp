@@ -15,7 +15,7 @@ struct OneTree {
   std::vector<int> degree;
 };
 
-OneTree least_one_tree(const TourCosts& costs, const std::vector<double>& price) {
+OneTree min_one_tree(const TourCosts& costs, const std::vector<double>& price) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const std::uint32_t n = costs.places();
   OneTree tree;
@@ -69,7 +69,7 @@ double one_tour_bound(const TourCosts& costs) {
   std::vector<int> before(n, 0);
   double bound = 0, step = 0;
   for (int k = 0; k < kAscents; ++k) {
-    const OneTree tree = least_one_tree(costs, price);
+    const OneTree tree = min_one_tree(costs, price);
     double cost = tree.cost;
     for (const double p : price) cost -= 2 * p;
     bound = std::max(bound, cost);

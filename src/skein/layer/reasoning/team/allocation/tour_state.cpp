@@ -86,66 +86,6 @@ void TourState::remove(std::uint32_t place) {
   tour_[place] = kNone;
 }
 
-void TourState::turn(std::uint32_t a, std::uint32_t b) {
-  length_[tour_[a]] += turned(a, b);
-  const std::uint32_t first = next_[a], after = next_[b];
-  // The ring from `first` to b, link by link the other way.
-  for (std::uint32_t node = first;;) {
-    const std::uint32_t onward = next_[node];
-    std::swap(next_[node], previous_[node]);
-    if (node == b) break;
-    node = onward;
-  }
-  next_[a] = b;
-  previous_[b] = a;
-  next_[first] = after;
-  previous_[after] = first;
-}
-
-// From a node to the end of its tour.
-double TourState::tail_behind(std::uint32_t node) const {
-  double length = 0;
-  do {
-    length += (*costs_)(place_of(node), place_of(next_[node]));
-    node = next_[node];
-  } while (!is_depot(node));
-  return length;
-}
-
-TourState::Lengths TourState::with_tails_swapped(std::uint32_t a, std::uint32_t b) const {
-  const double tail_a = tail_behind(a), tail_b = tail_behind(b);
-  const std::uint32_t pa = place_of(a), pb = place_of(b);
-  const std::uint32_t after_a = place_of(next_[a]), after_b = place_of(next_[b]);
-  return {length_[tour_[a]] - tail_a + (*costs_)(pa, after_b) + tail_b -
-              (*costs_)(pb, after_b),
-          length_[tour_[b]] - tail_b + (*costs_)(pb, after_a) + tail_a -
-              (*costs_)(pa, after_a)};
-}
-
-void TourState::swap_tails(std::uint32_t a, std::uint32_t b, const Lengths& lengths) {
-  const std::uint32_t tour_a = tour_[a], tour_b = tour_[b];
-  const std::uint32_t first_a = next_[a], first_b = next_[b];
-  // Hangs the places from `node` on behind `onto`, in a tour.
-  const auto hang = [&](std::uint32_t onto, std::uint32_t node, std::uint32_t tour) {
-    while (!is_depot(node)) {
-      const std::uint32_t onward = next_[node];
-      --count_[tour_[node]];
-      ++count_[tour];
-      tour_[node] = tour;
-      next_[onto] = node;
-      previous_[node] = onto;
-      onto = node;
-      node = onward;
-    }
-    next_[onto] = depot(tour);
-    previous_[depot(tour)] = onto;
-  };
-  hang(a, first_b, tour_a);
-  hang(b, first_a, tour_b);
-  length_[tour_a] = lengths.of_a;
-  length_[tour_b] = lengths.of_b;
-}
-
 void TourState::measure() {
   for (std::uint32_t k = 0; k < tours(); ++k) {
     length_[k] = 0;

@@ -57,22 +57,6 @@ class TourState {
   void insert(std::uint32_t place, std::uint32_t behind);
   void remove(std::uint32_t place);
 
-  /// What joining a to b and what follows each of them does to their one tour; the part
-  /// between is turned round. For symmetric costs.
-  double turned(std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t after_a = place_of(next_[a]), after_b = place_of(next_[b]);
-    return (*costs_)(place_of(a), place_of(b)) + (*costs_)(after_a, after_b) -
-           (*costs_)(place_of(a), after_a) - (*costs_)(place_of(b), after_b);
-  }
-  void turn(std::uint32_t a, std::uint32_t b);
-
-  /// The lengths of two tours when what follows a and what follows b change places.
-  struct Lengths {
-    double of_a, of_b;
-  };
-  Lengths with_tails_swapped(std::uint32_t a, std::uint32_t b) const;
-  void swap_tails(std::uint32_t a, std::uint32_t b, const Lengths& lengths);
-
   /// All lengths anew, without the rounding of many changes.
   void measure();
   std::vector<std::vector<std::size_t>> lists() const;
@@ -82,7 +66,6 @@ class TourState {
   std::uint32_t place_of(std::uint32_t node) const {
     return node < costs_->places() ? node : 0;
   }
-  double tail_behind(std::uint32_t node) const;
 
   const TourCosts* costs_;
   std::vector<std::uint32_t> next_, previous_, tour_, count_;

@@ -22,8 +22,8 @@ constexpr std::size_t kSquarings = 4;
 constexpr std::size_t kNear = 12;  // neighbours beside which a place is put
 constexpr double kHot = 0.01;      // temperatures, as shares of the longest tour
 constexpr double kCold = 0.00005;
-constexpr double kTotalWeight = 0.02;  // of the mean length beside the longest
-constexpr double kExchanges = 0.5;     // share of moves that turn parts or swap tails
+constexpr double kTotalWeight = 0.02;           // of the mean length beside the longest
+constexpr std::int64_t kAnnealing = 2'500'000;  // iterations from hot to cold
 constexpr int kClockEvery = 256;
 
 // x to the power of 2^squarings.
@@ -40,7 +40,6 @@ class TourSearch {
         state_(costs, tours),
         best_(state_),
         bound_(bound),
-        symmetric_(costs.is_symmetric()),
         random_(seed, 0),
         ruined_(tours, 0) {
     removed_.resize(costs.places() - 1);
@@ -51,25 +50,10 @@ class TourSearch {
   }
 
   std::int64_t run(const Effort& effort, std::int64_t iterations) {
-    double cost = cost_now();
-    double temperature = kHot * state_.longest();
-    std::int64_t k = 0;
-    for (; k < iterations && !is_optimal(); ++k) {
-      if (k % kClockEvery == 0) {
-        const double time = effort.share_used();
-        if (time >= 1) break;
-        const double share =
-            std::max(static_cast<double>(k) / static_cast<double>(iterations), time);
-        temperature = kHot * best_.longest() * math::pow(kCold / kHot, share);
-        scale_ = state_.longest();
-      }
-      const double limit = cost - temperature * math::log(random_.uniform());
-      if (random_.uniform() < kExchanges ? exchange(limit) : ruin_and_recreate(limit)) {
-        cost = cost_now();
-        keep_if_better();
-      }
-    }
-    return k;
+    std::int64_t made = 0;
+    while (made < iterations && !effort.ended() && !is_optimal())
+      made += anneal(effort, std::min(iterations - made, kAnnealing));
+    return made;
   }
 
   bool is_optimal() const { return best_.longest() <= bound_ * (1 + 1e-12); }
@@ -81,16 +65,26 @@ class TourSearch {
     for (std::uint32_t t = 0; t < state_.tours(); ++t) total += state_.length(t);
     return state_.longest() + kTotalWeight * total / state_.tours();
   }
-  // With other lengths of two tours, which may be one.
-  double cost_with(std::uint32_t a, double length_a, std::uint32_t b,
-                   double length_b) const {
-    double total = 0, longest = 0;
-    for (std::uint32_t t = 0; t < state_.tours(); ++t) {
-      const double length = t == a ? length_a : t == b ? length_b : state_.length(t);
-      total += length;
-      longest = std::max(longest, length);
+  // From hot to cold in so many iterations, or in the time that is left if that is less.
+  std::int64_t anneal(const Effort& effort, std::int64_t iterations) {
+    const double begun = effort.share_used();
+    double cost = cost_now(), temperature = 0;
+    std::int64_t k = 0;
+    for (; k < iterations && !is_optimal(); ++k) {
+      if (k % kClockEvery == 0) {
+        const double time = effort.share_used();
+        if (time >= 1) break;
+        const double share =
+            std::max(static_cast<double>(k) / static_cast<double>(iterations),
+                     (time - begun) / (1 - begun));
+        temperature = kHot * best_.longest() * math::pow(kCold / kHot, share);
+        scale_ = state_.longest();
+      }
+      if (!ruin_and_recreate(cost - temperature * math::log(random_.uniform()))) continue;
+      cost = cost_now();
+      keep_if_better();
     }
-    return longest + kTotalWeight * total / state_.tours();
+    return k;
   }
 
   bool ruin_and_recreate(double limit) {
@@ -99,30 +93,6 @@ class TourSearch {
     if (cost_now() < limit) return true;
     take_back();
     return false;
-  }
-
-  // Joins a place to one near it: a part of their tour is turned round, or the tails of
-  // their tours change places. Whether it was done: it costs less than `limit`.
-  bool exchange(double limit) {
-    const std::size_t places = costs_.places() - 1;
-    if (places < 2) return false;
-    const auto place = static_cast<std::uint32_t>(1 + random_.below(places));
-    const auto& near = costs_.near(place);
-    const std::uint32_t other = near[random_.below(std::min(near.size(), kNear))];
-    const std::uint32_t a = state_.tour_of(place), b = state_.tour_of(other);
-    if (a == b) {
-      if (!symmetric_) return false;
-      const double length = state_.length(a) + state_.turned(place, other);
-      if (!(cost_with(a, length, a, length) < limit)) return false;
-      state_.turn(place, other);
-      return true;
-    }
-    // What follows `other` comes to follow what is before it: `place` joins `other`.
-    const std::uint32_t before = state_.previous(other);
-    const auto lengths = state_.with_tails_swapped(place, before);
-    if (!(cost_with(a, lengths.of_a, b, lengths.of_b) < limit)) return false;
-    state_.swap_tails(place, before, lengths);
-    return true;
   }
 
   void keep_if_better() {
@@ -170,8 +140,8 @@ class TourSearch {
     const double mean_count =
         static_cast<double>(places) / static_cast<double>(state_.tours());
     const double longest = std::min(kMaxString, std::max(1.0, mean_count));
-    const double most_strings = 4 * kMeanRemoved / (1 + longest) - 1;
-    const auto strings = static_cast<std::size_t>(1 + random_.uniform() * most_strings);
+    const double max_strings = 4 * kMeanRemoved / (1 + longest) - 1;
+    const auto strings = static_cast<std::size_t>(1 + random_.uniform() * max_strings);
     std::uint32_t seed = static_cast<std::uint32_t>(1 + random_.below(places));
     std::size_t taken = 0;
     take_near(seed, longest, taken);
@@ -192,13 +162,13 @@ class TourSearch {
   }
 
   void sort_removed() {
-    const std::size_t way = random_.below(7);
-    if (way < 4) {
+    const std::size_t order = random_.below(7);
+    if (order < 4) {
       for (std::size_t k = removed_.size(); k > 1; --k)
         std::swap(removed_[k - 1], removed_[random_.below(k)]);
       return;
     }
-    const bool far_first = way < 6;
+    const bool far_first = order < 6;
     std::sort(removed_.begin(), removed_.end(), [&](std::uint32_t a, std::uint32_t b) {
       const double da = costs_(0, a) + costs_(a, 0), db = costs_(0, b) + costs_(b, 0);
       if (da != db) return far_first ? da > db : da < db;
@@ -212,9 +182,9 @@ class TourSearch {
     const double added = state_.added(place, behind) / scale_;
     const double cost =
         raised(length + added, squarings_) - raised(length, squarings_) + 1e-3 * added;
-    if (cost >= least_) return;
+    if (cost >= min_added_) return;
     if (random_.uniform() < kBlink) return;
-    least_ = cost;
+    min_added_ = cost;
     where_ = behind;
   }
 
@@ -222,7 +192,7 @@ class TourSearch {
     sort_removed();
     squarings_ = kMinSquarings + static_cast<int>(random_.below(kSquarings));
     for (const std::uint32_t place : removed_) {
-      least_ = math::kInfinity;
+      min_added_ = math::kInfinity;
       std::size_t seen = 0;
       for (const std::uint32_t other : costs_.near(place)) {
         if (!state_.is_in_tour(other)) continue;
@@ -234,7 +204,7 @@ class TourSearch {
         look_at(place, state_.depot(t));
         if (state_.count(t) > 0) look_at(place, state_.previous(state_.depot(t)));
       }
-      if (least_ == math::kInfinity) where_ = state_.depot(0);
+      if (min_added_ == math::kInfinity) where_ = state_.depot(0);
       state_.insert(place, where_);
     }
   }
@@ -252,13 +222,12 @@ class TourSearch {
   const TourCosts& costs_;
   TourState state_, best_;
   double bound_;
-  bool symmetric_;
   SearchRandom random_;
   std::vector<std::uint64_t> ruined_;  // the round in which a tour was
   std::uint64_t round_ = 0;
   std::vector<std::uint32_t> removed_;
   std::vector<Undo> undo_;
-  double scale_ = 1, least_ = 0;
+  double scale_ = 1, min_added_ = 0;
   std::uint32_t where_ = 0;
   int squarings_ = 3;
   bool ever_ = false;
@@ -270,7 +239,7 @@ TourAnswer shortest_tours(const TourProblem& problem, const Effort& effort) {
   const TourCosts costs(problem);
   const double bound = tour_bound(costs, problem.tours);
   TourSearch search(costs, problem.tours, bound, effort.seed);
-  const std::int64_t iterations = effort.iterations > 0 ? effort.iterations : 3'000'000;
+  const std::int64_t iterations = effort.moves(kAnnealing);
   TourAnswer answer;
   answer.quality.iterations = search.run(effort, iterations);
   answer.tours = search.best().lists();

@@ -26,16 +26,17 @@ struct TourAnswer {
 /// Shares the places among tours so that the longest one is as short as possible.
 ///
 /// Ruin and recreate: strings of places near each other are taken out of their tours and
-/// put back one by one where the eighth power of the lengths grows least; a change is
-/// kept by simulated annealing of the longest tour. The bound is the larger of the
-/// dearest place there and back and, where costs keep the triangle inequality, the shared
-/// length of a shortest tour's own bound (1-trees, Held and Karp 1970, for symmetric
-/// costs).
+/// put back one by one where a power of the lengths, the 4th to the 32nd, grows least; a
+/// change is kept by simulated annealing of the longest tour. The bound is the larger of
+/// the dearest place there and back and, where costs are symmetric and keep the triangle
+/// inequality, the least cost of one tour over all places by the number of tours. The
+/// search ends where it meets the bound.
 ///
-/// @param effort  iterations 0: 4,000 per place and tour... see tours.cpp.
+/// @param effort  iterations 0: one annealing of 2.5 million; with more, another begins
+///                where one ends.
 /// Fails:     Bug when there is no place or no tour.
-/// Cost:      2 us an iteration at 200 places.
-/// Reference: [Chri20] sections 5 and 6; [Held71].
+/// Cost:      2.3 us an iteration at 50 to 200 places; n^2 numbers of memory.
+/// Reference: [Christiaens20] sections 4 and 5.
 TourAnswer shortest_tours(const TourProblem& problem, const Effort& effort);
 
 }  // namespace skein::allocation

@@ -142,7 +142,7 @@ TEST(Pricing, FindsTheGroupWorthMostUnderAnyPrices) {
       }
       if (allowed) best = std::max(best, worth(group));
     }
-    const PricedGroup found = most_worth_group(problem.tasks[0], price, membership);
+    const PricedGroup found = best_group(problem.tasks[0], price, membership);
     EXPECT_NEAR(found.worth, best, 1e-12) << seed;
     EXPECT_NEAR(worth(found.members), best, 1e-12) << seed;
     EXPECT_GE(found.bound, found.worth);

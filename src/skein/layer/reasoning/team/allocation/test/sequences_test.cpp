@@ -51,7 +51,7 @@ SequenceProblem random_sequences(std::uint64_t seed, std::size_t aircraft,
 }
 
 // The least cost of all routes, or infinity; `table` of one selection.
-double least_of_all(const SequenceTable& table, SequenceRoutes& routes, std::size_t t) {
+double min_of_all(const SequenceTable& table, SequenceRoutes& routes, std::size_t t) {
   if (t == table.tasks) {
     const SequenceSchedule schedule = schedule_of(table, routes);
     return schedule.late > 0 ? INFINITY : cost_of(table, schedule);
@@ -61,20 +61,20 @@ double least_of_all(const SequenceTable& table, SequenceRoutes& routes, std::siz
     if (!table.may(a, t)) continue;
     for (std::size_t k = 0; k <= routes[a].size(); ++k) {
       routes[a].insert(routes[a].begin() + static_cast<std::ptrdiff_t>(k), t);
-      least = std::min(least, least_of_all(table, routes, t + 1));
+      least = std::min(least, min_of_all(table, routes, t + 1));
       routes[a].erase(routes[a].begin() + static_cast<std::ptrdiff_t>(k));
     }
   }
   return least;
 }
 
-double least_of_all(const SequenceProblem& problem) {
+double min_of_all(const SequenceProblem& problem) {
   const auto selections = SequenceSelections::of(problem);
   double least = INFINITY;
   for (std::size_t k = 0; k < selections.value().count(); ++k) {
     const SequenceTable table = selections.value().table(k);
     SequenceRoutes routes(table.aircraft);
-    least = std::min(least, least_of_all(table, routes, 0));
+    least = std::min(least, min_of_all(table, routes, 0));
   }
   return problem.objective == SequenceObjective::kDiscounted ? -least : least;
 }
@@ -102,7 +102,7 @@ TEST(Sequences, OfFewTasksAreTheBestOfAll) {
       const auto answer = best_sequences(problem, {});
       ASSERT_TRUE(answer.ok()) << answer.error().text();
       EXPECT_TRUE(answer.value().quality.proven);
-      EXPECT_NEAR(answer.value().quality.value, least_of_all(problem), 1e-9) << seed;
+      EXPECT_NEAR(answer.value().quality.value, min_of_all(problem), 1e-9) << seed;
       expect_whole(problem, answer.value());
     }
 }
@@ -119,7 +119,7 @@ TEST(Sequences, WithWindowsAreTheBestOfAllThatKeepThem) {
       }
       const auto answer = best_sequences(problem, {});
       ASSERT_TRUE(answer.ok());
-      const double best = least_of_all(problem);
+      const double best = min_of_all(problem);
       ASSERT_EQ(answer.value().feasible, std::isfinite(best)) << seed;
       if (!answer.value().feasible) continue;
       ++feasible;
@@ -140,7 +140,7 @@ TEST(Sequences, WithRelationsAreTheBestOfAllThatKeepThem) {
       if (seed % 3 == 0) problem.relations.push_back({Kind::kAt, 0, 0, 60});
       const auto answer = best_sequences(problem, {});
       ASSERT_TRUE(answer.ok());
-      const double best = least_of_all(problem);
+      const double best = min_of_all(problem);
       ASSERT_EQ(answer.value().feasible, std::isfinite(best)) << seed;
       if (!answer.value().feasible) continue;
       ++feasible;
@@ -168,7 +168,7 @@ TEST(Sequences, ChooseTheBestAlternative) {
                          {task(1), {Order::kParallel, 0, {task(2), task(3)}}}}}}};
     const auto answer = best_sequences(problem, {});
     ASSERT_TRUE(answer.ok()) << answer.error().text();
-    EXPECT_NEAR(answer.value().quality.value, least_of_all(problem), 1e-9) << seed;
+    EXPECT_NEAR(answer.value().quality.value, min_of_all(problem), 1e-9) << seed;
     const auto& begin = answer.value().begin;
     EXPECT_EQ(std::isnan(begin[1]), !std::isnan(begin[2]));
     EXPECT_EQ(std::isnan(begin[2]), std::isnan(begin[3]));

@@ -39,8 +39,8 @@ double length_of(const TourProblem& problem, const std::vector<std::size_t>& tou
   return length + (at ? problem.cost(at, 0) : 0);
 }
 
-double least_of_all(const TourProblem& problem,
-                    std::vector<std::vector<std::size_t>>& tours, std::size_t place) {
+double min_of_all(const TourProblem& problem,
+                  std::vector<std::vector<std::size_t>>& tours, std::size_t place) {
   if (place == problem.places) {
     double longest = 0;
     for (const auto& tour : tours) longest = std::max(longest, length_of(problem, tour));
@@ -50,7 +50,7 @@ double least_of_all(const TourProblem& problem,
   for (auto& tour : tours)
     for (std::size_t k = 0; k <= tour.size(); ++k) {
       tour.insert(tour.begin() + static_cast<std::ptrdiff_t>(k), place);
-      least = std::min(least, least_of_all(problem, tours, place + 1));
+      least = std::min(least, min_of_all(problem, tours, place + 1));
       tour.erase(tour.begin() + static_cast<std::ptrdiff_t>(k));
     }
   return least;
@@ -82,7 +82,7 @@ TEST(Tours, OverFewPlacesAreTheShortestOfAll) {
       const auto problem = random_tours(seed, 2 + seed % 6, 1 + seed % 3, wind);
       const TourAnswer answer = shortest_tours(problem, moves(20'000));
       std::vector<std::vector<std::size_t>> tours(problem.tours);
-      EXPECT_NEAR(answer.quality.value, least_of_all(problem, tours, 1), 1e-9) << seed;
+      EXPECT_NEAR(answer.quality.value, min_of_all(problem, tours, 1), 1e-9) << seed;
       expect_whole(problem, answer);
     }
 }
@@ -128,11 +128,8 @@ TEST(TourState, KeepsLengthsThroughAllChanges) {
     const auto a = static_cast<std::uint32_t>(1 + random.below(29));
     const auto b = static_cast<std::uint32_t>(1 + random.below(29));
     if (a == b) continue;
-    if (state.tour_of(a) == state.tour_of(b))
-      state.turn(a, b);
-    else
-      state.swap_tails(a, state.previous(b),
-                       state.with_tails_swapped(a, state.previous(b)));
+    state.remove(a);
+    state.insert(a, b);
     TourState measured = state;
     measured.measure();
     std::size_t places = 0;
