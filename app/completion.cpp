@@ -6,7 +6,7 @@ namespace {
 
 constexpr const char* kBash = R"sh(_skein() {
   local cur=${COMP_WORDS[COMP_CWORD]}
-  local commands="run check list schema keys fly plan avoid report export fire link study campaign completion"
+  local commands="run check list schema keys fly plan avoid team report export fire link study campaign completion"
   local options
   if [ "$COMP_CWORD" = 1 ]; then
     COMPREPLY=($(compgen -W "$commands --help --version" -- "$cur"))
@@ -20,9 +20,13 @@ constexpr const char* kBash = R"sh(_skein() {
     COMPREPLY=($(compgen -W "negotiate --help" -- "$cur"))
     return
   fi
+  if [ "${COMP_WORDS[1]}" = team ] && [ "$COMP_CWORD" = 2 ]; then
+    COMPREPLY=($(compgen -W "rehearse --help" -- "$cur"))
+    return
+  fi
   local command=${COMP_WORDS[1]}
   case "$command" in
-    plan | avoid) command="$command ${COMP_WORDS[2]}" ;;
+    plan | avoid | team) command="$command ${COMP_WORDS[2]}" ;;
   esac
   options=$("${COMP_WORDS[0]}" $command --help 2>/dev/null |
             grep -oE -- '--[a-z-]+' | sort -u)

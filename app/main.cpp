@@ -17,6 +17,7 @@
 #include "app/number_range.h"
 #include "app/output.h"
 #include "app/plan_options.h"
+#include "app/team_commands.h"
 #include "app/version.h"
 #include "skein/base/result.h"
 
@@ -438,6 +439,7 @@ int run_program(int argc, char** argv) {
   commands.push_back(add_fly(program));
   const PlanOptions plan(program);
   commands.push_back(add_avoid(program));
+  commands.push_back(add_team(program, stop_requested));
   for (auto* add : {add_report, add_export, add_fire}) commands.push_back(add(program));
   for (auto* add : {add_link, add_vehicle, add_agent})
     commands.push_back(add(program, stop_requested));

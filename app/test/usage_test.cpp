@@ -12,7 +12,7 @@ namespace {
 TEST_F(Program, SaysHowItIsUsed) {
   EXPECT_EQ(run({"--help"}).status, 0);
   for (const char* command : {"run", "check", "list", "schema", "keys", "fly", "plan",
-                              "avoid", "report", "study", "completion"}) {
+                              "avoid", "team", "report", "study", "completion"}) {
     const Finished help = run({command, "--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.out.find("--help"), std::string::npos) << command;

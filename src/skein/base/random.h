@@ -38,6 +38,7 @@ enum class Purpose : std::uint32_t {
   kObject = 26,
   kRadioOutage = 27,
   kOutsideSensors = 28,
+  kTeam = 30,
   kVehicleFault = 40,
   kAirframe = 41,
   /// Kinds of plugins: this and every number above it, as `static_cast<Purpose>(...)`.
