@@ -247,6 +247,7 @@ class TeamMember {
   double successor_since_ = 0;
   std::map<EntityId, Follower> followers_;
   std::map<EntityId, Rival> rivals_;
+  std::map<EntityId, std::uint32_t> accepted_;  // newcomers, and in which exchange
   std::optional<Asked> asked_;
   std::map<EntityId, double> siblings_;  // of each branch, when it was heard
   std::set<EntityId> taken_back_;        // branches whose tasks it has taken

@@ -91,6 +91,7 @@ void TeamMember::on(EntityId from, const TeamPropose& propose) {
     const double distance = (task.place - propose.resources.place).norm();
     nearest = &task == &tasks.front() ? distance : std::min(nearest, distance);
   }
+  accepted_[from] = propose.exchange;
   send_one(from, TeamAccept{propose.exchange, *mission_, nearest,
                             static_cast<std::uint32_t>(followers_.size() + 1)});
 }
@@ -111,8 +112,11 @@ void TeamMember::on(EntityId from, const TeamReject& reject) {
 }
 
 void TeamMember::on(EntityId from, const TeamConfirm& confirm) {
-  (void)confirm;  // whoever confirms comes, whichever of its tries it was
-  if (role_ == Role::kLeading) add_follower(from, false, "it has joined");
+  if (role_ != Role::kLeading) return;
+  const auto accepted = accepted_.find(from);
+  if (accepted == accepted_.end() || accepted->second != confirm.exchange)
+    return report("answer-refused", fmt::format("{} was not accepted.", from.value));
+  add_follower(from, false, "it has joined");
 }
 
 void TeamMember::on(EntityId from, const TeamDecline& decline) {

@@ -79,6 +79,11 @@ void TeamMember::on(EntityId from, const TeamMerge& merge) {
       report("answer-refused", fmt::format("{} is of another mission.", from.value));
     return;
   }
+  const auto* sender = contacts_.find(from);
+  // Who gives way may have said already that it follows.
+  const bool led =
+      sender && (sender->leads || (!merge.split && sender->inform.master == self_));
+  if (!led) return report("answer-refused", fmt::format("{} led no team.", from.value));
   if (merge.split) return answer_split(from, merge);
   knowledge_.note(merge.meeting);
   rivals_.erase(from);

@@ -145,10 +145,10 @@ void TeamMember::on(EntityId from, const TeamState& state) {
     members_ = state.members;
     set_status(TeamReason::kMembers);
   } else if (role_ == Role::kLeading) {
-    // Of another master of the mission that gives way.
+    // Of another master of the mission that gives way; of nobody else.
     const auto* contact = contacts_.find(from);
-    const bool concerns = contact && (is_of_lineage(contact->query.mission) ||
-                                      is_of_lineage(contact->inform.mission));
+    const bool concerns =
+        contact && contact->leads && is_of_lineage(contact->query.mission);
     if (concerns && knowledge_.add(state)) changed_ = true;
   }
 }

@@ -69,6 +69,25 @@ TEST_F(Hostile, AnswersThatNobodyAskedForAreRefused) {
             Kinds{"implausible"});
 }
 
+TEST_F(Hostile, AMasterIsNotMovedByWhoDoesNotLead) {
+  TeamMember& master = team_.at(2);
+  const auto status = master.status();
+  const auto known = master.knowledge().number();
+  std::uint32_t number = 5;
+  for (const TeamContent& content : std::initializer_list<TeamContent>{
+           TeamState{1, 0, 1, {{6}}, {}, SmallTeam::tasks(9)},
+           TeamMerge{{"M"}, {{2}, {6}, 2}, true, {{6}}},
+           TeamMerge{{"M"}, {{2}, {6}, 1}, false, {{6}, {77}}}, TeamConfirm{4},
+           TeamAssignAck{4000}, TeamSplit{{"M", EntityId{2}}, {{2}, {6}, 2}, 0, 1, {}}}) {
+    const TeamReceived message{{6}, false, {TeamMessage::kVersion, ++number, content}};
+    team_.now += 0.01;
+    const TeamStep step = master.step(Time::from_seconds(team_.now), {&message, 1});
+    EXPECT_EQ(master.status(), status) << kind_of(content);
+    EXPECT_EQ(master.knowledge().number(), known) << kind_of(content);
+    EXPECT_LE(step.events.size(), 1u) << kind_of(content);
+  }
+}
+
 TEST_F(Hostile, StrangersAreRefusedWhereTheTeamIsKnown) {
   SmallTeam team;
   TeamConfig config;
