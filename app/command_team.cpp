@@ -8,10 +8,10 @@ namespace skein::app {
 
 Command add_team(CLI::App& program, const std::atomic<bool>& stop) {
   auto* team =
-      program.add_subcommand("team", "Share tasks among the aircraft of a team.");
+      program.add_subcommand("team", "Share tasks among the aircraft of a team, and rehearse how it leads itself.");
   team->require_subcommand(1);
   const auto commands = std::make_shared<std::vector<Command>>();
-  for (auto* add : {add_team_allocate, add_team_route, add_team_tours})
+  for (auto* add : {add_team_allocate, add_team_route, add_team_tours, add_team_rehearse})
     commands->push_back(add(*team, stop));
   team->footer("\nExamples:\n  skein team allocate --help\n  skein team route --help");
   return {team, [commands] {

@@ -21,7 +21,7 @@ constexpr const char* kBash = R"sh(_skein() {
     return
   fi
   if [ "${COMP_WORDS[1]}" = team ] && [ "$COMP_CWORD" = 2 ]; then
-    COMPREPLY=($(compgen -W "allocate route tours --help" -- "$cur"))
+    COMPREPLY=($(compgen -W "allocate route tours rehearse --help" -- "$cur"))
     return
   fi
   local command=${COMP_WORDS[1]}

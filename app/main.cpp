@@ -17,6 +17,7 @@
 #include "app/number_range.h"
 #include "app/output.h"
 #include "app/plan_options.h"
+#include "app/team_commands.h"
 #include "app/version.h"
 #include "skein/base/result.h"
 

@@ -18,6 +18,7 @@ namespace skein::app {
 Command add_team_allocate(CLI::App& team, const std::atomic<bool>& stop);
 Command add_team_route(CLI::App& team, const std::atomic<bool>& stop);
 Command add_team_tours(CLI::App& team, const std::atomic<bool>& stop);
+Command add_team_rehearse(CLI::App& team, const std::atomic<bool>& stop);
 
 /// Options of commands that answer a file of problems.
 struct TeamBatchArguments {

@@ -354,13 +354,172 @@ export interface Sighting {
   class: "person" | "animal" | "vehicle" | "structure"; // what it is
 }
 
+/** A master asks its followers, or a newcomer looks for masters. */
+export interface TeamQuery {
+  mission: number | null; // null: the sender is a newcomer
+  members: number; // how many, the master included
+  members_hash: number; // of their ids
+  state_number: number; // of the state as it is now
+  led_s: number | null; // for how long it has led
+  round_trip_s: number | null; // the longest measured
+  successor: number | null; // takes over from the sender
+  predecessor: number | null; // from whom it took over
+}
+
+/** How far a member is with a task. */
+export interface TeamProgress {
+  task: number; // its number
+  share: number | null; // that is done, from 0 to 1
+}
+
+/** What a member of a team says of itself. */
+export interface TeamInform {
+  mission: number | null; // null: a newcomer
+  master_id: number | null; // whom it follows, or itself
+  query: number; // number of its master's last one
+  held_s: number | null; // since that was received
+  members_hash: number; // of whom it knows
+  state_number: number; // of what it has in full
+  leaving: boolean; // it leads no more
+  resources_place_north_m: number | null; // where it is
+  resources_place_east_m: number | null; // where it is
+  resources_place_altitude_msl_m: number | null; // where it is
+  resources_speed_mps: number | null; // cruise
+  resources_endurance_s: number | null; // what is left
+  resources_sensors: number; // a bit for each kind
+  resources_able: boolean; // it flies tasks
+  tasks: TeamProgress[]; // that it executes
+}
+
+/** A newcomer offers itself to a master. */
+export interface TeamPropose {
+  exchange: number; // counts the sender's tries
+  resources_place_north_m: number | null; // where it is
+  resources_place_east_m: number | null; // where it is
+  resources_place_altitude_msl_m: number | null; // where it is
+  resources_speed_mps: number | null; // cruise
+  resources_endurance_s: number | null; // what is left
+  resources_sensors: number; // a bit for each kind
+  resources_able: boolean; // it flies tasks
+}
+
+/** A master would take a newcomer. */
+export interface TeamAccept {
+  exchange: number; // of the proposal
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  distance_m: number | null; // to the nearest task's centre
+  members: number; // of its team
+}
+
+/** A master has no use for a newcomer. */
+export interface TeamReject {
+  exchange: number; // of the proposal
+}
+
+/** A newcomer joins the receiver. */
+export interface TeamConfirm {
+  exchange: number; // of the proposal
+}
+
+/** A newcomer joins somebody else. */
+export interface TeamDecline {
+  exchange: number; // of the proposal
+}
+
+/** A task of a team's mission. */
+export interface TeamTask {
+  number: number; // among the mission's, from 1
+  place_north_m: number | null; // its centre
+  place_east_m: number | null; // its centre
+  place_altitude_msl_m: number | null; // its centre
+  single: boolean; // one aircraft does it, not a group
+  done: boolean; // nothing is left of it
+  branch: number | null; // of a mission that was split
+}
+
+/** A master's order: these tasks and no others. */
+export interface TeamAssign {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  number: number; // counts the master's orders
+  tasks: TeamTask[]; // in the order in which they are flown
+}
+
+/** An order is obeyed. */
+export interface TeamAssignAck {
+  number: number; // of the order
+}
+
+/** Two masters of one lineage that have met. */
+export interface TeamMeeting {
+  lower_id: number; // one of them
+  higher_id: number; // the other
+  times: number; // how often
+}
+
+/** What a team knows, for whoever takes over. */
+export interface TeamState {
+  number: number; // a fingerprint of all tasks
+  part: number; // from 0
+  parts: number; // how many there are
+  members: number[]; // the master included
+  met: TeamMeeting[]; // masters that met
+  tasks: TeamTask[]; // of this part
+}
+
+/** A master gives way to another, or both stay. */
+export interface TeamMerge {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  meeting_lower_id: number; // one of them
+  meeting_higher_id: number; // the other
+  meeting_times: number; // how often
+  split: boolean; // both stay, the mission is split
+  members: number[]; // of the sender
+}
+
+/** How a mission was split between two masters. */
+export interface TeamSplit {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  meeting_lower_id: number; // one of them
+  meeting_higher_id: number; // the other
+  meeting_times: number; // how often
+  part: number; // from 0
+  parts: number; // how many there are
+  tasks: TeamTask[]; // of this part
+}
+
+/** Who is believed to win a task. */
+export interface TeamBid {
+  task: number; // its number
+  winner_id: number | null; // null: nobody
+  value: number | null; // of the highest bid
+  round: number; // counts the winner's changes
+}
+
+/** The highest bids that a member knows. */
+export interface TeamBids {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  bids: TeamBid[]; // one for each task
+}
+
+/** A message of a team that leads itself. */
+export interface Team {
+  version: number; // of the protocol
+  team_number: number; // counts the sender's messages
+  said: ({ kind: "team_query" } & TeamQuery) | ({ kind: "team_inform" } & TeamInform) | ({ kind: "team_propose" } & TeamPropose) | ({ kind: "team_accept" } & TeamAccept) | ({ kind: "team_reject" } & TeamReject) | ({ kind: "team_confirm" } & TeamConfirm) | ({ kind: "team_decline" } & TeamDecline) | ({ kind: "team_assign" } & TeamAssign) | ({ kind: "team_assign_ack" } & TeamAssignAck) | ({ kind: "team_state" } & TeamState) | ({ kind: "team_merge" } & TeamMerge) | ({ kind: "team_split" } & TeamSplit) | ({ kind: "team_bids" } & TeamBids); // what it says
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "team" } & Team); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived

@@ -39,6 +39,7 @@ enum class Purpose : std::uint32_t {
   kRadioOutage = 27,
   kOutsideSensors = 28,
   kAllocation = 29,
+  kTeam = 30,
   kVehicleFault = 40,
   kAirframe = 41,
   /// Kinds of plugins: this and every number above it, as `static_cast<Purpose>(...)`.

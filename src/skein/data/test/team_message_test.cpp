@@ -1,0 +1,50 @@
+#include "skein/data/team_message.h"
+
+#include <gtest/gtest.h>
+
+#include "skein/data/message.h"
+#include "skein/data/wire.h"
+
+namespace skein {
+namespace {
+
+TEST(TeamMessage, HasTheBytesOfTheTable) {
+  EXPECT_EQ(air_bytes(TeamQuery{}), 25u);
+  EXPECT_EQ(air_bytes(TeamInform{}), 62u);
+  EXPECT_EQ(air_bytes(TeamPropose{}), 62u);
+  EXPECT_EQ(air_bytes(TeamAccept{}), 25u);
+  EXPECT_EQ(air_bytes(TeamReject{}), 13u);
+  EXPECT_EQ(air_bytes(TeamConfirm{}), 17u);
+  EXPECT_EQ(air_bytes(TeamDecline{}), 13u);
+  EXPECT_EQ(air_bytes(TeamAssignAck{}), 17u);
+  TeamAssign assign;
+  EXPECT_EQ(air_bytes(assign), 21u);
+  assign.tasks.resize(3);
+  EXPECT_EQ(air_bytes(assign), 21u + 3 * 48);
+}
+
+TEST(TeamMessage, NamesBranchesAfterTheirFirstMaster) {
+  EXPECT_EQ(name_of(TeamMission{"M"}), "M");
+  EXPECT_EQ(name_of(TeamMission{"M", EntityId{11}}), "M/11");
+}
+
+TEST(TeamMessage, TravelsInTheWireForm) {
+  TeamState state{
+      7, 1, 2, {{3}, {5}}, {{{3}, {5}, 1}}, {{4, {1, 2, 3}, true, false, EntityId{3}}}};
+  const Message sent{{3}, {5}, 9, {}, TeamMessage{1, 12, state}};
+  std::vector<std::byte> bytes;
+  wire::encode(sent, bytes);
+  const auto read = wire::decode<Message>(bytes);
+  ASSERT_TRUE(read) << read.error().text();
+  const auto& team = std::get<TeamMessage>(read.value().content);
+  EXPECT_EQ(team.number, 12u);
+  const auto& got = std::get<TeamState>(team.content);
+  EXPECT_EQ(got.members, state.members);
+  EXPECT_EQ(got.met, state.met);
+  EXPECT_EQ(got.tasks, state.tasks);
+  EXPECT_EQ(kind_of(team.content), "team_state");
+  EXPECT_EQ(kind_of(read.value().content), "team");
+}
+
+}  // namespace
+}  // namespace skein

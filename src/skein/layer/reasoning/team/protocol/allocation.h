@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "skein/data/team_message.h"
+
+namespace skein::reasoning {
+
+/// A member that can be given tasks.
+struct TeamWorker {
+  EntityId id;
+  TeamResources resources;
+  std::vector<std::uint32_t> tasks;  ///< that it executes now
+};
+
+/// For each worker the numbers of its tasks, in the order in which it flies them.
+using TeamAllocation = std::map<EntityId, std::vector<std::uint32_t>>;
+
+/// Shares tasks among workers: every worker has an entry, no single task two workers.
+using AllocateTasks =
+    std::function<TeamAllocation(std::span<const TeamTask>, std::span<const TeamWorker>)>;
+
+/// Divides tasks between two teams: the numbers of those that the first one gets.
+using DivideTasks = std::function<std::set<std::uint32_t>(
+    std::span<const TeamTask>, std::span<const TeamWorker> first,
+    std::span<const TeamWorker> second)>;
+
+/// One task a worker: each keeps the first of its own (of two with the same the lower
+/// id), then the nearest pairs of a free worker and a task that nobody has; workers that
+/// are left join the nearest group task.
+TeamAllocation allocate_nearest(std::span<const TeamTask> tasks,
+                                std::span<const TeamWorker> workers);
+
+/// Tasks stay with the team that executes them (both: the first); the others are shared
+/// so that numbers of tasks come near the numbers of workers, in the order of their
+/// numbers.
+std::set<std::uint32_t> divide_by_size(std::span<const TeamTask> tasks,
+                                       std::span<const TeamWorker> first,
+                                       std::span<const TeamWorker> second);
+
+}  // namespace skein::reasoning

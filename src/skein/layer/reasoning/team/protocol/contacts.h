@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "skein/data/team_message.h"
+#include "skein/layer/reasoning/team/protocol/timers.h"
+
+namespace skein::reasoning {
+
+/// What a received message is, before anybody looks at what it says.
+enum class TeamVerdict : std::uint8_t {
+  kNew,           ///< to be looked at
+  kLate,          ///< a newer one of the sender came before it
+  kRepeated,      ///< it was here before
+  kOtherVersion,  ///< of the protocol
+  kOwnId,         ///< somebody else has the own id
+  kUnknown,       ///< not one of those that may be in the team
+  kDuplicateId,   ///< two senders have one id
+  kImplausible,   ///< no member would say so
+};
+constexpr auto names_of(const TeamVerdict*) {
+  return std::array<std::string_view, 8>{"new",           "late",       "repeated",
+                                         "other-version", "own-id",     "unknown-sender",
+                                         "duplicate-id",  "implausible"};
+}
+
+/// Whether no honest sender could have made a message: numbers that are not finite or out
+/// of all bounds, lists of more than 1000, names of missions that are empty or long.
+bool is_implausible(const TeamContent& content);
+
+/// Whom a member hears, and the last that each said of itself.
+class TeamContacts {
+ public:
+  struct Contact {
+    double heard = -1e300;     ///< when something of it arrived last [s]
+    double informed = -1e300;  ///< when `inform` arrived [s]
+    double queried = -1e300;   ///< when `query` arrived [s]
+    TeamInform inform;
+    TeamQuery query;
+    std::uint32_t query_number = 0;
+    bool leads = false;  ///< the last that it said to all was a query
+  };
+
+  /// @param known  ids that may be in the team; empty: any.
+  TeamContacts(EntityId self, std::set<EntityId> known)
+      : self_(self), known_(std::move(known)) {}
+
+  /// Judges a message, and remembers its sender and what it says of itself. Messages of a
+  /// sender that was silent for longer than `lost` may begin to count anew.
+  /// @param to_all  whether it was sent to all.
+  TeamVerdict take(EntityId from, bool to_all, const TeamMessage& message, double now,
+                   double lost);
+
+  const std::map<EntityId, Contact>& all() const { return contacts_; }
+  const Contact* find(EntityId id) const;
+  /// Something else of it was heard: a report, a plan.
+  void note_heard(EntityId id, double now);
+  /// Whether a sender has begun to count anew with the last message taken.
+  bool restarted() const { return restarted_; }
+  double loss() const { return loss_.loss(); }
+
+ private:
+  // The last 64 numbers of a sequence that arrived, and what they said.
+  struct Sequence {
+    bool begun = false;
+    std::uint32_t highest = 0;
+    std::uint64_t seen = 0;                   // bit k: highest - k arrived
+    std::array<std::uint64_t, 64> content{};  // hash of number n at n % 64
+    double last = -1e300;
+  };
+  struct Peer {
+    Sequence to_all, to_self;
+  };
+  TeamVerdict judge(Sequence& sequence, const TeamMessage& message, bool to_all,
+                    double now, double lost);
+  TeamVerdict newer(Sequence& sequence, const TeamMessage& message, bool to_all,
+                    double now, double lost);
+  TeamVerdict older(Sequence& sequence, const TeamMessage& message, bool to_all,
+                    double now, double lost);
+
+  EntityId self_;
+  std::set<EntityId> known_;
+  std::map<EntityId, Contact> contacts_;
+  std::map<EntityId, Peer> peers_;
+  LossMeter loss_;
+  bool restarted_ = false;
+};
+
+}  // namespace skein::reasoning

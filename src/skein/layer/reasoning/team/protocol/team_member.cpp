@@ -1,0 +1,295 @@
+#include "skein/layer/reasoning/team/protocol/team_member.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kMinRepeat = 0.3;  // [s]
+constexpr double kFirstWait = 10;   // query periods, before the first master is selected
+constexpr double kMaxDelay = 8;     // [s] that is taken for normal while none is known
+// Members that went silent together with the master were heard as long as it was, but for
+// the jitter of their messages.
+constexpr double kAfterMaster = 1.5;  // query periods
+
+}  // namespace
+
+TeamMember::TeamMember(EntityId self, TeamConfig config)
+    : self_(self),
+      config_(std::move(config)),
+      random_(config_.seed, self.value, Purpose::kTeam),
+      contacts_(self, config_.known),
+      orders_(self) {
+  lost_ = time_until_lost(times(), contacts_.loss());
+  status_.members = {self_};
+}
+
+bool TeamMember::submit(const std::string& mission, std::span<const TeamTask> tasks,
+                        Time now) {
+  if (mission_ && (mission_->name != mission || role_ == Role::kFollowing)) return false;
+  now_ = now.seconds();
+  knowledge_.submit(tasks);
+  changed_ = true;
+  if (mission_) return true;
+  mission_ = TeamMission{mission, std::nullopt};
+  role_ = Role::kSelecting;
+  evidence_ = direct_ = now_;
+  if (config_.structure == TeamStructure::kNone ||
+      config_.structure == TeamStructure::kAuction)
+    role_ = Role::kAlone;
+  return true;
+}
+
+TeamStep TeamMember::step(Time now, std::span<const TeamReceived> received) {
+  TeamStep out;
+  out_ = &out;
+  time_ = now;
+  now_ = now.seconds();
+  const TeamStatus before = status_;
+  if (next_query_ == 0 && next_inform_ == 0) {
+    // Not all at the same moment.
+    next_query_ = now_ + times().query_period * random_.uniform();
+    next_inform_ = now_ + times().query_period * random_.uniform();
+  }
+  for (const TeamReceived& one : received) receive(one);
+  lost_ = time_until_lost(times(), contacts_.loss());
+  if (config_.structure == TeamStructure::kFixedMaster && config_.fixed_master == self_ &&
+      role_ == Role::kSelecting)
+    lead(TeamReason::kFixed, std::nullopt);
+  switch (role_) {
+    case Role::kNewcomer:
+      step_joining();
+      break;
+    case Role::kFollowing:
+      if (now_ - evidence_ > lost_) lose_master();
+      break;
+    case Role::kSelecting:
+      select_master();
+      break;
+    case Role::kLeading:
+      step_leading();
+      break;
+    case Role::kAlone:
+      step_alone();
+      break;
+  }
+  expire_order();
+  if (!resources_.able) set_executing({});
+  send_periodic();
+  send_repeated();
+  out.changed = !(status_ == before);
+  out_ = nullptr;
+  return out;
+}
+
+void TeamMember::report(const char* kind, std::string text) {
+  out_->events.push_back({time_, self_, kind, std::move(text)});
+}
+
+void TeamMember::send_all(TeamContent content) {
+  out_->send.push_back(
+      {std::nullopt, {TeamMessage::kVersion, ++sent_to_all_, std::move(content)}});
+}
+
+void TeamMember::send_one(EntityId to, TeamContent content) {
+  out_->send.push_back({to, {TeamMessage::kVersion, ++sent_to_[to], std::move(content)}});
+}
+
+double TeamMember::repeat_after() const {
+  return std::max(kMinRepeat, 2 * round_trip_);
+}
+
+// For how long an exchange stays open: until the other is lost, and there and back.
+double TeamMember::exchange_time() const {
+  return lost_ + (round_trip_ > 0 ? round_trip_ : 2 * kMaxDelay);
+}
+
+void TeamMember::repeat(EntityId to, TeamContent content, int more) {
+  repeated_.push_back({to, std::move(content), more + 1, now_, now_ + exchange_time()});
+}
+
+void TeamMember::send_repeated() {
+  for (Repeated& one : repeated_) {
+    if (now_ < one.next) continue;
+    send_one(one.to, one.content);
+    --one.left;
+    one.next = now_ + repeat_after();
+  }
+  std::erase_if(repeated_, [&](const Repeated& one) {
+    return one.left <= 0 || one.next > one.until;
+  });
+}
+
+bool TeamMember::is_of_lineage(const std::optional<TeamMission>& other) const {
+  return mission_ && other && mission_->name == other->name && !is_sibling(other);
+}
+
+bool TeamMember::is_sibling(const std::optional<TeamMission>& other) const {
+  return mission_ && other && mission_->name == other->name && mission_->branch &&
+         other->branch && mission_->branch != other->branch;
+}
+
+void TeamMember::set_status(TeamReason reason) {
+  TeamStatus next{mission_, std::nullopt, {}, reason};
+  if (role_ == Role::kLeading) {
+    next.master = self_;
+    next.members = member_ids();
+  } else if (role_ == Role::kAlone) {
+    next.master = self_;
+    next.members = {self_};
+  } else {
+    if (role_ == Role::kFollowing) next.master = master_;
+    std::set<EntityId> all(members_.begin(), members_.end());
+    all.insert(self_);
+    next.members.assign(all.begin(), all.end());
+  }
+  if (reason == TeamReason::kMembers) next.reason = status_.reason;
+  status_ = std::move(next);
+}
+
+void TeamMember::set_executing(std::vector<std::uint32_t> tasks) {
+  if (!resources_.able) tasks.clear();
+  if (tasks == executing_) return;
+  executing_ = std::move(tasks);
+  next_inform_ = std::min(next_inform_, now_);
+}
+
+TeamInform TeamMember::own_inform() const {
+  TeamInform inform;
+  inform.mission = mission_;
+  if (role_ == Role::kFollowing) inform.master = master_;
+  if (role_ == Role::kLeading) inform.master = self_;
+  if (const auto* master = master_ ? contacts_.find(*master_) : nullptr;
+      master && role_ == Role::kFollowing && master->leads) {
+    inform.query = master->query_number;
+    inform.held = std::max(0.0, now_ - master->queried);
+  }
+  inform.members_hash = hash_of_members(status_.members);
+  inform.state_number = knowledge_.number();
+  inform.leaving = leaving_;
+  inform.resources = resources_;
+  for (const std::uint32_t task : executing_) {
+    const auto share = progress_.find(task);
+    inform.tasks.push_back({task, share == progress_.end() ? 0 : share->second});
+  }
+  return inform;
+}
+
+void TeamMember::send_periodic() {
+  if (role_ == Role::kLeading) {
+    if (now_ >= next_query_) {
+      send_query();
+      next_query_ = now_ + interval();
+    }
+    return;
+  }
+  if (role_ == Role::kNewcomer && now_ >= next_query_) {
+    send_all(TeamQuery{});
+    next_query_ = now_ + interval();
+  }
+  if (now_ < next_inform_) return;
+  send_all(own_inform());
+  next_inform_ = now_ + interval();
+  if (role_ == Role::kAlone && config_.structure == TeamStructure::kAuction && mission_)
+    send_all(TeamBids{*mission_, auction_.known(self_)});
+}
+
+void TeamMember::step_alone() {
+  const auto tasks = open_tasks();
+  if (config_.structure == TeamStructure::kNone) {
+    const TeamWorker self{self_, resources_, executing_};
+    if (resources_.able) set_executing(config_.allocate(tasks, {&self, 1})[self_]);
+    return set_status(TeamReason::kAlone);
+  }
+  for (const EntityId id : auction_.bidders()) {
+    const auto* contact = contacts_.find(id);
+    if (!contact || now_ - contact->heard > lost_) auction_.drop(id);
+  }
+  if (auction_.bid(self_, resources_, tasks, config_.utility, config_.bundle))
+    next_inform_ = std::min(next_inform_, now_);
+  set_executing(auction_.won());
+  set_status(TeamReason::kAlone);
+}
+
+void TeamMember::follow(EntityId master, TeamReason reason) {
+  if (role_ == Role::kLeading) {
+    members_ = member_ids();
+    followers_.clear();
+    rivals_.clear();
+    asked_.reset();
+    orders_.clear();
+    siblings_.clear();
+    taken_back_.clear();
+  }
+  std::erase_if(repeated_, [&](const Repeated& one) { return one.to != master; });
+  role_ = Role::kFollowing;
+  master_ = master;
+  announced_.reset();
+  chosen_.reset();
+  passed_over_.clear();
+  evidence_ = direct_ = now_;
+  if (const auto* contact = contacts_.find(master); contact && contact->leads) {
+    evidence_number_ = contact->query_number;
+    if (is_of_lineage(contact->query.mission)) mission_ = contact->query.mission;
+  } else {
+    evidence_number_ = 0;
+  }
+  if (std::ranges::find(members_, master) == members_.end()) members_.push_back(master);
+  if (order_of_ != master) order_until_ = now_ + exchange_time();
+  next_inform_ = now_;
+  report("following", fmt::format("{} leads ({}).", master.value, name_of(reason)));
+  set_status(reason);
+}
+
+void TeamMember::expire_order() {
+  if (!order_until_ || role_ != Role::kFollowing || now_ <= *order_until_) return;
+  order_until_.reset();
+  order_of_.reset();
+  if (executing_.empty()) return;
+  report("order-expired", "the new master has given no order; the old one is dropped.");
+  set_executing({});
+}
+
+void TeamMember::lose_master() {
+  report("master-lost",
+         fmt::format("{} is silent for {:.1f} s.", master_->value, now_ - evidence_));
+  role_ = Role::kSelecting;
+  chosen_.reset();
+  passed_over_.clear();
+  order_until_.reset();
+  set_status(TeamReason::kLost);
+  select_master();
+}
+
+void TeamMember::select_master() {
+  // At the start nothing can have been heard before it has travelled.
+  const double travel = contacts_.all().empty() ? kMaxDelay : 0;
+  const double first = master_ ? 0 : kFirstWait * times().query_period;
+  if (now_ - evidence_ <= std::max(lost_, first) + travel) return;
+  if (config_.structure == TeamStructure::kFixedMaster) return;  // it waits for it
+  std::vector<EntityId> heard;
+  const double from = evidence_ + kAfterMaster * times().query_period;
+  for (const auto& [id, contact] : contacts_.all()) {
+    const TeamInform& said = contact.inform;
+    const bool free = !said.master || said.master == master_ || said.master == self_;
+    if (contact.informed > from && now_ - contact.informed <= lost_ && free &&
+        !said.leaving && is_of_lineage(said.mission) && !passed_over_.contains(id))
+      heard.push_back(id);
+  }
+  if (!leaving_ || heard.empty()) heard.push_back(self_);
+  std::ranges::sort(heard);
+  const EntityId choice = config_.select(heard);
+  if (choice != chosen_) {
+    chosen_ = choice;
+    chosen_since_ = now_;
+  }
+  const double waited = now_ - chosen_since_;
+  if (choice == self_ && waited >= kAfterMaster * times().query_period)
+    lead(TeamReason::kSelected, master_);
+  else if (choice != self_ && waited > exchange_time())
+    passed_over_.insert(choice);
+}
+
+}  // namespace skein::reasoning

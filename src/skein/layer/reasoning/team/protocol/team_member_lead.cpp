@@ -1,0 +1,275 @@
+// What a master does.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "skein/layer/reasoning/team/protocol/team_member.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr std::uint32_t kStateEvery = 5;  // queries
+constexpr std::size_t kQueryTimes = 64;   // queries that may still be answered
+constexpr double kSmoothing = 0.3;        // of measured round trips
+
+std::vector<std::uint32_t> numbers_of(const std::vector<TeamProgress>& tasks) {
+  std::vector<std::uint32_t> numbers;
+  for (const TeamProgress& task : tasks) numbers.push_back(task.task);
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<EntityId> TeamMember::member_ids() const {
+  std::set<EntityId> ids = {self_};
+  for (const auto& [id, follower] : followers_) ids.insert(id);
+  return {ids.begin(), ids.end()};
+}
+
+void TeamMember::lead(TeamReason reason, std::optional<EntityId> predecessor) {
+  role_ = Role::kLeading;
+  led_since_ = now_;
+  repeated_.clear();
+  predecessor_ = predecessor;
+  successor_.reset();
+  chosen_.reset();
+  order_until_.reset();
+  order_of_ = self_;
+  rivals_.clear();
+  asked_.reset();
+  followers_.clear();
+  orders_.clear();
+  siblings_.clear();
+  taken_back_.clear();
+  for (const auto& [number, task] : knowledge_.tasks)
+    if (task.branch) siblings_[*task.branch] = now_;
+  report("selected", fmt::format("{} leads ({}).", self_.value, name_of(reason)));
+  for (const auto& [id, contact] : contacts_.all()) {
+    const auto& master = contact.inform.master;
+    const bool free = !master || master == predecessor || master == self_;
+    if (is_of_lineage(contact.inform.mission) && free && !contact.leads &&
+        now_ - contact.informed <= lost_)
+      add_follower(id, false, "heard");
+  }
+  if (reason == TeamReason::kHandover && predecessor)
+    add_follower(*predecessor, false, "handed over");
+  changed_ = true;
+  next_query_ = now_;
+  set_status(reason);
+}
+
+void TeamMember::add_follower(EntityId id, bool certain, const char* why) {
+  const auto [place, is_new] = followers_.try_emplace(id);
+  place->second.certain = place->second.certain || certain;
+  place->second.claimed = now_;
+  if (!is_new) return;
+  report("joined", fmt::format("{} follows ({}).", id.value, why));
+  if (const auto* contact = contacts_.find(id)) {
+    orders_.set(id, {});
+    orders_.informed(id, numbers_of(contact->inform.tasks));
+  }
+  changed_ = true;
+}
+
+void TeamMember::drop_follower(EntityId id, const std::string& why) {
+  followers_.erase(id);
+  orders_.remove(id);
+  round_trips_.erase(id);
+  report("follower-lost", fmt::format("{} {}.", id.value, why));
+  changed_ = true;
+}
+
+void TeamMember::inform_as_master(EntityId from, const TeamInform& inform) {
+  if (is_sibling(inform.mission)) return heard_sibling(*inform.mission->branch);
+  if (inform.master == self_) {
+    rivals_.erase(from);
+    measure_round_trip(from, inform);
+    add_follower(from, true, "it says so");
+    Follower& follower = followers_.at(from);
+    if (follower.able != inform.resources.able) changed_ = true;
+    follower.able = inform.resources.able;
+    orders_.informed(from, numbers_of(inform.tasks));
+    take_progress(inform);
+    return;
+  }
+  const auto known = followers_.find(from);
+  if (known == followers_.end() || !inform.master) return;
+  const bool hands_on =
+      followers_.contains(*inform.master) || inform.master == predecessor_;
+  if (known->second.certain && !hands_on)
+    drop_follower(from, fmt::format("follows {}", inform.master->value));
+}
+
+void TeamMember::take_progress(const TeamInform& inform) {
+  for (const TeamProgress& progress : inform.tasks) {
+    const auto task = knowledge_.tasks.find(progress.task);
+    if (task == knowledge_.tasks.end() || task->second.done || progress.share < 1)
+      continue;
+    task->second.done = true;
+    changed_ = true;
+  }
+}
+
+void TeamMember::measure_round_trip(EntityId from, const TeamInform& inform) {
+  const auto sent = query_times_.find(inform.query);
+  if (sent == query_times_.end()) return;
+  const double measured = now_ - sent->second - inform.held;
+  if (measured < 0) return;
+  const auto [place, is_new] = round_trips_.try_emplace(from, measured);
+  if (!is_new) place->second += kSmoothing * (measured - place->second);
+  round_trip_ = 0;
+  for (const auto& [id, time] : round_trips_) round_trip_ = std::max(round_trip_, time);
+}
+
+void TeamMember::drop_silent() {
+  std::vector<EntityId> silent;
+  for (const auto& [id, follower] : followers_) {
+    const double patience = follower.certain ? lost_ : exchange_time();
+    if (now_ - follower.claimed > patience) silent.push_back(id);
+  }
+  for (const EntityId id : silent) drop_follower(id, "is silent");
+  // Its answers are a second way to hear of it.
+  for (const auto& [id, follower] : followers_)
+    if (now_ - follower.claimed > lost_ / 2) orders_.remind(id);
+}
+
+void TeamMember::heard_sibling(EntityId branch) {
+  siblings_[branch] = now_;
+}
+
+// Tasks of branches that are lost go to the lowest branch that is there.
+void TeamMember::look_at_siblings() {
+  std::set<EntityId> taken;
+  if (mission_->branch) {
+    bool is_lowest = true;
+    for (const auto& [branch, heard] : siblings_)
+      if (branch < *mission_->branch && now_ - heard <= lost_) is_lowest = false;
+    for (const auto& [branch, heard] : siblings_)
+      if (is_lowest && branch != *mission_->branch && now_ - heard > lost_)
+        taken.insert(branch);
+  }
+  if (taken == taken_back_) return;
+  for (const EntityId branch : taken)
+    if (!taken_back_.contains(branch))
+      report("took-back",
+             fmt::format("tasks of the lost {}/{}.", mission_->name, branch.value));
+  for (const EntityId branch : taken_back_)
+    if (!taken.contains(branch))
+      report("gave-back", fmt::format("tasks of {}/{}.", mission_->name, branch.value));
+  taken_back_ = std::move(taken);
+  changed_ = true;
+}
+
+bool TeamMember::is_ours(const TeamTask& task) const {
+  if (!mission_->branch || !task.branch) return true;
+  return task.branch == mission_->branch || taken_back_.contains(*task.branch);
+}
+
+std::vector<TeamTask> TeamMember::open_tasks() const {
+  std::vector<TeamTask> open;
+  for (const auto& [number, task] : knowledge_.tasks)
+    if (!task.done && is_ours(task)) open.push_back(task);
+  return open;
+}
+
+std::vector<TeamWorker> TeamMember::workers() const {
+  std::vector<TeamWorker> all;
+  for (const EntityId id : member_ids()) {
+    if (id == self_) {
+      if (resources_.able) all.push_back({id, resources_, executing_});
+      continue;
+    }
+    const auto* contact = contacts_.find(id);
+    if (!contact || !contact->inform.resources.able) continue;
+    all.push_back({id, contact->inform.resources, numbers_of(contact->inform.tasks)});
+  }
+  return all;
+}
+
+void TeamMember::allocate() {
+  changed_ = false;
+  const auto tasks = open_tasks();
+  const auto all = workers();
+  TeamAllocation given = config_.allocate(tasks, all);
+  for (const EntityId id : member_ids()) orders_.set(id, given[id]);
+}
+
+void TeamMember::give_orders() {
+  const double patience = exchange_time();
+  const auto outcome = orders_.step(now_, repeat_after(), times().query_period, patience);
+  for (const TeamOrders::Sent& order : outcome.sent) {
+    TeamAssign assign{*mission_, order.number, {}};
+    for (const std::uint32_t task : order.tasks)
+      assign.tasks.push_back(knowledge_.tasks.at(task));
+    send_one(order.to, std::move(assign));
+  }
+  for (const EntityId id : outcome.unanswered)
+    report("order-unanswered",
+           fmt::format("{} has not acknowledged its order.", id.value));
+  set_executing(orders_.own());
+}
+
+void TeamMember::hand_over() {
+  if (!leaving_) return;
+  if (successor_ && now_ - successor_since_ <= exchange_time()) return;
+  std::vector<EntityId> able;
+  for (const auto& [id, follower] : followers_) {
+    const auto* contact = contacts_.find(id);
+    if (follower.certain && contact && !contact->inform.leaving && id != successor_)
+      able.push_back(id);
+  }
+  if (able.empty()) return;
+  successor_ = config_.select(able);
+  successor_since_ = now_;
+  next_query_ = now_;
+  report("handover", fmt::format("{} shall lead.", successor_->value));
+  for (std::uint32_t part = 0; part < knowledge_.parts(); ++part)
+    send_all(knowledge_.part(part, member_ids()));
+}
+
+void TeamMember::step_leading() {
+  drop_silent();
+  look_at_siblings();
+  hand_over();
+  if (asked_ && now_ - asked_->first > exchange_time()) asked_.reset();
+  if (asked_ && now_ - asked_->last >= std::max(repeat_after(), times().query_period / 2))
+    ask_split(asked_->of);
+  for (const auto& [task, share] : progress_) {
+    const auto known = knowledge_.tasks.find(task);
+    if (share < 1 || known == knowledge_.tasks.end() || known->second.done) continue;
+    known->second.done = true;
+    changed_ = true;
+  }
+  if (able_ != resources_.able) changed_ = true;
+  able_ = resources_.able;
+  if (changed_ && !is_held_by_rival() && !asked_) allocate();
+  give_orders();
+  set_status(TeamReason::kMembers);
+}
+
+void TeamMember::send_query() {
+  const auto members = member_ids();
+  TeamQuery query;
+  query.mission = mission_;
+  query.members = static_cast<std::uint32_t>(members.size());
+  query.members_hash = hash_of_members(members);
+  query.state_number = knowledge_.number();
+  query.led = now_ - led_since_;
+  query.round_trip = round_trip_;
+  query.successor = successor_;
+  query.predecessor = predecessor_;
+  send_all(query);
+  query_times_[sent_to_all_] = now_;
+  while (query_times_.size() > kQueryTimes) query_times_.erase(query_times_.begin());
+
+  const bool lags = std::ranges::any_of(followers_, [&](const auto& follower) {
+    const auto* contact = contacts_.find(follower.first);
+    return !contact || contact->inform.members_hash != query.members_hash ||
+           contact->inform.state_number != query.state_number;
+  });
+  if (followers_.empty() || (!lags && queries_++ % kStateEvery != 0)) return;
+  for (std::uint32_t part = 0; part < std::min(2U, knowledge_.parts()); ++part)
+    send_all(knowledge_.part(next_part_++, members));
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "skein/layer/reasoning/team/protocol/team_member.h"
+
+namespace skein::reasoning {
+namespace {
+
+// What a member says of itself now: nothing when something newer is known.
+bool is_news_only(const TeamContent& content) {
+  return std::holds_alternative<TeamQuery>(content) ||
+         std::holds_alternative<TeamInform>(content) ||
+         std::holds_alternative<TeamBids>(content);
+}
+
+}  // namespace
+
+void TeamMember::receive(const TeamReceived& received) {
+  const TeamVerdict verdict =
+      contacts_.take(received.from, received.to_all, received.message, now_, lost_);
+  if (verdict == TeamVerdict::kRepeated) return;
+  if (verdict != TeamVerdict::kNew && verdict != TeamVerdict::kLate)
+    return refuse(received, verdict);
+  if (contacts_.restarted()) orders_from_.erase(received.from);
+  if (verdict == TeamVerdict::kLate && is_news_only(received.message.content)) return;
+  std::visit([&](const auto& content) { on(received.from, content); },
+             received.message.content);
+}
+
+// Said once in a while: whoever floods with bad messages does not flood the records.
+void TeamMember::refuse(const TeamReceived& received, TeamVerdict verdict) {
+  double& last = refused_.try_emplace({received.from, verdict}, -1e300).first->second;
+  if (now_ - last < 10 * times().query_period) return;
+  last = now_;
+  const std::string word(name_of(verdict));
+  report(word.c_str(),
+         fmt::format("a {} of {} changes nothing.", kind_of(received.message.content),
+                     received.from.value));
+}
+
+void TeamMember::on(EntityId from, const TeamQuery& query) {
+  if (!query.mission) {
+    if (role_ == Role::kLeading) send_one(from, own_inform());
+    return;
+  }
+  if (!mission_ || mission_->name != query.mission->name || role_ == Role::kAlone) return;
+  const bool fixed = config_.structure == TeamStructure::kFixedMaster;
+  if (fixed && config_.fixed_master != from) return;
+  if (role_ == Role::kFollowing) return query_as_follower(from, query);
+  if (role_ == Role::kSelecting) {
+    if (!is_of_lineage(query.mission)) return;
+    follow(from, from == chosen_ ? TeamReason::kSelected : TeamReason::kFollowing);
+    return query_as_follower(from, query);
+  }
+  if (is_sibling(query.mission)) return heard_sibling(*query.mission->branch);
+  if (query.successor == self_) return;
+  if (successor_ == from) return follow(from, TeamReason::kHandover);
+  meet(from, query);
+}
+
+void TeamMember::query_as_follower(EntityId from, const TeamQuery& query) {
+  if (from == master_) {
+    evidence_ = direct_ = now_;
+    evidence_number_ = contacts_.find(from)->query_number;
+    round_trip_ = query.round_trip;
+    if (mission_ != query.mission) {
+      mission_ = query.mission;
+      set_status(TeamReason::kSplit);
+    }
+    announced_ = query.successor;
+    if (announced_ == self_) lead(TeamReason::kHandover, from);
+    return;
+  }
+  if (!is_of_lineage(query.mission)) return;
+  if (announced_ == from) return follow(from, TeamReason::kHandover);
+  // Others have lost the master a little earlier. Who has led for long took over in
+  // another part of the team.
+  const bool silent = now_ - evidence_ > 2 * times().query_period;
+  const bool just_now = query.led < lost_ + round_trip_;
+  if (query.predecessor == master_ && silent && just_now)
+    follow(from, TeamReason::kSelected);
+}
+
+void TeamMember::on(EntityId from, const TeamInform& inform) {
+  if (!mission_ || !inform.mission || inform.mission->name != mission_->name) return;
+  if (role_ == Role::kFollowing) return inform_as_follower(from, inform);
+  if (role_ == Role::kLeading) inform_as_master(from, inform);
+}
+
+void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {
+  if (!is_of_lineage(inform.mission)) return;
+  if (from == master_) {
+    if (!inform.master || *inform.master == from) return;
+    if (*inform.master != self_)
+      return follow(*inform.master,
+                    inform.leaving ? TeamReason::kHandover : TeamReason::kMerged);
+    // Each follows the other: somebody must lead.
+    if (self_ < from || inform.leaving) lead(TeamReason::kMerged, from);
+    return;
+  }
+  // Others have heard the master meanwhile: it is there, only its messages to here are
+  // lost. Not for ever: who does not hear it gets no orders.
+  if (inform.master != master_ || inform.query <= evidence_number_ ||
+      now_ - direct_ > 3 * lost_)
+    return;
+  evidence_number_ = inform.query;
+  evidence_ = std::max(evidence_, now_ - inform.held);
+}
+
+void TeamMember::on(EntityId from, const TeamAssign& assign) {
+  const bool chosen =
+      role_ == Role::kSelecting && chosen_ == from && is_of_lineage(assign.mission);
+  if (chosen) follow(from, TeamReason::kSelected);
+  if (role_ != Role::kFollowing || master_ != from || !is_of_lineage(assign.mission)) {
+    // Common after a change of master; of anybody else it is forged.
+    return report("order-refused", fmt::format("{} does not lead here.", from.value));
+  }
+  std::uint32_t& last = orders_from_[from];
+  if (assign.number < last) return;  // an older one that was repeated
+  last = assign.number;
+  order_of_ = from;
+  order_until_.reset();
+  std::vector<std::uint32_t> tasks;
+  for (const TeamTask& task : assign.tasks) tasks.push_back(task.number);
+  set_executing(std::move(tasks));
+  send_one(from, TeamAssignAck{assign.number});
+}
+
+void TeamMember::on(EntityId from, const TeamAssignAck& ack) {
+  if (role_ != Role::kLeading) return;
+  if (!orders_.acknowledge(from, ack.number))
+    return report("answer-refused",
+                  fmt::format("{} answers an order that there was not.", from.value));
+  const auto follower = followers_.find(from);
+  if (follower != followers_.end()) follower->second.claimed = now_;
+}
+
+void TeamMember::on(EntityId from, const TeamState& state) {
+  if (role_ == Role::kFollowing && from == master_) {
+    const auto* contact = contacts_.find(from);
+    if (!contact || !contact->leads) return;
+    if (state.number == contact->query.state_number) knowledge_.take(state);
+    if (hash_of_members(state.members) != contact->query.members_hash) return;
+    members_ = state.members;
+    set_status(TeamReason::kMembers);
+  } else if (role_ == Role::kLeading) {
+    // Of another master of the mission that gives way; of nobody else.
+    const auto* contact = contacts_.find(from);
+    const bool concerns =
+        contact && contact->leads && is_of_lineage(contact->query.mission);
+    if (concerns && knowledge_.add(state)) changed_ = true;
+  }
+}
+
+void TeamMember::on(EntityId from, const TeamBids& bids) {
+  (void)from;
+  if (role_ == Role::kAlone && mission_ && bids.mission == *mission_)
+    auction_.take(self_, bids);
+}
+
+}  // namespace skein::reasoning

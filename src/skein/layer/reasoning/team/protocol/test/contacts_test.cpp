@@ -1,0 +1,98 @@
+#include "skein/layer/reasoning/team/protocol/contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace skein::reasoning {
+namespace {
+
+constexpr EntityId kSelf{1}, kOther{2};
+constexpr double kLost = 4;
+
+TeamMessage inform(std::uint32_t number, double speed = 20) {
+  TeamInform said;
+  said.mission = TeamMission{"M"};
+  said.resources.speed = speed;
+  return {TeamMessage::kVersion, number, said};
+}
+
+struct Heard {
+  TeamContacts contacts{kSelf, {}};
+  double now = 0;
+  TeamVerdict take(const TeamMessage& message, bool to_all = true) {
+    return contacts.take(kOther, to_all, message, now, kLost);
+  }
+};
+
+TEST(TeamContacts, KnowsNewLateAndRepeatedMessages) {
+  Heard heard;
+  EXPECT_EQ(heard.take(inform(5)), TeamVerdict::kNew);
+  EXPECT_EQ(heard.take(inform(8, 22)), TeamVerdict::kNew);
+  EXPECT_EQ(heard.take(inform(7, 21)), TeamVerdict::kLate);
+  EXPECT_EQ(heard.contacts.find(kOther)->inform.resources.speed, 22);
+  EXPECT_EQ(heard.take(inform(7, 21)), TeamVerdict::kRepeated);
+  EXPECT_EQ(heard.take(inform(8, 22)), TeamVerdict::kRepeated);
+  // Numbers to one receiver count by themselves.
+  const TeamMessage ack{TeamMessage::kVersion, 1, TeamAssignAck{3}};
+  EXPECT_EQ(heard.take(ack, false), TeamVerdict::kNew);
+  EXPECT_EQ(heard.take(ack, false), TeamVerdict::kRepeated);
+}
+
+TEST(TeamContacts, RefusesWhatNoMemberSays) {
+  Heard heard;
+  TeamMessage other_version = inform(1);
+  other_version.version = 2;
+  EXPECT_EQ(heard.take(other_version), TeamVerdict::kOtherVersion);
+  EXPECT_EQ(heard.contacts.take(kSelf, true, inform(1), 0, kLost), TeamVerdict::kOwnId);
+  EXPECT_EQ(heard.take(inform(1, -1)), TeamVerdict::kImplausible);
+  EXPECT_EQ(heard.take(inform(1, std::numeric_limits<double>::quiet_NaN())),
+            TeamVerdict::kImplausible);
+  TeamState state;
+  state.part = 3;
+  EXPECT_TRUE(is_implausible(state));
+  EXPECT_TRUE(is_implausible(TeamAssign{{""}, 1, {}}));
+  EXPECT_TRUE(is_implausible(TeamAssign{{"M"}, 1, std::vector<TeamTask>(1001)}));
+  EXPECT_TRUE(is_implausible(TeamMerge{{"M"}, {{2}, {1}, 1}, false, {}}));
+  EXPECT_FALSE(is_implausible(TeamQuery{}));
+  // Nobody sends a million messages in a second.
+  EXPECT_EQ(heard.take(inform(1)), TeamVerdict::kNew);
+  heard.now = 1;
+  EXPECT_EQ(heard.take(inform(1'000'000)), TeamVerdict::kImplausible);
+  EXPECT_EQ(heard.take(inform(2)), TeamVerdict::kNew);
+}
+
+TEST(TeamContacts, RefusesWhoMayNotBeInTheTeam) {
+  TeamContacts contacts(kSelf, {kSelf, EntityId{7}});
+  EXPECT_EQ(contacts.take(kOther, true, inform(1), 0, kLost), TeamVerdict::kUnknown);
+  EXPECT_EQ(contacts.take({7}, true, inform(1), 0, kLost), TeamVerdict::kNew);
+}
+
+TEST(TeamContacts, FindsTwoSendersWithOneId) {
+  Heard heard;
+  EXPECT_EQ(heard.take(inform(100)), TeamVerdict::kNew);
+  EXPECT_EQ(heard.take(inform(100, 33)), TeamVerdict::kDuplicateId);
+  EXPECT_EQ(heard.take(inform(3)), TeamVerdict::kDuplicateId);
+  EXPECT_EQ(heard.contacts.find(kOther)->inform.resources.speed, 20);
+  // The first is gone: the second was switched off and on, or has taken its place.
+  heard.now = kLost + 0.1;
+  EXPECT_EQ(heard.take(inform(4)), TeamVerdict::kNew);
+  EXPECT_TRUE(heard.contacts.restarted());
+  EXPECT_EQ(heard.take(inform(5)), TeamVerdict::kNew);
+  EXPECT_FALSE(heard.contacts.restarted());
+}
+
+TEST(TeamContacts, TakesAbsenceForNoLoss) {
+  Heard heard;
+  for (std::uint32_t k = 1; k < 300; ++k) {
+    heard.now += 1;
+    EXPECT_EQ(heard.take(inform(k)), TeamVerdict::kNew);
+  }
+  EXPECT_EQ(heard.contacts.loss(), 0.05);
+  heard.now += 60;
+  EXPECT_EQ(heard.take(inform(400)), TeamVerdict::kNew);
+  EXPECT_EQ(heard.contacts.loss(), 0.05);
+}
+
+}  // namespace
+}  // namespace skein::reasoning
