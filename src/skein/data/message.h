@@ -13,6 +13,7 @@
 #include "skein/data/describe.h"
 #include "skein/data/fire.h"
 #include "skein/data/object.h"
+#include "skein/data/separation_message.h"
 #include "skein/data/task.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone_change.h"
@@ -87,7 +88,11 @@ constexpr auto describe(const PluginPayload*) {
 /// the wire form.
 using MessageContent =
     std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
-                 PluginPayload, TaskChange, TaskReport, ObjectSighting>;
+                 PluginPayload, TaskChange, TaskReport, ObjectSighting, PlanReport,
+                 PlaceReport, ConflictNotice, Offers, Acceptance, Busy>;
+
+/// As `to` of a message: all entities but the sender.
+inline constexpr EntityId kEveryone{0xFFFFFFFFu};
 
 /// A message between agents. `number` counts the sender's messages.
 struct Message {
