@@ -195,6 +195,13 @@ const std::vector<StudyKind>& study_kinds() {
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
         "--plugin"},
        keeping_study},
+      {"avoidance",
+       "aircraft that will meet, flown to the end: how near they come and what that "
+       "costs",
+       {"--out", "--log", "--cases", "--only-cases", "--first-seed", "--threads",
+        "--method", "--plant", "--loss", "--delay", "--range", "--turbulence",
+        "--separation", "--wind-from"},
+       avoidance_study},
       {"tuning",
        "laps of waypoints, each with other gains; can search for gains",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
@@ -230,7 +237,8 @@ std::string not_for(const StudyArguments& arguments) {
     return fmt::format("{} has no meaning for the study {}, which takes{}.", option,
                        study->name, takes);
   }
-  if (given("--cases") + given("--updates") + given("--out") > 1 &&
+  if (arguments.name == "estimators" &&
+      given("--cases") + given("--updates") + given("--out") > 1 &&
       (given("--cases") || given("--updates")))
     return "--cases and --updates write to standard output: give one of them, and no "
            "--out.";

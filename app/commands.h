@@ -26,6 +26,17 @@ struct RunArguments {
   std::filesystem::path replay;  ///< a run that is done again; empty = none
 };
 
+/// How aircraft keep apart in the study `avoidance`.
+struct AvoidanceArguments {
+  std::string method = "auto";
+  std::string plant = "path";
+  double loss = 0, delay = 0;  ///< of messages; [s]
+  double range = 0;            ///< of the radio [m]; 0: no limit
+  std::string turbulence = "none";
+  std::string separation = "team";  ///< by name
+  std::vector<double> wind;  ///< speed [m/s] and direction [deg] that it comes from
+};
+
 struct StudyArguments {
   std::string name;           ///< empty = list the studies
   std::filesystem::path out;  ///< empty = runs/study-NAME
@@ -39,7 +50,8 @@ struct StudyArguments {
   std::string data;                      ///< bridge: folder of the recorded fire
   std::vector<std::string> gains;        ///< tuning: files of gains
   int search = 0;                        ///< tuning: gains to try; 0 = no search
-  std::vector<std::string> given;        ///< names of all options of the command line
+  AvoidanceArguments avoidance;
+  std::vector<std::string> given;  ///< names of all options of the command line
 };
 
 struct FlyArguments {

@@ -362,9 +362,39 @@ Command add_study(CLI::App& program) {
       ->allow_extra_args(false);
   add_plugin_option(*command, study->plugins);
   command->add_option("--cases", study->cases_file,
-                      "estimators: evaluate the rows of this CSV (- = standard input).");
+                      "estimators: evaluate the rows of this CSV (- = standard input). "
+                      "avoidance: the cases.");
   command->add_option("--updates", study->updates_file,
                       "estimators: whole updates, rows of this CSV.");
+  AvoidanceArguments& avoidance = study->avoidance;
+  command
+      ->add_option("--method", avoidance.method,
+                   "avoidance: none, rule, priority, negotiated or auto (default).")
+      ->check(CLI::IsMember({"none", "rule", "priority", "negotiated", "auto"}));
+  command
+      ->add_option(
+          "--plant", avoidance.plant,
+          "avoidance: path (default), or fixed-wing with six degrees of freedom.")
+      ->check(CLI::IsMember({"path", "fixed-wing"}));
+  command->add_option("--loss", avoidance.loss, "avoidance: share of messages lost.")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--delay", avoidance.delay, "avoidance: of messages [s].")
+      ->check(CLI::Range(0.0, 60.0));
+  command->add_option("--range", avoidance.range, "avoidance: of the radio [m]; 0: all.")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--turbulence", avoidance.turbulence,
+                   "avoidance: none (default), light, moderate or severe.")
+      ->check(CLI::IsMember({"none", "light", "moderate", "severe"}));
+  command
+      ->add_option("--separation", avoidance.separation,
+                   "avoidance: team (50 m, 20 m; default) or light (1500 m, 150 m).")
+      ->check(CLI::IsMember({"team", "light"}));
+  command
+      ->add_option("--wind-from", avoidance.wind,
+                   "avoidance: SPEED,DEGREES instead of the wind of the cases.")
+      ->delimiter(',')
+      ->expected(2);
   command->add_option("--data", study->data, "bridge: folder of the recorded fire.");
   command
       ->add_option("--gains", study->gains,

@@ -71,6 +71,10 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
 int following_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                     const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
+/// `skein study avoidance`; returns the exit status.
+int avoidance_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                    const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
 /// `skein study ground-starts`; returns the exit status.
 int ground_starts_study(const StudyArguments& arguments,
                         const assemble::KindRegistry& kinds,

@@ -27,6 +27,28 @@ Fields<SafetyZone> safety_zone_fields() {
               {.above = 0, .at_most = 1e6});
 }
 
+Fields<reasoning::SeparationOptions> avoidance_fields() {
+  using T = reasoning::SeparationOptions;
+  return Fields<T>()
+      .word("method", &T::method, "How it keeps apart from others of its team.",
+            {{"none", SeparationMethod::kNone, "not at all, and it says nothing"},
+             {"rule", SeparationMethod::kRule, "each alone, by the rules of the air"},
+             {"priority", SeparationMethod::kPriority,
+              "the lower one plans around the higher one"},
+             {"negotiated", SeparationMethod::kNegotiated, "two agree on what both fly"},
+             {"auto", SeparationMethod::kAuto,
+              "negotiated, by priority, by rule or by height, as time is left"}})
+      .number("horizontal_m", [](T & t) -> auto& { return t.separation.horizontal; },
+              "Kept from others, unless the vertical distance is kept. Of a pair the "
+              "larger counts, and how far both are off their plans on top.",
+              {.above = 0, .at_most = 20000})
+      .number("vertical_m", [](T & t) -> auto& { return t.separation.vertical; },
+              "Kept from others, unless the horizontal distance is kept.",
+              {.above = 0, .at_most = 5000})
+      .duration_s("horizon_s", &T::horizon, "How far ahead conflicts are looked for.",
+                  {.at_least = 20, .at_most = 600});
+}
+
 // One agent, whatever the row: rows differ in what it flies first and in what of its
 // tasks can be set.
 struct AgentChoice {
@@ -43,6 +65,9 @@ Fields<T> common_fields(Fields<T> fields, const char* across) {
       .number(
           "zone_margin_m", [](T & t) -> auto& { return t.agent.avoidance.margin; },
           "Kept from the border of no-fly zones.", kNotNegative)
+      .object(
+          "avoidance", [](T & t) -> auto& { return t.agent.separation; },
+          avoidance_fields(), "Keeping apart from others.")
       .object(
           "safety_zone", [](T & t) -> auto& { return t.agent.safety_zone; },
           safety_zone_fields(), across);
@@ -107,6 +132,23 @@ std::string repeated_point(const std::vector<Vec2>& points) {
       return fmt::format("points {} and {} are at one place.", i + 1, next + 1);
   }
   return {};
+}
+
+struct DirectChoice : AgentChoice {
+  DirectChoice() { agent.takes_orders = false; }
+  Vec2 point = {1000, 0};              // [m]
+  std::optional<double> altitude_msl;  // [m]
+};
+
+Fields<DirectChoice> direct_fields() {
+  using T = DirectChoice;
+  return common_fields(
+      Fields<T>()
+          .point("point_m", &T::point, "Where it flies to, and circles then.")
+          .number("altitude_msl_m", &T::altitude_msl,
+                  "Reached evenly until there. Null: altitude_agl_m above the ground.",
+                  {.at_least = -500, .at_most = 30000}),
+      "How far the flight may be off its plan.");
 }
 
 struct TourChoice : AgentChoice {
@@ -222,6 +264,11 @@ Kinds<Agent, AircraftContext> agent_kinds() {
   kinds.add(
       "route", "Flies a route of its own; takes no orders.", route_fields(),
       [](const RouteChoice& o, const AircraftContext& c) { return make_route(o, c); });
+  kinds.add("direct",
+            "Flies to one place by the quickest path in the wind; takes no orders.",
+            direct_fields(), [](const DirectChoice& o, const AircraftContext& c) {
+              return make_agent(o, c, FlyTo{o.point, o.altitude_msl});
+            });
   kinds.add("tour",
             "Flies through points on turns and straights planned for the wind; takes no "
             "orders.",

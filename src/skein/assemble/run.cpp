@@ -14,12 +14,17 @@ namespace {
 
 class QuietConsole : public OperatorConsole {
  public:
-  explicit QuietConsole(const std::atomic<bool>* stop) : stop_(stop) {}
+  QuietConsole(const std::atomic<bool>* stop, OperatorConsole* source)
+      : stop_(stop), source_(source) {}
   void show(const RunProgress&) override {}
   bool stop_requested() const override { return stop_ && *stop_; }
+  std::vector<CommandRecord> commands() override {
+    return source_ ? source_->commands() : std::vector<CommandRecord>();
+  }
 
  private:
   const std::atomic<bool>* stop_;
+  OperatorConsole* source_;
 };
 
 }  // namespace
@@ -69,11 +74,12 @@ Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
   ready.options.threads = how.threads;
   record::SummaryRecorder recorder(
       {how.version, scenario.seed, scenario.name, how.text, scenario.start_utc});
-  QuietConsole console(how.stop);
+  QuietConsole console(how.stop, how.console);
   std::vector<Recorder*> listeners = {&recorder};
   if (how.listener) listeners.push_back(how.listener);
   record::FanOut all(std::move(listeners));
   if (auto opened = open_links(ready); !opened) return opened.error();
+  if (how.prepare) how.prepare(ready.world);
   const auto outcome = run_linked(ready, &all, console);
   if (!outcome) return outcome.error();
   if (outcome.value().end == simulation::RunOutcome::End::kStopped)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,10 @@ struct QuietRun {
   double speed = 0;     ///< simulated seconds per wall second; 0 = as fast as possible
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< asks for an early end; may be null
-  Recorder* listener = nullptr;  ///< receives all that is recorded; may be null
+  Recorder* listener = nullptr;        ///< receives all that is recorded; may be null
+  OperatorConsole* console = nullptr;  ///< gives commands; may be null
+  /// Called with the world before it runs; may be empty.
+  std::function<void(simulation::World&)> prepare = {};
 };
 
 /// Builds a scenario, runs it and gives its key figures; writes nothing. One that goes by

@@ -42,9 +42,9 @@ constexpr auto describe(const RemoteState*) {
 }
 
 /// New kinds go to the end: the place in this list is part of the wire form.
-using EntitySaying =
-    std::variant<RemoteState, Message, Event, FireReading, Crossing, PluginRecord,
-                 PlannerChange, MissionProgress, ObjectBelief, RegionOfInterest>;
+using EntitySaying = std::variant<RemoteState, Message, Event, FireReading, Crossing,
+                                  PluginRecord, PlannerChange, MissionProgress,
+                                  ObjectBelief, RegionOfInterest, ConflictReport>;
 
 /// One thing that such an entity says.
 struct EntityReport {

@@ -13,6 +13,7 @@
 #include "skein/data/describe.h"
 #include "skein/data/fire.h"
 #include "skein/data/object.h"
+#include "skein/data/separation_message.h"
 #include "skein/data/task.h"
 #include "skein/data/team_message.h"
 #include "skein/data/vehicle.h"
@@ -88,7 +89,11 @@ constexpr auto describe(const PluginPayload*) {
 /// the wire form.
 using MessageContent =
     std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
-                 PluginPayload, TaskChange, TaskReport, ObjectSighting, TeamMessage>;
+                 PluginPayload, TaskChange, TaskReport, ObjectSighting, TeamMessage,
+                 PlanReport, PlaceReport, ConflictNotice, Offers, Acceptance, Busy>;
+
+/// As `to` of a message: all entities but the sender.
+inline constexpr EntityId kEveryone{0xFFFFFFFFu};
 
 /// A message between agents. `number` counts the sender's messages.
 struct Message {

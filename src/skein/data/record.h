@@ -18,6 +18,7 @@
 #include "skein/data/payload.h"
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
+#include "skein/data/separation_message.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/vehicle_report.h"
 #include "skein/data/zone_change.h"
@@ -200,6 +201,23 @@ constexpr auto describe(const PlannerRecord*) {
       field("", &T::change, "which planner, and what it does"));
 }
 
+/// A conflict between two aircraft is over.
+struct ConflictRecord {
+  Time time;
+  EntityId id;
+  ConflictReport report;
+};
+
+constexpr auto describe(const ConflictRecord*) {
+  using T = ConflictRecord;
+  return described<T>(
+      {"conflict", "conflicts"},
+      "A conflict between two aircraft that is over, as one of them saw it.",
+      field("time", &T::time, "when it was over"),
+      field("entity_id", &T::id, "who saw it"),
+      field("", &T::report, "with whom, and what was done"));
+}
+
 /// What a vehicle behind a link has said, when the run took it in.
 struct VehicleReportRecord {
   Time time;
@@ -253,12 +271,11 @@ constexpr auto describe(const ObservationRecord*) {
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record =
-    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
-                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
-                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
-                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
-                 ForecastRecord, ArrivalRecord, VehicleReportRecord,
-                 MissionProgressRecord, PhysicalObject, ObservationRecord>;
+using Record = std::variant<
+    EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing, MessageRecord,
+    PerimeterRecord, Event, ZoneRecord, GroundObject, Detection, Footprint, RangeScan,
+    CommandRecord, PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
+    MissionRecord, ForecastRecord, ArrivalRecord, VehicleReportRecord,
+    MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord>;
 
 }  // namespace skein

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -21,6 +22,22 @@ struct Separation {
 /// A pair keeps the larger distances of both members.
 constexpr Separation larger(const Separation& a, const Separation& b) {
   return {std::max(a.horizontal, b.horizontal), std::max(a.vertical, b.vertical)};
+}
+
+/// How an aircraft keeps apart from others. The order is that in which they are called
+/// for as time runs out.
+enum class SeparationMethod : std::uint8_t {
+  kNone,            ///< not at all
+  kRule,            ///< each by the rules of the air, alone
+  kPriority,        ///< the lower one plans around the higher one
+  kNegotiated,      ///< the two agree on what both fly
+  kGroup,           ///< several agree on what all fly
+  kNonCooperative,  ///< nobody but oneself is counted on
+  kAuto,            ///< whichever fits the time that is left and what the other can do
+};
+constexpr auto names_of(const SeparationMethod*) {
+  return std::to_array<std::string_view>(
+      {"none", "rule", "priority", "negotiated", "group", "non-cooperative", "auto"});
 }
 
 /// A separation by its name.

@@ -17,12 +17,17 @@ namespace skein {
 /// Fly to a point and through it.
 struct FlyTo {
   Vec2 point = Vec2::Zero();  ///< [m]
+  /// Reached evenly until there [m]; none: the aircraft's height above the ground.
+  std::optional<double> altitude_msl = std::nullopt;
 };
 
 constexpr auto describe(const FlyTo*) {
   using T = FlyTo;
   return described<T>({"fly_to"}, "Fly to a point and through it.",
-                      field("", &T::point, axes::kPlace, "the point"));
+                      field("", &T::point, axes::kPlace, "the point"),
+                      field("altitude_msl", &T::altitude_msl, unit::kMetre,
+                            "reached evenly until there; null: the height over ground "
+                            "that the aircraft flies at"));
 }
 
 /// Follow the real edge of the fire with the in/out sensor.

@@ -11,6 +11,7 @@ struct Taker {
 
   void operator()(const EntityRecord& r) { statistics.entity(r); }
   void operator()(const TruthRecord& r) {
+    statistics.separation().truth(r.time, r.id, r.state.p_N);
     statistics.truth(r.time, r.id, r.state.p_N, r.state.energy.charge);
     statistics.missions().truth(r.time, r.id, r.state.p_N);
   }
@@ -23,7 +24,10 @@ struct Taker {
   }
   void operator()(const FireReading&) { statistics.reading(); }
   void operator()(const Crossing& r) { statistics.crossing(r); }
-  void operator()(const MessageRecord& r) { statistics.message(r.lost); }
+  void operator()(const MessageRecord& r) {
+    statistics.message(r.lost);
+    statistics.separation().message(r.message);
+  }
   void operator()(const PerimeterRecord& r) {
     statistics.perimeter(r, TrueBoundary(r.truth));
   }
@@ -56,6 +60,7 @@ struct Taker {
   void operator()(const CommandRecord&) {}
   void operator()(const PluginRecord&) {}
   void operator()(const PlannerRecord&) {}
+  void operator()(const ConflictRecord& r) { statistics.separation().conflict(r.report); }
   void operator()(const VehicleReportRecord&) {}
   void operator()(const MissionProgressRecord&) {}
 };
@@ -171,6 +176,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   missions_.add_figures(out);
   forecasts_.add_figures(out);
   memory_.add_figures(out);
+  separation_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

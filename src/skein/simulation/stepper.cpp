@@ -282,13 +282,32 @@ void Stepper::send(Time now, std::size_t i) {
   const bool works = !vehicle || vehicle->link_works();
   for (Message& message : states_[i].output.outbox) {
     message.from = id_of(i);
-    message.number = states_[i].sent++;
     message.sent = now;
-    if (works)
-      world_.radio->send(message);
-    else
-      record_message(message, now, true);
+    if (message.to == kEveryone) {
+      send_to_all(std::move(message), works);
+      continue;
+    }
+    message.number = states_[i].sent++;
+    send(message, works);
   }
+}
+
+// To each of the others a copy of its own, which may be lost or late on its own.
+void Stepper::send_to_all(Message message, bool works) {
+  const std::size_t from = message.from.value;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    if (k == from || !states_[k].active) continue;
+    message.to = id_of(k);
+    message.number = states_[from].sent++;
+    send(message, works);
+  }
+}
+
+void Stepper::send(const Message& message, bool works) {
+  if (works)
+    world_.radio->send(message);
+  else
+    record_message(message, message.sent, true);
 }
 
 void Stepper::receive(Time now) {
@@ -431,6 +450,9 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     Record operator()(const PluginRecord& record) { return record; }
     Record operator()(const MissionProgress& progress) {
       return MissionProgressRecord{now, agent, progress};
+    }
+    Record operator()(const ConflictReport& report) {
+      return ConflictRecord{now, agent, report};
     }
     Record operator()(const PlannerChange& change) {
       return PlannerRecord{now, agent, change};

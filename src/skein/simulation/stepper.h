@@ -72,6 +72,8 @@ class Stepper {
   void think(Time now, Entity& entity, EntityState& state);
   void exchange(Time now);
   void send(Time now, std::size_t i);
+  void send_to_all(Message message, bool works);
+  void send(const Message& message, bool works);
   void receive(Time now);
   void record_vehicles(Time now);
   void advance(Time now, Time until);

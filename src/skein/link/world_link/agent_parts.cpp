@@ -74,6 +74,9 @@ struct WorldFeed::Listener {
   void operator()(const MissionProgressRecord& record) const {
     feed.said_.emplace_back(record.progress);
   }
+  void operator()(const ConflictRecord& record) const {
+    feed.said_.emplace_back(record.report);
+  }
   void operator()(const ObjectBeliefRecord& record) const {
     feed.said_.emplace_back(record.belief);
   }

@@ -15,13 +15,14 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
       readings_(context.self, station),
       report_(station, options.report_period),
       tasks_(context.self, station, std::move(make)),
-      chain_(context, loiter_, tasks_) {
+      chain_(context, options.separation, loiter_, tasks_) {
   if (options_.first_task) tasks_.begin(*options_.first_task);
 }
 
 void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   if (options_.takes_orders && tasks_.receive(in, out)) safety_.allow_launch(in);
   safety_.listen(in, out);
+  chain_.listen(in);
   if (!in.nav) return;
   beliefs_.step(in, out);
   readings_.step(in, out);

@@ -18,6 +18,7 @@ struct OnboardAgentOptions {
   double report_period = 1;  ///< between reports to the station [s]
   SafetyZone safety_zone = {};
   ZoneAvoidanceOptions avoidance = {};
+  SeparationOptions separation = {};
   std::optional<TaskKind> first_task = {};  ///< until an order comes
   bool takes_orders = true;
 };

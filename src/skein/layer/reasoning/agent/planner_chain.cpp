@@ -19,10 +19,19 @@ void PlannerChain::fly(const TaskStep& step, AgentOutput& out) {
     intent = next;
   }
   SKEIN_CHECK(intent != nullptr);
+  const FlightIntent* apart = separation_.plan(intent, step, trajectory_.progress(), out);
+  auto verdict = PlannerVerdict::kPassedOn;
+  if (apart != intent)
+    verdict =
+        separation_.modifies() ? PlannerVerdict::kModified : PlannerVerdict::kReplaced;
+  if (verdict == PlannerVerdict::kReplaced) author->replaced();
+  note(PlannerLink::kSeparation, {verdict, separation_.reason()}, out);
+  intent = apart;
   FlightSafety& safety = step.safety;
   trajectory_.fly(
       *intent,
       {step.in, safety.zones(), safety.returns(), safety.off_plan(), safety.news()}, out);
+  progress_ = separation_.for_task(trajectory_.progress());
   const std::string_view change = trajectory_.change();
   note(PlannerLink::kTrajectory,
        {change.empty() ? PlannerVerdict::kPassedOn : PlannerVerdict::kModified, change},

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "skein/data/planner_change.h"
+#include "skein/layer/reasoning/agent/separation_planner.h"
 #include "skein/layer/reasoning/agent/task_executor.h"
 #include "skein/layer/reasoning/trajectory/trajectory_planner.h"
 
@@ -28,26 +29,20 @@ class PlannerOfChain {
   virtual std::string_view reason() const = 0;
 };
 
-/// Keeps apart from others. Nothing does so yet: what it is given goes on as it is.
-class SeparationPlanner final : public PlannerOfChain {
- public:
-  const FlightIntent* plan(const FlightIntent* given, const TaskStep&,
-                           AgentOutput&) override {
-    return given;
-  }
-  std::string_view reason() const override { return {}; }
-};
-
 /// The backbone of a step on board: loiter, task, separation, trajectory, autopilot. Each
 /// planner modifies or replaces what it is handed, or passes it on, so that there is
 /// always something to fly; who does what, and why, is recorded whenever it changes.
 class PlannerChain {
  public:
   /// @param loiter, task  outlive it.
-  PlannerChain(const FlightContext& context, PlannerOfChain& loiter, PlannerOfChain& task)
-      : links_{&loiter, &task, &separation_}, trajectory_(context) {}
+  PlannerChain(const FlightContext& context, const SeparationOptions& separation,
+               PlannerOfChain& loiter, PlannerOfChain& task)
+      : links_{&loiter, &task}, separation_(context, separation), trajectory_(context) {}
   PlannerChain(const PlannerChain&) = delete;
   PlannerChain& operator=(const PlannerChain&) = delete;
+
+  /// Takes in what others say to keep apart. At each step.
+  void listen(const AgentInput& in) { separation_.listen(in); }
 
   /// Commands what is flown.
   void fly(const TaskStep& step, AgentOutput& out);
@@ -55,7 +50,8 @@ class PlannerChain {
   /// The aircraft stands or takes off: nobody is asked.
   void stand(std::string_view reason, AgentOutput& out);
 
-  const FlightProgress& progress() const { return trajectory_.progress(); }
+  /// How the flight goes that the task wants.
+  const FlightProgress& progress() const { return progress_; }
 
  private:
   struct Said {
@@ -65,9 +61,10 @@ class PlannerChain {
   };
   void note(PlannerLink link, const Said& said, AgentOutput& out);
 
+  std::array<PlannerOfChain*, 2> links_;  // loiter, task
   SeparationPlanner separation_;
-  std::array<PlannerOfChain*, kPlannerLinks - 1> links_;
   TrajectoryPlanner trajectory_;
+  FlightProgress progress_;
   std::array<Said, kPlannerLinks> said_{};
 };
 

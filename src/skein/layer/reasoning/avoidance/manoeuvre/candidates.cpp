@@ -49,7 +49,8 @@ std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double stren
   const double arrival = model::end_time_of(conflict.plan);
   std::vector<Candidate> all;
   double of_plan = 0;  // up and down
-  for (const Manoeuvre& manoeuvre : manoeuvres(conflict.limits, strength)) {
+  for (const Manoeuvre& manoeuvre :
+       manoeuvres(conflict.limits, conflict.separation, strength)) {
     auto flight = manoeuvred(manoeuvre, conflict);
     if (!flight) continue;
     const double up_and_down = climbed(*flight);
@@ -57,7 +58,7 @@ std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double stren
     double cost = std::abs(model::end_time_of(*flight) - arrival) +
                   kPerMetre * std::max(0.0, up_and_down - of_plan);
     for (const KnownFlight& other : others)
-      if (const auto meeting = first_meeting(*flight, other.plan, other.separation,
+      if (const auto meeting = first_meeting(*flight, *other.plan, other.separation,
                                              conflict.begin, look_until))
         cost += cost_of_meeting(*meeting, conflict.meets);
     all.push_back({manoeuvre, *std::move(flight), cost});

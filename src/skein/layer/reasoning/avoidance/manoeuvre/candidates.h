@@ -10,8 +10,8 @@ namespace skein::reasoning {
 
 /// A flight that somebody else has said it will fly.
 struct KnownFlight {
-  FlightPlan plan;
-  Separation separation;  ///< to be kept between it and the own aircraft
+  const FlightPlan* plan = nullptr;  ///< not null
+  Separation separation;             ///< to be kept between it and the own aircraft
 };
 
 /// A manoeuvre that an aircraft can fly, and what it is worth to it.

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "skein/data/separation.h"
 #include "skein/data/vehicle.h"
 
 namespace skein::reasoning {
@@ -35,11 +36,13 @@ struct Manoeuvre {
 
 /// All that are looked at for a conflict, going on first.
 ///
-/// Aside by 30, 60, 100, 160, 240 m, left 12, 25 or 50 s before; up and down by 23, 44,
-/// 66 m; both times the strength. Speed 0.76, 0.88, 1.12, 1.24 times cruise where the
-/// aircraft flies so slow or fast.
+/// Aside by 0.6, 1.2, 2, 3.2, 4.8 times the horizontal separation, left 12, 25 or 50 s
+/// before; up and down by 1.15, 2.2, 3.3, 4.5, 6 times the vertical one; both times the strength.
+/// Speed 0.82, 0.9, 1.1, 1.18 times cruise where that is well within what it can fly.
+/// All numbers are ones that a `float` holds, so that they can be sent as they are.
 ///
 /// @param strength  1 at first, more where no pair of flights is free.
-std::vector<Manoeuvre> manoeuvres(const FlightLimits& limits, double strength);
+std::vector<Manoeuvre> manoeuvres(const FlightLimits& limits,
+                                  const Separation& separation, double strength);
 
 }  // namespace skein::reasoning

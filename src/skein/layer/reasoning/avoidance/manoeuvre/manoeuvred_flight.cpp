@@ -11,7 +11,8 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLevelAfter = 1;  // the conflict [s]
+constexpr double kLevelBefore = 4;  // the conflict: an aircraft lags behind a climb [s]
+constexpr double kLevelAfter = 2;   // the conflict [s]
 constexpr double kSpeedAfter = 2;  // the conflict [s]
 
 // Flights to the end of the conflict's plan.
@@ -80,7 +81,8 @@ std::optional<FlightPlan> Maker::up(double height) const {
   if (!(rate > 0)) return std::nullopt;
   const double climb =
       model::climb_time(std::abs(height), rate, limits.climb_acceleration);
-  const double left_at = std::max(conflict_.begin, conflict_.meets - climb);
+  const double left_at =
+      std::max(conflict_.begin, conflict_.meets - kLevelBefore - climb);
   const double level_until = std::min(conflict_.apart + kLevelAfter, end_);
   if (left_at + climb > level_until) return std::nullopt;
   FlightPlan flight = kept_until(left_at);
@@ -109,16 +111,9 @@ std::optional<FlightPlan> Maker::speed(double factor) const {
   return flight;
 }
 
-}  // namespace
-
-std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
-                                     const ConflictOfFlight& conflict) {
+std::optional<FlightPlan> made(const Manoeuvre& manoeuvre,
+                               const ConflictOfFlight& conflict) {
   const FlightPlan& plan = conflict.plan;
-  if (plan.empty() || conflict.begin >= model::end_time_of(plan) ||
-      conflict.begin < model::start_of(plan))
-    return std::nullopt;
-  if (manoeuvre.kind == ManoeuvreKind::kGoOn)
-    return planning::part_of(plan, conflict.begin, model::end_time_of(plan));
   const Maker maker(
       conflict,
       planning::part_of(plan, conflict.begin, model::end_time_of(plan)).front().wind);
@@ -136,6 +131,31 @@ std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
     default:
       return maker.direct();
   }
+}
+
+// No steeper than the aircraft climbs and sinks: a climb on top of another may be.
+bool within(const FlightPlan& flight, const FlightLimits& limits) {
+  constexpr double kRounding = 1.001;
+  for (const FlightElement& e : flight)
+    for (const double rate :
+         {e.climb_rate, e.climb_rate + e.climb_acceleration * e.duration})
+      if (rate > kRounding * limits.climb_rate || -rate > kRounding * limits.sink_rate)
+        return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
+                                     const ConflictOfFlight& conflict) {
+  const FlightPlan& plan = conflict.plan;
+  if (plan.empty() || conflict.begin >= model::end_time_of(plan) ||
+      conflict.begin < model::start_of(plan))
+    return std::nullopt;
+  if (manoeuvre.kind == ManoeuvreKind::kGoOn)
+    return planning::part_of(plan, conflict.begin, model::end_time_of(plan));
+  const auto flight = made(manoeuvre, conflict);
+  return flight && within(*flight, conflict.limits) ? flight : std::nullopt;
 }
 
 }  // namespace skein::reasoning

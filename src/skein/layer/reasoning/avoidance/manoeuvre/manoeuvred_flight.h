@@ -15,6 +15,7 @@ struct ConflictOfFlight {
   double meets = 0;         ///< when the two come nearer than the separation [s]
   double closest_time = 0;  ///< when they are closest [s]
   double apart = 0;         ///< when they are apart again [s]
+  Separation separation;    ///< that the two have to keep
 };
 
 /// The flight with the manoeuvre, from `begin` to the end of the plan, within the limits
@@ -23,8 +24,8 @@ struct ConflictOfFlight {
 /// - Aside: the plan is left `lead` before the conflict; the flight passes beside where
 ///   the plan would be when they are closest, with the plan's heading, and goes to the
 ///   plan's end from there.
-/// - Up, down: begun as late as the climb allows, level until a second after the
-///   conflict, then to the plan's end. Sideways the plan is kept until then.
+/// - Up, down: begun so late that it is level four seconds before the conflict, until two
+///   seconds after it, then to the plan's end. Sideways the plan is kept until then.
 /// - Speed: from `begin` to where the plan is two seconds after the conflict, then at
 ///   cruise to its end. Turns take the radius of that airspeed at the same bank.
 ///

@@ -14,16 +14,38 @@ constexpr double kSamePlace = 1;    // nearer is the same place [m]
 constexpr double kReached = 2;      // a point is, this near to it [turn radii]
 constexpr double kMinReached = 50;  // and this near at least [m]
 
-PlannedTaskOptions first_is_best() {
+PlannedTaskOptions first_is_best(bool over_ground) {
   PlannedTaskOptions own;
   own.in_time = false;  // the first to arrive is the best
+  own.over_ground = over_ground;
   return own;
+}
+
+// The same flight, climbed or sunk evenly, or as far as the aircraft can.
+void climb_evenly(FlightPlan& plan, double up, const FlightLimits& limits) {
+  const double duration = model::duration(plan);
+  if (!(duration > 0)) return;
+  const double rate = std::clamp(up / duration, -limits.sink_rate, limits.climb_rate);
+  const double start = model::start_of(plan);
+  for (FlightElement& e : plan) {
+    e.p_N.z() -= rate * (e.start - start);
+    e.climb_rate = rate;
+  }
 }
 
 }  // namespace
 
-GoToTask::GoToTask(const FlightContext& context, const Vec2& point)
-    : PlannedTask(context, first_is_best()), point_(point), place_(point) {}
+GoToTask::GoToTask(const FlightContext& context, const Vec2& point,
+                   std::optional<double> altitude_msl)
+    : PlannedTask(context, first_is_best(!altitude_msl)),
+      point_(point),
+      altitude_msl_(altitude_msl),
+      place_(point) {}
+
+// Where it climbs evenly its plans begin where it is.
+double GoToTask::altitude_of_plans(const NavEstimate& nav) const {
+  return altitude_msl_ ? -nav.p_N.z() : PlannedTask::altitude_of_plans(nav);
+}
 
 // The point, or the nearest place that no zone forbids.
 const FlightIntent* GoToTask::before(const TaskStep& step, AgentOutput& out) {
@@ -56,6 +78,8 @@ PlannedTask::Part GoToTask::plan_part(const Start& start, const TaskStep&) {
         "the wind of {:.1f} m/s is too strong to fly to a point at "
         "{:.1f} m/s",
         start.wind.norm(), air.airspeed);
+  if (altitude_msl_)
+    climb_evenly(part.plan, *altitude_msl_ + start.state.p_N.z(), start.limits);
   if (!length_ && !part.plan.empty()) length_ = model::duration(part.plan);
   return part;
 }

@@ -13,24 +13,29 @@ namespace skein::reasoning {
 class GoToTask : public PlannedTask {
  public:
   GoToTask(const FlightContext& context, const FlyTo& order)
-      : GoToTask(context, order.point) {}
+      : GoToTask(context, order.point, order.altitude_msl) {}
 
   TaskProgress progress(const AgentInput& in) const override;
-  TaskKind rest() const override { return FlyTo{point_}; }
+  TaskKind rest() const override { return FlyTo{point_, altitude_msl_}; }
+  std::optional<double> altitude_msl() const override { return altitude_msl_; }
 
  protected:
-  GoToTask(const FlightContext& context, const Vec2& point);
+  /// @param altitude_msl  see FlyTo.
+  GoToTask(const FlightContext& context, const Vec2& point,
+           std::optional<double> altitude_msl = std::nullopt);
 
   Part plan_part(const Start& start, const TaskStep& step) override;
   const FlightIntent* before(const TaskStep& step, AgentOutput& out) override;
   bool finish(const TaskStep& step, AgentOutput& out) override;
   std::optional<Vec2> end_place() const override { return point_; }
+  double altitude_of_plans(const NavEstimate& nav) const override;
 
   const Vec2& point() const { return point_; }
   const Vec2& place() const { return place_; }
 
  private:
   Vec2 point_;
+  std::optional<double> altitude_msl_;
   Vec2 place_;                    // that is flown to
   std::optional<double> length_;  // of the first path [s]
 };

@@ -65,7 +65,7 @@ RC_GTEST_PROP(ManoeuvredFlight, IsFlyableAndEndsWhereThePlanDoes, ()) {
       plan, limits, begin, meets, meets + number(0, 5), meets + number(5, 10)};
   const FlightState goal = planning::state_after(plan);
   int made = 0;
-  for (const Manoeuvre& manoeuvre : manoeuvres(limits, number(1, 3))) {
+  for (const Manoeuvre& manoeuvre : manoeuvres(limits, {50, 20}, number(1, 3))) {
     const auto flight = manoeuvred(manoeuvre, conflict);
     if (!flight) continue;
     ++made;
@@ -121,7 +121,7 @@ RC_GTEST_PROP(ManoeuvredFlight, OfOneOrTheOtherSolvesAMeeting, ()) {
       a,           limits, meeting->begin - 45, meeting->begin, meeting->closest_time,
       meeting->end};
   int free = 0;
-  for (const Manoeuvre& m : manoeuvres(limits, 1)) {
+  for (const Manoeuvre& m : manoeuvres(limits, apart, 1)) {
     const auto flight = manoeuvred(m, of_a);
     if (flight && !first_meeting(*flight, b, apart, 0, end)) ++free;
   }

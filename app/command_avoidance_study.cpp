@@ -1,0 +1,133 @@
+// The study of aircraft that keep apart.
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "app/common.h"
+#include "app/output.h"
+#include "app/study_parts.h"
+#include "app/version.h"
+#include "skein/assemble/run.h"
+#include "skein/base/math.h"
+#include "skein/campaign/avoidance_study.h"
+#include "skein/campaign/avoidance_watch.h"
+#include "skein/role/agent.h"
+
+namespace skein::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An agent whose longest step is measured on the clock on the wall. Nothing that is
+// simulated sees it.
+class TimedAgent final : public Agent {
+ public:
+  TimedAgent(std::unique_ptr<Agent> agent, double& longest)
+      : agent_(std::move(agent)), longest_(longest) {}
+
+  void step(const AgentInput& in, AgentOutput& out) override {
+    const auto begin = std::chrono::steady_clock::now();
+    agent_->step(in, out);
+    const double took =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    longest_ = std::max(longest_, took);
+  }
+
+ private:
+  std::unique_ptr<Agent> agent_;
+  double& longest_;
+};
+
+Result<record::RunSummary> fly(const campaign::BatchItem& item,
+                               const campaign::AvoidanceCase& flown,
+                               const campaign::AvoidanceStudy& study,
+                               const assemble::KindRegistry& kinds,
+                               const std::atomic<bool>& stop) {
+  campaign::AvoidanceWatch watch(flown, study.separation);
+  std::vector<double> longest(flown.aircraft.size() + 1, 0);
+  assemble::QuietRun how;
+  how.version = kVersion;
+  how.stop = &stop;
+  how.listener = &watch;
+  how.console = &watch;
+  how.prepare = [&](simulation::World& world) {
+    for (std::size_t k = 0; k < world.entities.size() && k < longest.size(); ++k)
+      if (world.entities[k].vehicle)
+        world.entities[k].agent =
+            std::make_unique<TimedAgent>(std::move(world.entities[k].agent), longest[k]);
+  };
+  auto summary = assemble::run_quietly(item.scenario, kinds, how);
+  if (!summary) return summary;
+  watch.add_figures(summary.value().numbers);
+  summary.value().numbers["worst_decision_ms"] =
+      1e3 * *std::max_element(longest.begin(), longest.end());
+  return summary;
+}
+
+// Speed [m/s] and where it comes from [deg].
+Vec2 wind_of(const std::vector<double>& given) {
+  return -given[0] * geo::unit(given[1] * geo::kPi / 180);
+}
+
+Result<campaign::AvoidanceStudy> study_of(const StudyArguments& arguments) {
+  campaign::AvoidanceStudy study;
+  auto cases = campaign::read_avoidance_cases(arguments.cases_file);
+  if (!cases) return cases.error();
+  study.cases = std::move(cases.value());
+  if (!arguments.cases.empty())
+    std::erase_if(study.cases, [&](const campaign::AvoidanceCase& each) {
+      return std::none_of(
+          arguments.cases.begin(), arguments.cases.end(),
+          [&](const std::string& some) { return each.name.starts_with(some); });
+    });
+  const AvoidanceArguments& how = arguments.avoidance;
+  study.method = how.method;
+  study.plant = how.plant;
+  study.loss = how.loss;
+  study.delay = how.delay;
+  study.range = how.range;
+  study.turbulence = how.turbulence;
+  study.seed = arguments.first_seed;
+  if (const auto named = separation_named(how.separation)) {
+    study.separation = *named;
+    if (how.separation == "light") study.horizon = 180;
+  }
+  if (!how.wind.empty())
+    for (campaign::AvoidanceCase& each : study.cases) each.wind = wind_of(how.wind);
+  return study;
+}
+
+}  // namespace
+
+int avoidance_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                    const fs::path& folder, const std::atomic<bool>& stop) {
+  if (arguments.cases_file.empty()) {
+    complain("error: the study avoidance needs --cases FILE.csv.\n");
+    return kBadUsage;
+  }
+  auto study = study_of(arguments);
+  if (!study) return say_error(study.error());
+  const auto plan = campaign::plan_avoidance_study(study.value(), kinds.table());
+  if (!plan) return say_error(plan.error());
+  const bool file = folder.extension() == ".csv";
+  const fs::path runs = file ? fs::path(folder).replace_extension(".runs") : folder;
+  const auto outcomes = run_plan(
+      plan.value(), arguments.threads, kinds, runs, stop,
+      [&](const campaign::BatchItem& item) {
+        const auto at = static_cast<std::size_t>(&item - plan.value().items.data());
+        return fly(item, study.value().cases[at], study.value(), kinds, stop);
+      });
+  if (!outcomes) return say_error(outcomes.error());
+  const bool failed = report_failures(plan.value().items, outcomes.value(), runs);
+  const std::string csv =
+      campaign::avoidance_csv(study.value(), plan.value(), outcomes.value());
+  const fs::path to = file ? folder : folder / "avoidance.csv";
+  if (auto written = write_text(to, csv); !written) return say_error(written.error());
+  print_table(campaign::avoidance_table(plan.value(), outcomes.value()));
+  print("\n{}\n", to.string());
+  return stop ? kInterrupted : failed ? kFailed : kDone;
+}
+
+}  // namespace skein::app

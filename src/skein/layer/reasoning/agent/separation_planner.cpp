@@ -1,0 +1,179 @@
+#include "skein/layer/reasoning/agent/separation_planner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "skein/base/check.h"
+#include "skein/base/math.h"
+#include "skein/layer/reasoning/agent/expected_flight.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kExpected = 60;     // beyond the horizon that flights are expected [s]
+constexpr double kExpectAgain = 20;  // at least so often [s]
+constexpr double kMinExpected = 3;   // and not more often than that [s]
+constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
+constexpr double kPlannedRadius = 1.1;       // of the turn radius: room to correct
+constexpr double kPlannedClimb = 0.95;       // of the climb rate, likewise
+
+// The least height above the ground of a flight, and a little less [m].
+double lowest(const FlightPlan& plan, const Terrain& ground) {
+  constexpr double kLook = 5, kLess = 2;  // [s], [m]
+  double least = math::kInfinity;
+  const double end = model::end_time_of(plan);
+  for (double time = model::start_of(plan); time < end + kLook; time += kLook) {
+    const Vec3 p_N = model::moment_at(plan, std::min(time, end)).p_N;
+    least = std::min(least, -p_N.z() - ground.elevation_msl(geo::horizontal(p_N)));
+  }
+  return std::max(0.0, least - kLess);
+}
+
+FlightPriority priority_of(const AutopilotStatus& status) {
+  if (status.trigger != FailsafeTrigger::kNone) return FlightPriority::kEmergency;
+  if (status.mode == FlightMode::kManual) return FlightPriority::kPilotFlies;
+  return FlightPriority::kNormal;
+}
+
+}  // namespace
+
+void SeparationPlanner::listen(const AgentInput& in) {
+  if (options_.method != SeparationMethod::kNone) separator_.listen(in.now, in.inbox);
+}
+
+PathQuery SeparationPlanner::query_of(const TaskStep& step) const {
+  PathQuery query;
+  query.limits = planning_limits(context_.limits, kPlannedRadius);
+  // Climbs that begin at once are no curves that an autopilot can fly.
+  if (query.limits.climb_acceleration <= 0)
+    query.limits.climb_acceleration = kClimbAcceleration;
+  query.limits.climb_rate *= kPlannedClimb;
+  query.limits.sink_rate *= kPlannedClimb;
+  query.wind = step.in.nav->wind_N;
+  query.ground_clearance = std::min(context_.altitude_agl / 2, lowest_);
+  query.terrain = context_.map;
+  return query;
+}
+
+// Whether the aircraft flies elsewhere than was expected, or further than that goes.
+bool SeparationPlanner::expects_other(const FlightIntent& given,
+                                      const TaskStep& step) const {
+  if (!expected_ || given.number != given_ || given.what.index() != kind_) return true;
+  const double age = (step.in.now - expected_at_).seconds();
+  if (separator_.changed()) return separator_.is_clear(step.in.now);
+  if (age < kMinExpected) return false;
+  const Vec3 off =
+      model::moment_at(wanted_.plan, step.in.now.seconds()).p_N - step.in.nav->p_N;
+  return age > kExpectAgain || off.head<2>().norm() > kOff ||
+         std::abs(off.z()) > kOffHeight;
+}
+
+void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
+                             const FlightProgress& flight) {
+  if (const auto* itinerary = std::get_if<Itinerary>(&given.what)) {
+    want_itinerary(given, *itinerary, step);
+    return;
+  }
+  if (!expects_other(given, step)) return;
+  const std::size_t passed = flight.number == given.number ? flight.passed : 0;
+  FlightPlan plan = expected_flight(given, passed, *step.in.nav, context_,
+                                    step.in.now.seconds(), options_.horizon + kExpected);
+  if (plan.empty()) return;
+  wanted_ = {++counted_, std::move(plan), {}, false};
+  wanted_.milestones = {model::end_time_of(wanted_.plan)};
+  given_ = given.number;
+  kind_ = given.what.index();
+  expected_ = true;
+  expected_at_ = step.in.now;
+}
+
+void SeparationPlanner::want_itinerary(const FlightIntent& given,
+                                       const Itinerary& itinerary, const TaskStep& step) {
+  const bool same = !expected_ && given.number == given_ && counted_ > 0;
+  if (same) return;
+  wanted_ = {++counted_, itinerary.plan, itinerary.milestones, true};
+  if (itinerary.over_ground)
+    wanted_.plan = at_height_over_ground(itinerary.plan, context_, context_.altitude_agl,
+                                         step.in.nav->p_N.z());
+  const double end = model::end_time_of(wanted_.plan);
+  if (wanted_.milestones.empty() || wanted_.milestones.back() < end)
+    wanted_.milestones.push_back(end);
+  given_ = given.number;
+  kind_ = given.what.index();
+  expected_ = false;
+}
+
+const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
+                                            const TaskStep& step,
+                                            const FlightProgress& flight,
+                                            AgentOutput& out) {
+  SKEIN_CHECK(given != nullptr);
+  modifies_ = false;
+  reason_ = {};
+  if (options_.method == SeparationMethod::kNone) return given;
+  // The task has no part in it when another flight than its own is refused.
+  if (flight.refused && own_number_ != 0 && flight.number == own_number_ &&
+      separator_.changed())
+    separator_.refuse_plan();
+  want(*given, step, flight);
+  if (wanted_.plan.empty()) return given;
+  messages_.clear();
+  if (lowest_of_ != wanted_.number) {
+    lowest_of_ = wanted_.number;
+    lowest_ = lowest(wanted_.plan, *context_.map);
+  }
+  const PathQuery query = query_of(step);
+  separator_.step({step.in.now, step.in.nav->p_N, step.in.nav->v_N,
+                   step.in.nav->position_sd, priority_of(step.in.autopilot), query, step.safety.zones().zones()},
+                  wanted_, messages_);
+  say(out);
+  reason_ = separator_.reason();
+  if (const auto& last = separator_.last_moment()) {
+    Steering away{HoldCourse{last->course}, last->course, last->altitude_msl, {}};
+    own_ = {0, away};
+    own_number_ = 0;
+    return &own_;
+  }
+  if (expected_ && !separator_.changed()) return given;
+  return own_flight(*given, step);
+}
+
+// The plan of the separator, to be flown in time.
+const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
+                                                  const TaskStep& step) {
+  modifies_ = !expected_;
+  if (own_number_ != 0 && own_plan_ == separator_.number()) return &own_;
+  own_plan_ = separator_.number();
+  Itinerary own;
+  if (const auto* itinerary = std::get_if<Itinerary>(&given.what)) own = *itinerary;
+  own.over_ground = own.over_ground && !separator_.changed();
+  if (separator_.changed() || expected_) {
+    own.plan = separator_.plan();
+    own.milestones = separator_.milestones();
+  }
+  own.in_time = true;
+  own_ = {step.intents.next(), std::move(own)};
+  own_number_ = own_.number;
+  return &own_;
+}
+
+FlightProgress SeparationPlanner::for_task(const FlightProgress& flown) const {
+  if (own_number_ == 0 || flown.number != own_number_ || expected_) return flown;
+  FlightProgress progress = flown;
+  progress.number = given_;
+  if (separator_.changed()) {
+    progress.passed += separator_.passed();
+    progress.mended = true;
+    progress.refused = false;
+  }
+  return progress;
+}
+
+void SeparationPlanner::say(AgentOutput& out) {
+  for (Message& message : messages_) out.outbox.push_back(std::move(message));
+  for (ConflictReport& report : separator_.take_reports())
+    out.records.emplace_back(std::move(report));
+}
+
+}  // namespace skein::reasoning

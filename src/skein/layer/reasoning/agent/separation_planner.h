@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "skein/layer/reasoning/agent/task_executor.h"
+#include "skein/layer/reasoning/avoidance/separator/separator.h"
+
+namespace skein::reasoning {
+
+/// The third planner of the chain: keeps apart from others (Separator).
+///
+/// What the task flies by a plan is flown in time, and in another way where that would
+/// not be apart; the task counts it as its own. What it flies without a plan is said to
+/// others as far as it can be expected, and interrupted by a plan while something has to
+/// be passed.
+class SeparationPlanner {
+ public:
+  SeparationPlanner(const FlightContext& context, const SeparationOptions& options)
+      : context_(context), options_(options), separator_(context.self, options) {}
+
+  /// Takes in what others say. At each step, on the ground too.
+  void listen(const AgentInput& in);
+
+  /// What shall be flown.
+  /// @param flight  how the flight of the last intent goes that this has returned.
+  /// @returns  `given` itself, or what is flown instead, good until the next call.
+  const FlightIntent* plan(const FlightIntent* given, const TaskStep& step,
+                           const FlightProgress& flight, AgentOutput& out);
+
+  /// What it returned last is the task's own flight, led another way.
+  bool modifies() const { return modifies_; }
+
+  /// The progress of what was flown, as that of what the task wanted.
+  FlightProgress for_task(const FlightProgress& flown) const;
+
+  std::string_view reason() const { return reason_; }
+
+ private:
+  void want(const FlightIntent& given, const TaskStep& step,
+            const FlightProgress& flight);
+  void want_itinerary(const FlightIntent& given, const Itinerary& itinerary,
+                      const TaskStep& step);
+  bool expects_other(const FlightIntent& given, const TaskStep& step) const;
+  PathQuery query_of(const TaskStep& step) const;
+  const FlightIntent* own_flight(const FlightIntent& given, const TaskStep& step);
+  void say(AgentOutput& out);
+
+  FlightContext context_;
+  SeparationOptions options_;
+  Separator separator_;
+  WantedFlight wanted_;
+  std::uint32_t counted_ = 0;  // flights that were wanted
+  std::uint32_t given_ = 0;    // number of the intent that is wanted
+  std::size_t kind_ = 0;       // of the intent
+  bool expected_ = false;      // it has no plan
+  Time expected_at_;
+  double lowest_ = 0;  // height above the ground of what is wanted [m]
+  std::uint32_t lowest_of_ = 0;
+  FlightIntent own_;
+  std::uint32_t own_number_ = 0, own_plan_ = 0;  // of what own_ was made
+  bool modifies_ = false;
+  std::string_view reason_;
+  std::vector<Message> messages_;
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,105 @@
+#include "skein/layer/reasoning/avoidance/flights/team_flights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/model/path/flight_code.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+// How far from its plan an aircraft counts as flying it: this often its own error, and so
+// much at least.
+constexpr double kErrors = 3;
+constexpr double kAcross = 30, kHeight = 12;  // [m]
+
+constexpr double kLargestError = 1000;  // that can be meant [m]
+constexpr double kLargestSeparation = 20e3;
+constexpr double kFades = 0.9;  // of the longest delay, at each message
+
+bool is_error(float error) {
+  return error >= 0 && error <= kLargestError;
+}
+bool is_separation(float distance) {
+  return distance > 0 && distance <= kLargestSeparation;
+}
+
+}  // namespace
+
+bool TeamFlight::conforms(Time now) const {
+  if (plan.empty() || (now - sent).seconds() > TeamFlights::kStale + delay) return false;
+  if (!place || place->plan != number) return true;
+  const Vec3 off = model::moment_at(plan, place->sent.seconds()).p_N - place->p_N;
+  return off.head<2>().norm() <= std::max(kAcross, kErrors * across_error) &&
+         std::abs(off.z()) <= std::max(kHeight, kErrors * height_error);
+}
+
+TeamFlight& TeamFlights::at(EntityId who) {
+  const auto found = std::ranges::lower_bound(flights_, who, {}, &TeamFlight::who);
+  if (found != flights_.end() && found->who == who) return *found;
+  TeamFlight fresh;
+  fresh.who = who;
+  return *flights_.insert(found, std::move(fresh));
+}
+
+const TeamFlight* TeamFlights::find(EntityId who) const {
+  const auto found = std::ranges::lower_bound(flights_, who, {}, &TeamFlight::who);
+  return found != flights_.end() && found->who == who ? &*found : nullptr;
+}
+
+void TeamFlights::take(const Message& message, const PlanReport& report) {
+  TeamFlight& flight = at(message.from);
+  if (!flight.plan.empty() && message.sent < flight.sent) return;
+  const bool other = flight.plan.empty() || report.number != flight.number;
+  // A lower number is of somebody who has begun anew, if that is not a late message.
+  if (other && report.number < flight.number &&
+      (message.sent - flight.sent).seconds() < kStale)
+    return;
+  if (!is_error(report.across_error) || !is_error(report.height_error) ||
+      !is_separation(report.horizontal) || !is_separation(report.vertical))
+    return;
+  if (other) {
+    auto plan = model::decoded_flight(report.flight);
+    if (!plan) return;
+    flight.plan = *std::move(plan);
+  }
+  flight.number = report.number;
+  flight.agreed = report.agreed;
+  flight.priority = report.priority;
+  flight.separation = {report.horizontal, report.vertical};
+  flight.across_error = report.across_error;
+  flight.height_error = report.height_error;
+  flight.sent = message.sent;
+}
+
+void TeamFlights::take(const Message& message, const PlaceReport& report) {
+  const ReportedPlace place{message.sent, Vec3(report.north, report.east, report.down),
+                            Vec3(report.v_north, report.v_east, report.v_down),
+                            report.plan};
+  if (!place.p_N.allFinite() || !place.v_N.allFinite()) return;
+  TeamFlight& flight = at(message.from);
+  if (!flight.place || flight.place->sent < place.sent) flight.place = place;
+}
+
+void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox) {
+  for (const Message& message : inbox) {
+    // What was sent later than now is of a clock that cannot be trusted.
+    if (message.from == self || message.sent > now) continue;
+    if (const auto* plan = std::get_if<PlanReport>(&message.content))
+      take(message, *plan);
+    else if (const auto* place = std::get_if<PlaceReport>(&message.content))
+      take(message, *place);
+    else
+      continue;
+    TeamFlight& flight = at(message.from);
+    flight.delay = std::max((now - message.sent).seconds(), kFades * flight.delay);
+  }
+  std::erase_if(flights_, [&](const TeamFlight& flight) {
+    const Time last =
+        flight.place ? std::max(flight.sent, flight.place->sent) : flight.sent;
+    return (now - last).seconds() > kForget;
+  });
+}
+
+}  // namespace skein::reasoning

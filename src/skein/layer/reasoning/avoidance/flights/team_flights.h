@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "skein/data/flight_plan.h"
+#include "skein/data/message.h"
+#include "skein/data/separation.h"
+
+namespace skein::reasoning {
+
+/// Where somebody was when it said so.
+struct ReportedPlace {
+  Time sent;
+  Vec3 p_N = Vec3::Zero();  ///< [m]
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
+  std::uint32_t plan = 0;   ///< that it says it flies; 0: none
+};
+
+/// What is known of another aircraft of the own team from what it has sent.
+struct TeamFlight {
+  EntityId who;
+  FlightPlan plan;           ///< empty: none was received
+  std::uint32_t number = 0;  ///< of the plan
+  std::uint32_t agreed = 0;  ///< negotiation that the plan comes from; 0: none
+  FlightPriority priority = FlightPriority::kNormal;
+  Separation separation;    ///< that it keeps
+  double across_error = 8;  ///< off its plan [m]
+  double height_error = 2;  ///< [m]
+  Time sent;                ///< the newest report of the plan
+  std::optional<ReportedPlace> place;
+  double delay = 0;  ///< of what it sends, smoothed; the longest of late [s]
+
+  /// Its plan says where it will be: heard of lately, and it is where the plan has it.
+  bool conforms(Time now) const;
+};
+
+/// The flights of the others of the team, from their PlanReports and PlaceReports. What
+/// comes late, twice or in another order changes nothing; what makes no sense is left
+/// out.
+class TeamFlights {
+ public:
+  /// A plan that has not been heard of for longer protects its owner no more [s].
+  static constexpr double kStale = 15;
+  /// What has not been heard of for longer is forgotten [s].
+  static constexpr double kForget = 60;
+
+  /// Takes in what was received and forgets who has been silent for long.
+  void listen(EntityId self, Time now, std::span<const Message> inbox);
+
+  std::span<const TeamFlight> flights() const { return flights_; }  ///< by id
+  const TeamFlight* find(EntityId who) const;
+
+ private:
+  TeamFlight& at(EntityId who);
+  void take(const Message& message, const PlanReport& report);
+  void take(const Message& message, const PlaceReport& report);
+
+  std::vector<TeamFlight> flights_;
+};
+
+}  // namespace skein::reasoning

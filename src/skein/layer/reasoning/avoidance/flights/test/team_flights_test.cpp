@@ -1,0 +1,101 @@
+#include "skein/layer/reasoning/avoidance/flights/team_flights.h"
+
+#include <gtest/gtest.h>
+
+#include "skein/layer/reasoning/avoidance/flights/execution_errors.h"
+#include "skein/model/path/flight_code.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr EntityId kSelf{1}, kOther{2};
+
+FlightPlan north_at(double speed, double duration) {
+  FlightElement e;
+  e.duration = duration;
+  e.airspeed = speed;
+  e.p_N = Vec3(0, 0, -100);
+  return {e};
+}
+
+Message says(decltype(Message::content) content, double sent) {
+  return {kOther, kSelf, 0, Time::from_seconds(sent), std::move(content)};
+}
+
+PlanReport report(std::uint32_t number, const FlightPlan& plan) {
+  PlanReport report;
+  report.number = number;
+  report.flight = *model::coded_flight(plan);
+  return report;
+}
+
+PlaceReport place(double north, std::uint32_t plan) {
+  PlaceReport place;
+  place.north = static_cast<float>(north);
+  place.down = -100;
+  place.plan = plan;
+  return place;
+}
+
+TeamFlights after(double now, const std::vector<Message>& messages) {
+  TeamFlights flights;
+  flights.listen(kSelf, Time::from_seconds(now), messages);
+  return flights;
+}
+
+TEST(TeamFlights, TheNewestPlanCountsInWhateverOrderTheyCome) {
+  const auto flights = after(
+      3, {says(report(2, north_at(20, 100)), 2), says(report(1, north_at(15, 100)), 1)});
+  ASSERT_TRUE(flights.find(kOther));
+  EXPECT_EQ(flights.find(kOther)->number, 2u);
+}
+
+TEST(TeamFlights, TheSameTwiceIsOnce) {
+  const Message plan = says(report(2, north_at(20, 100)), 2);
+  EXPECT_EQ(after(3, {plan, plan}).flights().size(), 1u);
+}
+
+TEST(TeamFlights, WhoHasBegunAnewCountsFromOne) {
+  TeamFlights flights = after(3, {says(report(7, north_at(20, 100)), 2)});
+  const Message again = says(report(1, north_at(20, 100)), 40);
+  flights.listen(kSelf, Time::from_seconds(41), std::span(&again, 1));
+  EXPECT_EQ(flights.find(kOther)->number, 1u);
+}
+
+TEST(TeamFlights, APlanThatIsNotKeptProtectsNobody) {
+  const Message plan = says(report(1, north_at(20, 100)), 2);
+  const Time now = Time::from_seconds(10);
+  EXPECT_TRUE(after(10, {plan, says(place(205, 1), 10)}).find(kOther)->conforms(now));
+  EXPECT_FALSE(after(10, {plan, says(place(300, 1), 10)}).find(kOther)->conforms(now));
+}
+
+TEST(TeamFlights, ASilentOnesPlanProtectsItNoMore) {
+  const auto flights = after(3, {says(report(1, north_at(20, 100)), 2)});
+  EXPECT_TRUE(flights.find(kOther)->conforms(Time::from_seconds(15)));
+  EXPECT_FALSE(flights.find(kOther)->conforms(Time::from_seconds(25)));
+}
+
+TEST(TeamFlights, WhatMakesNoSenseChangesNothing) {
+  PlanReport bad = report(3, north_at(20, 100));
+  bad.flight.pop_back();
+  PlanReport odd = report(4, north_at(20, 100));
+  odd.across_error = -1;
+  const auto flights =
+      after(3, {says(report(2, north_at(20, 100)), 1), says(bad, 2), says(odd, 2.5),
+                says(report(9, north_at(20, 100)), 50)});  // sent later than now
+  EXPECT_EQ(flights.find(kOther)->number, 2u);
+}
+
+TEST(ExecutionErrors, BeginWideGrowAtOnceAndShrinkSlowly) {
+  ExecutionErrors errors;
+  EXPECT_EQ(errors.across(), 8);
+  EXPECT_EQ(errors.height(), 2);
+  for (int k = 0; k <= 60; ++k) errors.add(Time::from_seconds(k), Vec3(0.1, 0, 0));
+  EXPECT_NEAR(errors.across(), 8 * 0.9, 0.1);
+  for (int k = 61; k <= 66; ++k) errors.add(Time::from_seconds(k), Vec3(40, 30, 9));
+  EXPECT_EQ(errors.across(), 50);
+  EXPECT_EQ(errors.height(), 9);
+}
+
+}  // namespace
+}  // namespace skein::reasoning

@@ -1,0 +1,221 @@
+#include "skein/layer/reasoning/avoidance/separator/separator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/layer/reasoning/avoidance/separator/separator_times.h"
+#include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/model/path/flight_code.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kLookPeriod = 1;   // [s]
+constexpr double kPlacePeriod = 1;  // [s]
+constexpr double kPlanPeriod = 5;   // [s]
+// Of where an aircraft believes to be: three of what both of a pair believe together.
+constexpr double kSigmas = 2.2;
+constexpr double kVerticalSd = 1.5;  // over the horizontal one
+constexpr int kMaxChanges = 3;      // of the plan in one look
+
+float half_metres(double error) {
+  return static_cast<float>(std::ceil(2 * error) / 2);
+}
+
+}  // namespace
+
+void Separator::listen(Time now, std::span<const Message> inbox) {
+  team_.listen(self_, now, inbox);
+  for (const Message& message : inbox)
+    if (std::holds_alternative<ConflictNotice>(message.content) ||
+        std::holds_alternative<Offers>(message.content) ||
+        std::holds_alternative<Acceptance>(message.content) ||
+        std::holds_alternative<Busy>(message.content))
+      inbox_.push_back(message);
+}
+
+// Takes what its task has it fly, rounded to what can be sent.
+void Separator::want(const WantedFlight& wanted) {
+  if (begun_ && wanted.number == wanted_) return;
+  begun_ = true;
+  wanted_ = wanted.number;
+  is_plan_ = wanted.is_plan;
+  own_.plan = wanted.plan;
+  if (const auto coded = model::coded_flight(wanted.plan))
+    if (auto rounded = model::decoded_flight(*coded)) own_.plan = *std::move(rounded);
+  ++own_.number;
+  milestones_ = wanted.milestones;
+  passed_ = 0;
+  agreed_ = 0;
+  changed_ = false;
+  plan_is_new_ = true;
+  reason_ = {};
+  last_moment_.reset();
+  negotiation_.reset();
+}
+
+void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
+                     std::vector<Message>& out) {
+  want(wanted);
+  priority_ = step.priority;
+  own_.separation = options_.separation;
+  measure(step);
+  hear(step);
+  negotiate(step);
+  look(step);
+  open_earliest(step);
+  negotiate(step);
+  inbox_.clear();
+  say(step, out);
+}
+
+// How well the plan is kept.
+void Separator::measure(const SeparationStep& step) {
+  const double now = step.now.seconds();
+  if ((step.now - measured_).seconds() < kPlacePeriod) return;
+  measured_ = step.now;
+  if (!last_moment_ && (is_plan_ || changed_) && now >= model::start_of(own_.plan) &&
+      now <= model::end_time_of(own_.plan))
+    errors_.add(step.now, model::moment_at(own_.plan, now).p_N - step.p_N);
+  const double unknown = kSigmas * step.position_sd;
+  own_.across_error = half_metres(errors_.across() + unknown);
+  own_.height_error = half_metres(errors_.height() + kVerticalSd * unknown);
+  for (const Conflict& conflict : conflicts_) {
+    const TeamFlight* other = team_.find(conflict.other);
+    if (!other || !other->place) continue;
+    const double age = (step.now - other->place->sent).seconds();
+    const Vec3 apart = other->place->p_N + other->place->v_N * age - step.p_N;
+    const Separation kept = larger(options_.separation, other->separation);
+    log_.flown(conflict.other, kept.ratio(apart.head<2>().norm(), std::abs(apart.z())));
+  }
+}
+
+// Looks for conflicts, and does what is to be done about each.
+void Separator::look(const SeparationStep& step) {
+  if (last_moment_ && step.now >= last_moment_until_) {
+    last_moment_.reset();
+    begun_ = false;  // what it wants is planned from here
+  }
+  if ((step.now - looked_).seconds() < kLookPeriod && looked_ != Time()) return;
+  looked_ = step.now;
+  const double until = step.now.seconds() + options_.horizon;
+  for (int changes = 0; changes < kMaxChanges; ++changes) {
+    conflicts_ = finder_.find(step.now, own_, team_.flights(), until);
+    log_.see(step.now, conflicts_);
+    bool solved = false;
+    for (const Conflict& conflict : conflicts_)
+      if ((solved = solve(step, conflict))) break;
+    if (!solved) break;
+  }
+}
+
+// @returns whether the own plan is another one now.
+bool Separator::solve(const SeparationStep& step, const Conflict& conflict) {
+  if (last_moment_) return false;
+  switch (method_for(conflict, step.now)) {
+    case SeparationMethod::kNegotiated:  // open_earliest()
+    case SeparationMethod::kGroup:
+      return false;
+    case SeparationMethod::kPriority:
+      return by_priority(step, conflict);
+    case SeparationMethod::kRule:
+      return by_rule(step, conflict);
+    case SeparationMethod::kNonCooperative:
+      at_the_last_moment(step, conflict);
+      return false;
+    case SeparationMethod::kNone:
+    case SeparationMethod::kAuto:
+      break;
+  }
+  return false;
+}
+
+// Flies another way from `begin` on; what comes after `rejoins` as much later.
+void Separator::adopt(const FlightPlan& flight, const Change& change, Time now) {
+  const double old_end = model::end_time_of(own_.plan);
+  FlightPlan plan = planning::part_of(
+      own_.plan, std::max(now.seconds(), model::start_of(own_.plan)), change.begin);
+  plan.insert(plan.end(), flight.begin(), flight.end());
+  const double later = model::end_time_of(flight) - old_end;
+  std::vector<double> milestones;
+  for (const double time : milestones_) {
+    if (time > now.seconds() && time <= change.begin)
+      milestones.push_back(time);
+    else if (time >= change.rejoins)
+      milestones.push_back(time + later);
+  }
+  passed_ += milestones_.size() - milestones.size();
+  milestones_ = std::move(milestones);
+  own_.plan = std::move(plan);
+  if (const auto coded = model::coded_flight(own_.plan))
+    if (auto rounded = model::decoded_flight(*coded)) own_.plan = *std::move(rounded);
+  ++own_.number;
+  agreed_ = change.agreed;
+  changed_ = plan_is_new_ = true;
+  reason_ = change.what;
+  clear_from_ = change.apart + kClearTime;
+  log_.solved(change.other, now, change.method, change.what);
+  if (negotiation_ && negotiation_->state() == PairNegotiation::State::kOpen)
+    negotiation_.reset();
+}
+
+void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
+  for (Message& message : answers_) {
+    log_.sent(message.to, coded_size(message));
+    out.push_back(std::move(message));
+  }
+  answers_.clear();
+  if ((step.now - said_place_).seconds() >= kPlacePeriod || said_place_ == Time()) {
+    said_place_ = step.now;
+    PlaceReport place;
+    place.north = static_cast<float>(step.p_N.x());
+    place.east = static_cast<float>(step.p_N.y());
+    place.down = static_cast<float>(step.p_N.z());
+    place.v_north = static_cast<float>(step.v_N.x());
+    place.v_east = static_cast<float>(step.v_N.y());
+    place.v_down = static_cast<float>(step.v_N.z());
+    place.plan = last_moment_ ? 0 : own_.number;
+    out.push_back({self_, kEveryone, 0, Time(), place});
+  }
+  if (last_moment_) return;
+  if (!plan_is_new_ && (step.now - said_plan_).seconds() < kPlanPeriod) return;
+  const double from = std::max(step.now.seconds(), model::start_of(own_.plan));
+  if (from >= model::end_time_of(own_.plan)) return;
+  auto coded = model::coded_flight(own_.plan);
+  if (!coded) return;
+  said_plan_ = step.now;
+  plan_is_new_ = false;
+  PlanReport report;
+  report.number = own_.number;
+  report.agreed = agreed_;
+  report.priority = priority_;
+  report.horizontal = static_cast<float>(options_.separation.horizontal);
+  report.vertical = static_cast<float>(options_.separation.vertical);
+  report.across_error = static_cast<float>(own_.across_error);
+  report.height_error = static_cast<float>(own_.height_error);
+  report.flight = *std::move(coded);
+  out.push_back({self_, kEveryone, 0, Time(), std::move(report)});
+}
+
+// Where the plan must be met again after a time.
+double Separator::rejoins(double after) const {
+  const auto found = std::ranges::upper_bound(milestones_, after);
+  return found != milestones_.end() ? std::min(*found, model::end_time_of(own_.plan))
+                                    : model::end_time_of(own_.plan);
+}
+
+double Separator::delay_to(EntityId other) const {
+  const TeamFlight* flight = team_.find(other);
+  return flight ? flight->delay : 0;
+}
+
+std::vector<KnownFlight> Separator::known_but(EntityId other, Time now) const {
+  std::vector<KnownFlight> known;
+  for (const TeamFlight& each : team_.flights())
+    if (each.who != other && each.conforms(now))
+      known.push_back({&each.plan, separation_of(own_, each)});
+  return known;
+}
+
+}  // namespace skein::reasoning

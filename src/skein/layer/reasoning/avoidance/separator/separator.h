@@ -1,0 +1,182 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "skein/data/airspace.h"
+#include "skein/data/message.h"
+#include "skein/layer/reasoning/avoidance/flights/conflicts.h"
+#include "skein/layer/reasoning/avoidance/flights/execution_errors.h"
+#include "skein/layer/reasoning/avoidance/pairwise/pair_negotiation.h"
+#include "skein/layer/reasoning/avoidance/rules/right_of_way.h"
+#include "skein/layer/reasoning/avoidance/separator/conflict_log.h"
+#include "skein/role/path_planner.h"
+
+namespace skein::reasoning {
+
+struct SeparationOptions {
+  SeparationMethod method = SeparationMethod::kNone;
+  Separation separation;   ///< kept to others at least
+  double horizon = 90;     ///< how far ahead conflicts are looked for [s]
+  double fixed = 30;       ///< a solution shall stand so long before it is needed [s]
+  double reaction = 2;     ///< own action begins so long after a decision [s]
+  double emergency = 15;   ///< from so short a time on each acts alone [s]
+  double last_moment = 5;  ///< from so short a time on only heights count [s]
+};
+
+/// What an aircraft shall fly, as its task has it.
+struct WantedFlight {
+  std::uint32_t number = 0;  ///< another number, another flight
+  FlightPlan plan;           ///< not empty
+  /// Times at which the aircraft must be where the plan has it, growing, the end last.
+  std::vector<double> milestones;
+  /// It is flown as it is; else it is what can be expected: how far the aircraft is off
+  /// it says nothing of how well it keeps to plans.
+  bool is_plan = true;
+};
+
+/// What the separator is given at one step.
+struct SeparationStep {
+  Time now;
+  Vec3 p_N = Vec3::Zero();  ///< where the aircraft believes to be [m]
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
+  double position_sd = 0;   ///< of p_N, per horizontal axis [m]
+  FlightPriority priority = FlightPriority::kNormal;
+  /// What flights are planned with: limits, wind, ground; without start and goal.
+  const PathQuery& query;
+  std::span<const Zone> zones;  ///< no-fly
+};
+
+/// To fly now instead of any plan: no time is left for one.
+struct LastMoment {
+  double course = 0;        ///< over ground [rad]
+  double altitude_msl = 0;  ///< [m]
+};
+
+/// Keeps one aircraft apart from the others of its team.
+///
+/// It says to all what the aircraft flies and where it is, watches what the others say,
+/// and changes the flight where two will not be apart. How depends on the time that is
+/// left and on what the other can do (SeparationMethod::kAuto), or is one method.
+/// It makes no difference which messages are lost, late or come twice: what has not been
+/// agreed in time is solved by a method that needs less agreement.
+/// Reference: spec/team.md sections 1 to 6.
+class Separator {
+ public:
+  Separator(EntityId self, const SeparationOptions& options)
+      : self_(self), options_(options), log_(self) {}
+
+  /// Takes in what was received. At each step, on the ground too.
+  void listen(Time now, std::span<const Message> inbox);
+
+  /// At each step in which the aircraft flies.
+  /// @param out  messages to be sent.
+  void step(const SeparationStep& step, const WantedFlight& wanted,
+            std::vector<Message>& out);
+
+  /// The flight that is flown, and whether it is another than wanted.
+  const FlightPlan& plan() const { return own_.plan; }
+  bool changed() const { return changed_; }
+  std::uint32_t number() const { return own_.number; }
+  /// Those of the wanted flight that are still ahead, at the times of plan().
+  const std::vector<double>& milestones() const { return milestones_; }
+  /// Milestones of the wanted flight that are not in milestones().
+  std::size_t passed() const { return passed_; }
+
+  /// What is flown instead of a plan, as there is no time left.
+  const std::optional<LastMoment>& last_moment() const { return last_moment_; }
+
+  /// What the flight was changed for last is over for some time.
+  bool is_clear(Time now) const { return now.seconds() >= clear_from_; }
+
+  /// Why the flight is another than wanted; empty: it is not.
+  std::string_view reason() const { return reason_; }
+
+  /// The plan cannot be flown: what is wanted is taken anew.
+  void refuse_plan() { begun_ = false; }
+
+  /// Conflicts that are over since the last call.
+  std::vector<ConflictReport> take_reports() { return log_.take(); }
+
+ private:
+  struct Waiting {
+    double until = 0;  // to try a method with somebody again [s]
+    int failures = 0;
+    std::uint32_t own_plan = 0, seen_plan = 0;  // when `asks_at` was set
+    double asks_at = 0;  // even if it has another conflict before [s]
+  };
+
+  void want(const WantedFlight& wanted);
+  void measure(const SeparationStep& step);
+  void look(const SeparationStep& step);
+  bool solve(const SeparationStep& step, const Conflict& conflict);
+  void say(const SeparationStep& step, std::vector<Message>& out);
+
+  // Of negotiations (separator_negotiation.cpp).
+  void hear(const SeparationStep& step);
+  void answer(const SeparationStep& step, EntityId from, const ConflictNotice& notice);
+  void negotiate(const SeparationStep& step);
+  void open_earliest(const SeparationStep& step);
+  bool open(const SeparationStep& step, const Conflict& conflict);
+  bool is_next_for(const TeamFlight& other, const Conflict& conflict, Time now);
+  void begin_negotiation(const SeparationStep& step, const ConflictNotice& notice,
+                         EntityId opener, const TeamFlight& other);
+  bool can_answer(const SeparationStep& step, const ConflictNotice& notice,
+                  const TeamFlight* other, Busy& busy);
+  PairNegotiation* negotiation_of(EntityId opener, std::uint32_t number, EntityId other);
+
+  // Of what each does alone (separator_methods.cpp).
+  SeparationMethod method_for(const Conflict& conflict, Time now) const;
+  NegotiatedConflict about(const Conflict& conflict, double begin) const;
+  bool by_rule(const SeparationStep& step, const Conflict& conflict);
+  bool by_priority(const SeparationStep& step, const Conflict& conflict);
+  bool around_others(const SeparationStep& step, const Conflict& conflict,
+                     bool higher_only);
+  bool apart_from_others(const SeparationStep& step, const Conflict& conflict,
+                         bool higher_only);
+  void at_the_last_moment(const SeparationStep& step, const Conflict& conflict);
+  struct Change {
+    double begin = 0;    // of the flight [s]
+    double rejoins = 0;  // where the old plan is met again, by its time [s]
+    double apart = 0;    // when the conflict is over [s]
+    SeparationMethod method = SeparationMethod::kNone;
+    EntityId other;            // because of whom
+    std::uint32_t agreed = 0;  // see PlanReport
+    std::string_view what;
+  };
+  void adopt(const FlightPlan& flight, const Change& change, Time now);
+  bool has_way_over(const TeamFlight& other) const;
+  Standing standing_to(const TeamFlight& other) const;
+  std::vector<KnownFlight> known_but(EntityId other, Time now) const;
+  double rejoins(double after) const;
+  double delay_to(EntityId other) const;
+
+  EntityId self_;
+  SeparationOptions options_;
+  TeamFlights team_;
+  ConflictFinder finder_;
+  ExecutionErrors errors_;
+  ConflictLog log_;
+  OwnFlight own_;
+  FlightPriority priority_ = FlightPriority::kNormal;
+  std::uint32_t wanted_ = 0, agreed_ = 0, opened_ = 0;
+  std::vector<double> milestones_;
+  std::size_t passed_ = 0;
+  bool changed_ = false, is_plan_ = true;
+  double clear_from_ = 0;  // [s]
+  std::string_view reason_;
+  std::optional<LastMoment> last_moment_;
+  Time last_moment_until_;
+  std::optional<PairNegotiation> negotiation_, last_;  // that goes on, the one before
+  std::vector<Message> inbox_, answers_;
+  std::map<EntityId, Waiting> waiting_;
+  std::vector<Conflict> conflicts_;
+  Time looked_, said_plan_, said_place_, measured_;
+  bool plan_is_new_ = false, begun_ = false;
+};
+
+}  // namespace skein::reasoning

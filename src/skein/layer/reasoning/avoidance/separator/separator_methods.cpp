@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
+#include "skein/layer/reasoning/avoidance/rules/rule_flight.h"
+#include "skein/layer/reasoning/avoidance/separator/flight_check.h"
+#include "skein/layer/reasoning/avoidance/separator/separator.h"
+#include "skein/layer/reasoning/avoidance/separator/separator_times.h"
+#include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/model/path/flight_plan.h"
+
+// What each of two does alone: by priority, by rule, at the last moment.
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kBudget = 3;        // of negotiations, besides messages [s]
+constexpr double kApartFor = 150;    // after a manoeuvre's begin [s]
+constexpr double kRoom = 0.5;        // around others, so that none is met by rounding [m]
+constexpr double kHeightRoom = 0.3;  // the same, up and down [m]
+constexpr double kRoomTime = 0.1;    // the same, along [s]
+constexpr double kSteps = 1.5;       // heights that are left at the last moment
+constexpr double kNear = 3000;       // others that plans are made around [m]
+constexpr std::size_t kFew = 3;      // conflicts that are solved one by one
+constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
+constexpr std::int64_t kRepairExpansions = 1000;  // of a search
+
+}  // namespace
+
+// The row of the switch.
+SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const {
+  if (options_.method != SeparationMethod::kAuto) return options_.method;
+  const double left = conflict.meeting.begin - now.seconds();
+  const double negotiating = kBudget + 4 * (2 * delay_to(conflict.other) + kAgentStep);
+  if (left > options_.fixed + negotiating) return SeparationMethod::kNegotiated;
+  if (left > options_.emergency) return SeparationMethod::kPriority;
+  if (left > options_.last_moment) return SeparationMethod::kRule;
+  return SeparationMethod::kNonCooperative;
+}
+
+Standing Separator::standing_to(const TeamFlight& other) const {
+  if (priority_ == other.priority) return Standing::kEqual;
+  return priority_ > other.priority ? Standing::kOwnHigher : Standing::kOtherHigher;
+}
+
+bool Separator::has_way_over(const TeamFlight& other) const {
+  return priority_ != other.priority ? priority_ > other.priority : self_ < other.who;
+}
+
+NegotiatedConflict Separator::about(const Conflict& conflict, double begin) const {
+  NegotiatedConflict about;
+  about.self = self_;
+  about.other = conflict.other;
+  about.begin = begin;
+  about.meets = conflict.meeting.begin;
+  about.closest = conflict.meeting.closest_time;
+  about.apart = conflict.meeting.end;
+  about.separation = conflict.separation;
+  return about;
+}
+
+// Each by the rules of the air, whatever the other does.
+bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
+  const TeamFlight* other = team_.find(conflict.other);
+  if (!other) return false;
+  const double now = step.now.seconds(), left = conflict.meeting.begin - now;
+  const model::FlightMoment theirs = model::moment_at(other->plan, now);
+  const AirRule rule = rule_for({step.p_N, step.v_N}, {theirs.p_N, theirs.v_N},
+                                standing_to(*other), self_ < other->who);
+  const bool late = left < options_.emergency && rule != AirRule::kPreferred;
+  if (!acts(rule) && !late) return false;
+  const double begin = now + std::min(options_.reaction, left / 2);
+  if (begin >= model::end_time_of(own_.plan)) return false;
+  const NegotiatingFlight own{own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter),
+                              step.query.limits};
+  const NegotiatedConflict c = about(conflict, begin);
+  const ConflictOfFlight of_flight{own_.plan, own.limits, c.begin,     c.meets,
+                                   c.closest, c.apart,    c.separation};
+  FlightCheck check(step.query, step.zones);
+  const std::vector<KnownFlight> thirds = known_but(conflict.other, step.now);
+  const auto fly = [&](bool among_others) {
+    return flight_by_rule(
+        rule, of_flight, [&](const Manoeuvre& m) { return flight_with(m, own, c); },
+        [&](const FlightPlan& plan) {
+          const auto meets = [&](const FlightPlan& flown, const Separation& kept) {
+            return first_meeting(plan, flown, kept, begin, begin + kApartFor).has_value();
+          };
+          if (meets(other->plan, c.separation)) return false;
+          if (among_others && std::ranges::any_of(thirds, [&](const KnownFlight& third) {
+                return meets(*third.plan, third.separation);
+              }))
+            return false;
+          return check.is_free(plan);
+        });
+  };
+  // The rules alone know of two only.
+  std::optional<FlightPlan> flight;
+  if (options_.method == SeparationMethod::kAuto) flight = fly(true);
+  if (!flight) flight = fly(false);
+  if (!flight) return false;
+  adopt(*flight,
+        {begin, own.rejoins, conflict.meeting.end, SeparationMethod::kRule,
+         conflict.other, 0, name_of(rule)},
+        step.now);
+  return true;
+}
+
+// The lower one plans around the higher ones, and around the others too where it can.
+bool Separator::by_priority(const SeparationStep& step, const Conflict& conflict) {
+  const TeamFlight* other = team_.find(conflict.other);
+  if (!other || has_way_over(*other)) return false;
+  Waiting& waiting = waiting_[conflict.other];
+  const double now = step.now.seconds();
+  if (now < waiting.until) return false;
+  for (const bool higher_only : {false, true})
+    if (around_others(step, conflict, higher_only)) return true;
+  // A pair that no search parts: alone, one of the manoeuvres of negotiations.
+  if (conflicts_.size() <= kFew && apart_from_others(step, conflict, true)) return true;
+  waiting.until = now + 1;
+  return false;
+}
+
+bool Separator::around_others(const SeparationStep& step, const Conflict& conflict,
+                              bool higher_only) {
+  const double now = step.now.seconds();
+  const double begin =
+      now + std::min(options_.reaction, (conflict.meeting.begin - now) / 2);
+  const NegotiatingFlight own{own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter),
+                              step.query.limits};
+  const FlightPlan old = planning::part_of(own_.plan, begin, own.rejoins);
+  if (old.empty()) return false;
+  Airspace airspace;
+  airspace.zones.assign(step.zones.begin(), step.zones.end());
+  for (const TeamFlight& each : team_.flights()) {
+    if (!each.conforms(step.now) || (higher_only && has_way_over(each))) continue;
+    if ((model::moment_at(each.plan, now).p_N - step.p_N).head<2>().norm() > kNear)
+      continue;
+    const Separation separation = separation_of(own_, each);
+    PlannedFlight flight;
+    flight.who = each.who;
+    flight.plan = each.plan;
+    flight.zone = {kRoomTime, kRoomTime, separation.horizontal + kRoom};
+    flight.height = separation.vertical + kHeightRoom;
+    airspace.flights.push_back(std::move(flight));
+  }
+  PathQuery query = step.query;
+  const model::FlightMoment from = model::moment_at(old, begin);
+  const model::FlightMoment to = model::end_of(old.back());
+  query.start = {from.p_N, from.heading};
+  query.goal = {to.p_N, to.heading};
+  query.start_time = begin;
+  query.wind = old.front().wind;
+  query.airspace = &airspace;
+  query.budget.expansions = kRepairExpansions;
+  planning::AirspaceMap map(query);
+  const planning::RepairedPath repaired = planning::repair(old, query, map);
+  if (repaired.how == planning::Repair::kFailed ||
+      repaired.how == planning::Repair::kKept || repaired.path.plan.empty())
+    return false;
+  FlightPlan flight = repaired.path.plan;
+  if (own.rejoins < model::end_time_of(own_.plan))
+    model::append(
+        flight, planning::part_of(own_.plan, own.rejoins, model::end_time_of(own_.plan)));
+  adopt(flight,
+        {begin, own.rejoins, conflict.meeting.end, SeparationMethod::kPriority,
+         conflict.other, 0, higher_only ? "gives way to higher ones" : "gives way"},
+        step.now);
+  return true;
+}
+
+// The cheapest of the manoeuvres of a negotiation that needs nobody else to change.
+bool Separator::apart_from_others(const SeparationStep& step, const Conflict& conflict,
+                                  bool higher_only) {
+  const double now = step.now.seconds();
+  const double begin =
+      now + std::min(options_.reaction, (conflict.meeting.begin - now) / 2);
+  const NegotiatingFlight own{own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter),
+                              step.query.limits};
+  const NegotiatedConflict c = about(conflict, begin);
+  std::vector<KnownFlight> others;
+  for (const TeamFlight& each : team_.flights())
+    if (each.conforms(step.now) && (!higher_only || !has_way_over(each)))
+      others.push_back({&each.plan, separation_of(own_, each)});
+  const FlightPlan part = planning::part_of(own_.plan, begin, own.rejoins);
+  if (part.empty()) return false;
+  FlightCheck check(step.query, step.zones);
+  const ConflictOfFlight of_flight{part,      own.limits, c.begin,     c.meets,
+                                   c.closest, c.apart,    c.separation};
+  for (const double strength : kOwnStrengths) {
+    std::vector<Candidate> all = candidates(of_flight, strength, {}, begin + kApartFor);
+    std::ranges::stable_sort(all, {}, &Candidate::cost);
+    for (const Candidate& each : all) {
+      if (each.manoeuvre.kind == ManoeuvreKind::kGoOn) continue;
+      const auto flight = flight_with(each.manoeuvre, own, c);
+      if (!flight || std::ranges::any_of(others, [&](const KnownFlight& other) {
+            return first_meeting(*flight, *other.plan, other.separation, begin,
+                                 begin + kApartFor)
+                .has_value();
+          }))
+        continue;
+      if (!check.is_free(*flight)) continue;
+      adopt(*flight,
+            {begin, own.rejoins, conflict.meeting.end, SeparationMethod::kPriority,
+             conflict.other, 0, name_of(each.manoeuvre.kind)},
+            step.now);
+      return true;
+    }
+  }
+  return false;
+}
+
+// The higher climbs, the lower sinks; at one height the lower id climbs.
+void Separator::at_the_last_moment(const SeparationStep& step, const Conflict& conflict) {
+  const TeamFlight* other = team_.find(conflict.other);
+  if (!other) return;
+  constexpr double kSameHeight = 1;
+  const double now = step.now.seconds();
+  const double over = model::moment_at(other->plan, now).p_N.z() -
+                      model::moment_at(own_.plan, now).p_N.z();
+  const bool up = std::abs(over) > kSameHeight ? over > 0 : self_ < conflict.other;
+  const double height = kSteps * conflict.separation.vertical;
+  last_moment_ = LastMoment{geo::bearing(step.v_N.head<2>()),
+                            -step.p_N.z() + (up ? height : -height)};
+  last_moment_until_ = Time::from_seconds(conflict.meeting.closest_time + kClearTime);
+  reason_ = up ? "climbs away at the last moment" : "sinks away at the last moment";
+  log_.solved(conflict.other, step.now, SeparationMethod::kNonCooperative, reason_);
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,179 @@
+#include "skein/layer/reasoning/avoidance/separator/separator.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "skein/base/math.h"
+#include "skein/base/random.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+// Aircraft that fly their plans exactly, and a radio that loses and delays.
+class Sky {
+ public:
+  Sky(SeparationMethod method, double loss = 0, double delay = 0)
+      : method_(method), loss_(loss), delay_(delay) {}
+
+  void add(const Vec3& from, const Vec3& to) {
+    const EntityId id{static_cast<std::uint32_t>(all_.size() + 1)};
+    SeparationOptions options;
+    options.method = method_;
+    all_.push_back(std::make_unique<One>(id, options));
+    FlightElement e;
+    e.p_N = from;
+    e.airspeed = 20;
+    e.heading = geo::bearing((to - from).head<2>());
+    e.duration = (to - from).head<2>().norm() / e.airspeed;
+    e.climb_rate = -(to - from).z() / e.duration;
+    all_.back()->wanted = {1, {e}, {e.duration}};
+    all_.back()->now = {from, e.airspeed * Vec3(1, 0, 0)};
+  }
+
+  // Flies all to the end of their plans. @returns the least ratio of any two.
+  double fly() {
+    double least = 1e9;
+    for (int k = 0; k < 2000; ++k) {
+      const double t = 0.5 * k;
+      think(t);
+      bool flying = false;
+      for (std::size_t i = 0; i < all_.size(); ++i) {
+        One& a = *all_[i];
+        const FlightPlan& plan = a.separator.plan();
+        if (t > model::end_time_of(plan)) continue;
+        flying = true;
+        const model::FlightMoment m = model::moment_at(plan, t + 0.5);
+        a.now = {m.p_N, m.v_N};
+        for (std::size_t j = 0; j < i; ++j)
+          if (t <= model::end_time_of(all_[j]->separator.plan()))
+            least = std::min(least, ratio(a, *all_[j]));
+      }
+      if (!flying) return least;
+    }
+    ADD_FAILURE() << "somebody never arrives";
+    return least;
+  }
+
+  double later(std::size_t k) const {
+    return model::end_time_of(all_[k]->separator.plan()) -
+           model::end_time_of(all_[k]->wanted.plan);
+  }
+  const Separator& separator(std::size_t k) const { return all_[k]->separator; }
+  int messages() const { return messages_; }
+
+ private:
+  struct Moving {
+    Vec3 p_N, v_N;
+  };
+  struct One {
+    One(EntityId id, const SeparationOptions& options) : id(id), separator(id, options) {}
+    EntityId id;
+    Separator separator;
+    WantedFlight wanted;
+    Moving now;
+    std::vector<Message> inbox;
+  };
+  struct Sent {
+    double arrives;
+    EntityId to;
+    Message message;
+  };
+
+  static double ratio(const One& a, const One& b) {
+    const Vec3 apart = a.now.p_N - b.now.p_N;
+    return Separation{}.ratio(apart.head<2>().norm(), std::abs(apart.z()));
+  }
+
+  void think(double t) {
+    for (auto& one : all_) {
+      for (const Sent& sent : air_)
+        if (sent.to == one->id && sent.arrives <= t) one->inbox.push_back(sent.message);
+      one->separator.listen(Time::from_seconds(t), one->inbox);
+      one->inbox.clear();
+    }
+    std::erase_if(air_, [&](const Sent& sent) { return sent.arrives <= t; });
+    for (auto& one : all_) {
+      std::vector<Message> out;
+      PathQuery query;
+      one->separator.step({Time::from_seconds(t),
+                           one->now.p_N,
+                           one->now.v_N, 0,
+                           FlightPriority::kNormal,
+                           query,
+                           {}},
+                          one->wanted, out);
+      for (Message& message : out) {
+        ++messages_;
+        message.from = one->id;
+        message.sent = Time::from_seconds(t);
+        for (const auto& other : all_)
+          if (other->id != one->id &&
+              (message.to == kEveryone || message.to == other->id) &&
+              random_.uniform() >= loss_)
+            air_.push_back({t + 0.1 + delay_, other->id, message});
+      }
+    }
+  }
+
+  SeparationMethod method_;
+  double loss_, delay_;
+  RandomStream random_{1, 1, Purpose::kTest};
+  std::vector<std::unique_ptr<One>> all_;
+  std::vector<Sent> air_;
+  int messages_ = 0;
+};
+
+Sky head_on(SeparationMethod method, double loss = 0, double delay = 0) {
+  Sky sky(method, loss, delay);
+  sky.add(Vec3(0, 0, -100), Vec3(4000, 0, -100));
+  sky.add(Vec3(4000, 10, -100), Vec3(0, 10, -100));
+  return sky;
+}
+
+TEST(Separator, WithoutAMethodTwoMeet) {
+  EXPECT_LT(head_on(SeparationMethod::kNone).fly(), 0.5);
+}
+
+TEST(Separator, EachMethodKeepsTwoApart) {
+  for (const auto method : {SeparationMethod::kRule, SeparationMethod::kPriority,
+                            SeparationMethod::kNegotiated, SeparationMethod::kAuto}) {
+    Sky sky = head_on(method);
+    EXPECT_GE(sky.fly(), 1) << name_of(method);
+    EXPECT_LT(sky.later(0) + sky.later(1), 8) << name_of(method);
+  }
+}
+
+TEST(Separator, ANegotiationChangesOneOrBothByLittle) {
+  Sky sky = head_on(SeparationMethod::kNegotiated);
+  EXPECT_GE(sky.fly(), 1);
+  EXPECT_TRUE(sky.separator(0).changed() || sky.separator(1).changed());
+  EXPECT_LT(sky.later(0) + sky.later(1), 2);
+}
+
+TEST(Separator, LossAndDelayAreNormal) {
+  for (const double loss : {0.0, 0.3, 0.5, 0.8})
+    for (const double delay : {0.0, 2.0}) {
+      Sky sky = head_on(SeparationMethod::kAuto, loss, delay);
+      EXPECT_GE(sky.fly(), 1) << loss << " " << delay;
+    }
+}
+
+TEST(Separator, ManyOnACircleAreKeptApart) {
+  for (const auto method : {SeparationMethod::kNegotiated, SeparationMethod::kAuto}) {
+    Sky sky(method);
+    constexpr int kAll = 12;
+    for (int k = 0; k < kAll; ++k) {
+      const Vec2 out = 2000 * geo::unit(2 * geo::kPi * k / kAll + 0.01 * (k % 3));
+      sky.add(Vec3(out.x(), out.y(), -150), Vec3(-out.x(), -out.y(), -150));
+    }
+    EXPECT_GE(sky.fly(), 1) << name_of(method);
+    double later = 0;
+    for (int k = 0; k < kAll; ++k) later += sky.later(static_cast<std::size_t>(k));
+    EXPECT_LT(later / kAll, 10) << name_of(method);
+  }
+}
+
+}  // namespace
+}  // namespace skein::reasoning

@@ -1,0 +1,72 @@
+#include "skein/layer/reasoning/avoidance/strangers/stranger.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kLookAhead = 60;  // [s]
+constexpr double kStep = 0.5;      // [s]
+constexpr double kSigmas = 2;
+constexpr double kAcross = 1.5, kUp = 0.7;  // accelerations [m/s^2 / sqrt(Hz)]
+constexpr double kMargin = 5;               // before and after an intersection [s]
+
+double sd_after(double place, double speed, double acceleration, double t) {
+  return std::sqrt(place * place + speed * speed * t * t +
+                   acceleration * acceleration * t * t * t / 3);
+}
+
+}  // namespace
+
+double horizontal_sd_after(const Stranger& stranger, double t) {
+  return sd_after(stranger.horizontal_sd, stranger.horizontal_speed_sd, kAcross, t);
+}
+
+double vertical_sd_after(const Stranger& stranger, double t) {
+  return sd_after(stranger.vertical_sd, stranger.vertical_speed_sd, kUp, t);
+}
+
+std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& plan,
+                                                            const Stranger& stranger,
+                                                            const Separation& separation,
+                                                            double now) {
+  PredictedIntersection found;
+  const double until = std::min(now + kLookAhead, model::end_time_of(plan));
+  bool inside = false;
+  for (double time = now; time <= until; time += kStep) {
+    const double t = std::max(0.0, time - stranger.time);
+    const Vec3 apart = stranger.p_N + t * stranger.v_N - model::moment_at(plan, time).p_N;
+    const double h_sd = horizontal_sd_after(stranger, time - now);
+    const double z_sd = vertical_sd_after(stranger, time - now);
+    const Separation kept{separation.horizontal + kSigmas * h_sd,
+                          separation.vertical + kSigmas * z_sd};
+    const double ratio = kept.ratio(apart.head<2>().norm(), std::abs(apart.z()));
+    if (ratio >= 1) continue;
+    if (!inside) found.begin = time;
+    inside = true;
+    found.end = time;
+    if (ratio >= found.ratio) continue;
+    found.ratio = ratio;
+    found.closest_time = time;
+    found.kept = kept;
+  }
+  if (!inside) return std::nullopt;
+  return found;
+}
+
+MovingObstacle room_of(const Stranger& stranger, const PredictedIntersection& meeting) {
+  MovingObstacle room;
+  room.time = stranger.time;
+  room.p_N = stranger.p_N;
+  room.v_N = stranger.v_N;
+  room.radius = meeting.kept.horizontal;
+  room.height = meeting.kept.vertical;
+  room.from = meeting.begin - kMargin;
+  room.until = meeting.end + kMargin;
+  return room;
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "skein/data/airspace.h"
+#include "skein/data/flight_plan.h"
+#include "skein/data/separation.h"
+
+namespace skein::reasoning {
+
+/// Another aircraft whose plans are not known: it is where a track or its own reports
+/// say, and is expected to go straight on.
+struct Stranger {
+  /// Names it from step to step: tracks by their number, members of the team whose plan
+  /// does not count by their id with the uppermost bit set.
+  std::uint32_t name = 0;
+  double time = 0;          ///< that the rest is of [s]
+  Vec3 p_N = Vec3::Zero();  ///< [m]
+  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
+  /// Standard deviations of position [m] and velocity [m/s], horizontally in the worst
+  /// direction, and up and down.
+  double horizontal_sd = 0, horizontal_speed_sd = 0;
+  double vertical_sd = 0, vertical_speed_sd = 0;
+};
+
+/// How well a stranger's place is known some seconds later, when it may accelerate:
+///
+///   s(t)^2 = s_p^2 + (s_v t)^2 + q^2 t^3 / 3,  q = 1.5 m/s^2 per sqrt(Hz), 0.7 up and
+///   down
+///
+/// the same motion that tracks are filtered with.
+double horizontal_sd_after(const Stranger& stranger, double t);
+double vertical_sd_after(const Stranger& stranger, double t);
+
+/// Where and when a planned flight and a stranger will not be apart.
+struct PredictedIntersection {
+  double ratio = 1;         ///< least distance over what is to be kept
+  double begin = 0;         ///< when it is first below 1 [s]
+  double closest_time = 0;  ///< when it is least [s]
+  double end = 0;           ///< when it was last below 1 [s]
+  Separation kept;          ///< D + 2 s_h, Z + 2 s_z at the closest time
+};
+
+/// Looks along a plan from `now` for a minute:
+///
+///   t* = argmin max(h(t) / (D + 2 s_h(t)), z(t) / (Z + 2 s_z(t)))
+///
+/// @returns  none where the least is 1 or more.
+/// Reference: spec/team.md section 8.
+std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& plan,
+                                                            const Stranger& stranger,
+                                                            const Separation& separation,
+                                                            double now);
+
+/// The room that is kept free of the own flight: a cylinder that moves with the stranger,
+/// from five seconds before the intersection to five after.
+MovingObstacle room_of(const Stranger& stranger, const PredictedIntersection& meeting);
+
+}  // namespace skein::reasoning

@@ -1,0 +1,114 @@
+#include "skein/layer/reasoning/avoidance/strangers/stranger_avoidance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr double kInside = 0.97;  // a ratio below it is worth another plan
+constexpr double kSpread = 30;    // for which rooms of others are made [s]
+constexpr double kAhead = 60;     // for which they are there [s]
+constexpr double kClear = 3;      // the way to the goal, before it is flown [s]
+constexpr double kTryAgain = 2;   // after no plan was found [s]
+constexpr int kWarning = 3;       // level of alert
+constexpr std::int64_t kExpansions = 3000;
+
+}  // namespace
+
+StrangerAvoidance::StrangerAvoidance(double reaction)
+    : reaction_(reaction), advisor_(*model::well_clear_configuration("skein_suas")) {}
+
+bool StrangerAvoidance::plan_around(const StrangerView& view) {
+  begin_ = view.now + reaction_;
+  const FlightPlan old = planning::part_of(view.plan, begin_, view.rejoins);
+  if (old.empty()) return false;
+  Airspace airspace;
+  airspace.zones.assign(view.zones.begin(), view.zones.end());
+  airspace.flights.assign(view.rooms.begin(), view.rooms.end());
+  for (const Stranger& stranger : view.strangers) {
+    auto meeting = predicted_intersection(view.plan, stranger, view.kept, view.now);
+    if (!meeting) {
+      // Not on the plan's way, but perhaps on that around another.
+      meeting.emplace();
+      meeting->begin = view.now;
+      meeting->end = view.now + kAhead;
+      meeting->kept = {view.kept.horizontal + 2 * horizontal_sd_after(stranger, kSpread),
+                       view.kept.vertical + 2 * vertical_sd_after(stranger, kSpread)};
+    }
+    airspace.movers.push_back(room_of(stranger, *meeting));
+  }
+  PathQuery query = view.query;
+  const model::FlightMoment from = model::moment_at(old, begin_);
+  const model::FlightMoment to = model::end_of(old.back());
+  query.start = {from.p_N, from.heading};
+  query.goal = {to.p_N, to.heading};
+  query.start_time = begin_;
+  query.wind = old.front().wind;
+  query.airspace = &airspace;
+  query.budget.expansions = kExpansions;
+  planning::AirspaceMap map(query);
+  const planning::RepairedPath repaired = planning::repair(old, query, map);
+  if (repaired.how == planning::Repair::kFailed ||
+      repaired.how == planning::Repair::kKept || repaired.path.plan.empty())
+    return false;
+  flight_ = repaired.path.plan;
+  return true;
+}
+
+// By bands: whether the way to the goal is to be left, and on which track.
+bool StrangerAvoidance::must_turn(const StrangerView& view) {
+  const Vec2 to_goal =
+      (model::moment_at(view.plan, view.rejoins).p_N - view.p_N).head<2>();
+  const double goal = turning_ || to_goal.norm() < 1 ? geo::bearing(to_goal)
+                                                     : geo::bearing(view.v_N.head<2>());
+  intruders_.clear();
+  for (const Stranger& each : view.strangers) {
+    const double age = view.now - each.time;
+    intruders_.push_back({each.name,
+                          {each.p_N + age * each.v_N, each.v_N},
+                          horizontal_sd_after(each, std::max(0.0, age)),
+                          vertical_sd_after(each, std::max(0.0, age)),
+                          0});
+  }
+  const auto& advice = advisor_.advise(view.now, {view.p_N, view.v_N}, intruders_,
+                                       {goal, view.v_N.head<2>().norm(), -view.v_N.z()});
+  alert_ = advice.alert;
+  track_ = advice.track ? advice.track->value : geo::bearing(view.v_N.head<2>());
+  return std::abs(geo::wrap_pi(track_ - goal)) > 1e-3 || alert_ >= kWarning;
+}
+
+StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
+  if (view.strangers.empty() && !turning_) return Action::kNone;
+  const bool turn = must_turn(view);
+  std::optional<PredictedIntersection> first;
+  for (const Stranger& stranger : view.strangers) {
+    const auto meeting = predicted_intersection(view.plan, stranger, view.kept, view.now);
+    if (!meeting || meeting->ratio >= kInside) continue;
+    if (first && first->begin <= meeting->begin) continue;
+    first = meeting;
+    stranger_ = stranger.name;
+  }
+  if (first) meeting_ = *first;
+  if (turning_) {
+    if (turn) clear_since_ = view.now;
+    // Back to plans: what is wanted is planned from here.
+    if (view.now - clear_since_ >= kClear) turning_ = false;
+    return turning_ ? Action::kTrack : Action::kNone;
+  }
+  if (first && view.now >= plan_again_) {
+    if (plan_around(view)) return Action::kPlan;
+    plan_again_ = view.now + kTryAgain;
+  }
+  if (turn && (alert_ >= kWarning || first)) {
+    turning_ = true;
+    clear_since_ = view.now;
+    return Action::kTrack;
+  }
+  return Action::kNone;
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,61 @@
+#include "skein/record/separation_meter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skein::record {
+namespace {
+
+constexpr double kNear = 700;  // all that is counted happens nearer [m]
+constexpr int kParts = 8;      // of the motion between two moments
+
+}  // namespace
+
+void SeparationMeter::place(Time time, EntityId id, const Vec3& p_N) {
+  if (begun_ && time != time_) look();
+  begun_ = true;
+  time_ = time;
+  now_.emplace_back(id, p_N);
+}
+
+void SeparationMeter::finish() {
+  look();
+}
+
+void SeparationMeter::look() {
+  places_.clear();
+  for (const auto& [id, p] : now_) {
+    const auto before = last_.find(id);
+    places_.push_back({id, before == last_.end() ? p : before->second, p});
+  }
+  std::ranges::sort(places_, {}, [](const Place& place) { return place.to.x(); });
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    for (std::size_t j = i + 1;
+         j < places_.size() && places_[j].to.x() - places_[i].to.x() < kNear; ++j)
+      look(places_[i], places_[j]);
+  last_.clear();
+  last_.insert(now_.begin(), now_.end());
+  now_.clear();
+}
+
+void SeparationMeter::look(const Place& a, const Place& b) {
+  if (std::abs(a.to.y() - b.to.y()) > kNear) return;
+  const Separation well_clear = *separation_named("well-clear"),
+                   nmac = *separation_named("nmac");
+  const Pair pair = a.id < b.id ? Pair{a.id, b.id} : Pair{b.id, a.id};
+  const Vec3 from = b.from - a.from, to = b.to - a.to;
+  for (int k = 1; k <= kParts; ++k) {
+    const Vec3 apart = from + (to - from) * (static_cast<double>(k) / kParts);
+    const double horizontal = apart.head<2>().norm(), vertical = std::abs(apart.z());
+    const double ratio = kept_.ratio(horizontal, vertical);
+    if (ratio < min_ratio_) {
+      min_ratio_ = ratio;
+      min_horizontal_ = horizontal;
+    }
+    if (ratio < 1) violations_.insert(pair);
+    if (nmac.ratio(horizontal, vertical) < 1) near_collisions_.insert(pair);
+    if (well_clear.ratio(horizontal, vertical) < 1) well_clear_lost_.insert(pair);
+  }
+}
+
+}  // namespace skein::record
