@@ -7,8 +7,9 @@
 namespace skein::app {
 
 Command add_team(CLI::App& program, const std::atomic<bool>& stop) {
-  auto* team =
-      program.add_subcommand("team", "Share tasks among the aircraft of a team, and rehearse how it leads itself.");
+  auto* team = program.add_subcommand(
+      "team",
+      "Share tasks among the aircraft of a team, and rehearse how it leads itself.");
   team->require_subcommand(1);
   const auto commands = std::make_shared<std::vector<Command>>();
   for (auto* add : {add_team_allocate, add_team_route, add_team_tours, add_team_rehearse})

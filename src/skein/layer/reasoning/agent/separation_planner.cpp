@@ -124,9 +124,10 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
     lowest_ = lowest(wanted_.plan, *context_.map);
   }
   const PathQuery query = query_of(step);
-  separator_.step({step.in.now, step.in.nav->p_N, step.in.nav->v_N,
-                   step.in.nav->position_sd, priority_of(step.in.autopilot), query, step.safety.zones().zones()},
-                  wanted_, messages_);
+  separator_.step(
+      {step.in.now, step.in.nav->p_N, step.in.nav->v_N, step.in.nav->position_sd,
+       priority_of(step.in.autopilot), query, step.safety.zones().zones()},
+      wanted_, messages_);
   say(out);
   reason_ = separator_.reason();
   if (const auto& last = separator_.last_moment()) {

@@ -37,9 +37,10 @@ struct Manoeuvre {
 /// All that are looked at for a conflict, going on first.
 ///
 /// Aside by 0.6, 1.2, 2, 3.2, 4.8 times the horizontal separation, left 12, 25 or 50 s
-/// before; up and down by 1.15, 2.2, 3.3, 4.5, 6 times the vertical one; both times the strength.
-/// Speed 0.82, 0.9, 1.1, 1.18 times cruise where that is well within what it can fly.
-/// All numbers are ones that a `float` holds, so that they can be sent as they are.
+/// before; up and down by 1.15, 2.2, 3.3, 4.5, 6 times the vertical one; both times the
+/// strength. Speed 0.82, 0.9, 1.1, 1.18 times cruise where that is well within what it
+/// can fly. All numbers are ones that a `float` holds, so that they can be sent as they
+/// are.
 ///
 /// @param strength  1 at first, more where no pair of flights is free.
 std::vector<Manoeuvre> manoeuvres(const FlightLimits& limits,

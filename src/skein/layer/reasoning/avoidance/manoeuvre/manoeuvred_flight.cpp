@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLevelBefore = 4;  // the conflict: an aircraft lags behind a climb [s]
 constexpr double kLevelAfter = 2;   // the conflict [s]
-constexpr double kSpeedAfter = 2;  // the conflict [s]
+constexpr double kSpeedAfter = 2;   // the conflict [s]
 
 // Flights to the end of the conflict's plan.
 class Maker {

@@ -45,9 +45,10 @@ struct NegotiationView {
 /// The negotiation of two about one conflict: iterative peer-to-peer.
 ///
 /// Each offers all that it can do and what that costs it. Both make the same flights of
-/// both offers, find the pair that is apart and whose costs have the least sum (ties: the first of the opener's, then of the other's), and say so. Where no pair is
-/// apart, both offer stronger manoeuvres: 1, 1.7, 3 times. It is agreed when both have
-/// said the same pair, or when the other says that it flies it already.
+/// both offers, find the pair that is apart and whose costs have the least sum (ties: the
+/// first of the opener's, then of the other's), and say so. Where no pair is apart, both
+/// offer stronger manoeuvres: 1, 1.7, 3 times. It is agreed when both have said the same
+/// pair, or when the other says that it flies it already.
 ///
 /// Whatever is lost is said again, whatever comes twice changes nothing; it ends by
 /// itself when its time is over.

@@ -8,8 +8,8 @@
 
 namespace skein::reasoning {
 
-/// The flight that a rule asks for: the quickest of the manoeuvres that it allows, of 0.4,
-/// 0.7, 1, 1.7 and 3 times the separation, that is apart from the other's plan.
+/// The flight that a rule asks for: the quickest of the manoeuvres that it allows, of
+/// 0.4, 0.7, 1, 1.7 and 3 times the separation, that is apart from the other's plan.
 ///
 /// - Head-on, overtaking, the other from the right or unable: passes to the right; where
 ///   that takes more than 15 s longer, flies slower.

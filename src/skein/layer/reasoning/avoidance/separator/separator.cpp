@@ -17,7 +17,7 @@ constexpr double kPlanPeriod = 5;   // [s]
 // Of where an aircraft believes to be: three of what both of a pair believe together.
 constexpr double kSigmas = 2.2;
 constexpr double kVerticalSd = 1.5;  // over the horizontal one
-constexpr int kMaxChanges = 3;      // of the plan in one look
+constexpr int kMaxChanges = 3;       // of the plan in one look
 
 float half_metres(double error) {
   return static_cast<float>(std::ceil(2 * error) / 2);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLookOn = 60;    // beyond the horizon, for meetings that count [s]
 constexpr double kOpenAgain = 2;  // after a failure, or somebody was busy [s]
-constexpr double kAskAnyway = 5;   // after another plan was seen [s]
+constexpr double kAskAnyway = 5;  // after another plan was seen [s]
 constexpr double kMinTime = 1;    // between a manoeuvre's begin and the conflict [s]
 
 // Names a negotiation in a PlanReport.
@@ -129,8 +129,8 @@ void Separator::open_earliest(const SeparationStep& step) {
 }
 
 // Whether the other of a conflict has none before it with a third, which it will want to
-// solve first: without that, chains of aircraft wait for each other. After some time it is
-// asked all the same.
+// solve first: without that, chains of aircraft wait for each other. After some time it
+// is asked all the same.
 bool Separator::is_next_for(const TeamFlight& other, const Conflict& conflict, Time now) {
   Waiting& waiting = waiting_[other.who];
   if (waiting.seen_plan != other.number || waiting.own_plan != own_.number) {

@@ -99,7 +99,8 @@ class Sky {
       PathQuery query;
       one->separator.step({Time::from_seconds(t),
                            one->now.p_N,
-                           one->now.v_N, 0,
+                           one->now.v_N,
+                           0,
                            FlightPriority::kNormal,
                            query,
                            {}},
