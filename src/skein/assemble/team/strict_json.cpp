@@ -134,7 +134,8 @@ bool JsonFields::flag(const char* key, bool otherwise) {
   return otherwise;
 }
 
-std::string JsonFields::text(const char* key, std::optional<std::string> otherwise) {
+std::string JsonFields::text(const char* key,
+                             const std::optional<std::string>& otherwise) {
   const StrictJson* found = find(key, otherwise.has_value());
   if (!found) return otherwise.value_or("");
   if (found->is_string() && !found->get_ref<const std::string&>().empty())

@@ -50,7 +50,7 @@ class JsonFields {
   /// A whole number within [min, max].
   std::int64_t whole(const char* key, std::int64_t min, std::int64_t max);
   bool flag(const char* key, bool otherwise);
-  std::string text(const char* key, std::optional<std::string> otherwise = {});
+  std::string text(const char* key, const std::optional<std::string>& otherwise = {});
   /// The index of one of `words`.
   std::size_t word(const char* key, const std::vector<std::string>& words,
                    std::optional<std::size_t> otherwise = {});
