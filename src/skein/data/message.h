@@ -14,7 +14,6 @@
 #include "skein/data/fire.h"
 #include "skein/data/object.h"
 #include "skein/data/task.h"
-#include "skein/data/team_message.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone_change.h"
 
@@ -88,7 +87,7 @@ constexpr auto describe(const PluginPayload*) {
 /// the wire form.
 using MessageContent =
     std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
-                 PluginPayload, TaskChange, TaskReport, ObjectSighting, TeamMessage>;
+                 PluginPayload, TaskChange, TaskReport, ObjectSighting>;
 
 /// A message between agents. `number` counts the sender's messages.
 struct Message {
