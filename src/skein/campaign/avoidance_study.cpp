@@ -41,7 +41,8 @@ double heading_of(const AvoidanceAircraft& aircraft, const Vec2& wind) {
   const Vec2 way = (aircraft.goal - aircraft.start).head<2>();
   const Vec2 along = way.normalized();
   const double across = wind.dot(geo::turned_right(along));
-  return geo::bearing(way) - math::asin(std::clamp(across / aircraft.airspeed, -1.0, 1.0));
+  return geo::bearing(way) -
+         math::asin(std::clamp(across / aircraft.airspeed, -1.0, 1.0));
 }
 
 std::string plant_of(const AvoidanceStudy& study, const AvoidanceAircraft& aircraft) {
