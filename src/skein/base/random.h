@@ -39,6 +39,8 @@ enum class Purpose : std::uint32_t {
   kRadioOutage = 27,
   kOutsideSensors = 28,
   kAllocation = 29,
+  kTraffic = 31,
+  kTrafficSensor = 32,
   kVehicleFault = 40,
   kAirframe = 41,
   /// Kinds of plugins: this and every number above it, as `static_cast<Purpose>(...)`.

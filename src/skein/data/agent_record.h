@@ -8,6 +8,7 @@
 #include "skein/data/object.h"
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
+#include "skein/data/traffic.h"
 #include "skein/data/zone_change.h"
 
 namespace skein {
@@ -15,10 +16,11 @@ namespace skein {
 /// What an agent may want to have recorded besides events: what it has measured or found,
 /// zones that it has put into force or taken back, what it believes about a boundary or
 /// an object now, what it forecasts, what its planners do, how its missions go, how
-/// far it is with a stored mission, a plugin's own. The simulation adds when, who, and
-/// what was true.
-using AgentRecord = std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief,
-                                 PluginRecord, PlannerChange, ObjectBelief, MissionChange,
-                                 PerimeterForecast, ArrivalForecast, MissionProgress>;
+/// far it is with a stored mission, what it believes of other traffic, a plugin's own.
+/// The simulation adds when, who, and what was true.
+using AgentRecord =
+    std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief, PluginRecord,
+                 PlannerChange, ObjectBelief, MissionChange, PerimeterForecast,
+                 ArrivalForecast, MissionProgress, TrafficBelief>;
 
 }  // namespace skein

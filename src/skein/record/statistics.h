@@ -16,6 +16,7 @@
 #include "skein/record/payload_statistics.h"
 #include "skein/record/reading_ages.h"
 #include "skein/record/summary.h"
+#include "skein/record/traffic_statistics.h"
 
 namespace skein::record {
 
@@ -38,6 +39,7 @@ class RunStatistics {
   MissionStatistics& missions() { return missions_; }
   ForecastStatistics& forecasts() { return forecasts_; }
   MemoryStatistics& memory() { return memory_; }
+  TrafficStatistics& traffic() { return traffic_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
@@ -81,6 +83,7 @@ class RunStatistics {
   MissionStatistics missions_;
   ForecastStatistics forecasts_;
   MemoryStatistics memory_;
+  TrafficStatistics traffic_;
   ReadingAges ages_;
   std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs
   std::optional<Time> allocation_start_;
