@@ -1,6 +1,6 @@
 /** What the program puts into the page, and how its packed numbers are read. */
 
-import type { Entity, Event, GroundObject } from "./records";
+import type { AirTraffic, Entity, Event, GroundObject } from "./records";
 
 /** Base64 of little-endian numbers of the kind that the field's comment names. */
 export type Packed = string;
@@ -41,6 +41,11 @@ export interface MovingObject extends GroundObject {
   motions: Packed; // float32: time, north, east, velocity north and east, of each
 }
 
+/** Another aircraft and how it flew. */
+export interface FlyingTraffic extends AirTraffic {
+  motions: Packed; // float32: time, north (NaN: it is not there), east, velocity north and east, of each
+}
+
 /** Places are uint16: coordinate = low + step * number. */
 export interface MapData {
   low_north_m: number;
@@ -54,6 +59,8 @@ export interface MapData {
   crossings: { time_s: Packed; north: Packed; east: Packed }; // float32, uint16, uint16
   objects: MovingObject[];
   detections: { time_s: Packed; north: Packed; east: Packed; object: Packed }; // the same, uint16
+  traffic: FlyingTraffic[];
+  traffic_beliefs: Packed; // float32: time, north, east, deviation [m] of each firm track, in order of time
   zones: { name: string; on_s: number; off_s: number | null; ring: Corner[] }[];
   missions: { name: string; begun_s: number; areas: Corner[][]; lines: Corner[][] }[];
   terrain?: Terrain;

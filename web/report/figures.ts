@@ -72,6 +72,8 @@ const kCounts: Count[] = [
   { label: "Non-actual observations", show: key("non_actual_observations") },
   { label: "Unknown object interactions", show: key("unknown_object_interactions") },
   { label: "Detections", show: key("detections") },
+  { label: "Other aircraft", show: key("traffic") },
+  { label: "Error of their tracks, RMS", unit: "m", show: key("traffic_error_rms_m") },
   { label: "Scans", show: key("range_scans") },
   { label: "Messages lost", unit: "%",
     show: (run) => run.summary.messages_sent > 0

@@ -18,6 +18,7 @@ export interface Layers {
   tracks: boolean;
   crossings: boolean;
   objects: boolean;
+  traffic: boolean;
   missions: boolean;
   zones: boolean;
   names: boolean;
@@ -26,6 +27,7 @@ export interface Layers {
 
 export const kAllLayers: Layers = {
   terrain: true, truth: true, belief: true, band: true, ahead: true, tracks: true, crossings: true, objects: true,
+  traffic: true,
   missions: true, zones: true,
   names: true, tail: 180,
 };
@@ -33,6 +35,7 @@ export const kAllLayers: Layers = {
 const kBand95 = 1.96;
 const kCrossingShown = 300; // crossings fade over this time [s]
 const kDetectionShown = 300; // and detections [s]
+const kBeliefShown = 1.05; // tracks of other aircraft are recorded once a second [s]
 /** From so many aircraft on, the map shows less of each. */
 export const kMany = 20;
 
@@ -260,6 +263,42 @@ function drawObjects(context: CanvasRenderingContext2D, scene: Scene, time: numb
   }
 }
 
+/** Other aircraft as hollow diamonds, and circles of two deviations where firm tracks have them. */
+function drawTraffic(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place, scale: number,
+  names: boolean, theme: Theme): void {
+  const beliefs = scene.trafficBeliefs;
+  let low = 0, high = beliefs.length / 4; // the first of the last second
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (beliefs[4 * middle] <= time - kBeliefShown) low = middle + 1;
+    else high = middle;
+  }
+  context.strokeStyle = theme.traffic;
+  context.lineWidth = 1;
+  for (let i = low; 4 * i < beliefs.length && beliefs[4 * i] <= time + 1e-3; ++i) {
+    const [x, y] = place(beliefs[4 * i + 1], beliefs[4 * i + 2]);
+    context.beginPath();
+    context.arc(x, y, Math.max(3, 2 * beliefs[4 * i + 3] * scale), 0, 7);
+    context.stroke();
+  }
+  context.lineWidth = 1.6;
+  context.fillStyle = theme.paper;
+  for (const each of scene.traffic) {
+    const at = objectAt(each, time);
+    if (!at || Number.isNaN(at[0])) continue;
+    const [x, y] = place(at[0], at[1]);
+    context.beginPath();
+    context.moveTo(x, y - 5);
+    context.lineTo(x + 5, y);
+    context.lineTo(x, y + 5);
+    context.lineTo(x - 5, y);
+    context.closePath();
+    context.fill();
+    context.stroke();
+    if (names && scene.traffic.length <= kMany) label(context, each.name, x + 8, y + 4, theme);
+  }
+}
+
 function traceCorners(context: CanvasRenderingContext2D, line: Corner[], place: Place): void {
   line.forEach(([north, east], i) => {
     const [x, y] = place(north, east);
@@ -415,6 +454,7 @@ export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights
   if (layers.missions) drawMissions(context, scene, time, place, layers.names, theme);
   if (layers.zones) drawZones(context, scene, time, place, layers.names, theme);
   if (layers.objects) drawObjects(context, scene, time, place, layers.names, theme);
+  if (layers.traffic) drawTraffic(context, scene, time, place, view.scale, layers.names, theme);
   drawTracks(context, scene, time, place, layers, theme);
   drawScale(context, view, width, height, theme);
 }

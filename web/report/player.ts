@@ -22,6 +22,7 @@ const kLayerNames: [keyof Layers, string, string][] = [
   ["tracks", "tracks", "track"],
   ["crossings", "crossings", "crossing"],
   ["objects", "objects, and where they were seen", "object"],
+  ["traffic", "other aircraft, and where they are believed", "traffic"],
   ["missions", "areas and lines of missions", "mission"],
   ["zones", "no-fly zones", "zone"],
   ["names", "names", ""],
@@ -126,6 +127,7 @@ export class Player {
     const has: Partial<Record<keyof Layers, (s: Shown) => boolean>> = {
       terrain: (s) => s.heights !== null,
       objects: (s) => s.scene.objects.length + s.scene.detections.time.length > 0,
+      traffic: (s) => s.scene.traffic.length + s.scene.trafficBeliefs.length > 0,
       missions: (s) => s.scene.missions.length > 0,
       zones: (s) => s.scene.zones.length > 0,
     };
@@ -280,7 +282,7 @@ export class Player {
       const layers = { ...kAllLayers, tail: this.layers.tail };
       return h("div", { class: "print-maps" },
         h("p", {}, "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. " +
-          `Dots: crossings of the last five minutes. Squares: objects, filled once found; crosses: where cameras placed them. ` +
+          `Dots: crossings of the last five minutes. Squares: objects, filled once found; crosses: where cameras placed them. Diamonds: other aircraft; circles: where they are believed. ` +
           `Coloured lines: the last ${clock(this.layers.tail)} of flight.`),
         ...times.map((time) => {
           const canvas = h("canvas");

@@ -916,3 +916,50 @@ export interface Observation {
   source: "none" | "virtual" | "physical" | "both"; // of the sensor: physical or virtual
   fate: "remembered" | "late" | "refused" | "expired" | "not-found"; // what became of it
 }
+
+/** An aircraft that belongs to nobody who takes part (traffic). */
+export interface AirTraffic {
+  traffic_id: number; // which
+  name: string; // as the scenario has it
+  flight: string; // kind of its behaviour
+  address: number; // that it sends
+  ads_b: boolean; // it broadcasts its place by ADS-B
+  flarm: boolean; // the same by FLARM
+  transponder: boolean; // it answers radars
+}
+
+/** How another aircraft truly flies from now on, until the next of its rows (off by less than 0.5 m). */
+export interface TrafficMotion {
+  time_s: number; // from when on
+  traffic_id: number; // which
+  north_m: number | null; // then
+  east_m: number | null; // then
+  altitude_msl_m: number | null; // then
+  velocity_north_mps: number | null; // over ground
+  velocity_east_mps: number | null; // over ground
+  climb_mps: number | null; // over ground
+  phase: "absent" | "flies" | "gap" | "jumped"; // whether it is there
+}
+
+/** What is believed on board of another aircraft, once a second. */
+export interface TrafficTrack {
+  time_s: number; // when
+  believer_id: number; // whose belief
+  track: number; // its number on board
+  address: number | null; // that it has sent; null: none
+  north_m: number | null; // where it is believed to be
+  east_m: number | null; // where it is believed to be
+  altitude_msl_m: number | null; // where it is believed to be
+  velocity_north_mps: number | null; // how it is believed to fly
+  velocity_east_mps: number | null; // how it is believed to fly
+  climb_mps: number | null; // how it is believed to fly
+  horizontal_sd_m: number | null; // in the worst direction
+  vertical_sd_m: number | null; // of the altitude
+  velocity_sd_mps: number | null; // on the worst axis
+  updates: number; // measurements of it so far
+  firm: boolean; // it may be acted on
+  by_broadcast: boolean; // heard by ADS-B or FLARM, of late
+  by_radar: boolean; // seen by radar, of late
+  by_passive: boolean; // heard by a passive detector, of late
+  measured_s: number; // when its last measurement was
+}

@@ -1,6 +1,6 @@
 /** What is where at a time: unpacked tracks and perimeters of one run. */
 import { floats, octets, shorts, type Frame, type MapData, type RunData, type Terrain } from "./data";
-import type { GroundObject } from "./records";
+import type { AirTraffic, GroundObject } from "./records";
 
 /** A believed ring: places, outward directions and deviations, point by point. */
 export interface Ring {
@@ -30,8 +30,13 @@ export interface SceneObject extends GroundObject {
   motions: Float32Array;
 }
 
-/** Where an object is; null before it is known. */
-export function objectAt(object: SceneObject, time: number): [number, number] | null {
+/** Another aircraft, its motions likewise; the north of one that is not there is NaN. */
+export interface SceneTraffic extends AirTraffic {
+  motions: Float32Array;
+}
+
+/** Where a thing is; null before it is known. */
+export function objectAt(object: { motions: Float32Array }, time: number): [number, number] | null {
   const m = object.motions;
   let low = -1; // the last motion that has begun
   let high = m.length / 5;
@@ -52,6 +57,8 @@ export class Scene {
   readonly crossings: { time: Float32Array; north: Float32Array; east: Float32Array };
   readonly objects: SceneObject[];
   readonly detections: { time: Float32Array; north: Float32Array; east: Float32Array; object: Uint16Array };
+  readonly traffic: SceneTraffic[];
+  readonly trafficBeliefs: Float32Array; // time, north, east, deviation of each
   readonly zones: MapData["zones"];
   readonly missions: MapData["missions"];
   readonly terrain?: Terrain;
@@ -78,6 +85,8 @@ export class Scene {
       east: this.places(shorts(map.crossings.east), map.low_east_m),
     };
     this.objects = map.objects.map((object) => ({ ...object, motions: floats(object.motions) }));
+    this.traffic = map.traffic.map((each) => ({ ...each, motions: floats(each.motions) }));
+    this.trafficBeliefs = floats(map.traffic_beliefs);
     this.detections = {
       time: floats(map.detections.time_s),
       north: this.places(shorts(map.detections.north), map.low_north_m),

@@ -11,6 +11,7 @@ export interface Theme {
   bandFill: string;
   crossing: string;
   found: string;
+  traffic: string;
   mission: string;
   zone: string;
   zoneFill: string;
@@ -22,7 +23,7 @@ export interface Theme {
 const light: Theme = {
   ink: "#1c2024", muted: "#60686f", grid: "#e3e6e8", paper: "#fbfbfa",
   truth: "#b3261e", truthFill: "rgba(217,83,30,0.20)",
-  belief: "#0b5fae", bandFill: "rgba(11,95,174,0.22)", crossing: "#1c2024", found: "#7b2fbf",
+  belief: "#0b5fae", bandFill: "rgba(11,95,174,0.22)", crossing: "#1c2024", found: "#7b2fbf", traffic: "#8a4b00",
   mission: "#0a6b4f", zone: "#8c1d40", zoneFill: "rgba(140,29,64,0.12)",
   shade: 0.42, dark: false,
   series: ["#0b6bb5", "#d2540a", "#0a8f6b", "#a64d94", "#8a6d00", "#5b5bd6", "#7a4b2a", "#4d5963"],
@@ -31,7 +32,7 @@ const light: Theme = {
 const dark: Theme = {
   ink: "#e8eaec", muted: "#a0a8b0", grid: "#343a40", paper: "#181b1e",
   truth: "#ff8a70", truthFill: "rgba(255,112,67,0.24)",
-  belief: "#6cb6ff", bandFill: "rgba(108,182,255,0.26)", crossing: "#f2f3f4", found: "#cf9bff",
+  belief: "#6cb6ff", bandFill: "rgba(108,182,255,0.26)", crossing: "#f2f3f4", found: "#cf9bff", traffic: "#ffb454",
   mission: "#5fd6ab", zone: "#ff8fb0", zoneFill: "rgba(255,143,176,0.14)",
   shade: 0.45, dark: true,
   series: ["#5fb0f5", "#ff9a5c", "#3fcf9f", "#e39ad2", "#e0c341", "#a3a3ff", "#d0a07c", "#b4bec7"],

@@ -193,6 +193,7 @@ std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftConte
                                   std::optional<TaskKind> first = {}) {
   reasoning::OnboardAgentOptions options = choice.agent;
   options.first_task = std::move(first);
+  options.watchers = c.watchers;
   const reasoning::FlightContext context{c.self, c.limits, c.map.get(), c.planner,
                                          c.altitude_agl};
   TaskOptions tasks = choice.tasks;

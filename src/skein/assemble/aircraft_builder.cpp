@@ -140,6 +140,8 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   auto parts = mount_sensors(group, context, vehicle);
   if (!parts) return parts.error();
   context.fitted = flight_sensors_in(parts.value().sensors);
+  context.watchers = watchers(group, self);
+  finds_aircraft_ |= context.finds_aircraft;
   const auto complete_body = [&]() -> Result<void> {
     auto turbulence = gusty_air(context);
     if (!turbulence) return turbulence.error();
@@ -192,6 +194,8 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   entity.name = name;
   entity.kind = "aircraft";
   entity.reality = reality_of(group);
+  entity.sends = transmitters(group.transmits);
+  entity.address = team_address(self);
   entity.agent = std::move(agent).value();
   entity.vehicle = std::move(flown).value();
   entity.agent_period = group.agent_period;
@@ -204,6 +208,36 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   }
   entity.active = presence(group, index, scenario_.duration);
   return entity;
+}
+
+// A group of which one sensor cannot be made is reported where its aircraft are made.
+bool AircraftBuilder::finds_aircraft(const AircraftGroup& group) {
+  const auto [found, first] = finds_.try_emplace(&group, false);
+  if (!first) return found->second;
+  AircraftContext context;
+  context.seed = scenario_.seed;
+  context.agent_period = group.agent_period;
+  context.phenomena = scenario_.environment.phenomena.size();
+  context.map = map_;
+  for (const scenario::Choice& choice : group.sensors)
+    if (const auto made = kinds_.sensor.make(choice, context))
+      found->second |= made.value()->finds_aircraft();
+  return found->second;
+}
+
+// The others of its team that find aircraft.
+std::vector<EntityId> AircraftBuilder::watchers(const AircraftGroup& group,
+                                                EntityId self) {
+  std::vector<EntityId> all;
+  EntityId id{static_cast<std::uint32_t>(scenario_.stations.size())};
+  const std::size_t station = station_of(scenario_, group);
+  for (const AircraftGroup& other : scenario_.aircraft) {
+    const bool theirs = station_of(scenario_, other) == station && other.count > 0 &&
+                        finds_aircraft(other);
+    for (int i = 0; i < other.count; ++i, ++id.value)
+      if (theirs && id != self) all.push_back(id);
+  }
+  return all;
 }
 
 bool AircraftBuilder::is_simulated(const std::string& name) const {
@@ -300,6 +334,7 @@ Result<Parts> AircraftBuilder::mount_sensors(const AircraftGroup& group,
       const bool payload = part.sensor->payload();
       context.has_camera |= part.sensor->finds_objects();
       context.has_fire_sensor |= part.sensor->senses_fire();
+      context.finds_aircraft |= part.sensor->finds_aircraft();
       (payload ? parts.payload : parts.sensors).push_back(part.kind);
       (payload ? vehicle.payload : vehicle.sensors).push_back(std::move(part.sensor));
     }

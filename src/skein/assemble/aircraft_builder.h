@@ -70,6 +70,9 @@ class AircraftBuilder {
   Result<simulation::Entity> make(const scenario::AircraftGroup& group, int index,
                                   EntityId self, EntityId station);
 
+  /// Whether one that was made has a sensor for other aircraft.
+  bool finds_aircraft() const { return finds_aircraft_; }
+
   /// The last that was made, as missions choose theirs.
   const TeamAircraft& last() const { return last_; }
 
@@ -84,6 +87,8 @@ class AircraftBuilder {
                               simulation::VehicleParts& vehicle) const;
   Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
   bool is_simulated(const std::string& name) const;
+  std::vector<EntityId> watchers(const scenario::AircraftGroup& group, EntityId self);
+  bool finds_aircraft(const scenario::AircraftGroup& group);
 
   const scenario::Scenario& scenario_;
   const KindsByRole& kinds_;
@@ -99,6 +104,8 @@ class AircraftBuilder {
   // All that were made, for those who look at others when the run goes.
   std::shared_ptr<std::map<std::string, const Vehicle*>> made_ =
       std::make_shared<std::map<std::string, const Vehicle*>>();
+  std::map<const scenario::AircraftGroup*, bool> finds_;  // other aircraft
+  bool finds_aircraft_ = false;
   TeamAircraft last_;
 };
 

@@ -15,6 +15,7 @@
 #include "skein/assemble/remote_kind.h"
 #include "skein/assemble/sampling.h"
 #include "skein/assemble/server_memory.h"
+#include "skein/assemble/traffic.h"
 #include "skein/exchange/plan_reading.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
@@ -28,6 +29,7 @@
 #include "skein/link/world_link/entity_links.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/radio.h"
+#include "skein/role/traffic_aircraft.h"
 #include "skein/role/world_memory.h"
 #include "skein/scenario/utc.h"
 #include "skein/scenario/zones.h"
@@ -122,6 +124,7 @@ class Builder {
     aircraft();
     stations();
     objects();
+    other_traffic();
     note(radio());
     ground_station_links();
     if (!errors_.empty()) return together(errors_);
@@ -332,6 +335,7 @@ class Builder {
         build_.world.entities.push_back(std::move(made).value());
       }
     }
+    build_.world.finds_aircraft = builder.finds_aircraft();
   }
 
   // The aircraft of this program; others stand in the list, so that numbers are those of
@@ -398,6 +402,12 @@ class Builder {
       ++id;
     }
     build_.world.memory = server_memory(scenario_.environment.memory, build_.world, map_);
+  }
+
+  void other_traffic() {
+    auto made = make_traffic(scenario_, kinds_.kinds(), frame_, build_.world.entities,
+                             build_.warnings);
+    if (note(made)) build_.world.traffic = std::move(made).value();
   }
 
   // Where ground stations are met, and who is shown there: all that is simulated.

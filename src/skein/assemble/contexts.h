@@ -47,6 +47,22 @@ struct ObjectContext {
   Vec2 begin = Vec2::Zero();  ///< where it is at the start [m]
 };
 
+/// What every behaviour of other air traffic is given besides its options.
+struct TrafficContext {
+  std::uint64_t seed = 0;
+  const geo::LocalFrame& frame;
+  std::string start_utc;      ///< simulated time 0
+  std::string name;           ///< of the aircraft
+  std::uint32_t traffic = 0;  ///< its number
+  std::size_t index = 0;      ///< in its group
+  std::size_t count = 1;      ///< of its group
+  Vec3 begin = Vec3::Zero();  ///< where it is when it comes, in N [m]
+  /// The aircraft of that name that takes part; of no name, the first.
+  std::function<std::optional<EntityId>(const std::string&)> find;
+  std::vector<std::string>* warnings = nullptr;  ///< about recorded data
+  std::any* shared = nullptr;  ///< what the aircraft of a group have in common
+};
+
 /// Whether environment.phenomena has one of that number.
 /// Fails: kBadInput, at the key `phenomenon`.
 Result<void> check_phenomenon(std::size_t number, std::size_t phenomena);
@@ -72,7 +88,11 @@ struct AircraftContext {
   bool has_position = false;                   ///< a sensor says where it is
   bool has_camera = false;                     ///< a sensor finds objects
   bool has_fire_sensor = false;                ///< a sensor looks at the fire
-  std::uint8_t fitted = 0;                     ///< bit k: FlightSensor k is on board
+  bool finds_aircraft = false;                 ///< a sensor finds other aircraft
+  /// Those of its team that find other aircraft: they are told where it is, lest they
+  /// take it for one.
+  std::vector<EntityId> watchers;
+  std::uint8_t fitted = 0;      ///< bit k: FlightSensor k is on board
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common
   double parameter_spread = 0;  ///< of the plant's parameters, at most
 };

@@ -14,9 +14,9 @@ template <class Visit>
 void for_each_role(Visit visit) {
   using K = KindsByRole;
   const auto all = [&visit](auto... role) { (visit(role), ...); };
-  all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::vehicle,
-      &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission, &K::radio,
-      &K::estimator, &K::strategy, &K::planner);
+  all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::traffic,
+      &K::vehicle, &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission,
+      &K::radio, &K::estimator, &K::strategy, &K::planner);
 }
 
 KindsByRole own_kinds() {
@@ -26,6 +26,7 @@ KindsByRole own_kinds() {
   kinds.turbulence = turbulence_kinds();
   kinds.phenomenon = phenomenon_kinds();
   kinds.movement = movement_kinds();
+  kinds.traffic = traffic_kinds();
   kinds.vehicle = vehicle_kinds();
   kinds.plant = plant_kinds();
   kinds.autopilot = autopilot_kinds();

@@ -24,6 +24,7 @@ struct KindsByRole {
   Kinds<Turbulence, AircraftContext> turbulence{"turbulence"};
   Kinds<Phenomenon, EnvironmentContext> phenomenon{"phenomenon"};
   Kinds<MovingObject, ObjectContext> movement{"movement"};
+  Kinds<TrafficAircraft, TrafficContext> traffic{"traffic"};
   Kinds<Vehicle, VehicleContext> vehicle{"vehicle"};
   Kinds<Plant, AircraftContext> plant{"plant"};
   Kinds<Autopilot, AircraftContext> autopilot{"autopilot"};

@@ -7,6 +7,7 @@ Kinds<Sensor, AircraftContext> sensor_kinds() {
   add_simple_sensors(kinds);
   add_flight_sensors(kinds);
   add_payload_sensors(kinds);
+  add_traffic_sensors(kinds);
   return kinds;
 }
 

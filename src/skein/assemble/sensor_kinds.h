@@ -11,6 +11,7 @@ namespace skein::assemble {
 void add_simple_sensors(Kinds<Sensor, AircraftContext>& kinds);
 void add_flight_sensors(Kinds<Sensor, AircraftContext>& kinds);
 void add_payload_sensors(Kinds<Sensor, AircraftContext>& kinds);
+void add_traffic_sensors(Kinds<Sensor, AircraftContext>& kinds);
 
 /// The oldest that the position of a sensor gets before the next one comes [s]: its
 /// period, not below `step`, and its latency. None for a sensor that gives no position.

@@ -19,6 +19,7 @@
 #include "skein/role/plant.h"
 #include "skein/role/radio.h"
 #include "skein/role/sensor.h"
+#include "skein/role/traffic_aircraft.h"
 #include "skein/role/turbulence.h"
 #include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
@@ -106,6 +107,18 @@ class Stage {
     context.planner = std::make_shared<planning::AaStar>();
     context.metrics_period = Time::from_seconds(5);
     return context;
+  }
+  TrafficContext traffic() const {
+    return {kSeed,
+            frame_,
+            scenario_.start_utc,
+            "traffic",
+            3,
+            0,
+            1,
+            Vec3(50, 80, -300),
+            [](const std::string&) { return std::optional(EntityId{1}); },
+            &warnings_};
   }
   static RadioContext radio() {
     return {kSeed, [](EntityId id) -> std::optional<Vec3> {
@@ -215,6 +228,9 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
   if (role == "movement")
     test(Subject<MovingObject, ObjectContext>{all.movement, choice, {kSeed, 3, {50, 80}}},
          contract::moving_object_violations);
+  if (role == "traffic")
+    test(Subject<TrafficAircraft, TrafficContext>{all.traffic, choice, traffic()},
+         contract::traffic_violations);
   if (role == "turbulence")
     test(subject(all.turbulence, choice), contract::turbulence_violations);
   if (role == "plant") test(subject(all.plant, choice), contract::plant_violations);

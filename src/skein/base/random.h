@@ -40,6 +40,8 @@ enum class Purpose : std::uint32_t {
   kOutsideSensors = 28,
   kAllocation = 29,
   kTeam = 30,
+  kTraffic = 31,
+  kTrafficSensor = 32,
   kVehicleFault = 40,
   kAirframe = 41,
   /// Kinds of plugins: this and every number above it, as `static_cast<Purpose>(...)`.

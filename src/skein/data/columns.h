@@ -135,7 +135,7 @@ void put(const Form& form, const T& value, Sink& sink) {
   } else if constexpr (kIsArray<T>) {
     for (const auto& item : value) put(form, item, sink);
   } else if constexpr (kIsOptional<T>) {
-    static_assert(std::is_same_v<T, std::optional<double>>);
+    static_assert(std::is_arithmetic_v<typename T::value_type>);
     if (value)
       put(form, *value, sink);
     else
@@ -216,8 +216,13 @@ void take(const Form& form, T& value, Source& source) {
   } else if constexpr (kIsArray<T>) {
     for (auto& item : value) take(form, item, source);
   } else if constexpr (kIsOptional<T>) {
-    double written = 0;
-    if (source.take(written)) value = written / json::detail::factor_of(form);
+    if constexpr (std::is_same_v<T, std::optional<double>>) {
+      double written = 0;
+      if (source.take(written)) value = written / json::detail::factor_of(form);
+    } else {
+      std::int64_t written = 0;
+      if (source.take(written)) value = static_cast<typename T::value_type>(written);
+    }
   } else if constexpr (Described<T>) {
     take_fields(value, source);
   } else if constexpr (kIsVariant<T>) {

@@ -14,6 +14,7 @@
 #include "skein/data/payload.h"
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
+#include "skein/data/traffic.h"
 #include "skein/data/vehicle.h"
 
 // What an entity says whose vehicle and agent are both in another program.
@@ -42,9 +43,10 @@ constexpr auto describe(const RemoteState*) {
 }
 
 /// New kinds go to the end: the place in this list is part of the wire form.
-using EntitySaying = std::variant<RemoteState, Message, Event, FireReading, Crossing,
-                                  PluginRecord, PlannerChange, MissionProgress,
-                                  ObjectBelief, RegionOfInterest, ConflictReport>;
+using EntitySaying =
+    std::variant<RemoteState, Message, Event, FireReading, Crossing, PluginRecord,
+                 PlannerChange, MissionProgress, ObjectBelief, RegionOfInterest,
+                 ConflictReport, TrafficBelief>;
 
 /// One thing that such an entity says.
 struct EntityReport {

@@ -19,6 +19,7 @@
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
 #include "skein/data/separation_message.h"
+#include "skein/data/traffic.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/vehicle_report.h"
 #include "skein/data/zone_change.h"
@@ -269,13 +270,31 @@ constexpr auto describe(const ObservationRecord*) {
       field("fate", &T::fate, "what became of it"));
 }
 
+/// What is believed on board of another aircraft at one time.
+struct TrafficBeliefRecord {
+  Time time;
+  EntityId believer;
+  TrafficBelief belief;
+};
+
+constexpr auto describe(const TrafficBeliefRecord*) {
+  using T = TrafficBeliefRecord;
+  return described<T>({"traffic_track", "traffic_tracks"},
+                      "What is believed on board of another aircraft, once a second.",
+                      field("time", &T::time, "when"),
+                      field("believer_id", &T::believer, "whose belief"),
+                      field("", &T::belief, "of which aircraft, and what"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record = std::variant<
-    EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing, MessageRecord,
-    PerimeterRecord, Event, ZoneRecord, GroundObject, Detection, Footprint, RangeScan,
-    CommandRecord, PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
-    MissionRecord, ForecastRecord, ArrivalRecord, VehicleReportRecord,
-    MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord>;
+using Record =
+    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
+                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
+                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
+                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
+                 ForecastRecord, ArrivalRecord, VehicleReportRecord,
+                 MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
+                 AirTraffic, TrafficMotion, TrafficBeliefRecord>;
 
 }  // namespace skein

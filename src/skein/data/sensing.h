@@ -9,6 +9,7 @@
 #include "skein/data/describe.h"
 #include "skein/data/object.h"
 #include "skein/data/pilot.h"
+#include "skein/data/traffic.h"
 #include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
 
@@ -293,6 +294,7 @@ using SensorSample =
     std::variant<GnssFix, FireSample, EdgeSample, AirDataSample, ImuSample,
                  BarometerSample, MagnetometerSample, AirspeedSample, RangeSample,
                  HeightSample, AnemometerSample, PowerSample, FootprintSample,
-                 DetectionSample, TruthSample, LinkSample, PilotInput>;
+                 DetectionSample, TruthSample, LinkSample, PilotInput, TrafficBroadcast,
+                 RadarPlot, TransponderContact>;
 
 }  // namespace skein

@@ -90,8 +90,9 @@ void FlightModelVehicle::place(Time now) {
 }
 
 SensorView FlightModelVehicle::view(const Surroundings& world, Time now) const {
-  SensorView view{now,           parts_.state, parts_.air, world.terrain, world.phenomena,
-                  world.objects, std::nullopt};
+  SensorView view{now,           parts_.state,    parts_.air,
+                  world.terrain, world.phenomena, world.objects,
+                  std::nullopt,  world.aircraft};
   if (region_of_interest_)
     view.gaze_N = *region_of_interest_ - parts_.autopilot->estimate().p_N;
   return view;

@@ -137,8 +137,9 @@ std::optional<SensorView> RealVehicle::view(const Surroundings& world, Time now,
   } else {
     return std::nullopt;
   }
-  SensorView view{now,           state,       air, world.terrain, world.phenomena,
-                  world.objects, std::nullopt};
+  SensorView view{now,           state,           air,
+                  world.terrain, world.phenomena, world.objects,
+                  std::nullopt,  world.aircraft};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - state.p_N;
   return view;
 }

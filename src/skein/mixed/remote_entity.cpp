@@ -185,8 +185,9 @@ void RemoteVehicle::look(const Surroundings& world, Time now, PayloadSamples& ou
       truth_ ? *truth_ : as_state(believed_.at(now), state_->status.on_ground);
   Air air;
   air.wind_N = world.wind.wind(state.p_N, now);
-  SensorView view{now,           state,       air, world.terrain, world.phenomena,
-                  world.objects, std::nullopt};
+  SensorView view{now,           state,           air,
+                  world.terrain, world.phenomena, world.objects,
+                  std::nullopt,  world.aircraft};
   if (region_of_interest_) view.gaze_N = *region_of_interest_ - estimate_.p_N;
   const std::size_t before = out.samples.size();
   for (const auto& sensor : payload_) {

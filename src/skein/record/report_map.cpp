@@ -281,6 +281,35 @@ Json detections_json(const StoredRun& run, const Extent& extent) {
           {"object", packed(object)}};
 }
 
+// Other aircraft: numbers of a motion that is not there are none.
+Json traffic_json(const StoredRun& run) {
+  Json all = Json::array();
+  for (const StoredTraffic& each : run.traffic) {
+    Json traffic = json::to_json(each.what);
+    std::vector<float> motions;
+    for (const TrafficMotion& m : each.path.motions()) {
+      const double place =
+          is_there(m.phase) ? m.position.x() : std::numeric_limits<double>::quiet_NaN();
+      for (const double value :
+           {m.time.seconds(), place, m.position.y(), m.velocity.x(), m.velocity.y()})
+        motions.push_back(static_cast<float>(value));
+    }
+    traffic["motions"] = packed(motions);
+    all.push_back(std::move(traffic));
+  }
+  return all;
+}
+
+// Where firm tracks had them.
+Json traffic_beliefs_json(const StoredRun& run) {
+  std::vector<float> beliefs;
+  for (const TrafficBeliefRecord& r : run.traffic_beliefs)
+    for (const double value : {r.time.seconds(), r.belief.position.x(),
+                               r.belief.position.y(), r.belief.horizontal_sd})
+      beliefs.push_back(static_cast<float>(value));
+  return packed(beliefs);
+}
+
 Json ring_json(const geo::Ring& ring) {
   Json places = Json::array();
   for (const Vec2& p : ring) places.push_back({p.x(), p.y()});
@@ -382,6 +411,8 @@ Json map_json(const StoredRun& run) {
               {"crossings", crossings_json(run, extent)},
               {"objects", objects_json(run)},
               {"detections", detections_json(run, extent)},
+              {"traffic", traffic_json(run)},
+              {"traffic_beliefs", traffic_beliefs_json(run)},
               {"zones", zones_json(run)},
               {"missions", missions_json(run)}};
   if (run.terrain)

@@ -58,11 +58,11 @@ class Reader {
   Result<StoredRun> read() {
     using Part = Result<void> (Reader::*)();
     for (const Part part :
-         {&Reader::schema, &Reader::meta, &Reader::entities, &Reader::duration,
-          &Reader::events, &Reader::metrics, &Reader::forecasts, &Reader::tracks,
-          &Reader::estimates, &Reader::readings, &Reader::messages, &Reader::perimeters,
-          &Reader::crossings, &Reader::payload, &Reader::memory, &Reader::zones,
-          &Reader::missions, &Reader::terrain, &Reader::summary})
+         {&Reader::schema,    &Reader::meta,     &Reader::entities,  &Reader::duration,
+          &Reader::events,    &Reader::metrics,  &Reader::forecasts, &Reader::tracks,
+          &Reader::estimates, &Reader::readings, &Reader::messages,  &Reader::perimeters,
+          &Reader::crossings, &Reader::payload,  &Reader::memory,    &Reader::traffic,
+          &Reader::zones,     &Reader::missions, &Reader::terrain,   &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -387,6 +387,34 @@ class Reader {
     if (!done) return done;
     return rows("SELECT 1 FROM ranges",
                 [this](const Statement&) { statistics_.payload().ranges(); });
+  }
+
+  // Other air traffic, and what was believed of it.
+  Result<void> traffic() {
+    auto done = records<AirTraffic>("", [this](AirTraffic what) {
+      statistics_.traffic().aircraft(what);
+      run_.traffic.push_back({std::move(what), {}});
+    });
+    if (!done) return done;
+    std::map<std::uint32_t, std::vector<TrafficMotion>> all;
+    done = records<TrafficMotion>("ORDER BY time_s", [&](const TrafficMotion& motion) {
+      all[motion.traffic].push_back(motion);
+      statistics_.traffic().motion(motion);
+    });
+    if (!done) return done;
+    const auto many = static_cast<int>(std::max<std::size_t>(1, run_.traffic.size()));
+    for (StoredTraffic& each : run_.traffic)
+      for (const TrafficMotion& motion :
+           thinned(all[each.what.id], std::max(20, budget_.traffic_motions / many)))
+        each.path.add(motion);
+    std::vector<TrafficBeliefRecord> firm;
+    done = records<TrafficBeliefRecord>("ORDER BY time_s",
+                                        [&](const TrafficBeliefRecord& record) {
+                                          statistics_.traffic().belief(record);
+                                          if (record.belief.firm) firm.push_back(record);
+                                        });
+    run_.traffic_beliefs = thinned(firm, budget_.traffic_beliefs);
+    return done;
   }
 
   // Only for the counts of a run that was cut off.

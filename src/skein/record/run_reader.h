@@ -11,6 +11,7 @@
 #include "skein/record/object_track.h"
 #include "skein/record/rows.h"
 #include "skein/record/summary.h"
+#include "skein/record/traffic_path.h"
 
 namespace skein::record {
 
@@ -38,6 +39,12 @@ struct StoredForecast {
 struct StoredObject {
   GroundObject object;
   ObjectTrack track;
+};
+
+/// Another aircraft and how it flew.
+struct StoredTraffic {
+  AirTraffic what;
+  TrafficPath path;
 };
 
 /// One figure of a mission over time.
@@ -68,16 +75,18 @@ struct StoredRun {
   std::vector<Crossing> crossings;
   std::vector<StoredObject> objects;
   std::vector<Detection> detections;
-  std::vector<ForecastScore> forecasts;           ///< that have been scored
-  std::vector<ArrivalForecast> arrivals;          ///< in order of time
-  std::vector<ZoneRecord> zones;                  ///< in order of time
-  std::vector<MissionRecord> missions;            ///< in order of time
-  std::vector<StoredSeries> mission_series;       ///< by mission, then figure
-  std::vector<Event> events;                      ///< in order of time
-  int events_left_out = 0;                        ///< more of the most frequent kinds
-  double message_bin = 60;                        ///< [s]
-  std::vector<int> messages_sent, messages_lost;  ///< per bin
-  std::unique_ptr<TerrainRow> terrain;            ///< null when the run has none
+  std::vector<StoredTraffic> traffic;
+  std::vector<TrafficBeliefRecord> traffic_beliefs;  ///< firm ones, in order of time
+  std::vector<ForecastScore> forecasts;              ///< that have been scored
+  std::vector<ArrivalForecast> arrivals;             ///< in order of time
+  std::vector<ZoneRecord> zones;                     ///< in order of time
+  std::vector<MissionRecord> missions;               ///< in order of time
+  std::vector<StoredSeries> mission_series;          ///< by mission, then figure
+  std::vector<Event> events;                         ///< in order of time
+  int events_left_out = 0;                           ///< more of the most frequent kinds
+  double message_bin = 60;                           ///< [s]
+  std::vector<int> messages_sent, messages_lost;     ///< per bin
+  std::unique_ptr<TerrainRow> terrain;               ///< null when the run has none
 };
 
 /// How much a reader keeps.
@@ -89,7 +98,9 @@ struct ReadBudget {
   int flight_samples = 500;    ///< of each
   int crossings = 6000;
   int detections = 6000;
-  int object_motions = 3000;  ///< of each object
+  int object_motions = 3000;    ///< of each object
+  int traffic_motions = 60000;  ///< of all together
+  int traffic_beliefs = 20000;
   int events = 400;
 };
 

@@ -55,6 +55,9 @@ struct Taker {
   void operator()(const RangeScan&) { statistics.payload().ranges(); }
   void operator()(const PhysicalObject&) { statistics.memory().physical_object(); }
   void operator()(const ObservationRecord& r) { statistics.memory().observation(r.fate); }
+  void operator()(const AirTraffic& r) { statistics.traffic().aircraft(r); }
+  void operator()(const TrafficMotion& r) { statistics.traffic().motion(r); }
+  void operator()(const TrafficBeliefRecord& r) { statistics.traffic().belief(r); }
   // No figures are made of these.
   void operator()(const ZoneRecord&) {}
   void operator()(const CommandRecord&) {}
@@ -177,6 +180,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   forecasts_.add_figures(out);
   memory_.add_figures(out);
   separation_.add_figures(out);
+  traffic_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

@@ -17,6 +17,7 @@
 #include "skein/record/reading_ages.h"
 #include "skein/record/separation_statistics.h"
 #include "skein/record/summary.h"
+#include "skein/record/traffic_statistics.h"
 
 namespace skein::record {
 
@@ -40,6 +41,7 @@ class RunStatistics {
   ForecastStatistics& forecasts() { return forecasts_; }
   MemoryStatistics& memory() { return memory_; }
   SeparationStatistics& separation() { return separation_; }
+  TrafficStatistics& traffic() { return traffic_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
@@ -84,6 +86,7 @@ class RunStatistics {
   ForecastStatistics forecasts_;
   MemoryStatistics memory_;
   SeparationStatistics separation_;
+  TrafficStatistics traffic_;
   ReadingAges ages_;
   std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs
   std::optional<Time> allocation_start_;

@@ -8,6 +8,7 @@
 #include "skein/data/air.h"
 #include "skein/data/object.h"
 #include "skein/data/sensing.h"
+#include "skein/data/traffic.h"
 #include "skein/data/vehicle.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/terrain.h"
@@ -25,6 +26,8 @@ struct SensorView {
   /// Where gimbals are to look, from the vehicle, as its autopilot believes [m]; none:
   /// straight down.
   std::optional<Vec3> gaze_N = {};
+  /// Aircraft in the air around, the vehicle itself among them.
+  std::span<const VisibleAircraft> aircraft = {};
 };
 
 /// One sensor of one vehicle, with its errors, rate and random stream.
@@ -38,6 +41,9 @@ class Sensor {
 
   /// Whether it finds objects on the ground.
   virtual bool finds_objects() const { return false; }
+
+  /// Whether it finds other aircraft.
+  virtual bool finds_aircraft() const { return false; }
 
   /// Whether it says where a fire is.
   virtual bool senses_fire() const { return false; }

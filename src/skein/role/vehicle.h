@@ -13,6 +13,7 @@
 #include "skein/data/payload.h"
 #include "skein/data/pilot.h"
 #include "skein/data/sensing.h"
+#include "skein/data/traffic.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/vehicle_report.h"
 #include "skein/data/zone.h"
@@ -28,6 +29,7 @@ struct Surroundings {
   const WindField& wind;
   Phenomena phenomena = {};
   std::span<const VisibleObject> objects = {};
+  std::span<const VisibleAircraft> aircraft = {};
 };
 
 /// Something that happened to a vehicle, for the records.

@@ -8,6 +8,7 @@
 #include "skein/base/time.h"
 #include "skein/data/object.h"
 #include "skein/data/observation.h"
+#include "skein/data/traffic.h"
 #include "skein/geo/local_frame.h"
 #include "skein/geo/polygon.h"
 #include "skein/scenario/choice.h"
@@ -134,7 +135,8 @@ struct AircraftGroup {
   Choice autopilot{"path"};
   std::vector<Choice> sensors = {{"gnss"}, {"air-data"}, {"fire"}};
   Choice agent{"scout"};
-  std::optional<bool> physical;     ///< its body is real; none: unless it is simulated
+  std::vector<Transmitter> transmits;  ///< by which other aircraft notice it
+  std::optional<bool> physical;        ///< its body is real; none: unless it is simulated
   std::optional<Reality> observes;  ///< none: what is simulated here sees its own world
   std::string station;              ///< that it belongs to; empty: the first
   double altitude_agl = 120;        ///< [m]
@@ -146,6 +148,20 @@ struct AircraftGroup {
   std::optional<Time> comeback;     ///< takes part again from this time on
   std::vector<Failure> failures;
   std::vector<RandomFailure> random_failures;
+};
+
+/// Other aircraft that are equal but for their place: they belong to nobody.
+struct TrafficGroup {
+  std::string name = "traffic";
+  int count = 1;
+  Choice flight{"straight"};
+  Vec2 position = Vec2::Zero();  ///< when it comes [m]
+  double spread = 0;             ///< each comes within so far of there, at random [m]
+  double altitude_msl = 300;     ///< when it comes [m]
+  std::vector<Transmitter> transmits = {Transmitter::kAdsB, Transmitter::kTransponder};
+  std::optional<std::uint32_t> address;  ///< that it sends; none: one of its own
+  Time join;
+  std::optional<Time> leave;
 };
 
 /// A ground station, which pursues missions and gives orders.
@@ -199,6 +215,7 @@ struct Scenario {
   std::string start_utc = "2026-07-01T12:00:00Z";
   Environment environment;
   std::vector<AircraftGroup> aircraft = {AircraftGroup{}};
+  std::vector<TrafficGroup> traffic;
   Choice radio{"ideal"};
   std::vector<Station> stations = {Station{}};
   std::vector<Choice> missions = {{"perimeter"}};

@@ -318,6 +318,48 @@ std::string failures_error(const AircraftGroup& group) {
   return {};
 }
 
+std::initializer_list<Word<Transmitter>> transmitter_words() {
+  static const std::initializer_list<Word<Transmitter>> kWords = {
+      {"ads-b", Transmitter::kAdsB, "it broadcasts place and velocity, far"},
+      {"flarm", Transmitter::kFlarm, "it broadcasts place and velocity, near"},
+      {"transponder", Transmitter::kTransponder,
+       "it answers radars, for passive detectors to hear"}};
+  return kWords;
+}
+
+Fields<TrafficGroup> traffic_fields() {
+  using T = TrafficGroup;
+  return Fields<T>()
+      .text("name", &T::name,
+            "Name of the group; its aircraft are name-1, name-2, ... One alone has the "
+            "name itself.")
+      .integer("count", &T::count, "How many aircraft.",
+               {.at_least = 0, .at_most = 10000})
+      .kind("flight", &T::flight, "traffic", "How they fly.")
+      .point("position_m", &T::position, "Where they come. Recorded ones know.")
+      .number("spread_m", &T::spread,
+              "Each comes within so far of there, at random, evenly over the disc.",
+              {.at_least = 0, .at_most = 1e6})
+      .number("altitude_msl_m", &T::altitude_msl,
+              "Altitude when they come, above mean sea level.",
+              {.at_least = -500, .at_most = 30000})
+      .word("transmits", &T::transmits,
+            "What they carry by which others may notice them. Radars find them without.",
+            transmitter_words())
+      .items({.at_most = 3})
+      .integer("address", &T::address,
+               "Of 24 bits, that it sends: two may have the same by mistake. Null: each "
+               "has one of its own.",
+               {.at_least = 0, .at_most = 0xFFFFFF})
+      .duration_s("join_s", &T::join,
+                  "When they come; times of recorded ones count from there.")
+      .duration_s("leave_s", &T::leave, "When they are gone. Null: never.")
+      .rule("leave_s", [](const T& t) {
+        const bool early = t.leave && *t.leave <= t.join;
+        return early ? std::string("must be after join_s.") : std::string();
+      });
+}
+
 Fields<AircraftGroup> aircraft_fields() {
   using T = AircraftGroup;
   return Fields<T>()
@@ -336,6 +378,11 @@ Fields<AircraftGroup> aircraft_fields() {
       .kind("sensors", &T::sensors, "sensor", "What it senses with.")
       .items({.at_most = 50})
       .kind("agent", &T::agent, "agent", "What reasons on board.")
+      .word("transmits", &T::transmits,
+            "What it carries by which other aircraft may notice it. Radars find it "
+            "without.",
+            transmitter_words())
+      .items({.at_most = 3})
       .boolean("physical", &T::physical,
                "Its body exists in reality. A simulated one stands for a real one then, "
                "and so do its sensors. Null: unless it is simulated.")
@@ -554,6 +601,9 @@ Fields<Scenario> scenario_fields() {
       .object("environment", &T::environment, environment_fields(),
               "Ground, air and fire.")
       .object("aircraft", &T::aircraft, aircraft_fields(), "Groups of equal aircraft.")
+      .items(kMaxGroups)
+      .object("traffic", &T::traffic, traffic_fields(),
+              "Other aircraft around, which belong to nobody; see docs/traffic.md.")
       .items(kMaxGroups)
       .kind("radio", &T::radio, "radio", "The channel between all of them.")
       .object("stations", &T::stations, station_fields(), "Ground stations.")

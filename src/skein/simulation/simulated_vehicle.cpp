@@ -15,8 +15,9 @@ SimulatedVehicle::SimulatedVehicle(VehicleParts parts)
       faults_(parts_.faults, parts_.breakable) {}
 
 SensorView SimulatedVehicle::view(const Surroundings& world, Time now) const {
-  SensorView view{now,           parts_.state, parts_.air, world.terrain, world.phenomena,
-                  world.objects, std::nullopt};
+  SensorView view{now,           parts_.state,    parts_.air,
+                  world.terrain, world.phenomena, world.objects,
+                  std::nullopt,  world.aircraft};
   if (region_of_interest_)
     view.gaze_N = *region_of_interest_ - parts_.autopilot->estimate().p_N;
   return view;

@@ -54,6 +54,7 @@ Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
       recorder_(recorder),
       arena_(options.threads),
       objects_(world.objects),
+      traffic_(world.traffic),
       tap_(recorder),
       states_(world.entities.size()) {
   for (const auto& each : world_.phenomena) phenomena_.push_back(each.get());
@@ -61,7 +62,7 @@ Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
 
 Surroundings Stepper::surroundings(std::size_t i) const {
   return {*world_.terrain, *world_.wind, phenomena_,
-          objects_.visible_to(world_.entities[i].reality)};
+          objects_.visible_to(world_.entities[i].reality), traffic_.visible()};
 }
 
 void Stepper::introduce() {
@@ -72,6 +73,7 @@ void Stepper::introduce() {
     recorder_.record(each.object);
     if (each.body) recorder_.record(*each.body);
   }
+  for (const WorldTraffic& each : world_.traffic) recorder_.record(each.what);
   for (const Zone& zone : world_.zones)
     recorder_.record(ZoneRecord{Time(), {0, true, zone}});
 }
@@ -80,6 +82,7 @@ Result<void> Stepper::step(Time now) {
   if (due(now, options_.environment_period))
     for (const auto& each : world_.phenomena) each->advance(now);
   move_objects(now);
+  move_traffic(now);
   update_presence(now);
   update_parts(now);
   look(now);
@@ -139,6 +142,29 @@ void Stepper::move_objects(Time now) {
     objects_.remember(world_.memory->remembered());
   }
   if (due(now, options_.record_period)) objects_.record(now, recorder_);
+}
+
+void Stepper::move_traffic(Time now) {
+  if (world_.traffic.empty() && !world_.finds_aircraft) return;
+  visible_aircraft_.clear();
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const Entity& entity = world_.entities[i];
+    if (!states_[i].active || !entity.vehicle) continue;
+    VisibleAircraft& seen = visible_aircraft_.emplace_back();
+    if (const VehicleState* truth = entity.vehicle->truth()) {
+      seen.p_N = truth->p_N;
+      seen.v_N = truth->v_N;
+    } else {
+      const NavEstimate nav = entity.vehicle->estimate();
+      seen.p_N = nav.p_N;
+      seen.v_N = nav.v_N;
+    }
+    seen.address = entity.address;
+    seen.sends = entity.sends;
+    seen.entity = id_of(i);
+  }
+  traffic_.advance(now, visible_aircraft_);
+  if (due(now, options_.record_period)) traffic_.record(now, recorder_);
 }
 
 void Stepper::update_presence(Time now) {
@@ -453,6 +479,9 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     }
     Record operator()(const ConflictReport& report) {
       return ConflictRecord{now, agent, report};
+    }
+    Record operator()(const TrafficBelief& belief) {
+      return TrafficBeliefRecord{now, agent, belief};
     }
     Record operator()(const PlannerChange& change) {
       return PlannerRecord{now, agent, change};

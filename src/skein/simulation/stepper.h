@@ -14,6 +14,7 @@
 #include "skein/simulation/payload_tap.h"
 #include "skein/simulation/refusals.h"
 #include "skein/simulation/run.h"
+#include "skein/simulation/traffic_motions.h"
 #include "skein/simulation/world.h"
 
 namespace skein::simulation {
@@ -61,6 +62,7 @@ class Stepper {
 
  private:
   void move_objects(Time now);
+  void move_traffic(Time now);
   void update_presence(Time now);
   void update_parts(Time now);
   void record_reports(Time now, std::size_t i);
@@ -97,6 +99,8 @@ class Stepper {
   oneapi::tbb::task_arena arena_;
   ObjectMotions objects_;
   std::vector<Vec3> aircraft_places_, physical_places_;
+  TrafficMotions traffic_;
+  std::vector<VisibleAircraft> visible_aircraft_;  // that take part
   PayloadTap tap_;
   std::vector<ObservationRecord> observations_;
   std::vector<Event> memory_events_;

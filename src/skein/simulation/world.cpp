@@ -7,6 +7,7 @@
 #include "skein/role/phenomenon.h"
 #include "skein/role/radio.h"
 #include "skein/role/terrain.h"
+#include "skein/role/traffic_aircraft.h"
 #include "skein/role/vehicle.h"
 #include "skein/role/world_memory.h"
 #include "skein/simulation/commanded_wind.h"
@@ -24,6 +25,12 @@ WorldObject::WorldObject(GroundObject what, std::unique_ptr<MovingObject> moved)
 WorldObject::WorldObject(WorldObject&&) noexcept = default;
 WorldObject& WorldObject::operator=(WorldObject&&) noexcept = default;
 WorldObject::~WorldObject() = default;
+
+WorldTraffic::WorldTraffic(AirTraffic who, std::unique_ptr<TrafficAircraft> flown)
+    : what(std::move(who)), aircraft(std::move(flown)) {}
+WorldTraffic::WorldTraffic(WorldTraffic&&) noexcept = default;
+WorldTraffic& WorldTraffic::operator=(WorldTraffic&&) noexcept = default;
+WorldTraffic::~WorldTraffic() = default;
 
 World::World() = default;
 World::World(World&&) noexcept = default;

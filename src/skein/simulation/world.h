@@ -9,6 +9,7 @@
 #include "skein/base/time.h"
 #include "skein/data/object.h"
 #include "skein/data/observation.h"
+#include "skein/data/traffic.h"
 #include "skein/data/zone.h"
 
 namespace skein {
@@ -17,6 +18,7 @@ class MovingObject;
 class Phenomenon;
 class Radio;
 class Terrain;
+class TrafficAircraft;
 class Vehicle;
 class WorldMemory;
 }  // namespace skein
@@ -42,6 +44,8 @@ struct Entity {
   std::string kind;  ///< "aircraft" or "station"
   /// Which objects its sensors see, and how.
   EntityReality reality = entity_reality(Reality::kVirtual, Reality::kVirtual);
+  Transmitters sends;                ///< by which other aircraft may notice it
+  std::uint32_t address = 0;         ///< that it sends with them
   std::unique_ptr<Agent> agent;      ///< never null
   std::unique_ptr<Vehicle> vehicle;  ///< null for a station
   Time agent_period;                 ///< a multiple of the step
@@ -60,6 +64,18 @@ struct WorldObject {
   std::optional<PhysicalObject> body;      ///< of one that exists in reality
 };
 
+/// An aircraft that belongs to nobody who takes part.
+struct WorldTraffic {
+  WorldTraffic(AirTraffic what, std::unique_ptr<TrafficAircraft> aircraft);
+  WorldTraffic(WorldTraffic&&) noexcept;
+  WorldTraffic& operator=(WorldTraffic&&) noexcept;
+  ~WorldTraffic();
+
+  AirTraffic what;
+  std::unique_ptr<TrafficAircraft> aircraft;  ///< never null
+  Time from, until;                           ///< it is there; `until` is exclusive
+};
+
 /// Everything that exists in a run. Entity k has EntityId k.
 struct World {
   World();
@@ -73,6 +89,8 @@ struct World {
   std::unique_ptr<Radio> radio;
   std::vector<Entity> entities;
   std::vector<WorldObject> objects;
+  std::vector<WorldTraffic> traffic;
+  bool finds_aircraft = false;  ///< somebody has a sensor for other aircraft
   /// What is known of the physical ones; null where there are none.
   std::unique_ptr<WorldMemory> memory;
   std::vector<Zone> zones;  ///< in force from the start; for the records

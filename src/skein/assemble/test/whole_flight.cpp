@@ -63,6 +63,9 @@ void FlightLog::record(const Record& record) {
   if (const auto* d = std::get_if<Detection>(&record)) detections.push_back(*d);
   if (const auto* s = std::get_if<RangeScan>(&record)) scans.push_back(*s);
   if (const auto* m = std::get_if<ObjectMotion>(&record)) motions.push_back(*m);
+  if (const auto* m = std::get_if<TrafficMotion>(&record)) traffic_motions.push_back(*m);
+  if (const auto* b = std::get_if<TrafficBeliefRecord>(&record))
+    traffic_beliefs.push_back(*b);
   if (const auto* f = std::get_if<Footprint>(&record)) footprints.push_back(*f);
 }
 

@@ -12,6 +12,7 @@
 
 #include "skein/data/autopilot.h"
 #include "skein/data/event.h"
+#include "skein/data/record.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
 #include "skein/geo/rotation.h"
@@ -57,6 +58,8 @@ class FlightLog final : public Recorder {
   std::vector<Detection> detections;
   std::vector<RangeScan> scans;
   std::vector<ObjectMotion> motions;
+  std::vector<TrafficMotion> traffic_motions;
+  std::vector<TrafficBeliefRecord> traffic_beliefs;
   std::vector<Footprint> footprints;
 
  private:

@@ -80,6 +80,9 @@ struct WorldFeed::Listener {
   void operator()(const ObjectBeliefRecord& record) const {
     feed.said_.emplace_back(record.belief);
   }
+  void operator()(const TrafficBeliefRecord& record) const {
+    feed.said_.emplace_back(record.belief);
+  }
   template <class Other>
   void operator()(const Other&) const {}
 };

@@ -59,6 +59,17 @@ struct NumbersOf {
                   s.q_NB.z());
   }
   Numbers operator()(const LinkSample&) const { return {}; }
+  Numbers operator()(const TrafficBroadcast& s) const {
+    return listed(s.p_N, s.v_N, s.position_sd, s.altitude_sd, s.velocity_sd, s.address);
+  }
+  Numbers operator()(const RadarPlot& s) const {
+    return listed(s.range, s.range_sd, s.bearing, s.bearing_sd, s.elevation,
+                  s.elevation_sd);
+  }
+  Numbers operator()(const TransponderContact& s) const {
+    return listed(s.range, s.range_sd, s.bearing, s.bearing_sd, s.height.value_or(0),
+                  s.height_sd);
+  }
   Numbers operator()(const PilotInput& s) const {
     return listed(s.roll, s.pitch, s.yaw, s.throttle);
   }

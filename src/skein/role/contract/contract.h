@@ -23,6 +23,7 @@ class Plant;
 class Radio;
 class Sensor;
 class Terrain;
+class TrafficAircraft;
 class Turbulence;
 class Vehicle;
 class WindField;
@@ -53,6 +54,11 @@ Violations phenomenon_violations(const Make<Phenomenon>& make);
 /// Its place is finite and goes on as its velocity says, within what a step may change;
 /// equal ones that see the same aircraft move alike.
 Violations moving_object_violations(const Make<MovingObject>& make);
+
+/// Finite; while it is there its place goes on as its velocity says, within what a step
+/// may change, but for jumps that it says; equal ones that see the same aircraft fly
+/// alike.
+Violations traffic_violations(const Make<TrafficAircraft>& make);
 
 /// Finite gusts, the same for equal ones.
 Violations turbulence_violations(const Make<Turbulence>& make);

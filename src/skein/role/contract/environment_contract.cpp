@@ -1,10 +1,11 @@
-// Terrain, wind, phenomena, things on the ground and turbulence.
+// Terrain, wind, phenomena, things on the ground, other traffic and turbulence.
 #include <cmath>
 #include <optional>
 
 #include "skein/geo/polygon.h"
 #include "skein/role/contract/checks.h"
 #include "skein/role/moving_object.h"
+#include "skein/role/traffic_aircraft.h"
 #include "skein/role/turbulence.h"
 #include "skein/role/wind_field.h"
 
@@ -136,6 +137,41 @@ Violations moving_object_violations(const Make<MovingObject>& make) {
     }
     before = place;
     velocity = speed;
+  }
+  return checks.take();
+}
+
+Violations traffic_violations(const Make<TrafficAircraft>& make) {
+  constexpr double kStep = 0.1;         // [s]
+  constexpr double kAcceleration = 50;  // of what pilots fly [m/s^2]
+  Checks checks;
+  const auto one = make(), twin = make();
+  RandomStream random = draws(6);
+  std::optional<TrafficState> before;
+  std::vector<NoticedAircraft> aircraft;
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const Vec2 p = place_within(random, 1500), v = place_within(random, 20);
+    aircraft.push_back({EntityId{k}, {p.x(), p.y(), -100}, {v.x(), v.y(), 0}});
+  }
+  for (int i = 0; i < 6000; ++i) {
+    for (NoticedAircraft& each : aircraft) each.p_N += kStep * each.v_N;
+    const TrafficView view{Time::from_seconds(kStep * i), aircraft};
+    one->advance(view);
+    twin->advance(view);
+    const TrafficState now = one->state(), other = twin->state();
+    checks.expect(now.p_N.allFinite() && now.v_N.allFinite(), "its motion is not finite");
+    checks.expect(
+        now.p_N == other.p_N && now.v_N == other.v_N && now.phase == other.phase,
+        "two equal ones do not fly alike");
+    const bool flown =
+        before && is_there(before->phase) && now.phase == TrafficPhase::kFlies;
+    if (flown) {
+      const double fastest = std::fmax(before->v_N.norm(), now.v_N.norm());
+      checks.expect((now.p_N - before->p_N).norm() <=
+                        kStep * (fastest + kAcceleration * kStep) + 1e-6,
+                    "it moves further than its velocity says");
+    }
+    before = now;
   }
   return checks.take();
 }

@@ -33,6 +33,14 @@ Violations sensor_violations(const Make<Sensor>& make) {
   GrowingDisc fire(280, 1);
   const Phenomenon* const phenomena[] = {&fire};
   const std::vector<VisibleObject> objects = {{1, ObjectClass::kVehicle, {290, 20}}};
+  const std::vector<VisibleAircraft> aircraft = {
+      {{300, 40, -160}, {20, 5, 1}, 7, {true, true, true}, {}},
+      {{310, 30, -150}, {6, 0, 0}, 2, {}, EntityId{2}},
+      {{300, 0, -150},
+       {6, 0, 0},
+       1,
+       {true, true, true},
+       EntityId{1}}};  // itself, perhaps
   const bool payload = sensor->payload();
   Air air;
   air.wind_N = {3, -1, 0};
@@ -41,7 +49,8 @@ Violations sensor_violations(const Make<Sensor>& make) {
     fire.advance(now);
     const int looks = fire.looks();
     const VehicleState vehicle = in_flight(i);
-    const SensorView view{now, vehicle, air, terrain, phenomena, objects};
+    const SensorView view{now,       vehicle, air,          terrain,
+                          phenomena, objects, std::nullopt, aircraft};
     const SensorSample others = HeightSample{now, 1.0 * i};  // said before
     std::vector<SensorSample> said = {others}, twin_said = said;
     sensor->sample(view, said);

@@ -29,7 +29,17 @@ void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   fly({in, readings_.latest(), safety_, beliefs_, chain_.progress(), intents_}, out);
   safety_.finish(in, out);
   tasks_.report(in, out);
-  report_.step(in, context_.limits, tasks_, safety_.zones().changes_known(), out);
+  if (report_.step(in, context_.limits, tasks_, safety_.zones().changes_known(), out))
+    tell_watchers(*in.nav, out);
+}
+
+void OnboardAgent::tell_watchers(const NavEstimate& nav, AgentOutput& out) const {
+  for (const EntityId watcher : options_.watchers) {
+    Message message;
+    message.to = watcher;
+    message.content = TeamPosition{context_.self, nav};
+    out.outbox.push_back(std::move(message));
+  }
 }
 
 void OnboardAgent::fly(const TaskStep& step, AgentOutput& out) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "skein/layer/reasoning/agent/fire_readings.h"
 #include "skein/layer/reasoning/agent/flight_safety.h"
@@ -21,6 +22,8 @@ struct OnboardAgentOptions {
   SeparationOptions separation = {};
   std::optional<TaskKind> first_task = {};  ///< until an order comes
   bool takes_orders = true;
+  /// Of the team, who finds other aircraft: they are told with each report where it is.
+  std::vector<EntityId> watchers = {};
 };
 
 /// The agent on board of an aircraft, whatever its task.
@@ -46,6 +49,7 @@ class OnboardAgent final : public Agent {
 
  private:
   void fly(const TaskStep& step, AgentOutput& out);
+  void tell_watchers(const NavEstimate& nav, AgentOutput& out) const;
   double altitude_to_take_off_to(const NavEstimate& nav) const;
 
   OnboardAgentOptions options_;

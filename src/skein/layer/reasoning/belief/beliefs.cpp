@@ -19,6 +19,7 @@ void Beliefs::step(const AgentInput& in, AgentOutput& out) {
       if (const auto* seen = std::get_if<DetectionSample>(&sample))
         see(*seen, *in.nav, out);
   objects_.forget(in.now);
+  if (in.nav) traffic_.step(in, team_, out);
 }
 
 // Placed by where the aircraft was when the picture was taken.

@@ -4,6 +4,7 @@
 
 #include "skein/layer/reasoning/belief/object_memory.h"
 #include "skein/layer/reasoning/belief/team_memory.h"
+#include "skein/layer/reasoning/belief/traffic_beliefs.h"
 
 namespace skein::reasoning {
 
@@ -14,11 +15,14 @@ class Beliefs {
   explicit Beliefs(EntityId station) : station_(station) {}
 
   /// Takes in what was received and sensed, forgets what is too old, and tells the ground
-  /// station of objects that the own camera has seen, each once a second.
+  /// station of objects that the own camera has seen, each once a second. Tracks of other
+  /// traffic are recorded.
   void step(const AgentInput& in, AgentOutput& out);
 
   const ObjectMemory& objects() const { return objects_; }
   const TeamMemory& team() const { return team_; }
+  /// Aircraft around that do not belong to the team.
+  const TrafficTracker& traffic() const { return traffic_.tracker(); }
 
  private:
   void see(const DetectionSample& seen, const NavEstimate& nav, AgentOutput& out);
@@ -26,6 +30,7 @@ class Beliefs {
   EntityId station_;
   ObjectMemory objects_;
   TeamMemory team_;
+  TrafficBeliefs traffic_;
   std::map<std::uint32_t, Time> told_;  // when each object was reported last
 };
 

@@ -15,6 +15,9 @@ class TeamMemory {
   /// Takes in what was received.
   void listen(const AgentInput& in);
 
+  /// The newest of all that have reported.
+  const std::map<EntityId, NavEstimate>& members() const { return members_; }
+
   /// The newest of one of them; none: nothing was received.
   std::optional<NavEstimate> find(EntityId id) const;
 

@@ -15,10 +15,13 @@
 #include "skein/layer/sensory/height_sensor.h"
 #include "skein/layer/sensory/imu_sensor.h"
 #include "skein/layer/sensory/magnetometer.h"
+#include "skein/layer/sensory/passive_detector.h"
 #include "skein/layer/sensory/power_sensor.h"
 #include "skein/layer/sensory/rangefinder.h"
 #include "skein/layer/sensory/safety_pilot.h"
 #include "skein/layer/sensory/test/test_world.h"
+#include "skein/layer/sensory/traffic_radar.h"
+#include "skein/layer/sensory/traffic_receiver.h"
 
 namespace skein::sensory {
 namespace {
@@ -54,7 +57,10 @@ std::vector<Kind> kinds() {
           kind<Anemometer, AnemometerOptions>("anemometer", false),
           kind<Rangefinder, RangefinderOptions>("rangefinder", true),
           kind<Lidar, LidarOptions>("lidar", true),
-          kind<Camera, CameraOptions>("camera", true)};
+          kind<Camera, CameraOptions>("camera", true),
+          kind<TrafficReceiver, TrafficReceiverOptions>("ads-b-in", true),
+          kind<TrafficRadar, TrafficRadarOptions>("radar", true),
+          kind<PassiveDetector, PassiveDetectorOptions>("passive", true)};
 }
 
 TestWorld flying() {
@@ -62,6 +68,9 @@ TestWorld flying() {
   world.vehicle.p_N = {0, 0, -120};
   world.vehicle.airspeed = 20;
   world.vehicle.energy = {.charge = 0.5, .voltage = 12, .power = 100};
+  for (std::uint32_t i = 0; i < 9; ++i)
+    world.aircraft.push_back(
+        {{500, 10.0 * i, -150}, {20, 0, 0}, 100 + i, {true, true, true}, {}});
   for (std::uint32_t i = 0; i < 9; ++i)
     world.objects.push_back({.id = i, .position = {double(i) - 4, 0}});
   return world;
@@ -86,6 +95,11 @@ std::vector<double> numbers(const SensorSample& sample) {
   if (const auto* s = std::get_if<RangeSample>(&sample)) all = {s->range};
   if (const auto* s = std::get_if<DetectionSample>(&sample))
     all = {s->position.x(), s->position.y()};
+  if (const auto* s = std::get_if<TrafficBroadcast>(&sample)) add(s->p_N), add(s->v_N);
+  if (const auto* s = std::get_if<RadarPlot>(&sample))
+    all = {s->range, s->bearing, s->elevation};
+  if (const auto* s = std::get_if<TransponderContact>(&sample))
+    all = {s->range, s->bearing, s->height.value_or(0)};
   return all;
 }
 

@@ -28,10 +28,11 @@ struct TestWorld {
   VehicleState vehicle;
   Air air;
   std::vector<VisibleObject> objects;
+  std::vector<VisibleAircraft> aircraft;
 
   SensorView at(Time now) const { return at(now, ground); }
   SensorView at(Time now, const Terrain& terrain) const {
-    return {now, vehicle, air, terrain, {}, objects};
+    return {now, vehicle, air, terrain, {}, objects, std::nullopt, aircraft};
   }
 
   /// What comes out at 0, step, 2 step, ..., (steps - 1) step.

@@ -4,17 +4,13 @@
 #include <optional>
 
 #include "skein/base/time.h"
+#include "skein/data/traffic.h"
 #include "skein/geo/rotation.h"
 
 namespace skein::reasoning {
 
-/// What says where another aircraft is.
-enum class TrafficSource : std::uint8_t {
-  kBroadcast,  ///< the aircraft itself (ADS-B, FLARM)
-  kRadar,      ///< range, bearing and elevation
-  kPassive,    ///< its transponder's signal: coarse bearing and range
-};
-inline constexpr int kTrafficSources = 3;
+using skein::kTrafficSources;
+using skein::TrafficSource;
 
 /// Where another aircraft is, by one look of one source.
 struct TrafficMeasurement {

@@ -3,7 +3,8 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <limits>
+
+#include "skein/base/math.h"
 
 namespace skein::reasoning {
 namespace {
@@ -17,14 +18,45 @@ const Time kMemory = Time::from_seconds(10);
 
 // By how many standard deviations, squared, a place of the team is off.
 double distance2(const TrafficMeasurement& m, const TeamPlace& place) {
-  const Mat3 covariance = m.p_covariance + place.sd * place.sd * Mat3::Identity();
-  const Vec3 off = m.p_N - place.p_N;
+  const double sd = place.sd_at(m.time);
+  const Mat3 covariance = m.p_covariance + sd * sd * Mat3::Identity();
+  const Vec3 off = m.p_N - place.at(m.time);
   return off.dot(covariance.inverse() * off);
 }
 
-bool is_of_team(const TrafficMeasurement& m, std::span<const TeamPlace> team) {
-  return std::ranges::any_of(
-      team, [&](const TeamPlace& place) { return distance2(m, place) <= kGate2; });
+// Whether a measurement can be one of a member; without addresses it may be another's.
+bool can_be_member(const TrafficMeasurement& m, const TeamPlace& place) {
+  if (m.address && place.address)
+    return m.address == place.address &&
+           ((m.p_N - place.at(m.time)).norm() <= kAddressReach ||
+            distance2(m, place) <= kAddressGate2);
+  return distance2(m, place) <= kGate2;
+}
+
+// Two aircraft at least gave these two measurements.
+bool of_one_look(const TrafficMeasurement& a, const TrafficMeasurement& b) {
+  return a.source == b.source && a.time == b.time &&
+         !(a.address && a.address == b.address);
+}
+
+// Which measurements are of the team. A member explains one of each look of a source.
+std::vector<bool> of_team(std::span<const TrafficMeasurement> all,
+                          std::span<const TeamPlace> team) {
+  std::vector<bool> owned(all.size(), false);
+  std::vector<std::size_t> near;
+  for (const TeamPlace& place : team) {
+    near.clear();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (!owned[k] && can_be_member(all[k], place)) near.push_back(k);
+    const auto nearer = [&](std::size_t a, std::size_t b) {
+      return of_one_look(all[a], all[b]) &&
+             distance2(all[a], place) < distance2(all[b], place);
+    };
+    for (const std::size_t k : near)
+      owned[k] = std::ranges::none_of(
+          near, [&](std::size_t other) { return other != k && nearer(other, k); });
+  }
+  return owned;
 }
 
 std::optional<Time>& heard(TrafficTrack& track, TrafficSource source) {
@@ -44,11 +76,22 @@ bool can_be(const TrafficTrack& track, const TrafficMeasurement& m) {
 
 }  // namespace
 
+double TeamPlace::sd_at(Time now) const {
+  constexpr double kManoeuvre = 2;  // standard deviation of an acceleration [m/s^2]
+  // Nothing is said of its motion: it is where it is said to be.
+  if (v_N.isZero()) return sd;
+  const double age = (now - time).seconds();
+  return math::hypot(sd, kManoeuvre * age * age / 2);
+}
+
 void TrafficTracker::step(Time now, std::span<const TrafficMeasurement> measurements,
                           std::span<const TeamPlace> team) {
+  sound_.clear();
   for (const TrafficMeasurement& m : measurements)
-    if (is_sound(m) && m.time <= now && m.time > now - kMemory && !is_of_team(m, team))
-      take(m);
+    if (is_sound(m) && m.time <= now && m.time > now - kMemory) sound_.push_back(m);
+  const std::vector<bool> owned = of_team(sound_, team);
+  for (std::size_t k = 0; k < sound_.size(); ++k)
+    if (!owned[k]) take(sound_[k]);
   std::erase_if(tracks_, [&](const TrafficTrack& track) {
     return track.filter.time() <= now - kMemory;
   });

@@ -23,8 +23,16 @@ struct TrafficTrack {
 
 /// Where somebody of the own team is believed to be.
 struct TeamPlace {
-  Vec3 p_N = Vec3::Zero();  ///< [m]
-  double sd = 0;            ///< of each axis [m]
+  Vec3 p_N = Vec3::Zero();                    ///< [m]
+  double sd = 0;                              ///< of each axis, at that time [m]
+  Vec3 v_N = Vec3::Zero();                    ///< [m/s]
+  Time time = {};                             ///< of p_N
+  std::optional<std::uint32_t> address = {};  ///< that it sends, if that is known
+
+  /// Where it is believed to be at a time, if it flies on evenly.
+  Vec3 at(Time now) const { return p_N + (now - time).seconds() * v_N; }
+  /// How well that is known: it may have turned since [m].
+  double sd_at(Time now) const;
 };
 
 /// Follows the aircraft around that do not belong to the team.
@@ -32,7 +40,14 @@ struct TeamPlace {
 /// A measurement belongs to the track with its address; one without, or with one that is
 /// new, to the track that it is nearest to, no further off than 3 in 1000 true ones are,
 /// that has no other address and no measurement of the same source and time.
-/// Else it begins a track. One that is where somebody of the own team is, is left out.
+/// Else it begins a track.
+///
+/// Measurements of the own team are left out: one with the address of a member, if it is
+/// not far from where that one is; of those without an address, for each member and look
+/// of a source the nearest, if it is where the member is. An address that no member has
+/// is a stranger's, however near to one it flies. A member of which no address is known
+/// takes all that is where it is.
+///
 /// A track is firm from its third measurement on, and forgotten 10 s after its last.
 ///
 /// An address whose place has jumped further than the aircraft can have flown is a new
@@ -41,8 +56,8 @@ struct TeamPlace {
 /// Cost: the measurements of a step times the tracks.
 class TrafficTracker {
  public:
-  static constexpr int kFirm = 3;                 ///< measurements
-  static constexpr std::size_t kMaxTracks = 500;  ///< those heard last are kept
+  static constexpr int kFirm = 3;                  ///< measurements
+  static constexpr std::size_t kMaxTracks = 2000;  ///< those heard last are kept
 
   /// Takes in measurements, of which unsound ones and those older than a source's last
   /// of the same track are left out, and forgets what has not been heard for long.
@@ -55,7 +70,8 @@ class TrafficTracker {
   void take(const TrafficMeasurement& measurement);
   TrafficTrack* find(const TrafficMeasurement& measurement);
 
-  std::vector<TrafficTrack> tracks_;  // by number
+  std::vector<TrafficTrack> tracks_;       // by number
+  std::vector<TrafficMeasurement> sound_;  // of one step
   std::uint32_t last_number_ = 0;
 };
 

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/geo/local_frame.h"
+
+namespace skein::exchange {
+
+/// One place of a recorded flight.
+struct LoggedPlace {
+  double time = 0;  ///< since the start of the run [s]
+  Vec3 p_N = Vec3::Zero();
+};
+
+/// What one aircraft of a log flew.
+struct LoggedFlight {
+  std::string id;                   ///< as the log has it; empty: it has no such column
+  std::vector<LoggedPlace> places;  ///< in order of time, one at least
+};
+
+struct TrafficLog {
+  std::vector<LoggedFlight> flights;  ///< in order of their first rows, one at least
+  std::size_t rows = 0;
+  std::size_t left_out =
+      0;  ///< rows without a position, or for an aircraft on the ground
+};
+
+/// How a log is placed in a run.
+struct LogPlacement {
+  const geo::LocalFrame& frame;
+  double start_unix = 0;  ///< when the run starts, since 1970 [s]
+};
+
+/// Reads recorded flights: comma separated, the first line names the columns, in any
+/// order.
+///
+/// | columns | |
+/// |---|---|
+/// | `time_s` | since the start of the run; or `unix_s`, or `time` as OpenSky has it:
+/// since 1970 | | `north_m`, `east_m` | in the local frame; or `latitude_deg`,
+/// `longitude_deg`; or `lat`, `lon` | | `altitude_msl_m` | or `altitude_ft`; or
+/// `geoaltitude` [m], `baroaltitude` [m], the first of them that a row has | | `id` |
+/// which aircraft; or `icao24`; without it all rows are of one | | `velocity_north_mps`,
+/// `velocity_east_mps`, `climb_mps`, `ground_speed_mps`, `track_deg`; of OpenSky
+/// `velocity`, `heading`, `vertrate`, `callsign`, `onground`, `alert`, `spi`, `squawk`,
+/// `lastposupdate`, `lastcontact` | allowed; of these only `onground` is looked at |
+///
+/// Blank lines are no rows. Rows of several aircraft may be mixed; those of one come in
+/// order of time. A row with an empty position or altitude is left out, and one whose
+/// `onground` is true; the same place said twice is said once.
+///
+/// Fails: kBadInput with line and column for a header without what is needed, with a
+///        column twice or one that is not known; for rows with too few or too many cells,
+///        cells that are no finite number or out of range, and times of an aircraft that
+///        do not grow; for a log without a place.
+Result<TrafficLog> parse_traffic_log(std::string_view text, const std::string& name,
+                                     const LogPlacement& placement);
+
+/// As above, from a file.
+/// Fails: also kNotFound, and kBadInput above 200 MB.
+Result<TrafficLog> read_traffic_log(const std::filesystem::path& file,
+                                    const LogPlacement& placement);
+
+}  // namespace skein::exchange
