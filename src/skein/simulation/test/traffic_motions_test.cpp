@@ -30,7 +30,7 @@ class Turning final : public TrafficAircraft {
   TrafficState state_;
 };
 
-class Log : public Recorder {
+class MotionLog : public Recorder {
  public:
   void record(const Record& record) override {
     if (const auto* m = std::get_if<TrafficMotion>(&record)) motions.push_back(*m);
@@ -48,7 +48,7 @@ TEST(TrafficMotions, ShowAndRecordThoseThatAreThere) {
   traffic[0].until = s(20);
   TrafficMotions motions(traffic);
   const VisibleAircraft team[] = {{{1, 2, -3}, {4, 5, 6}, 3, {}, EntityId{2}}};
-  Log log;
+  MotionLog log;
   for (int i = 0; i <= 300; ++i) {
     const Time now = s(0.1 * i);
     motions.advance(now, team);

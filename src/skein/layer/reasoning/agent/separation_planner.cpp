@@ -1,6 +1,7 @@
 #include "skein/layer/reasoning/agent/separation_planner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "skein/base/check.h"
@@ -123,16 +124,22 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
     lowest_of_ = wanted_.number;
     lowest_ = lowest(wanted_.plan, *context_.map);
   }
+  list_strangers(step);
   const PathQuery query = query_of(step);
   separator_.step(
       {step.in.now, step.in.nav->p_N, step.in.nav->v_N, step.in.nav->position_sd,
-       priority_of(step.in.autopilot), query, step.safety.zones().zones()},
+       priority_of(step.in.autopilot), query, step.safety.zones().zones(), strangers_},
       wanted_, messages_);
   say(out);
   reason_ = separator_.reason();
   if (const auto& last = separator_.last_moment()) {
     Steering away{HoldCourse{last->course}, last->course, last->altitude_msl, {}};
     own_ = {0, away};
+    own_number_ = 0;
+    return &own_;
+  }
+  if (const auto& course = separator_.turn()) {
+    own_ = {0, Steering{HoldCourse{*course}, *course, -step.in.nav->p_N.z(), {}}};
     own_number_ = 0;
     return &own_;
   }
@@ -157,6 +164,25 @@ const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
   own_ = {step.intents.next(), std::move(own)};
   own_number_ = own_.number;
   return &own_;
+}
+
+// Firm tracks of those who do not belong to the team.
+void SeparationPlanner::list_strangers(const TaskStep& step) {
+  strangers_.clear();
+  for (const TrafficTrack& track : step.beliefs.traffic().tracks()) {
+    if (!is_firm(track)) continue;
+    const TrafficState state = track.filter.at(step.in.now);
+    Stranger stranger;
+    stranger.name = track.number;
+    stranger.time = step.in.now.seconds();
+    stranger.p_N = state.p_N;
+    stranger.v_N = state.v_N;
+    stranger.horizontal_sd = state.horizontal_sd();
+    stranger.vertical_sd = state.vertical_sd();
+    stranger.horizontal_speed_sd = std::sqrt(std::max(state.vv(0, 0), state.vv(1, 1)));
+    stranger.vertical_speed_sd = std::sqrt(std::max(0.0, state.vv(2, 2)));
+    strangers_.push_back(stranger);
+  }
 }
 
 FlightProgress SeparationPlanner::for_task(const FlightProgress& flown) const {

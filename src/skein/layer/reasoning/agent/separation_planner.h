@@ -45,6 +45,7 @@ class SeparationPlanner {
   PathQuery query_of(const TaskStep& step) const;
   const FlightIntent* own_flight(const FlightIntent& given, const TaskStep& step);
   void say(AgentOutput& out);
+  void list_strangers(const TaskStep& step);
 
   FlightContext context_;
   SeparationOptions options_;
@@ -62,6 +63,7 @@ class SeparationPlanner {
   bool modifies_ = false;
   std::string_view reason_;
   std::vector<Message> messages_;
+  std::vector<Stranger> strangers_;
 };
 
 }  // namespace skein::reasoning

@@ -52,6 +52,7 @@ void Separator::want(const WantedFlight& wanted) {
   plan_is_new_ = true;
   reason_ = {};
   last_moment_.reset();
+  turn_.reset();
   negotiation_.reset();
 }
 
@@ -66,6 +67,7 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
   look(step);
   open_earliest(step);
   negotiate(step);
+  avoid_strangers(step);
   inbox_.clear();
   say(step, out);
 }
@@ -75,8 +77,8 @@ void Separator::measure(const SeparationStep& step) {
   const double now = step.now.seconds();
   if ((step.now - measured_).seconds() < kPlacePeriod) return;
   measured_ = step.now;
-  if (!last_moment_ && (is_plan_ || changed_) && now >= model::start_of(own_.plan) &&
-      now <= model::end_time_of(own_.plan))
+  if (!last_moment_ && !turn_ && (is_plan_ || changed_) &&
+      now >= model::start_of(own_.plan) && now <= model::end_time_of(own_.plan))
     errors_.add(step.now, model::moment_at(own_.plan, now).p_N - step.p_N);
   const double unknown = kSigmas * step.position_sd;
   own_.across_error = half_metres(errors_.across() + unknown);
@@ -112,7 +114,7 @@ void Separator::look(const SeparationStep& step) {
 
 // @returns whether the own plan is another one now.
 bool Separator::solve(const SeparationStep& step, const Conflict& conflict) {
-  if (last_moment_) return false;
+  if (last_moment_ || turn_) return false;
   switch (method_for(conflict, step.now)) {
     case SeparationMethod::kNegotiated:  // open_earliest()
     case SeparationMethod::kGroup:
@@ -175,10 +177,10 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
     place.v_north = static_cast<float>(step.v_N.x());
     place.v_east = static_cast<float>(step.v_N.y());
     place.v_down = static_cast<float>(step.v_N.z());
-    place.plan = last_moment_ ? 0 : own_.number;
+    place.plan = last_moment_ || turn_ ? 0 : own_.number;
     out.push_back({self_, kEveryone, 0, Time(), place});
   }
-  if (last_moment_) return;
+  if (last_moment_ || turn_) return;
   if (!plan_is_new_ && (step.now - said_plan_).seconds() < kPlanPeriod) return;
   const double from = std::max(step.now.seconds(), model::start_of(own_.plan));
   if (from >= model::end_time_of(own_.plan)) return;

@@ -14,6 +14,7 @@
 #include "skein/layer/reasoning/avoidance/pairwise/pair_negotiation.h"
 #include "skein/layer/reasoning/avoidance/rules/right_of_way.h"
 #include "skein/layer/reasoning/avoidance/separator/conflict_log.h"
+#include "skein/layer/reasoning/avoidance/strangers/stranger_avoidance.h"
 #include "skein/role/path_planner.h"
 
 namespace skein::reasoning {
@@ -49,6 +50,8 @@ struct SeparationStep {
   /// What flights are planned with: limits, wind, ground; without start and goal.
   const PathQuery& query;
   std::span<const Zone> zones;  ///< no-fly
+  /// Tracks of those who do not belong to the team.
+  std::span<const Stranger> strangers = {};
 };
 
 /// To fly now instead of any plan: no time is left for one.
@@ -68,7 +71,7 @@ struct LastMoment {
 class Separator {
  public:
   Separator(EntityId self, const SeparationOptions& options)
-      : self_(self), options_(options), log_(self) {}
+      : self_(self), options_(options), log_(self), strangers_(options.reaction) {}
 
   /// Takes in what was received. At each step, on the ground too.
   void listen(Time now, std::span<const Message> inbox);
@@ -92,6 +95,10 @@ class Separator {
 
   /// What the flight was changed for last is over for some time.
   bool is_clear(Time now) const { return now.seconds() >= clear_from_; }
+
+  /// The course over ground that is flown instead of a plan, out of a stranger's way
+  /// [rad].
+  const std::optional<double>& turn() const { return turn_; }
 
   /// Why the flight is another than wanted; empty: it is not.
   std::string_view reason() const { return reason_; }
@@ -130,6 +137,11 @@ class Separator {
   PairNegotiation* negotiation_of(EntityId opener, std::uint32_t number, EntityId other);
 
   // Of what each does alone (separator_methods.cpp).
+  // Of those who say nothing (separator_strangers.cpp).
+  void avoid_strangers(const SeparationStep& step);
+  void list_strangers(const SeparationStep& step);
+
+  std::vector<PlannedFlight> rooms(const SeparationStep& step, bool higher_only) const;
   SeparationMethod method_for(const Conflict& conflict, Time now) const;
   NegotiatedConflict about(const Conflict& conflict, double begin) const;
   bool by_rule(const SeparationStep& step, const Conflict& conflict);
@@ -170,12 +182,15 @@ class Separator {
   double clear_from_ = 0;  // [s]
   std::string_view reason_;
   std::optional<LastMoment> last_moment_;
+  StrangerAvoidance strangers_;
+  std::vector<Stranger> around_;
+  std::optional<double> turn_;
   Time last_moment_until_;
   std::optional<PairNegotiation> negotiation_, last_;  // that goes on, the one before
   std::vector<Message> inbox_, answers_;
   std::map<EntityId, Waiting> waiting_;
   std::vector<Conflict> conflicts_;
-  Time looked_, said_plan_, said_place_, measured_;
+  Time looked_, avoided_, said_plan_, said_place_, measured_;
   bool plan_is_new_ = false, begun_ = false;
 };
 

@@ -121,6 +121,25 @@ bool Separator::by_priority(const SeparationStep& step, const Conflict& conflict
   return false;
 }
 
+// The room that the others' plans own.
+std::vector<PlannedFlight> Separator::rooms(const SeparationStep& step,
+                                            bool higher_only) const {
+  std::vector<PlannedFlight> all;
+  for (const TeamFlight& each : team_.flights()) {
+    if (!each.conforms(step.now) || (higher_only && has_way_over(each))) continue;
+    const Vec3 p_N = model::moment_at(each.plan, step.now.seconds()).p_N;
+    if ((p_N - step.p_N).head<2>().norm() > kNear) continue;
+    const Separation separation = separation_of(own_, each);
+    PlannedFlight flight;
+    flight.who = each.who;
+    flight.plan = each.plan;
+    flight.zone = {kRoomTime, kRoomTime, separation.horizontal + kRoom};
+    flight.height = separation.vertical + kHeightRoom;
+    all.push_back(std::move(flight));
+  }
+  return all;
+}
+
 bool Separator::around_others(const SeparationStep& step, const Conflict& conflict,
                               bool higher_only) {
   const double now = step.now.seconds();
@@ -132,18 +151,7 @@ bool Separator::around_others(const SeparationStep& step, const Conflict& confli
   if (old.empty()) return false;
   Airspace airspace;
   airspace.zones.assign(step.zones.begin(), step.zones.end());
-  for (const TeamFlight& each : team_.flights()) {
-    if (!each.conforms(step.now) || (higher_only && has_way_over(each))) continue;
-    if ((model::moment_at(each.plan, now).p_N - step.p_N).head<2>().norm() > kNear)
-      continue;
-    const Separation separation = separation_of(own_, each);
-    PlannedFlight flight;
-    flight.who = each.who;
-    flight.plan = each.plan;
-    flight.zone = {kRoomTime, kRoomTime, separation.horizontal + kRoom};
-    flight.height = separation.vertical + kHeightRoom;
-    airspace.flights.push_back(std::move(flight));
-  }
+  airspace.flights = rooms(step, higher_only);
   PathQuery query = step.query;
   const model::FlightMoment from = model::moment_at(old, begin);
   const model::FlightMoment to = model::end_of(old.back());

@@ -31,7 +31,6 @@ double vertical_sd_after(const Stranger& stranger, double t) {
 
 std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& plan,
                                                             const Stranger& stranger,
-                                                            const Separation& separation,
                                                             double now) {
   PredictedIntersection found;
   const double until = std::min(now + kLookAhead, model::end_time_of(plan));
@@ -41,8 +40,8 @@ std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& pl
     const Vec3 apart = stranger.p_N + t * stranger.v_N - model::moment_at(plan, time).p_N;
     const double h_sd = horizontal_sd_after(stranger, time - now);
     const double z_sd = vertical_sd_after(stranger, time - now);
-    const Separation kept{separation.horizontal + kSigmas * h_sd,
-                          separation.vertical + kSigmas * z_sd};
+    const Separation kept{stranger.kept.horizontal + kSigmas * h_sd,
+                          stranger.kept.vertical + kSigmas * z_sd};
     const double ratio = kept.ratio(apart.head<2>().norm(), std::abs(apart.z()));
     if (ratio >= 1) continue;
     if (!inside) found.begin = time;

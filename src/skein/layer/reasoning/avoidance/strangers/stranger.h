@@ -22,6 +22,10 @@ struct Stranger {
   /// direction, and up and down.
   double horizontal_sd = 0, horizontal_speed_sd = 0;
   double vertical_sd = 0, vertical_speed_sd = 0;
+  /// What is kept to it.
+  Separation kept = {609.6, 76.2};
+  /// Well clear is kept of it too: it may carry people.
+  bool keeps_well_clear = true;
 };
 
 /// How well a stranger's place is known some seconds later, when it may accelerate:
@@ -50,7 +54,6 @@ struct PredictedIntersection {
 /// Reference: spec/team.md section 8.
 std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& plan,
                                                             const Stranger& stranger,
-                                                            const Separation& separation,
                                                             double now);
 
 /// The room that is kept free of the own flight: a cylinder that moves with the stranger,

@@ -30,14 +30,15 @@ bool StrangerAvoidance::plan_around(const StrangerView& view) {
   airspace.zones.assign(view.zones.begin(), view.zones.end());
   airspace.flights.assign(view.rooms.begin(), view.rooms.end());
   for (const Stranger& stranger : view.strangers) {
-    auto meeting = predicted_intersection(view.plan, stranger, view.kept, view.now);
+    auto meeting = predicted_intersection(view.plan, stranger, view.now);
     if (!meeting) {
       // Not on the plan's way, but perhaps on that around another.
       meeting.emplace();
       meeting->begin = view.now;
       meeting->end = view.now + kAhead;
-      meeting->kept = {view.kept.horizontal + 2 * horizontal_sd_after(stranger, kSpread),
-                       view.kept.vertical + 2 * vertical_sd_after(stranger, kSpread)};
+      meeting->kept = {
+          stranger.kept.horizontal + 2 * horizontal_sd_after(stranger, kSpread),
+          stranger.kept.vertical + 2 * vertical_sd_after(stranger, kSpread)};
     }
     airspace.movers.push_back(room_of(stranger, *meeting));
   }
@@ -67,6 +68,7 @@ bool StrangerAvoidance::must_turn(const StrangerView& view) {
                                                      : geo::bearing(view.v_N.head<2>());
   intruders_.clear();
   for (const Stranger& each : view.strangers) {
+    if (!each.keeps_well_clear) continue;
     const double age = view.now - each.time;
     intruders_.push_back({each.name,
                           {each.p_N + age * each.v_N, each.v_N},
@@ -86,7 +88,7 @@ StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
   const bool turn = must_turn(view);
   std::optional<PredictedIntersection> first;
   for (const Stranger& stranger : view.strangers) {
-    const auto meeting = predicted_intersection(view.plan, stranger, view.kept, view.now);
+    const auto meeting = predicted_intersection(view.plan, stranger, view.now);
     if (!meeting || meeting->ratio >= kInside) continue;
     if (first && first->begin <= meeting->begin) continue;
     first = meeting;

@@ -19,7 +19,6 @@ struct StrangerView {
   const FlightPlan& plan;   ///< that is flown
   double rejoins = 0;       ///< where that must be met again [s]
   std::span<const Stranger> strangers;
-  Separation kept;                       ///< to strangers
   const PathQuery& query;                ///< limits, wind, ground
   std::span<const Zone> zones;           ///< no-fly
   std::span<const PlannedFlight> rooms;  ///< of planned flights of the team

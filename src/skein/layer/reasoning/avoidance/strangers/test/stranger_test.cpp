@@ -9,8 +9,6 @@
 namespace skein::reasoning {
 namespace {
 
-const Separation kWellClear = *separation_named("well-clear");
-
 FlightPlan north() {
   FlightElement e;
   e.duration = 200;
@@ -37,7 +35,7 @@ TEST(Stranger, ItsPlaceIsLessAndLessKnown) {
 }
 
 TEST(Stranger, AHeadOnIsPredictedWhereTheTwoMeet) {
-  const auto meeting = predicted_intersection(north(), head_on(), kWellClear, 0);
+  const auto meeting = predicted_intersection(north(), head_on(), 0);
   ASSERT_TRUE(meeting);
   EXPECT_NEAR(meeting->closest_time, 40, 1);
   EXPECT_LT(meeting->begin, 32);  // 610 m before at 60 m/s, and what is not known
@@ -47,15 +45,15 @@ TEST(Stranger, AHeadOnIsPredictedWhereTheTwoMeet) {
 TEST(Stranger, WhoPassesFarAwayIsNone) {
   Stranger stranger = head_on();
   stranger.p_N.y() = 3000;
-  EXPECT_FALSE(predicted_intersection(north(), stranger, kWellClear, 0));
+  EXPECT_FALSE(predicted_intersection(north(), stranger, 0));
   stranger = head_on();
   stranger.p_N.z() = -600;
-  EXPECT_FALSE(predicted_intersection(north(), stranger, kWellClear, 0));
+  EXPECT_FALSE(predicted_intersection(north(), stranger, 0));
 }
 
 // The room is blocked where the intersection is, and moves along.
 TEST(Stranger, TheRoomMovesWithIt) {
-  const auto meeting = predicted_intersection(north(), head_on(), kWellClear, 0);
+  const auto meeting = predicted_intersection(north(), head_on(), 0);
   Airspace airspace;
   airspace.movers.push_back(room_of(head_on(), *meeting));
   PathQuery query;
