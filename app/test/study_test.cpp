@@ -1,8 +1,10 @@
 // Studies: going on after an interrupt, running again what changed, checking rows.
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "app/test/program.h"
 
@@ -26,6 +28,48 @@ TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
   EXPECT_EQ(summary.at("state"), "complete");
   EXPECT_EQ(run({"study", "elephants"}).status, 2);
   EXPECT_EQ(run({"study", "monitoring", "--estimators", "elephant"}).status, 2);
+}
+
+// Two that meet head-on in a cross wind, and two that never do.
+constexpr const char* kMeetings =
+    "case,wind_north_mps,wind_east_mps,aircraft,start_north_m,start_east_m,start_down_m,"
+    "goal_north_m,goal_east_m,goal_down_m,airspeed_mps\n"
+    "head-on-1,0,4,1,0,0,-200,4000,0,-200,20\n"
+    "head-on-1,0,4,2,4000,10,-198,0,10,-198,18\n"
+    "apart-1,0,0,1,0,0,-200,2000,0,-200,20\n"
+    "apart-1,0,0,2,0,900,-200,2000,900,-200,20\n";
+
+TEST_F(Program, StudiesHowAircraftKeepApart) {
+  const auto file = write("meetings.csv", kMeetings).string();
+  const auto rows = [&](const std::string& method, const std::string& out) {
+    const Finished done = run({"study", "avoidance", "--cases", file, "--method", method,
+                               "--loss", "0.3", "--out", out});
+    EXPECT_EQ(done.status, 0) << done.err;
+    std::map<std::string, std::vector<std::string>> all;
+    std::istringstream lines(read_file(folder_ / out));
+    for (std::string line; std::getline(lines, line);) {
+      std::vector<std::string> cells;
+      std::istringstream row(line);
+      for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+      all[cells.at(0)] = cells;
+    }
+    return all;
+  };
+  const auto none = rows("none", "none.csv");
+  EXPECT_EQ(none.at("head-on-1").at(4), "1") << "they meet where nothing is done";
+  for (const std::string method : {"auto", "negotiated", "priority", "rule"}) {
+    const auto kept = rows(method, method + ".csv");
+    EXPECT_EQ(kept.at("head-on-1").at(4), "0") << method;
+    EXPECT_EQ(kept.at("head-on-1").at(9), "2") << method << ": both arrive";
+    EXPECT_EQ(kept.at("apart-1").at(4), "0");
+    EXPECT_LT(std::abs(std::stod(kept.at("apart-1").at(7))), 0.5) << "nothing to be done";
+  }
+  const Finished bad =
+      run({"study", "avoidance", "--cases", write("bad.csv", "case,aircraft\n").string(),
+           "--out", "b.csv"});
+  EXPECT_NE(bad.status, 0);
+  EXPECT_NE(bad.err.find("start_north_m"), std::string::npos) << bad.err;
+  EXPECT_EQ(run({"study", "avoidance"}).status, 2);
 }
 
 TEST_F(Program, AStudyReportsEachRun) {

@@ -150,6 +150,7 @@ export interface Loiter {
 export interface FlyTo {
   north_m: number | null; // the point
   east_m: number | null; // the point
+  altitude_msl_m: number | null; // reached evenly until there; null: the height over ground that the aircraft flies at
 }
 
 /** Follow the real edge of the fire with the in/out sensor. */
@@ -354,13 +355,89 @@ export interface Sighting {
   class: "person" | "animal" | "vehicle" | "structure"; // what it is
 }
 
+/** The flight that the sender flies. */
+export interface PlanReport {
+  plan_number: number; // the newest counts
+  agreed: number; // number of the negotiation it comes from; 0: none
+  priority: "normal" | "cannot-manoeuvre" | "manned" | "pilot-flies" | "emergency"; // who flies on where two meet
+  horizontal_m: number; // separation that it keeps
+  vertical_m: number; // the same, up and down
+  across_error_m: number; // how far it is off its plan
+  height_error_m: number; // the same, up and down
+  flight: number[]; // its pieces, coded
+}
+
+/** Where the sender is. */
+export interface PlaceReport {
+  north_m: number; // position
+  east_m: number; // position
+  down_m: number; // position
+  v_north_mps: number; // over ground
+  v_east_mps: number; // over ground
+  v_down_mps: number; // over ground
+  plan_number: number; // the plan that it flies; 0: none
+}
+
+/** The sender and the receiver will not be apart. */
+export interface ConflictNotice {
+  negotiation: number; // counts those of the sender
+  own_plan: number; // number of the sender's plan
+  other_plan: number; // number of the receiver's plan
+  begin_s: number; // what is agreed on begins then
+  meets_s: number; // when they come too near
+  closest_s: number; // when they are closest
+  apart_s: number; // when they are apart again
+  horizontal_m: number; // that the two have to keep
+  vertical_m: number; // the same, up and down
+}
+
+/** Something that can be done, and its cost. */
+export interface OfferedManoeuvre {
+  manoeuvre: number; // which kind
+  amount: number; // how much of it
+  lead: number; // how long before the conflict
+  cost_s: number; // to the sender
+}
+
+/** All that the sender can do about a conflict. */
+export interface Offers {
+  opener: number; // who has opened the negotiation
+  negotiation: number; // its number
+  strength: number; // of the manoeuvres
+  rejoins_s: number; // where its plan must be met again
+  airspeed_mps: number; // cruise
+  turn_radius_m: number; // smallest, at cruise
+  slowest_mps: number; // level flight
+  fastest_mps: number; // level flight
+  climb_mps: number; // largest
+  sink_mps: number; // largest
+  acceleration_mps2: number; // largest change of the climb rate
+  manoeuvres: OfferedManoeuvre[]; // what it can do
+}
+
+/** The sender flies its part of what comes out. */
+export interface Acceptance {
+  opener: number; // who has opened the negotiation
+  negotiation: number; // its number
+  strength: number; // of the offers
+  of_opener: number; // which of its manoeuvres
+  of_other: number; // which of the other's
+}
+
+/** The sender does not negotiate now. */
+export interface Busy {
+  opener: number; // who has opened the negotiation
+  negotiation: number; // its number
+  other_plan: boolean; // its plan is another one
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived
@@ -915,6 +992,22 @@ export interface Observation {
   entity_id: number; // who saw it
   source: "none" | "virtual" | "physical" | "both"; // of the sensor: physical or virtual
   fate: "remembered" | "late" | "refused" | "expired" | "not-found"; // what became of it
+}
+
+/** A conflict between two aircraft that is over, as one of them saw it. */
+export interface Conflict {
+  time_s: number; // when it was over
+  entity_id: number; // who saw it
+  other_id: number; // with whom
+  seen_s: number; // when it was seen first
+  meets_s: number; // when they would have come too near
+  method: "none" | "rule" | "priority" | "negotiated" | "group" | "non-cooperative" | "auto"; // the last that acted
+  outcome: string; // what was done
+  messages: number; // that the aircraft sent about it
+  bytes: number; // of them
+  fixed_before_s: number | null; // between the plan that solved it and the conflict
+  planned_ratio: number | null; // least distance over separation, as planned in the end
+  flown_ratio: number | null; // the same as flown, by what both reported
 }
 
 /** An aircraft that belongs to nobody who takes part (traffic). */

@@ -125,28 +125,31 @@ Result<std::vector<AvoidanceCase>> read_avoidance_cases(
   if (!in)
     return Error{ErrorCode::kUnavailable, file.string(), "cannot be read.",
                  "Is the path right?"};
+  return read_avoidance_cases(in, file.filename().string());
+}
+
+Result<std::vector<AvoidanceCase>> read_avoidance_cases(std::istream& in,
+                                                        const std::string& name) {
   std::vector<AvoidanceCase> cases;
-  const std::vector<Error> problems =
-      read_csv(in, file.filename().string(), kColumns, [&](CsvRow& row) {
-        const std::string name(row.text("case"));
-        const auto start = place(row, "start_north_m", "start_east_m", "start_down_m");
-        const auto goal = place(row, "goal_north_m", "goal_east_m", "goal_down_m");
-        const auto airspeed = row.number("airspeed_mps");
-        if (name.empty()) row.report("case", "is empty.");
-        if (airspeed && !(*airspeed > 0 && *airspeed <= 500))
-          row.report("airspeed_mps", "must be above 0 and at most 500.");
-        if (!start || !goal || !airspeed) return;
-        if ((*start - *goal).head<2>().norm() < 1)
-          row.report("goal_north_m", "start and goal are at one place.");
-        if (cases.empty() || cases.back().name != name) cases.push_back({name, {}, {}});
-        AvoidanceCase& one = cases.back();
-        one.wind = {row.number_if_given("wind_north_mps").value_or(0),
-                    row.number_if_given("wind_east_mps").value_or(0)};
-        one.aircraft.push_back({*start, *goal, *airspeed});
-      });
+  const std::vector<Error> problems = read_csv(in, name, kColumns, [&](CsvRow& row) {
+    const std::string which(row.text("case"));
+    const auto start = place(row, "start_north_m", "start_east_m", "start_down_m");
+    const auto goal = place(row, "goal_north_m", "goal_east_m", "goal_down_m");
+    const auto airspeed = row.number("airspeed_mps");
+    if (which.empty()) row.report("case", "is empty.");
+    if (airspeed && !(*airspeed > 0 && *airspeed <= 500))
+      row.report("airspeed_mps", "must be above 0 and at most 500.");
+    if (!start || !goal || !airspeed) return;
+    if ((*start - *goal).head<2>().norm() < 1)
+      row.report("goal_north_m", "start and goal are at one place.");
+    if (cases.empty() || cases.back().name != which) cases.push_back({which, {}, {}});
+    AvoidanceCase& one = cases.back();
+    one.wind = {row.number_if_given("wind_north_mps").value_or(0),
+                row.number_if_given("wind_east_mps").value_or(0)};
+    one.aircraft.push_back({*start, *goal, *airspeed});
+  });
   if (!problems.empty()) return problems.front();
-  if (cases.empty())
-    return Error{ErrorCode::kBadInput, file.string(), "has no cases.", ""};
+  if (cases.empty()) return Error{ErrorCode::kBadInput, name, "has no cases.", ""};
   return cases;
 }
 

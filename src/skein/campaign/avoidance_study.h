@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,6 +35,9 @@ struct AvoidanceCase {
 /// be read.
 Result<std::vector<AvoidanceCase>> read_avoidance_cases(
     const std::filesystem::path& file);
+/// The same of a text. @param name  what messages call it.
+Result<std::vector<AvoidanceCase>> read_avoidance_cases(std::istream& in,
+                                                        const std::string& name);
 
 /// How the cases are flown.
 struct AvoidanceStudy {
