@@ -51,8 +51,6 @@ void Separator::want(const WantedFlight& wanted) {
   changed_ = false;
   plan_is_new_ = true;
   reason_ = {};
-  last_moment_.reset();
-  turn_.reset();
   negotiation_.reset();
 }
 

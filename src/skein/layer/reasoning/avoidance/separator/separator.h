@@ -139,7 +139,6 @@ class Separator {
   // Of what each does alone (separator_methods.cpp).
   // Of those who say nothing (separator_strangers.cpp).
   void avoid_strangers(const SeparationStep& step);
-  void list_strangers(const SeparationStep& step);
 
   std::vector<PlannedFlight> rooms(const SeparationStep& step, bool higher_only) const;
   SeparationMethod method_for(const Conflict& conflict, Time now) const;
@@ -183,7 +182,6 @@ class Separator {
   std::string_view reason_;
   std::optional<LastMoment> last_moment_;
   StrangerAvoidance strangers_;
-  std::vector<Stranger> around_;
   std::optional<double> turn_;
   Time last_moment_until_;
   std::optional<PairNegotiation> negotiation_, last_;  // that goes on, the one before

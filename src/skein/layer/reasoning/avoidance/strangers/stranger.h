@@ -12,8 +12,7 @@ namespace skein::reasoning {
 /// Another aircraft whose plans are not known: it is where a track or its own reports
 /// say, and is expected to go straight on.
 struct Stranger {
-  /// Names it from step to step: tracks by their number, members of the team whose plan
-  /// does not count by their id with the uppermost bit set.
+  /// Names it from step to step: the number of its track.
   std::uint32_t name = 0;
   double time = 0;          ///< that the rest is of [s]
   Vec3 p_N = Vec3::Zero();  ///< [m]
@@ -24,8 +23,6 @@ struct Stranger {
   double vertical_sd = 0, vertical_speed_sd = 0;
   /// What is kept to it.
   Separation kept = {609.6, 76.2};
-  /// Well clear is kept of it too: it may carry people.
-  bool keeps_well_clear = true;
 };
 
 /// How well a stranger's place is known some seconds later, when it may accelerate:

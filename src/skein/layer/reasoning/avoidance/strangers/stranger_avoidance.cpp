@@ -68,7 +68,6 @@ bool StrangerAvoidance::must_turn(const StrangerView& view) {
                                                      : geo::bearing(view.v_N.head<2>());
   intruders_.clear();
   for (const Stranger& each : view.strangers) {
-    if (!each.keeps_well_clear) continue;
     const double age = view.now - each.time;
     intruders_.push_back({each.name,
                           {each.p_N + age * each.v_N, each.v_N},

@@ -17,8 +17,7 @@ class Sky {
   Sky(SeparationMethod method, double loss = 0, double delay = 0)
       : method_(method), loss_(loss), delay_(delay) {}
 
-  /// @param drift  velocity with which it leaves its plan, and does not say so [m/s].
-  void add(const Vec3& from, const Vec3& to, const Vec3& drift = Vec3::Zero()) {
+  void add(const Vec3& from, const Vec3& to) {
     const EntityId id{static_cast<std::uint32_t>(all_.size() + 1)};
     SeparationOptions options;
     options.method = method_;
@@ -30,7 +29,6 @@ class Sky {
     e.duration = (to - from).head<2>().norm() / e.airspeed;
     e.climb_rate = -(to - from).z() / e.duration;
     all_.back()->wanted = {1, {e}, {e.duration}};
-    all_.back()->drift = drift;
     all_.back()->now = {from, e.airspeed * Vec3(1, 0, 0)};
   }
 
@@ -47,7 +45,7 @@ class Sky {
         if (t > model::end_time_of(plan)) continue;
         flying = true;
         const model::FlightMoment m = model::moment_at(plan, t + 0.5);
-        a.now = {m.p_N + (t + 0.5) * a.drift, m.v_N + a.drift};
+        a.now = {m.p_N, m.v_N};
         for (std::size_t j = 0; j < i; ++j)
           if (t <= model::end_time_of(all_[j]->separator.plan()))
             least = std::min(least, ratio(a, *all_[j]));
@@ -75,7 +73,6 @@ class Sky {
     Separator separator;
     WantedFlight wanted;
     Moving now;
-    Vec3 drift = Vec3::Zero();
     std::vector<Message> inbox;
   };
   struct Sent {
@@ -162,18 +159,6 @@ TEST(Separator, LossAndDelayAreNormal) {
       Sky sky = head_on(SeparationMethod::kAuto, loss, delay);
       EXPECT_GE(sky.fly(), 1) << loss << " " << delay;
     }
-}
-
-// Its plan passes 400 m beside; where it flies, it does not.
-TEST(Separator, AMemberThatLeavesItsPlanIsKeptOutOfTheWayOf) {
-  const auto fly = [](SeparationMethod method) {
-    Sky sky(method);
-    sky.add(Vec3(0, 0, -100), Vec3(4000, 0, -100));
-    sky.add(Vec3(4000, 400, -100), Vec3(0, 400, -100), Vec3(0, -4, 0));
-    return sky.fly();
-  };
-  EXPECT_LT(fly(SeparationMethod::kNegotiated), 0.5) << "plans alone do not show it";
-  EXPECT_GE(fly(SeparationMethod::kAuto), 1);
 }
 
 TEST(Separator, ManyOnACircleAreKeptApart) {
