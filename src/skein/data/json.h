@@ -15,8 +15,9 @@
 
 /// Described values as JSON, in the units of their descriptions: one object a value, with
 /// the names of the columns of the run database. A list is an array, a choice an object
-/// whose "kind" says what was chosen; of a nameless choice kind and fields stand among
-/// the others. Numbers that are not finite are null, and null leaves a field as it is.
+/// whose "kind" says what was chosen, with a "value" where that has a kind of its own; of
+/// a nameless choice kind and fields stand among the others. Numbers that are not finite
+/// are null, and null leaves a field as it is.
 ///
 /// Includes all of the JSON library: for source files only.
 namespace skein::json {
@@ -33,6 +34,16 @@ constexpr std::string_view alternative_kind() {
     return kind_of<T>();
   else
     return "ring";  // the only bare list among alternatives: corners of an area
+}
+
+/// Whether a value has a field of its own that is called "kind": as an alternative of a
+/// choice it stands under "value" then, so that both are kept.
+template <class T>
+constexpr bool has_own_kind() {
+  bool found = false;
+  if constexpr (Described<T>)
+    for_each_field<T>([&](const auto& f) { found = found || f.name == "kind"; });
+  return found;
 }
 
 namespace detail {
@@ -52,7 +63,9 @@ void put_fields(Json& object, std::string_view prefix, const T& value);
 template <class T>
 void put_alternative(Json& object, const T& chosen) {
   object["kind"] = alternative_kind<T>();
-  if constexpr (Described<T>)
+  if constexpr (has_own_kind<T>())
+    object["value"] = item(chosen);
+  else if constexpr (Described<T>)
     put_fields(object, "", chosen);
   else
     object["points"] = item(chosen);
@@ -238,7 +251,9 @@ class Taker {
       if (known || *kind != alternative_kind<T>()) return;
       known = true;
       T& chosen = value.template emplace<T>();
-      if constexpr (Described<T>)
+      if constexpr (has_own_kind<T>())
+        from.take_one("value", chosen);
+      else if constexpr (Described<T>)
         from.take_fields("", chosen);
       else
         from.take_one("points", chosen);

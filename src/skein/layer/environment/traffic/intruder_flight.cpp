@@ -1,6 +1,7 @@
 #include "skein/layer/environment/traffic/intruder_flight.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace skein::environment {
 namespace {
@@ -8,6 +9,7 @@ namespace {
 constexpr double kMaxStep = 0.25;  // [s]
 constexpr double kCatchUp = 10;    // time constant of closing up from behind [s]
 constexpr double kNear = 1;        // its direction is none [m]
+constexpr double kBrakes = 0.4;    // of its acceleration, while it closes up
 
 }  // namespace
 
@@ -28,8 +30,10 @@ void IntruderFlight::aim(const NoticedAircraft& other) {
   const double lead = std::min(away / options_.fastest, options_.lead);
   const Vec2 to_go = station + lead * velocity - here;
   if (to_go.norm() > kNear) setpoint_.course = geo::bearing(to_go);
-  setpoint_.speed =
-      std::clamp(speed + away / kCatchUp, options_.slowest, options_.fastest);
+  // No faster than what it can brake in time, or it would fly past and circle back.
+  const double closing = std::min(
+      away / kCatchUp, std::sqrt(2 * kBrakes * options_.limits.acceleration * away));
+  setpoint_.speed = std::clamp(speed + closing, options_.slowest, options_.fastest);
   setpoint_.altitude = -other.p_N.z() + options_.above;
 }
 
