@@ -79,7 +79,7 @@ class Flight {
 };
 
 // Climbs or sinks from the start on until an altitude is reached.
-FlightPlan reaching(FlightPlan plan, double down, const FlightLimits& limits) {
+FlightPlan reaching(const FlightPlan& plan, double down, const FlightLimits& limits) {
   FlightPlan climbed;
   for (FlightElement e : plan) {
     if (!climbed.empty()) e.p_N.z() = model::end_of(climbed.back()).p_N.z();
@@ -172,9 +172,9 @@ FlightPlan expected_flight(const FlightIntent& intent, std::size_t passed,
   Flight flight(nav, air, now);
   Expectation expectation(flight, context, nav, passed, duration);
   std::visit(expectation, intent.what);
-  FlightPlan plan = flight.take();
+  const FlightPlan plan = flight.take();
   if (expectation.altitude_msl)
-    return reaching(std::move(plan), -*expectation.altitude_msl, context.limits);
+    return reaching(plan, -*expectation.altitude_msl, context.limits);
   return at_height_over_ground(plan, context, context.altitude_agl, nav.p_N.z());
 }
 

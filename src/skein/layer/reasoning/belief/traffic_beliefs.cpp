@@ -21,6 +21,8 @@ template <class... Handlers>
 struct Either : Handlers... {
   using Handlers::operator()...;
 };
+template <class... Handlers>
+Either(Handlers...) -> Either<Handlers...>;
 
 double with_heading(double sd) {
   return math::hypot(sd, kHeadingSd);

@@ -40,7 +40,7 @@ class Concessions {
   explicit Concessions(const Bargain& bargain) : bargain_(bargain) {}
 
   std::optional<Agreement> run() {
-    for (const int side : {0, 1}) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const auto first = best_for(side, [](const Deal&) { return true; });
       if (!first) return std::nullopt;
       proposal_[side] = *first;
@@ -51,23 +51,23 @@ class Concessions {
         agreement.deal = *deal;
         return agreement;
       }
-      concede(risk(0) <= risk(1) ? 0 : 1);
+      concede(risk(0) <= risk(1) ? std::size_t{0} : std::size_t{1});
       ++agreement.rounds;
     }
   }
 
  private:
-  double utility(int side, const Deal& deal) const {
+  double utility(std::size_t side, const Deal& deal) const {
     return side == 0 ? bargain_.u1[deal.k] : bargain_.u2[deal.l];
   }
   double product(const Deal& deal) const { return utility(0, deal) * utility(1, deal); }
 
   // Whether the other's proposal gives at least what the own does.
-  bool is_content(int side) const {
+  bool is_content(std::size_t side) const {
     return utility(side, proposal_[1 - side]) >= utility(side, proposal_[side]);
   }
   // Above 0 is what it divides by: who asks for nothing is content.
-  double risk(int side) const {
+  double risk(std::size_t side) const {
     if (is_content(side)) return 0;
     const double own = utility(side, proposal_[side]);
     return (own - utility(side, proposal_[1 - side])) / own;
@@ -85,7 +85,7 @@ class Concessions {
   // The best for a side among free pairs; of equal ones the better one for the other,
   // then the lowest k, l.
   template <class Allowed>
-  std::optional<Deal> best_for(int side, Allowed&& allowed) {
+  std::optional<Deal> best_for(std::size_t side, Allowed&& allowed) {
     std::optional<Deal> found;
     for_each_free(bargain_, [&](const Deal& deal) {
       if (found) {
@@ -98,7 +98,7 @@ class Concessions {
     return found;
   }
 
-  void concede(int side) {
+  void concede(std::size_t side) {
     const Deal last = proposal_[side];
     const double given = utility(1 - side, last);
     const auto next = best_for(side, [&](const Deal& deal) {

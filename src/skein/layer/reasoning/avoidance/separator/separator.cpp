@@ -104,8 +104,10 @@ void Separator::look(const SeparationStep& step) {
     conflicts_ = finder_.find(step.now, own_, team_.flights(), until);
     log_.see(step.now, conflicts_);
     bool solved = false;
-    for (const Conflict& conflict : conflicts_)
-      if ((solved = solve(step, conflict))) break;
+    for (const Conflict& conflict : conflicts_) {
+      solved = solve(step, conflict);
+      if (solved) break;
+    }
     if (!solved) break;
   }
 }
