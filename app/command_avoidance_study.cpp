@@ -45,7 +45,7 @@ Result<record::RunSummary> fly(const campaign::BatchItem& item,
                                const campaign::AvoidanceStudy& study,
                                const assemble::KindRegistry& kinds,
                                const std::atomic<bool>& stop) {
-  campaign::AvoidanceWatch watch(flown, study.separation);
+  campaign::AvoidanceWatch watch(flown, campaign::separation_of(study, flown));
   std::vector<double> longest(flown.aircraft.size() + 1, 0);
   assemble::QuietRun how;
   how.version = kVersion;
@@ -88,6 +88,7 @@ Result<campaign::AvoidanceStudy> study_of(const StudyArguments& arguments) {
   study.loss = how.loss;
   study.delay = how.delay;
   study.range = how.range;
+  study.tracks = how.tracks;
   study.turbulence = how.turbulence;
   study.seed = arguments.first_seed;
   if (const auto named = separation_named(how.separation)) {

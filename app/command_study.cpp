@@ -199,7 +199,7 @@ const std::vector<StudyKind>& study_kinds() {
        "aircraft that will meet, flown to the end: how near they come and what that "
        "costs",
        {"--out", "--log", "--cases", "--only-cases", "--first-seed", "--threads",
-        "--method", "--plant", "--loss", "--delay", "--range", "--turbulence",
+        "--method", "--plant", "--loss", "--delay", "--range", "--tracks", "--turbulence",
         "--separation", "--wind-from"},
        avoidance_study},
       {"tuning",

@@ -30,8 +30,9 @@ struct RunArguments {
 struct AvoidanceArguments {
   std::string method = "auto";
   std::string plant = "path";
-  double loss = 0, delay = 0;  ///< of messages; [s]
-  double range = 0;            ///< of the radio [m]; 0: no limit
+  double loss = 0, delay = 0;      ///< of messages; [s]
+  double range = 0;                ///< of radio and traffic sensors [m]; 0: their own
+  std::string tracks = "perfect";  ///< of strangers
   std::string turbulence = "none";
   std::string separation = "team";  ///< by name
   std::vector<double> wind;  ///< speed [m/s] and direction [deg] that it comes from

@@ -368,9 +368,10 @@ Command add_study(CLI::App& program) {
                       "estimators: whole updates, rows of this CSV.");
   AvoidanceArguments& avoidance = study->avoidance;
   command
-      ->add_option("--method", avoidance.method,
-                   "avoidance: none, rule, priority, negotiated or auto (default).")
-      ->check(CLI::IsMember({"none", "rule", "priority", "negotiated", "auto"}));
+      ->add_option(
+          "--method", avoidance.method,
+          "avoidance: none, rule, priority, negotiated, group or auto (default).")
+      ->check(CLI::IsMember({"none", "rule", "priority", "negotiated", "group", "auto"}));
   command
       ->add_option(
           "--plant", avoidance.plant,
@@ -380,8 +381,17 @@ Command add_study(CLI::App& program) {
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--delay", avoidance.delay, "avoidance: of messages [s].")
       ->check(CLI::Range(0.0, 60.0));
-  command->add_option("--range", avoidance.range, "avoidance: of the radio [m]; 0: all.")
+  command
+      ->add_option(
+          "--range", avoidance.range,
+          "avoidance: of the radio, and of sensors for strangers [m]; 0: their own.")
       ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option(
+          "--tracks", avoidance.tracks,
+          "avoidance: how strangers are found: perfect (default), adsb, passive or "
+          "radar.")
+      ->check(CLI::IsMember({"perfect", "adsb", "passive", "radar"}));
   command
       ->add_option("--turbulence", avoidance.turbulence,
                    "avoidance: none (default), light, moderate or severe.")

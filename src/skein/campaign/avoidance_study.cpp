@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
 #include "skein/base/math.h"
-#include "skein/campaign/csv_rows.h"
 #include "skein/campaign/data_fingerprint.h"
 #include "skein/scenario/named_files.h"
 #include "skein/scenario/scenario_file.h"
@@ -17,20 +15,11 @@
 namespace skein::campaign {
 namespace {
 
-constexpr std::array<std::string_view, 9> kColumns = {
-    "case",         "aircraft",    "start_north_m", "start_east_m", "start_down_m",
-    "goal_north_m", "goal_east_m", "goal_down_m",   "airspeed_mps"};
 constexpr double kSlowest = 15, kFastest = 25;  // of the aircraft of the cases [m/s]
+constexpr double kFasterGlider = 18;            // are aerosondes [m/s]
 constexpr double kTurnRadius = 60;              // [m]
 constexpr double kClimb = 3;                    // [m/s]
 constexpr double kSlack = 1.6, kMoreTime = 60;  // of the time that a run may take, [s]
-
-std::optional<Vec3> place(CsvRow& row, const char* north, const char* east,
-                          const char* down) {
-  const auto n = row.number(north), e = row.number(east), d = row.number(down);
-  if (!n || !e || !d) return std::nullopt;
-  return Vec3(*n, *e, *d);
-}
 
 double degrees(double radians) {
   return radians * 180 / geo::kPi;
@@ -45,18 +34,50 @@ double heading_of(const AvoidanceAircraft& aircraft, const Vec2& wind) {
          math::asin(std::clamp(across / aircraft.airspeed, -1.0, 1.0));
 }
 
-std::string plant_of(const AvoidanceStudy& study, const AvoidanceAircraft& aircraft) {
+// The sensor for strangers; none where there is nobody to find.
+std::string sensor_of(const AvoidanceStudy& study) {
+  const std::string range =
+      study.range > 0 ? fmt::format(", range_m: {:.17g}", study.range) : "";
+  if (study.tracks == "adsb") return "{kind: ads-b-in" + range + "}";
+  if (study.tracks == "perfect")
+    return "{kind: ads-b-in, reception: 1, latency_s: 0, best_position_sd_m: 0.01, "
+           "worst_position_sd_m: 0.01, altitude_sd_m: 0.01, velocity_sd_mps: 0.01" +
+           range + "}";
+  return "{kind: " + study.tracks + range + "}";
+}
+
+std::string plant_of(const AvoidanceStudy& study, const AvoidanceAircraft& aircraft,
+                     const std::string& sensor) {
   const double v = aircraft.airspeed;
+  const std::string more = sensor.empty() ? "" : ", " + sensor;
   if (study.plant == "fixed-wing")
-    return "plant: {kind: fixed-wing, aircraft: aerosonde}\n    autopilot: skein\n    "
-           "sensors: [flight]";
+    return fmt::format(
+        "plant: {{kind: fixed-wing, aircraft: {}}}\n    autopilot: skein\n    "
+        "sensors: [flight{}]",
+        v < kFasterGlider ? "bixler" : "aerosonde", more);
   const double range = std::max(0.05, std::min(v - kSlowest, kFastest - v) / v);
   return fmt::format(
       "plant: {{kind: kinematic, airspeed_mps: {:.17g}, airspeed_range: {:.17g}, "
       "turn_radius_m: {}, climb_rate_mps: {}}}\n    "
       "sensors: [{{kind: gnss, position_sd_m: 0, altitude_sd_m: 0, velocity_sd_mps: 0}}, "
-      "{{kind: air-data}}]",
-      v, range, kTurnRadius, kClimb);
+      "{{kind: air-data}}{}]",
+      v, range, kTurnRadius, kClimb, more);
+}
+
+std::string traffic_of(const AvoidanceIntruder& intruder, std::size_t number) {
+  const Vec2 along = intruder.v_N.head<2>();
+  std::string turns;
+  if (const auto& turn = intruder.turn)
+    turns = fmt::format(
+        ", turns: [{{from_s: {:.17g}, for_s: {:.17g}, turn_rate_deg_per_s: {:.17g}, "
+        "climb_mps: {:.17g}}}]",
+        turn->from, turn->duration, degrees(turn->rate), turn->climb);
+  return fmt::format(
+      "  - name: stranger-{}\n    position_m: [{:.17g}, {:.17g}]\n    altitude_msl_m: "
+      "{:.17g}\n    flight: {{kind: straight, speed_mps: {:.17g}, course_deg: {:.17g}, "
+      "climb_mps: {:.17g}{}}}\n",
+      number, intruder.p_N.x(), intruder.p_N.y(), -intruder.p_N.z(), along.norm(),
+      degrees(geo::wrap_pi(geo::bearing(along))), -intruder.v_N.z(), turns);
 }
 
 std::string scenario_of(const AvoidanceStudy& study, const AvoidanceCase& flown) {
@@ -76,21 +97,26 @@ std::string scenario_of(const AvoidanceStudy& study, const AvoidanceCase& flown)
       study.turbulence == "none"
           ? std::string("none")
           : fmt::format("{{kind: dryden, intensity: {}}}", study.turbulence));
+  const std::string sensor = flown.intruders.empty() ? "" : sensor_of(study);
   for (std::size_t k = 0; k < flown.aircraft.size(); ++k) {
     const AvoidanceAircraft& each = flown.aircraft[k];
     text += fmt::format(
         "  - name: a{}\n    {}\n    altitude_agl_m: {:.17g}\n"
         "    agent: {{kind: direct, point_m: [{:.17g}, {:.17g}], altitude_msl_m: "
-        "{:.17g}, "
+        "{:.17g}, airspeed_mps: {:.17g}, "
         "avoidance: {{method: {}, horizontal_m: {:.17g}, vertical_m: {:.17g}, horizon_s: "
         "{:.17g}}}}}\n"
         "    start: {{placement: list, positions_m: [[{:.17g}, {:.17g}]], "
         "altitude_msl_m: {:.17g}, heading_deg: {:.17g}}}\n",
-        k + 1, plant_of(study, each), -each.start.z(), each.goal.x(), each.goal.y(),
-        -each.goal.z(), study.method, study.separation.horizontal,
-        study.separation.vertical, study.horizon, each.start.x(), each.start.y(),
-        -each.start.z(), degrees(geo::wrap_pi(heading_of(each, wind))));
+        k + 1, plant_of(study, each, sensor), -each.start.z(), each.goal.x(),
+        each.goal.y(), -each.goal.z(), each.airspeed, study.method,
+        study.separation.horizontal, study.separation.vertical, study.horizon,
+        each.start.x(), each.start.y(), -each.start.z(),
+        degrees(geo::wrap_pi(heading_of(each, wind))));
   }
+  if (!flown.intruders.empty()) text += "traffic:\n";
+  for (std::size_t k = 0; k < flown.intruders.size(); ++k)
+    text += traffic_of(flown.intruders[k], k + 1);
   return text;
 }
 
@@ -98,6 +124,11 @@ std::optional<Error> refuse(const AvoidanceStudy& study) {
   if (study.plant != "path" && study.plant != "fixed-wing")
     return Error{ErrorCode::kBadInput, "plant", "\"" + study.plant + "\" is no plant.",
                  "There are: path fixed-wing."};
+  constexpr std::array<std::string_view, 4> kTracks = {"perfect", "adsb", "passive",
+                                                       "radar"};
+  if (std::ranges::find(kTracks, study.tracks) == kTracks.end())
+    return Error{ErrorCode::kBadInput, "tracks", "\"" + study.tracks + "\" finds nobody.",
+                 "There are: perfect adsb passive radar."};
   for (const AvoidanceCase& each : study.cases)
     for (const AvoidanceAircraft& aircraft : each.aircraft)
       if (each.wind.norm() >= aircraft.airspeed)
@@ -119,38 +150,9 @@ double undisturbed_time(const AvoidanceAircraft& aircraft, const Vec2& wind) {
          (with + std::sqrt(aircraft.airspeed * aircraft.airspeed - across * across));
 }
 
-Result<std::vector<AvoidanceCase>> read_avoidance_cases(
-    const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in)
-    return Error{ErrorCode::kUnavailable, file.string(), "cannot be read.",
-                 "Is the path right?"};
-  return read_avoidance_cases(in, file.filename().string());
-}
-
-Result<std::vector<AvoidanceCase>> read_avoidance_cases(std::istream& in,
-                                                        const std::string& name) {
-  std::vector<AvoidanceCase> cases;
-  const std::vector<Error> problems = read_csv(in, name, kColumns, [&](CsvRow& row) {
-    const std::string which(row.text("case"));
-    const auto start = place(row, "start_north_m", "start_east_m", "start_down_m");
-    const auto goal = place(row, "goal_north_m", "goal_east_m", "goal_down_m");
-    const auto airspeed = row.number("airspeed_mps");
-    if (which.empty()) row.report("case", "is empty.");
-    if (airspeed && !(*airspeed > 0 && *airspeed <= 500))
-      row.report("airspeed_mps", "must be above 0 and at most 500.");
-    if (!start || !goal || !airspeed) return;
-    if ((*start - *goal).head<2>().norm() < 1)
-      row.report("goal_north_m", "start and goal are at one place.");
-    if (cases.empty() || cases.back().name != which) cases.push_back({which, {}, {}});
-    AvoidanceCase& one = cases.back();
-    one.wind = {row.number_if_given("wind_north_mps").value_or(0),
-                row.number_if_given("wind_east_mps").value_or(0)};
-    one.aircraft.push_back({*start, *goal, *airspeed});
-  });
-  if (!problems.empty()) return problems.front();
-  if (cases.empty()) return Error{ErrorCode::kBadInput, name, "has no cases.", ""};
-  return cases;
+Separation separation_of(const AvoidanceStudy& study, const AvoidanceCase& flown) {
+  if (flown.intruders.empty()) return study.separation;
+  return larger(study.separation, *separation_named("well-clear"));
 }
 
 Result<StudyPlan> plan_avoidance_study(const AvoidanceStudy& study,

@@ -6,6 +6,7 @@
 namespace skein::campaign {
 namespace {
 
+constexpr std::uint32_t kFirstStranger = 1U << 30;
 constexpr double kReached = 150;  // who passes its goal so near has arrived [m]
 
 }  // namespace
@@ -31,7 +32,18 @@ void AvoidanceWatch::record(const Record& record) {
     take(*message);
   } else if (const auto* conflict = std::get_if<ConflictRecord>(&record)) {
     take(*conflict);
+  } else if (const auto* motion = std::get_if<TrafficMotion>(&record)) {
+    traffic_[motion->traffic].add(*motion);
   }
+}
+
+// Strangers are to the meter as aircraft with numbers that no entity has.
+void AvoidanceWatch::place_traffic(Time time) {
+  if (time == traffic_placed_) return;
+  traffic_placed_ = time;
+  for (const auto& [id, path] : traffic_)
+    if (const TrafficMotion* motion = path.at(time))
+      meter_.place(time, EntityId{kFirstStranger + id}, motion->at(time));
 }
 
 void AvoidanceWatch::take(const TruthRecord& truth) {
@@ -43,6 +55,7 @@ void AvoidanceWatch::take(const TruthRecord& truth) {
     commands_.push_back({Time(), "study", RemoveCommand{flying.name}});
     return;
   }
+  place_traffic(truth.time);
   meter_.place(truth.time, truth.id, truth.state.p_N);
 }
 

@@ -9,6 +9,7 @@
 
 #include "skein/campaign/avoidance_study.h"
 #include "skein/record/separation_meter.h"
+#include "skein/record/traffic_path.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/recorder.h"
 
@@ -40,6 +41,7 @@ class AvoidanceWatch final : public Recorder, public OperatorConsole {
     bool seen = false;
   };
   void take(const TruthRecord& truth);
+  void place_traffic(Time time);
   void take(const MessageRecord& message);
   void take(const ConflictRecord& conflict);
   bool arrives(Flying& flying, Time time, const Vec3& p_N);
@@ -49,6 +51,8 @@ class AvoidanceWatch final : public Recorder, public OperatorConsole {
   std::vector<Flying> flying_;
   std::map<EntityId, std::size_t> indices_;  // of flying_
   std::size_t named_ = 0;                    // entities so far
+  std::map<std::uint32_t, record::TrafficPath> traffic_;
+  Time traffic_placed_;
   std::vector<CommandRecord> commands_;
   std::set<std::tuple<std::uint32_t, Time, std::size_t>> said_;  // sender, when, what
   double messages_ = 0, bytes_ = 0, conflicts_ = 0, deals_ = 0;

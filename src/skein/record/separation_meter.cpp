@@ -6,10 +6,13 @@
 namespace skein::record {
 namespace {
 
-constexpr double kNear = 700;  // all that is counted happens nearer [m]
+constexpr double kNear = 700;  // well clear and what two move between moments [m]
 constexpr int kParts = 8;      // of the motion between two moments
 
 }  // namespace
+
+SeparationMeter::SeparationMeter(const Separation& kept)
+    : kept_(kept), near_(std::max(kNear, 1.2 * kept.horizontal)) {}
 
 void SeparationMeter::place(Time time, EntityId id, const Vec3& p_N) {
   if (begun_ && time != time_) look();
@@ -31,7 +34,7 @@ void SeparationMeter::look() {
   std::ranges::sort(places_, {}, [](const Place& place) { return place.to.x(); });
   for (std::size_t i = 0; i < places_.size(); ++i)
     for (std::size_t j = i + 1;
-         j < places_.size() && places_[j].to.x() - places_[i].to.x() < kNear; ++j)
+         j < places_.size() && places_[j].to.x() - places_[i].to.x() < near_; ++j)
       look(places_[i], places_[j]);
   last_.clear();
   last_.insert(now_.begin(), now_.end());
@@ -39,7 +42,7 @@ void SeparationMeter::look() {
 }
 
 void SeparationMeter::look(const Place& a, const Place& b) {
-  if (std::abs(a.to.y() - b.to.y()) > kNear) return;
+  if (std::abs(a.to.y() - b.to.y()) > near_) return;
   const Separation well_clear = *separation_named("well-clear"),
                    nmac = *separation_named("nmac");
   const Pair pair = a.id < b.id ? Pair{a.id, b.id} : Pair{b.id, a.id};

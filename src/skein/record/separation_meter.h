@@ -23,7 +23,7 @@ namespace skein::record {
 class SeparationMeter {
  public:
   /// @param kept  whose violations are counted.
-  explicit SeparationMeter(const Separation& kept) : kept_(kept) {}
+  explicit SeparationMeter(const Separation& kept);
 
   /// Where an aircraft is; moments in order of time.
   void place(Time time, EntityId id, const Vec3& p_N);
@@ -50,6 +50,7 @@ class SeparationMeter {
   void look(const Place& a, const Place& b);
 
   Separation kept_;
+  double near_;  // all that is counted happens nearer [m]
   Time time_;
   bool begun_ = false;
   std::map<EntityId, Vec3> last_;
