@@ -24,18 +24,18 @@ class Kinds {
 
   explicit Kinds(std::string role) : role_(std::move(role)) {}
 
-  /// Adds a row. `make(options, context)` returns a unique_ptr or a Result of one.
+  /// Adds a row. `maker(options, context)` returns a unique_ptr or a Result of one.
   template <class Options, class Make>
   Kinds& add(std::string name, std::string help, const scenario::Fields<Options>& fields,
-             Make make) {
+             Make maker) {
     descriptions_.push_back(
         [role = role_, name, help, fields](scenario::KindTable& table) {
           table.add(role, name, help, fields);
         });
     rows_.push_back({std::move(name),
-                     [make = std::move(make)](const scenario::Choice& choice,
-                                              const Context& context) -> Made {
-                       return to_made(make(choice.as<Options>(), context));
+                     [maker = std::move(maker)](const scenario::Choice& choice,
+                                                const Context& context) -> Made {
+                       return to_made(maker(choice.as<Options>(), context));
                      }});
     return *this;
   }

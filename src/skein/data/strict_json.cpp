@@ -1,7 +1,7 @@
 #include "skein/data/strict_json.h"
 
 #include <algorithm>
-#include <set>
+#include <functional>
 
 namespace skein::strict_json {
 
@@ -19,21 +19,12 @@ Error Problems::error() const {
 }
 
 std::optional<Json> parse(std::string_view text, Problems& problems) {
-  std::vector<std::set<std::string>> open;  // keys of the objects around
-  std::string twice;
-  const Json::parser_callback_t watch = [&](int, Json::parse_event_t event,
-                                            Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key &&
-        !open.back().insert(parsed.get<std::string>()).second)
-      twice = parsed.get<std::string>();
-    return true;
-  };
+  ParserWatch<Json> watch;
   try {
-    Json json = Json::parse(text, watch);
-    if (twice.empty()) return json;
-    problems.add("", fmt::format("the key \"{}\" stands twice in an object.", twice));
+    Json json = Json::parse(text, std::ref(watch));
+    const std::string problem = watch.problem();
+    if (problem.empty()) return json;
+    problems.add("", problem);
   } catch (const Json::exception& error) {
     problems.add("", fmt::format("it is no JSON: {}.", error.what()));
   }

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +41,44 @@ class Problems {
  private:
   std::string name_, first_place_, text_;
   std::size_t count_ = 0;
+};
+
+/// Watches a parser, of either kind of JSON, for what it would pass over in silence: a
+/// key twice in one object, of which it keeps one, and nesting that is too deep.
+template <class AnyJson>
+class ParserWatch {
+ public:
+  /// @param max_nesting  of lists and objects in each other.
+  explicit ParserWatch(int max_nesting = std::numeric_limits<int>::max())
+      : max_nesting_(max_nesting) {}
+
+  bool operator()(int depth, typename AnyJson::parse_event_t event, AnyJson& part) {
+    using Event = typename AnyJson::parse_event_t;
+    too_deep_ = too_deep_ || depth > max_nesting_;
+    if (event == Event::object_start) open_.emplace_back();
+    if (event == Event::object_end && !open_.empty()) open_.pop_back();
+    if (event == Event::key && !open_.empty()) {
+      auto key = part.template get<std::string>();
+      if (!open_.back().insert(key).second && !twice_) twice_ = std::move(key);
+    }
+    return true;
+  }
+
+  /// What is wrong; empty when nothing is.
+  std::string problem() const {
+    constexpr std::size_t kShown = 60;
+    if (too_deep_) return fmt::format("it nests more than {} deep.", max_nesting_);
+    if (twice_)
+      return fmt::format("the key \"{}\" stands twice in an object.",
+                         twice_->substr(0, kShown));
+    return {};
+  }
+
+ private:
+  int max_nesting_;
+  std::vector<std::set<std::string>> open_;  // keys of the objects around
+  std::optional<std::string> twice_;
+  bool too_deep_ = false;
 };
 
 /// The document; none when it is no JSON or a key stands twice in an object, which is

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <vector>
 
+#include "skein/data/strict_json.h"
 #include "skein/geo/vec.h"
 
 namespace skein::exchange {
@@ -129,18 +130,13 @@ class JsonSection {
   std::vector<std::string> asked_;
 };
 
-// Parses, and finds a key that an object has twice, of which the parser keeps one.
+// Parses; discarded where it is none.
 WellClearJson parse_once(std::string_view text, FirstProblem& problem) {
-  std::vector<std::set<std::string>> open;
-  const auto watch = [&](int, WellClearJson::parse_event_t event, WellClearJson& part) {
-    using Event = WellClearJson::parse_event_t;
-    if (event == Event::object_start) open.emplace_back();
-    if (event == Event::object_end) open.pop_back();
-    if (event == Event::key && !open.back().insert(part.get<std::string>()).second)
-      problem.say(part.get<std::string>(), "is there twice.", "");
-    return true;
-  };
-  return WellClearJson::parse(text, watch, false);
+  strict_json::ParserWatch<WellClearJson> watch;
+  const WellClearJson json = WellClearJson::parse(text, std::ref(watch), false);
+  if (const std::string wrong = watch.problem(); !wrong.empty())
+    problem.say("", wrong, "");
+  return json;
 }
 
 WellClearConfiguration::Speed read_speed(JsonSection section) {

@@ -55,7 +55,7 @@ ShareTask read_shares(JsonFields& fields, std::size_t aircraft) {
   return task;
 }
 
-TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
+allocation::TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
   static const std::vector<std::string> kKinds = {
       "surveillance", "tracking", "patrol-line",   "perimeter-watch",
       "waypoints",    "route",    "protect",       "cordon",
@@ -74,7 +74,7 @@ TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
     kField,
     kFire
   };
-  TeamTask task;
+  allocation::TeamTask task;
   task.place = read_point(fields, "");
   switch (static_cast<Kind>(fields.word("kind", kKinds))) {
     case kSurvey:
@@ -127,7 +127,7 @@ CoalitionCase read_case(const StrictJson& object, const std::string& place,
   read_list(fields, "aircraft", problems, ids, [&](JsonFields& inner) {
     aircraft.push_back(read_aircraft(inner, problems));
   });
-  std::vector<TeamTask> tasks;
+  std::vector<allocation::TeamTask> tasks;
   read_list(fields, "tasks", problems, found.tasks, [&](JsonFields& inner) {
     tasks.push_back(read_task(inner, aircraft.size()));
   });

@@ -3,32 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
+
+#include "skein/data/strict_json.h"
 
 namespace skein::assemble {
 namespace {
 
 constexpr int kMaxNesting = 64;
-
-// The first key that stands twice in one object, or nesting that is too deep.
-class KeyCheck {
- public:
-  bool operator()(int depth, StrictJson::parse_event_t event, StrictJson& value) {
-    using Event = StrictJson::parse_event_t;
-    if (depth > kMaxNesting) too_deep = true;
-    if (event == Event::object_start) keys_.emplace_back();
-    if (event == Event::object_end && !keys_.empty()) keys_.pop_back();
-    if (event == Event::key && !keys_.empty()) {
-      const std::string key = value.get<std::string>();
-      if (!keys_.back().insert(key).second && !twice) twice = key;
-    }
-    return true;
-  }
-  std::optional<std::string> twice;
-  bool too_deep = false;
-
- private:
-  std::vector<std::set<std::string>> keys_;
-};
 
 // At most so much of a text from outside in a message.
 std::string shortened(const std::string& text) {
@@ -50,22 +32,16 @@ Error JsonProblems::error() const {
 }
 
 Result<StrictJson> parse_strictly(std::string_view text, const std::string& place) {
-  KeyCheck check;
+  strict_json::ParserWatch<StrictJson> watch(kMaxNesting);
   StrictJson parsed;
   try {
-    parsed = StrictJson::parse(text, std::ref(check));
+    parsed = StrictJson::parse(text, std::ref(watch));
   } catch (const StrictJson::exception& fault) {
     return Error{ErrorCode::kBadInput, place,
                  fmt::format("this is no JSON: {}", shortened(fault.what())), ""};
   }
-  if (check.too_deep)
-    return Error{ErrorCode::kBadInput, place,
-                 fmt::format("it nests more than {} deep.", kMaxNesting), ""};
-  if (check.twice)
-    return Error{
-        ErrorCode::kBadInput, place,
-        fmt::format("the key \"{}\" stands twice in an object.", shortened(*check.twice)),
-        ""};
+  if (const std::string problem = watch.problem(); !problem.empty())
+    return Error{ErrorCode::kBadInput, place, problem, ""};
   return parsed;
 }
 

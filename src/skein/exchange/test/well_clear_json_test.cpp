@@ -109,7 +109,8 @@ TEST(WellClearJson, NamesWhatIsOfAnotherTypeOrTwice) {
   text.insert(1, "\"name\":\"again\",");
   const auto twice = well_clear_configuration_from_json(text, "mine.json");
   ASSERT_FALSE(twice.ok());
-  EXPECT_NE(twice.error().text().find("name: is there twice."), std::string::npos);
+  EXPECT_NE(twice.error().text().find("the key \"name\" stands twice in an object."),
+            std::string::npos);
   for (const char* bad : {"", "[", "[]", "7", "{\"name\":"})
     EXPECT_FALSE(well_clear_configuration_from_json(bad, "mine.json").ok()) << bad;
 }
