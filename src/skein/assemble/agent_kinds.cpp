@@ -36,6 +36,8 @@ Fields<reasoning::SeparationOptions> avoidance_fields() {
              {"priority", SeparationMethod::kPriority,
               "the lower one plans around the higher one"},
              {"negotiated", SeparationMethod::kNegotiated, "two agree on what both fly"},
+             {"group", SeparationMethod::kGroup,
+              "all whose conflicts hang together agree, up to twelve"},
              {"auto", SeparationMethod::kAuto,
               "negotiated, by priority, by rule or by height, as time is left"}})
       .number("horizontal_m", [](T & t) -> auto& { return t.separation.horizontal; },
@@ -138,6 +140,7 @@ struct DirectChoice : AgentChoice {
   DirectChoice() { agent.takes_orders = false; }
   Vec2 point = {1000, 0};              // [m]
   std::optional<double> altitude_msl;  // [m]
+  std::optional<double> airspeed;      // [m/s]; none: cruise
 };
 
 Fields<DirectChoice> direct_fields() {
@@ -147,7 +150,10 @@ Fields<DirectChoice> direct_fields() {
           .point("point_m", &T::point, "Where it flies to, and circles then.")
           .number("altitude_msl_m", &T::altitude_msl,
                   "Reached evenly until there. Null: altitude_agl_m above the ground.",
-                  {.at_least = -500, .at_most = 30000}),
+                  {.at_least = -500, .at_most = 30000})
+          .number("airspeed_mps", &T::airspeed,
+                  "That it plans with, within what the aircraft flies. Null: cruise.",
+                  {.above = 0, .at_most = 500}),
       "How far the flight may be off its plan.");
 }
 
@@ -201,6 +207,22 @@ std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftConte
   return std::make_unique<reasoning::OnboardAgent>(
       options, c.station, context, c.zones,
       [context, tasks](const TaskKind& task) { return make_task(task, context, tasks); });
+}
+
+Result<std::unique_ptr<Agent>> make_direct(const DirectChoice& options,
+                                           AircraftContext c) {
+  if (options.airspeed) {
+    if (*options.airspeed < c.limits.slowest || *options.airspeed > c.limits.fastest)
+      return Error{
+          ErrorCode::kBadInput, "aircraft.agent.airspeed_mps",
+          fmt::format("{:.1f} m/s is not flown by this aircraft.", *options.airspeed),
+          fmt::format("It flies {:.1f} to {:.1f} m/s.", c.limits.slowest,
+                      c.limits.fastest)};
+    const double ratio = *options.airspeed / c.limits.airspeed;
+    c.limits.airspeed = *options.airspeed;
+    c.limits.turn_radius *= ratio * ratio;  // with the same bank
+  }
+  return make_agent(options, c, FlyTo{options.point, options.altitude_msl});
 }
 
 // Zones that forbid these altitudes at any time.
@@ -265,11 +287,10 @@ Kinds<Agent, AircraftContext> agent_kinds() {
   kinds.add(
       "route", "Flies a route of its own; takes no orders.", route_fields(),
       [](const RouteChoice& o, const AircraftContext& c) { return make_route(o, c); });
-  kinds.add("direct",
-            "Flies to one place by the quickest path in the wind; takes no orders.",
-            direct_fields(), [](const DirectChoice& o, const AircraftContext& c) {
-              return make_agent(o, c, FlyTo{o.point, o.altitude_msl});
-            });
+  kinds.add(
+      "direct", "Flies to one place by the quickest path in the wind; takes no orders.",
+      direct_fields(),
+      [](const DirectChoice& o, const AircraftContext& c) { return make_direct(o, c); });
   kinds.add("tour",
             "Flies through points on turns and straights planned for the wind; takes no "
             "orders.",

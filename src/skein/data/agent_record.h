@@ -9,6 +9,7 @@
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
 #include "skein/data/separation_message.h"
+#include "skein/data/team_message.h"
 #include "skein/data/traffic.h"
 #include "skein/data/zone_change.h"
 
@@ -18,10 +19,11 @@ namespace skein {
 /// zones that it has put into force or taken back, what it believes about a boundary or
 /// an object now, what it forecasts, what its planners do, how its missions go, how
 /// far it is with a stored mission, a conflict that is over, what it believes of other
-/// traffic, a plugin's own. The simulation adds when, who, and what was true.
-using AgentRecord =
-    std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief, PluginRecord,
-                 PlannerChange, ObjectBelief, MissionChange, PerimeterForecast,
-                 ArrivalForecast, MissionProgress, ConflictReport, TrafficBelief>;
+/// traffic, who leads its team, a plugin's own. The simulation adds when, who, and what
+/// was true.
+using AgentRecord = std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief,
+                                 PluginRecord, PlannerChange, ObjectBelief, MissionChange,
+                                 PerimeterForecast, ArrivalForecast, MissionProgress,
+                                 ConflictReport, TrafficBelief, TeamLead>;
 
 }  // namespace skein

@@ -103,6 +103,8 @@ template <class T, class Sink>
 void put_list(Storage storage, const T& list, Sink& sink) {
   if constexpr (std::is_same_v<T, std::vector<std::uint8_t>>) {
     sink.put(std::as_bytes(std::span(list)));
+  } else if constexpr (kIsId<typename T::value_type>) {
+    sink.put(json::detail::item(list).dump());
   } else if (storage == Storage::kJson) {
     sink.put(json::detail::item(list).dump());
   } else {
@@ -135,7 +137,8 @@ void put(const Form& form, const T& value, Sink& sink) {
   } else if constexpr (kIsArray<T>) {
     for (const auto& item : value) put(form, item, sink);
   } else if constexpr (kIsOptional<T>) {
-    static_assert(std::is_arithmetic_v<typename T::value_type>);
+    using Inner = typename T::value_type;
+    static_assert(std::is_arithmetic_v<Inner> || kIsId<Inner>);
     if (value)
       put(form, *value, sink);
     else
@@ -200,6 +203,18 @@ void take_choice(Storage storage, std::variant<Ts...>& value, Source& source) {
   if (decoded) value = std::move(decoded).value();
 }
 
+// A whole number, a flag or an id. @returns whether there was one.
+template <class T, class Source>
+bool take_whole(T& value, Source& source) {
+  std::int64_t written = 0;
+  if (!source.take(written)) return false;
+  if constexpr (kIsId<T>)
+    value.value = static_cast<std::uint32_t>(written);
+  else
+    value = static_cast<T>(written);
+  return true;
+}
+
 template <class T, class Form, class Source>
 void take(const Form& form, T& value, Source& source) {
   if constexpr (std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3>) {
@@ -220,8 +235,8 @@ void take(const Form& form, T& value, Source& source) {
       double written = 0;
       if (source.take(written)) value = written / json::detail::factor_of(form);
     } else {
-      std::int64_t written = 0;
-      if (source.take(written)) value = static_cast<typename T::value_type>(written);
+      typename T::value_type inner{};
+      if (take_whole(inner, source)) value = inner;
     }
   } else if constexpr (Described<T>) {
     take_fields(value, source);
@@ -241,12 +256,7 @@ void take(const Form& form, T& value, Source& source) {
   } else if constexpr (std::is_same_v<T, std::string>) {
     source.take(value);
   } else {
-    std::int64_t written = 0;
-    if (!source.take(written)) return;
-    if constexpr (kIsId<T>)
-      value.value = static_cast<std::uint32_t>(written);
-    else
-      value = static_cast<T>(written);
+    take_whole(value, source);
   }
 }
 

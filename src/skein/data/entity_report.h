@@ -46,7 +46,7 @@ constexpr auto describe(const RemoteState*) {
 using EntitySaying =
     std::variant<RemoteState, Message, Event, FireReading, Crossing, PluginRecord,
                  PlannerChange, MissionProgress, ObjectBelief, RegionOfInterest,
-                 ConflictReport, TrafficBelief>;
+                 ConflictReport, TrafficBelief, TeamLead>;
 
 /// One thing that such an entity says.
 struct EntityReport {

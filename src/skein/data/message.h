@@ -15,6 +15,7 @@
 #include "skein/data/object.h"
 #include "skein/data/separation_message.h"
 #include "skein/data/task.h"
+#include "skein/data/team_message.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone_change.h"
 
@@ -89,7 +90,8 @@ constexpr auto describe(const PluginPayload*) {
 using MessageContent =
     std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
                  PluginPayload, TaskChange, TaskReport, ObjectSighting, PlanReport,
-                 PlaceReport, ConflictNotice, Offers, Acceptance, Busy>;
+                 PlaceReport, ConflictNotice, Offers, Acceptance, Busy, GroupInvitation,
+                 GroupJoining, GroupPlan, GroupAcceptance, TeamMessage>;
 
 /// As `to` of a message: all entities but the sender.
 inline constexpr EntityId kEveryone{0xFFFFFFFFu};

@@ -286,6 +286,21 @@ constexpr auto describe(const TrafficBeliefRecord*) {
                       field("", &T::belief, "of which aircraft, and what"));
 }
 
+/// Who leads a member of a team, from now on.
+struct TeamLeadRecord {
+  Time time;
+  EntityId id;
+  TeamLead lead;
+};
+
+constexpr auto describe(const TeamLeadRecord*) {
+  using T = TeamLeadRecord;
+  return described<T>(
+      {"team_lead", "team_leads"}, "Who leads a member of a team, as it believes itself.",
+      field("time", &T::time, "from when on"), field("entity_id", &T::id, "which member"),
+      field("", &T::lead, "who leads it, and why"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
 using Record =
@@ -295,6 +310,6 @@ using Record =
                  PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
                  ForecastRecord, ArrivalRecord, VehicleReportRecord,
                  MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
-                 AirTraffic, TrafficMotion, TrafficBeliefRecord>;
+                 AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord>;
 
 }  // namespace skein

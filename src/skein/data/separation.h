@@ -31,13 +31,15 @@ enum class SeparationMethod : std::uint8_t {
   kRule,            ///< each by the rules of the air, alone
   kPriority,        ///< the lower one plans around the higher one
   kNegotiated,      ///< the two agree on what both fly
-  kGroup,           ///< several agree on what all fly
-  kNonCooperative,  ///< nobody but oneself is counted on
+  kGroup,           ///< all whose conflicts hang together agree
+  kNonCooperative,  ///< out of the way of who says nothing of its plans
+  kLastMoment,      ///< by heights: no time is left for anything else
   kAuto,            ///< whichever fits the time that is left and what the other can do
 };
 constexpr auto names_of(const SeparationMethod*) {
-  return std::to_array<std::string_view>(
-      {"none", "rule", "priority", "negotiated", "group", "non-cooperative", "auto"});
+  return std::to_array<std::string_view>({"none", "rule", "priority", "negotiated",
+                                          "group", "non-cooperative", "last-moment",
+                                          "auto"});
 }
 
 /// A separation by its name.

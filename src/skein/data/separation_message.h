@@ -117,6 +117,27 @@ constexpr auto describe(const OfferedManoeuvre*) {
                       field("cost", &T::cost, unit::kSecond, "to the sender"));
 }
 
+/// What the sender can fly: with the same numbers others make the same flights.
+struct FlownLimits {
+  float airspeed = 0, turn_radius = 0;          ///< at cruise [m/s], [m]
+  float slowest = 0, fastest = 0;               ///< airspeeds [m/s]
+  float climb = 0, sink = 0, acceleration = 0;  ///< vertical speeds [m/s], [m/s^2]
+};
+
+constexpr auto describe(const FlownLimits*) {
+  using T = FlownLimits;
+  return described<T>(
+      {"flown_limits"}, "What an aircraft can fly.",
+      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "cruise"),
+      field("turn_radius", &T::turn_radius, unit::kMetre, "smallest, at cruise"),
+      field("slowest", &T::slowest, unit::kMetrePerSecond, "level flight"),
+      field("fastest", &T::fastest, unit::kMetrePerSecond, "level flight"),
+      field("climb", &T::climb, unit::kMetrePerSecond, "largest"),
+      field("sink", &T::sink, unit::kMetrePerSecond, "largest"),
+      field("acceleration", &T::acceleration, unit::kMetrePerSecondSquared,
+            "largest change of the climb rate"));
+}
+
 /// All that the sender can do about a conflict, and what the receiver needs to make the
 /// same flights of it.
 struct Offers {
@@ -124,9 +145,7 @@ struct Offers {
   std::uint32_t negotiation = 0;  ///< its number
   float strength = 1;
   float rejoins = 0;  ///< where its plan must be met again, by the time of the plan [s]
-  float airspeed = 0, turn_radius = 0;          ///< what the sender can fly: cruise,
-  float slowest = 0, fastest = 0;               ///< airspeeds [m/s],
-  float climb = 0, sink = 0, acceleration = 0;  ///< vertical speeds [m/s], [m/s^2]
+  FlownLimits limits;
   std::vector<OfferedManoeuvre> manoeuvres;
 };
 
@@ -138,14 +157,7 @@ constexpr auto describe(const Offers*) {
       field("negotiation", &T::negotiation, "its number"),
       field("strength", &T::strength, "of the manoeuvres"),
       field("rejoins", &T::rejoins, unit::kSecond, "where its plan must be met again"),
-      field("airspeed", &T::airspeed, unit::kMetrePerSecond, "cruise"),
-      field("turn_radius", &T::turn_radius, unit::kMetre, "smallest, at cruise"),
-      field("slowest", &T::slowest, unit::kMetrePerSecond, "level flight"),
-      field("fastest", &T::fastest, unit::kMetrePerSecond, "level flight"),
-      field("climb", &T::climb, unit::kMetrePerSecond, "largest"),
-      field("sink", &T::sink, unit::kMetrePerSecond, "largest"),
-      field("acceleration", &T::acceleration, unit::kMetrePerSecondSquared,
-            "largest change of the climb rate"),
+      field("", &T::limits, "what it can fly"),
       field("manoeuvres", &T::manoeuvres, "what it can do"));
 }
 
@@ -182,6 +194,108 @@ constexpr auto describe(const Busy*) {
                       field("opener", &T::opener, "who has opened the negotiation"),
                       field("negotiation", &T::negotiation, "its number"),
                       field("other_plan", &T::other_plan, "its plan is another one"));
+}
+
+/// A member of a group that solves its conflicts together.
+struct GroupMember {
+  EntityId who;
+  std::uint32_t plan = 0;  ///< number of the plan that it flies
+};
+
+constexpr auto describe(const GroupMember*) {
+  using T = GroupMember;
+  return described<T>({"group_member"}, "A member of a group.",
+                      field("entity_id", &T::who, "which aircraft"),
+                      field("plan_number", &T::plan, "that it flies"));
+}
+
+/// The sender coordinates a group: those named take part if they fly these plans. Times
+/// are seconds on the run's clock.
+struct GroupInvitation {
+  std::uint32_t group = 0;  ///< counts those that the sender has invited to, from 1
+  float begin = 0;          ///< what is agreed on begins then
+  float apart = 0;          ///< all conflicts are over then
+  std::vector<GroupMember> members;  ///< without the sender
+};
+
+constexpr auto describe(const GroupInvitation*) {
+  using T = GroupInvitation;
+  return described<T>(
+      {"group_invitation"}, "The sender coordinates a group.",
+      field("group", &T::group, "counts those of the sender"),
+      field("begin", &T::begin, unit::kSecond, "what is agreed on begins then"),
+      field("apart", &T::apart, unit::kSecond, "all conflicts are over then"),
+      field("members", &T::members, "who is invited"));
+}
+
+/// The sender takes part in a group.
+struct GroupJoining {
+  std::uint32_t group = 0;  ///< of the receiver
+  float rejoins = 0;  ///< where its plan must be met again, by the time of the plan [s]
+  FlownLimits limits;
+};
+
+constexpr auto describe(const GroupJoining*) {
+  using T = GroupJoining;
+  return described<T>(
+      {"group_joining"}, "The sender takes part in a group.",
+      field("group", &T::group, "of the receiver"),
+      field("rejoins", &T::rejoins, unit::kSecond, "where its plan must be met again"),
+      field("", &T::limits, "what it can fly"));
+}
+
+/// What one member of a group shall do.
+struct GroupManoeuvre {
+  EntityId who;
+  std::uint8_t kind = 0;                    ///< reasoning::ManoeuvreKind
+  float amount = 0, lead = 0;               ///< its parameters
+  float meets = 0, closest = 0, apart = 0;  ///< the conflict that it is about [s]
+  float horizontal = 50, vertical = 20;     ///< to be kept in it [m]
+};
+
+constexpr auto describe(const GroupManoeuvre*) {
+  using T = GroupManoeuvre;
+  return described<T>(
+      {"group_manoeuvre"}, "What one member of a group shall do.",
+      field("entity_id", &T::who, "which aircraft"),
+      field("manoeuvre", &T::kind, "which kind"),
+      field("amount", &T::amount, "how much of it"),
+      field("lead", &T::lead, "how long before the conflict"),
+      field("meets", &T::meets, unit::kSecond, "when they come too near"),
+      field("closest", &T::closest, unit::kSecond, "when they are closest"),
+      field("apart", &T::apart, unit::kSecond, "when they are apart again"),
+      field("horizontal", &T::horizontal, unit::kMetre, "to be kept"),
+      field("vertical", &T::vertical, unit::kMetre, "the same, up and down"));
+}
+
+/// What comes out for a group: who is not named goes on.
+struct GroupPlan {
+  std::uint32_t group = 0;        ///< of the sender
+  std::vector<EntityId> members;  ///< who takes part, without the sender
+  std::vector<GroupManoeuvre> manoeuvres;
+};
+
+constexpr auto describe(const GroupPlan*) {
+  using T = GroupPlan;
+  return described<T>({"group_plan"}, "What comes out for a group.",
+                      field("group", &T::group, "of the sender"),
+                      field("members", &T::members, "who takes part"),
+                      field("manoeuvres", &T::manoeuvres, "who does not go on"));
+}
+
+/// The sender flies its part of what has come out, once all have said so; or does not.
+struct GroupAcceptance {
+  EntityId coordinator;
+  std::uint32_t group = 0;
+  bool accepted = true;
+};
+
+constexpr auto describe(const GroupAcceptance*) {
+  using T = GroupAcceptance;
+  return described<T>({"group_acceptance"}, "The sender flies its part, or does not.",
+                      field("coordinator_id", &T::coordinator, "of the group"),
+                      field("group", &T::group, "of the coordinator"),
+                      field("accepted", &T::accepted, "it flies its part"));
 }
 
 /// A conflict that is over, as one of the aircraft saw it.

@@ -42,6 +42,9 @@ struct TeamTask {
   bool done = false;
   /// Of a mission that was split: whose part it is.
   std::optional<EntityId> branch = std::nullopt;
+  std::uint32_t sensors = 0;  ///< TeamResources::sensors that it takes, all of them
+  /// What is to be done: a TaskKind as wire::encode() makes it. Empty: nothing is flown.
+  std::vector<std::uint8_t> what = {};
   friend bool operator==(const TeamTask&, const TeamTask&) = default;
 };
 
@@ -52,7 +55,9 @@ constexpr auto describe(const TeamTask*) {
                       field("place", &T::place, axes::kPlace, "its centre"),
                       field("single", &T::single, "one aircraft does it, not a group"),
                       field("done", &T::done, "nothing is left of it"),
-                      field("branch", &T::branch, "of a mission that was split"));
+                      field("branch", &T::branch, "of a mission that was split"),
+                      field("sensors", &T::sensors, "a bit for each kind that it takes"),
+                      field("what", &T::what, Storage::kBytes, "the task, coded"));
 }
 
 /// What a member can do.
@@ -401,6 +406,23 @@ constexpr auto describe(const TeamStatus*) {
                       field("mission", &T::mission, "null: it has none"),
                       field("master_id", &T::master, "null: nobody"),
                       field("members", &T::members, "itself included"),
+                      field("reason", &T::reason, "why"));
+}
+
+/// Who leads a member of a team, as records say it.
+struct TeamLead {
+  std::string team;                               ///< its mission, "M/7" for a branch
+  std::optional<EntityId> master = std::nullopt;  ///< none: nobody
+  std::vector<EntityId> members;                  ///< itself included
+  TeamReason reason = TeamReason::kNewcomer;
+};
+
+constexpr auto describe(const TeamLead*) {
+  using T = TeamLead;
+  return described<T>({"team_lead"}, "Who leads a member of a team, and why.",
+                      field("team", &T::team, "its mission; M/7: a branch; empty: none"),
+                      field("master_id", &T::master, "null: nobody"),
+                      field("members", &T::members, Storage::kJson, "itself included"),
                       field("reason", &T::reason, "why"));
 }
 

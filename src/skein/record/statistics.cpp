@@ -65,6 +65,7 @@ struct Taker {
   void operator()(const PlannerRecord&) {}
   void operator()(const ConflictRecord& r) { statistics.separation().conflict(r.report); }
   void operator()(const VehicleReportRecord&) {}
+  void operator()(const TeamLeadRecord&) {}
   void operator()(const MissionProgressRecord&) {}
 };
 

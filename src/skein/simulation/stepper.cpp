@@ -480,6 +480,7 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     Record operator()(const ConflictReport& report) {
       return ConflictRecord{now, agent, report};
     }
+    Record operator()(const TeamLead& lead) { return TeamLeadRecord{now, agent, lead}; }
     Record operator()(const TrafficBelief& belief) {
       return TrafficBeliefRecord{now, agent, belief};
     }

@@ -77,6 +77,9 @@ struct WorldFeed::Listener {
   void operator()(const ConflictRecord& record) const {
     feed.said_.emplace_back(record.report);
   }
+  void operator()(const TeamLeadRecord& record) const {
+    feed.said_.emplace_back(record.lead);
+  }
   void operator()(const ObjectBeliefRecord& record) const {
     feed.said_.emplace_back(record.belief);
   }

@@ -222,4 +222,10 @@ std::optional<FlightPlan> decoded_flight(std::span<const std::uint8_t> bytes) {
   return plan;
 }
 
+FlightPlan as_sent(FlightPlan plan) {
+  if (const auto coded = coded_flight(plan))
+    if (auto rounded = decoded_flight(*coded)) return *std::move(rounded);
+  return plan;
+}
+
 }  // namespace skein::model

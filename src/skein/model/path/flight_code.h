@@ -38,4 +38,8 @@ std::optional<std::vector<std::uint8_t>> coded_flight(const FlightPlan& plan);
 /// @returns  nothing where they mean none.
 std::optional<FlightPlan> decoded_flight(std::span<const std::uint8_t> bytes);
 
+/// The flight that others know when this one is sent: decoded_flight() of coded_flight().
+/// One that cannot be sent stays as it is.
+FlightPlan as_sent(FlightPlan plan);
+
 }  // namespace skein::model

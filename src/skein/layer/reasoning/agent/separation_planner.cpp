@@ -34,6 +34,7 @@ double lowest(const FlightPlan& plan, const Terrain& ground) {
 FlightPriority priority_of(const AutopilotStatus& status) {
   if (status.trigger != FailsafeTrigger::kNone) return FlightPriority::kEmergency;
   if (status.mode == FlightMode::kManual) return FlightPriority::kPilotFlies;
+  if (status.reserve < 0) return FlightPriority::kCannotManoeuvre;
   return FlightPriority::kNormal;
 }
 
@@ -132,14 +133,10 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
       wanted_, messages_);
   say(out);
   reason_ = separator_.reason();
-  if (const auto& last = separator_.last_moment()) {
-    Steering away{HoldCourse{last->course}, last->course, last->altitude_msl, {}};
-    own_ = {0, away};
-    own_number_ = 0;
-    return &own_;
-  }
-  if (const auto& course = separator_.turn()) {
-    own_ = {0, Steering{HoldCourse{*course}, *course, -step.in.nav->p_N.z(), {}}};
+  for (const auto* away : {&separator_.last_moment(), &separator_.turn()}) {
+    if (!*away) continue;
+    const double course = (*away)->course;
+    own_ = {0, Steering{HoldCourse{course}, course, (*away)->altitude_msl, {}}};
     own_number_ = 0;
     return &own_;
   }

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 namespace {
 
-constexpr double kWorthless = 120;            // [s]
 constexpr double kPerMetre = 0.05;            // up or down [s/m]
 constexpr double kEarlier = 1e4;              // meeting a third one [s]
 constexpr double kSoon = 60, kSoonTime = 30;  // [s]
@@ -32,15 +30,11 @@ double climbed(const FlightPlan& plan) {
   return sum;
 }
 
+}  // namespace
+
 double cost_of_meeting(const PlanMeeting& meeting, double conflict) {
   if (meeting.begin < conflict) return kEarlier;
   return meeting.begin < conflict + kSoonTime ? kSoon : kLater;
-}
-
-}  // namespace
-
-double utility(double cost) {
-  return std::max(0.0, 1 - cost / kWorthless);
 }
 
 std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength,

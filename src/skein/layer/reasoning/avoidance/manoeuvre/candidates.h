@@ -5,6 +5,7 @@
 
 #include "skein/data/separation.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvred_flight.h"
+#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
 namespace skein::reasoning {
 
@@ -14,21 +15,21 @@ struct KnownFlight {
   Separation separation;             ///< to be kept between it and the own aircraft
 };
 
-/// A manoeuvre that an aircraft can fly, and what it is worth to it.
+/// A manoeuvre that an aircraft can fly, and what it costs.
 struct Candidate {
   Manoeuvre manoeuvre;
   FlightPlan flight;
   double cost = 0;  ///< [s]
 };
 
-/// How good a cost is, from 1 for none to 0 from 120 s on: u = max(0, 1 - cost / 120 s).
-double utility(double cost);
+/// What it costs a manoeuvre that it meets a third flight: 10^4 s where that is before
+/// the conflict that it is about [s], 60 s within 30 s of it, 8 s later.
+double cost_of_meeting(const PlanMeeting& meeting, double conflict);
 
 /// What an aircraft may do about a conflict, with the cost of each:
 ///
 ///   |arrival - the plan's| + 0.05 s/m (metres up and down more than the plan's)
-///     + for each third flight that it meets 10^4 s where that is before the conflict,
-///       60 s within 30 s of it, 8 s later, until `look_until`.
+///     + for each third flight that it meets until `look_until` cost_of_meeting().
 ///
 /// @param others  flights of all but the two of the conflict.
 std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength,

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
+#include "skein/layer/reasoning/avoidance/manoeuvre/said_limits.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
@@ -25,24 +27,8 @@ FlightPlan until_rejoining(const NegotiatingFlight& flight) {
   return planning::part_of(flight.plan, model::start_of(flight.plan), flight.rejoins);
 }
 
-// What comes after a part of a plan, moved to where that ends now.
-void go_on(FlightPlan& flight, const NegotiatingFlight& whole) {
-  if (flight.empty() || whole.rejoins >= model::end_time_of(whole.plan)) return;
-  model::append(flight, planning::part_of(whole.plan, whole.rejoins,
-                                          model::end_time_of(whole.plan)));
-}
-
 Manoeuvre manoeuvre_of(const OfferedManoeuvre& offered) {
   return {static_cast<ManoeuvreKind>(offered.kind), offered.amount, offered.lead};
-}
-
-// The other makes the same flights only of the same numbers.
-FlightLimits as_sent(FlightLimits limits) {
-  for (double* each :
-       {&limits.airspeed, &limits.turn_radius, &limits.slowest, &limits.fastest,
-        &limits.climb_rate, &limits.sink_rate, &limits.climb_acceleration})
-    *each = static_cast<float>(*each);
-  return limits;
 }
 
 bool makes_sense(const Offers& offers) {
@@ -52,12 +38,7 @@ bool makes_sense(const Offers& offers) {
         !std::isfinite(each.amount) || !std::isfinite(each.lead) ||
         !std::isfinite(each.cost))
       return false;
-  const auto positive = [](float value) { return value > 0 && std::isfinite(value); };
-  return positive(offers.airspeed) && positive(offers.turn_radius) &&
-         offers.slowest >= 0 && positive(offers.fastest) && offers.climb >= 0 &&
-         std::isfinite(offers.climb) && offers.sink >= 0 && std::isfinite(offers.sink) &&
-         offers.acceleration >= 0 && std::isfinite(offers.acceleration) &&
-         std::isfinite(offers.rejoins);
+  return are_possible(offers.limits) && std::isfinite(offers.rejoins);
 }
 
 }  // namespace
@@ -67,14 +48,14 @@ std::optional<FlightPlan> flight_with(const Manoeuvre& manoeuvre,
                                       const NegotiatedConflict& conflict) {
   const FlightPlan part = until_rejoining(flight);
   auto changed = manoeuvred(manoeuvre, about(part, flight.limits, conflict));
-  if (changed) go_on(*changed, flight);
+  if (changed) append_rest(*changed, flight.plan, flight.rejoins);
   return changed;
 }
 
 PairNegotiation::PairNegotiation(const NegotiatedConflict& conflict,
                                  NegotiatingFlight own, NegotiatingFlight other, Time now)
-    : conflict_(conflict), own_(std::move(own)), other_(std::move(other)), begun_(now) {
-  own_.limits = as_sent(own_.limits);
+    : conflict_(conflict), own_(std::move(own)), other_(std::move(other)) {
+  own_.limits = limits_of(said_limits(own_.limits));
   own_.rejoins = static_cast<float>(own_.rejoins);
   const double round_trip = 2 * conflict.delay + kStep;
   repeat_ = round_trip;
@@ -98,13 +79,7 @@ void PairNegotiation::take(const Offers& offers) {
       theirs_[k].offers = offers;
       // What it can fly is said with the first of its offers.
       other_.rejoins = offers.rejoins;
-      other_.limits.airspeed = offers.airspeed;
-      other_.limits.turn_radius = offers.turn_radius;
-      other_.limits.slowest = offers.slowest;
-      other_.limits.fastest = offers.fastest;
-      other_.limits.climb_rate = offers.climb;
-      other_.limits.sink_rate = offers.sink;
-      other_.limits.climb_acceleration = offers.acceleration;
+      other_.limits = limits_of(offers.limits);
       return;
     }
   // It has been received already: the other has not heard the answer.
@@ -123,17 +98,11 @@ void PairNegotiation::make_offers(const NegotiationView& view) {
   offers.negotiation = conflict_.name.number;
   offers.strength = static_cast<float>(kStrengths[strength_]);
   offers.rejoins = static_cast<float>(own_.rejoins);
-  offers.airspeed = static_cast<float>(limits.airspeed);
-  offers.turn_radius = static_cast<float>(limits.turn_radius);
-  offers.slowest = static_cast<float>(limits.slowest);
-  offers.fastest = static_cast<float>(limits.fastest);
-  offers.climb = static_cast<float>(limits.climb_rate);
-  offers.sink = static_cast<float>(limits.sink_rate);
-  offers.acceleration = static_cast<float>(limits.climb_acceleration);
+  offers.limits = said_limits(limits);
   const FlightPlan part = until_rejoining(own_);
   for (Candidate& each : candidates(about(part, limits, conflict_), kStrengths[strength_],
                                     view.others, conflict_.look_until)) {
-    go_on(each.flight, own_);
+    append_rest(each.flight, own_.plan, own_.rejoins);
     if (each.manoeuvre.kind != ManoeuvreKind::kGoOn && view.is_free &&
         !view.is_free(each.flight))
       continue;

@@ -76,7 +76,6 @@ class PairNegotiation {
   State state() const { return state_; }
   std::string_view why_failed() const { return why_; }
   const NegotiatedConflict& conflict() const { return conflict_; }
-  Time begun() const { return begun_; }
 
   /// What was agreed, once it was: the own manoeuvre and flight, from `begin` on.
   const Manoeuvre& manoeuvre() const { return agreed_.manoeuvre; }
@@ -107,7 +106,7 @@ class PairNegotiation {
 
   NegotiatedConflict conflict_;
   NegotiatingFlight own_, other_;
-  Time begun_, said_;
+  Time said_;
   double repeat_ = 1, deadline_ = 0;
   std::optional<ConflictNotice> notice_;
   std::array<Side, kStrengths.size()> mine_, theirs_;

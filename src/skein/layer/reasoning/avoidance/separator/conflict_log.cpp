@@ -1,5 +1,5 @@
 #include "skein/layer/reasoning/avoidance/separator/conflict_log.h"
-#include "skein/layer/reasoning/avoidance/separator/separator_times.h"
+#include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 
 #include <algorithm>
 #include <utility>

@@ -13,8 +13,6 @@ namespace skein::reasoning {
 /// Keeps account of the conflicts of one aircraft, for the records.
 class ConflictLog {
  public:
-  explicit ConflictLog(EntityId self) : self_(self) {}
-
   /// The conflicts that there are now. One is over when it was solved, its time has
   /// passed and the two have been apart for five seconds.
   void see(Time now, std::span<const Conflict> conflicts);
@@ -34,7 +32,6 @@ class ConflictLog {
     ConflictReport report;
     Time last_seen, closest;
   };
-  EntityId self_;
   std::map<EntityId, Open> open_;
   std::vector<ConflictReport> over_;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skein/layer/reasoning/avoidance/separator/separator_times.h"
+#include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
@@ -31,7 +31,11 @@ void Separator::listen(Time now, std::span<const Message> inbox) {
     if (std::holds_alternative<ConflictNotice>(message.content) ||
         std::holds_alternative<Offers>(message.content) ||
         std::holds_alternative<Acceptance>(message.content) ||
-        std::holds_alternative<Busy>(message.content))
+        std::holds_alternative<Busy>(message.content) ||
+        std::holds_alternative<GroupInvitation>(message.content) ||
+        std::holds_alternative<GroupJoining>(message.content) ||
+        std::holds_alternative<GroupPlan>(message.content) ||
+        std::holds_alternative<GroupAcceptance>(message.content))
       inbox_.push_back(message);
 }
 
@@ -41,9 +45,7 @@ void Separator::want(const WantedFlight& wanted) {
   begun_ = true;
   wanted_ = wanted.number;
   is_plan_ = wanted.is_plan;
-  own_.plan = wanted.plan;
-  if (const auto coded = model::coded_flight(wanted.plan))
-    if (auto rounded = model::decoded_flight(*coded)) own_.plan = *std::move(rounded);
+  own_.plan = model::as_sent(wanted.plan);
   ++own_.number;
   milestones_ = wanted.milestones;
   passed_ = 0;
@@ -52,6 +54,7 @@ void Separator::want(const WantedFlight& wanted) {
   plan_is_new_ = true;
   reason_ = {};
   negotiation_.reset();
+  leave_group();
 }
 
 void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
@@ -64,6 +67,7 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
   negotiate(step);
   look(step);
   open_earliest(step);
+  open_group(step);
   negotiate(step);
   avoid_strangers(step);
   inbox_.clear();
@@ -75,8 +79,8 @@ void Separator::measure(const SeparationStep& step) {
   const double now = step.now.seconds();
   if ((step.now - measured_).seconds() < kPlacePeriod) return;
   measured_ = step.now;
-  if (!last_moment_ && !turn_ && (is_plan_ || changed_) &&
-      now >= model::start_of(own_.plan) && now <= model::end_time_of(own_.plan))
+  if (flies_plan() && (is_plan_ || changed_) && now >= model::start_of(own_.plan) &&
+      now <= model::end_time_of(own_.plan))
     errors_.add(step.now, model::moment_at(own_.plan, now).p_N - step.p_N);
   const double unknown = kSigmas * step.position_sd;
   own_.across_error = half_metres(errors_.across() + unknown);
@@ -114,18 +118,19 @@ void Separator::look(const SeparationStep& step) {
 
 // @returns whether the own plan is another one now.
 bool Separator::solve(const SeparationStep& step, const Conflict& conflict) {
-  if (last_moment_ || turn_) return false;
+  if (!flies_plan()) return false;
   switch (method_for(conflict, step.now)) {
     case SeparationMethod::kNegotiated:  // open_earliest()
-    case SeparationMethod::kGroup:
+    case SeparationMethod::kGroup:       // open_group()
       return false;
     case SeparationMethod::kPriority:
       return by_priority(step, conflict);
     case SeparationMethod::kRule:
       return by_rule(step, conflict);
-    case SeparationMethod::kNonCooperative:
+    case SeparationMethod::kLastMoment:
       at_the_last_moment(step, conflict);
       return false;
+    case SeparationMethod::kNonCooperative:  // avoid_strangers()
     case SeparationMethod::kNone:
     case SeparationMethod::kAuto:
       break;
@@ -149,17 +154,16 @@ void Separator::adopt(const FlightPlan& flight, const Change& change, Time now) 
   }
   passed_ += milestones_.size() - milestones.size();
   milestones_ = std::move(milestones);
-  own_.plan = std::move(plan);
-  if (const auto coded = model::coded_flight(own_.plan))
-    if (auto rounded = model::decoded_flight(*coded)) own_.plan = *std::move(rounded);
+  own_.plan = model::as_sent(std::move(plan));
   ++own_.number;
   agreed_ = change.agreed;
   changed_ = plan_is_new_ = true;
   reason_ = change.what;
   clear_from_ = change.apart + kClearTime;
-  log_.solved(change.other, now, change.method, change.what);
+  if (change.other) log_.solved(*change.other, now, change.method, change.what);
   if (negotiation_ && negotiation_->state() == PairNegotiation::State::kOpen)
     negotiation_.reset();
+  leave_group();
 }
 
 void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
@@ -177,10 +181,10 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
     place.v_north = static_cast<float>(step.v_N.x());
     place.v_east = static_cast<float>(step.v_N.y());
     place.v_down = static_cast<float>(step.v_N.z());
-    place.plan = last_moment_ || turn_ ? 0 : own_.number;
+    place.plan = flies_plan() ? own_.number : 0;
     out.push_back({self_, kEveryone, 0, Time(), place});
   }
-  if (last_moment_ || turn_) return;
+  if (!flies_plan()) return;
   if (!plan_is_new_ && (step.now - said_plan_).seconds() < kPlanPeriod) return;
   const double from = std::max(step.now.seconds(), model::start_of(own_.plan));
   if (from >= model::end_time_of(own_.plan)) return;

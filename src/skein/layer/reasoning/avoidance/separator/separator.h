@@ -11,6 +11,9 @@
 #include "skein/data/message.h"
 #include "skein/layer/reasoning/avoidance/flights/conflicts.h"
 #include "skein/layer/reasoning/avoidance/flights/execution_errors.h"
+#include "skein/layer/reasoning/avoidance/group/conflict_group.h"
+#include "skein/layer/reasoning/avoidance/group/group_negotiation.h"
+#include "skein/layer/reasoning/avoidance/group/joint_search.h"
 #include "skein/layer/reasoning/avoidance/pairwise/pair_negotiation.h"
 #include "skein/layer/reasoning/avoidance/rules/right_of_way.h"
 #include "skein/layer/reasoning/avoidance/separator/conflict_log.h"
@@ -54,8 +57,8 @@ struct SeparationStep {
   std::span<const Stranger> strangers = {};
 };
 
-/// To fly now instead of any plan: no time is left for one.
-struct LastMoment {
+/// To fly now instead of any plan.
+struct Heading {
   double course = 0;        ///< over ground [rad]
   double altitude_msl = 0;  ///< [m]
 };
@@ -67,11 +70,11 @@ struct LastMoment {
 /// left and on what the other can do (SeparationMethod::kAuto), or is one method.
 /// It makes no difference which messages are lost, late or come twice: what has not been
 /// agreed in time is solved by a method that needs less agreement.
-/// Reference: spec/team.md sections 1 to 6.
+/// Reference: spec/team.md sections 1 to 8.
 class Separator {
  public:
   Separator(EntityId self, const SeparationOptions& options)
-      : self_(self), options_(options), log_(self), strangers_(options.reaction) {}
+      : self_(self), options_(options), strangers_(options.reaction) {}
 
   /// Takes in what was received. At each step, on the ground too.
   void listen(Time now, std::span<const Message> inbox);
@@ -91,14 +94,13 @@ class Separator {
   std::size_t passed() const { return passed_; }
 
   /// What is flown instead of a plan, as there is no time left.
-  const std::optional<LastMoment>& last_moment() const { return last_moment_; }
+  const std::optional<Heading>& last_moment() const { return last_moment_; }
 
   /// What the flight was changed for last is over for some time.
   bool is_clear(Time now) const { return now.seconds() >= clear_from_; }
 
-  /// The course over ground that is flown instead of a plan, out of a stranger's way
-  /// [rad].
-  const std::optional<double>& turn() const { return turn_; }
+  /// What is flown instead of a plan, out of a stranger's way.
+  const std::optional<Heading>& turn() const { return turn_; }
 
   /// Why the flight is another than wanted; empty: it is not.
   std::string_view reason() const { return reason_; }
@@ -111,10 +113,10 @@ class Separator {
 
  private:
   struct Waiting {
-    double until = 0;  // to try a method with somebody again [s]
-    int failures = 0;
+    double until = 0;                           // to try a method with somebody again [s]
     std::uint32_t own_plan = 0, seen_plan = 0;  // when `asks_at` was set
     double asks_at = 0;  // even if it has another conflict before [s]
+    int failures = 0;    // of negotiations, one after the other
   };
 
   void want(const WantedFlight& wanted);
@@ -136,12 +138,25 @@ class Separator {
                   const TeamFlight* other, Busy& busy);
   PairNegotiation* negotiation_of(EntityId opener, std::uint32_t number, EntityId other);
 
-  // Of what each does alone (separator_methods.cpp).
+  // Of several at once (separator_group.cpp).
+  void hear_of_groups(const SeparationStep& step, const Message& message);
+  void answer(const SeparationStep& step, EntityId from,
+              const GroupInvitation& invitation);
+  bool can_join(const SeparationStep& step, const GroupInvitation& invitation) const;
+  void open_group(const SeparationStep& step);
+  void negotiate_group(const SeparationStep& step);
+  std::optional<std::vector<GroupManoeuvre>> solve_group(
+      const SeparationStep& step, std::span<const JoinedMember> members) const;
+  void fly_with_group(const GroupNegotiation& agreed, Time now);
+  void leave_group();
+
   // Of those who say nothing (separator_strangers.cpp).
   void avoid_strangers(const SeparationStep& step);
 
+  // Of what each does alone (separator_methods.cpp).
   std::vector<PlannedFlight> rooms(const SeparationStep& step, bool higher_only) const;
   SeparationMethod method_for(const Conflict& conflict, Time now) const;
+  bool is_for_group(EntityId other) const;
   NegotiatedConflict about(const Conflict& conflict, double begin) const;
   bool by_rule(const SeparationStep& step, const Conflict& conflict);
   bool by_priority(const SeparationStep& step, const Conflict& conflict);
@@ -155,11 +170,16 @@ class Separator {
     double rejoins = 0;  // where the old plan is met again, by its time [s]
     double apart = 0;    // when the conflict is over [s]
     SeparationMethod method = SeparationMethod::kNone;
-    EntityId other;            // because of whom
-    std::uint32_t agreed = 0;  // see PlanReport
+    std::optional<EntityId> other = {};  // because of whom, of the team
+    std::uint32_t agreed = 0;            // see PlanReport
     std::string_view what;
   };
   void adopt(const FlightPlan& flight, const Change& change, Time now);
+  double begin_of_action(const Conflict& conflict, Time now) const;
+  NegotiatingFlight leaving_for(const Conflict& conflict, const PathQuery& query) const;
+  double safe_altitude(const SeparationStep& step, double course, double altitude) const;
+  // Else it is told from moment to moment where to fly.
+  bool flies_plan() const { return !last_moment_ && !turn_; }
   bool has_way_over(const TeamFlight& other) const;
   Standing standing_to(const TeamFlight& other) const;
   std::vector<KnownFlight> known_but(EntityId other, Time now) const;
@@ -180,11 +200,16 @@ class Separator {
   bool changed_ = false, is_plan_ = true;
   double clear_from_ = 0;  // [s]
   std::string_view reason_;
-  std::optional<LastMoment> last_moment_;
+  std::optional<Heading> last_moment_;
   StrangerAvoidance strangers_;
-  std::optional<double> turn_;
+  std::optional<Heading> turn_;
   Time last_moment_until_;
   std::optional<PairNegotiation> negotiation_, last_;  // that goes on, the one before
+  ConflictGroups groups_;
+  std::optional<GroupNegotiation> group_;
+  NegotiationName last_group_;                  // that the aircraft took part in
+  std::uint32_t group_plan_ = 0;                // when `group_asks_at_` was set
+  double group_asks_at_ = 0, group_again_ = 0;  // [s]
   std::vector<Message> inbox_, answers_;
   std::map<EntityId, Waiting> waiting_;
   std::vector<Conflict> conflicts_;

@@ -2,13 +2,15 @@
 #include <array>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/avoidance/rules/rule_flight.h"
 #include "skein/layer/reasoning/avoidance/separator/flight_check.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
-#include "skein/layer/reasoning/avoidance/separator/separator_times.h"
+#include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/role/terrain.h"
 
 // What each of two does alone: by priority, by rule, at the last moment.
 
@@ -16,15 +18,17 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kBudget = 3;        // of negotiations, besides messages [s]
+constexpr int kPairFailures = 2;     // after them a group looks for more
 constexpr double kApartFor = 150;    // after a manoeuvre's begin [s]
 constexpr double kRoom = 0.5;        // around others, so that none is met by rounding [m]
 constexpr double kHeightRoom = 0.3;  // the same, up and down [m]
 constexpr double kRoomTime = 0.1;    // the same, along [s]
 constexpr double kSteps = 1.5;       // heights that are left at the last moment
-constexpr double kNear = 3000;       // others that plans are made around [m]
-constexpr std::size_t kFew = 3;      // conflicts that are solved one by one
+constexpr double kGroundAhead = 500;  // that is looked at [m]
+constexpr double kGroundStep = 50;    // [m]
+constexpr double kNear = 3000;        // others that plans are made around [m]
+constexpr std::size_t kFew = 3;       // conflicts that are solved one by one
 constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
-constexpr std::int64_t kRepairExpansions = 1000;  // of a search
 
 }  // namespace
 
@@ -33,10 +37,18 @@ SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const
   if (options_.method != SeparationMethod::kAuto) return options_.method;
   const double left = conflict.meeting.begin - now.seconds();
   const double negotiating = kBudget + 4 * (2 * delay_to(conflict.other) + kAgentStep);
-  if (left > options_.fixed + negotiating) return SeparationMethod::kNegotiated;
+  if (left > options_.fixed + negotiating)
+    return is_for_group(conflict.other) ? SeparationMethod::kGroup
+                                        : SeparationMethod::kNegotiated;
   if (left > options_.emergency) return SeparationMethod::kPriority;
   if (left > options_.last_moment) return SeparationMethod::kRule;
-  return SeparationMethod::kNonCooperative;
+  return SeparationMethod::kLastMoment;
+}
+
+// Two that have tried and not found anything.
+bool Separator::is_for_group(EntityId other) const {
+  const auto found = waiting_.find(other);
+  return found != waiting_.end() && found->second.failures >= kPairFailures;
 }
 
 Standing Separator::standing_to(const TeamFlight& other) const {
@@ -60,6 +72,30 @@ NegotiatedConflict Separator::about(const Conflict& conflict, double begin) cons
   return about;
 }
 
+double Separator::begin_of_action(const Conflict& conflict, Time now) const {
+  const double left = conflict.meeting.begin - now.seconds();
+  return now.seconds() + std::min(options_.reaction, left / 2);
+}
+
+// The own plan, to be left because of a conflict and met again behind it.
+NegotiatingFlight Separator::leaving_for(const Conflict& conflict,
+                                         const PathQuery& query) const {
+  return {own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter), query.limits};
+}
+
+// An altitude, or as much higher as the ground ahead asks for.
+double Separator::safe_altitude(const SeparationStep& step, double course,
+                                double altitude) const {
+  if (!step.query.terrain) return altitude;
+  double floor = altitude;
+  for (double ahead = 0; ahead <= kGroundAhead; ahead += kGroundStep) {
+    const Vec2 place = geo::horizontal(step.p_N) + ahead * geo::unit(course);
+    floor = std::max(
+        floor, step.query.terrain->elevation_msl(place) + step.query.ground_clearance);
+  }
+  return floor;
+}
+
 // Each by the rules of the air, whatever the other does.
 bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
   const TeamFlight* other = team_.find(conflict.other);
@@ -70,10 +106,9 @@ bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
                                 standing_to(*other), self_ < other->who);
   const bool late = left < options_.emergency && rule != AirRule::kPreferred;
   if (!acts(rule) && !late) return false;
-  const double begin = now + std::min(options_.reaction, left / 2);
+  const double begin = begin_of_action(conflict, step.now);
   if (begin >= model::end_time_of(own_.plan)) return false;
-  const NegotiatingFlight own{own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter),
-                              step.query.limits};
+  const NegotiatingFlight own = leaving_for(conflict, step.query);
   const NegotiatedConflict c = about(conflict, begin);
   const ConflictOfFlight of_flight{own_.plan, own.limits, c.begin,     c.meets,
                                    c.closest, c.apart,    c.separation};
@@ -142,37 +177,16 @@ std::vector<PlannedFlight> Separator::rooms(const SeparationStep& step,
 
 bool Separator::around_others(const SeparationStep& step, const Conflict& conflict,
                               bool higher_only) {
-  const double now = step.now.seconds();
-  const double begin =
-      now + std::min(options_.reaction, (conflict.meeting.begin - now) / 2);
-  const NegotiatingFlight own{own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter),
-                              step.query.limits};
-  const FlightPlan old = planning::part_of(own_.plan, begin, own.rejoins);
-  if (old.empty()) return false;
+  const double begin = begin_of_action(conflict, step.now);
+  const double until = rejoins(conflict.meeting.end + kRejoinsAfter);
   Airspace airspace;
   airspace.zones.assign(step.zones.begin(), step.zones.end());
   airspace.flights = rooms(step, higher_only);
-  PathQuery query = step.query;
-  const model::FlightMoment from = model::moment_at(old, begin);
-  const model::FlightMoment to = model::end_of(old.back());
-  query.start = {from.p_N, from.heading};
-  query.goal = {to.p_N, to.heading};
-  query.start_time = begin;
-  query.wind = old.front().wind;
-  query.airspace = &airspace;
-  query.budget.expansions = kRepairExpansions;
-  planning::AirspaceMap map(query);
-  const planning::RepairedPath repaired = planning::repair(old, query, map);
-  if (repaired.how == planning::Repair::kFailed ||
-      repaired.how == planning::Repair::kKept || repaired.path.plan.empty())
-    return false;
-  FlightPlan flight = repaired.path.plan;
-  if (own.rejoins < model::end_time_of(own_.plan))
-    model::append(
-        flight, planning::part_of(own_.plan, own.rejoins, model::end_time_of(own_.plan)));
-  adopt(flight,
-        {begin, own.rejoins, conflict.meeting.end, SeparationMethod::kPriority,
-         conflict.other, 0, higher_only ? "gives way to higher ones" : "gives way"},
+  const auto flight = replanned(own_.plan, begin, until, step.query, airspace);
+  if (!flight) return false;
+  adopt(*flight,
+        {begin, until, conflict.meeting.end, SeparationMethod::kPriority, conflict.other,
+         0, higher_only ? "gives way to higher ones" : "gives way"},
         step.now);
   return true;
 }
@@ -180,11 +194,8 @@ bool Separator::around_others(const SeparationStep& step, const Conflict& confli
 // The cheapest of the manoeuvres of a negotiation that needs nobody else to change.
 bool Separator::apart_from_others(const SeparationStep& step, const Conflict& conflict,
                                   bool higher_only) {
-  const double now = step.now.seconds();
-  const double begin =
-      now + std::min(options_.reaction, (conflict.meeting.begin - now) / 2);
-  const NegotiatingFlight own{own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter),
-                              step.query.limits};
+  const double begin = begin_of_action(conflict, step.now);
+  const NegotiatingFlight own = leaving_for(conflict, step.query);
   const NegotiatedConflict c = about(conflict, begin);
   std::vector<KnownFlight> others;
   for (const TeamFlight& each : team_.flights())
@@ -228,11 +239,12 @@ void Separator::at_the_last_moment(const SeparationStep& step, const Conflict& c
                       model::moment_at(own_.plan, now).p_N.z();
   const bool up = std::abs(over) > kSameHeight ? over > 0 : self_ < conflict.other;
   const double height = kSteps * conflict.separation.vertical;
-  last_moment_ = LastMoment{geo::bearing(step.v_N.head<2>()),
-                            -step.p_N.z() + (up ? height : -height)};
+  const double course = geo::bearing(step.v_N.head<2>());
+  last_moment_ = Heading{
+      course, safe_altitude(step, course, -step.p_N.z() + (up ? height : -height))};
   last_moment_until_ = Time::from_seconds(conflict.meeting.closest_time + kClearTime);
   reason_ = up ? "climbs away at the last moment" : "sinks away at the last moment";
-  log_.solved(conflict.other, step.now, SeparationMethod::kNonCooperative, reason_);
+  log_.solved(conflict.other, step.now, SeparationMethod::kLastMoment, reason_);
 }
 
 }  // namespace skein::reasoning

@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/avoidance/separator/flight_check.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
-#include "skein/layer/reasoning/avoidance/separator/separator_times.h"
+#include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/model/path/flight_plan.h"
 
 // How the separator negotiates: who opens, who answers, and what comes of it.
@@ -12,15 +12,8 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookOn = 60;    // beyond the horizon, for meetings that count [s]
-constexpr double kOpenAgain = 2;  // after a failure, or somebody was busy [s]
-constexpr double kAskAnyway = 5;  // after another plan was seen [s]
-constexpr double kMinTime = 1;    // between a manoeuvre's begin and the conflict [s]
-
-// Names a negotiation in a PlanReport.
-std::uint32_t code_of(const NegotiationName& name) {
-  return name.opener.value << 16 | (name.number & 0xffffu);
-}
+constexpr double kLookOn = 60;  // beyond the horizon, for meetings that count [s]
+constexpr double kMinTime = 1;  // between a manoeuvre's begin and the conflict [s]
 
 bool makes_sense(const ConflictNotice& notice, double now, double horizon) {
   const auto near = [&](float time) {
@@ -65,6 +58,8 @@ void Separator::hear(const SeparationStep& step) {
           negotiation_of(busy->opener, busy->negotiation, message.from);
       if (about) about->refuse(busy->other_plan ? "plans have changed" : "busy");
       plan_is_new_ = plan_is_new_ || (about && busy->other_plan);
+    } else {
+      hear_of_groups(step, message);
     }
   }
 }
@@ -78,7 +73,7 @@ bool Separator::can_answer(const SeparationStep& step, const ConflictNotice& not
   // The opener does not know the own plan yet.
   plan_is_new_ = plan_is_new_ || notice.other_plan != own_.number;
   const double now = step.now.seconds();
-  return same_plans && !negotiation_ && !last_moment_ &&
+  return same_plans && !negotiation_ && !group_ && flies_plan() &&
          makes_sense(notice, now, options_.horizon) && notice.begin > now &&
          notice.begin < model::end_time_of(own_.plan) &&
          priority_ != FlightPriority::kEmergency &&
@@ -120,7 +115,7 @@ void Separator::begin_negotiation(const SeparationStep& step,
 
 // Opens a negotiation about the earliest conflict that can be negotiated.
 void Separator::open_earliest(const SeparationStep& step) {
-  if (last_moment_) return;
+  if (!flies_plan() || group_) return;
   for (const Conflict& conflict : conflicts_)
     if (!negotiation_ &&
         method_for(conflict, step.now) == SeparationMethod::kNegotiated &&
@@ -179,6 +174,7 @@ bool Separator::open(const SeparationStep& step, const Conflict& conflict) {
 
 // Goes on with the negotiation that there is.
 void Separator::negotiate(const SeparationStep& step) {
+  negotiate_group(step);
   if (!negotiation_) return;
   const NegotiatedConflict& conflict = negotiation_->conflict();
   const TeamFlight* other = team_.find(conflict.other);
@@ -193,9 +189,8 @@ void Separator::negotiate(const SeparationStep& step) {
   negotiation_.reset();
   Waiting& waiting = waiting_[over.conflict().other];
   if (over.state() == PairNegotiation::State::kFailed) {
-    ++waiting.failures;
-    // Not in step with all others that have failed now.
     waiting.until = step.now.seconds() + kOpenAgain;
+    ++waiting.failures;
     return;
   }
   waiting = {};

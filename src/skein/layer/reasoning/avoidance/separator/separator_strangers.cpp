@@ -1,6 +1,4 @@
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
-#include "skein/model/path/flight_plan.h"
 
 // How the separator keeps out of the way of those who say nothing of their plans.
 
@@ -22,16 +20,18 @@ void Separator::avoid_strangers(const SeparationStep& step) {
       strangers_.step({step.now.seconds(), step.p_N, step.v_N, own_.plan, until,
                        step.strangers, step.query, step.zones, others});
   if (action == StrangerAvoidance::Action::kPlan) {
-    FlightPlan flight = strangers_.flight();
-    if (until < model::end_time_of(own_.plan))
-      model::append(flight,
-                    planning::part_of(own_.plan, until, model::end_time_of(own_.plan)));
-    adopt(flight,
-          {strangers_.begin(), until, strangers_.meeting().end,
-           SeparationMethod::kNonCooperative, self_, 0, "around a stranger"},
+    adopt(strangers_.flight(),
+          {strangers_.begin(),
+           until,
+           strangers_.meeting().end,
+           SeparationMethod::kNonCooperative,
+           {},
+           0,
+           "around a stranger"},
           step.now);
   } else if (action == StrangerAvoidance::Action::kTrack) {
-    turn_ = strangers_.track();
+    const double course = strangers_.track();
+    turn_ = Heading{course, safe_altitude(step, course, -step.p_N.z())};
     reason_ = "turns away from a stranger";
   } else if (turn_) {
     begun_ = false;  // what it wants is planned from here

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -15,7 +15,6 @@ constexpr double kAhead = 60;     // for which they are there [s]
 constexpr double kClear = 3;      // the way to the goal, before it is flown [s]
 constexpr double kTryAgain = 2;   // after no plan was found [s]
 constexpr int kWarning = 3;       // level of alert
-constexpr std::int64_t kExpansions = 3000;
 
 }  // namespace
 
@@ -24,8 +23,6 @@ StrangerAvoidance::StrangerAvoidance(double reaction)
 
 bool StrangerAvoidance::plan_around(const StrangerView& view) {
   begin_ = view.now + reaction_;
-  const FlightPlan old = planning::part_of(view.plan, begin_, view.rejoins);
-  if (old.empty()) return false;
   Airspace airspace;
   airspace.zones.assign(view.zones.begin(), view.zones.end());
   airspace.flights.assign(view.rooms.begin(), view.rooms.end());
@@ -42,21 +39,9 @@ bool StrangerAvoidance::plan_around(const StrangerView& view) {
     }
     airspace.movers.push_back(room_of(stranger, *meeting));
   }
-  PathQuery query = view.query;
-  const model::FlightMoment from = model::moment_at(old, begin_);
-  const model::FlightMoment to = model::end_of(old.back());
-  query.start = {from.p_N, from.heading};
-  query.goal = {to.p_N, to.heading};
-  query.start_time = begin_;
-  query.wind = old.front().wind;
-  query.airspace = &airspace;
-  query.budget.expansions = kExpansions;
-  planning::AirspaceMap map(query);
-  const planning::RepairedPath repaired = planning::repair(old, query, map);
-  if (repaired.how == planning::Repair::kFailed ||
-      repaired.how == planning::Repair::kKept || repaired.path.plan.empty())
-    return false;
-  flight_ = repaired.path.plan;
+  auto flight = replanned(view.plan, begin_, view.rejoins, view.query, airspace);
+  if (!flight) return false;
+  flight_ = *std::move(flight);
   return true;
 }
 

@@ -62,7 +62,7 @@ RC_GTEST_PROP(ManoeuvredFlight, IsFlyableAndEndsWhereThePlanDoes, ()) {
   const double begin = model::start_of(plan) + number(0, 20);
   const double meets = begin + number(5, 100);
   const ConflictOfFlight conflict{
-      plan, limits, begin, meets, meets + number(0, 5), meets + number(5, 10)};
+      plan, limits, begin, meets, meets + number(0, 5), meets + number(5, 10), {50, 20}};
   const FlightState goal = planning::state_after(plan);
   int made = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres(limits, {50, 20}, number(1, 3))) {
@@ -83,7 +83,7 @@ TEST(ManoeuvredFlight, PassesWhereItIsSaid) {
   straight.duration = 200;
   straight.airspeed = limits.airspeed;
   const FlightPlan plan{straight};
-  const ConflictOfFlight conflict{plan, limits, 10, 60, 62, 64};
+  const ConflictOfFlight conflict{plan, limits, 10, 60, 62, 64, {50, 20}};
   const auto at = [&](const Manoeuvre& m, double time) {
     return model::moment_at(manoeuvred(m, conflict).value(), time).p_N;
   };
@@ -98,7 +98,8 @@ TEST(ManoeuvredFlight, PassesWhereItIsSaid) {
   EXPECT_NEAR(at({ManoeuvreKind::kDirect}, 60).x(), 1200, 1e-6);
   // No time is left for it.
   EXPECT_FALSE(manoeuvred({ManoeuvreKind::kUp, 300}, conflict));
-  EXPECT_FALSE(manoeuvred({ManoeuvreKind::kGoOn}, {plan, limits, 300, 310, 311, 312}));
+  EXPECT_FALSE(
+      manoeuvred({ManoeuvreKind::kGoOn}, {plan, limits, 300, 310, 311, 312, {50, 20}}));
 }
 
 // What one does leaves the other's plan free: two that meet head-on always find
@@ -117,9 +118,13 @@ RC_GTEST_PROP(ManoeuvredFlight, OfOneOrTheOtherSolvesAMeeting, ()) {
   const double end = one.duration;
   const auto meeting = first_meeting(a, b, apart, 0, end);
   RC_PRE(meeting.has_value());
-  const ConflictOfFlight of_a{
-      a,           limits, meeting->begin - 45, meeting->begin, meeting->closest_time,
-      meeting->end};
+  const ConflictOfFlight of_a{a,
+                              limits,
+                              meeting->begin - 45,
+                              meeting->begin,
+                              meeting->closest_time,
+                              meeting->end,
+                              apart};
   int free = 0;
   for (const Manoeuvre& m : manoeuvres(limits, apart, 1)) {
     const auto flight = manoeuvred(m, of_a);

@@ -6,7 +6,9 @@
 
 #include "skein/base/math.h"
 #include "skein/base/random.h"
+#include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/role/terrain.h"
 
 namespace skein::reasoning {
 namespace {
@@ -68,7 +70,8 @@ class Sky {
     Vec3 p_N, v_N;
   };
   struct One {
-    One(EntityId id, const SeparationOptions& options) : id(id), separator(id, options) {}
+    One(EntityId who, const SeparationOptions& options)
+        : id(who), separator(who, options) {}
     EntityId id;
     Separator separator;
     WantedFlight wanted;
@@ -159,6 +162,40 @@ TEST(Separator, LossAndDelayAreNormal) {
       Sky sky = head_on(SeparationMethod::kAuto, loss, delay);
       EXPECT_GE(sky.fly(), 1) << loss << " " << delay;
     }
+}
+
+// The ground is 60 m below: who has to sink goes no lower than its clearance.
+class Plateau final : public Terrain {
+ public:
+  double elevation_msl(const Vec2&) const override { return 40; }
+  Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+};
+
+TEST(Separator, TheLastMomentEndsAboveTheGround) {
+  const Plateau ground;
+  PathQuery query;
+  query.terrain = &ground;
+  query.ground_clearance = 50;
+  SeparationOptions options;
+  options.method = SeparationMethod::kAuto;
+  FlightElement to;
+  to.p_N = Vec3(0, 0, -100);
+  to.airspeed = 20;
+  to.duration = 200;
+  FlightElement back = to;
+  back.p_N = Vec3(200, 0, -102);
+  back.heading = geo::kPi;
+  PlanReport report;
+  report.number = 1;
+  report.flight = *model::coded_flight({back});
+  const Message message{EntityId{1}, EntityId{2}, 0, Time(), report};
+  Separator separator(EntityId{2}, options);
+  separator.listen(Time(), {&message, 1});
+  std::vector<Message> out;
+  separator.step({Time(), to.p_N, Vec3(20, 0, 0), 0, FlightPriority::kNormal, query, {}},
+                 {1, {to}, {200}}, out);
+  ASSERT_TRUE(separator.last_moment());
+  EXPECT_EQ(separator.last_moment()->altitude_msl, 90) << "36 m lower were 64";
 }
 
 TEST(Separator, ManyOnACircleAreKeptApart) {

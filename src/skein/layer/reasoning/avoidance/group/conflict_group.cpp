@@ -1,0 +1,56 @@
+#include "skein/layer/reasoning/avoidance/group/conflict_group.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <tuple>
+
+namespace skein::reasoning {
+
+const std::optional<PlanMeeting>& ConflictGroups::meeting(const TeamFlight& a,
+                                                          const TeamFlight& b,
+                                                          double now) {
+  if (b.who < a.who) return meeting(b, a, now);
+  const auto [at, first] = looked_.try_emplace(Pair{a.who, b.who});
+  Looked& looked = at->second;
+  if (first || looked.a != a.number || looked.b != b.number ||
+      (looked.meeting && looked.meeting->end <= now))
+    looked = {a.number, b.number,
+              first_meeting(a.plan, b.plan, separation_between(a, b), now,
+                            std::numeric_limits<double>::infinity())};
+  return looked.meeting;
+}
+
+ConflictGroup ConflictGroups::find(Time now, std::span<const Conflict> conflicts,
+                                   std::span<const TeamFlight> others, double until,
+                                   std::size_t most) {
+  std::erase_if(looked_, [&](const auto& each) {
+    return !std::ranges::binary_search(others, each.first.first, {}, &TeamFlight::who) ||
+           !std::ranges::binary_search(others, each.first.second, {}, &TeamFlight::who);
+  });
+  // Conflicts of members with those who are none yet: when, with whom, until when.
+  std::set<std::tuple<double, EntityId, double>> border;
+  for (const Conflict& each : conflicts)
+    if (each.meeting.begin < until)
+      border.emplace(each.meeting.begin, each.other, each.meeting.end);
+  ConflictGroup group;
+  while (!border.empty() && group.others.size() + 1 < most) {
+    const auto [begin, who, end] = *border.begin();
+    border.erase(border.begin());
+    group.apart = std::max(group.apart, end);
+    if (std::ranges::find(group.others, who) != group.others.end()) continue;
+    const auto member = std::ranges::lower_bound(others, who, {}, &TeamFlight::who);
+    if (member == others.end() || member->who != who) continue;
+    group.others.push_back(who);
+    for (const TeamFlight& each : others) {
+      if (each.who == who || !each.conforms(now)) continue;
+      if (const auto& met = meeting(*member, each, now.seconds());
+          met && met->begin < until)
+        border.emplace(met->begin, each.who, met->end);
+    }
+  }
+  std::ranges::sort(group.others);
+  return group;
+}
+
+}  // namespace skein::reasoning

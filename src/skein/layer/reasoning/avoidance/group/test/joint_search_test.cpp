@@ -1,0 +1,74 @@
+#include "skein/layer/reasoning/avoidance/group/joint_search.h"
+
+#include <gtest/gtest.h>
+
+#include "skein/layer/reasoning/avoidance/group/test/circle_of_flights.h"
+#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr std::size_t kEnough = 30000;
+
+std::size_t meetings_of(const JointSolution& solution) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < solution.choices.size(); ++i)
+    for (std::size_t j = i + 1; j < solution.choices.size(); ++j)
+      if (first_meeting(solution.choices[i].flight, solution.choices[j].flight, {50, 20},
+                        5, 300))
+        ++count;
+  return count;
+}
+
+TEST(JointSearch, PartsAllOfACircle) {
+  for (const int count : {2, 3, 5, 8, 12}) {
+    const JointSolution solution =
+        solve_jointly(joint_problem(circle_of_flights(count)), kEnough);
+    EXPECT_EQ(solution.conflicts, 0U) << count;
+    EXPECT_EQ(meetings_of(solution), 0U) << count;
+    // In the middle of twelve each is some seconds later.
+    EXPECT_LT(solution.cost, 4.0 * count) << count;
+  }
+}
+
+TEST(JointSearch, NobodyChangesWhereAllAreApart) {
+  auto plans = circle_of_flights(4);
+  for (std::size_t k = 0; k < plans.size(); ++k)
+    plans[k].front().p_N.z() = -150.0 - 25.0 * static_cast<double>(k);
+  const JointSolution solution = solve_jointly(joint_problem(plans), kEnough);
+  EXPECT_EQ(solution.conflicts, 0U);
+  EXPECT_EQ(solution.cost, 0);
+  for (const JointChoice& each : solution.choices)
+    EXPECT_EQ(each.manoeuvre.kind, ManoeuvreKind::kGoOn);
+}
+
+// Who is not in the group goes on, and the others stay clear of it.
+TEST(JointSearch, KeepsApartFromOthers) {
+  const auto plans = circle_of_flights(4);
+  JointProblem problem = joint_problem({plans[0], plans[1], plans[2]});
+  for (auto& member : problem.members) member.others = {{&plans[3], {50, 20}}};
+  const JointSolution solution = solve_jointly(problem, kEnough);
+  EXPECT_EQ(solution.conflicts, 0U);
+  for (const JointChoice& each : solution.choices)
+    EXPECT_FALSE(first_meeting(each.flight, plans[3], {50, 20}, 5, 300));
+}
+
+TEST(JointSearch, TakesNothingThatIsNotFree) {
+  JointProblem problem = joint_problem(circle_of_flights(3));
+  problem.is_free = [](const FlightPlan&) { return false; };
+  const JointSolution solution = solve_jointly(problem, kEnough);
+  EXPECT_EQ(solution.conflicts, 3U);
+  for (const JointChoice& each : solution.choices)
+    EXPECT_EQ(each.manoeuvre.kind, ManoeuvreKind::kGoOn);
+}
+
+TEST(JointSearch, StopsWhereItMayLookNoFurther) {
+  const JointProblem problem = joint_problem(circle_of_flights(12));
+  const JointSolution none = solve_jointly(problem, 0);
+  EXPECT_EQ(none.conflicts, 66U);
+  const JointSolution some = solve_jointly(problem, 2000);
+  EXPECT_LT(some.conflicts, none.conflicts);
+}
+
+}  // namespace
+}  // namespace skein::reasoning
