@@ -15,6 +15,8 @@ namespace {
 constexpr double kExpected = 60;     // beyond the horizon that flights are expected [s]
 constexpr double kExpectAgain = 20;  // at least so often [s]
 constexpr double kMinExpected = 3;   // and not more often than that [s]
+constexpr double kWorthReturning =
+    40;  // of a flight that is left, to be planned anew [s]
 constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
 constexpr double kPlannedRadius = 1.1;       // of the turn radius: room to correct
 constexpr double kPlannedClimb = 0.95;       // of the climb rate, likewise
@@ -63,7 +65,11 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
                                       const TaskStep& step) const {
   if (!expected_ || given.number != given_ || given.what.index() != kind_) return true;
   const double age = (step.in.now - expected_at_).seconds();
-  if (separator_.changed()) return separator_.is_clear(step.in.now);
+  if (separator_.changed()) {
+    // Near its end another flight could not come down in time to where this one ends.
+    const double left = model::end_time_of(separator_.plan()) - step.in.now.seconds();
+    return separator_.is_clear(step.in.now) && (left > kWorthReturning || left <= 0);
+  }
   if (age < kMinExpected) return false;
   const Vec3 off =
       model::moment_at(wanted_.plan, step.in.now.seconds()).p_N - step.in.nav->p_N;

@@ -37,20 +37,22 @@ double cost_of_meeting(const PlanMeeting& meeting, double conflict) {
   return meeting.begin < conflict + kSoonTime ? kSoon : kLater;
 }
 
+double cost_of_climbs(const FlightPlan& flight) {
+  return kPerMetre * climbed(flight);
+}
+
 std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength,
                                   std::span<const KnownFlight> others,
                                   double look_until) {
-  const double arrival = model::end_time_of(conflict.plan);
+  const auto going_on = manoeuvred({ManoeuvreKind::kGoOn}, conflict);
+  if (!going_on) return {};
   std::vector<Candidate> all;
-  double of_plan = 0;  // up and down
   for (const Manoeuvre& manoeuvre :
        manoeuvres(conflict.limits, conflict.separation, strength)) {
     auto flight = manoeuvred(manoeuvre, conflict);
     if (!flight) continue;
-    const double up_and_down = climbed(*flight);
-    if (manoeuvre.kind == ManoeuvreKind::kGoOn) of_plan = up_and_down;
-    double cost = std::abs(model::end_time_of(*flight) - arrival) +
-                  kPerMetre * std::max(0.0, up_and_down - of_plan);
+    double cost = std::abs(model::end_time_of(*flight) - model::end_time_of(*going_on)) +
+                  std::max(0.0, cost_of_climbs(*flight) - cost_of_climbs(*going_on));
     for (const KnownFlight& other : others)
       if (const auto meeting = first_meeting(*flight, *other.plan, other.separation,
                                              conflict.begin, look_until))

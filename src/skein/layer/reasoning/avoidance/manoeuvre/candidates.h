@@ -26,10 +26,13 @@ struct Candidate {
 /// the conflict that it is about [s], 60 s within 30 s of it, 8 s later.
 double cost_of_meeting(const PlanMeeting& meeting, double conflict);
 
+/// What climbs cost: 0.05 s for each metre up or down [s].
+double cost_of_climbs(const FlightPlan& flight);
+
 /// What an aircraft may do about a conflict, with the cost of each:
 ///
-///   |arrival - the plan's| + 0.05 s/m (metres up and down more than the plan's)
-///     + for each third flight that it meets until `look_until` cost_of_meeting().
+///   |arrival - that of going on| + 0.05 s/m (metres up and down more than going on)
+///     + cost_of_meeting() for each third flight that it meets until `look_until`.
 ///
 /// @param others  flights of all but the two of the conflict.
 std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength,

@@ -29,7 +29,8 @@ constexpr auto names_of(const ManoeuvreKind*) {
 struct Manoeuvre {
   ManoeuvreKind kind = ManoeuvreKind::kGoOn;
   double amount = 0;  ///< aside, up, down [m]; speed: times the airspeed
-  double lead = 0;    ///< aside: the plan is left so long before the conflict [s]
+  double lead = 0;    ///< aside: the plan is left so long before the conflict; up, down:
+                      ///< or earlier [s]
 
   friend bool operator==(const Manoeuvre&, const Manoeuvre&) = default;
 };

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLevelBefore = 4;  // the conflict: an aircraft lags behind a climb [s]
 constexpr double kLevelAfter = 2;   // the conflict [s]
+constexpr double kLevel = 1e-3;     // climb rates below it [m/s]
 constexpr double kSpeedAfter = 2;   // the conflict [s]
 
 // Flights to the end of the conflict's plan.
@@ -27,25 +28,29 @@ class Maker {
 
   std::optional<FlightPlan> direct() const {
     FlightPlan flight;
-    if (!go(flight, at(conflict_.begin), conflict_.begin, goal_)) return std::nullopt;
+    if (!go(flight, moment(conflict_.begin), conflict_.begin, goal_)) return std::nullopt;
     return flight;
   }
   std::optional<FlightPlan> aside(double right, double lead) const;
-  std::optional<FlightPlan> up(double height) const;
+  std::optional<FlightPlan> up(double height, double lead) const;
   std::optional<FlightPlan> speed(double factor) const;
+  std::optional<FlightPlan> turned(double change, double until) const;
 
  private:
+  model::FlightMoment moment(double time) const {
+    return model::moment_at(conflict_.plan, time);
+  }
   FlightState at(double time) const {
-    const model::FlightMoment m = model::moment_at(conflict_.plan, time);
+    const model::FlightMoment m = moment(time);
     return {m.p_N, m.heading};
   }
   FlightPlan kept_until(double time) const {
     return planning::part_of(conflict_.plan, conflict_.begin, time);
   }
-  bool go(FlightPlan& flight, const FlightState& from, double start,
+  bool go(FlightPlan& flight, model::FlightMoment from, double start,
           const FlightState& to) const;
   bool go_on(FlightPlan& flight, const FlightState& to) const {
-    return go(flight, planning::state_after(flight), model::end_time_of(flight), to);
+    return go(flight, model::end_of(flight.back()), model::end_time_of(flight), to);
   }
 
   const ConflictOfFlight& conflict_;
@@ -54,11 +59,28 @@ class Maker {
   FlightState goal_;
 };
 
-bool Maker::go(FlightPlan& flight, const FlightState& from, double start,
+// By a link, whose climbs begin level: a climb is ended before, straight on.
+bool Maker::go(FlightPlan& flight, model::FlightMoment from, double start,
                const FlightState& to) const {
-  const planning::Link link = planning::link(from, to, query_);
+  const double climb = -from.v_N.z(), acceleration = query_.limits.climb_acceleration;
+  if (std::abs(climb) > kLevel && acceleration > 0) {
+    FlightElement level_off;
+    level_off.start = start;
+    level_off.duration = std::abs(climb) / acceleration;
+    level_off.p_N = from.p_N;
+    level_off.heading = from.heading;
+    level_off.airspeed = query_.limits.airspeed;
+    level_off.wind = query_.wind;
+    level_off.climb_rate = climb;
+    level_off.climb_acceleration = -std::copysign(acceleration, climb);
+    flight.push_back(level_off);
+    start += level_off.duration;
+    from = model::end_of(level_off);
+  }
+  const FlightState state{from.p_N, from.heading};
+  const planning::Link link = planning::link(state, to, query_);
   if (!std::isfinite(link.duration)) return false;
-  const FlightPlan more = planning::to_flight_plan(link, from, start, query_);
+  const FlightPlan more = planning::to_flight_plan(link, state, start, query_);
   flight.insert(flight.end(), more.begin(), more.end());
   return true;
 }
@@ -70,27 +92,49 @@ std::optional<FlightPlan> Maker::aside(double right, double lead) const {
   FlightState via = at(beside);
   via.p_N.head<2>() += right * geo::turned_right(geo::unit(via.heading));
   FlightPlan flight = kept_until(left_at);
-  if (!go(flight, at(left_at), left_at, via) || !go_on(flight, goal_))
+  if (!go(flight, moment(left_at), left_at, via) || !go_on(flight, goal_))
     return std::nullopt;
   return flight;
 }
 
-std::optional<FlightPlan> Maker::up(double height) const {
+// The quickest change of altitude of an aircraft that climbs already, or sinks.
+model::ClimbProfile climb_from(double now, double height, double rate,
+                               double acceleration) {
+  if (std::abs(now) < kLevel || acceleration <= 0)
+    return model::quickest_climb(height, rate, acceleration);
+  const double sign = height > 0 ? 1 : -1, along = sign * now;
+  const double begins = (rate * rate - along * along) / (2 * acceleration);
+  const double ends = rate * rate / (2 * acceleration);
+  const double even = (std::abs(height) - begins - ends) / rate;
+  if (along > 0 && along <= rate && even >= 0)
+    return {{(rate - along) / acceleration, now, sign * acceleration},
+            {even, sign * rate, 0},
+            {rate / acceleration, sign * rate, -sign * acceleration}};
+  // Level first.
+  model::ClimbProfile profile = {
+      {std::abs(now) / acceleration, now, -std::copysign(acceleration, now)}};
+  const double rest = height - now * std::abs(now) / (2 * acceleration);
+  const auto more = model::quickest_climb(rest, rate, acceleration);
+  profile.insert(profile.end(), more.begin(), more.end());
+  return profile;
+}
+
+std::optional<FlightPlan> Maker::up(double height, double lead) const {
   const FlightLimits& limits = conflict_.limits;
   const double rate = height > 0 ? limits.climb_rate : limits.sink_rate;
   if (!(rate > 0)) return std::nullopt;
   const double climb =
       model::climb_time(std::abs(height), rate, limits.climb_acceleration);
   const double left_at =
-      std::max(conflict_.begin, conflict_.meets - kLevelBefore - climb);
+      std::max(conflict_.begin, conflict_.meets - std::max(kLevelBefore + climb, lead));
   const double level_until = std::min(conflict_.apart + kLevelAfter, end_);
   if (left_at + climb > level_until) return std::nullopt;
   FlightPlan flight = kept_until(left_at);
   const FlightPlan beside = planning::part_of(conflict_.plan, left_at, level_until);
   if (beside.empty()) return std::nullopt;
-  const FlightPlan higher =
-      model::climbing(beside, beside.front().p_N.z(),
-                      model::quickest_climb(height, rate, limits.climb_acceleration));
+  const FlightPlan higher = model::climbing(
+      beside, beside.front().p_N.z(),
+      climb_from(-moment(left_at).v_N.z(), height, rate, limits.climb_acceleration));
   flight.insert(flight.end(), higher.begin(), higher.end());
   if (!go_on(flight, goal_)) return std::nullopt;
   return flight;
@@ -105,32 +149,55 @@ std::optional<FlightPlan> Maker::speed(double factor) const {
   other.query_.limits.turn_radius *= factor * factor;
   if (query_.wind.norm() >= other.query_.limits.airspeed) return std::nullopt;
   FlightPlan flight;
-  if (!other.go(flight, at(conflict_.begin), conflict_.begin, at(until)))
+  if (!other.go(flight, moment(conflict_.begin), conflict_.begin, at(until)))
     return std::nullopt;
   if (until < end_ && !go_on(flight, goal_)) return std::nullopt;
   return flight;
 }
 
+std::optional<FlightPlan> Maker::turned(double change, double until) const {
+  const model::FlightMoment from = moment(conflict_.begin);
+  const double time = until - conflict_.begin;
+  if (time <= 0) return std::nullopt;
+  FlightState via = at(std::min(until, end_));
+  via.heading = geo::wrap_pi(from.heading + change);
+  via.p_N.head<2>() =
+      from.p_N.head<2>() +
+      time * (conflict_.limits.airspeed * geo::unit(via.heading) + query_.wind);
+  FlightPlan flight;
+  if (!go(flight, from, conflict_.begin, via) || !go_on(flight, goal_))
+    return std::nullopt;
+  return flight;
+}
+
+Maker maker_of(const ConflictOfFlight& conflict) {
+  const FlightPlan rest =
+      planning::part_of(conflict.plan, conflict.begin, model::end_time_of(conflict.plan));
+  return {conflict, rest.front().wind};
+}
+
 std::optional<FlightPlan> made(const Manoeuvre& manoeuvre,
                                const ConflictOfFlight& conflict) {
-  const FlightPlan& plan = conflict.plan;
-  const Maker maker(
-      conflict,
-      planning::part_of(plan, conflict.begin, model::end_time_of(plan)).front().wind);
+  const Maker maker = maker_of(conflict);
   switch (manoeuvre.kind) {
     case ManoeuvreKind::kRight:
       return maker.aside(manoeuvre.amount, manoeuvre.lead);
     case ManoeuvreKind::kLeft:
       return maker.aside(-manoeuvre.amount, manoeuvre.lead);
     case ManoeuvreKind::kUp:
-      return maker.up(manoeuvre.amount);
+      return maker.up(manoeuvre.amount, manoeuvre.lead);
     case ManoeuvreKind::kDown:
-      return maker.up(-manoeuvre.amount);
+      return maker.up(-manoeuvre.amount, manoeuvre.lead);
     case ManoeuvreKind::kSpeed:
       return maker.speed(manoeuvre.amount);
     default:
       return maker.direct();
   }
+}
+
+bool begins_in_plan(const ConflictOfFlight& conflict) {
+  return !conflict.plan.empty() && conflict.begin < model::end_time_of(conflict.plan) &&
+         conflict.begin >= model::start_of(conflict.plan);
 }
 
 // No steeper than the aircraft climbs and sinks: a climb on top of another may be.
@@ -148,13 +215,18 @@ bool within(const FlightPlan& flight, const FlightLimits& limits) {
 
 std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
                                      const ConflictOfFlight& conflict) {
-  const FlightPlan& plan = conflict.plan;
-  if (plan.empty() || conflict.begin >= model::end_time_of(plan) ||
-      conflict.begin < model::start_of(plan))
-    return std::nullopt;
+  if (!begins_in_plan(conflict)) return std::nullopt;
   if (manoeuvre.kind == ManoeuvreKind::kGoOn)
-    return planning::part_of(plan, conflict.begin, model::end_time_of(plan));
+    return planning::part_of(conflict.plan, conflict.begin,
+                             model::end_time_of(conflict.plan));
   const auto flight = made(manoeuvre, conflict);
+  return flight && within(*flight, conflict.limits) ? flight : std::nullopt;
+}
+
+std::optional<FlightPlan> turned_flight(const ConflictOfFlight& conflict, double change,
+                                        double until) {
+  if (!begins_in_plan(conflict)) return std::nullopt;
+  const auto flight = maker_of(conflict).turned(change, until);
   return flight && within(*flight, conflict.limits) ? flight : std::nullopt;
 }
 

@@ -24,13 +24,21 @@ struct ConflictOfFlight {
 /// - Aside: the plan is left `lead` before the conflict; the flight passes beside where
 ///   the plan would be when they are closest, with the plan's heading, and goes to the
 ///   plan's end from there.
-/// - Up, down: begun so late that it is level four seconds before the conflict, until two
-///   seconds after it, then to the plan's end. Sideways the plan is kept until then.
+/// - Up, down: begun so late that it is level four seconds before the conflict, or `lead`
+///   before it where that is earlier, until two seconds after it, then to the plan's end.
+///   Sideways the plan is kept until then.
 /// - Speed: from `begin` to where the plan is two seconds after the conflict, then at
 ///   cruise to its end. Turns take the radius of that airspeed at the same bank.
 ///
 /// @returns  nothing where there is no time for it, or no such flight.
 std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
                                      const ConflictOfFlight& conflict);
+
+/// The flight that turns at `begin` and flies on until a time [s], then to the end of the
+/// plan.
+/// @param change  of the heading, to the right [rad].
+/// @returns  nothing where there is no such flight.
+std::optional<FlightPlan> turned_flight(const ConflictOfFlight& conflict, double change,
+                                        double until);
 
 }  // namespace skein::reasoning

@@ -52,7 +52,7 @@ void Separator::want(const WantedFlight& wanted) {
   agreed_ = 0;
   changed_ = false;
   plan_is_new_ = true;
-  reason_ = {};
+  if (flies_plan()) reason_ = {};
   negotiation_.reset();
   leave_group();
 }

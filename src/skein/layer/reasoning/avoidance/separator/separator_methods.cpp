@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/avoidance/rules/rule_flight.h"
-#include "skein/layer/reasoning/avoidance/separator/flight_check.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
@@ -45,10 +45,11 @@ SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const
   return SeparationMethod::kLastMoment;
 }
 
-// Two that have tried and not found anything.
+// Two that have tried and not found anything, where there is a third.
 bool Separator::is_for_group(EntityId other) const {
   const auto found = waiting_.find(other);
-  return found != waiting_.end() && found->second.failures >= kPairFailures;
+  return conflicts_.size() > 1 && found != waiting_.end() &&
+         found->second.failures >= kPairFailures;
 }
 
 Standing Separator::standing_to(const TeamFlight& other) const {

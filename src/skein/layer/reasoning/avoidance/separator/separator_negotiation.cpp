@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "skein/layer/reasoning/avoidance/separator/flight_check.h"
+#include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/model/path/flight_plan.h"

@@ -8,13 +8,14 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookAhead = 60;  // [s]
-constexpr double kStep = 0.5;      // [s]
-constexpr double kSigmas = 2;
+constexpr double kLookAhead = 60;           // [s]
+constexpr double kStep = 0.5;               // [s]
+constexpr double kForesight = 10;           // for which room is kept [s]
 constexpr double kAcross = 1.5, kUp = 0.7;  // accelerations [m/s^2 / sqrt(Hz)]
 constexpr double kMargin = 5;               // before and after an intersection [s]
 
 double sd_after(double place, double speed, double acceleration, double t) {
+  t = std::min(t, kForesight);
   return std::sqrt(place * place + speed * speed * t * t +
                    acceleration * acceleration * t * t * t / 3);
 }
@@ -31,7 +32,7 @@ double vertical_sd_after(const Stranger& stranger, double t) {
 
 std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& plan,
                                                             const Stranger& stranger,
-                                                            double now) {
+                                                            double now, double sigmas) {
   PredictedIntersection found;
   const double until = std::min(now + kLookAhead, model::end_time_of(plan));
   bool inside = false;
@@ -40,8 +41,8 @@ std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& pl
     const Vec3 apart = stranger.p_N + t * stranger.v_N - model::moment_at(plan, time).p_N;
     const double h_sd = horizontal_sd_after(stranger, time - now);
     const double z_sd = vertical_sd_after(stranger, time - now);
-    const Separation kept{stranger.kept.horizontal + kSigmas * h_sd,
-                          stranger.kept.vertical + kSigmas * z_sd};
+    const Separation kept{stranger.kept.horizontal + sigmas * h_sd,
+                          stranger.kept.vertical + sigmas * z_sd};
     const double ratio = kept.ratio(apart.head<2>().norm(), std::abs(apart.z()));
     if (ratio >= 1) continue;
     if (!inside) found.begin = time;
@@ -54,6 +55,17 @@ std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& pl
   }
   if (!inside) return std::nullopt;
   return found;
+}
+
+FlightPlan flight_of(const Stranger& stranger, double from, double until) {
+  FlightElement straight;
+  straight.start = from;
+  straight.duration = until - from;
+  straight.p_N = stranger.p_N + (from - stranger.time) * stranger.v_N;
+  straight.heading = geo::bearing(stranger.v_N.head<2>());
+  straight.airspeed = stranger.v_N.head<2>().norm();
+  straight.climb_rate = -stranger.v_N.z();
+  return {straight};
 }
 
 MovingObstacle room_of(const Stranger& stranger, const PredictedIntersection& meeting) {

@@ -30,7 +30,9 @@ struct Stranger {
 ///   s(t)^2 = s_p^2 + (s_v t)^2 + q^2 t^3 / 3,  q = 1.5 m/s^2 per sqrt(Hz), 0.7 up and
 ///   down
 ///
-/// the same motion that tracks are filtered with.
+/// the same motion that tracks are filtered with, t at most 10 s: what a stranger does
+/// later is seen in time to plan again, and room for all of it would take longer to fly
+/// around than the whole way.
 double horizontal_sd_after(const Stranger& stranger, double t);
 double vertical_sd_after(const Stranger& stranger, double t);
 
@@ -40,18 +42,23 @@ struct PredictedIntersection {
   double begin = 0;         ///< when it is first below 1 [s]
   double closest_time = 0;  ///< when it is least [s]
   double end = 0;           ///< when it was last below 1 [s]
-  Separation kept;          ///< D + 2 s_h, Z + 2 s_z at the closest time
+  Separation kept;          ///< D + k s_h, Z + k s_z at the closest time
 };
 
 /// Looks along a plan from `now` for a minute:
 ///
-///   t* = argmin max(h(t) / (D + 2 s_h(t)), z(t) / (Z + 2 s_z(t)))
+///   t* = argmin max(h(t) / (D + k s_h(t)), z(t) / (Z + k s_z(t)))
 ///
+/// @param sigmas  k.
 /// @returns  none where the least is 1 or more.
 /// Reference: spec/team.md section 8.
 std::optional<PredictedIntersection> predicted_intersection(const FlightPlan& plan,
                                                             const Stranger& stranger,
-                                                            double now);
+                                                            double now,
+                                                            double sigmas = 2);
+
+/// Its flight if it goes straight on, from a time to another [s].
+FlightPlan flight_of(const Stranger& stranger, double from, double until);
 
 /// The room that is kept free of the own flight: a cylinder that moves with the stranger,
 /// from five seconds before the intersection to five after.

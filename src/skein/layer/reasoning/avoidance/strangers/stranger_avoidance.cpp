@@ -2,43 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
+#include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 namespace {
 
-constexpr double kInside = 0.97;  // a ratio below it is worth another plan
-constexpr double kSpread = 30;    // for which rooms of others are made [s]
-constexpr double kAhead = 60;     // for which they are there [s]
-constexpr double kClear = 3;      // the way to the goal, before it is flown [s]
-constexpr double kTryAgain = 2;   // after no plan was found [s]
-constexpr int kWarning = 3;       // level of alert
-
+// Sigmas of room in which a stranger is worth another plan: fewer than what that keeps,
+// or the noise of its track would ask for one again and again.
+constexpr double kActs = 1;
+constexpr double kClear = 3;     // the way to the goal, before it is flown [s]
+constexpr double kTryAgain = 2;  // after no plan was found [s]
+constexpr int kWarning = 3;      // level of alert
 }  // namespace
 
 StrangerAvoidance::StrangerAvoidance(double reaction)
     : reaction_(reaction), advisor_(*model::well_clear_configuration("skein_suas")) {}
 
 bool StrangerAvoidance::plan_around(const StrangerView& view) {
-  begin_ = view.now + reaction_;
   Airspace airspace;
   airspace.zones.assign(view.zones.begin(), view.zones.end());
   airspace.flights.assign(view.rooms.begin(), view.rooms.end());
-  for (const Stranger& stranger : view.strangers) {
-    auto meeting = predicted_intersection(view.plan, stranger, view.now);
-    if (!meeting) {
-      // Not on the plan's way, but perhaps on that around another.
-      meeting.emplace();
-      meeting->begin = view.now;
-      meeting->end = view.now + kAhead;
-      meeting->kept = {
-          stranger.kept.horizontal + 2 * horizontal_sd_after(stranger, kSpread),
-          stranger.kept.vertical + 2 * vertical_sd_after(stranger, kSpread)};
-    }
-    airspace.movers.push_back(room_of(stranger, *meeting));
-  }
+  const std::vector<PredictedIntersection> meetings = meetings_with(view);
+  for (std::size_t k = 0; k < meetings.size(); ++k)
+    airspace.movers.push_back(room_of(view.strangers[k], meetings[k]));
   auto flight = replanned(view.plan, begin_, view.rejoins, view.query, airspace);
   if (!flight) return false;
   flight_ = *std::move(flight);
@@ -72,10 +62,10 @@ StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
   const bool turn = must_turn(view);
   std::optional<PredictedIntersection> first;
   for (const Stranger& stranger : view.strangers) {
-    const auto meeting = predicted_intersection(view.plan, stranger, view.now);
-    if (!meeting || meeting->ratio >= kInside) continue;
-    if (first && first->begin <= meeting->begin) continue;
-    first = meeting;
+    const auto inner = predicted_intersection(view.plan, stranger, view.now, kActs);
+    if (!inner) continue;
+    if (first && first->begin <= inner->begin) continue;
+    first = predicted_intersection(view.plan, stranger, view.now);
     stranger_ = stranger.name;
   }
   if (first) meeting_ = *first;
@@ -86,8 +76,23 @@ StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
     return turning_ ? Action::kTrack : Action::kNone;
   }
   if (first && view.now >= plan_again_) {
-    if (plan_around(view)) return Action::kPlan;
+    begin_ = view.now + reaction_;
+    if (auto flight = flight_around(view, *first, begin_)) {
+      flight_ = *std::move(flight);
+      around_ = true;
+      return Action::kPlan;
+    }
+    around_ = plan_around(view);
+    if (around_) return Action::kPlan;
     plan_again_ = view.now + kTryAgain;
+  }
+  if (around_ && !first && view.now >= plan_again_) {
+    begin_ = view.now + reaction_;
+    if (auto flight = flight_straight_on(view, begin_)) {
+      flight_ = *std::move(flight);
+      around_ = false;
+      return Action::kPlan;
+    }
   }
   if (turn && (alert_ >= kWarning || first)) {
     turning_ = true;

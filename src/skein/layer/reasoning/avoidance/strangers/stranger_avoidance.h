@@ -1,37 +1,21 @@
 #pragma once
 
-#include <optional>
-#include <span>
 #include <vector>
 
-#include "skein/data/airspace.h"
 #include "skein/layer/reasoning/avoidance/strangers/stranger.h"
+#include "skein/layer/reasoning/avoidance/strangers/stranger_view.h"
 #include "skein/model/well_clear/band_advisor.h"
-#include "skein/role/path_planner.h"
 
 namespace skein::reasoning {
 
-/// What is to be kept out of the way of, at one step.
-struct StrangerView {
-  double now = 0;           ///< [s]
-  Vec3 p_N = Vec3::Zero();  ///< of the own aircraft [m]
-  Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
-  const FlightPlan& plan;   ///< that is flown
-  double rejoins = 0;       ///< where that must be met again [s]
-  std::span<const Stranger> strangers;
-  const PathQuery& query;                ///< limits, wind, ground
-  std::span<const Zone> zones;           ///< no-fly
-  std::span<const PlannedFlight> rooms;  ///< of planned flights of the team
-};
-
 /// Keeps an aircraft out of the way of those who say nothing of their plans.
 ///
-/// Where its plan comes into the room of a stranger (predicted_intersection), another one
-/// is planned around all of these rooms, which move. Where there is no such plan, or the
-/// well-clear alert is a warning, it flies by bands: the track nearest to where it wants
-/// to go that leads into no conflict, or out of one soonest, until the way to its goal is
-/// free.
-/// Reference: spec/team.md section 8.
+/// Where its plan comes into the room of a stranger (predicted_intersection), it flies
+/// the cheapest manoeuvre that stays clear of all, or another plan around all of these
+/// rooms, which move. Where there is neither, or the well-clear alert is a warning, it
+/// flies by bands: the track nearest to where it wants to go that leads into no conflict,
+/// or out of one soonest, until the way to its goal is free. Reference: spec/team.md
+/// section 8.
 class StrangerAvoidance {
  public:
   /// @param reaction  own action begins so long after a decision [s].
@@ -61,7 +45,7 @@ class StrangerAvoidance {
   std::vector<model::TrackedIntruder> intruders_;
   FlightPlan flight_;
   double begin_ = 0, track_ = 0, clear_since_ = 0, plan_again_ = 0;
-  bool turning_ = false;
+  bool turning_ = false, around_ = false;  // the plan is another because of a stranger
   std::uint32_t stranger_ = 0;
   PredictedIntersection meeting_;
   int alert_ = 0;

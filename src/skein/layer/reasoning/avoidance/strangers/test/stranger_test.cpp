@@ -29,8 +29,11 @@ TEST(Stranger, ItsPlaceIsLessAndLessKnown) {
   stranger.horizontal_sd = 10;
   stranger.horizontal_speed_sd = 1;
   EXPECT_EQ(horizontal_sd_after(stranger, 0), 10);
+  EXPECT_NEAR(horizontal_sd_after(stranger, 8),
+              std::sqrt(100 + 64 + 1.5 * 1.5 * 8 * 8 * 8 / 3), 1e-9);
   EXPECT_NEAR(horizontal_sd_after(stranger, 12),
-              std::sqrt(100 + 144 + 1.5 * 1.5 * 12 * 12 * 12 / 3), 1e-9);
+              std::sqrt(100 + 100 + 1.5 * 1.5 * 1000 / 3), 1e-9)
+      << "as after ten seconds";
   EXPECT_LT(vertical_sd_after(stranger, 12), horizontal_sd_after(stranger, 12));
 }
 
