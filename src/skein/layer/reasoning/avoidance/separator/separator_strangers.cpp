@@ -20,6 +20,7 @@ void Separator::avoid_strangers(const SeparationStep& step) {
       strangers_.step({step.now.seconds(), step.p_N, step.v_N, own_.plan, until,
                        step.strangers, step.query, step.zones, others});
   if (action == StrangerAvoidance::Action::kPlan) {
+    turn_.reset();
     adopt(strangers_.flight(),
           {strangers_.begin(),
            until,

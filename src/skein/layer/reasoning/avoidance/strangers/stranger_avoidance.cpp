@@ -6,6 +6,7 @@
 
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
+#include "skein/layer/reasoning/planning/search/link.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -15,8 +16,19 @@ namespace {
 // or the noise of its track would ask for one again and again.
 constexpr double kActs = 1;
 constexpr double kClear = 3;     // the way to the goal, before it is flown [s]
-constexpr double kTryAgain = 2;  // after no plan was found [s]
 constexpr int kWarning = 3;      // level of alert
+constexpr double kTryAgain = 2;  // after no plan was found [s]
+// To where the plan is met again; empty where nothing leads there.
+FlightPlan plan_from_here(const StrangerView& view) {
+  const model::FlightMoment to = model::moment_at(view.plan, view.rejoins);
+  const FlightState here{view.p_N,
+                         geo::bearing(Vec2(view.v_N.head<2>() - view.query.wind))};
+  const planning::Link link =
+      planning::link(here, {to.p_N, geo::wrap_pi(to.heading)}, view.query);
+  if (!std::isfinite(link.duration)) return {};
+  return planning::to_flight_plan(link, here, view.now, view.query);
+}
+
 }  // namespace
 
 StrangerAvoidance::StrangerAvoidance(double reaction)
@@ -57,49 +69,72 @@ bool StrangerAvoidance::must_turn(const StrangerView& view) {
   return std::abs(geo::wrap_pi(track_ - goal)) > 1e-3 || alert_ >= kWarning;
 }
 
-StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
-  if (view.strangers.empty() && !turning_) return Action::kNone;
-  const bool turn = must_turn(view);
+// The first intersection that is worth another plan.
+std::optional<PredictedIntersection> StrangerAvoidance::first_of(
+    const StrangerView& view) {
   std::optional<PredictedIntersection> first;
   for (const Stranger& stranger : view.strangers) {
     const auto inner = predicted_intersection(view.plan, stranger, view.now, kActs);
-    if (!inner) continue;
-    if (first && first->begin <= inner->begin) continue;
+    if (!inner || (first && first->begin <= inner->begin)) continue;
     first = predicted_intersection(view.plan, stranger, view.now);
     stranger_ = stranger.name;
   }
   if (first) meeting_ = *first;
-  if (turning_) {
-    if (turn) clear_since_ = view.now;
-    // Back to plans: what is wanted is planned from here.
-    if (view.now - clear_since_ >= kClear) turning_ = false;
-    return turning_ ? Action::kTrack : Action::kNone;
+  return first;
+}
+
+StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
+  if (view.strangers.empty() && !turning_) return Action::kNone;
+  const bool turn = must_turn(view);
+  if (turning_) return turn_on(view, turn);
+  const std::optional<PredictedIntersection> first = first_of(view);
+  begin_ = view.now + reaction_;
+  if (!first) {
+    if (!around_) return Action::kNone;
+    auto flight = flight_straight_on(view, begin_);
+    if (!flight) return Action::kNone;
+    flight_ = *std::move(flight);
+    around_ = false;
+    return Action::kPlan;
   }
-  if (first && view.now >= plan_again_) {
-    begin_ = view.now + reaction_;
-    if (auto flight = flight_around(view, *first, begin_)) {
-      flight_ = *std::move(flight);
-      around_ = true;
-      return Action::kPlan;
-    }
-    around_ = plan_around(view);
+  if (view.now >= plan_again_) {
+    auto flight = flight_around(view, *first, begin_);
+    if (flight) flight_ = *std::move(flight);
+    around_ = flight || plan_around(view);
     if (around_) return Action::kPlan;
     plan_again_ = view.now + kTryAgain;
   }
-  if (around_ && !first && view.now >= plan_again_) {
-    begin_ = view.now + reaction_;
-    if (auto flight = flight_straight_on(view, begin_)) {
-      flight_ = *std::move(flight);
-      around_ = false;
-      return Action::kPlan;
-    }
+  if (!turn) return Action::kNone;
+  turning_ = true;
+  clear_since_ = view.now;
+  return Action::kTrack;
+}
+
+// By bands, until the way to the goal is free or a flight from here is.
+StrangerAvoidance::Action StrangerAvoidance::turn_on(const StrangerView& view,
+                                                     bool turn) {
+  if (turn) clear_since_ = view.now;
+  // What is wanted is planned from here.
+  if (view.now - clear_since_ >= kClear) turning_ = false;
+  if (!turning_) return Action::kNone;
+  if (view.now < plan_again_) return Action::kTrack;
+  plan_again_ = view.now + kTryAgain;
+  FlightPlan here = plan_from_here(view);
+  if (here.empty()) return Action::kTrack;
+  const StrangerView from_here{
+      view.now,       view.p_N,   view.v_N,   here,      model::end_time_of(here),
+      view.strangers, view.query, view.zones, view.rooms};
+  if (const auto first = first_of(from_here)) {
+    auto flight = flight_around(from_here, *first, view.now);
+    if (!flight) return Action::kTrack;
+    here = *std::move(flight);
   }
-  if (turn && (alert_ >= kWarning || first)) {
-    turning_ = true;
-    clear_since_ = view.now;
-    return Action::kTrack;
-  }
-  return Action::kNone;
+  append_rest(here, view.plan, view.rejoins);
+  flight_ = std::move(here);
+  begin_ = view.now;
+  around_ = true;
+  turning_ = false;
+  return Action::kPlan;
 }
 
 }  // namespace skein::reasoning

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "skein/layer/reasoning/avoidance/strangers/stranger.h"
@@ -11,11 +12,11 @@ namespace skein::reasoning {
 /// Keeps an aircraft out of the way of those who say nothing of their plans.
 ///
 /// Where its plan comes into the room of a stranger (predicted_intersection), it flies
-/// the cheapest manoeuvre that stays clear of all, or another plan around all of these
-/// rooms, which move. Where there is neither, or the well-clear alert is a warning, it
-/// flies by bands: the track nearest to where it wants to go that leads into no conflict,
-/// or out of one soonest, until the way to its goal is free. Reference: spec/team.md
-/// section 8.
+/// the cheapest way around that stays clear of all (flight_around), or another plan
+/// around all of these rooms, which move. Where there is neither, it flies by bands: the
+/// track nearest to where it wants to go that leads into no well-clear conflict, or out
+/// of one soonest, until there is a plan again or the way to its goal is free. Reference:
+/// spec/team.md section 8.
 class StrangerAvoidance {
  public:
   /// @param reaction  own action begins so long after a decision [s].
@@ -39,6 +40,8 @@ class StrangerAvoidance {
  private:
   bool plan_around(const StrangerView& view);
   bool must_turn(const StrangerView& view);
+  std::optional<PredictedIntersection> first_of(const StrangerView& view);
+  Action turn_on(const StrangerView& view, bool turn);
 
   double reaction_;
   model::BandAdvisor advisor_;
