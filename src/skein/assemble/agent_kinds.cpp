@@ -30,16 +30,17 @@ Fields<SafetyZone> safety_zone_fields() {
 Fields<reasoning::SeparationOptions> avoidance_fields() {
   using T = reasoning::SeparationOptions;
   return Fields<T>()
-      .word("method", &T::method, "How it keeps apart from others of its team.",
-            {{"none", SeparationMethod::kNone, "not at all, and it says nothing"},
-             {"rule", SeparationMethod::kRule, "each alone, by the rules of the air"},
-             {"priority", SeparationMethod::kPriority,
-              "the lower one plans around the higher one"},
-             {"negotiated", SeparationMethod::kNegotiated, "two agree on what both fly"},
-             {"group", SeparationMethod::kGroup,
-              "all whose conflicts hang together agree, up to twelve"},
-             {"auto", SeparationMethod::kAuto,
-              "negotiated, by priority, by rule or by height, as time is left"}})
+      .word(
+          "method", &T::method, "How it keeps apart from others of its team.",
+          {{"none", SeparationMethod::kNone, "not at all, and it says nothing"},
+           {"rule", SeparationMethod::kRule, "each alone, by the rules of the air"},
+           {"priority", SeparationMethod::kPriority,
+            "the lower one plans around the higher one"},
+           {"negotiated", SeparationMethod::kNegotiated, "two agree on what both fly"},
+           {"group", SeparationMethod::kGroup,
+            "all whose conflicts hang together agree, up to twelve"},
+           {"auto", SeparationMethod::kAuto,
+            "negotiated, in groups, by priority, by rule or by height, as time is left"}})
       .number("horizontal_m", [](T & t) -> auto& { return t.separation.horizontal; },
               "Kept from others, unless the vertical distance is kept. Of a pair the "
               "larger counts, and how far both are off their plans on top.",

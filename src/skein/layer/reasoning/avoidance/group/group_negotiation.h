@@ -71,6 +71,8 @@ class GroupNegotiation {
   /// What was agreed, once it was. None: the own aircraft goes on.
   const std::optional<FlightPlan>& flight() const { return flight_; }
   ManoeuvreKind kind() const { return kind_; }
+  /// Whether it is known what comes out.
+  bool is_solved() const { return plan_.has_value(); }
   /// Who takes part, without the own aircraft.
   std::vector<EntityId> partners() const;
 

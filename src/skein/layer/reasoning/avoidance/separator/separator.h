@@ -156,7 +156,6 @@ class Separator {
   // Of what each does alone (separator_methods.cpp).
   std::vector<PlannedFlight> rooms(const SeparationStep& step, bool higher_only) const;
   SeparationMethod method_for(const Conflict& conflict, Time now) const;
-  bool is_for_group(EntityId other) const;
   NegotiatedConflict about(const Conflict& conflict, double begin) const;
   bool by_rule(const SeparationStep& step, const Conflict& conflict);
   bool by_priority(const SeparationStep& step, const Conflict& conflict);
@@ -207,9 +206,9 @@ class Separator {
   std::optional<PairNegotiation> negotiation_, last_;  // that goes on, the one before
   ConflictGroups groups_;
   std::optional<GroupNegotiation> group_;
-  NegotiationName last_group_;                  // that the aircraft took part in
-  std::uint32_t group_plan_ = 0;                // when `group_asks_at_` was set
-  double group_asks_at_ = 0, group_again_ = 0;  // [s]
+  NegotiationName last_group_;                // that the aircraft took part in
+  std::uint32_t group_plan_ = 0;              // the own one since `group_since_`
+  double group_since_ = 0, group_again_ = 0;  // [s]
   std::vector<Message> inbox_, answers_;
   std::map<EntityId, Waiting> waiting_;
   std::vector<Conflict> conflicts_;

@@ -18,6 +18,8 @@ constexpr std::size_t kMostMeetings = 30000;  // pairs of flights looked at by a
 constexpr double kRoundTrips = 4;      // invitation, joining, plan, acceptance; and again
 constexpr double kGroupLookOn = 60;    // beyond the horizon, for meetings that count [s]
 constexpr double kBeforeConflict = 1;  // what is agreed on begins [s]
+constexpr double kGathering =
+    2;  // until plans of all that have changed theirs are here [s]
 constexpr std::size_t kMostInvited = 64;
 
 bool is_plausible(const GroupInvitation& invitation, double now, double horizon) {
@@ -62,6 +64,9 @@ void Separator::answer(const SeparationStep& step, EntityId from,
   if (own == invitation.members.end()) return;
   const NegotiationName name{from, invitation.group};
   if (group_ && group_->name() == name) return;
+  // Of two that invite each other the lower one coordinates.
+  if (group_ && group_->name().opener == self_ && from < self_ && !group_->is_solved())
+    leave_group();
   const bool same_plan = own->plan == own_.number;
   plan_is_new_ = plan_is_new_ || !same_plan;  // the sender does not know it yet
   if (!same_plan || name == last_group_ || !can_join(step, invitation)) {
@@ -89,9 +94,10 @@ void Separator::open_group(const SeparationStep& step) {
   if (found.others.empty()) return;
   if (group_plan_ != own_.number) {
     group_plan_ = own_.number;
-    group_asks_at_ = now + kAskAnyway;
+    group_since_ = now;
   }
-  if (found.others.front() < self_ && now < group_asks_at_) return;
+  const bool lowest = self_ < found.others.front();
+  if (now < group_since_ + (lowest ? kGathering : kAskAnyway)) return;
   double delay = 0;
   for (const EntityId who : found.others) delay = std::max(delay, delay_to(who));
   GroupInvitation invitation;

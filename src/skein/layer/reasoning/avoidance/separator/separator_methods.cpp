@@ -17,9 +17,11 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kBudget = 3;        // of negotiations, besides messages [s]
-constexpr int kPairFailures = 2;     // after them a group looks for more
-constexpr double kApartFor = 150;    // after a manoeuvre's begin [s]
+constexpr double kBudget = 3;          // of negotiations, besides messages [s]
+constexpr int kAttempts = 2;           // to negotiate, before one acts alone
+constexpr double kLeastToAct = 3;      // between an agreement and the conflict [s]
+constexpr std::size_t kGroupFrom = 2;  // conflicts of one aircraft
+constexpr double kApartFor = 150;      // after a manoeuvre's begin [s]
 constexpr double kRoom = 0.5;        // around others, so that none is met by rounding [m]
 constexpr double kHeightRoom = 0.3;  // the same, up and down [m]
 constexpr double kRoomTime = 0.1;    // the same, along [s]
@@ -32,24 +34,21 @@ constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
 
 }  // namespace
 
-// The row of the switch.
+// The row of the switch. Agreements cost least, so they are tried as long as one can
+// still be reached, and again once; only then does one of the two act alone.
 SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const {
   if (options_.method != SeparationMethod::kAuto) return options_.method;
   const double left = conflict.meeting.begin - now.seconds();
   const double negotiating = kBudget + 4 * (2 * delay_to(conflict.other) + kAgentStep);
+  const bool alone = conflicts_.size() < kGroupFrom;
   if (left > options_.fixed + negotiating)
-    return is_for_group(conflict.other) ? SeparationMethod::kGroup
-                                        : SeparationMethod::kNegotiated;
+    return alone ? SeparationMethod::kNegotiated : SeparationMethod::kGroup;
+  const auto waiting = waiting_.find(conflict.other);
+  const bool failed = waiting != waiting_.end() && waiting->second.failures >= kAttempts;
+  if (left > negotiating + kLeastToAct && !failed) return SeparationMethod::kNegotiated;
   if (left > options_.emergency) return SeparationMethod::kPriority;
   if (left > options_.last_moment) return SeparationMethod::kRule;
   return SeparationMethod::kLastMoment;
-}
-
-// Two that have tried and not found anything, where there is a third.
-bool Separator::is_for_group(EntityId other) const {
-  const auto found = waiting_.find(other);
-  return conflicts_.size() > 1 && found != waiting_.end() &&
-         found->second.failures >= kPairFailures;
 }
 
 Standing Separator::standing_to(const TeamFlight& other) const {

@@ -42,15 +42,20 @@ TEST(JointSearch, NobodyChangesWhereAllAreApart) {
     EXPECT_EQ(each.manoeuvre.kind, ManoeuvreKind::kGoOn);
 }
 
-// Who is not in the group goes on, and the others stay clear of it.
+// Who is not in the group goes on, and the others do not fly into its way: that which
+// comes at the same time from the other side is solved without a new conflict with it.
 TEST(JointSearch, KeepsApartFromOthers) {
-  const auto plans = circle_of_flights(4);
-  JointProblem problem = joint_problem({plans[0], plans[1], plans[2]});
-  for (auto& member : problem.members) member.others = {{&plans[3], {50, 20}}};
-  const JointSolution solution = solve_jointly(problem, kEnough);
-  EXPECT_EQ(solution.conflicts, 0U);
-  for (const JointChoice& each : solution.choices)
-    EXPECT_FALSE(first_meeting(each.flight, plans[3], {50, 20}, 5, 300));
+  auto plans = circle_of_flights(2);
+  for (const double beside : {100.0, -100.0}) {
+    FlightPlan third = plans[0];  // beside the first, at its height
+    third.front().p_N.head<2>() +=
+        beside * geo::turned_right(geo::unit(third.front().heading));
+    JointProblem problem = joint_problem(plans);
+    for (auto& member : problem.members) member.others = {{&third, {50, 20}}};
+    const JointSolution solution = solve_jointly(problem, kEnough);
+    EXPECT_EQ(solution.conflicts, 0U);
+    EXPECT_FALSE(first_meeting(solution.choices[0].flight, third, {50, 20}, 5, 300));
+  }
 }
 
 TEST(JointSearch, TakesNothingThatIsNotFree) {
