@@ -18,6 +18,7 @@ constexpr double kMinExpected = 3;   // and not more often than that [s]
 constexpr double kWorthReturning =
     40;  // of a flight that is left, to be planned anew [s]
 constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
+constexpr double kOtherWind = 1;             // than that of the plan [m/s]
 constexpr double kPlannedRadius = 1.1;       // of the turn radius: room to correct
 constexpr double kPlannedClimb = 0.95;       // of the climb rate, likewise
 
@@ -70,6 +71,9 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
     const double left = model::end_time_of(separator_.plan()) - step.in.now.seconds();
     return separator_.is_clear(step.in.now) && (left > kWorthReturning || left <= 0);
   }
+  // Flights that were planned in another wind cannot be flown.
+  const Vec2 wind = wanted_.plan.back().wind;
+  if ((wind - step.in.nav->wind_N).norm() > kOtherWind) return true;
   if (age < kMinExpected) return false;
   const Vec3 off =
       model::moment_at(wanted_.plan, step.in.now.seconds()).p_N - step.in.nav->p_N;
@@ -122,8 +126,10 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
   if (options_.method == SeparationMethod::kNone) return given;
   // The task has no part in it when another flight than its own is refused.
   if (flight.refused && own_number_ != 0 && flight.number == own_number_ &&
-      separator_.changed())
+      separator_.changed()) {
     separator_.refuse_plan();
+    if (expected_) given_ = 0;  // expected anew, from here and in the wind that there is
+  }
   want(*given, step, flight);
   if (wanted_.plan.empty()) return given;
   messages_.clear();
