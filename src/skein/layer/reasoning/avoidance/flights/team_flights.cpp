@@ -16,7 +16,11 @@ constexpr double kAcross = 30, kHeight = 12;  // [m]
 
 constexpr double kLargestError = 1000;  // that can be meant [m]
 constexpr double kLargestSeparation = 20e3;
-constexpr double kFades = 0.9;  // of the longest delay, at each message
+constexpr double kPeriod = 1;          // of PlaceReports [s]
+constexpr double kLongestGap = 20;     // between them
+constexpr double kForgets = 0.99;      // of PlaceReports, at each
+constexpr double kLeastExpected = 10;  // of them, to know what is lost
+constexpr double kFades = 0.9;         // of the longest delay, at each message
 
 bool is_error(float error) {
   return error >= 0 && error <= kLargestError;
@@ -79,7 +83,20 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
                             report.plan};
   if (!place.p_N.allFinite() || !place.v_N.allFinite()) return;
   TeamFlight& flight = at(message.from);
-  if (!flight.place || flight.place->sent < place.sent) flight.place = place;
+  if (flight.place && place.sent <= flight.place->sent) return;
+  if (flight.place) {
+    // Longer gaps are of somebody who was out of reach.
+    const double sent = std::round((place.sent - flight.place->sent).seconds() / kPeriod);
+    if (sent >= 1 && sent <= kLongestGap) {
+      expected_ = kForgets * expected_ + sent;
+      received_ = kForgets * received_ + 1;
+    }
+  }
+  flight.place = place;
+}
+
+double TeamFlights::loss() const {
+  return expected_ > kLeastExpected ? 1 - received_ / expected_ : 0;
 }
 
 void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox) {

@@ -53,12 +53,16 @@ class TeamFlights {
   std::span<const TeamFlight> flights() const { return flights_; }  ///< by id
   const TeamFlight* find(EntityId who) const;
 
+  /// The share of what others send that does not arrive, by their PlaceReports of late.
+  double loss() const;
+
  private:
   TeamFlight& at(EntityId who);
   void take(const Message& message, const PlanReport& report);
   void take(const Message& message, const PlaceReport& report);
 
   std::vector<TeamFlight> flights_;
+  double received_ = 0, expected_ = 0;  // PlaceReports of late
 };
 
 }  // namespace skein::reasoning

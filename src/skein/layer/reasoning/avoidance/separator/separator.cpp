@@ -16,8 +16,19 @@ constexpr double kPlacePeriod = 1;  // [s]
 constexpr double kPlanPeriod = 5;   // [s]
 // Of where an aircraft believes to be: three of what both of a pair believe together.
 constexpr double kSigmas = 2.2;
-constexpr double kVerticalSd = 1.5;  // over the horizontal one
-constexpr int kMaxChanges = 3;       // of the plan in one look
+constexpr double kVerticalSd = 1.5;    // over the horizontal one
+constexpr double kRepeatPeriod = 0.5;  // of a plan that is new [s]
+constexpr int kMostTimes = 8;
+constexpr double kUnheard = 0.05;  // by so many is a new plan at most
+constexpr int kMaxChanges = 3;     // of the plan in one look
+
+// How often another plan is said again, so that nearly all hear of it at once.
+int times_again(double loss) {
+  int times = 0;
+  for (double unheard = loss; unheard > kUnheard && times < kMostTimes; unheard *= loss)
+    ++times;
+  return times;
+}
 
 float half_metres(double error) {
   return static_cast<float>(std::ceil(2 * error) / 2);
@@ -185,12 +196,15 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
     out.push_back({self_, kEveryone, 0, Time(), place});
   }
   if (!flies_plan()) return;
-  if (!plan_is_new_ && (step.now - said_plan_).seconds() < kPlanPeriod) return;
+  const bool again =
+      said_again_ > 0 && (step.now - said_plan_).seconds() >= kRepeatPeriod;
+  if (!plan_is_new_ && !again && (step.now - said_plan_).seconds() < kPlanPeriod) return;
   const double from = std::max(step.now.seconds(), model::start_of(own_.plan));
   if (from >= model::end_time_of(own_.plan)) return;
   auto coded = model::coded_flight(own_.plan);
   if (!coded) return;
   said_plan_ = step.now;
+  said_again_ = plan_is_new_ ? times_again(team_.loss()) : std::max(0, said_again_ - 1);
   plan_is_new_ = false;
   PlanReport report;
   report.number = own_.number;

@@ -214,6 +214,7 @@ class Separator {
   std::vector<Conflict> conflicts_;
   Time looked_, avoided_, said_plan_, said_place_, measured_;
   bool plan_is_new_ = false, begun_ = false;
+  int said_again_ = 0;  // times that the plan is still to be said, as messages are lost
 };
 
 }  // namespace skein::reasoning

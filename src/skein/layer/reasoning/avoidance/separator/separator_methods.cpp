@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kBudget = 3;          // of negotiations, besides messages [s]
 constexpr int kAttempts = 2;           // to negotiate, before one acts alone
+constexpr double kLittleLoss = 0.1;    // of messages
 constexpr double kLeastToAct = 3;      // between an agreement and the conflict [s]
 constexpr std::size_t kGroupFrom = 2;  // conflicts of one aircraft
 constexpr double kApartFor = 150;      // after a manoeuvre's begin [s]
@@ -41,11 +42,13 @@ SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const
   const double left = conflict.meeting.begin - now.seconds();
   const double negotiating = kBudget + 4 * (2 * delay_to(conflict.other) + kAgentStep);
   const bool alone = conflicts_.size() < kGroupFrom;
-  if (left > options_.fixed + negotiating)
+  const bool hears = team_.loss() < kLittleLoss;
+  if (left > options_.fixed + negotiating && hears)
     return alone ? SeparationMethod::kNegotiated : SeparationMethod::kGroup;
   const auto waiting = waiting_.find(conflict.other);
   const bool failed = waiting != waiting_.end() && waiting->second.failures >= kAttempts;
-  if (left > negotiating + kLeastToAct && !failed) return SeparationMethod::kNegotiated;
+  if (left > negotiating + kLeastToAct && hears && !failed)
+    return SeparationMethod::kNegotiated;
   if (left > options_.emergency) return SeparationMethod::kPriority;
   if (left > options_.last_moment) return SeparationMethod::kRule;
   return SeparationMethod::kLastMoment;
