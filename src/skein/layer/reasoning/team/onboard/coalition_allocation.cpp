@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "skein/layer/reasoning/team/allocation/coalitions.h"
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
 namespace skein::reasoning {
@@ -48,8 +47,27 @@ std::optional<double> share_of(const TeamWorker& worker, std::uint32_t task) {
   return place < worker.shares.size() ? worker.shares[place] : 0;
 }
 
-CoalitionProblem problem_of(std::span<const TeamTask> tasks,
-                            std::span<const TeamWorker> workers, const Vec2& wind) {
+std::vector<std::size_t> present(std::span<const TeamTask> tasks,
+                                 std::span<const TeamWorker> workers) {
+  std::vector<std::size_t> all;
+  std::set<std::uint32_t> taken;
+  for (const TeamWorker& worker : workers) {
+    std::size_t own = CoalitionAnswer::kIdle;
+    for (std::size_t k = 0; k < tasks.size() && own == CoalitionAnswer::kIdle; ++k)
+      if (share_of(worker, tasks[k].number) &&
+          (!tasks[k].single || taken.insert(tasks[k].number).second))
+        own = k;
+    all.push_back(own);
+  }
+  return all;
+}
+
+}  // namespace
+
+CoalitionProblem CoalitionAllocation::problem_of(std::span<const TeamTask> tasks,
+                                                 std::span<const TeamWorker> workers) {
+  const Vec2 wind = wind_();
+  std::map<Executed, double> nearest;
   CoalitionProblem problem;
   problem.aircraft = workers.size();
   double longest = 1;
@@ -72,34 +90,25 @@ CoalitionProblem problem_of(std::span<const TeamTask> tasks,
       if (!task.single && brings > 0) brings = 1;
       if (share) brings *= 1 + kKeep + *share;
       row.brings.push_back(brings);
-      to_begin.push_back(time_to_begin(left, worker.resources, wind));
+      auto time = time_to_begin(left, worker.resources, wind);
+      if (share && time) {
+        const Executed executed{worker.id, task.number};
+        const auto before = nearest_.find(executed);
+        if (before != nearest_.end()) time = std::min(*time, before->second);
+        nearest[executed] = *time;
+      }
+      to_begin.push_back(time);
       longest = std::max(longest, to_begin.back().value_or(0));
     }
     times.push_back(std::move(to_begin));
     problem.tasks.push_back(std::move(row));
   }
+  nearest_ = std::move(nearest);
   for (std::size_t k = 0; k < times.size(); ++k)
     for (const auto& time : times[k])
       problem.tasks[k].cost.push_back(time ? kJoining + *time / (kLongest * longest) : kOutOfReach);
   return problem;
 }
-
-std::vector<std::size_t> present(std::span<const TeamTask> tasks,
-                                 std::span<const TeamWorker> workers) {
-  std::vector<std::size_t> all;
-  std::set<std::uint32_t> taken;
-  for (const TeamWorker& worker : workers) {
-    std::size_t own = CoalitionAnswer::kIdle;
-    for (std::size_t k = 0; k < tasks.size() && own == CoalitionAnswer::kIdle; ++k)
-      if (share_of(worker, tasks[k].number) &&
-          (!tasks[k].single || taken.insert(tasks[k].number).second))
-        own = k;
-    all.push_back(own);
-  }
-  return all;
-}
-
-}  // namespace
 
 TeamAllocation CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
                                                std::span<const TeamWorker> workers) {
@@ -111,7 +120,7 @@ TeamAllocation CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
   tasks_ = std::move(numbers);
   workers_ = std::move(ids);
 
-  const CoalitionProblem problem = problem_of(tasks, workers, wind_());
+  const CoalitionProblem problem = problem_of(tasks, workers);
   std::vector<std::size_t> kept = present(tasks, workers);
   const CoalitionAnswer found = allocation::best_coalitions(problem, {});
   const bool better = allocation::is_worth_changing(

@@ -2,10 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "skein/base/id.h"
+#include "skein/layer/reasoning/team/allocation/coalitions.h"
 #include "skein/layer/reasoning/team/protocol/team_config.h"
 
 namespace skein::reasoning {
@@ -20,7 +23,7 @@ namespace skein::reasoning {
 /// one place that the task is about. A group's task is worth the root of how many are
 /// able. Joining costs the time to where the task begins over 1.01 times the longest one. Who executes a task
 /// already has 5 % more of it, and as much more as it has done: nobody begins where it
-/// left. The present allocation is kept unless another one is more
+/// left; and it counts as near as it has been to the begin. The present allocation is kept unless another one is more
 /// than 5 % better, or a task or an aircraft came or went.
 ///
 /// Reference: spec of the team, section 11; allocation/coalitions.h.
@@ -33,7 +36,12 @@ class CoalitionAllocation {
                             std::span<const TeamWorker> workers);
 
  private:
+  using Executed = std::pair<EntityId, std::uint32_t>;
+  allocation::CoalitionProblem problem_of(std::span<const TeamTask> tasks,
+                                          std::span<const TeamWorker> workers);
+
   std::function<Vec2()> wind_;
+  std::map<Executed, double> nearest_;  // to the begin of what is executed [s]
   std::set<std::uint32_t> tasks_;  // when it was last asked
   std::set<EntityId> workers_;
 };

@@ -60,6 +60,27 @@ void TeamMember::send_handed_in() {
   send_one(*master_, std::move(state));
 }
 
+// What the team knows, to stations that know less: they may be out of reach of the master.
+void TeamMember::inform_stations() {
+  const std::uint32_t number = knowledge_.number();
+  for (const EntityId id : config_.operators) {
+    const auto* station = contacts_.find(id);
+    if (id != self_ && station && now_ - station->informed <= lost_ &&
+        is_of_lineage(station->inform.mission) && station->inform.state_number != number)
+      send_one(id, knowledge_.part(next_part_++, members_));
+  }
+}
+
+// A station leads again when it has heard none of its team for long: others lead on where
+// it does not hear them.
+bool TeamMember::is_team_gone() const {
+  return now_ - evidence_ > lost_ + exchange_time() &&
+         std::ranges::none_of(contacts_.all(), [&](const auto& contact) {
+           return now_ - contact.second.informed <= lost_ &&
+                  is_of_lineage(contact.second.inform.mission);
+         });
+}
+
 // Without a diameter that is given: that of the box around all tasks.
 TeamTimes TeamMember::known_times() const {
   TeamTimes known = times();
@@ -252,7 +273,10 @@ void TeamMember::send_periodic() {
   if (now_ < next_inform_) return;
   send_all(own_inform());
   next_inform_ = after(next_inform_);
-  if (role_ == Role::kFollowing) send_handed_in();
+  if (role_ == Role::kFollowing) {
+    send_handed_in();
+    inform_stations();
+  }
   if (!takes_part_in_auction() || !mission_) return;
   send_all(TeamBids{*mission_, auction_.known(self_)});
   // Somebody knows less, or more.
@@ -347,9 +371,7 @@ void TeamMember::select_master() {
         !said.leaving && is_of_lineage(said.mission) && !passed_over_.contains(id))
       heard.push_back(id);
   }
-  // A station waits for longer: others lead on where it does not hear them.
-  const bool nobody = heard.empty() && (!is_operator(self_) ||
-                                        now_ - evidence_ > lost_ + exchange_time());
+  const bool nobody = heard.empty() && (!is_operator(self_) || is_team_gone());
   if (!leaves() || nobody) heard.push_back(self_);
   if (heard.empty()) return;
   std::ranges::sort(heard);

@@ -157,6 +157,8 @@ class TeamMember {
     return role_ == Role::kAlone && config_.structure == TeamStructure::kAuction;
   }
   void send_handed_in();
+  void inform_stations();
+  bool is_team_gone() const;
   void finish_own();
   bool finish(std::uint32_t task);
   std::vector<TeamProgress> own_progress() const;
@@ -183,6 +185,7 @@ class TeamMember {
   bool may_add_tasks(EntityId from) const;
   void query_as_follower(EntityId from, const TeamQuery& query);
   void inform_as_follower(EntityId from, const TeamInform& inform);
+  void inform_as_station(EntityId from, const TeamInform& inform);
 
   // team_member_lead.cpp
   void step_leading();

@@ -84,9 +84,18 @@ void TeamMember::query_as_follower(EntityId from, const TeamQuery& query) {
 
 void TeamMember::on(EntityId from, const TeamInform& inform) {
   if (!mission_ || !inform.mission || inform.mission->name != mission_->name) return;
+  if (role_ != Role::kLeading && is_operator(self_)) inform_as_station(from, inform);
   if (role_ == Role::kFollowing) return inform_as_follower(from, inform);
   if (role_ == Role::kLeading) inform_as_master(from, inform);
   if (takes_part_in_auction()) take_progress(inform);
+}
+
+// A station needs no orders: what others say of their master is enough to follow it.
+void TeamMember::inform_as_station(EntityId from, const TeamInform& inform) {
+  if (role_ != Role::kSelecting || !is_of_lineage(inform.mission)) return;
+  const bool hears = inform.held <= 2 * times().query_period;
+  if (inform.master && *inform.master != self_ && *inform.master != from && hears)
+    follow(*inform.master, TeamReason::kFollowing);
 }
 
 void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {
@@ -103,7 +112,7 @@ void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {
   // Others have heard the master meanwhile: it is there, only its messages to here are
   // lost. Not for ever: who does not hear it gets no orders.
   if (inform.master != master_ || inform.query <= evidence_number_ ||
-      now_ - direct_ > 3 * lost_)
+      (now_ - direct_ > 3 * lost_ && !is_operator(self_)))
     return;
   evidence_number_ = inform.query;
   evidence_ = std::max(evidence_, now_ - inform.held);
@@ -142,7 +151,11 @@ void TeamMember::on(EntityId from, const TeamAssignAck& ack) {
 
 void TeamMember::state_as_follower(EntityId from, const TeamState& state) {
   const auto* contact = contacts_.find(from);
-  if (from != master_ || !contact || !contact->leads) return;
+  if (!contact) return;
+  // Others of its team pass on to a station what the master says.
+  if (is_operator(self_) && from != master_ && is_of_lineage(contact->inform.mission))
+    knowledge_.add(state);
+  if (from != master_ || !contact->leads) return;
   if (state.number == contact->query.state_number) knowledge_.take(state);
   if (hash_of_members(state.members) != contact->query.members_hash) return;
   members_ = state.members;

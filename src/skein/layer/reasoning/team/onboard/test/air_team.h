@@ -26,6 +26,7 @@ struct AirTeam {
   TeamConfig config;
   double loss = 0, task_time = 40;
   bool station_hears = true;
+  std::set<std::uint32_t> out_of_reach;  ///< aircraft that the station does not hear
   std::unique_ptr<TeamDesk> desk;
   std::map<EntityId, Aircraft> aircraft;
   std::vector<Event> events;
@@ -59,10 +60,12 @@ struct AirTeam {
       if (to == message.from || (message.to != kEveryone && message.to != to)) return;
       if (arrives()) inbox.push_back(message);
     };
-    const bool between = station_hears;
-    if (between) give(EntityId{0}, to_station);
+    const auto reaches = [&](EntityId id) {
+      return station_hears && !out_of_reach.contains(id.value);
+    };
+    if (reaches(message.from)) give(EntityId{0}, to_station);
     for (auto& [id, one] : aircraft)
-      if (between || message.from != EntityId{0}) give(id, one.inbox);
+      if (message.from != EntityId{0} || reaches(id)) give(id, one.inbox);
   }
 
   // What an aircraft does with the task that it has.

@@ -64,6 +64,24 @@ TEST(CoalitionAllocation, ChangesOnlyForMoreThanFivePercent) {
   EXPECT_EQ(allocate(tasks, workers).at(EntityId{2}), Numbers{1});
 }
 
+TEST(CoalitionAllocation, WhoHasBegunWithATaskKeepsItWhereverThatLeads) {
+  CoalitionAllocation allocate([] { return Vec2(0, 0); });
+  Survey survey;
+  survey.area = {{0, 0}, {2000, 0}, {2000, 500}, {0, 500}};
+  const std::vector<TeamTask> tasks = {team_task(1, survey, 0, false)};
+  std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {-500, 0})};
+  ASSERT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  workers[0].tasks = {1};
+  workers[0].shares = {0};
+  ASSERT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  // Along the first line of the survey, of which nothing is seen yet in whole.
+  workers[0].resources.place = {1900, 0, -100};
+  EXPECT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  workers[0].shares = {0.4};
+  workers[1].resources.place = {0, 0, -100};
+  EXPECT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+}
+
 TEST(CoalitionAllocation, NoSingleTaskHasTwo) {
   CoalitionAllocation allocate([] { return Vec2(3, -2); });
   std::vector<TeamTask> tasks = {measure(1, {0, 0}), measure(2, {0, 0})};

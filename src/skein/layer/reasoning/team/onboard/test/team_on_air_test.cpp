@@ -130,5 +130,18 @@ TEST(TeamOnAir, AStationThatMeetsItsTeamAgainAndAgainNeverSplitsIt) {
   EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2, 3})) << team.story();
 }
 
+TEST(TeamOnAir, AStationThatHearsFollowersOnlyKnowsWhatTheirMasterDoes) {
+  AirTeam team = three(TeamStructure::kMaster, 0.2);
+  const auto numbers = team.desk->hand_in("M", measurements(5), Time());
+  team.run(30);
+  ASSERT_EQ(team.masters(), std::set<std::uint32_t>{1}) << team.story();
+  team.out_of_reach = {1};
+  team.run(200);
+  EXPECT_EQ(team.masters(), std::set<std::uint32_t>{1}) << team.story();
+  EXPECT_EQ(team.leads.at(EntityId{0}).master, EntityId{1}) << team.story();
+  for (const std::uint32_t task : numbers)
+    EXPECT_TRUE(team.desk->is_done(task)) << task << "\n" << team.story();
+}
+
 }  // namespace
 }  // namespace skein::reasoning
