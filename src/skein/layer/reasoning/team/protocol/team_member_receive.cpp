@@ -84,15 +84,17 @@ void TeamMember::query_as_follower(EntityId from, const TeamQuery& query) {
 
 void TeamMember::on(EntityId from, const TeamInform& inform) {
   if (!mission_ || !inform.mission || inform.mission->name != mission_->name) return;
-  if (role_ != Role::kLeading && is_operator(self_)) inform_as_station(from, inform);
+  if (is_operator(self_)) inform_as_station(from, inform);
   if (role_ == Role::kFollowing) return inform_as_follower(from, inform);
   if (role_ == Role::kLeading) inform_as_master(from, inform);
   if (takes_part_in_auction()) take_progress(inform);
 }
 
-// A station needs no orders: what others say of their master is enough to follow it.
+// A station needs no orders: what others say of their master is enough to follow it, and
+// to lead no more.
 void TeamMember::inform_as_station(EntityId from, const TeamInform& inform) {
-  if (role_ != Role::kSelecting || !is_of_lineage(inform.mission)) return;
+  if (role_ != Role::kSelecting && role_ != Role::kLeading) return;
+  if (!is_of_lineage(inform.mission)) return;
   const bool hears = inform.held <= 2 * times().query_period;
   if (inform.master && *inform.master != self_ && *inform.master != from && hears)
     follow(*inform.master, TeamReason::kFollowing);

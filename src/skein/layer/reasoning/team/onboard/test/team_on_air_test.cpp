@@ -143,5 +143,21 @@ TEST(TeamOnAir, AStationThatHearsFollowersOnlyKnowsWhatTheirMasterDoes) {
     EXPECT_TRUE(team.desk->is_done(task)) << task << "\n" << team.story();
 }
 
+TEST(TeamOnAir, AStationThatLedAloneHearsOfFollowersThatItsTeamHasAMaster) {
+  AirTeam team = three(TeamStructure::kMaster, 0.2);
+  const auto numbers = team.desk->hand_in("M", measurements(5), Time());
+  team.run(30);
+  team.station_hears = false;
+  team.run(60);
+  EXPECT_EQ(team.leads.at(EntityId{0}).master, EntityId{0}) << team.story();
+  team.station_hears = true;
+  team.out_of_reach = {1};
+  team.run(120);
+  EXPECT_EQ(team.masters(), std::set<std::uint32_t>{1}) << team.story();
+  EXPECT_EQ(team.leads.at(EntityId{0}).master, EntityId{1}) << team.story();
+  for (const std::uint32_t task : numbers)
+    EXPECT_TRUE(team.desk->is_done(task)) << task << "\n" << team.story();
+}
+
 }  // namespace
 }  // namespace skein::reasoning
