@@ -431,13 +431,228 @@ export interface Busy {
   other_plan: boolean; // its plan is another one
 }
 
+/** A member of a group. */
+export interface GroupMember {
+  entity_id: number; // which aircraft
+  plan_number: number; // that it flies
+}
+
+/** The sender coordinates a group. */
+export interface GroupInvitation {
+  group: number; // counts those of the sender
+  begin_s: number; // what is agreed on begins then
+  apart_s: number; // all conflicts are over then
+  members: GroupMember[]; // who is invited
+}
+
+/** The sender takes part in a group. */
+export interface GroupJoining {
+  group: number; // of the receiver
+  rejoins_s: number; // where its plan must be met again
+  airspeed_mps: number; // cruise
+  turn_radius_m: number; // smallest, at cruise
+  slowest_mps: number; // level flight
+  fastest_mps: number; // level flight
+  climb_mps: number; // largest
+  sink_mps: number; // largest
+  acceleration_mps2: number; // largest change of the climb rate
+}
+
+/** What one member of a group shall do. */
+export interface GroupManoeuvre {
+  entity_id: number; // which aircraft
+  manoeuvre: number; // which kind
+  amount: number; // how much of it
+  lead: number; // how long before the conflict
+  meets_s: number; // when they come too near
+  closest_s: number; // when they are closest
+  apart_s: number; // when they are apart again
+  horizontal_m: number; // to be kept
+  vertical_m: number; // the same, up and down
+}
+
+/** What comes out for a group. */
+export interface GroupPlan {
+  group: number; // of the sender
+  members: number[]; // who takes part
+  manoeuvres: GroupManoeuvre[]; // who does not go on
+}
+
+/** The sender flies its part, or does not. */
+export interface GroupAcceptance {
+  coordinator_id: number; // of the group
+  group: number; // of the coordinator
+  accepted: boolean; // it flies its part
+}
+
+/** A master asks its followers, or a newcomer looks for masters. */
+export interface TeamQuery {
+  mission: number | null; // null: the sender is a newcomer
+  members: number; // how many, the master included
+  members_hash: number; // of their ids
+  state_number: number; // of the state as it is now
+  led_s: number | null; // for how long it has led
+  round_trip_s: number | null; // the longest measured
+  successor: number | null; // takes over from the sender
+  predecessor: number | null; // from whom it took over
+}
+
+/** How far a member is with a task. */
+export interface TeamProgress {
+  task: number; // its number
+  share: number | null; // that is done, from 0 to 1
+}
+
+/** What a member of a team says of itself. */
+export interface TeamInform {
+  mission: number | null; // null: a newcomer
+  master_id: number | null; // whom it follows, or itself
+  query: number; // number of its master's last one
+  held_s: number | null; // since that was received
+  members_hash: number; // of whom it knows
+  state_number: number; // of what it has in full
+  leaving: boolean; // it leads no more
+  resources_place_north_m: number | null; // where it is
+  resources_place_east_m: number | null; // where it is
+  resources_place_altitude_msl_m: number | null; // where it is
+  resources_speed_mps: number | null; // cruise
+  resources_endurance_s: number | null; // what is left
+  resources_sensors: number; // a bit for each kind
+  resources_able: boolean; // it flies tasks
+  tasks: TeamProgress[]; // that it executes
+}
+
+/** A newcomer offers itself to a master. */
+export interface TeamPropose {
+  exchange: number; // counts the sender's tries
+  resources_place_north_m: number | null; // where it is
+  resources_place_east_m: number | null; // where it is
+  resources_place_altitude_msl_m: number | null; // where it is
+  resources_speed_mps: number | null; // cruise
+  resources_endurance_s: number | null; // what is left
+  resources_sensors: number; // a bit for each kind
+  resources_able: boolean; // it flies tasks
+}
+
+/** A master would take a newcomer. */
+export interface TeamAccept {
+  exchange: number; // of the proposal
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  distance_m: number | null; // to the nearest task's centre
+  members: number; // of its team
+}
+
+/** A master has no use for a newcomer. */
+export interface TeamReject {
+  exchange: number; // of the proposal
+}
+
+/** A newcomer joins the receiver. */
+export interface TeamConfirm {
+  exchange: number; // of the proposal
+}
+
+/** A newcomer joins somebody else. */
+export interface TeamDecline {
+  exchange: number; // of the proposal
+}
+
+/** A task of a team's mission. */
+export interface TeamTask {
+  number: number; // among the mission's, from 1
+  place_north_m: number | null; // its centre
+  place_east_m: number | null; // its centre
+  place_altitude_msl_m: number | null; // its centre
+  single: boolean; // one aircraft does it, not a group
+  done: boolean; // nothing is left of it
+  branch: number | null; // of a mission that was split
+  sensors: number; // a bit for each kind that it takes
+  what: number[]; // the task, coded
+}
+
+/** A master's order: these tasks and no others. */
+export interface TeamAssign {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  number: number; // counts the master's orders
+  tasks: TeamTask[]; // in the order in which they are flown
+}
+
+/** An order is obeyed. */
+export interface TeamAssignAck {
+  number: number; // of the order
+}
+
+/** Two masters of one lineage that have met. */
+export interface TeamMeeting {
+  lower_id: number; // one of them
+  higher_id: number; // the other
+  times: number; // how often
+}
+
+/** What a team knows, for whoever takes over. */
+export interface TeamState {
+  number: number; // a fingerprint of all tasks
+  part: number; // from 0
+  parts: number; // how many there are
+  members: number[]; // the master included
+  met: TeamMeeting[]; // masters that met
+  tasks: TeamTask[]; // of this part
+}
+
+/** A master gives way to another, or both stay. */
+export interface TeamMerge {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  meeting_lower_id: number; // one of them
+  meeting_higher_id: number; // the other
+  meeting_times: number; // how often
+  split: boolean; // both stay, the mission is split
+  members: number[]; // of the sender
+}
+
+/** How a mission was split between two masters. */
+export interface TeamSplit {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  meeting_lower_id: number; // one of them
+  meeting_higher_id: number; // the other
+  meeting_times: number; // how often
+  part: number; // from 0
+  parts: number; // how many there are
+  tasks: TeamTask[]; // of this part
+}
+
+/** Who is believed to win a task. */
+export interface TeamBid {
+  task: number; // its number
+  winner_id: number | null; // null: nobody
+  value: number | null; // of the highest bid
+  round: number; // counts the winner's changes
+}
+
+/** The highest bids that a member knows. */
+export interface TeamBids {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  bids: TeamBid[]; // one for each task
+}
+
+/** A message of a team that leads itself. */
+export interface Team {
+  version: number; // of the protocol
+  team_number: number; // counts the sender's messages
+  said: ({ kind: "team_query" } & TeamQuery) | ({ kind: "team_inform" } & TeamInform) | ({ kind: "team_propose" } & TeamPropose) | ({ kind: "team_accept" } & TeamAccept) | ({ kind: "team_reject" } & TeamReject) | ({ kind: "team_confirm" } & TeamConfirm) | ({ kind: "team_decline" } & TeamDecline) | ({ kind: "team_assign" } & TeamAssign) | ({ kind: "team_assign_ack" } & TeamAssignAck) | ({ kind: "team_state" } & TeamState) | ({ kind: "team_merge" } & TeamMerge) | ({ kind: "team_split" } & TeamSplit) | ({ kind: "team_bids" } & TeamBids); // what it says
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived
@@ -1001,7 +1216,7 @@ export interface Conflict {
   other_id: number; // with whom
   seen_s: number; // when it was seen first
   meets_s: number; // when they would have come too near
-  method: "none" | "rule" | "priority" | "negotiated" | "group" | "non-cooperative" | "auto"; // the last that acted
+  method: "none" | "rule" | "priority" | "negotiated" | "group" | "non-cooperative" | "last-moment" | "auto"; // the last that acted
   outcome: string; // what was done
   messages: number; // that the aircraft sent about it
   bytes: number; // of them
@@ -1055,4 +1270,14 @@ export interface TrafficTrack {
   by_radar: boolean; // seen by radar, of late
   by_passive: boolean; // heard by a passive detector, of late
   measured_s: number; // when its last measurement was
+}
+
+/** Who leads a member of a team, as it believes itself. */
+export interface TeamLead {
+  time_s: number; // from when on
+  entity_id: number; // which member
+  team: string; // its mission; M/7: a branch; empty: none
+  master_id: number | null; // null: nobody
+  members: number[]; // itself included
+  reason: "newcomer" | "selected" | "following" | "joined" | "merged" | "split" | "handover" | "lost" | "fixed" | "alone" | "members"; // why
 }

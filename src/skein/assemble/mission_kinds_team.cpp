@@ -271,10 +271,12 @@ Fields<DelegatedTasksChoice> delegated_fields() {
   using T = DelegatedChoice;
   auto one =
       Fields<T>()
-          .text("task", [](T & t) -> auto& { return t.text; },
-                "The task, as in the command `task AIRCRAFT ...`: see docs/commands.md.")
-          .file("plan", [](T & t) -> auto& { return t.plan; },
-                "A plan that is flown as it is, instead. Null: a task.")
+          .text(
+              "task", [](T & t) -> auto& { return t.text; },
+              "The task, as in the command `task AIRCRAFT ...`: see docs/commands.md.")
+          .file(
+              "plan", [](T & t) -> auto& { return t.plan; },
+              "A plan that is flown as it is, instead. Null: a task.")
           .duration_s("at_s", &T::after,
                       "When the operator adds it, from the begin of the mission.")
           .boolean("needs_camera", &T::needs_camera, "Only aircraft with a camera may.")
@@ -292,7 +294,19 @@ Fields<DelegatedTasksChoice> delegated_fields() {
                            .items({.at_most = 1000}));
 }
 
+// Keys that say who flies a mission, which is the team's own matter.
+std::string not_for_teams(const DelegatedTasksChoice& choice) {
+  if (!choice.aircraft.empty()) return "aircraft";
+  if (choice.min) return "min_aircraft";
+  if (choice.max) return "max_aircraft";
+  return choice.then == Afterwards::kHold ? "" : "then";
+}
+
 MadeTeam make_delegated(const DelegatedTasksChoice& choice, const MissionContext& c) {
+  if (std::string key = not_for_teams(choice); !key.empty())
+    return Error{ErrorCode::kBadInput, key,
+                 "has no meaning here: the team finds by itself who flies what.",
+                 "Leave it out."};
   auto who = team_of(choice, c);
   if (!who) return who.error();
   const StationTeam& station = *who.value().station;
@@ -308,8 +322,9 @@ MadeTeam make_delegated(const DelegatedTasksChoice& choice, const MissionContext
     made.after = each.after;
     made.task.what = std::move(task.value().what);
     made.task.group = each.group;
-    if (each.needs_camera) made.task.sensors |= kCameraSensor;
-    if (each.needs_fire_sensor) made.task.sensors |= kFireSensor;
+    if (each.needs_camera || choice.needs_camera) made.task.sensors |= kCameraSensor;
+    if (each.needs_fire_sensor || choice.needs_fire_sensor)
+      made.task.sensors |= kFireSensor;
   }
   const std::string name = choice.name.empty() ? "team" : choice.name;
   return planned(
@@ -337,11 +352,11 @@ void add_team_missions(Kinds<PlannedMission, MissionContext>& kinds) {
   kinds.add(
       "tasks", "An explicit list of tasks.", tasks_fields(),
       [](const TasksChoice& o, const MissionContext& c) { return make_tasks(o, c); });
-  kinds.add("team",
-            "Tasks for a team that leads itself: who flies them it finds by itself.",
-            delegated_fields(), [](const DelegatedTasksChoice& o, const MissionContext& c) {
-              return make_delegated(o, c);
-            });
+  kinds.add(
+      "team", "Tasks for a team that leads itself: who flies them it finds by itself.",
+      delegated_fields(), [](const DelegatedTasksChoice& o, const MissionContext& c) {
+        return make_delegated(o, c);
+      });
 }
 
 }  // namespace skein::assemble

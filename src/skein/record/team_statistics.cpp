@@ -32,7 +32,8 @@ void TeamStatistics::lead(const TeamLeadRecord& record) {
 
 void TeamStatistics::event(const Event& event) {
   if (event.kind == "task-done" && event.text.starts_with(kTeamTask)) {
-    if (const auto task = number_in(std::string_view(event.text).substr(kTeamTask.size())))
+    if (const auto task =
+            number_in(std::string_view(event.text).substr(kTeamTask.size())))
       done_.insert(*task);
     end(event.entity, event.time);
   } else if (event.kind == "team-task-over" || event.kind == "left") {

@@ -79,6 +79,11 @@ TEST(TeamFlight, NothingOfItIsThereWithoutAStructure) {
   EXPECT_THROW(fly(three("none")), std::exception);
 }
 
+TEST(TeamFlight, WhoFliesItIsTheTeamsOwnMatter) {
+  EXPECT_THROW(fly(three("master", "    aircraft: [scout]\n")), std::exception);
+  EXPECT_THROW(fly(three("master", "    then: land\n")), std::exception);
+}
+
 TEST(TeamFlight, IsTheSameAgainWithAnyNumberOfThreads) {
   const std::string text = three("master");
   Flown two;

@@ -19,8 +19,7 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
       tasks_(context.self, station, std::move(make)),
       chain_(context, options.separation, loiter_, tasks_) {
   if (options_.first_task) tasks_.begin(*options_.first_task);
-  if (options_.team)
-    team_ = std::make_unique<OnboardTeam>(context_.self, *options_.team);
+  if (options_.team) team_ = std::make_unique<OnboardTeam>(context_.self, *options_.team);
 }
 
 void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {

@@ -72,10 +72,10 @@ class TaskPlanner final : public PlannerOfChain {
   EntityId self_, station_;
   MakeTask make_;
   std::unique_ptr<TaskExecutor> executor_;
-  std::string_view kind_;     // of the present task
-  std::string refused_;       // why the last one could not be flown
-  std::uint32_t order_ = 0;   // newest
-  std::uint32_t number_ = 0;  // of the present task; 0: of no order
+  std::string_view kind_;                  // of the present task
+  std::string refused_;                    // why the last one could not be flown
+  std::uint32_t order_ = 0;                // newest
+  std::uint32_t number_ = 0;               // of the present task; 0: of no order
   std::optional<std::uint32_t> assigned_;  // by the team
   TaskState state_ = TaskState::kNone;
   bool computing_ = false;  // it had nothing to say at the last step

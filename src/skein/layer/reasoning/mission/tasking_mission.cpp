@@ -52,7 +52,8 @@ int TaskingMission::mine() const {
                                         [](const Aircraft& a) { return a.mine; }));
 }
 
-void TaskingMission::order(Aircraft& aircraft, TaskKind what, Time now, AgentOutput& out) {
+void TaskingMission::order(Aircraft& aircraft, TaskKind what, Time now,
+                           AgentOutput& out) {
   ++aircraft.task.number;
   aircraft.task.what = std::move(what);
   aircraft.left.reset();

@@ -14,14 +14,14 @@ using allocation::CoalitionProblem;
 using allocation::CoalitionTask;
 using allocation::Satisfaction;
 
-constexpr double kReserve = 1.2;       // endurance over the time needed
-constexpr double kMaxMargin = 1.5;     // more endurance is of no more use
-constexpr double kKeep = 0.05;         // of a task, for who executes it
-constexpr double kHovering = 1.1;      // of a task that is about one place
-constexpr double kLongest = 1.01;      // costs stay below 1
-constexpr double kJoining = 1e-3;      // of a place that it is at already
-constexpr double kOutOfReach = 2;      // cost of what cannot be reached
-constexpr double kHour = 3600;         // [s]
+constexpr double kReserve = 1.2;    // endurance over the time needed
+constexpr double kMaxMargin = 1.5;  // more endurance is of no more use
+constexpr double kKeep = 0.05;      // of a task, for who executes it
+constexpr double kHovering = 1.1;   // of a task that is about one place
+constexpr double kLongest = 1.01;   // costs stay below 1
+constexpr double kJoining = 1e-3;   // of a place that it is at already
+constexpr double kOutOfReach = 2;   // cost of what cannot be reached
+constexpr double kHour = 3600;      // [s]
 
 // By how much one aircraft satisfies a task.
 double satisfaction_of_one(const TeamTask& task, const TaskNeeds& needs,
@@ -106,7 +106,8 @@ CoalitionProblem CoalitionAllocation::problem_of(std::span<const TeamTask> tasks
   nearest_ = std::move(nearest);
   for (std::size_t k = 0; k < times.size(); ++k)
     for (const auto& time : times[k])
-      problem.tasks[k].cost.push_back(time ? kJoining + *time / (kLongest * longest) : kOutOfReach);
+      problem.tasks[k].cost.push_back(time ? kJoining + *time / (kLongest * longest)
+                                           : kOutOfReach);
   return problem;
 }
 
@@ -123,8 +124,8 @@ TeamAllocation CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
   const CoalitionProblem problem = problem_of(tasks, workers);
   std::vector<std::size_t> kept = present(tasks, workers);
   const CoalitionAnswer found = allocation::best_coalitions(problem, {});
-  const bool better = allocation::is_worth_changing(
-      allocation::utility_of(problem, kept), found.quality.value, changed);
+  const bool better = allocation::is_worth_changing(allocation::utility_of(problem, kept),
+                                                    found.quality.value, changed);
   const std::vector<std::size_t>& chosen = better ? found.task : kept;
   TeamAllocation given;
   for (std::size_t i = 0; i < workers.size(); ++i) {

@@ -21,10 +21,11 @@ namespace skein::reasoning {
 /// One aircraft satisfies a task by min(1.5, endurance / (1.2 time needed)), by nothing
 /// below 1 or without the sensors that it takes; by a tenth more where it hovers over the
 /// one place that the task is about. A group's task is worth the root of how many are
-/// able. Joining costs the time to where the task begins over 1.01 times the longest one. Who executes a task
-/// already has 5 % more of it, and as much more as it has done: nobody begins where it
-/// left; and it counts as near as it has been to the begin. The present allocation is kept unless another one is more
-/// than 5 % better, or a task or an aircraft came or went.
+/// able. Joining costs the time to where the task begins over 1.01 times the longest one.
+/// Who executes a task already has 5 % more of it, and as much more as it has done:
+/// nobody begins where it left; and it counts as near as it has been to the begin. The
+/// present allocation is kept unless another one is more than 5 % better, or a task or an
+/// aircraft came or went.
 ///
 /// Reference: spec of the team, section 11; allocation/coalitions.h.
 class CoalitionAllocation {
@@ -42,7 +43,7 @@ class CoalitionAllocation {
 
   std::function<Vec2()> wind_;
   std::map<Executed, double> nearest_;  // to the begin of what is executed [s]
-  std::set<std::uint32_t> tasks_;  // when it was last asked
+  std::set<std::uint32_t> tasks_;       // when it was last asked
   std::set<EntityId> workers_;
 };
 

@@ -63,8 +63,8 @@ void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
     resources_.place = in.nav->p_N;
     wind_ = in.nav->wind_N;
   }
-  resources_.endurance = std::clamp(in.autopilot.endurance.value_or(kEndurance), 0.0,
-                                    kEndurance);
+  resources_.endurance =
+      std::clamp(in.autopilot.endurance.value_or(kEndurance), 0.0, kEndurance);
   resources_.able = in.nav != nullptr && work.free && in.now >= unable_until_;
   link_.member().set_resources(resources_);
   link_.member().leave(work.leaves);
@@ -73,8 +73,7 @@ void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
 void OnboardTeam::take_task(Time now, AgentOutput& out) {
   const auto& executed = link_.member().tasks();
   if (executed.empty()) {
-    if (task_)
-      out.events.push_back({now, self_, "team-task-over", text_of(*task_)});
+    if (task_) out.events.push_back({now, self_, "team-task-over", text_of(*task_)});
     task_.reset();
     return;
   }

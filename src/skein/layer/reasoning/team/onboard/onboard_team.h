@@ -18,8 +18,8 @@ struct OnboardTeamOptions {
 
 /// What an aircraft makes of what its team gives it.
 struct TeamWork {
-  bool free = true;  ///< neither a pilot nor a failsafe flies, nor an operator's order
-  bool leaves = false;                      ///< it flies no more: a failsafe brings it home
+  bool free = true;     ///< neither a pilot nor a failsafe flies, nor an operator's order
+  bool leaves = false;  ///< it flies no more: a failsafe brings it home
   std::optional<std::uint32_t> task = {};  ///< of the team, that it has
   TaskState state = TaskState::kNone;      ///< of that task
   double share = 0;                        ///< of it that is done
@@ -29,9 +29,9 @@ struct TeamWork {
 /// the aircraft is able to do and how far it is, and which of the team's tasks it flies.
 /// As a master it shares the tasks out.
 ///
-/// Who finds that it cannot fly what it was given, or has it cancelled by the operator, is
-/// not able for a minute, so that another one gets it. Events: those of TeamLink, and "team-task" with the number and
-/// kind of what is flown from now on, "team-task-over".
+/// Who finds that it cannot fly what it was given, or has it cancelled by the operator,
+/// is not able for a minute, so that another one gets it. Events: those of TeamLink, and
+/// "team-task" with the number and kind of what is flown from now on, "team-task-over".
 class OnboardTeam {
  public:
   OnboardTeam(EntityId self, OnboardTeamOptions options);

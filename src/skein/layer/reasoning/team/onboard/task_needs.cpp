@@ -75,7 +75,8 @@ struct NeedsOfKind {
     return along(t.area, std::abs(geo::signed_area(t.area)) / spacing);
   }
   TaskNeeds operator()(const Patrol& t) const {
-    const double round = t.closed ? length_of(t.line, true) : 2 * length_of(t.line, false);
+    const double round =
+        t.closed ? length_of(t.line, true) : 2 * length_of(t.line, false);
     TaskNeeds needs = along(t.line, t.rounds * round);
     needs.endless = t.rounds == 0;
     return needs;

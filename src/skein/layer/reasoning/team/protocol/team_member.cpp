@@ -60,7 +60,8 @@ void TeamMember::send_handed_in() {
   send_one(*master_, std::move(state));
 }
 
-// What the team knows, to stations that know less: they may be out of reach of the master.
+// What the team knows, to stations that know less: they may be out of reach of the
+// master.
 void TeamMember::inform_stations() {
   const std::uint32_t number = knowledge_.number();
   for (const EntityId id : config_.operators) {

@@ -145,7 +145,9 @@ class TeamMember {
     return times().query_period * (1 + times().jitter * (2 * random_.uniform() - 1));
   }
   // When the next is due, whenever the steps come: evenly after the last.
-  double after(double last) { return std::max(last, now_ - times().query_period) + interval(); }
+  double after(double last) {
+    return std::max(last, now_ - times().query_period) + interval();
+  }
   const TeamTimes& times() const { return config_.times; }
   double repeat_after() const;
   double exchange_time() const;

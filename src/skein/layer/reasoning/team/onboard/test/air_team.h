@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "skein/base/random.h"
@@ -69,7 +71,7 @@ struct AirTeam {
   }
 
   // What an aircraft does with the task that it has.
-  void work(EntityId id, Aircraft& one) {
+  void work(Aircraft& one) {
     const TeamTask* task = one.team->task();
     const auto number = task ? std::optional(task->number) : std::nullopt;
     if (number != one.work.task) {
@@ -83,7 +85,6 @@ struct AirTeam {
       one.work.state = TaskState::kDone;
       ++executed[*number];
     }
-    (void)id;
   }
 
   void run(double duration) {
@@ -112,7 +113,7 @@ struct AirTeam {
         in.nav = &one.nav;
         AgentOutput out;
         one.team->step(in, one.work, out);
-        work(id, one);
+        work(one);
         take(id, out);
       }
       for (const Message& message : sent) deliver(message);

@@ -45,7 +45,8 @@ TEST(CoalitionAllocation, TheWindDecidesWhoIsNear) {
 TEST(CoalitionAllocation, SensorsAndEnduranceSayWhoIsAble) {
   CoalitionAllocation allocate([] { return Vec2(0, 0); });
   std::vector<TeamTask> tasks = {team_task(1, Measure{{0, 0}, 30}, kCameraSensor, false)};
-  std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {3000, 0}, kCameraSensor)};
+  std::vector<TeamWorker> workers = {worker(1, {0, 0}),
+                                     worker(2, {3000, 0}, kCameraSensor)};
   EXPECT_EQ(allocate(tasks, workers).at(EntityId{2}), Numbers{1});
   workers[1].resources.endurance = 150;  // 180 s with the reserve
   EXPECT_TRUE(allocate(tasks, workers).at(EntityId{2}).empty());

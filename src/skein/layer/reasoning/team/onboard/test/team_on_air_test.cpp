@@ -10,7 +10,8 @@ namespace {
 
 std::vector<WantedTask> measurements(int count) {
   std::vector<WantedTask> all;
-  for (int k = 0; k < count; ++k) all.push_back({Measure{{300.0 * k, 500}, 30}, 0, false});
+  for (int k = 0; k < count; ++k)
+    all.push_back({Measure{{300.0 * k, 500}, 30}, 0, false});
   return all;
 }
 
@@ -55,7 +56,8 @@ TEST(TeamOnAir, TasksThatAreAddedReachTheMasterByRadio) {
   team.desk->hand_in("M", measurements(1), Time());
   team.run(120);
   ASSERT_EQ(team.executed.size(), 1u) << team.story();
-  const auto more = team.desk->hand_in("N", measurements(3), Time::from_seconds(team.now));
+  const auto more =
+      team.desk->hand_in("N", measurements(3), Time::from_seconds(team.now));
   EXPECT_EQ(more, (std::vector<std::uint32_t>{2, 3, 4}));
   team.run(150);
   EXPECT_EQ(team.executed, (std::map<std::uint32_t, int>{{1, 1}, {2, 1}, {3, 1}, {4, 1}}))
@@ -86,6 +88,21 @@ TEST(TeamOnAir, WhoTheOperatorTakesGivesItsTaskToAnother) {
   team.run(20);
   EXPECT_EQ(team.aircraft.at(busy).team->task(), nullptr);
   EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2})) << team.story();
+}
+
+TEST(TeamOnAir, AMasterThatAFailsafeBringsHomeHandsOver) {
+  AirTeam team = three(TeamStructure::kMaster, 0.2);
+  team.desk->hand_in("M", measurements(2), Time());
+  team.task_time = 1e6;
+  team.run(60);
+  ASSERT_EQ(team.masters(), std::set<std::uint32_t>{1}) << team.story();
+  TeamWork& work = team.aircraft.at(EntityId{1}).work;
+  work.leaves = true;
+  work.free = false;
+  team.run(20);
+  EXPECT_EQ(team.masters(), std::set<std::uint32_t>{2}) << team.story();
+  EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2})) << team.story();
+  EXPECT_EQ(team.aircraft.at(EntityId{1}).team->task(), nullptr);
 }
 
 TEST(TeamOnAir, OnlyWhoHasTheSensorFliesATask) {
