@@ -117,7 +117,8 @@ struct StationTeam {
   EntityId id;
   std::string name;
   std::vector<TeamAircraft> team;
-  std::shared_ptr<reasoning::TeamDesk> desk;  ///< null: its team does not lead itself
+  /// Its own, for all its missions; none: its team does not lead itself.
+  std::function<std::shared_ptr<reasoning::TeamDesk>()> desk;
 };
 
 /// What every mission is given besides its options.

@@ -329,7 +329,7 @@ MadeTeam make_delegated(const DelegatedTasksChoice& choice, const MissionContext
   const std::string name = choice.name.empty() ? "team" : choice.name;
   return planned(
       "team", choice, who.value(),
-      std::make_unique<DelegatedMission>(name, std::move(tasks), station.desk));
+      std::make_unique<DelegatedMission>(name, std::move(tasks), station.desk()));
 }
 
 }  // namespace

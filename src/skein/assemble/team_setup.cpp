@@ -81,13 +81,14 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
   return options;
 }
 
-std::shared_ptr<reasoning::TeamDesk> team_desk(const scenario::Scenario& scenario,
-                                               std::size_t station, const Vec3& place) {
+std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
+    const scenario::Scenario& scenario, std::size_t station, const Vec3& place) {
   const TeamSetup& setup = scenario.stations[station].team;
-  if (!leads_itself(setup)) return nullptr;
-  return std::make_shared<reasoning::TeamDesk>(
+  if (!leads_itself(setup)) return {};
+  auto desk = std::make_shared<reasoning::TeamDesk>(
       EntityId{static_cast<std::uint32_t>(station)}, team_config(scenario, station),
       is_in_wind(setup), place);
+  return [desk] { return desk; };
 }
 
 }  // namespace skein::assemble

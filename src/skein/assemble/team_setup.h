@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 #include "skein/layer/reasoning/team/onboard/onboard_team.h"
@@ -18,10 +19,11 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
     const scenario::Scenario& scenario, std::size_t station,
     const AircraftContext& context);
 
-/// The desk of a station, for its missions; null: its team does not lead itself.
+/// Gives the desk of a station to each of its missions; none: its team does not lead
+/// itself.
 /// @param place  of the station, N [m].
-std::shared_ptr<reasoning::TeamDesk> team_desk(const scenario::Scenario& scenario,
-                                               std::size_t station, const Vec3& place);
+std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
+    const scenario::Scenario& scenario, std::size_t station, const Vec3& place);
 
 /// Beyond which a radio's messages are lost [m]; 0: no limit, or not known of its kind.
 double radio_range(const scenario::Choice& radio);

@@ -101,11 +101,12 @@ class Stage {
   }
   MissionContext missions() const {
     MissionContext context{kSeed, kinds_.kinds(), {}, zones_, {}, {}, {}, {}};
-    context.stations = {{EntityId{0},
-                         "station",
-                         {},
-                         std::make_shared<reasoning::TeamDesk>(
-                             EntityId{0}, reasoning::TeamConfig{}, false, Vec3::Zero())}};
+    // A desk of its own for each mission that is compared.
+    const auto desk = [] {
+      return std::make_shared<reasoning::TeamDesk>(EntityId{0}, reasoning::TeamConfig{},
+                                                   false, Vec3::Zero());
+    };
+    context.stations = {{EntityId{0}, "station", {}, desk}};
     for (std::uint32_t k = 1; k <= 2; ++k)
       context.stations.front().team.push_back(
           {EntityId{k}, fmt::format("scout-{}", k), "scout", {}, true, true});
