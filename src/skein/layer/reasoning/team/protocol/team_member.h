@@ -158,9 +158,6 @@ class TeamMember {
   bool takes_part_in_auction() const {
     return role_ == Role::kAlone && config_.structure == TeamStructure::kAuction;
   }
-  void send_handed_in();
-  void inform_stations();
-  bool is_team_gone() const;
   void finish_own();
   bool finish(std::uint32_t task);
   std::vector<TeamProgress> own_progress() const;
@@ -187,7 +184,6 @@ class TeamMember {
   bool may_add_tasks(EntityId from) const;
   void query_as_follower(EntityId from, const TeamQuery& query);
   void inform_as_follower(EntityId from, const TeamInform& inform);
-  void inform_as_station(EntityId from, const TeamInform& inform);
 
   // team_member_lead.cpp
   void step_leading();
@@ -215,6 +211,12 @@ class TeamMember {
   void answer_split(EntityId other, const TeamMerge& merge);
   void send_split(EntityId other, const TeamMission& mission);
   bool is_held_by_rival();
+
+  // team_member_station.cpp
+  void send_handed_in();
+  void inform_stations();
+  bool is_team_gone() const;
+  void inform_as_station(EntityId from, const TeamInform& inform);
 
   // team_member_join.cpp
   void step_joining();

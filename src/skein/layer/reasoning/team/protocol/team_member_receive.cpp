@@ -90,16 +90,6 @@ void TeamMember::on(EntityId from, const TeamInform& inform) {
   if (takes_part_in_auction()) take_progress(inform);
 }
 
-// A station needs no orders: what others say of their master is enough to follow it, and
-// to lead no more.
-void TeamMember::inform_as_station(EntityId from, const TeamInform& inform) {
-  if (role_ != Role::kSelecting && role_ != Role::kLeading) return;
-  if (!is_of_lineage(inform.mission)) return;
-  const bool hears = inform.held <= 2 * times().query_period;
-  if (inform.master && *inform.master != self_ && *inform.master != from && hears)
-    follow(*inform.master, TeamReason::kFollowing);
-}
-
 void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {
   if (!is_of_lineage(inform.mission)) return;
   if (from == master_) {
