@@ -91,6 +91,8 @@ void print_table(const record::RunSummary& summary) {
       {"min_charge", "lowest charge left, of 1"},
       {"objects_found", "objects found"},
       {"detections", "detections of objects"},
+      {"team_tasks_done", "tasks done by a team that leads itself"},
+      {"team_masters", "who led it, one after the other"},
       {"simulated_s", "simulated time [s]"},
       {"real_time_factor", "speed, times real time"}};
   for (const auto& [name, text] : kRows)

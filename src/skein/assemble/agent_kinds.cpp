@@ -201,6 +201,7 @@ std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftConte
   reasoning::OnboardAgentOptions options = choice.agent;
   options.first_task = std::move(first);
   options.watchers = c.watchers;
+  if (options.takes_orders && c.team) options.team = *c.team;
   const reasoning::FlightContext context{c.self, c.limits, c.map.get(), c.planner,
                                          c.altitude_agl};
   TaskOptions tasks = choice.tasks;

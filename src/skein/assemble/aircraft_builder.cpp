@@ -12,6 +12,7 @@
 #include "skein/assemble/sampling.h"
 #include "skein/assemble/sensor_kinds.h"
 #include "skein/assemble/server_memory.h"
+#include "skein/assemble/team_setup.h"
 #include "skein/assemble/vehicle_context.h"
 #include "skein/assemble/vehicle_faults.h"
 #include "skein/geo/polygon.h"
@@ -141,6 +142,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   if (!parts) return parts.error();
   context.fitted = flight_sensors_in(parts.value().sensors);
   context.watchers = watchers(group, self);
+  context.team = onboard_team(scenario_, station_of(scenario_, group), context);
   finds_aircraft_ |= context.finds_aircraft;
   const auto complete_body = [&]() -> Result<void> {
     auto turbulence = gusty_air(context);

@@ -15,6 +15,7 @@
 #include "skein/assemble/remote_kind.h"
 #include "skein/assemble/sampling.h"
 #include "skein/assemble/server_memory.h"
+#include "skein/assemble/team_setup.h"
 #include "skein/assemble/traffic.h"
 #include "skein/exchange/plan_reading.h"
 #include "skein/geo/polygon.h"
@@ -322,7 +323,10 @@ class Builder {
                             {*build_.links, *build_.entity_links}, recorded_);
     const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
     for (std::uint32_t k = 0; k < first; ++k)
-      teams_.push_back({EntityId{k}, scenario_.stations[k].name, {}});
+      teams_.push_back({EntityId{k},
+                        scenario_.stations[k].name,
+                        {},
+                        team_desk(scenario_, k, place_of(scenario_.stations[k]))});
     for (const AircraftGroup& group : scenario_.aircraft) {
       StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {

@@ -26,6 +26,11 @@ class Terrain;
 class WindField;
 }  // namespace skein
 
+namespace skein::reasoning {
+struct OnboardTeamOptions;
+class TeamDesk;
+}  // namespace skein::reasoning
+
 namespace skein::assemble {
 
 struct KindsByRole;
@@ -92,6 +97,8 @@ struct AircraftContext {
   /// Those of its team that find other aircraft: they are told where it is, lest they
   /// take it for one.
   std::vector<EntityId> watchers;
+  /// How it takes part in a team that leads itself; null: it does not.
+  std::shared_ptr<const reasoning::OnboardTeamOptions> team;
   std::uint8_t fitted = 0;      ///< bit k: FlightSensor k is on board
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common
   double parameter_spread = 0;  ///< of the plant's parameters, at most
@@ -110,6 +117,8 @@ struct StationTeam {
   EntityId id;
   std::string name;
   std::vector<TeamAircraft> team;
+  /// Its own, for all its missions; none: its team does not lead itself.
+  std::function<std::shared_ptr<reasoning::TeamDesk>()> desk;
 };
 
 /// What every mission is given besides its options.

@@ -8,10 +8,12 @@
 #include "skein/assemble/mission_kinds.h"
 #include "skein/data/task_text.h"
 #include "skein/data/words.h"
+#include "skein/layer/reasoning/mission/delegated/delegated_mission.h"
 #include "skein/layer/reasoning/mission/patrol/patrol_mission.h"
 #include "skein/layer/reasoning/mission/survey/survey_mission.h"
 #include "skein/layer/reasoning/mission/tasks/task_mission.h"
 #include "skein/layer/reasoning/mission/track/track_mission.h"
+#include "skein/layer/reasoning/team/onboard/task_needs.h"
 
 namespace skein::assemble {
 namespace {
@@ -256,6 +258,80 @@ MadeTeam make_tasks(const TasksChoice& choice, const MissionContext& c) {
                  std::make_unique<TaskMission>(who.value().candidates, std::move(tasks)));
 }
 
+struct DelegatedChoice : TaskChoice {
+  Time after;
+  bool needs_camera = false, needs_fire_sensor = false, group = false;
+};
+
+struct DelegatedTasksChoice : MissionSchedule {
+  std::vector<DelegatedChoice> tasks;
+};
+
+Fields<DelegatedTasksChoice> delegated_fields() {
+  using T = DelegatedChoice;
+  auto one =
+      Fields<T>()
+          .text(
+              "task", [](T & t) -> auto& { return t.text; },
+              "The task, as in the command `task AIRCRAFT ...`: see docs/commands.md.")
+          .file(
+              "plan", [](T & t) -> auto& { return t.plan; },
+              "A plan that is flown as it is, instead. Null: a task.")
+          .duration_s("at_s", &T::after,
+                      "When the operator adds it, from the begin of the mission.")
+          .boolean("needs_camera", &T::needs_camera, "Only aircraft with a camera may.")
+          .boolean("needs_fire_sensor", &T::needs_fire_sensor,
+                   "Only aircraft with a fire sensor may.")
+          .boolean("group", &T::group, "Several may fly it at once.")
+          .rule("task", [](const T& t) {
+            return t.text.empty() == t.plan.has_value()
+                       ? std::string()
+                       : std::string("give either a task or a plan.");
+          });
+  return with_schedule(Fields<DelegatedTasksChoice>()
+                           .object("tasks", &DelegatedTasksChoice::tasks, one,
+                                   "What the team is to do, in any order.")
+                           .items({.at_most = 1000}));
+}
+
+// Keys that say who flies a mission, which is the team's own matter.
+std::string not_for_teams(const DelegatedTasksChoice& choice) {
+  if (!choice.aircraft.empty()) return "aircraft";
+  if (choice.min) return "min_aircraft";
+  if (choice.max) return "max_aircraft";
+  return choice.then == Afterwards::kHold ? "" : "then";
+}
+
+MadeTeam make_delegated(const DelegatedTasksChoice& choice, const MissionContext& c) {
+  if (std::string key = not_for_teams(choice); !key.empty())
+    return Error{ErrorCode::kBadInput, key,
+                 "has no meaning here: the team finds by itself who flies what.",
+                 "Leave it out."};
+  auto who = team_of(choice, c);
+  if (!who) return who.error();
+  const StationTeam& station = *who.value().station;
+  if (!station.desk)
+    return Error{ErrorCode::kBadInput, "kind",
+                 fmt::format("the team of {} does not lead itself.", station.name),
+                 "Give the station a structure: stations[].team.structure."};
+  std::vector<DelegatedTask> tasks;
+  for (const DelegatedChoice& each : choice.tasks) {
+    auto task = listed(each, station, c);
+    if (!task) return task.error();
+    DelegatedTask& made = tasks.emplace_back();
+    made.after = each.after;
+    made.task.what = std::move(task.value().what);
+    made.task.group = each.group;
+    if (each.needs_camera || choice.needs_camera) made.task.sensors |= kCameraSensor;
+    if (each.needs_fire_sensor || choice.needs_fire_sensor)
+      made.task.sensors |= kFireSensor;
+  }
+  const std::string name = choice.name.empty() ? "team" : choice.name;
+  return planned(
+      "team", choice, who.value(),
+      std::make_unique<DelegatedMission>(name, std::move(tasks), station.desk()));
+}
+
 }  // namespace
 
 void add_team_missions(Kinds<PlannedMission, MissionContext>& kinds) {
@@ -276,6 +352,11 @@ void add_team_missions(Kinds<PlannedMission, MissionContext>& kinds) {
   kinds.add(
       "tasks", "An explicit list of tasks.", tasks_fields(),
       [](const TasksChoice& o, const MissionContext& c) { return make_tasks(o, c); });
+  kinds.add(
+      "team", "Tasks for a team that leads itself: who flies them it finds by itself.",
+      delegated_fields(), [](const DelegatedTasksChoice& o, const MissionContext& c) {
+        return make_delegated(o, c);
+      });
 }
 
 }  // namespace skein::assemble

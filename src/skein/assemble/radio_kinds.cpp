@@ -2,6 +2,7 @@
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/ranges.h"
+#include "skein/assemble/team_setup.h"
 #include "skein/layer/communication/ideal_radio.h"
 
 namespace skein::assemble {
@@ -29,6 +30,11 @@ Fields<communication::IdealRadioOptions> ideal_fields() {
 }
 
 }  // namespace
+
+double radio_range(const scenario::Choice& radio) {
+  const auto* ideal = std::any_cast<communication::IdealRadioOptions>(&radio.options);
+  return ideal ? ideal->range : 0;
+}
 
 Kinds<Radio, RadioContext> radio_kinds() {
   Kinds<Radio, RadioContext> kinds("radio");

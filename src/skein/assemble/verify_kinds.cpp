@@ -10,6 +10,7 @@
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/station/mission_control.h"
+#include "skein/layer/reasoning/team/onboard/team_desk.h"
 #include "skein/role/agent.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/monitoring_strategy.h"
@@ -100,7 +101,12 @@ class Stage {
   }
   MissionContext missions() const {
     MissionContext context{kSeed, kinds_.kinds(), {}, zones_, {}, {}, {}, {}};
-    context.stations = {{EntityId{0}, "station", {}}};
+    // A desk of its own for each mission that is compared.
+    const auto desk = [] {
+      return std::make_shared<reasoning::TeamDesk>(EntityId{0}, reasoning::TeamConfig{},
+                                                   false, Vec3::Zero());
+    };
+    context.stations = {{EntityId{0}, "station", {}, desk}};
     for (std::uint32_t k = 1; k <= 2; ++k)
       context.stations.front().team.push_back(
           {EntityId{k}, fmt::format("scout-{}", k), "scout", {}, true, true});

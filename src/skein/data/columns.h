@@ -101,13 +101,12 @@ void put_attitude(const Quat& q_NB, Sink& sink) {
 
 template <class T, class Sink>
 void put_list(Storage storage, const T& list, Sink& sink) {
+  constexpr bool kOfIds = kIsId<typename T::value_type>;
   if constexpr (std::is_same_v<T, std::vector<std::uint8_t>>) {
     sink.put(std::as_bytes(std::span(list)));
-  } else if constexpr (kIsId<typename T::value_type>) {
+  } else if (kOfIds || storage == Storage::kJson) {
     sink.put(json::detail::item(list).dump());
-  } else if (storage == Storage::kJson) {
-    sink.put(json::detail::item(list).dump());
-  } else {
+  } else if constexpr (!kOfIds) {
     std::vector<float> floats;
     put_floats(list, floats);
     sink.put(std::move(floats));

@@ -211,7 +211,10 @@ class Taker {
         if (find(joined(name, form.names[0]).append(form.unit.suffix)))
           take(name, form, value.emplace());
       } else if constexpr (Described<Inner>) {
-        if (has_parts(name)) take(name, form, value.emplace());
+        // Where it is missing its own name is null, whatever others begin with it.
+        const Json* missing = find(name);
+        if (!(missing && missing->is_null()) && has_parts(name))
+          take(name, form, value.emplace());
       } else {
         const Json* found = find(name + std::string(suffix_of(form)));
         if (found && !found->is_null()) take(name, form, value.emplace());

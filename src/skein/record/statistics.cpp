@@ -34,6 +34,7 @@ struct Taker {
   void operator()(const Event& r) {
     statistics.event(r);
     statistics.missions().event(r);
+    statistics.team().event(r);
   }
   void operator()(const GroundObject& r) { statistics.payload().object(r); }
   void operator()(const ObjectMotion& r) {
@@ -63,9 +64,9 @@ struct Taker {
   void operator()(const CommandRecord&) {}
   void operator()(const PluginRecord&) {}
   void operator()(const PlannerRecord&) {}
+  void operator()(const TeamLeadRecord& r) { statistics.team().lead(r); }
   void operator()(const ConflictRecord& r) { statistics.separation().conflict(r.report); }
   void operator()(const VehicleReportRecord&) {}
-  void operator()(const TeamLeadRecord&) {}
   void operator()(const MissionProgressRecord&) {}
 };
 
@@ -181,6 +182,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   forecasts_.add_figures(out);
   memory_.add_figures(out);
   separation_.add_figures(out);
+  team_.add_figures(out);
   traffic_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);

@@ -17,6 +17,7 @@
 #include "skein/record/reading_ages.h"
 #include "skein/record/separation_statistics.h"
 #include "skein/record/summary.h"
+#include "skein/record/team_statistics.h"
 #include "skein/record/traffic_statistics.h"
 
 namespace skein::record {
@@ -41,6 +42,7 @@ class RunStatistics {
   ForecastStatistics& forecasts() { return forecasts_; }
   MemoryStatistics& memory() { return memory_; }
   SeparationStatistics& separation() { return separation_; }
+  TeamStatistics& team() { return team_; }
   TrafficStatistics& traffic() { return traffic_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
@@ -86,6 +88,7 @@ class RunStatistics {
   ForecastStatistics forecasts_;
   MemoryStatistics memory_;
   SeparationStatistics separation_;
+  TeamStatistics team_;
   TrafficStatistics traffic_;
   ReadingAges ages_;
   std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs

@@ -164,6 +164,24 @@ struct TrafficGroup {
   std::optional<Time> leave;
 };
 
+/// How the team of a ground station, its aircraft and itself, leads itself.
+struct TeamSetup {
+  enum class Structure {
+    kNone,         ///< it does not: the station gives orders
+    kMaster,       ///< one of the aircraft, selected by all
+    kFixedMaster,  ///< the station, always
+    kAuction,      ///< nobody: tasks go to the highest bids
+  };
+  enum class Allocation {
+    kCoalitions,  ///< what the tasks need in the wind, as a set partitioning problem
+    kNearest,
+  };
+  Structure structure = Structure::kNone;
+  Allocation allocation = Allocation::kCoalitions;
+  Time query_period = Time::from_seconds(1);
+  std::optional<double> diameter;  ///< of its mission [m]; none: of the tasks known
+};
+
 /// A ground station, which pursues missions and gives orders.
 struct Station {
   std::string name = "station";
@@ -171,6 +189,7 @@ struct Station {
   double antenna_agl = 5;        ///< height above the ground [m]
   Time agent_period = Time::from_seconds(0.5);
   std::optional<Time> heartbeat;  ///< between heartbeats; none: as autopilots need
+  TeamSetup team;
 };
 
 struct Recording {

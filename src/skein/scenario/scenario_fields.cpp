@@ -221,6 +221,35 @@ Fields<AircraftGroup> aircraft_fields() {
       .rule("failures", failures_error);
 }
 
+Fields<TeamSetup> team_fields() {
+  using T = TeamSetup;
+  using Structure = TeamSetup::Structure;
+  using Allocation = TeamSetup::Allocation;
+  return Fields<T>()
+      .word("structure", &T::structure,
+            "Who shares out the tasks of missions of the kind `team`.",
+            {{"none", Structure::kNone, "nobody: there are none"},
+             {"master", Structure::kMaster,
+              "one of the aircraft, which they select; another one when it is lost"},
+             {"fixed-master", Structure::kFixedMaster,
+              "the station, as long as they hear it"},
+             {"auction", Structure::kAuction,
+              "nobody: each bids, and the highest bid wins"}})
+      .word("allocation", &T::allocation, "How a master shares them.",
+            {{"coalitions", Allocation::kCoalitions,
+              "by sensors, endurance and time in wind, for the highest utility"},
+             {"nearest", Allocation::kNearest,
+              "each keeps its task, others get the nearest"}})
+      .duration_s("query_period_s", &T::query_period,
+                  "Between two queries of a master. Who is silent for four of them, more "
+                  "where messages are lost, counts as lost.",
+                  {.at_least = 0.5, .at_most = 60})
+      .number("mission_diameter_m", &T::diameter,
+              "Beyond the range of the radio it takes longer until somebody counts as "
+              "lost. Null: that of the tasks.",
+              {.above = 0, .at_most = 1e6});
+}
+
 Fields<Station> station_fields() {
   using T = Station;
   return Fields<T>()
@@ -233,7 +262,9 @@ Fields<Station> station_fields() {
       .duration_s("heartbeat_s", &T::heartbeat,
                   "Time between two heartbeats to each of its aircraft; 0: none. Null: 1 "
                   "s where an autopilot watches the link, else none.",
-                  {.at_least = 0, .at_most = 3600});
+                  {.at_least = 0, .at_most = 3600})
+      .object("team", &T::team, team_fields(),
+              "Its aircraft as a team that leads itself; see docs/team.md.");
 }
 
 Fields<Recording> record_fields() {

@@ -243,6 +243,15 @@ TEST(Json, AVectorThatMayBeMissingComesBack) {
   EXPECT_FALSE(nowhere.value().point);
 }
 
+TEST(Json, AValueThatIsMissingStaysSoBesideNamesThatBeginAsItsOwn) {
+  RemoteState state;
+  state.truth_time = Time::from_seconds(3);
+  const auto read = json::from_json<RemoteState>(json::to_json(state));
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_FALSE(read.value().truth);
+  EXPECT_EQ(read.value().truth_time, state.truth_time);
+}
+
 TEST(Json, WhatIsWrongIsNamed) {
   const auto read =
       json::from_json<Crossing>(json::Json::parse(R"({"time_s": 1, "north_m": "far"})"));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "skein/data/json.h"
 #include "skein/data/wire.h"
 
 namespace skein {
@@ -41,6 +42,26 @@ TEST(TeamMessage, TravelsInTheWireForm) {
   EXPECT_EQ(got.met, state.met);
   EXPECT_EQ(got.tasks, state.tasks);
   EXPECT_EQ(kind_of(team.content), "team_state");
+}
+
+TEST(TeamMessage, IsReadFromTheJsonThatItIsWrittenAs) {
+  TeamInform inform;
+  inform.mission = TeamMission{"M", EntityId{7}};
+  inform.master = EntityId{3};
+  inform.tasks = {{4, 0.25}};
+  const auto again = [](const TeamContent& content) {
+    const json::Json written = json::to_json(TeamMessage{1, 12, content});
+    const auto read = json::from_json<TeamMessage>(json::Json::parse(written.dump()));
+    EXPECT_TRUE(read) << written.dump();
+    EXPECT_EQ(json::to_json(read.value()).dump(), written.dump());
+    return read.value().content;
+  };
+  const auto read = std::get<TeamInform>(again(inform));
+  EXPECT_EQ(read.mission, inform.mission);
+  EXPECT_EQ(read.tasks.front().share, 0.25);
+  inform.mission->branch.reset();
+  EXPECT_EQ(std::get<TeamInform>(again(inform)).mission, inform.mission);
+  EXPECT_FALSE(std::get<TeamQuery>(again(TeamQuery{})).mission) << "a newcomer has none";
 }
 
 }  // namespace

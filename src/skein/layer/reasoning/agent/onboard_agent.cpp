@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "skein/layer/reasoning/team/onboard/packed_task.h"
+
 namespace skein::reasoning {
 
 OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
@@ -17,10 +19,12 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
       tasks_(context.self, station, std::move(make)),
       chain_(context, options.separation, loiter_, tasks_) {
   if (options_.first_task) tasks_.begin(*options_.first_task);
+  if (options_.team) team_ = std::make_unique<OnboardTeam>(context_.self, *options_.team);
 }
 
 void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   if (options_.takes_orders && tasks_.receive(in, out)) safety_.allow_launch(in);
+  if (team_) follow_team(in, out);
   safety_.listen(in, out);
   chain_.listen(in);
   if (!in.nav) return;
@@ -31,6 +35,20 @@ void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   tasks_.report(in, out);
   if (report_.step(in, context_.limits, tasks_, safety_.zones().changes_known(), out))
     tell_watchers(*in.nav, out);
+}
+
+void OnboardAgent::follow_team(const AgentInput& in, AgentOutput& out) {
+  TeamWork work;
+  work.free = obeys_orders(in.autopilot) && !tasks_.is_ordered();
+  work.leaves = in.autopilot.reaction != FailsafeReaction::kNone;
+  work.task = tasks_.assigned();
+  work.state = tasks_.state();
+  work.share = tasks_.progress(in).share;
+  team_->step(in, work, out);
+  const TeamTask* task = team_->task();
+  const auto number = task ? std::optional(task->number) : std::nullopt;
+  const auto what = task ? unpacked(*task) : std::nullopt;
+  if (tasks_.assign(number, what, in.now, out)) safety_.allow_launch(in);
 }
 
 void OnboardAgent::tell_watchers(const NavEstimate& nav, AgentOutput& out) const {

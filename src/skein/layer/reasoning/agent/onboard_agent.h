@@ -11,6 +11,7 @@
 #include "skein/layer/reasoning/agent/planner_chain.h"
 #include "skein/layer/reasoning/agent/status_report.h"
 #include "skein/layer/reasoning/agent/task_planner.h"
+#include "skein/layer/reasoning/team/onboard/onboard_team.h"
 #include "skein/role/agent.h"
 
 namespace skein::reasoning {
@@ -24,6 +25,8 @@ struct OnboardAgentOptions {
   bool takes_orders = true;
   /// Of the team, who finds other aircraft: they are told with each report where it is.
   std::vector<EntityId> watchers = {};
+  /// It is a member of a team that leads itself, which gives it tasks; none: it is not.
+  std::optional<OnboardTeamOptions> team = {};
 };
 
 /// The agent on board of an aircraft, whatever its task.
@@ -33,6 +36,9 @@ struct OnboardAgentOptions {
 /// task, and before the first it circles where it began. It sends the readings of its
 /// fire sensor and a report each second to the station. It takes off first, as long as no
 /// no-fly zone forbids it (FlightSafety).
+///
+/// As a member of a team that leads itself it flies what that gives it (OnboardTeam), by
+/// the same executors; an order of the station goes before.
 class OnboardAgent final : public Agent {
  public:
   /// @param station  who gets its reports.
@@ -48,6 +54,7 @@ class OnboardAgent final : public Agent {
   bool task_done() const { return tasks_.state() == TaskState::kDone; }
 
  private:
+  void follow_team(const AgentInput& in, AgentOutput& out);
   void fly(const TaskStep& step, AgentOutput& out);
   void tell_watchers(const NavEstimate& nav, AgentOutput& out) const;
   double altitude_to_take_off_to(const NavEstimate& nav) const;
@@ -59,6 +66,7 @@ class OnboardAgent final : public Agent {
   FireReadings readings_;
   StatusReport report_;
   TaskPlanner tasks_;
+  std::unique_ptr<OnboardTeam> team_;  // null: none
   LoiterPlanner loiter_;
   PlannerChain chain_;
   IntentCounter intents_;

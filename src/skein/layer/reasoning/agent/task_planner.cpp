@@ -33,23 +33,51 @@ bool TaskPlanner::receive(const AgentInput& in, AgentOutput& out) {
 bool TaskPlanner::take(const Task& task, Time now, AgentOutput& out) {
   if (order_ > 0 && task.number <= order_) return false;
   order_ = number_ = task.number;
-  kind_ = kind_of(task.what);
-  auto made = make_(task.what);
+  assigned_.reset();
+  if (fly(task.what, now, out)) return true;
+  Message report;
+  report.to = station_;
+  report.content = TaskReport{number_, state_, refused_, task.what};
+  out.outbox.push_back(std::move(report));
+  return true;
+}
+
+bool TaskPlanner::assign(std::optional<std::uint32_t> number,
+                         const std::optional<TaskKind>& what, Time now,
+                         AgentOutput& out) {
+  if (is_ordered() || number == assigned_) return false;
+  assigned_ = number;
+  number_ = 0;
+  if (what) {
+    fly(*what, now, out);
+  } else {
+    executor_.reset();
+    state_ = number ? TaskState::kImpossible : TaskState::kNone;
+  }
+  return true;
+}
+
+// @returns  whether this aircraft is able to.
+bool TaskPlanner::fly(const TaskKind& what, Time now, AgentOutput& out) {
+  kind_ = kind_of(what);
+  auto made = make_(what);
   if (!made) {
     executor_.reset();
     state_ = TaskState::kImpossible;
+    refused_ = made.error().message;
     out.events.push_back(
-        {now, self_, "task-refused", fmt::format("{}: {}", kind_, made.error().message)});
-    Message report;
-    report.to = station_;
-    report.content = TaskReport{number_, state_, made.error().message, task.what};
-    out.outbox.push_back(std::move(report));
-    return true;
+        {now, self_, "task-refused", fmt::format("{}: {}", kind_, refused_)});
+    return false;
   }
   executor_ = std::move(made).value();
   state_ = TaskState::kFlying;
-  out.events.push_back({now, self_, "task", fmt::format("task {}: {}", number_, kind_)});
+  out.events.push_back({now, self_, "task", named()});
   return true;
+}
+
+std::string TaskPlanner::named() const {
+  return assigned_ ? fmt::format("team task {}: {}", *assigned_, kind_)
+                   : fmt::format("task {}: {}", number_, kind_);
 }
 
 void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
@@ -73,7 +101,7 @@ void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
 void TaskPlanner::set(TaskState state, Time now, const char* event, std::string_view why,
                       AgentOutput& out) {
   state_ = state;
-  std::string text = fmt::format("task {}: {}", number_, kind_);
+  std::string text = named();
   if (!why.empty()) text.append(": ").append(why);
   out.events.push_back({now, self_, event, std::move(text)});
 }

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "skein/layer/reasoning/agent/planner_chain.h"
 
@@ -21,6 +23,20 @@ class TaskPlanner final : public PlannerOfChain {
   /// Takes in orders. The newest counts, however they arrive.
   /// @returns  whether there is another task.
   bool receive(const AgentInput& in, AgentOutput& out);
+
+  /// What the aircraft's team gives it, in place of what it flew; none: nothing, it has
+  /// no task then. Counts while no order of the station is flown or paused.
+  /// @param number  of the task, in the team's mission.
+  /// @returns  whether there is another task.
+  bool assign(std::optional<std::uint32_t> number, const std::optional<TaskKind>& what,
+              Time now, AgentOutput& out);
+
+  /// An order of the station is flown, or it has paused what is flown.
+  bool is_ordered() const {
+    return state_ == TaskState::kPaused || (number_ > 0 && state_ == TaskState::kFlying);
+  }
+  /// The team's task that it has; none: none.
+  std::optional<std::uint32_t> assigned() const { return assigned_; }
 
   /// At each step with a navigation estimate.
   void listen(const TaskStep& step);
@@ -47,6 +63,8 @@ class TaskPlanner final : public PlannerOfChain {
 
  private:
   bool take(const Task& task, Time now, AgentOutput& out);
+  bool fly(const TaskKind& what, Time now, AgentOutput& out);
+  std::string named() const;
   void obey(const TaskChange& change, Time now, AgentOutput& out);
   void set(TaskState state, Time now, const char* event, std::string_view why,
            AgentOutput& out);
@@ -54,9 +72,11 @@ class TaskPlanner final : public PlannerOfChain {
   EntityId self_, station_;
   MakeTask make_;
   std::unique_ptr<TaskExecutor> executor_;
-  std::string_view kind_;     // of the present task
-  std::uint32_t order_ = 0;   // newest
-  std::uint32_t number_ = 0;  // of the present task
+  std::string_view kind_;                  // of the present task
+  std::string refused_;                    // why the last one could not be flown
+  std::uint32_t order_ = 0;                // newest
+  std::uint32_t number_ = 0;               // of the present task; 0: of no order
+  std::optional<std::uint32_t> assigned_;  // by the team
   TaskState state_ = TaskState::kNone;
   bool computing_ = false;  // it had nothing to say at the last step
   struct Reported {

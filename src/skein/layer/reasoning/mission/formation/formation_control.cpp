@@ -8,7 +8,7 @@
 namespace skein::reasoning {
 
 FormationControl::FormationControl(const FormationOptions& options)
-    : TeamMission(options.team), options_(options) {
+    : TaskingMission(options.team), options_(options) {
   SKEIN_CHECK(options.slots.size() + 1 >= options.team.size());
   for (const Leadership& change : options.leaders)
     SKEIN_CHECK(change.leader < options.team.size());

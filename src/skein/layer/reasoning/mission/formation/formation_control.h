@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skein/data/task.h"
-#include "skein/layer/reasoning/mission/team_mission.h"
+#include "skein/layer/reasoning/mission/tasking_mission.h"
 
 namespace skein::reasoning {
 
@@ -33,7 +33,7 @@ struct FormationOptions {
 /// A flight in formation: says who leads and who follows, and finds another leader when
 /// the one there is drops out. The followers hear of the leader's position from itself or
 /// from the station.
-class FormationControl final : public TeamMission {
+class FormationControl final : public TaskingMission {
  public:
   explicit FormationControl(const FormationOptions& options);
 

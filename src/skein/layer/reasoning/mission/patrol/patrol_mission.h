@@ -1,16 +1,16 @@
 #pragma once
 
-#include "skein/layer/reasoning/mission/team_mission.h"
+#include "skein/layer/reasoning/mission/tasking_mission.h"
 
 namespace skein::reasoning {
 
 /// Patrols a line with the aircraft it is given, evenly spaced along a round: one after
 /// the other is sent off when the one before is far enough, and they are sent off anew
 /// when one comes or goes.
-class PatrolMission final : public TeamMission {
+class PatrolMission final : public TaskingMission {
  public:
   PatrolMission(const std::vector<EntityId>& team, const Patrol& patrol)
-      : TeamMission(team), patrol_(patrol) {}
+      : TaskingMission(team), patrol_(patrol) {}
 
   MissionDemand demand() const override;
   MissionGoal goal() const override;

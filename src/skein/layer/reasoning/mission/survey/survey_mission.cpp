@@ -37,7 +37,7 @@ FlightState begin_of(const NavEstimate& nav, const FlightLimits& limits, Time no
 
 SurveyMission::SurveyMission(const std::vector<EntityId>& team,
                              SurveyMissionOptions options)
-    : TeamMission(team),
+    : TaskingMission(team),
       options_(std::move(options)),
       zones_(options_.zones),
       has_lines_(team.size(), false) {}
@@ -57,7 +57,7 @@ MissionDemand SurveyMission::demand() const {
   return demand;
 }
 
-std::vector<TeamMission::Aircraft*> SurveyMission::own() {
+std::vector<TaskingMission::Aircraft*> SurveyMission::own() {
   std::vector<Aircraft*> own;
   for (Aircraft& each : team())
     if (each.mine) own.push_back(&each);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "skein/data/zone_set.h"
-#include "skein/layer/reasoning/mission/team_mission.h"
+#include "skein/layer/reasoning/mission/tasking_mission.h"
 #include "skein/role/path_planner.h"
 
 namespace skein::reasoning {
@@ -26,7 +26,7 @@ struct SurveyMissionOptions {
 /// aircraft leaves that is lost or taken away is shared among the others with what these
 /// have left, and a share of it goes to one that comes later or has no line left, where
 /// the survey ends earlier for it. Who is on a line flies it to its end first.
-class SurveyMission final : public TeamMission {
+class SurveyMission final : public TaskingMission {
  public:
   SurveyMission(const std::vector<EntityId>& team, SurveyMissionOptions options);
 

@@ -43,7 +43,7 @@ std::optional<Vec2> place_of(const TaskKind& task) {
 }  // namespace
 
 TaskMission::TaskMission(const std::vector<EntityId>& team, std::vector<ListedTask> tasks)
-    : TeamMission(team) {
+    : TaskingMission(team) {
   for (ListedTask& task : tasks) entries_.push_back({std::move(task), {}, false});
 }
 
@@ -95,7 +95,7 @@ void TaskMission::look_at(Entry& entry, Time now, AgentOutput& out) {
                         fmt::format("{}", kind_of(entry.task.what))});
 }
 
-TeamMission::Aircraft* TaskMission::free_for(const Entry& entry) {
+TaskingMission::Aircraft* TaskMission::free_for(const Entry& entry) {
   const auto place = place_of(entry.task.what);
   Aircraft* best = nullptr;
   for (Aircraft& each : team()) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "skein/layer/reasoning/mission/team_mission.h"
+#include "skein/layer/reasoning/mission/tasking_mission.h"
 
 namespace skein::reasoning {
 
@@ -15,7 +15,7 @@ struct ListedTask {
 /// Has a list of tasks flown: each by the aircraft that it names or by the nearest that
 /// is free, in the order of the list. A task that is left unfinished, as its aircraft is
 /// lost or taken away, goes on with another where it was left.
-class TaskMission final : public TeamMission {
+class TaskMission final : public TaskingMission {
  public:
   TaskMission(const std::vector<EntityId>& team, std::vector<ListedTask> tasks);
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skein/layer/reasoning/belief/object_memory.h"
-#include "skein/layer/reasoning/mission/team_mission.h"
+#include "skein/layer/reasoning/mission/tasking_mission.h"
 
 namespace skein::reasoning {
 
@@ -21,10 +21,10 @@ struct TrackMissionOptions {
 /// Keeps an aircraft with each object that has been seen, as far as it is given some; it
 /// asks for as many as there are objects. Those that others see are passed on to the
 /// aircraft that tracks them.
-class TrackMission final : public TeamMission {
+class TrackMission final : public TaskingMission {
  public:
   TrackMission(const std::vector<EntityId>& team, TrackMissionOptions options)
-      : TeamMission(team), options_(std::move(options)) {}
+      : TaskingMission(team), options_(std::move(options)) {}
 
   MissionDemand demand() const override;
   MissionGoal goal() const override { return TrackGoal{options_.objects}; }

@@ -15,6 +15,8 @@ struct TeamWorker {
   EntityId id;
   TeamResources resources;
   std::vector<std::uint32_t> tasks;  ///< that it executes now
+  std::vector<double> shares =
+      {};  ///< of each that is done, from 0 to 1; none: not known
 };
 
 /// For each worker the numbers of its tasks, in the order in which it flies them.

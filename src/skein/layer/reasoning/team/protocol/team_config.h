@@ -50,6 +50,12 @@ struct TeamConfig {
   TeamStructure structure = TeamStructure::kMaster;
   std::optional<EntityId> fixed_master = std::nullopt;  ///< for kFixedMaster
   std::set<EntityId> known;  ///< who may be in the team; empty: anybody
+  /// Ground stations, where operators hand in tasks. They lead only until they can hand
+  /// over to somebody else, and are never selected.
+  std::set<EntityId> operators;
+  /// A master allocates anew after so long, whatever has happened [s]; 0: only when a
+  /// task or a member came or went.
+  double allocation_period = 0;
   SelectMaster select = lowest_id;
   AllocateTasks allocate = allocate_nearest;
   DivideTasks divide = divide_by_size;

@@ -42,6 +42,19 @@ bool TeamMember::submit(const std::string& mission, std::span<const TeamTask> ta
   return true;
 }
 
+// Without a diameter that is given: that of the box around all tasks.
+TeamTimes TeamMember::known_times() const {
+  TeamTimes known = times();
+  if (known.mission_diameter > 0 || knowledge_.tasks.empty()) return known;
+  Vec3 low = knowledge_.tasks.begin()->second.place, high = low;
+  for (const auto& [number, task] : knowledge_.tasks) {
+    low = low.cwiseMin(task.place);
+    high = high.cwiseMax(task.place);
+  }
+  known.mission_diameter = (high - low).norm();
+  return known;
+}
+
 TeamStep TeamMember::step(Time now, std::span<const TeamReceived> received) {
   TeamStep out;
   out_ = &out;
@@ -54,10 +67,13 @@ TeamStep TeamMember::step(Time now, std::span<const TeamReceived> received) {
     next_inform_ = now_ + times().query_period * random_.uniform();
   }
   for (const TeamReceived& one : received) receive(one);
-  lost_ = time_until_lost(times(), contacts_.loss());
+  lost_ = time_until_lost(known_times(), contacts_.loss());
   if (config_.structure == TeamStructure::kFixedMaster && config_.fixed_master == self_ &&
       role_ == Role::kSelecting)
     lead(TeamReason::kFixed, std::nullopt);
+  // Nobody else can know the mission yet.
+  if (is_operator(self_) && role_ == Role::kSelecting && !master_)
+    lead(TeamReason::kAlone, std::nullopt);
   switch (role_) {
     case Role::kNewcomer:
       step_joining();
@@ -168,38 +184,76 @@ TeamInform TeamMember::own_inform() const {
   }
   inform.members_hash = hash_of_members(status_.members);
   inform.state_number = knowledge_.number();
-  inform.leaving = leaving_;
+  inform.leaving = leaves();
   inform.resources = resources_;
+  inform.tasks = own_progress();
+  return inform;
+}
+
+// Of what it executes, and of what it has done and others do not know to be done.
+std::vector<TeamProgress> TeamMember::own_progress() const {
+  std::vector<TeamProgress> all;
   for (const std::uint32_t task : executing_) {
     const auto share = progress_.find(task);
-    inform.tasks.push_back({task, share == progress_.end() ? 0 : share->second});
+    all.push_back({task, share == progress_.end() ? 0 : share->second});
   }
-  return inform;
+  for (const auto& [task, share] : progress_) {
+    if (share < 1 || std::ranges::find(executing_, task) != executing_.end()) continue;
+    const auto known = knowledge_.tasks.find(task);
+    if (known == knowledge_.tasks.end() || !known->second.done) all.push_back({task, 1});
+  }
+  return all;
+}
+
+// @returns  whether that is news.
+bool TeamMember::finish(std::uint32_t task) {
+  const auto known = knowledge_.tasks.find(task);
+  if (known == knowledge_.tasks.end() || known->second.done) return false;
+  known->second.done = true;
+  changed_ = true;
+  return true;
+}
+
+void TeamMember::finish_own() {
+  for (const auto& [task, share] : progress_)
+    if (share >= 1) finish(task);
 }
 
 void TeamMember::send_periodic() {
   if (role_ == Role::kLeading) {
     if (now_ >= next_query_) {
       send_query();
-      next_query_ = now_ + interval();
+      next_query_ = after(next_query_);
     }
     return;
   }
   if (role_ == Role::kNewcomer && now_ >= next_query_) {
     send_all(TeamQuery{});
-    next_query_ = now_ + interval();
+    next_query_ = after(next_query_);
   }
   if (now_ < next_inform_) return;
   send_all(own_inform());
-  next_inform_ = now_ + interval();
-  if (role_ == Role::kAlone && config_.structure == TeamStructure::kAuction && mission_)
-    send_all(TeamBids{*mission_, auction_.known(self_)});
+  next_inform_ = after(next_inform_);
+  if (role_ == Role::kFollowing) {
+    send_handed_in();
+    inform_stations();
+  }
+  if (!takes_part_in_auction() || !mission_) return;
+  send_all(TeamBids{*mission_, auction_.known(self_)});
+  // Somebody knows less, or more.
+  const std::uint32_t number = knowledge_.number();
+  if (std::ranges::any_of(contacts_.all(), [&](const auto& contact) {
+        return now_ - contact.second.informed <= lost_ &&
+               contact.second.inform.state_number != number;
+      }))
+    send_all(knowledge_.part(next_part_++, {self_}));
 }
 
 void TeamMember::step_alone() {
+  finish_own();
   const auto tasks = open_tasks();
   if (config_.structure == TeamStructure::kNone) {
-    const TeamWorker self{self_, resources_, executing_};
+    const TeamWorker self = own_worker();
     if (resources_.able) set_executing(config_.allocate(tasks, {&self, 1})[self_]);
     return set_status(TeamReason::kAlone);
   }
@@ -278,7 +332,9 @@ void TeamMember::select_master() {
         !said.leaving && is_of_lineage(said.mission) && !passed_over_.contains(id))
       heard.push_back(id);
   }
-  if (!leaving_ || heard.empty()) heard.push_back(self_);
+  const bool nobody = heard.empty() && (!is_operator(self_) || is_team_gone());
+  if (!leaves() || nobody) heard.push_back(self_);
+  if (heard.empty()) return;
   std::ranges::sort(heard);
   const EntityId choice = config_.select(heard);
   if (choice != chosen_) {

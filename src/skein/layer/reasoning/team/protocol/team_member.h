@@ -62,11 +62,15 @@ class TeamMember {
   /// @returns  false when it follows somebody, or has another mission: nothing is taken.
   bool submit(const std::string& mission, std::span<const TeamTask> tasks, Time now);
 
+  /// Tasks of an operator, who is with this member: submitted while nobody else leads;
+  /// else the master is asked to take them, until it has them.
+  void hand_in(const std::string& mission, std::span<const TeamTask> tasks, Time now);
+
   void set_resources(const TeamResources& resources) { resources_ = resources; }
   /// How far it is with a task that it executes; 1: done.
   void set_progress(std::uint32_t task, double share) { progress_[task] = share; }
   /// It shall not lead any more: energy, the operator. A master hands over.
-  void leave() { leaving_ = true; }
+  void leave(bool leaving = true) { leaving_ = leaving; }
   /// Something else of a member was heard: a report, a plan.
   void note_heard(EntityId id, Time now) { contacts_.note_heard(id, now.seconds()); }
 
@@ -140,11 +144,25 @@ class TeamMember {
   double interval() {
     return times().query_period * (1 + times().jitter * (2 * random_.uniform() - 1));
   }
+  // When the next is due, whenever the steps come: evenly after the last.
+  double after(double last) {
+    return std::max(last, now_ - times().query_period) + interval();
+  }
   const TeamTimes& times() const { return config_.times; }
   double repeat_after() const;
   double exchange_time() const;
   bool is_of_lineage(const std::optional<TeamMission>& other) const;
   bool is_sibling(const std::optional<TeamMission>& other) const;
+  bool is_operator(EntityId id) const { return config_.operators.contains(id); }
+  bool leaves() const { return leaving_ || is_operator(self_); }
+  bool takes_part_in_auction() const {
+    return role_ == Role::kAlone && config_.structure == TeamStructure::kAuction;
+  }
+  void finish_own();
+  bool finish(std::uint32_t task);
+  std::vector<TeamProgress> own_progress() const;
+  TeamTimes known_times() const;
+  TeamWorker own_worker() const;
 
   // team_member_receive.cpp
   void receive(const TeamReceived& received);
@@ -162,6 +180,8 @@ class TeamMember {
   void on(EntityId from, const TeamMerge& merge);
   void on(EntityId from, const TeamSplit& split);
   void on(EntityId from, const TeamBids& bids);
+  void state_as_follower(EntityId from, const TeamState& state);
+  bool may_add_tasks(EntityId from) const;
   void query_as_follower(EntityId from, const TeamQuery& query);
   void inform_as_follower(EntityId from, const TeamInform& inform);
 
@@ -192,6 +212,12 @@ class TeamMember {
   void send_split(EntityId other, const TeamMission& mission);
   bool is_held_by_rival();
 
+  // team_member_station.cpp
+  void send_handed_in();
+  void inform_stations();
+  bool is_team_gone() const;
+  void inform_as_station(EntityId from, const TeamInform& inform);
+
   // team_member_join.cpp
   void step_joining();
   void choose_team();
@@ -205,6 +231,7 @@ class TeamMember {
   Auction auction_;
   TeamResources resources_;
   std::map<std::uint32_t, double> progress_;
+  std::map<std::uint32_t, TeamTask> handed_in_;
   bool leaving_ = false;
 
   double now_ = 0;
@@ -256,6 +283,7 @@ class TeamMember {
   std::uint32_t queries_ = 0, next_part_ = 0;
   bool changed_ = false;           // tasks are to be allocated anew
   bool able_ = true;               // whether it was when they were
+  double allocated_ = 0;           // when they were
   std::set<EntityId> split_with_;  // with whom the mission was split
 };
 

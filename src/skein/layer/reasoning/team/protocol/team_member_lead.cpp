@@ -12,13 +12,29 @@ constexpr std::uint32_t kStateEvery = 5;  // queries
 constexpr std::size_t kQueryTimes = 64;   // queries that may still be answered
 constexpr double kSmoothing = 0.3;        // of measured round trips
 
+// Of what is executed; what is done is not.
 std::vector<std::uint32_t> numbers_of(const std::vector<TeamProgress>& tasks) {
   std::vector<std::uint32_t> numbers;
-  for (const TeamProgress& task : tasks) numbers.push_back(task.task);
+  for (const TeamProgress& task : tasks)
+    if (task.share < 1) numbers.push_back(task.task);
   return numbers;
 }
 
+TeamWorker worker_of(EntityId id, const TeamInform& inform) {
+  TeamWorker worker{id, inform.resources, numbers_of(inform.tasks)};
+  for (const TeamProgress& task : inform.tasks)
+    if (task.share < 1) worker.shares.push_back(task.share);
+  return worker;
+}
+
 }  // namespace
+
+TeamWorker TeamMember::own_worker() const {
+  TeamInform own;
+  own.resources = resources_;
+  own.tasks = own_progress();
+  return worker_of(self_, own);
+}
 
 std::vector<EntityId> TeamMember::member_ids() const {
   std::set<EntityId> ids = {self_};
@@ -101,13 +117,8 @@ void TeamMember::inform_as_master(EntityId from, const TeamInform& inform) {
 }
 
 void TeamMember::take_progress(const TeamInform& inform) {
-  for (const TeamProgress& progress : inform.tasks) {
-    const auto task = knowledge_.tasks.find(progress.task);
-    if (task == knowledge_.tasks.end() || task->second.done || progress.share < 1)
-      continue;
-    task->second.done = true;
-    changed_ = true;
-  }
+  for (const TeamProgress& progress : inform.tasks)
+    if (progress.share >= 1) finish(progress.task);
 }
 
 void TeamMember::measure_round_trip(EntityId from, const TeamInform& inform) {
@@ -176,18 +187,19 @@ std::vector<TeamWorker> TeamMember::workers() const {
   std::vector<TeamWorker> all;
   for (const EntityId id : member_ids()) {
     if (id == self_) {
-      if (resources_.able) all.push_back({id, resources_, executing_});
+      if (resources_.able) all.push_back(own_worker());
       continue;
     }
     const auto* contact = contacts_.find(id);
     if (!contact || !contact->inform.resources.able) continue;
-    all.push_back({id, contact->inform.resources, numbers_of(contact->inform.tasks)});
+    all.push_back(worker_of(id, contact->inform));
   }
   return all;
 }
 
 void TeamMember::allocate() {
   changed_ = false;
+  allocated_ = now_;
   const auto tasks = open_tasks();
   const auto all = workers();
   TeamAllocation given = config_.allocate(tasks, all);
@@ -210,15 +222,20 @@ void TeamMember::give_orders() {
 }
 
 void TeamMember::hand_over() {
-  if (!leaving_) return;
+  if (!leaves()) return;
   if (successor_ && now_ - successor_since_ <= exchange_time()) return;
   std::vector<EntityId> able;
   for (const auto& [id, follower] : followers_) {
     const auto* contact = contacts_.find(id);
-    if (follower.certain && contact && !contact->inform.leaving && id != successor_)
+    if (follower.certain && contact && !contact->inform.leaving && id != successor_ &&
+        contact->inform.state_number == knowledge_.number())
       able.push_back(id);
   }
   if (able.empty()) return;
+  // A station that has found its team waits a moment until all of it may be chosen.
+  if (is_operator(self_) && able.size() < followers_.size() &&
+      now_ - led_since_ <= 2 * exchange_time())
+    return;
   successor_ = config_.select(able);
   successor_since_ = now_;
   next_query_ = now_;
@@ -234,12 +251,9 @@ void TeamMember::step_leading() {
   if (asked_ && now_ - asked_->first > exchange_time()) asked_.reset();
   if (asked_ && now_ - asked_->last >= std::max(repeat_after(), times().query_period / 2))
     ask_split(asked_->of);
-  for (const auto& [task, share] : progress_) {
-    const auto known = knowledge_.tasks.find(task);
-    if (share < 1 || known == knowledge_.tasks.end() || known->second.done) continue;
-    known->second.done = true;
+  finish_own();
+  if (config_.allocation_period > 0 && now_ - allocated_ >= config_.allocation_period)
     changed_ = true;
-  }
   if (able_ != resources_.able) changed_ = true;
   able_ = resources_.able;
   if (changed_ && !is_held_by_rival() && !asked_) allocate();

@@ -27,6 +27,9 @@ void TeamMember::meet(EntityId other, const TeamQuery& query) {
   const double fresh = exchange_time();
   const bool self_fresh = now_ - led_since_ < fresh;
   const bool other_fresh = query.led < fresh;
+  // A station has led until it hears of somebody else.
+  if (is_operator(other) && !is_operator(self_)) return;
+  if (is_operator(self_) && !is_operator(other)) return yield_to(other, false);
   const bool gives_way = self_fresh == other_fresh ? other < self_ : self_fresh;
   if (!gives_way && mission_->branch == self_ && split_with_.contains(other)) {
     // It does not know yet.

@@ -84,8 +84,10 @@ void TeamMember::query_as_follower(EntityId from, const TeamQuery& query) {
 
 void TeamMember::on(EntityId from, const TeamInform& inform) {
   if (!mission_ || !inform.mission || inform.mission->name != mission_->name) return;
+  if (is_operator(self_)) inform_as_station(from, inform);
   if (role_ == Role::kFollowing) return inform_as_follower(from, inform);
   if (role_ == Role::kLeading) inform_as_master(from, inform);
+  if (takes_part_in_auction()) take_progress(inform);
 }
 
 void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {
@@ -102,7 +104,7 @@ void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {
   // Others have heard the master meanwhile: it is there, only its messages to here are
   // lost. Not for ever: who does not hear it gets no orders.
   if (inform.master != master_ || inform.query <= evidence_number_ ||
-      now_ - direct_ > 3 * lost_)
+      (now_ - direct_ > 3 * lost_ && !is_operator(self_)))
     return;
   evidence_number_ = inform.query;
   evidence_ = std::max(evidence_, now_ - inform.held);
@@ -122,7 +124,10 @@ void TeamMember::on(EntityId from, const TeamAssign& assign) {
   order_of_ = from;
   order_until_.reset();
   std::vector<std::uint32_t> tasks;
-  for (const TeamTask& task : assign.tasks) tasks.push_back(task.number);
+  for (const TeamTask& task : assign.tasks) {
+    tasks.push_back(task.number);
+    knowledge_.tasks.try_emplace(task.number, task);
+  }
   set_executing(std::move(tasks));
   send_one(from, TeamAssignAck{assign.number});
 }
@@ -136,21 +141,37 @@ void TeamMember::on(EntityId from, const TeamAssignAck& ack) {
   if (follower != followers_.end()) follower->second.claimed = now_;
 }
 
+void TeamMember::state_as_follower(EntityId from, const TeamState& state) {
+  const auto* contact = contacts_.find(from);
+  if (!contact) return;
+  // Others of its team pass on to a station what the master says.
+  if (is_operator(self_) && from != master_ && is_of_lineage(contact->inform.mission))
+    knowledge_.add(state);
+  if (from != master_ || !contact->leads) return;
+  if (state.number == contact->query.state_number) knowledge_.take(state);
+  if (hash_of_members(state.members) != contact->query.members_hash) return;
+  members_ = state.members;
+  set_status(TeamReason::kMembers);
+}
+
+// Another master of the mission that gives way may, and who is with an operator; of those
+// without a master all of one mission.
+bool TeamMember::may_add_tasks(EntityId from) const {
+  const auto* contact = contacts_.find(from);
+  if (!contact) return false;
+  if (takes_part_in_auction()) return is_of_lineage(contact->inform.mission);
+  if (contact->leads) return is_of_lineage(contact->query.mission);
+  return is_operator(from) && followers_.contains(from);
+}
+
 void TeamMember::on(EntityId from, const TeamState& state) {
-  if (role_ == Role::kFollowing && from == master_) {
-    const auto* contact = contacts_.find(from);
-    if (!contact || !contact->leads) return;
-    if (state.number == contact->query.state_number) knowledge_.take(state);
-    if (hash_of_members(state.members) != contact->query.members_hash) return;
-    members_ = state.members;
-    set_status(TeamReason::kMembers);
-  } else if (role_ == Role::kLeading) {
-    // Of another master of the mission that gives way; of nobody else.
-    const auto* contact = contacts_.find(from);
-    const bool concerns =
-        contact && contact->leads && is_of_lineage(contact->query.mission);
-    if (concerns && knowledge_.add(state)) changed_ = true;
-  }
+  if (role_ == Role::kFollowing) return state_as_follower(from, state);
+  // In an auction nobody has to take newcomers: they take part from when they hear of it.
+  if (role_ == Role::kNewcomer && config_.structure == TeamStructure::kAuction)
+    if (const auto* contact = contacts_.find(from); contact && contact->inform.mission)
+      submit(contact->inform.mission->name, {}, time_);
+  const bool adds = role_ == Role::kLeading || takes_part_in_auction();
+  if (adds && may_add_tasks(from) && knowledge_.add(state)) changed_ = true;
 }
 
 void TeamMember::on(EntityId from, const TeamBids& bids) {

@@ -34,8 +34,9 @@ double time_until_lost(const TeamTimes& times, double loss) {
   const double p = std::clamp(loss, kMinLoss, kMaxLoss);
   // The quotient of ln 1e-4 and ln 0.1 is 4 but for rounding.
   const double queries = std::ceil(math::log(kFalseAlarm) / math::log(p) - 1e-9);
-  const double far = std::max(1.0, times.mission_diameter / times.radio_range);
-  return times.query_period * std::max(4.0, queries) * far;
+  const double hops =
+      times.radio_range > 0 ? times.mission_diameter / times.radio_range : 1;
+  return times.query_period * std::max(4.0, queries) * std::max(1.0, hops);
 }
 
 }  // namespace skein::reasoning

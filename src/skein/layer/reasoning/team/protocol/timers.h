@@ -7,8 +7,8 @@ namespace skein::reasoning {
 /// What the times of the team protocol follow from.
 struct TeamTimes {
   double query_period = 1;      ///< T_q [s], between queries
-  double mission_diameter = 1;  ///< L [m]
-  double radio_range = 1;       ///< R [m]
+  double mission_diameter = 1;  ///< L [m]; 0: of the tasks that are known
+  double radio_range = 1;       ///< R [m]; 0: no limit
   double jitter = 0.1;          ///< queries come earlier or later by such a share
 };
 

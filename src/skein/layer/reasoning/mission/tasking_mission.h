@@ -10,7 +10,7 @@ namespace skein::reasoning {
 
 /// A mission that gives each of its aircraft one task after the other: keeps account of
 /// who is there and how far, and repeats orders until they are acknowledged.
-class TeamMission : public Mission {
+class TaskingMission : public Mission {
  public:
   void step(const AgentInput& in, AgentOutput& out) final;
 
@@ -40,7 +40,7 @@ class TeamMission : public Mission {
     }
   };
 
-  explicit TeamMission(const std::vector<EntityId>& team);
+  explicit TaskingMission(const std::vector<EntityId>& team);
 
   /// Decides. Called at each step, after reports have been taken in.
   virtual void pursue(const AgentInput& in, AgentOutput& out) = 0;

@@ -1,4 +1,4 @@
-#include "skein/layer/reasoning/mission/team_mission.h"
+#include "skein/layer/reasoning/mission/tasking_mission.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,11 +11,11 @@ constexpr double kSilent = 5;  // an aircraft unheard for so long is not counted
 
 }  // namespace
 
-TeamMission::TeamMission(const std::vector<EntityId>& team) {
+TaskingMission::TaskingMission(const std::vector<EntityId>& team) {
   for (const EntityId id : team) team_.emplace_back().id = id;
 }
 
-void TeamMission::step(const AgentInput& in, AgentOutput& out) {
+void TaskingMission::step(const AgentInput& in, AgentOutput& out) {
   listen(in);
   pursue(in, out);
   for (Aircraft& each : team_)
@@ -24,7 +24,7 @@ void TeamMission::step(const AgentInput& in, AgentOutput& out) {
       send(each, in.now, out);
 }
 
-void TeamMission::listen(const AgentInput& in) {
+void TaskingMission::listen(const AgentInput& in) {
   for (const Message& message : in.inbox) {
     const auto from = std::find_if(team_.begin(), team_.end(), [&](const Aircraft& a) {
       return a.id == message.from;
@@ -47,24 +47,25 @@ void TeamMission::listen(const AgentInput& in) {
     if ((in.now - each.heard).seconds() > kSilent) each.mine = false;
 }
 
-int TeamMission::mine() const {
+int TaskingMission::mine() const {
   return static_cast<int>(std::count_if(team_.begin(), team_.end(),
                                         [](const Aircraft& a) { return a.mine; }));
 }
 
-void TeamMission::order(Aircraft& aircraft, TaskKind what, Time now, AgentOutput& out) {
+void TaskingMission::order(Aircraft& aircraft, TaskKind what, Time now,
+                           AgentOutput& out) {
   ++aircraft.task.number;
   aircraft.task.what = std::move(what);
   aircraft.left.reset();
   send(aircraft, now, out);
 }
 
-void TeamMission::send(Aircraft& aircraft, Time now, AgentOutput& out) {
+void TaskingMission::send(Aircraft& aircraft, Time now, AgentOutput& out) {
   aircraft.ordered = now;
   out.outbox.push_back({EntityId{}, aircraft.id, 0, Time(), aircraft.task});
 }
 
-const TaskKind& TeamMission::rest_of(const Aircraft& aircraft) {
+const TaskKind& TaskingMission::rest_of(const Aircraft& aircraft) {
   const bool said = aircraft.left && aircraft.left->number == aircraft.task.number;
   return said ? aircraft.left->rest : aircraft.task.what;
 }

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include "skein/layer/reasoning/team/onboard/onboard_team.h"
+#include "skein/layer/reasoning/team/onboard/team_desk.h"
+#include "skein/scenario/scenario.h"
+
+namespace skein::assemble {
+
+struct AircraftContext;
+
+/// How an aircraft takes part in the team of its station; null: that does not lead
+/// itself.
+/// @param context  with its sensors and limits.
+std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
+    const scenario::Scenario& scenario, std::size_t station,
+    const AircraftContext& context);
+
+/// Gives the desk of a station to each of its missions; none: its team does not lead
+/// itself.
+/// @param place  of the station, N [m].
+std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
+    const scenario::Scenario& scenario, std::size_t station, const Vec3& place);
+
+/// Beyond which a radio's messages are lost [m]; 0: no limit, or not known of its kind.
+double radio_range(const scenario::Choice& radio);
+
+}  // namespace skein::assemble

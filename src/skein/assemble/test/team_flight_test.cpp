@@ -1,0 +1,145 @@
+// Teams that lead themselves fly in whole scenarios.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "skein/assemble/test/whole_flight.h"
+
+namespace skein::assemble {
+namespace {
+
+std::string shipped_team() {
+  std::ifstream in(SKEIN_SOURCE_DIR "/scenarios/team.yaml");
+  std::ostringstream content;
+  content << in.rdbuf();
+  return content.str();
+}
+
+// Entity 0 is the station; aircraft 1 to 3 take three tasks.
+std::string three(const std::string& structure, const std::string& more = "",
+                  const std::string& range = "0", const std::string& aircraft = "") {
+  return R"(
+duration_s: 400
+seed: 3
+environment: {terrain: flat, wind: {kind: uniform, speed_mps: 3}, phenomena: []}
+radio: {kind: ideal, loss: 0.2, delay_s: 0.2, range_m: )" +
+         range + R"(}
+stations:
+  - position_m: [0, 0]
+    team: {structure: )" +
+         structure + R"(}
+aircraft:
+  - name: scout
+    count: 3
+    altitude_agl_m: 100
+    sensors: [gnss, air-data]
+    start: {placement: line, spacing_m: 150}
+)" + aircraft +
+         R"(
+missions:
+  - kind: team
+    name: three
+    tasks:
+      - {task: "measure 500,-400 stay 30"}
+      - {task: "measure 600,0 stay 30"}
+      - {task: "measure 500,400 stay 30"}
+)" + more;
+}
+
+// Numbers of the team's tasks that were done, and how often.
+std::map<std::string, int> tasks_done(const FlightLog& log) {
+  std::map<std::string, int> done;
+  for (const Event& event : log.events)
+    if (event.kind == "task-done" && event.text.starts_with("team task"))
+      ++done[event.text.substr(0, event.text.find(':'))];
+  return done;
+}
+
+std::set<std::uint32_t> who(const FlightLog& log, const std::string& kind) {
+  std::set<std::uint32_t> ids;
+  for (const Event& event : log.events)
+    if (event.kind == kind) ids.insert(event.entity.value);
+  return ids;
+}
+
+TEST(TeamFlight, FindsItsLeaderAndSharesTheTasksOut) {
+  const FlightLog log = fly(three("master"));
+  EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
+  EXPECT_EQ(who(log, "team-task").size(), 3u) << log.story();
+  EXPECT_EQ(who(log, "team-selected"), (std::set<std::uint32_t>{0, 1})) << log.story();
+  EXPECT_NE(log.find("mission", "three is over"), nullptr) << log.story();
+  EXPECT_EQ(log.figure("team_masters"), 2);
+  EXPECT_EQ(log.figure("team_double_max_s"), 0) << log.story();
+}
+
+TEST(TeamFlight, NothingOfItIsThereWithoutAStructure) {
+  EXPECT_THROW(fly(three("none")), std::exception);
+}
+
+TEST(TeamFlight, WhoFliesItIsTheTeamsOwnMatter) {
+  EXPECT_THROW(fly(three("master", "    aircraft: [scout]\n")), std::exception);
+  EXPECT_THROW(fly(three("master", "    then: land\n")), std::exception);
+}
+
+TEST(TeamFlight, IsTheSameAgainWithAnyNumberOfThreads) {
+  const std::string text = three("master");
+  Flown two;
+  two.threads = 2;
+  EXPECT_EQ(fly(text).hash(), fly(text, two).hash());
+}
+
+TEST(TeamFlight, TheStationLeadsWhereTheScenarioSaysSo) {
+  const FlightLog log = fly(three("fixed-master"));
+  EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
+  EXPECT_EQ(who(log, "team-selected"), std::set<std::uint32_t>{0}) << log.story();
+}
+
+TEST(TeamFlight, WithoutAMasterTheHighestBidWins) {
+  const FlightLog log = fly(three("auction"));
+  EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
+  EXPECT_TRUE(who(log, "team-selected").empty()) << log.story();
+}
+
+TEST(TeamFlight, AllTasksAreDoneAlthoughTheMasterIsLostAndMembersComeAndGo) {
+  const FlightLog log = fly(shipped_team());
+  const auto done = tasks_done(log);
+  EXPECT_EQ(done.size(), 10u) << log.story();
+  // Twice where the last to do it was lost before it could say so.
+  int again = 0;
+  for (const auto& [task, times] : done) again += times - 1;
+  EXPECT_LE(again, 1) << log.story();
+  EXPECT_GE(log.figure("team_masters"), 3) << log.story();
+  EXPECT_NE(log.find("mission", "valley is over"), nullptr) << log.story();
+  // Scout 1 crashes, scout 3 lands; who comes later flies tasks.
+  const auto flew = who(log, "team-task");
+  EXPECT_TRUE(flew.contains(4)) << log.story();
+  EXPECT_TRUE(flew.contains(5)) << log.story();
+}
+
+TEST(TeamFlight, GoesOnOutOfReachOfTheStation) {
+  // Tasks lie 1.2 km and more away, the station is heard within 900 m.
+  std::string text = three("master", R"(      - {task: "measure 1800,0 stay 30"}
+      - {task: "measure 1800,300 stay 30"}
+      - {task: "measure 1800,-300 stay 30"}
+      - {task: "measure 1500,0 stay 30"}
+)",
+                           "900");
+  const FlightLog log = fly(text);
+  EXPECT_EQ(tasks_done(log).size(), 7u) << log.story();
+}
+
+TEST(TeamFlight, AnOrderOfTheOperatorGoesBeforeTheTeams) {
+  const FlightLog log = fly(three("master", R"(commands:
+  - {at_s: 30, do: "task scout-2 measure -500,0 stay 20"}
+)"));
+  EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
+  const Event* own = log.find("task-done", "task 1: measure");
+  ASSERT_NE(own, nullptr) << log.story();
+  EXPECT_EQ(own->entity.value, 2u);
+}
+
+}  // namespace
+}  // namespace skein::assemble

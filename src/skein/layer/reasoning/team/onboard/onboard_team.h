@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "skein/layer/reasoning/team/onboard/team_link.h"
+
+namespace skein::reasoning {
+
+struct OnboardTeamOptions {
+  TeamConfig config;
+  /// Tasks are shared by what they need in the wind (CoalitionAllocation), in auctions
+  /// by worth_in_wind(); else as `config` says.
+  bool in_wind = true;
+  double cruise = 15;         ///< airspeed of the aircraft [m/s]
+  std::uint32_t sensors = 0;  ///< TeamSensors on board
+};
+
+/// What an aircraft makes of what its team gives it.
+struct TeamWork {
+  bool free = true;     ///< neither a pilot nor a failsafe flies, nor an operator's order
+  bool leaves = false;  ///< it flies no more: a failsafe brings it home
+  std::optional<std::uint32_t> task = {};  ///< of the team, that it has
+  TaskState state = TaskState::kNone;      ///< of that task
+  double share = 0;                        ///< of it that is done
+};
+
+/// The part of an agent on board that is a member of a team which leads itself: says what
+/// the aircraft is able to do and how far it is, and which of the team's tasks it flies.
+/// As a master it shares the tasks out.
+///
+/// Who finds that it cannot fly what it was given, or has it cancelled by the operator,
+/// is not able for a minute, so that another one gets it. Events: those of TeamLink, and
+/// "team-task" with the number and kind of what is flown from now on, "team-task-over".
+class OnboardTeam {
+ public:
+  OnboardTeam(EntityId self, OnboardTeamOptions options);
+  OnboardTeam(const OnboardTeam&) = delete;
+  OnboardTeam& operator=(const OnboardTeam&) = delete;
+
+  /// At each step, with or without a navigation estimate.
+  void step(const AgentInput& in, const TeamWork& work, AgentOutput& out);
+
+  /// What is to be flown; null: nothing of the team's.
+  const TeamTask* task() const { return task_ ? &*task_ : nullptr; }
+  const TeamMember& member() const { return link_.member(); }
+
+ private:
+  void say_resources(const AgentInput& in, const TeamWork& work);
+  void note(const TeamWork& work, Time now);
+  void take_task(Time now, AgentOutput& out);
+
+  EntityId self_;
+  OnboardTeamOptions options_;
+  Vec2 wind_ = Vec2::Zero();  // as last believed [m/s]
+  TeamLink link_;
+  TeamResources resources_;
+  std::optional<TeamTask> task_;
+  Time unable_until_;
+};
+
+}  // namespace skein::reasoning

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "skein/data/task.h"
+#include "skein/data/team_message.h"
+
+namespace skein::reasoning {
+
+/// A task as TeamTask::what carries it.
+std::vector<std::uint8_t> packed(const TaskKind& task);
+
+/// What a task of a team has its executor fly; none: nothing, or what cannot be read.
+std::optional<TaskKind> unpacked(const TeamTask& task);
+
+}  // namespace skein::reasoning

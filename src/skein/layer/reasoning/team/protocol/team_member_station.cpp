@@ -1,0 +1,58 @@
+// What goes on between a team and the stations of its operators.
+#include <algorithm>
+
+#include "skein/layer/reasoning/team/protocol/team_member.h"
+
+namespace skein::reasoning {
+
+void TeamMember::hand_in(const std::string& mission, std::span<const TeamTask> tasks,
+                         Time now) {
+  for (const TeamTask& task : tasks) handed_in_[task.number] = task;
+  submit(mission, tasks, now);
+}
+
+// Those that the master does not know.
+void TeamMember::send_handed_in() {
+  constexpr std::size_t kMaxAtOnce = 8;
+  TeamState state;
+  for (const auto& [number, task] : handed_in_)
+    if (!knowledge_.tasks.contains(number) && state.tasks.size() < kMaxAtOnce)
+      state.tasks.push_back(task);
+  if (state.tasks.empty()) return;
+  state.members = {self_};
+  send_one(*master_, std::move(state));
+}
+
+// What the team knows, to stations that know less: they may be out of reach of the
+// master.
+void TeamMember::inform_stations() {
+  const std::uint32_t number = knowledge_.number();
+  for (const EntityId id : config_.operators) {
+    const auto* station = contacts_.find(id);
+    if (id != self_ && station && now_ - station->informed <= lost_ &&
+        is_of_lineage(station->inform.mission) && station->inform.state_number != number)
+      send_one(id, knowledge_.part(next_part_++, members_));
+  }
+}
+
+// A station leads again when it has heard none of its team for long: others lead on where
+// it does not hear them.
+bool TeamMember::is_team_gone() const {
+  return now_ - evidence_ > lost_ + exchange_time() &&
+         std::ranges::none_of(contacts_.all(), [&](const auto& contact) {
+           return now_ - contact.second.informed <= lost_ &&
+                  is_of_lineage(contact.second.inform.mission);
+         });
+}
+
+// A station needs no orders: what others say of their master is enough to follow it, and
+// to lead no more.
+void TeamMember::inform_as_station(EntityId from, const TeamInform& inform) {
+  if (role_ != Role::kSelecting && role_ != Role::kLeading) return;
+  if (!is_of_lineage(inform.mission)) return;
+  const bool hears = inform.held <= 2 * times().query_period;
+  if (inform.master && *inform.master != self_ && *inform.master != from && hears)
+    follow(*inform.master, TeamReason::kFollowing);
+}
+
+}  // namespace skein::reasoning

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "skein/data/record.h"
+
+namespace skein::record {
+
+/// How a team led itself: the part of a run's key figures that is there as soon as
+/// somebody says who leads it.
+class TeamStatistics {
+ public:
+  void lead(const TeamLeadRecord& record);
+  /// "team-task", "team-task-over" and "left" say who flies which task, "task-done" what
+  /// is done.
+  void event(const Event& event);
+
+  /// Adds `team_masters` (that anybody followed, stations included), `team_changes` (of
+  /// the master, as members saw them), `team_tasks_done`, and of tasks for one aircraft
+  /// `team_double_max_s`: the longest time for which two flew the same one, from when the
+  /// second began.
+  void add_figures(std::map<std::string, double>& figures) const;
+
+ private:
+  void begin(std::uint32_t task, EntityId who, Time now);
+  void end(EntityId who, Time now);
+
+  struct Flown {
+    std::set<EntityId> by;
+    std::optional<Time> doubled;  // since when by two or more
+  };
+  bool known_ = false;
+  std::set<EntityId> masters_;
+  std::map<EntityId, std::optional<EntityId>> master_of_;
+  double changes_ = 0, doubled_max_ = 0;
+  std::set<std::uint32_t> done_;
+  std::map<std::uint32_t, Flown> flown_;
+};
+
+}  // namespace skein::record
