@@ -26,11 +26,12 @@ constexpr double kApartFor = 150;      // after a manoeuvre's begin [s]
 constexpr double kRoom = 0.5;        // around others, so that none is met by rounding [m]
 constexpr double kHeightRoom = 0.3;  // the same, up and down [m]
 constexpr double kRoomTime = 0.1;    // the same, along [s]
-constexpr double kSteps = 1.5;       // heights that are left at the last moment
-constexpr double kGroundAhead = 500;  // that is looked at [m]
-constexpr double kGroundStep = 50;    // [m]
-constexpr double kNear = 3000;        // others that plans are made around [m]
-constexpr std::size_t kFew = 3;       // conflicts that are solved one by one
+constexpr double kLongestLastMoment = 15;  // [s]
+constexpr double kSteps = 1.5;             // heights that are left at the last moment
+constexpr double kGroundAhead = 500;       // that is looked at [m]
+constexpr double kGroundStep = 50;         // [m]
+constexpr double kNear = 3000;             // others that plans are made around [m]
+constexpr std::size_t kFew = 3;            // conflicts that are solved one by one
 constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
 
 }  // namespace
@@ -245,7 +246,10 @@ void Separator::at_the_last_moment(const SeparationStep& step, const Conflict& c
   const double course = geo::bearing(step.v_N.head<2>());
   last_moment_ = Heading{
       course, safe_altitude(step, course, -step.p_N.z() + (up ? height : -height))};
-  last_moment_until_ = Time::from_seconds(conflict.meeting.closest_time + kClearTime);
+  // However long the two would stay near each other: the heights that are reached by then
+  // are what is planned from.
+  last_moment_until_ = Time::from_seconds(
+      std::min(conflict.meeting.closest_time + kClearTime, now + kLongestLastMoment));
   reason_ = up ? "climbs away at the last moment" : "sinks away at the last moment";
   log_.solved(conflict.other, step.now, SeparationMethod::kLastMoment, reason_);
 }
