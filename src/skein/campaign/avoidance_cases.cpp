@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <span>
 #include <sstream>
@@ -81,11 +83,13 @@ std::optional<AvoidanceIntruder::Turn> turn_of(CsvRow& row) {
   if (!from) return std::nullopt;
   const auto duration = row.number("turn_for_s"), rate = row.number("turn_rate_radps"),
              down = row.number("climb_vd_mps");
-  const bool good = in_range(row, "turn_from_s", from, 0, kLongest) &
-                    in_range(row, "turn_for_s", duration, 1e-3, kLongest) &
-                    in_range(row, "turn_rate_radps", rate, -kFastestTurn, kFastestTurn) &
-                    in_range(row, "climb_vd_mps", down, -kSteepest, kSteepest);
-  if (!good) return std::nullopt;
+  // All of them, so that each is reported that is wrong.
+  const std::array good = {
+      in_range(row, "turn_from_s", from, 0, kLongest),
+      in_range(row, "turn_for_s", duration, 1e-3, kLongest),
+      in_range(row, "turn_rate_radps", rate, -kFastestTurn, kFastestTurn),
+      in_range(row, "climb_vd_mps", down, -kSteepest, kSteepest)};
+  if (!std::ranges::all_of(good, std::identity())) return std::nullopt;
   return AvoidanceIntruder::Turn{*from, *duration, *rate, -*down};
 }
 

@@ -98,9 +98,12 @@ StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
     return Action::kPlan;
   }
   if (view.now >= plan_again_) {
-    auto flight = flight_around(view, *first, begin_);
-    if (flight) flight_ = *std::move(flight);
-    around_ = flight || plan_around(view);
+    if (auto flight = flight_around(view, *first, begin_)) {
+      flight_ = *std::move(flight);
+      around_ = true;
+    } else {
+      around_ = plan_around(view);
+    }
     if (around_) return Action::kPlan;
     plan_again_ = view.now + kTryAgain;
   }
