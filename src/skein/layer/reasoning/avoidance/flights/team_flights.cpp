@@ -16,11 +16,11 @@ constexpr double kAcross = 30, kHeight = 12;  // [m]
 
 constexpr double kLargestError = 1000;  // that can be meant [m]
 constexpr double kLargestSeparation = 20e3;
-constexpr double kPeriod = 1;          // of PlaceReports [s]
-constexpr double kLongestGap = 20;     // between them
-constexpr double kForgets = 0.99;      // of PlaceReports, at each
-constexpr double kLeastExpected = 10;  // of them, to know what is lost
-constexpr double kFades = 0.9;         // of the longest delay, at each message
+constexpr double kPeriod = 1;        // of PlaceReports [s]
+constexpr double kLongestGap = 20;   // between them
+constexpr double kForgets = 0.99;    // of PlaceReports, at each
+constexpr double kMinExpected = 10;  // of them, to know what is lost
+constexpr double kFades = 0.9;       // of the longest delay, at each message
 
 bool is_error(float error) {
   return error >= 0 && error <= kLargestError;
@@ -96,7 +96,7 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
 }
 
 double TeamFlights::loss() const {
-  return expected_ > kLeastExpected ? 1 - received_ / expected_ : 0;
+  return expected_ > kMinExpected ? 1 - received_ / expected_ : 0;
 }
 
 void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAnswersWithin = 1;  // agents, at most [s]
 constexpr double kBeforeBegin = 1;    // it is over [s]
-constexpr std::size_t kMostManoeuvres = 64;
+constexpr std::size_t kMaxManoeuvres = 64;
 
 bool is_flyable(const GroupManoeuvre& manoeuvre) {
   for (const float each :
@@ -72,7 +72,7 @@ void GroupNegotiation::take(EntityId from, const GroupJoining& joining) {
 
 void GroupNegotiation::take(EntityId from, const GroupPlan& plan) {
   if (coordinates() || from != name_.opener || plan_) return;
-  if (plan.members.size() > kMostManoeuvres || plan.manoeuvres.size() > kMostManoeuvres)
+  if (plan.members.size() > kMaxManoeuvres || plan.manoeuvres.size() > kMaxManoeuvres)
     return fail("a plan that makes no sense");
   if (std::ranges::find(plan.members, self_) == plan.members.end())
     return fail("left out");

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array kJointStrengths = {1.0, 1.7, 3.0};
 constexpr std::size_t kRoundsPerMember = 6;
-constexpr double kLeastGain = 1e-6;  // [s]
+constexpr double kMinGain = 1e-6;  // [s]
 
 class JointSearch {
  public:
@@ -198,7 +198,7 @@ class JointSearch {
         std::ranges::stable_sort(order, {},
                                  [&](std::size_t a) { return pools_[i][a].cost; });
         for (const std::size_t a : order) {
-          if (pools_[i][a].cost > pools_[i][chosen_[i]].cost - kLeastGain) break;
+          if (pools_[i][a].cost > pools_[i][chosen_[i]].cost - kMinGain) break;
           if (!is_apart(i, a)) continue;
           chosen_[i] = a;
           changed = true;

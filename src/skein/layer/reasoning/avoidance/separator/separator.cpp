@@ -18,14 +18,14 @@ constexpr double kPlanPeriod = 5;   // [s]
 constexpr double kSigmas = 2.2;
 constexpr double kVerticalSd = 1.5;    // over the horizontal one
 constexpr double kRepeatPeriod = 0.5;  // of a plan that is new [s]
-constexpr int kMostTimes = 8;
+constexpr int kMaxRepeats = 8;
 constexpr double kUnheard = 0.05;  // by so many is a new plan at most
 constexpr int kMaxChanges = 3;     // of the plan in one look
 
 // How often another plan is said again, so that nearly all hear of it at once.
 int times_again(double loss) {
   int times = 0;
-  for (double unheard = loss; unheard > kUnheard && times < kMostTimes; unheard *= loss)
+  for (double unheard = loss; unheard > kUnheard && times < kMaxRepeats; unheard *= loss)
     ++times;
   return times;
 }

@@ -13,20 +13,20 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr std::size_t kMostMembers = 12;
-constexpr std::size_t kMostMeetings = 30000;  // pairs of flights looked at by a group
+constexpr std::size_t kMaxMembers = 12;
+constexpr std::size_t kMaxMeetings = 30000;  // pairs of flights looked at by a group
 constexpr double kRoundTrips = 4;      // invitation, joining, plan, acceptance; and again
 constexpr double kGroupLookOn = 60;    // beyond the horizon, for meetings that count [s]
 constexpr double kBeforeConflict = 1;  // what is agreed on begins [s]
 constexpr double kGathering =
     2;  // until plans of all that have changed theirs are here [s]
-constexpr std::size_t kMostInvited = 64;
+constexpr std::size_t kMaxInvited = 64;
 
 bool is_plausible(const GroupInvitation& invitation, double now, double horizon) {
   return std::isfinite(invitation.begin) && std::isfinite(invitation.apart) &&
          invitation.begin > now && invitation.begin < now + horizon &&
          invitation.apart > invitation.begin && invitation.apart < now + 10 * horizon &&
-         invitation.members.size() <= kMostInvited;
+         invitation.members.size() <= kMaxInvited;
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ void Separator::open_group(const SeparationStep& step) {
   const double now = step.now.seconds();
   if (first == conflicts_.end() || now < group_again_) return;
   const ConflictGroup found = groups_.find(step.now, conflicts_, team_.flights(),
-                                           now + options_.horizon, kMostMembers);
+                                           now + options_.horizon, kMaxMembers);
   if (found.others.empty()) return;
   if (group_plan_ != own_.number) {
     group_plan_ = own_.number;
@@ -149,7 +149,7 @@ std::optional<std::vector<GroupManoeuvre>> Separator::solve_group(
   }
   FlightCheck check(step.query, step.zones);
   problem.is_free = [&](const FlightPlan& flight) { return check.is_free(flight); };
-  const JointSolution solution = solve_jointly(problem, kMostMeetings);
+  const JointSolution solution = solve_jointly(problem, kMaxMeetings);
   std::vector<GroupManoeuvre> manoeuvres;
   for (std::size_t i = 0; i < n; ++i) {
     const JointChoice& choice = solution.choices[i];

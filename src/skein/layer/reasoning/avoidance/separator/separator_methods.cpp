@@ -20,7 +20,7 @@ namespace {
 constexpr double kBudget = 3;          // of negotiations, besides messages [s]
 constexpr int kAttempts = 2;           // to negotiate, before one acts alone
 constexpr double kLittleLoss = 0.1;    // of messages
-constexpr double kLeastToAct = 3;      // between an agreement and the conflict [s]
+constexpr double kMinTimeToAct = 3;    // between an agreement and the conflict [s]
 constexpr std::size_t kGroupFrom = 2;  // conflicts of one aircraft
 constexpr double kApartFor = 150;      // after a manoeuvre's begin [s]
 constexpr double kRoom = 0.5;        // around others, so that none is met by rounding [m]
@@ -48,7 +48,7 @@ SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const
     return alone ? SeparationMethod::kNegotiated : SeparationMethod::kGroup;
   const auto waiting = waiting_.find(conflict.other);
   const bool failed = waiting != waiting_.end() && waiting->second.failures >= kAttempts;
-  if (left > negotiating + kLeastToAct && hears && !failed)
+  if (left > negotiating + kMinTimeToAct && hears && !failed)
     return SeparationMethod::kNegotiated;
   if (left > options_.emergency) return SeparationMethod::kPriority;
   if (left > options_.last_moment) return SeparationMethod::kRule;
