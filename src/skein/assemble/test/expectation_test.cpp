@@ -1,5 +1,6 @@
 // Scenario tests: every file of scenarios/expect/ names a scenario, changes to it, and
-// what its summary must say, with the reason of each bound.
+// what its summary must say, with the reason of each bound; by each of `seeds` where there
+// are some, else by the scenario's.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
@@ -25,13 +26,9 @@ std::vector<fs::path> expectation_files() {
 
 class Expectation : public testing::TestWithParam<fs::path> {};
 
-TEST_P(Expectation, Holds) {
-  const YAML::Node file = YAML::LoadFile(GetParam().string());
-  if (file["needs"] &&
-      !fs::exists(fs::path(SKEIN_SHARED_DATA) / file["needs"].as<std::string>()))
-    GTEST_SKIP() << "the data " << file["needs"] << " is not here";
+void run_and_judge(const YAML::Node& file, const std::vector<std::string>& set) {
   std::vector<scenario::Override> overrides;
-  for (const auto& text : file["set"]) overrides.push_back({text.as<std::string>()});
+  for (const std::string& text : set) overrides.push_back({text});
   const fs::path path =
       fs::path(SKEIN_SOURCE_DIR) / "scenarios" / file["scenario"].as<std::string>();
   const auto read = scenario::read_scenario(path, kind_table(), overrides);
@@ -50,6 +47,22 @@ TEST_P(Expectation, Holds) {
     if (bound["at_least"]) {
       EXPECT_GE(*value, bound["at_least"].as<double>()) << name << ": " << because;
     }
+  }
+}
+
+TEST_P(Expectation, Holds) {
+  const YAML::Node file = YAML::LoadFile(GetParam().string());
+  if (file["needs"] &&
+      !fs::exists(fs::path(SKEIN_SHARED_DATA) / file["needs"].as<std::string>()))
+    GTEST_SKIP() << "the data " << file["needs"] << " is not here";
+  std::vector<std::string> set;
+  for (const auto& text : file["set"]) set.push_back(text.as<std::string>());
+  if (!file["seeds"]) return run_and_judge(file, set);
+  for (const auto& seed : file["seeds"]) {
+    SCOPED_TRACE("seed " + seed.as<std::string>());
+    std::vector<std::string> seeded = set;
+    seeded.push_back("seed=" + seed.as<std::string>());
+    run_and_judge(file, seeded);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/base/math.h"
 #include "skein/model/atmosphere/atmosphere.h"
 #include "skein/model/path/plan_curve.h"
 #include "skein/model/path/wind_triangle.h"
@@ -17,6 +18,7 @@ using Reason = std::optional<std::string>;
 constexpr double kSpeedSlack = 0.03;
 constexpr double kClimbSlack = 0.1;
 constexpr double kTurnSlack = 0.01;
+constexpr double kTurnWindow = 1;  // of a plan, whose turns are judged as one [s]
 constexpr double kDensitySlack = 1e-6;
 constexpr int kInstants = 16;       // of a plan's segment or of a turn
 constexpr double kOnePoint = 1e-3;  // waypoints nearer than this are one [m]
@@ -179,13 +181,24 @@ struct Judge {
       const double span = f.plan[i + 1].time.seconds() - begin;
       for (int k = 0; k <= kInstants; ++k) {
         const double time = begin + span * k / kInstants;
-        if (auto r = judge(curve.at(time), time)) return r;
+        if (auto r = judge(curve.at(time), curve, time)) return r;
       }
     }
     return {};
   }
 
-  Reason judge(const model::PlanCurve::State& at, double time) const {
+  // Of the track, with which it turns around a time: within a second nobody banks and
+  // levels out again, so what a plan asks for in less is cut as on any corner.
+  static double mean_turn_rate(const model::PlanCurve& curve, double time) {
+    const double begin = std::max(time - kTurnWindow / 2, curve.start());
+    const double end = std::min(time + kTurnWindow / 2, curve.end());
+    const Vec2 before = curve.at(begin).v_N.head<2>(), after = curve.at(end).v_N.head<2>();
+    const double turned = math::atan2(geo::cross(before, after), before.dot(after));
+    return std::abs(turned) / std::max(end - begin, kTurnWindow / 2);
+  }
+
+  Reason judge(const model::PlanCurve::State& at, const model::PlanCurve& curve,
+               double time) const {
     const Vec2 v = at.v_N.head<2>();
     const Vec2 air = v - wind;
     const double airspeed = std::sqrt(air.squaredNorm() + at.v_N.z() * at.v_N.z());
@@ -208,7 +221,8 @@ struct Judge {
     if (hovers() || speed < 1e-3) return {};
     const double lateral = std::abs(geo::cross(v, at.a_N.head<2>())) / speed;
     const double cosine = std::max(v.dot(air) / (speed * air.norm()), 1e-3);
-    if (lateral <= max_lateral() * cosine * (1 + kTurnSlack)) return {};
+    const double allowed = max_lateral() * cosine * (1 + kTurnSlack);
+    if (lateral <= allowed || mean_turn_rate(curve, time) * speed <= allowed) return {};
     return fmt::format(
         "the plan at {:.1f} s turns with a radius of {:.0f} m at {:.1f} m/s over ground: "
         "{:.0f} m is the minimum",

@@ -147,6 +147,27 @@ TEST(Unflyable, PlansMustNotTurnTooTightly) {
   EXPECT_FALSE(unflyable({FollowPlan{round(40)}, 0, {}}, kWing, kCalm));
 }
 
+TEST(Unflyable, CornersOfPlansAreTurnsOfASecond) {
+  // Straight on, and after a millisecond on another course: flown by cutting the
+  // corner where the turn could be flown in a second (a_max / V = 0.33 rad), else not.
+  const auto corner = [](double angle) {
+    const Vec2 on = 20 * geo::unit(0), turned = 20 * geo::unit(angle);
+    const Vec2 there = 5 * on, end = there + 5 * turned;
+    return Plan{{Time::from_seconds(0), {0, 0, -100}, {on.x(), on.y(), 0}},
+                {Time::from_seconds(4.999),
+                 {there.x() - 0.02, there.y(), -100},
+                 {on.x(), on.y(), 0}},
+                {Time::from_seconds(5),
+                 {there.x(), there.y(), -100},
+                 {turned.x(), turned.y(), 0}},
+                {Time::from_seconds(10),
+                 {end.x(), end.y(), -100},
+                 {turned.x(), turned.y(), 0}}};
+  };
+  EXPECT_FALSE(unflyable({FollowPlan{corner(0.25)}, 0, {}}, kWing, kCalm));
+  EXPECT_TRUE(says({FollowPlan{corner(0.5)}, 0, {}}, "turns with a radius"));
+}
+
 TEST(Unflyable, WaypointsMustNotBeTooSteep) {
   EXPECT_TRUE(says({FlyWaypoints{}, 0, {}}, "no waypoints"));
   EXPECT_TRUE(says({FlyWaypoints{{{{0, 0}, 100}}, 0}, 0, {}}, "0 laps"));
