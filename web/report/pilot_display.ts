@@ -350,6 +350,6 @@ export function drawPilotDisplay(c: Context, scene: Scene, track: Track, time: n
     bands: bands?.[9] ?? [], advised: null, title: "altitude m", digits: 0, fixed: false, right: false });
   const climbs = Math.max(6, Math.abs(own.climb) + 1, Math.abs(bands?.[4] ?? 0) + 1,
     ...pieces(bands?.[8] ?? []).filter(({ region }) => region !== "NONE").flatMap(({ from, to }) => [Math.abs(from), Math.abs(to)]));
-  drawTape(c, tapeTop, tapeHeight, { x: width - kGap - kClimbTape, width: kClimbTape, span: 2 * climbs, step: climbs > 12 ? 5 : 2,
+  drawTape(c, tapeTop, tapeHeight, { x: width - kGap - kClimbTape, width: kClimbTape, span: 2 * climbs, step: climbs > 20 ? 10 : climbs > 12 ? 5 : 2,
     value: own.climb, bands: bands?.[8] ?? [], advised: bands?.[4] ?? null, title: "climb m/s", digits: 1, fixed: true, right: false });
 }
