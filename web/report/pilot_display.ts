@@ -55,7 +55,7 @@ export function fittingRange(scene: Scene, track: Track, own: OwnShip, time: num
     alert: scene.alerting.alert(track.entity, each.track, time),
   }));
   const alerted = distances.filter(({ alert }) => alert).map(({ distance }) => distance);
-  const far = alerted.length > 0 ? Math.max(...alerted) : Math.min(8000, ...distances.map(({ distance }) => distance));
+  const far = alerted.length > 0 ? Math.max(...alerted) : Math.min(7000, ...distances.map(({ distance }) => distance));
   return kRanges.find((range) => range >= 1.1 * far) ?? kRanges[kRanges.length - 1];
 }
 export const kRanges = [500, 1000, 2000, 4000, 8000, 16000, 32000];
