@@ -1,6 +1,6 @@
 /** What the program puts into the page, and how its packed numbers are read. */
 
-import type { AirTraffic, Entity, Event, GroundObject } from "./records";
+import type { AirTraffic, Alert, Entity, Event, GroundObject, RecommendationChange } from "./records";
 
 /** Base64 of little-endian numbers of the kind that the field's comment names. */
 export type Packed = string;
@@ -12,6 +12,7 @@ export interface Track {
   north: Packed; // uint16, see MapData
   east: Packed; // uint16
   heading: Packed; // uint8, 256 = one turn
+  altitude: Packed; // uint16, -1000 m + 0.25 m * number
 }
 
 export interface Frame {
@@ -60,7 +61,9 @@ export interface MapData {
   objects: MovingObject[];
   detections: { time_s: Packed; north: Packed; east: Packed; object: Packed }; // the same, uint16
   traffic: FlyingTraffic[];
-  traffic_beliefs: Packed; // float32: time, north, east, deviation [m] of each firm track, in order of time
+  /** float32, of each firm track, in order of time: time, north, east, horizontal deviation, altitude, velocity
+   * north, east and up, believer, track. */
+  traffic_beliefs: Packed;
   zones: { name: string; on_s: number; off_s: number | null; ring: Corner[] }[];
   missions: { name: string; begun_s: number; areas: Corner[][]; lines: Corner[][] }[];
   terrain?: Terrain;
@@ -71,6 +74,28 @@ export type Corner = [number, number];
 
 export type FlightColumn =
   "altitude_msl_m" | "airspeed_mps" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
+
+/** Ranges of values: from, to, number of the region (kRegions), one after the other. */
+export type BandList = number[];
+
+/** What an aircraft may fly at a time: time, highest level, advised track [deg], speed, vertical speed, time to
+ * recovery; bands of tracks [deg], speeds, vertical speeds, altitudes. */
+export type BandRow = [number, number, number | null, number | null, number | null, number | null,
+  BandList, BandList, BandList, BandList];
+
+/** A point of a recommended path. */
+export interface PathPoint {
+  time_s: number;
+  north_m: number;
+  east_m: number;
+  altitude_msl_m: number;
+}
+
+export interface Alerting {
+  alerts: Alert[]; // in order of time
+  bands: { entity: number; rows: BandRow[] }[];
+  recommendations: (Omit<RecommendationChange, "path"> & { path: PathPoint[] })[];
+}
 
 export interface RunData {
   label: string;
@@ -98,6 +123,7 @@ export interface RunData {
   events: Event[];
   events_left_out: number;
   scenario: string;
+  alerting: Alerting;
   map: MapData | null;
 }
 

@@ -65,6 +65,16 @@ const kCounts: Count[] = [
   { label: "Off the path, RMS", unit: "m", show: key("cross_track_rms_m") },
   { label: "Error of own position, RMS", unit: "m", show: key("position_error_rms_m") },
   { label: "Lowest charge", unit: "%", show: (run) => 100 * run.summary.min_charge },
+  { label: "Separation violations", show: key("violations") },
+  { label: "Near collisions", show: key("near_collisions") },
+  { label: "Least distance over separation", show: key("separation_min_ratio") },
+  { label: "Conflicts", show: key("conflicts") },
+  { label: "Conflicts unsolved", show: key("conflicts_unsolved") },
+  { label: "Conflicts solved before, least", unit: "s", show: key("conflict_fixed_before_min_s") },
+  { label: "Team leads", show: key("team_masters") },
+  { label: "Changes of the lead", show: key("team_changes") },
+  { label: "Team tasks done", show: key("team_tasks_done") },
+  { label: "Tasks flown twice, longest", unit: "s", show: key("team_double_max_s") },
   { label: "Observations", show: key("observations") },
   { label: "Crossings", show: key("crossings") },
   { label: "Lowest reserve", unit: "%", show: (run) => lowest(run, "min_reserve_", 100) },
@@ -74,6 +84,10 @@ const kCounts: Count[] = [
   { label: "Detections", show: key("detections") },
   { label: "Other aircraft", show: key("traffic") },
   { label: "Error of their tracks, RMS", unit: "m", show: key("traffic_error_rms_m") },
+  { label: "Alerts", show: key("traffic_alerts") },
+  { label: "Highest alert", show: (run) => run.summary.traffic_alerts ? run.summary.traffic_alert_level_max : undefined },
+  { label: "Recommendations, followed", show: key("recommendations_followed") },
+  { label: "Recommendations, ignored", show: (run) => run.summary.recommendations_ignored },
   { label: "Scans", show: key("range_scans") },
   { label: "Messages lost", unit: "%",
     show: (run) => run.summary.messages_sent > 0
@@ -81,7 +95,7 @@ const kCounts: Count[] = [
 ];
 
 /** Counts that say something only when they are not zero. */
-const kWhenAny = ["Missed deadlines", "Accidents", "Failsafes", "Observations", "Crossings"];
+const kWhenAny = ["Missed deadlines", "Accidents", "Failsafes", "Observations", "Crossings", "Tasks flown twice, longest"];
 
 const known = (value: number | undefined): value is number => value != null && Number.isFinite(value);
 

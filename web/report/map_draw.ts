@@ -1,7 +1,7 @@
 /** Draws a scene at one time onto a canvas, north up. */
 import type { Corner, Terrain } from "./data";
 import { objectAt, type Ring, type Scene } from "./scene";
-import type { Theme } from "./theme";
+import { alertColour, type Theme } from "./theme";
 
 export interface View {
   north: number; // of the middle [m]
@@ -263,30 +263,32 @@ function drawObjects(context: CanvasRenderingContext2D, scene: Scene, time: numb
   }
 }
 
-/** Other aircraft as hollow diamonds, and circles of two deviations where firm tracks have them. */
+/** Other aircraft as diamonds, and circles of two deviations where firm tracks have them; both in the colour of the
+ * highest alert that stands about them. */
 function drawTraffic(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place, scale: number,
   names: boolean, theme: Theme): void {
-  const beliefs = scene.trafficBeliefs;
-  let low = 0, high = beliefs.length / 4; // the first of the last second
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (beliefs[4 * middle] <= time - kBeliefShown) low = middle + 1;
-    else high = middle;
-  }
-  context.strokeStyle = theme.traffic;
-  context.lineWidth = 1;
-  for (let i = low; 4 * i < beliefs.length && beliefs[4 * i] <= time + 1e-3; ++i) {
-    const [x, y] = place(beliefs[4 * i + 1], beliefs[4 * i + 2]);
+  const alerted: { north: number; east: number; reach: number; level: number; colour: string }[] = [];
+  for (const each of scene.believed(time, kBeliefShown)) {
+    const alert = scene.alerting.alert(each.believer, each.track, time);
+    const colour = alert ? alertColour(alert.region, theme) : theme.traffic;
+    const [x, y] = place(each.north, each.east);
+    context.strokeStyle = colour;
+    context.lineWidth = alert ? 2 : 1;
     context.beginPath();
-    context.arc(x, y, Math.max(3, 2 * beliefs[4 * i + 3] * scale), 0, 7);
+    context.arc(x, y, Math.max(3, 2 * each.deviation * scale), 0, 7);
     context.stroke();
+    if (alert)
+      alerted.push({ ...each, reach: Math.max(150, 3 * each.deviation), level: alert.level, colour });
   }
+  alerted.sort((a, b) => b.level - a.level);
   context.lineWidth = 1.6;
-  context.fillStyle = theme.paper;
   for (const each of scene.traffic) {
     const at = objectAt(each, time);
     if (!at || Number.isNaN(at[0])) continue;
+    const alert = alerted.find((a) => Math.hypot(a.north - at[0], a.east - at[1]) < a.reach);
     const [x, y] = place(at[0], at[1]);
+    context.strokeStyle = alert?.colour ?? theme.traffic;
+    context.fillStyle = alert?.colour ?? theme.paper;
     context.beginPath();
     context.moveTo(x, y - 5);
     context.lineTo(x + 5, y);
@@ -297,6 +299,25 @@ function drawTraffic(context: CanvasRenderingContext2D, scene: Scene, time: numb
     context.stroke();
     if (names && scene.traffic.length <= kMany) label(context, each.name, x + 8, y + 4, theme);
   }
+}
+
+/** Paths that are recommended to pilots. */
+function drawRecommendations(context: CanvasRenderingContext2D, scene: Scene, time: number, place: Place, theme: Theme): void {
+  context.strokeStyle = theme.recommended;
+  context.lineWidth = 2;
+  context.setLineDash([8, 4]);
+  for (const aircraft of scene.alerting.aircraft()) {
+    const shown = scene.alerting.recommendation(aircraft, time);
+    if (!shown) continue;
+    context.beginPath();
+    shown.path.filter((point) => point.time_s >= time - 5).forEach((point, i) => {
+      const [x, y] = place(point.north_m, point.east_m);
+      if (i === 0) context.moveTo(x, y);
+      else context.lineTo(x, y);
+    });
+    context.stroke();
+  }
+  context.setLineDash([]);
 }
 
 function traceCorners(context: CanvasRenderingContext2D, line: Corner[], place: Place): void {
@@ -455,6 +476,7 @@ export function drawMap(context: CanvasRenderingContext2D, scene: Scene, heights
   if (layers.zones) drawZones(context, scene, time, place, layers.names, theme);
   if (layers.objects) drawObjects(context, scene, time, place, layers.names, theme);
   if (layers.traffic) drawTraffic(context, scene, time, place, view.scale, layers.names, theme);
+  if (layers.traffic) drawRecommendations(context, scene, time, place, theme);
   drawTracks(context, scene, time, place, layers, theme);
   drawScale(context, view, width, height, theme);
 }

@@ -4,6 +4,7 @@ import { clock, h, number } from "./dom";
 import { drawMap, fit, kAllLayers, kMany, type Layers, type View } from "./map_draw";
 import { Scene } from "./scene";
 import { onThemeChange, paperTheme, theme } from "./theme";
+import { alertStrip, type AlertStrip } from "./alert_strip";
 
 interface Shown {
   run: RunData;
@@ -13,7 +14,7 @@ interface Shown {
   metrics: Record<string, Float32Array>;
 }
 
-const kSpeeds = [1, 10, 30, 60, 120, 300];
+const kSpeeds = [1, 5, 10, 30, 60, 120, 300];
 const kLayerNames: [keyof Layers, string, string][] = [
   ["truth", "true fire", "truth"],
   ["belief", "believed boundary", "belief"],
@@ -22,7 +23,7 @@ const kLayerNames: [keyof Layers, string, string][] = [
   ["tracks", "tracks", "track"],
   ["crossings", "crossings", "crossing"],
   ["objects", "objects, and where they were seen", "object"],
-  ["traffic", "other aircraft, and where they are believed", "traffic"],
+  ["traffic", "other aircraft, where they are believed, alerts", "traffic"],
   ["missions", "areas and lines of missions", "mission"],
   ["zones", "no-fly zones", "zone"],
   ["names", "names", ""],
@@ -56,7 +57,8 @@ function figuresAt(shown: Shown, time: number): string {
 
 export class Player {
   readonly element: HTMLElement;
-  onTime: (time: number) => void = () => undefined;
+  /** Called whenever another time is shown, or another run. */
+  onTime: (time: number, scene: Scene) => void = () => undefined;
   private readonly shown: Shown[];
   private current: Shown;
   private readonly layers: Layers = { ...kAllLayers };
@@ -74,6 +76,12 @@ export class Player {
   private readonly status = h("p", { class: "status" });
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private waiting = false;
+  private readonly strip: AlertStrip | null;
+
+  /** What is on the map. */
+  get scene(): Scene {
+    return this.current.scene;
+  }
 
   /** Makes a player of the runs that have a map; null when none has. */
   static make(runs: RunData[]): Player | null {
@@ -101,6 +109,7 @@ export class Player {
     const button = (label: string, text: string, action: () => void) =>
       h("button", { type: "button", "aria-label": label, title: label, onclick: action }, text);
 
+    this.strip = alertStrip(this.current.run, this.current.scene, this.end, (time) => { this.pause(); this.seek(time); });
     this.element = h("div", { class: "player", onkeydown: (event) => this.key(event as KeyboardEvent) },
       this.runChoice(),
       h("div", { class: "map-holder" }, this.canvas,
@@ -108,6 +117,7 @@ export class Player {
           button("Zoom out", "−", () => this.zoom(1 / 1.4)), button("Show everything", "⤢", () => this.showAll()))),
       h("div", { class: "controls" }, this.playButton, this.slider, this.clockText,
         h("label", {}, "Speed ", speed), h("label", {}, "Tracks ", tail)),
+      this.strip?.element,
       this.layerChoice(),
       this.status,
       h("p", { class: "hint" }, "Drag to move, wheel to zoom. Keys: space plays, , and . step, + − 0 zoom, arrows move."));
@@ -264,7 +274,8 @@ export class Player {
     this.clockText.textContent = text;
     this.slider.setAttribute("aria-valuetext", text);
     this.status.textContent = figuresAt(this.current, this.time);
-    this.onTime(this.time);
+    this.onTime(this.time, this.current.scene);
+    this.strip?.showTime(this.time);
     if (width === 0 || height === 0) return;
     this.canvas.setAttribute("aria-label",
       `Map of ${this.current.run.label} at ${text}. ${this.status.textContent}`);
@@ -282,7 +293,7 @@ export class Player {
       const layers = { ...kAllLayers, tail: this.layers.tail };
       return h("div", { class: "print-maps" },
         h("p", {}, "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. " +
-          `Dots: crossings of the last five minutes. Squares: objects, filled once found; crosses: where cameras placed them. Diamonds: other aircraft; circles: where they are believed. ` +
+          `Dots: crossings of the last five minutes. Squares: objects, filled once found; crosses: where cameras placed them. Diamonds: other aircraft; circles: where they are believed, amber and red with an alert. ` +
           `Coloured lines: the last ${clock(this.layers.tail)} of flight.`),
         ...times.map((time) => {
           const canvas = h("canvas");
@@ -296,7 +307,7 @@ export class Player {
 }
 
 /** Sizes a canvas for sharp lines and draws in CSS pixels. */
-function paint(canvas: HTMLCanvasElement, width: number, height: number,
+export function paint(canvas: HTMLCanvasElement, width: number, height: number,
   draw: (context: CanvasRenderingContext2D) => void): void {
   const ratio = Math.max(window.devicePixelRatio || 1, 1);
   const [w, k] = [Math.round(width * ratio), Math.round(height * ratio)];

@@ -1281,3 +1281,75 @@ export interface TeamLead {
   members: number[]; // itself included
   reason: "newcomer" | "selected" | "following" | "joined" | "merged" | "split" | "handover" | "lost" | "fixed" | "alone" | "members"; // why
 }
+
+/** An alert about another aircraft, whenever its level changes. */
+export interface Alert {
+  time_s: number; // from when on
+  entity_id: number; // who is alerted
+  track: number; // number of the other on board
+  level: number; // from 1 on; 0: the alert is over
+  region: "NONE" | "FAR" | "MID" | "NEAR" | "RECOVERY"; // that the level stands for
+  bearing_deg: number | null; // from the nose, to the right
+  distance_m: number | null; // horizontal
+  height_m: number | null; // of the other above the own aircraft
+  track_advised_deg: number | null; // out of the conflict, toward the goal; null: not needed, or none is found
+  speed_advised_mps: number | null; // the same
+  vertical_speed_advised_mps: number | null; // the same, up
+}
+
+/** Tracks and what they lead to. */
+export interface TrackBand {
+  from_deg: number | null; // clockwise from north
+  to_deg: number | null; // the same
+  region: "NONE" | "FAR" | "MID" | "NEAR" | "RECOVERY"; // what they lead to
+}
+
+/** Speeds and what they lead to. */
+export interface SpeedBand {
+  from_mps: number | null; // of the range
+  to_mps: number | null; // of the range
+  region: "NONE" | "FAR" | "MID" | "NEAR" | "RECOVERY"; // what they lead to
+}
+
+/** Altitudes and what they lead to. */
+export interface AltitudeBand {
+  from_m: number | null; // above mean sea level
+  to_m: number | null; // above mean sea level
+  region: "NONE" | "FAR" | "MID" | "NEAR" | "RECOVERY"; // what they lead to
+}
+
+/** What an aircraft may fly while an alert stands, once a second; none: level 0. */
+export interface Band {
+  time_s: number; // when
+  entity_id: number; // which aircraft
+  level: number; // the highest of all alerts; 0: none any more
+  track_deg: number | null; // the own one, over ground
+  speed_mps: number | null; // the own one, over ground
+  vertical_speed_mps: number | null; // the own one, up
+  track_advised_deg: number | null; // out of the conflict, toward the goal; null: not needed, or none is found
+  speed_advised_mps: number | null; // the same
+  vertical_speed_advised_mps: number | null; // the same, up
+  recovery_s: number | null; // until well clear again, by a track that is RECOVERY; null: there is none
+  tracks: TrackBand[]; // bands of tracks; others are free
+  speeds: SpeedBand[]; // the same of speeds
+  vertical_speeds: SpeedBand[]; // the same, up
+  altitudes: AltitudeBand[]; // the same of altitudes
+}
+
+/** A point of a recommended path. */
+export interface RecommendedPoint {
+  time_s: number | null; // when
+  north_m: number | null; // where
+  east_m: number | null; // where
+  altitude_msl_m: number | null; // where
+}
+
+/** What becomes of a path that is recommended to the pilot on board. */
+export interface RecommendationChange {
+  time_s: number; // when
+  entity_id: number; // which aircraft
+  number: number; // of those of the aircraft
+  state: "shown" | "followed" | "ignored" | "over"; // what becomes of it
+  reason: string; // why another path than the task's
+  path: RecommendedPoint[]; // the next minutes of it, when it is shown
+}

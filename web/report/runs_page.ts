@@ -5,6 +5,7 @@ import { clock, h, section } from "./dom";
 import { comparisonTables, figuresTable, hasMetrics, missionTable, tiles } from "./figures";
 import { flightCharts } from "./flight_plots";
 import { chosen, sameFire } from "./scenario_text";
+import { pilotPanel } from "./pilot_panel";
 import { Player } from "./player";
 
 const kStates = {
@@ -139,6 +140,9 @@ function realityTable(run: RunData): HTMLElement | null {
         .map((text) => h("td", {}, text)))))));
 }
 
+/** Kinds of events that stand out in the list. */
+const kMarked: Record<string, string> = { "traffic-alert": "alerted", recommended: "recommended" };
+
 function eventList(runs: RunData[]): HTMLElement | null {
   const tables = runs.filter((run) => run.events.length > 0).map((run) => {
     const names = new Map(run.entities.map((entity) => [entity.entity_id, entity.name]));
@@ -146,7 +150,7 @@ function eventList(runs: RunData[]): HTMLElement | null {
       h("summary", {}, `${run.label}: ${run.events.length + run.events_left_out} events`),
       h("div", { class: "scroll" }, h("table", { class: "events" },
         h("thead", {}, h("tr", {}, ...["Time", "Who", "Kind", "What"].map((t) => h("th", { scope: "col" }, t)))),
-        h("tbody", {}, ...run.events.map((event) => h("tr", {},
+        h("tbody", {}, ...run.events.map((event) => h("tr", { class: kMarked[event.kind] },
           h("td", {}, clock(event.time_s)), h("td", {}, names.get(event.entity_id) ?? String(event.entity_id)),
           h("td", {}, event.kind), h("td", {}, event.text)))))),
       run.events_left_out > 0
@@ -158,7 +162,11 @@ function eventList(runs: RunData[]): HTMLElement | null {
 export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
   const player = Player.make(runs);
   const charts = plots(runs, (time) => player?.seek(time));
-  if (player) player.onTime = (time) => charts.forEach((c) => c.showTime(time));
+  const pilot = player && runs.length === 1 ? pilotPanel(player.scene, player.scene.duration) : null;
+  if (player) player.onTime = (time, scene) => {
+    charts.forEach((c) => c.showTime(time));
+    pilot?.showTime(time, scene);
+  };
   const scenarios = runs.filter((run) => run.scenario).map((run) =>
     h("details", {}, h("summary", {}, `${run.label}: scenario as run`), h("pre", {}, run.scenario)));
   const several = runs.length > 1;
@@ -178,6 +186,7 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
     overview,
     section("Map", "map", player ? player.element
       : h("p", { class: "empty" }, "The records hold no positions and no perimeters.")),
+    ...(pilot ? [section("Pilot's display", "pilot", pilot.element)] : []),
     section("Over time", "plots",
       h("p", { class: "hint" }, "Drag across a plot to zoom, double-click to see all; a click moves the map to that time."),
       h("div", { class: "charts" }, ...charts.map((c) => c.element))),

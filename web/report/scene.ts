@@ -1,4 +1,5 @@
 /** What is where at a time: unpacked tracks and perimeters of one run. */
+import { Alerts } from "./alerts";
 import { floats, octets, shorts, type Frame, type MapData, type RunData, type Terrain } from "./data";
 import type { AirTraffic, GroundObject } from "./records";
 
@@ -17,12 +18,15 @@ export interface Track {
   north: Float32Array;
   east: Float32Array;
   heading: Uint8Array;
+  entity: number;
+  altitude: Float32Array; // [m]
 }
 
 export interface Pose {
   north: number;
   east: number;
   heading: number; // [rad]
+  altitude: number; // above mean sea level [m]
 }
 
 /** A thing on the ground: time, north, east and velocity of each of its motions. */
@@ -52,13 +56,28 @@ export function objectAt(object: { motions: Float32Array }, time: number): [numb
 
 const kTurn = 2 * Math.PI;
 
+/** Numbers of a believed track in Scene.trafficBeliefs. */
+export const kBelief = 10;
+
+/** Another aircraft as one of ours believes it at a time. */
+export interface Believed {
+  believer: number;
+  track: number;
+  north: number;
+  east: number;
+  altitude: number;
+  velocity: [number, number, number]; // north, east, up [m/s]
+  deviation: number; // [m]
+}
+
 export class Scene {
   readonly tracks: Track[];
   readonly crossings: { time: Float32Array; north: Float32Array; east: Float32Array };
   readonly objects: SceneObject[];
   readonly detections: { time: Float32Array; north: Float32Array; east: Float32Array; object: Uint16Array };
   readonly traffic: SceneTraffic[];
-  readonly trafficBeliefs: Float32Array; // time, north, east, deviation of each
+  readonly trafficBeliefs: Float32Array; // kBelief numbers of each, see data.ts
+  readonly alerting: Alerts;
   readonly zones: MapData["zones"];
   readonly missions: MapData["missions"];
   readonly terrain?: Terrain;
@@ -78,6 +97,8 @@ export class Scene {
       north: this.places(shorts(track.north), map.low_north_m),
       east: this.places(shorts(track.east), map.low_east_m),
       heading: octets(track.heading),
+      entity: track.entity,
+      altitude: Float32Array.from(shorts(track.altitude), (v) => -1000 + 0.25 * v),
     }));
     this.crossings = {
       time: floats(map.crossings.time_s),
@@ -87,6 +108,7 @@ export class Scene {
     this.objects = map.objects.map((object) => ({ ...object, motions: floats(object.motions) }));
     this.traffic = map.traffic.map((each) => ({ ...each, motions: floats(each.motions) }));
     this.trafficBeliefs = floats(map.traffic_beliefs);
+    this.alerting = new Alerts(run.alerting);
     this.detections = {
       time: floats(map.detections.time_s),
       north: this.places(shorts(map.detections.north), map.low_north_m),
@@ -97,6 +119,28 @@ export class Scene {
 
   private places(packed: Uint16Array, low: number): Float32Array {
     return Float32Array.from(packed, (v) => low + v * this.map.step_m);
+  }
+
+  /** The newest of each track of the last `seconds`, carried on to `time`; of one believer or of all. */
+  believed(time: number, seconds: number, believer?: number): Believed[] {
+    const b = this.trafficBeliefs;
+    let low = 0, high = b.length / kBelief; // the first of these seconds
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (b[kBelief * middle] <= time - seconds) low = middle + 1;
+      else high = middle;
+    }
+    const newest = new Map<string, Believed>();
+    for (let i = kBelief * low; i < b.length && b[i] <= time + 1e-3; i += kBelief) {
+      if (believer !== undefined && b[i + 8] !== believer) continue;
+      const age = time - b[i];
+      newest.set(`${b[i + 8]} ${b[i + 9]}`, {
+        believer: b[i + 8], track: b[i + 9],
+        north: b[i + 1] + age * b[i + 5], east: b[i + 2] + age * b[i + 6], altitude: b[i + 4] + age * b[i + 7],
+        velocity: [b[i + 5], b[i + 6], b[i + 7]], deviation: b[i + 3],
+      });
+    }
+    return [...newest.values()];
   }
 
   /** The newest rings at `time`; none before the first. */
@@ -162,6 +206,7 @@ export class Scene {
       north: track.north[i] + f * (track.north[k] - track.north[i]),
       east: track.east[i] + f * (track.east[k] - track.east[i]),
       heading: ((track.heading[i] + f * turn) / 256) * kTurn,
+      altitude: track.altitude[i] + f * (track.altitude[k] - track.altitude[i]),
     };
   }
 

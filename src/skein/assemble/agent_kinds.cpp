@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/task_kinds.h"
+#include "skein/exchange/well_clear_json.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
 #include "skein/layer/reasoning/commanded/commanded_agent.h"
 #include "skein/layer/reasoning/trajectory/altitude.h"
@@ -27,8 +30,40 @@ Fields<SafetyZone> safety_zone_fields() {
               {.above = 0, .at_most = 1e6});
 }
 
-Fields<reasoning::SeparationOptions> avoidance_fields() {
-  using T = reasoning::SeparationOptions;
+enum class WellClearName { kSkeinSuas, kDo365B };
+
+// How long a pilot takes, and whether.
+struct PilotChoice {
+  std::vector<double> reaction = {2, 20};  // from, to [s]
+  double obeys = 1;
+};
+
+Fields<PilotChoice> pilot_fields() {
+  using T = PilotChoice;
+  return Fields<T>()
+      .number("reaction_s", &T::reaction,
+              "Until what is recommended is flown: from, to, drawn evenly each time.",
+              {.at_least = 0, .at_most = 120})
+      .items({.at_least = 2, .at_most = 2})
+      .rule("reaction_s",
+            [](const T& t) {
+              return t.reaction[1] < t.reaction[0]
+                         ? std::string("must not be longer first than last.")
+                         : std::string();
+            })
+      .number("obeys", &T::obeys,
+              "Chance that a recommendation is flown; else the pilot flies on.",
+              {.at_least = 0, .at_most = 1});
+}
+
+struct AvoidanceChoice : reasoning::SeparationOptions {
+  WellClearName well_clear_name = WellClearName::kSkeinSuas;
+  std::string well_clear_file;
+  std::optional<PilotChoice> pilot;
+};
+
+Fields<AvoidanceChoice> avoidance_fields() {
+  using T = AvoidanceChoice;
   return Fields<T>()
       .word(
           "method", &T::method, "How it keeps apart from others of its team.",
@@ -49,13 +84,26 @@ Fields<reasoning::SeparationOptions> avoidance_fields() {
               "Kept from others, unless the horizontal distance is kept.",
               {.above = 0, .at_most = 5000})
       .duration_s("horizon_s", &T::horizon, "How far ahead conflicts are looked for.",
-                  {.at_least = 20, .at_most = 600});
+                  {.at_least = 20, .at_most = 600})
+      .word("well_clear", &T::well_clear_name,
+            "By which numbers alerts about tracked strangers are given and bands made, "
+            "whatever the method (docs/well-clear.md).",
+            {{"skein_suas", WellClearName::kSkeinSuas, "small aircraft of 12 to 35 m/s"},
+             {"DO_365B_no_SUM", WellClearName::kDo365B,
+              "manned and large unmanned aircraft"}})
+      .file("well_clear_file", &T::well_clear_file,
+            "The same from a JSON file, in place of well_clear. Empty: none.",
+            {.may_be_empty = true})
+      .object("pilot", &T::pilot, pilot_fields(),
+              "A pilot on board who flies, and is shown what keeps apart from others. "
+              "Null: it is flown without anybody.");
 }
 
 // One agent, whatever the row: rows differ in what it flies first and in what of its
 // tasks can be set.
 struct AgentChoice {
   reasoning::OnboardAgentOptions agent;
+  AvoidanceChoice avoidance;
   TaskOptions tasks;
 };
 
@@ -69,8 +117,8 @@ Fields<T> common_fields(Fields<T> fields, const char* across) {
           "zone_margin_m", [](T & t) -> auto& { return t.agent.avoidance.margin; },
           "Kept from the border of no-fly zones.", kNotNegative)
       .object(
-          "avoidance", [](T & t) -> auto& { return t.agent.separation; },
-          avoidance_fields(), "Keeping apart from others.")
+          "avoidance", [](T & t) -> auto& { return t.avoidance; }, avoidance_fields(),
+          "Keeping apart from others.")
       .object(
           "safety_zone", [](T & t) -> auto& { return t.agent.safety_zone; },
           safety_zone_fields(), across);
@@ -196,9 +244,52 @@ Fields<TourChoice> tour_fields() {
       "How far the flight may be off the plan.");
 }
 
-std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftContext& c,
-                                  std::optional<TaskKind> first = {}) {
+Result<std::shared_ptr<const model::WellClearConfiguration>> well_clear_of(
+    const AvoidanceChoice& choice) {
+  using model::WellClearConfiguration;
+  using Shared = std::shared_ptr<const WellClearConfiguration>;
+  if (choice.well_clear_file.empty()) {
+    if (choice.well_clear_name == WellClearName::kSkeinSuas) return Shared();
+    return Shared(std::make_shared<const WellClearConfiguration>(
+        *model::well_clear_configuration("DO_365B_no_SUM")));
+  }
+  const auto bad = [&](Error error) {
+    error.place = "aircraft.agent.avoidance.well_clear_file: " + error.place;
+    return error;
+  };
+  std::ifstream file(choice.well_clear_file, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file)
+    return bad({ErrorCode::kUnavailable, choice.well_clear_file, "cannot be read.", ""});
+  auto read =
+      exchange::well_clear_configuration_from_json(text.str(), choice.well_clear_file);
+  if (!read) return bad(read.error());
+  return Shared(std::make_shared<const WellClearConfiguration>(std::move(read).value()));
+}
+
+Result<reasoning::SeparationOptions> separation_of(const AvoidanceChoice& choice) {
+  constexpr double kMargin = 1;  // of a recommendation after the slowest reaction [s]
+  reasoning::SeparationOptions options = choice;
+  auto well_clear = well_clear_of(choice);
+  if (!well_clear) return well_clear.error();
+  options.well_clear = std::move(well_clear).value();
+  // What is recommended begins when the pilot will have decided.
+  if (choice.pilot)
+    options.reaction = std::max(options.reaction, choice.pilot->reaction[1] + kMargin);
+  return options;
+}
+
+Result<std::unique_ptr<Agent>> make_agent(const AgentChoice& choice,
+                                          const AircraftContext& c,
+                                          std::optional<TaskKind> first = {}) {
   reasoning::OnboardAgentOptions options = choice.agent;
+  auto separation = separation_of(choice.avoidance);
+  if (!separation) return separation.error();
+  options.separation = std::move(separation).value();
+  if (const auto& pilot = choice.avoidance.pilot)
+    options.pilot = reasoning::AdvisedPilotOptions{pilot->reaction[0], pilot->reaction[1],
+                                                   pilot->obeys, c.seed};
   options.first_task = std::move(first);
   options.watchers = c.watchers;
   if (options.takes_orders && c.team) options.team = *c.team;
@@ -206,9 +297,10 @@ std::unique_ptr<Agent> make_agent(const AgentChoice& choice, const AircraftConte
                                          c.altitude_agl};
   TaskOptions tasks = choice.tasks;
   tasks.has_camera = c.has_camera;
-  return std::make_unique<reasoning::OnboardAgent>(
-      options, c.station, context, c.zones,
-      [context, tasks](const TaskKind& task) { return make_task(task, context, tasks); });
+  return std::unique_ptr<Agent>(std::make_unique<reasoning::OnboardAgent>(
+      options, c.station, context, c.zones, [context, tasks](const TaskKind& task) {
+        return make_task(task, context, tasks);
+      }));
 }
 
 Result<std::unique_ptr<Agent>> make_direct(const DirectChoice& options,

@@ -42,6 +42,7 @@ enum class Purpose : std::uint32_t {
   kTeam = 30,
   kTraffic = 31,
   kTrafficSensor = 32,
+  kPilot = 33,
   kVehicleFault = 40,
   kAirframe = 41,
   /// Kinds of plugins: this and every number above it, as `static_cast<Purpose>(...)`.

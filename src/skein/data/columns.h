@@ -298,6 +298,7 @@ struct FloatSink {
   std::vector<float>& out;
   void put(double number) { out.push_back(static_cast<float>(number)); }
   void put(std::int64_t number) { out.push_back(static_cast<float>(number)); }
+  void put(std::string_view) { out.push_back(std::numeric_limits<float>::quiet_NaN()); }
   void put(std::nullptr_t) { out.push_back(std::numeric_limits<float>::quiet_NaN()); }
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "skein/data/alert.h"
 #include "skein/data/autopilot.h"
 #include "skein/data/describe.h"
 #include "skein/data/event.h"
@@ -46,7 +47,8 @@ constexpr auto describe(const RemoteState*) {
 using EntitySaying =
     std::variant<RemoteState, Message, Event, FireReading, Crossing, PluginRecord,
                  PlannerChange, MissionProgress, ObjectBelief, RegionOfInterest,
-                 ConflictReport, TrafficBelief, TeamLead>;
+                 ConflictReport, TrafficBelief, TeamLead, TrafficAlert, FlightBands,
+                 Recommendation>;
 
 /// One thing that such an entity says.
 struct EntityReport {

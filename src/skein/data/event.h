@@ -26,4 +26,11 @@ constexpr auto describe(const Event*) {
                       field("text", &T::text, "for people"));
 }
 
+/// Whether an operator is to know of an event at once: alerts about other traffic that
+/// rise or are over, and paths that are recommended to pilots.
+inline bool is_announced(const Event& event) {
+  return event.kind == "traffic-alert" || event.kind == "clear-of-traffic" ||
+         event.kind == "recommended";
+}
+
 }  // namespace skein

@@ -301,6 +301,54 @@ constexpr auto describe(const TeamLeadRecord*) {
       field("", &T::lead, "who leads it, and why"));
 }
 
+/// The level of an alert changes.
+struct AlertRecord {
+  Time time;
+  EntityId id;
+  TrafficAlert alert;
+};
+
+constexpr auto describe(const AlertRecord*) {
+  using T = AlertRecord;
+  return described<T>({"alert", "alerts"},
+                      "An alert about another aircraft, whenever its level changes.",
+                      field("time", &T::time, "from when on"),
+                      field("entity_id", &T::id, "who is alerted"),
+                      field("", &T::alert, "to which aircraft, and how"));
+}
+
+/// What an aircraft may fly now.
+struct BandRecord {
+  Time time;
+  EntityId id;
+  FlightBands bands;
+};
+
+constexpr auto describe(const BandRecord*) {
+  using T = BandRecord;
+  return described<T>(
+      {"band", "bands"},
+      "What an aircraft may fly while an alert stands, once a second; none: level 0.",
+      field("time", &T::time, "when"), field("entity_id", &T::id, "which aircraft"),
+      field("", &T::bands, "what leads into conflict"));
+}
+
+/// What becomes of a path that is recommended to a pilot.
+struct RecommendationRecord {
+  Time time;
+  EntityId id;
+  Recommendation recommendation;
+};
+
+constexpr auto describe(const RecommendationRecord*) {
+  using T = RecommendationRecord;
+  return described<T>({"recommendation_change", "recommendations"},
+                      "What becomes of a path that is recommended to the pilot on board.",
+                      field("time", &T::time, "when"),
+                      field("entity_id", &T::id, "which aircraft"),
+                      field("", &T::recommendation, "which path"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
 using Record =
@@ -310,6 +358,7 @@ using Record =
                  PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
                  ForecastRecord, ArrivalRecord, VehicleReportRecord,
                  MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
-                 AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord>;
+                 AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord,
+                 AlertRecord, BandRecord, RecommendationRecord>;
 
 }  // namespace skein

@@ -259,7 +259,7 @@ std::string to_json(const WellClearConfiguration& c) {
                       {"ca_factor", c.recovery.ca_factor},
                       {"nmac_horizontal_m", c.recovery.nmac_horizontal},
                       {"nmac_vertical_m", c.recovery.nmac_vertical}};
-  json["corrective"] = model::name_of(c.corrective);
+  json["corrective"] = std::string(name_of(c.corrective));
   json["min_airspeed_mps"] = c.min_airspeed;
   json["hysteresis"] = {{"time_s", c.hysteresis.time},
                         {"persistence_s", c.hysteresis.persistence},
@@ -269,7 +269,7 @@ std::string to_json(const WellClearConfiguration& c) {
   for (const model::Alerter& alerter : c.alerters) {
     WellClearJson& levels = json["alerters"][alerter.name] = WellClearJson::array();
     for (const model::AlertLevel& level : alerter.levels)
-      levels.push_back({{"region", model::name_of(level.region)},
+      levels.push_back({{"region", std::string(name_of(level.region))},
                         {"alerting_time_s", level.alerting_time},
                         {"early_alerting_time_s", level.early_alerting_time},
                         {"DTHR_m", level.volume.horizontal},

@@ -13,6 +13,7 @@
 #include "skein/data/json.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/page.h"
+#include "skein/record/report_alerts.h"
 #include "skein/record/report_map.h"
 #include "skein/record/run_reader.h"
 
@@ -178,6 +179,7 @@ Json run_json(const StoredRun& run, const std::string& label, const fs::path& di
           {"events", std::move(events)},
           {"events_left_out", run.events_left_out},
           {"scenario", scenario},
+          {"alerting", alerts_json(run)},
           {"map", map_json(run)}};
 }
 

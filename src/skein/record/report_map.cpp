@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 using Shorts = std::vector<std::uint16_t>;
 
 constexpr double kLevels = 65535;
+constexpr double kLowest = -1000, kAltitudeStep = 0.25;  // of packed altitudes [m]
 constexpr std::size_t kMaxRingPoints = 150000;  // of all true perimeters together
 
 std::uint16_t level(double part) {
@@ -149,11 +150,12 @@ Extent extent_of(const StoredRun& run) {
 Json tracks_json(const StoredRun& run, const Extent& extent) {
   Json tracks = Json::array();
   for (const StoredTrack& track : run.tracks) {
-    Shorts north, east;
+    Shorts north, east, altitude;
     std::vector<std::uint8_t> heading;
     for (std::size_t i = 0; i < track.north.size(); ++i) {
       north.push_back(extent.north(track.north[i]));
       east.push_back(extent.east(track.east[i]));
+      altitude.push_back(level((track.altitude_msl[i] - kLowest) / kAltitudeStep));
       const double turn = geo::wrap_2pi(track.heading[i]) / (2 * geo::kPi);
       heading.push_back(static_cast<std::uint8_t>(std::lround(turn * 256) % 256));
     }
@@ -162,7 +164,8 @@ Json tracks_json(const StoredRun& run, const Extent& extent) {
                       {"step_s", track.step},
                       {"north", packed(north)},
                       {"east", packed(east)},
-                      {"heading", packed(heading)}});
+                      {"heading", packed(heading)},
+                      {"altitude", packed(altitude)}});
   }
   return tracks;
 }
@@ -304,8 +307,11 @@ Json traffic_json(const StoredRun& run) {
 Json traffic_beliefs_json(const StoredRun& run) {
   std::vector<float> beliefs;
   for (const TrafficBeliefRecord& r : run.traffic_beliefs)
-    for (const double value : {r.time.seconds(), r.belief.position.x(),
-                               r.belief.position.y(), r.belief.horizontal_sd})
+    for (const double value :
+         {r.time.seconds(), r.belief.position.x(), r.belief.position.y(),
+          r.belief.horizontal_sd, -r.belief.position.z(), r.belief.velocity.x(),
+          r.belief.velocity.y(), -r.belief.velocity.z(),
+          static_cast<double>(r.believer.value), static_cast<double>(r.belief.track)})
       beliefs.push_back(static_cast<float>(value));
   return packed(beliefs);
 }

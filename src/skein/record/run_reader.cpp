@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -50,6 +51,27 @@ PerimeterMetrics metrics_from(const Statement& row, int column) {
   return metrics;
 }
 
+// Bands as their column has them: from and to have units in their names.
+std::vector<StoredBand> stored_bands(const std::string& text) {
+  std::vector<StoredBand> all;
+  const auto list = nlohmann::json::parse(text, nullptr, false);
+  if (!list.is_array()) return all;
+  for (const auto& item : list) {
+    if (!item.is_object()) continue;
+    StoredBand band;
+    for (const auto& [key, value] : item.items()) {
+      if (key.starts_with("from") && value.is_number()) band.from = value;
+      if (key.starts_with("to") && value.is_number()) band.to = value;
+      if (key != "region" || !value.is_string()) continue;
+      const auto names = names_of(static_cast<const AlertRegion*>(nullptr));
+      const auto at = std::ranges::find(names, value.get<std::string>());
+      if (at != names.end()) band.region = static_cast<AlertRegion>(at - names.begin());
+    }
+    all.push_back(band);
+  }
+  return all;
+}
+
 class Reader {
  public:
   Reader(Sqlite database, const ReadBudget& budget)
@@ -58,11 +80,14 @@ class Reader {
   Result<StoredRun> read() {
     using Part = Result<void> (Reader::*)();
     for (const Part part :
-         {&Reader::schema,    &Reader::meta,     &Reader::entities,  &Reader::duration,
-          &Reader::events,    &Reader::metrics,  &Reader::forecasts, &Reader::tracks,
-          &Reader::estimates, &Reader::readings, &Reader::messages,  &Reader::perimeters,
-          &Reader::crossings, &Reader::payload,  &Reader::memory,    &Reader::traffic,
-          &Reader::zones,     &Reader::missions, &Reader::terrain,   &Reader::summary})
+         {&Reader::schema,          &Reader::meta,     &Reader::entities,
+          &Reader::duration,        &Reader::events,   &Reader::metrics,
+          &Reader::forecasts,       &Reader::tracks,   &Reader::estimates,
+          &Reader::readings,        &Reader::messages, &Reader::perimeters,
+          &Reader::crossings,       &Reader::payload,  &Reader::memory,
+          &Reader::traffic,         &Reader::alerts,   &Reader::bands,
+          &Reader::recommendations, &Reader::zones,    &Reader::missions,
+          &Reader::terrain,         &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -174,7 +199,8 @@ class Reader {
           flights_->truth(id, {row.real(1), Vec2(row.real(2), row.real(3)), row.real(4),
                                known(row, 7), known(row, 6)});
           builders.try_emplace(id, id, step)
-              .first->second.add(row.real(1), row.real(2), row.real(3),
+              .first->second.add(row.real(1),
+                                 Vec3(row.real(2), row.real(3), -row.real(4)),
                                  geo::radians(row.real(5)));
         });
     for (auto& [id, builder] : builders) run_.tracks.push_back(builder.take());
@@ -411,10 +437,73 @@ class Reader {
     done = records<TrafficBeliefRecord>("ORDER BY time_s",
                                         [&](const TrafficBeliefRecord& record) {
                                           statistics_.traffic().belief(record);
+                                          statistics_.alerts().belief(record.belief);
                                           if (record.belief.firm) firm.push_back(record);
                                         });
     run_.traffic_beliefs = thinned(firm, budget_.traffic_beliefs);
     return done;
+  }
+
+  Result<void> alerts() {
+    std::vector<AlertRecord> all;
+    auto done = records<AlertRecord>("ORDER BY time_s", [&](const AlertRecord& record) {
+      statistics_.alerts().alert(record);
+      all.push_back(record);
+    });
+    // A level that rises says most: those that are over go first.
+    if (static_cast<int>(all.size()) > budget_.alerts)
+      std::erase_if(all, [](const AlertRecord& each) { return each.alert.level == 0; });
+    run_.alerts = thinned(all, budget_.alerts);
+    return done;
+  }
+
+  Result<void> bands() {
+    std::int64_t count = 0;
+    auto done = rows("SELECT count(*) FROM bands",
+                     [&](const Statement& row) { count = row.integer(0); });
+    if (!done) return done;
+    const std::int64_t each = count / std::max(1, budget_.bands) + 1;
+    // Ends stay, lest a display show what is over.
+    return rows(
+        "SELECT entity_id, time_s, level, track_advised_deg, speed_advised_mps,"
+        " vertical_speed_advised_mps, recovery_s, tracks_json, speeds_json,"
+        " vertical_speeds_json, altitudes_json FROM bands WHERE rowid % " +
+            std::to_string(each) + " = 0 OR level = 0 ORDER BY time_s",
+        [this](const Statement& row) {
+          StoredBands bands;
+          bands.id = entity_id(row, 0);
+          bands.time = row.real(1);
+          bands.level = static_cast<std::uint32_t>(row.integer(2));
+          bands.track_advised_deg = known(row, 3);
+          bands.speed_advised = known(row, 4);
+          bands.vertical_speed_advised = known(row, 5);
+          bands.recovery = known(row, 6);
+          bands.tracks = stored_bands(row.text(7));
+          bands.speeds = stored_bands(row.text(8));
+          bands.vertical_speeds = stored_bands(row.text(9));
+          bands.altitudes = stored_bands(row.text(10));
+          run_.bands.push_back(std::move(bands));
+        });
+  }
+
+  Result<void> recommendations() {
+    auto done = rows("SELECT path_json FROM recommendations ORDER BY time_s, rowid",
+                     [this](const Statement& row) {
+                       run_.recommendations.push_back({{}, row.text(0)});
+                     });
+    if (!done) return done;
+    std::size_t next = 0;
+    done = records<RecommendationRecord>(
+        "ORDER BY time_s, rowid", [&](RecommendationRecord record) {
+          statistics_.alerts().recommendation(record);
+          if (next < run_.recommendations.size())
+            run_.recommendations[next++].record = std::move(record);
+        });
+    if (!done) return done;
+    return records<ConflictRecord>("ORDER BY time_s", [this](const ConflictRecord& each) {
+      statistics_.separation().conflict(each.report);
+      statistics_.alerts().conflict(each);
+    });
   }
 
   // Only for the counts of a run that was cut off.

@@ -20,6 +20,7 @@ struct StoredTrack {
   EntityId id;
   double start = 0, step = 0;                ///< [s]
   std::vector<double> north, east, heading;  ///< [m], [m], [rad]
+  std::vector<double> altitude_msl;          ///< [m]
 };
 
 /// The rings of one time. `floats` per ring as in the database: see run_database.h.
@@ -45,6 +46,28 @@ struct StoredObject {
 struct StoredTraffic {
   AirTraffic what;
   TrafficPath path;
+};
+
+/// A range of values and what they lead to, in degrees and SI.
+struct StoredBand {
+  double from = 0, to = 0;
+  AlertRegion region = AlertRegion::kNone;
+};
+
+/// What an aircraft may fly at one time; NaN: nothing is advised, or there is none.
+struct StoredBands {
+  EntityId id;
+  double time = 0;  ///< [s]
+  std::uint32_t level = 0;
+  double track_advised_deg = 0, speed_advised = 0, vertical_speed_advised = 0;
+  double recovery = 0;  ///< [s]
+  std::vector<StoredBand> tracks, speeds, vertical_speeds, altitudes;
+};
+
+/// What became of a recommended path.
+struct StoredRecommendation {
+  RecommendationRecord record;  ///< without the path
+  std::string path_json;
 };
 
 /// One figure of a mission over time.
@@ -76,17 +99,20 @@ struct StoredRun {
   std::vector<StoredObject> objects;
   std::vector<Detection> detections;
   std::vector<StoredTraffic> traffic;
-  std::vector<TrafficBeliefRecord> traffic_beliefs;  ///< firm ones, in order of time
-  std::vector<ForecastScore> forecasts;              ///< that have been scored
-  std::vector<ArrivalForecast> arrivals;             ///< in order of time
-  std::vector<ZoneRecord> zones;                     ///< in order of time
-  std::vector<MissionRecord> missions;               ///< in order of time
-  std::vector<StoredSeries> mission_series;          ///< by mission, then figure
-  std::vector<Event> events;                         ///< in order of time
-  int events_left_out = 0;                           ///< more of the most frequent kinds
-  double message_bin = 60;                           ///< [s]
-  std::vector<int> messages_sent, messages_lost;     ///< per bin
-  std::unique_ptr<TerrainRow> terrain;               ///< null when the run has none
+  std::vector<TrafficBeliefRecord> traffic_beliefs;   ///< firm ones, in order of time
+  std::vector<AlertRecord> alerts;                    ///< in order of time
+  std::vector<StoredBands> bands;                     ///< in order of time
+  std::vector<StoredRecommendation> recommendations;  ///< in order of time
+  std::vector<ForecastScore> forecasts;               ///< that have been scored
+  std::vector<ArrivalForecast> arrivals;              ///< in order of time
+  std::vector<ZoneRecord> zones;                      ///< in order of time
+  std::vector<MissionRecord> missions;                ///< in order of time
+  std::vector<StoredSeries> mission_series;           ///< by mission, then figure
+  std::vector<Event> events;                          ///< in order of time
+  int events_left_out = 0;                            ///< more of the most frequent kinds
+  double message_bin = 60;                            ///< [s]
+  std::vector<int> messages_sent, messages_lost;      ///< per bin
+  std::unique_ptr<TerrainRow> terrain;                ///< null when the run has none
 };
 
 /// How much a reader keeps.
@@ -101,6 +127,8 @@ struct ReadBudget {
   int object_motions = 3000;    ///< of each object
   int traffic_motions = 60000;  ///< of all together
   int traffic_beliefs = 20000;
+  int alerts = 4000;
+  int bands = 6000;
   int events = 400;
 };
 

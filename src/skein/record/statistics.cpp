@@ -58,14 +58,25 @@ struct Taker {
   void operator()(const ObservationRecord& r) { statistics.memory().observation(r.fate); }
   void operator()(const AirTraffic& r) { statistics.traffic().aircraft(r); }
   void operator()(const TrafficMotion& r) { statistics.traffic().motion(r); }
-  void operator()(const TrafficBeliefRecord& r) { statistics.traffic().belief(r); }
+  void operator()(const TrafficBeliefRecord& r) {
+    statistics.traffic().belief(r);
+    statistics.alerts().belief(r.belief);
+  }
+  void operator()(const AlertRecord& r) { statistics.alerts().alert(r); }
+  void operator()(const RecommendationRecord& r) {
+    statistics.alerts().recommendation(r);
+  }
   // No figures are made of these.
   void operator()(const ZoneRecord&) {}
   void operator()(const CommandRecord&) {}
   void operator()(const PluginRecord&) {}
   void operator()(const PlannerRecord&) {}
+  void operator()(const BandRecord&) {}
   void operator()(const TeamLeadRecord& r) { statistics.team().lead(r); }
-  void operator()(const ConflictRecord& r) { statistics.separation().conflict(r.report); }
+  void operator()(const ConflictRecord& r) {
+    statistics.separation().conflict(r.report);
+    statistics.alerts().conflict(r);
+  }
   void operator()(const VehicleReportRecord&) {}
   void operator()(const MissionProgressRecord&) {}
 };
@@ -184,6 +195,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   separation_.add_figures(out);
   team_.add_figures(out);
   traffic_.add_figures(out);
+  alerts_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);

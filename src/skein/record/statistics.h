@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/data/record.h"
+#include "skein/record/alert_statistics.h"
 #include "skein/record/believer.h"
 #include "skein/record/flight_statistics.h"
 #include "skein/record/forecast_statistics.h"
@@ -44,6 +45,7 @@ class RunStatistics {
   SeparationStatistics& separation() { return separation_; }
   TeamStatistics& team() { return team_; }
   TrafficStatistics& traffic() { return traffic_; }
+  AlertStatistics& alerts() { return alerts_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
   void message(bool lost);
@@ -90,6 +92,7 @@ class RunStatistics {
   SeparationStatistics separation_;
   TeamStatistics team_;
   TrafficStatistics traffic_;
+  AlertStatistics alerts_;
   ReadingAges ages_;
   std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs
   std::optional<Time> allocation_start_;

@@ -14,19 +14,18 @@ class TrackBuilder {
     track_.step = step;
   }
 
-  void add(double time, double north, double east, double heading) {
+  void add(double time, const Vec3& p_N, double heading) {
     if (track_.north.empty()) {
       track_.start = time;
-      put(north, east, heading);
+      put(p_N, heading);
     } else if (time > time_) {
       while (next() <= time) {
         const double f = (next() - time_) / (time - time_);
-        put(north_ + f * (north - north_), east_ + f * (east - east_), heading);
+        put(p_N_ + f * (p_N - p_N_), heading);
       }
     }
     time_ = time;
-    north_ = north;
-    east_ = east;
+    p_N_ = p_N;
   }
 
   StoredTrack take() { return std::move(track_); }
@@ -35,14 +34,16 @@ class TrackBuilder {
   double next() const {
     return track_.start + track_.step * static_cast<double>(track_.north.size());
   }
-  void put(double north, double east, double heading) {
-    track_.north.push_back(north);
-    track_.east.push_back(east);
+  void put(const Vec3& p_N, double heading) {
+    track_.north.push_back(p_N.x());
+    track_.east.push_back(p_N.y());
+    track_.altitude_msl.push_back(-p_N.z());
     track_.heading.push_back(heading);
   }
 
   StoredTrack track_;
-  double time_ = 0, north_ = 0, east_ = 0;
+  double time_ = 0;
+  Vec3 p_N_ = Vec3::Zero();
 };
 
 }  // namespace skein::record

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/base/time.h"
 #include "skein/data/command.h"
+#include "skein/data/event.h"
 
 namespace skein {
 
@@ -23,6 +25,14 @@ class OperatorConsole {
 
   /// Called a few times a second of wall time.
   virtual void show(const RunProgress& progress) = 0;
+
+  /// Called for each event that an operator is to know of at once (is_announced()), in
+  /// order.
+  /// @param who  the name of the entity that it happened to.
+  virtual void announce(const Event& event, std::string_view who) {
+    static_cast<void>(event);
+    static_cast<void>(who);
+  }
 
   /// Whether the operator asked for an end of the run. Must be quick.
   virtual bool stop_requested() const = 0;

@@ -100,6 +100,8 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
     desk.take(now);
     if (auto stepped = guarded_step(stepper, now); !stepped)
       return failed_at(now, stepped.error());
+    for (const Event& event : stepper.take_announcements())
+      console.announce(event, stepper.name_of_entity(event.entity));
     if (pace.show_due())
       console.show(
           {now, options.duration, now.seconds() / pace.wall_s(), stepper.headline()});

@@ -484,6 +484,13 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     Record operator()(const TrafficBelief& belief) {
       return TrafficBeliefRecord{now, agent, belief};
     }
+    Record operator()(const TrafficAlert& alert) {
+      return AlertRecord{now, agent, alert};
+    }
+    Record operator()(const FlightBands& bands) { return BandRecord{now, agent, bands}; }
+    Record operator()(const Recommendation& recommendation) {
+      return RecommendationRecord{now, agent, recommendation};
+    }
     Record operator()(const PlannerChange& change) {
       return PlannerRecord{now, agent, change};
     }
@@ -500,13 +507,17 @@ void Stepper::record_event(Time now, std::size_t i, std::string kind, std::strin
   record_event({now, id_of(i), std::move(kind), std::move(text)});
 }
 
+std::string_view Stepper::name_of_entity(EntityId id) const {
+  return id.value < world_.entities.size()
+             ? std::string_view(world_.entities[id.value].name)
+             : std::string_view("?");
+}
+
 void Stepper::record_event(const Event& event) {
-  const std::size_t who = event.entity.value;
-  log_info("{:.1f} s, {}: {}: {}", event.time.seconds(),
-           who < world_.entities.size() ? std::string_view(world_.entities[who].name)
-                                        : std::string_view("?"),
+  log_info("{:.1f} s, {}: {}: {}", event.time.seconds(), name_of_entity(event.entity),
            event.kind, event.text);
   recorder_.record(event);
+  if (is_announced(event)) announcements_.push_back(event);
 }
 
 }  // namespace skein::simulation

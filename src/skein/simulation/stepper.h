@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skein/base/result.h"
@@ -57,6 +59,10 @@ class Stepper {
   /// Moves the world from `now` to the next step.
   Result<void> step(Time now);
 
+  /// Events since the last call that an operator is to know of at once.
+  std::vector<Event> take_announcements() { return std::exchange(announcements_, {}); }
+  std::string_view name_of_entity(EntityId id) const;
+
   /// The key figure of the newest belief, in a few words; empty without one.
   std::string headline() const;
 
@@ -109,6 +115,7 @@ class Stepper {
   std::vector<Message> arrived_, lost_;
   std::vector<VehicleEvent> vehicle_events_;
   std::vector<VehicleReport> vehicle_reports_;
+  std::vector<Event> announcements_;
   std::optional<double> sigma_;  // root mean square, of the newest belief [m]
 };
 

@@ -1,10 +1,14 @@
 // Aircraft with sensors for traffic fly among aircraft that belong to nobody.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
 #include "skein/assemble/test/whole_flight.h"
+#include "skein/exchange/well_clear_json.h"
 
 namespace skein::assemble {
 namespace {
@@ -102,6 +106,42 @@ TEST(TrafficFlight, IsFirmAfterThreeAndKeptForTenSeconds) {
   // Heard at 20, 21 and 22 s, 0.2 s later on board.
   EXPECT_NEAR(*firm, 22.5, 1);
   EXPECT_NEAR(*last, 69, 1) << "last heard at 59 s";
+}
+
+// A stranger comes head-on; the first aircraft goes by a configuration of its own.
+FlightLog head_on(const std::string& avoidance) {
+  std::string text =
+      two("{kind: ads-b-in, reception: 1}",
+          "  - {name: other, position_m: [6000, 0], altitude_msl_m: 130, flight: {kind: "
+          "straight, speed_mps: 40, course_deg: 180}}\n");
+  const std::string agent = "points_m: [[6000, 0]]";
+  text.insert(text.find(agent) + agent.size(), ", avoidance: " + avoidance);
+  return fly(text);
+}
+
+double first_alert(const FlightLog& log) {
+  const Event* alert = log.find("traffic-alert");
+  return alert ? alert->time.seconds() : NAN;
+}
+
+TEST(TrafficFlight, AlertsGoByTheConfigurationOfEachAircraft) {
+  const FlightLog small = head_on("{}"), large = head_on("{well_clear: DO_365B_no_SUM}");
+  EXPECT_EQ(small.figure("traffic_alert_level_max"), 3);
+  EXPECT_GE(small.figure("traffic_alerts"), 1);
+  // Volumes of manned aircraft are twice as wide, and 35 s longer.
+  EXPECT_LT(first_alert(large), first_alert(small) - 15) << small.story();
+  for (const Event& event : small.events)
+    if (event.kind == "traffic-alert") {
+      EXPECT_EQ(event.entity, EntityId{1}) << "the other has no sensor";
+    }
+
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("skein_well_clear_" + std::to_string(::getpid()) + ".json");
+  std::ofstream(file) << exchange::to_json(
+      *model::well_clear_configuration("DO_365B_no_SUM"));
+  const FlightLog by_file = head_on("{well_clear_file: " + file.string() + "}");
+  std::filesystem::remove(file);
+  EXPECT_EQ(by_file.hash(), large.hash());
 }
 
 TEST(TrafficFlight, AJumpOfAKilometreIsAnotherAircraft) {

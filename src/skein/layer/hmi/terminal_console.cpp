@@ -90,6 +90,17 @@ std::vector<CommandRecord> TerminalConsole::commands() {
   return given;
 }
 
+void TerminalConsole::announce(const Event& event, std::string_view who) {
+  if (!is_terminal_) return;
+  const std::string what =
+      event.kind == "recommended" ? "recommended path: " + event.text : event.text;
+  // Over the progress, which is drawn anew below.
+  fmt::print(out_, "{}{} {}: {}\n", drawn_.empty() ? "" : "\r\x1b[K",
+             clock_text(event.time.seconds()), shown(std::string(who)), shown(what));
+  std::fflush(out_);
+  drawn_.clear();
+}
+
 void TerminalConsole::show(const RunProgress& progress) {
   if (!is_terminal_) return;
   const int width = fixed_width_ > 0 ? fixed_width_ : terminal_width(out_);

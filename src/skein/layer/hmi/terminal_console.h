@@ -19,8 +19,9 @@ namespace skein::hmi {
 std::string progress_line(const RunProgress& progress, int width);
 
 /// Shows a run's progress in one line of a terminal, redrawn in place. When the output is
-/// no terminal it stays silent. Reads commands of the operator (data/command_text.h) line
-/// by line, when it is given an input; what is wrong with one is reported at once.
+/// no terminal it stays silent. Alerts stay above it as lines of their own. Reads
+/// commands of the operator (data/command_text.h) line by line, when it is given an
+/// input; what is wrong with one is reported at once.
 ///
 /// Thread safety: used by one thread; only `stop` may be set from others or from a signal
 /// handler (the atomic must then be lock-free, as it is on every supported machine).
@@ -47,6 +48,8 @@ class TerminalConsole final : public OperatorConsole {
 
   /// Draws nothing that is drawn already.
   void show(const RunProgress& progress) override;
+  /// On a line of its own, "uav-2: traffic, 2 o'clock, 1.2 km, same altitude".
+  void announce(const Event& event, std::string_view who) override;
   bool stop_requested() const override { return stop_.load(std::memory_order_relaxed); }
   std::vector<CommandRecord> commands() override;
 

@@ -86,6 +86,15 @@ struct WorldFeed::Listener {
   void operator()(const TrafficBeliefRecord& record) const {
     feed.said_.emplace_back(record.belief);
   }
+  void operator()(const AlertRecord& record) const {
+    if (record.id == feed.self_) feed.said_.emplace_back(record.alert);
+  }
+  void operator()(const BandRecord& record) const {
+    if (record.id == feed.self_) feed.said_.emplace_back(record.bands);
+  }
+  void operator()(const RecommendationRecord& record) const {
+    if (record.id == feed.self_) feed.said_.emplace_back(record.recommendation);
+  }
   template <class Other>
   void operator()(const Other&) const {}
 };

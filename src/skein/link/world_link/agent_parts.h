@@ -90,6 +90,9 @@ class WorldConsole final : public OperatorConsole {
       : console_(console), client_(client) {}
 
   void show(const RunProgress& progress) override { console_.show(progress); }
+  void announce(const Event& event, std::string_view who) override {
+    console_.announce(event, who);
+  }
   bool stop_requested() const override { return console_.stop_requested(); }
   std::vector<CommandRecord> commands() override;
 

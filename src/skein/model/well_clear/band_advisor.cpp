@@ -46,8 +46,8 @@ AlertHysteresis& BandAdvisor::hysteresis_of(std::uint32_t number, double time) {
   return memory.hysteresis;
 }
 
-void BandAdvisor::find_alerts(double time, const AircraftMotion& own,
-                              std::span<const TrackedIntruder> intruders) {
+const BandAdvisor::Advice& BandAdvisor::watch(
+    double time, const AircraftMotion& own, std::span<const TrackedIntruder> intruders) {
   intruders_.clear();
   alerts_.clear();
   advice_.alert = 0;
@@ -60,6 +60,16 @@ void BandAdvisor::find_alerts(double time, const AircraftMotion& own,
     advice_.alert = std::max(advice_.alert, alerts_.back());
   }
   advice_.alerts = alerts_;
+  for (auto* value :
+       {&advice_.track, &advice_.speed, &advice_.vertical_speed, &advice_.altitude})
+    value->reset();
+  return advice_;
+}
+
+AlertRegion BandAdvisor::region_of(int level, std::size_t alerter) const {
+  if (level <= 0) return AlertRegion::kNone;
+  const Alerter& of = maker_.configuration().alerters[alerter];
+  return of.levels[static_cast<std::size_t>(level) - 1].region;
 }
 
 std::optional<AdvisedValue> BandAdvisor::value_for(ManoeuvreKind kind,
@@ -84,11 +94,18 @@ std::optional<AdvisedValue> BandAdvisor::value_for(ManoeuvreKind kind,
 const BandAdvisor::Advice& BandAdvisor::advise(double time, const AircraftMotion& own,
                                                std::span<const TrackedIntruder> intruders,
                                                const FlightGoal& goal) {
-  find_alerts(time, own, intruders);
+  watch(time, own, intruders);
+  return guide(own, goal);
+}
+
+const BandAdvisor::Advice& BandAdvisor::guide(const AircraftMotion& own,
+                                              const FlightGoal& goal) {
   advice_.track = value_for(ManoeuvreKind::kTrack, own, goal.track);
   advice_.speed = value_for(ManoeuvreKind::kSpeed, own, goal.speed);
   advice_.vertical_speed =
       value_for(ManoeuvreKind::kVerticalSpeed, own, goal.vertical_speed);
+  if (goal.altitude)
+    advice_.altitude = value_for(ManoeuvreKind::kAltitude, own, *goal.altitude);
   return advice_;
 }
 

@@ -23,6 +23,8 @@ struct FlightGoal {
   double track = 0;           ///< clockwise from north [rad]
   double speed = 0;           ///< over ground [m/s]
   double vertical_speed = 0;  ///< up [m/s]
+  /// Above mean sea level [m]; none: bands of altitudes are not asked for.
+  std::optional<double> altitude = {};
 };
 
 /// A value to be flown.
@@ -59,7 +61,7 @@ class BandAdvisor {
     std::span<const int> alerts;  ///< of each intruder, in their order
     int alert = 0;                ///< the highest
     /// None: all values of that kind lead into conflict, and none out of it.
-    std::optional<AdvisedValue> track, speed, vertical_speed;
+    std::optional<AdvisedValue> track, speed, vertical_speed, altitude;
   };
 
   /// What is advised at `time` [s]; valid until asked again. Times ascend.
@@ -67,7 +69,18 @@ class BandAdvisor {
                        std::span<const TrackedIntruder> intruders,
                        const FlightGoal& goal);
 
-  /// The bands that the last advice was made from.
+  /// The first half of advise(): alerts alone, which cost far less than bands. Nothing is
+  /// advised yet.
+  const Advice& watch(double time, const AircraftMotion& own,
+                      std::span<const TrackedIntruder> intruders);
+  /// The second half: values and bands, about the intruders of the last watch().
+  const Advice& guide(const AircraftMotion& own, const FlightGoal& goal);
+
+  /// The region that a level of alerts about an intruder stands for; kNone: level 0.
+  AlertRegion region_of(int level, std::size_t alerter) const;
+
+  /// The bands that the last advice was made from; of altitudes only where the goal had
+  /// one.
   const ManoeuvreBands& bands(ManoeuvreKind kind) const {
     return *bands_[static_cast<std::size_t>(kind)];
   }
@@ -79,8 +92,6 @@ class BandAdvisor {
     AlertHysteresis hysteresis;
   };
 
-  void find_alerts(double time, const AircraftMotion& own,
-                   std::span<const TrackedIntruder> intruders);
   AlertHysteresis& hysteresis_of(std::uint32_t number, double time);
   std::optional<AdvisedValue> value_for(ManoeuvreKind kind, const AircraftMotion& own,
                                         double goal);

@@ -10,8 +10,7 @@
 namespace skein::model {
 namespace {
 
-constexpr std::array<std::string_view, 5> kRegionNames = {"NONE", "FAR", "MID", "NEAR",
-                                                          "RECOVERY"};
+constexpr auto kRegionNames = names_of(static_cast<const AlertRegion*>(nullptr));
 
 constexpr double kFoot = 0.3048, kKnot = 1852.0 / 3600, kNauticalMile = 1852;
 
@@ -74,10 +73,6 @@ WellClearConfiguration skein_suas() {
 }
 
 }  // namespace
-
-std::string_view name_of(AlertRegion region) {
-  return kRegionNames[static_cast<std::size_t>(region)];
-}
 
 std::optional<AlertRegion> alert_region_named(std::string_view name) {
   for (std::size_t i = 0; i < kRegionNames.size(); ++i)

@@ -6,21 +6,14 @@
 #include <vector>
 
 #include "skein/base/result.h"
+#include "skein/data/alert.h"
 #include "skein/model/well_clear/volume.h"
 
 namespace skein::model {
 
-/// What a band says of the values in it, and what a level of alerts stands for.
-enum class AlertRegion {
-  kNone,      ///< without conflict
-  kFar,       ///< preventive
-  kMid,       ///< corrective
-  kNear,      ///< warning
-  kRecovery,  ///< all else is in conflict; this gets out of it soonest
-};
+using skein::AlertRegion;
+using skein::name_of;  // NONE, FAR, MID, NEAR, RECOVERY
 
-/// NONE, FAR, MID, NEAR, RECOVERY: as configurations and tables have it.
-std::string_view name_of(AlertRegion region);
 /// None where no region has that name.
 std::optional<AlertRegion> alert_region_named(std::string_view name);
 

@@ -67,6 +67,71 @@ std::string shown(const fs::path& page, const fs::path& scratch) {
   return "";
 }
 
+// Everything about alerts that a run has, with a row that is older than all others shown.
+void record_alerts(RunRecorder& recorder) {
+  for (int t = 10; t < 40; ++t) {
+    TrafficBeliefRecord belief;
+    belief.time = Time::from_seconds(t);
+    belief.believer = EntityId{1};
+    belief.belief.track = 6;
+    belief.belief.firm = true;
+    belief.belief.position = Vec3(900 - 20 * t, 0, -400);
+    belief.belief.velocity = Vec3(-20, 0, 1);
+    belief.belief.horizontal_sd = 12;
+    recorder.record(belief);
+    BandRecord bands{Time::from_seconds(t), EntityId{1}, {}};
+    bands.bands.level = t < 39 ? 2 : 0;
+    bands.bands.track_advised = geo::radians(80);
+    bands.bands.tracks = {{0, geo::radians(79.96), AlertRegion::kMid},
+                          {geo::radians(300), geo::radians(360), AlertRegion::kNear}};
+    bands.bands.altitudes = {{350, 450, AlertRegion::kMid}};
+    recorder.record(bands);
+  }
+  for (const auto& [time, level] : {std::pair{12.0, 2u}, {39.0, 0u}}) {
+    AlertRecord alert{Time::from_seconds(time), EntityId{1}, {}};
+    alert.alert.track = 6;
+    alert.alert.level = level;
+    alert.alert.region = level > 0 ? AlertRegion::kMid : AlertRegion::kNone;
+    recorder.record(alert);
+  }
+  using enum RecommendationState;
+  recorder.record(
+      RecommendationRecord{Time::from_seconds(15),
+                           EntityId{1},
+                           {1, kShown, "around a stranger", {{15, Vec3(1, 2, -300)}}}});
+  recorder.record(RecommendationRecord{
+      Time::from_seconds(22), EntityId{1}, {1, kFollowed, "around a stranger", {}}});
+}
+
+TEST(Report, ShowsAlertsBandsAndWhatPilotsWereShown) {
+  const TemporaryFolder folder("report_alerts");
+  auto recorder = RunRecorder::create(folder.path() / "one", kInfo).value();
+  record_sample(*recorder, 60, 2, 10);
+  record_alerts(*recorder);
+  ASSERT_TRUE(recorder->close());
+  const fs::path page = folder.path() / "report.html";
+  const fs::path runs[] = {folder.path() / "one"};
+  ASSERT_TRUE(write_report(runs, page));
+  const nlohmann::json alerting = data_of(page)["runs"][0]["alerting"];
+  ASSERT_EQ(alerting["alerts"].size(), 2u);
+  EXPECT_EQ(alerting["alerts"][0]["region"], "MID");
+  ASSERT_EQ(alerting["bands"].size(), 1u);
+  const nlohmann::json& rows = alerting["bands"][0]["rows"];
+  ASSERT_EQ(rows.size(), 30u);
+  EXPECT_EQ(
+      rows[0].dump(),
+      "[10.0,2,80.0,null,null,null,[0.0,80.0,2,300.0,360.0,3],[],[],[350.0,450.0,2]]");
+  EXPECT_EQ(rows.back()[1], 0) << "the end stays";
+  ASSERT_EQ(alerting["recommendations"].size(), 2u);
+  EXPECT_EQ(alerting["recommendations"][0]["path"][0]["altitude_msl_m"], 300);
+  EXPECT_EQ(alerting["recommendations"][1]["state"], "followed");
+  const std::string dom = shown(page, folder.path());
+  if (dom.empty()) GTEST_SKIP() << "no browser here";
+  EXPECT_NE(dom.find("data-state=\"ready\""), std::string::npos);
+  EXPECT_NE(dom.find("class=\"pilot\""), std::string::npos);
+  EXPECT_NE(dom.find("alert-mark corrective"), std::string::npos);
+}
+
 TEST(Report, HoldsTheRunAndNothingFromTheNetwork) {
   const TemporaryFolder folder("report");
   make_run(folder.path() / "one", 300);

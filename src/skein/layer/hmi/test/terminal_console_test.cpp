@@ -74,6 +74,29 @@ TEST(TerminalConsole, RedrawsOneLineInPlace) {
   EXPECT_EQ(text.back(), '\n');
 }
 
+TEST(TerminalConsole, AlertsStayAboveTheProgress) {
+  std::atomic<bool> stop = false;
+  File file;
+  {
+    TerminalConsole console(stop, file.get(), true, 120);
+    console.show(half_way());
+    console.announce({Time::from_seconds(1801), EntityId{1}, "traffic-alert",
+                      "traffic, 2 o'clock, 1.2 km, 40 m above, turn right 080"},
+                     "uav-2");
+    console.show(half_way());
+    console.announce(
+        {Time::from_seconds(1805), EntityId{1}, "recommended", "gives\x1b[2J way"},
+        "uav-2");
+  }
+  const std::string text = file.text();
+  EXPECT_NE(text.find("\r\x1b[K0:30:01 uav-2: traffic, 2 o'clock, 1.2 km, 40 m above, "
+                      "turn right 080\n\r["),
+            std::string::npos)
+      << text;
+  EXPECT_TRUE(text.ends_with("0:30:05 uav-2: recommended path: gives\\x1b[2J way\n"))
+      << text;
+}
+
 TEST(TerminalConsole, IsSilentWithoutATerminal) {
   std::atomic<bool> stop = false;
   File file;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "skein/layer/reasoning/agent/flight_goal.h"
 #include "skein/layer/reasoning/team/onboard/packed_task.h"
 
 namespace skein::reasoning {
@@ -17,7 +18,8 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
       readings_(context.self, station),
       report_(station, options.report_period),
       tasks_(context.self, station, std::move(make)),
-      chain_(context, options.separation, loiter_, tasks_) {
+      chain_(context, options.separation, options.pilot, loiter_, tasks_),
+      alerting_(options.separation.well_clear) {
   if (options_.first_task) tasks_.begin(*options_.first_task);
   if (options_.team) team_ = std::make_unique<OnboardTeam>(context_.self, *options_.team);
 }
@@ -30,7 +32,9 @@ void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   if (!in.nav) return;
   beliefs_.step(in, out);
   readings_.step(in, out);
-  fly({in, readings_.latest(), safety_, beliefs_, chain_.progress(), intents_}, out);
+  const TaskStep step{in,       readings_.latest(), safety_,
+                      beliefs_, chain_.progress(),  intents_};
+  look_out(step, fly(step, out), out);
   safety_.finish(in, out);
   tasks_.report(in, out);
   if (report_.step(in, context_.limits, tasks_, safety_.zones().changes_known(), out))
@@ -60,16 +64,27 @@ void OnboardAgent::tell_watchers(const NavEstimate& nav, AgentOutput& out) const
   }
 }
 
-void OnboardAgent::fly(const TaskStep& step, AgentOutput& out) {
+// Alerts about strangers, and what may be flown.
+void OnboardAgent::look_out(const TaskStep& step, bool flies, AgentOutput& out) {
+  const auto goal = [this, &step] {
+    return goal_of(chain_.wanted(), chain_.progress().passed, *step.in.nav,
+                   step.in.now.seconds());
+  };
+  alerting_.step(context_.self, step.in, beliefs_.traffic().tracks(), flies, goal, out);
+}
+
+bool OnboardAgent::fly(const TaskStep& step, AgentOutput& out) {
   tasks_.listen(step);
-  if (safety_.may_fly(step.in, altitude_to_take_off_to(*step.in.nav), tasks_.may_stand(),
-                      out))
+  const bool flies = safety_.may_fly(step.in, altitude_to_take_off_to(*step.in.nav),
+                                     tasks_.may_stand(), out);
+  if (flies)
     chain_.fly(step, out);
   else
     chain_.stand(step.in.autopilot.on_ground ? "stands on the ground" : "takes off", out);
   // A task that wants to see something says so at each step.
   const bool gazed = std::exchange(gazes_, out.region_of_interest.has_value());
   if (gazed && !gazes_) out.region_of_interest.emplace();
+  return flies;
 }
 
 double OnboardAgent::altitude_to_take_off_to(const NavEstimate& nav) const {

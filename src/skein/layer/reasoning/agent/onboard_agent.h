@@ -11,6 +11,7 @@
 #include "skein/layer/reasoning/agent/planner_chain.h"
 #include "skein/layer/reasoning/agent/status_report.h"
 #include "skein/layer/reasoning/agent/task_planner.h"
+#include "skein/layer/reasoning/avoidance/alerting/traffic_alerting.h"
 #include "skein/layer/reasoning/team/onboard/onboard_team.h"
 #include "skein/role/agent.h"
 
@@ -21,6 +22,8 @@ struct OnboardAgentOptions {
   SafetyZone safety_zone = {};
   ZoneAvoidanceOptions avoidance = {};
   SeparationOptions separation = {};
+  /// A pilot on board flies and is shown what keeps apart from others; none: it is flown.
+  std::optional<AdvisedPilotOptions> pilot = {};
   std::optional<TaskKind> first_task = {};  ///< until an order comes
   bool takes_orders = true;
   /// Of the team, who finds other aircraft: they are told with each report where it is.
@@ -55,7 +58,8 @@ class OnboardAgent final : public Agent {
 
  private:
   void follow_team(const AgentInput& in, AgentOutput& out);
-  void fly(const TaskStep& step, AgentOutput& out);
+  bool fly(const TaskStep& step, AgentOutput& out);  // whether it flies
+  void look_out(const TaskStep& step, bool flies, AgentOutput& out);
   void tell_watchers(const NavEstimate& nav, AgentOutput& out) const;
   double altitude_to_take_off_to(const NavEstimate& nav) const;
 
@@ -69,6 +73,7 @@ class OnboardAgent final : public Agent {
   std::unique_ptr<OnboardTeam> team_;  // null: none
   LoiterPlanner loiter_;
   PlannerChain chain_;
+  TrafficAlerting alerting_;
   IntentCounter intents_;
   bool gazes_ = false;  // the gimbals look at something
 };

@@ -19,6 +19,7 @@ void PlannerChain::fly(const TaskStep& step, AgentOutput& out) {
     intent = next;
   }
   SKEIN_CHECK(intent != nullptr);
+  wanted_ = intent;
   const FlightIntent* apart = separation_.plan(intent, step, trajectory_.progress(), out);
   auto verdict = PlannerVerdict::kPassedOn;
   if (apart != intent)
@@ -26,7 +27,8 @@ void PlannerChain::fly(const TaskStep& step, AgentOutput& out) {
         separation_.modifies() ? PlannerVerdict::kModified : PlannerVerdict::kReplaced;
   if (verdict == PlannerVerdict::kReplaced) author->replaced();
   note(PlannerLink::kSeparation, {verdict, separation_.reason()}, out);
-  intent = apart;
+  intent =
+      pilot_ ? pilot_->fly(intent, apart, separation_.reason(), step.in, out) : apart;
   FlightSafety& safety = step.safety;
   trajectory_.fly(
       *intent,

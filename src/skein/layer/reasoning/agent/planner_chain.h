@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "skein/data/planner_change.h"
+#include "skein/layer/reasoning/agent/advised_pilot.h"
 #include "skein/layer/reasoning/agent/separation_planner.h"
 #include "skein/layer/reasoning/agent/task_executor.h"
 #include "skein/layer/reasoning/trajectory/trajectory_planner.h"
@@ -34,10 +36,14 @@ class PlannerOfChain {
 /// always something to fly; who does what, and why, is recorded whenever it changes.
 class PlannerChain {
  public:
+  /// @param pilot  who is shown what keeps apart from others; none: that is flown.
   /// @param loiter, task  outlive it.
   PlannerChain(const FlightContext& context, const SeparationOptions& separation,
-               PlannerOfChain& loiter, PlannerOfChain& task)
-      : links_{&loiter, &task}, separation_(context, separation), trajectory_(context) {}
+               const std::optional<AdvisedPilotOptions>& pilot, PlannerOfChain& loiter,
+               PlannerOfChain& task)
+      : links_{&loiter, &task}, separation_(context, separation), trajectory_(context) {
+    if (pilot) pilot_.emplace(context.self, *pilot);
+  }
   PlannerChain(const PlannerChain&) = delete;
   PlannerChain& operator=(const PlannerChain&) = delete;
 
@@ -53,6 +59,10 @@ class PlannerChain {
   /// How the flight goes that the task wants.
   const FlightProgress& progress() const { return progress_; }
 
+  /// What the task asks for, whoever else is in the way; null before the first flight.
+  /// Good until the next call of fly().
+  const FlightIntent* wanted() const { return wanted_; }
+
  private:
   struct Said {
     PlannerVerdict verdict = PlannerVerdict::kPassedOn;
@@ -63,6 +73,8 @@ class PlannerChain {
 
   std::array<PlannerOfChain*, 2> links_;  // loiter, task
   SeparationPlanner separation_;
+  std::optional<AdvisedPilot> pilot_;
+  const FlightIntent* wanted_ = nullptr;
   TrajectoryPlanner trajectory_;
   FlightProgress progress_;
   std::array<Said, kPlannerLinks> said_{};

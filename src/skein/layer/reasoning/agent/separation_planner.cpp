@@ -190,6 +190,8 @@ void SeparationPlanner::list_strangers(const TaskStep& step) {
     stranger.vertical_sd = state.vertical_sd();
     stranger.horizontal_speed_sd = std::sqrt(std::max(state.vv(0, 0), state.vv(1, 1)));
     stranger.vertical_speed_sd = std::sqrt(std::max(0.0, state.vv(2, 2)));
+    // Who keeps more to its own kind keeps that to strangers too.
+    stranger.kept = larger(stranger.kept, options_.separation);
     strangers_.push_back(stranger);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,8 @@ struct SeparationOptions {
   double reaction = 2;     ///< own action begins so long after a decision [s]
   double emergency = 15;   ///< from so short a time on each acts alone [s]
   double last_moment = 5;  ///< from so short a time on only heights count [s]
+  /// By which alerts about strangers are given and bands made; null: skein_suas.
+  std::shared_ptr<const model::WellClearConfiguration> well_clear = {};
 };
 
 /// What an aircraft shall fly, as its task has it.
@@ -74,7 +77,9 @@ struct Heading {
 class Separator {
  public:
   Separator(EntityId self, const SeparationOptions& options)
-      : self_(self), options_(options), strangers_(options.reaction) {}
+      : self_(self),
+        options_(options),
+        strangers_(options.reaction, options.well_clear.get()) {}
 
   /// Takes in what was received. At each step, on the ground too.
   void listen(Time now, std::span<const Message> inbox);

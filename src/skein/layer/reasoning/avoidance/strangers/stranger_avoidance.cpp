@@ -31,8 +31,11 @@ FlightPlan plan_from_here(const StrangerView& view) {
 
 }  // namespace
 
-StrangerAvoidance::StrangerAvoidance(double reaction)
-    : reaction_(reaction), advisor_(*model::well_clear_configuration("skein_suas")) {}
+StrangerAvoidance::StrangerAvoidance(double reaction,
+                                     const model::WellClearConfiguration* well_clear)
+    : reaction_(reaction),
+      advisor_(well_clear ? *well_clear
+                          : *model::well_clear_configuration("skein_suas")) {}
 
 bool StrangerAvoidance::plan_around(const StrangerView& view) {
   Airspace airspace;

@@ -20,7 +20,9 @@ namespace skein::reasoning {
 class StrangerAvoidance {
  public:
   /// @param reaction  own action begins so long after a decision [s].
-  explicit StrangerAvoidance(double reaction);
+  /// @param well_clear  of alerts and bands, copied; null: skein_suas.
+  explicit StrangerAvoidance(double reaction,
+                             const model::WellClearConfiguration* well_clear = nullptr);
 
   enum class Action {
     kNone,   ///< the plan is free
