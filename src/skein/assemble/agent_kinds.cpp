@@ -60,6 +60,7 @@ struct AvoidanceChoice : reasoning::SeparationOptions {
   WellClearName well_clear_name = WellClearName::kSkeinSuas;
   std::string well_clear_file;
   std::optional<PilotChoice> pilot;
+  std::optional<double> level_step;  // [m]
 };
 
 Fields<AvoidanceChoice> avoidance_fields() {
@@ -83,6 +84,11 @@ Fields<AvoidanceChoice> avoidance_fields() {
       .number("vertical_m", [](T & t) -> auto& { return t.separation.vertical; },
               "Kept from others, unless the horizontal distance is kept.",
               {.above = 0, .at_most = 5000})
+      .number("level_step_m", &T::level_step,
+              "Aircraft of a group that keep apart fly on levels of their own, each so "
+              "much above the one before, eight at most, then from the first again. 0: "
+              "all at altitude_agl_m. Null: three times vertical_m.",
+              {.at_least = 0, .at_most = 5000})
       .duration_s("horizon_s", &T::horizon, "How far ahead conflicts are looked for.",
                   {.at_least = 20, .at_most = 600})
       .word("well_clear", &T::well_clear_name,
@@ -280,6 +286,14 @@ Result<reasoning::SeparationOptions> separation_of(const AvoidanceChoice& choice
   return options;
 }
 
+// How much higher than the first of its group an aircraft flies [m].
+double level_of(const AvoidanceChoice& choice, const AircraftContext& c) {
+  constexpr std::size_t kLevels = 8;
+  if (choice.method == SeparationMethod::kNone) return 0;
+  const double step = choice.level_step.value_or(3 * choice.separation.vertical);
+  return step * static_cast<double>(c.index % kLevels);
+}
+
 Result<std::unique_ptr<Agent>> make_agent(const AgentChoice& choice,
                                           const AircraftContext& c,
                                           std::optional<TaskKind> first = {}) {
@@ -294,7 +308,7 @@ Result<std::unique_ptr<Agent>> make_agent(const AgentChoice& choice,
   options.watchers = c.watchers;
   if (options.takes_orders && c.team) options.team = *c.team;
   const reasoning::FlightContext context{c.self, c.limits, c.map.get(), c.planner,
-                                         c.altitude_agl};
+                                         c.altitude_agl + level_of(choice.avoidance, c)};
   TaskOptions tasks = choice.tasks;
   tasks.has_camera = c.has_camera;
   return std::unique_ptr<Agent>(std::make_unique<reasoning::OnboardAgent>(

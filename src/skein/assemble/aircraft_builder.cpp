@@ -105,6 +105,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.self = self;
   context.station = station;
   context.agent_period = group.agent_period;
+  context.index = static_cast<std::size_t>(index);
   context.altitude_agl = group.altitude_agl;
   context.map = map_;
   context.zones = zones_;

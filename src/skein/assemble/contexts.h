@@ -79,6 +79,7 @@ struct AircraftContext {
   std::uint32_t instance = 0;  ///< number among its sensors of one kind, from 0
   EntityId station;
   Time agent_period;
+  std::size_t index = 0;                       ///< in its group
   double altitude_agl = 0;                     ///< flight altitude above ground [m]
   std::shared_ptr<const Terrain> map;          ///< the terrain as the agent knows it
   std::vector<Zone> zones;                     ///< in force from the start

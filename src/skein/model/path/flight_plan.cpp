@@ -10,6 +10,9 @@
 namespace skein::model {
 namespace {
 
+constexpr double kCorner = 0.3;      // change of velocity between two elements [m/s]
+constexpr double kCornerTime = 0.1;  // that it is flown in [s]
+
 // Below this turned angle the chord's sine is its series: 1 - x^2/6, exact to rounding.
 constexpr double kSmallAngle = 1e-4;
 
@@ -123,7 +126,8 @@ Plan sample(const FlightPlan& plan, const SamplingSteps& steps) {
     if (!points.empty() && at <= points.back().time) return;
     points.push_back({at, m.p_N, m.v_N});
   };
-  for (const FlightElement& e : plan) {
+  for (std::size_t k = 0; k < plan.size(); ++k) {
+    const FlightElement& e = plan[k];
     const double turned = std::abs(e.turn_rate) * e.duration;
     const int pieces = std::max(
         1, static_cast<int>(std::ceil(
@@ -132,6 +136,11 @@ Plan sample(const FlightPlan& plan, const SamplingSteps& steps) {
       const double t = e.duration * i / pieces;
       add(e.start + t, moment(e, t));
     }
+    if (k + 1 == plan.size() || e.duration <= kCornerTime) continue;
+    // The curve turns from one velocity to the other at the corner, not all along `e`.
+    const Vec3 change = moment(plan[k + 1], 0).v_N - end_of(e).v_N;
+    const double before = e.duration - kCornerTime;
+    if (change.norm() > kCorner) add(e.start + before, moment(e, before));
   }
   if (!plan.empty()) add(end_time_of(plan), end_of(plan.back()));
   return points;

@@ -50,7 +50,8 @@ struct SamplingSteps {
 
 /// Points with velocities for an autopilot (FollowPlan): denser in turns. The cubic curve
 /// through them is within V/r (r h)^4 / 384 of the elements for steps of h seconds:
-/// 0.2 rad in turns of 100 m are 0.4 mm.
+/// 0.2 rad in turns of 100 m are 0.4 mm. Where the velocity jumps from an element to the
+/// next there is a sample 0.1 s before, so that the curve turns there and not all along.
 Plan sample(const FlightPlan& plan, const SamplingSteps& steps = {});
 
 /// The plan moved to another start time.

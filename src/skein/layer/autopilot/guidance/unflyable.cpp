@@ -18,7 +18,7 @@ using Reason = std::optional<std::string>;
 constexpr double kSpeedSlack = 0.03;
 constexpr double kClimbSlack = 0.1;
 constexpr double kTurnSlack = 0.01;
-constexpr double kTurnWindow = 1;  // of a plan, whose turns are judged as one [s]
+constexpr double kWindow = 1;  // of a plan, whose turns and climbs count as one [s]
 constexpr double kDensitySlack = 1e-6;
 constexpr int kInstants = 16;       // of a plan's segment or of a turn
 constexpr double kOnePoint = 1e-3;  // waypoints nearer than this are one [m]
@@ -190,11 +190,20 @@ struct Judge {
   // Of the track, with which it turns around a time: within a second nobody banks and
   // levels out again, so what a plan asks for in less is cut as on any corner.
   static double mean_turn_rate(const model::PlanCurve& curve, double time) {
-    const double begin = std::max(time - kTurnWindow / 2, curve.start());
-    const double end = std::min(time + kTurnWindow / 2, curve.end());
-    const Vec2 before = curve.at(begin).v_N.head<2>(), after = curve.at(end).v_N.head<2>();
+    const double begin = std::max(time - kWindow / 2, curve.start());
+    const double end = std::min(time + kWindow / 2, curve.end());
+    const Vec2 before = curve.at(begin).v_N.head<2>(),
+               after = curve.at(end).v_N.head<2>();
     const double turned = math::atan2(geo::cross(before, after), before.dot(after));
-    return std::abs(turned) / std::max(end - begin, kTurnWindow / 2);
+    return std::abs(turned) / std::max(end - begin, kWindow / 2);
+  }
+
+  // The same of its climb: points that are milliseconds apart are rounded.
+  static double mean_climb_rate(const model::PlanCurve& curve, double time) {
+    const double begin = std::max(time - kWindow / 2, curve.start());
+    const double end = std::min(time + kWindow / 2, curve.end());
+    return (curve.at(begin).p_N.z() - curve.at(end).p_N.z()) /
+           std::max(end - begin, kWindow / 2);
   }
 
   Reason judge(const model::PlanCurve::State& at, const model::PlanCurve& curve,
@@ -214,7 +223,8 @@ struct Judge {
           return fmt::format("the altitude of the plan at {:.1f} s", time);
         }))
       return r;
-    if (auto r = climb(-at.v_N.z(),
+    const double mean = mean_climb_rate(curve, time);
+    if (auto r = climb(std::abs(mean) < std::abs(at.v_N.z()) ? mean : -at.v_N.z(),
                        [time] { return fmt::format("the plan at {:.1f} s", time); }))
       return r;
     const double speed = v.norm();

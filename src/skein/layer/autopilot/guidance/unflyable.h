@@ -25,7 +25,7 @@ namespace skein::autopilot {
 /// makes
 ///   good its velocity, |v - wind|, within [slowest, fastest] give or take 3 %; climb and
 ///   sink within their limits, give or take 10 %; turns as above, at the plan's own
-///   speed, as they are or on the mean of the second around;
+///   speed; climbs and turns as they are or on the mean of the second around;
 /// - waypoints: at least one, at least one lap, legs no steeper than the vehicle climbs
 ///   and sinks at the slowest airspeed, and no two in a row above one another.
 ///

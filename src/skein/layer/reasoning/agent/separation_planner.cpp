@@ -145,10 +145,8 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
       wanted_, messages_);
   say(out);
   reason_ = separator_.reason();
-  for (const auto* away : {&separator_.last_moment(), &separator_.turn()}) {
-    if (!*away) continue;
-    const double course = (*away)->course;
-    own_ = {0, Steering{HoldCourse{course}, course, (*away)->altitude_msl, {}}};
+  if (const auto& turn = separator_.turn()) {
+    own_ = {0, Steering{HoldCourse{turn->course}, turn->course, turn->altitude_msl, {}}};
     own_number_ = 0;
     return &own_;
   }

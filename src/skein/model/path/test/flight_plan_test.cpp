@@ -103,6 +103,22 @@ TEST(FlightPlan, SamplesLieWithinTheBoundOfTheCubicCurve) {
   EXPECT_EQ(sample(plan, {0.2, 5}).size(), 12u + 3u + 1u);
 }
 
+TEST(FlightPlan, CornersAreSampledWhereTheyAre) {
+  // Climbs for ten seconds and is level at once: the cubic curve through the ends alone
+  // would climb by a half more than the plan does, all along.
+  FlightElement climb;
+  climb.airspeed = 20;
+  climb.duration = 10;
+  climb.climb_rate = 3;
+  FlightElement level = climb;
+  level.start = 10;
+  level.p_N = end_of(climb).p_N;
+  level.climb_rate = 0;
+  PlanCurve curve;
+  curve.assign(sample({climb, level}));
+  for (double t = 0.5; t < 9.9; t += 0.1) EXPECT_NEAR(-curve.at(t).v_N.z(), 3, 1e-6) << t;
+}
+
 TEST(FlightPlan, MovesInTime) {
   const FlightPlan moved = starting_at(turn_and_straight(), 100);
   EXPECT_EQ(start_of(moved), 100);

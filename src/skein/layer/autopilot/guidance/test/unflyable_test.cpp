@@ -153,19 +153,30 @@ TEST(Unflyable, CornersOfPlansAreTurnsOfASecond) {
   const auto corner = [](double angle) {
     const Vec2 on = 20 * geo::unit(0), turned = 20 * geo::unit(angle);
     const Vec2 there = 5 * on, end = there + 5 * turned;
-    return Plan{{Time::from_seconds(0), {0, 0, -100}, {on.x(), on.y(), 0}},
-                {Time::from_seconds(4.999),
-                 {there.x() - 0.02, there.y(), -100},
-                 {on.x(), on.y(), 0}},
-                {Time::from_seconds(5),
-                 {there.x(), there.y(), -100},
-                 {turned.x(), turned.y(), 0}},
-                {Time::from_seconds(10),
-                 {end.x(), end.y(), -100},
-                 {turned.x(), turned.y(), 0}}};
+    return Plan{
+        {Time::from_seconds(0), {0, 0, -100}, {on.x(), on.y(), 0}},
+        {Time::from_seconds(4.999),
+         {there.x() - 0.02, there.y(), -100},
+         {on.x(), on.y(), 0}},
+        {Time::from_seconds(5),
+         {there.x(), there.y(), -100},
+         {turned.x(), turned.y(), 0}},
+        {Time::from_seconds(10), {end.x(), end.y(), -100}, {turned.x(), turned.y(), 0}}};
   };
   EXPECT_FALSE(unflyable({FollowPlan{corner(0.25)}, 0, {}}, kWing, kCalm));
   EXPECT_TRUE(says({FollowPlan{corner(0.5)}, 0, {}}, "turns with a radius"));
+}
+
+TEST(Unflyable, ClimbsOfPlansCountOverASecond) {
+  // Level but for two points a hundredth of a second apart, of which one is rounded.
+  const auto step = [](double up) {
+    return Plan{{Time::from_seconds(0), {0, 0, -100}, {20, 0, 0}},
+                {Time::from_seconds(4.99), {99.8, 0, -100}, {20, 0, 0}},
+                {Time::from_seconds(5), {100, 0, -100 - up}, {20, 0, 0}},
+                {Time::from_seconds(10), {200, 0, -100 - up}, {20, 0, 0}}};
+  };
+  EXPECT_FALSE(unflyable({FollowPlan{step(0.2)}, 0, {}}, kWing, kCalm));
+  EXPECT_TRUE(unflyable({FollowPlan{step(20)}, 0, {}}, kWing, kCalm));
 }
 
 TEST(Unflyable, WaypointsMustNotBeTooSteep) {

@@ -13,9 +13,9 @@ double half_metres(double distance) {
 
 }  // namespace
 
-Separation separation_of(const OwnFlight& own, const TeamFlight& other) {
+Separation separation_of(const OwnFlight& own, const TeamFlight& other, double unknown) {
   const Separation pair = larger(own.separation, other.separation);
-  return {half_metres(pair.horizontal + own.across_error + other.across_error),
+  return {half_metres(pair.horizontal + own.across_error + other.across_error + unknown),
           half_metres(pair.vertical + own.height_error + other.height_error)};
 }
 
@@ -29,15 +29,16 @@ std::vector<Conflict> ConflictFinder::find(Time now, const OwnFlight& own,
   const double t = now.seconds();
   std::vector<Conflict> all;
   for (const TeamFlight& other : others) {
-    if (!other.conforms(now)) continue;
-    const Separation separation = separation_of(own, other);
+    const TeamFlight::Expected expected = other.expected(now);
+    if (!expected.plan) continue;
+    const Separation separation = separation_of(own, other, expected.unknown);
     Looked& looked = looked_[other.who];
-    const bool same = looked.own == own.number && looked.other == other.number &&
+    const bool same = looked.own == own.number && looked.other == expected.number &&
                       looked.separation.horizontal == separation.horizontal &&
                       looked.separation.vertical == separation.vertical;
     if (!same || (looked.meeting && looked.meeting->end <= t))
-      looked = {own.number, other.number, separation,
-                first_meeting(own.plan, other.plan, separation, t,
+      looked = {own.number, expected.number, separation,
+                first_meeting(own.plan, *expected.plan, separation, t,
                               std::numeric_limits<double>::infinity())};
     if (looked.meeting && looked.meeting->begin < until)
       all.push_back({other.who, *looked.meeting, separation});

@@ -30,7 +30,9 @@ struct Conflict {
 /// separation of both while each is off its plan as much as it has been of late:
 ///
 ///   D + e_i + e_j,  Z + z_i + z_j,  rounded up to half metres.
-Separation separation_of(const OwnFlight& own, const TeamFlight& other);
+/// @param unknown  how far the other may be off what is expected, besides [m].
+Separation separation_of(const OwnFlight& own, const TeamFlight& other,
+                         double unknown = 0);
 
 /// The same for two others.
 Separation separation_between(const TeamFlight& a, const TeamFlight& b);

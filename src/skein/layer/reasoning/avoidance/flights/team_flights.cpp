@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/flights/course_flight.h"
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
 
@@ -14,7 +15,12 @@ namespace {
 constexpr double kErrors = 3;
 constexpr double kAcross = 30, kHeight = 12;  // [m]
 
-constexpr double kLargestError = 1000;  // that can be meant [m]
+constexpr double kCourseFor = 10;    // that a place is of use [s]
+constexpr double kCourseOn = 20;     // that a course is looked at after that [s]
+constexpr double kClimbsOn = 6;      // of who has no plan [s]
+constexpr double kCourseError = 10;  // of a course that is no plan [m]
+constexpr std::uint32_t kCourses = 0x80000000;  // numbers of courses begin there
+constexpr double kLargestError = 1000;          // that can be meant [m]
 constexpr double kLargestSeparation = 20e3;
 constexpr double kPeriod = 1;        // of PlaceReports [s]
 constexpr double kLongestGap = 20;   // between them
@@ -37,6 +43,12 @@ bool TeamFlight::conforms(Time now) const {
   const Vec3 off = model::moment_at(plan, place->sent.seconds()).p_N - place->p_N;
   return off.head<2>().norm() <= std::max(kAcross, kErrors * across_error) &&
          std::abs(off.z()) <= std::max(kHeight, kErrors * height_error);
+}
+
+TeamFlight::Expected TeamFlight::expected(Time now) const {
+  if (conforms(now)) return {&plan, number, 0};
+  if (!place || (now - place->sent).seconds() > kCourseFor) return {};
+  return {&course, course_number, kCourseError};
 }
 
 TeamFlight& TeamFlights::at(EntityId who) {
@@ -93,6 +105,9 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
     }
   }
   flight.place = place;
+  flight.course = course_flight(place.p_N, place.v_N, place.sent.seconds(),
+                                kCourseFor + kCourseOn, kClimbsOn);
+  flight.course_number = kCourses | ++courses_;
 }
 
 double TeamFlights::loss() const {

@@ -31,10 +31,22 @@ struct TeamFlight {
   double height_error = 2;  ///< [m]
   Time sent;                ///< the newest report of the plan
   std::optional<ReportedPlace> place;
+  FlightPlan course;                ///< straight on from the place that was reported last
+  std::uint32_t course_number = 0;  ///< of `course`; no plan has such a number
   double delay = 0;  ///< of what it sends, smoothed; the longest of late [s]
 
   /// Its plan says where it will be: heard of lately, and it is where the plan has it.
   bool conforms(Time now) const;
+
+  /// What has to be counted with.
+  struct Expected {
+    const FlightPlan* plan = nullptr;  ///< null: nothing is known
+    std::uint32_t number = 0;          ///< another one, another flight
+    double unknown = 0;  ///< how far it may be off that, more than it says [m]
+  };
+  /// Its plan while it conforms; else straight on from where it was last, while that is
+  /// not too long ago.
+  Expected expected(Time now) const;
 };
 
 /// The flights of the others of the team, from their PlanReports and PlaceReports. What
@@ -63,6 +75,7 @@ class TeamFlights {
 
   std::vector<TeamFlight> flights_;
   double received_ = 0, expected_ = 0;  // PlaceReports of late
+  std::uint32_t courses_ = 0;
 };
 
 }  // namespace skein::reasoning

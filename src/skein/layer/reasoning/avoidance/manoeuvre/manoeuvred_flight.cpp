@@ -35,6 +35,8 @@ class Maker {
   std::optional<FlightPlan> up(double height, double lead) const;
   std::optional<FlightPlan> speed(double factor) const;
   std::optional<FlightPlan> turned(double change, double until) const;
+  std::optional<FlightPlan> straight_on(const Vec3& p_N, const Vec3& v_N,
+                                        double duration) const;
 
  private:
   model::FlightMoment moment(double time) const {
@@ -170,6 +172,20 @@ std::optional<FlightPlan> Maker::turned(double change, double until) const {
   return flight;
 }
 
+std::optional<FlightPlan> Maker::straight_on(const Vec3& p_N, const Vec3& v_N,
+                                             double duration) const {
+  FlightElement e;
+  e.start = conflict_.begin;
+  e.duration = duration;
+  e.p_N = p_N;
+  e.heading = geo::bearing(v_N.head<2>() - query_.wind);
+  e.airspeed = query_.limits.airspeed;
+  e.wind = query_.wind;
+  FlightPlan flight = {e};
+  if (!go_on(flight, goal_)) return std::nullopt;
+  return flight;
+}
+
 Maker maker_of(const ConflictOfFlight& conflict) {
   const FlightPlan rest =
       planning::part_of(conflict.plan, conflict.begin, model::end_time_of(conflict.plan));
@@ -221,6 +237,13 @@ std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
                              model::end_time_of(conflict.plan));
   const auto flight = made(manoeuvre, conflict);
   return flight && within(*flight, conflict.limits) ? flight : std::nullopt;
+}
+
+std::optional<FlightPlan> straight_on_flight(const ConflictOfFlight& conflict,
+                                             const Vec3& p_N, const Vec3& v_N,
+                                             double duration) {
+  if (!begins_in_plan(conflict)) return std::nullopt;
+  return maker_of(conflict).straight_on(p_N, v_N, duration);
 }
 
 std::optional<FlightPlan> turned_flight(const ConflictOfFlight& conflict, double change,

@@ -34,6 +34,15 @@ struct ConflictOfFlight {
 std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
                                      const ConflictOfFlight& conflict);
 
+/// The flight that goes straight on from where the aircraft is for some time, level, then
+/// to the end of the plan.
+/// @param p_N, v_N  of the aircraft at `begin` [m], over ground [m/s].
+/// @param duration  of the straight part [s].
+/// @returns  nothing where there is no such flight.
+std::optional<FlightPlan> straight_on_flight(const ConflictOfFlight& conflict,
+                                             const Vec3& p_N, const Vec3& v_N,
+                                             double duration);
+
 /// The flight that turns at `begin` and flies on until a time [s], then to the end of the
 /// plan.
 /// @param change  of the heading, to the right [rad].

@@ -18,7 +18,7 @@ constexpr double kPlanPeriod = 5;   // [s]
 constexpr double kSigmas = 2.2;
 constexpr double kVerticalSd = 1.5;    // over the horizontal one
 constexpr double kRepeatPeriod = 0.5;  // of a plan that is new [s]
-constexpr int kMaxRepeats = 8;
+constexpr int kMaxRepeats = 14;
 constexpr double kUnheard = 0.05;  // by so many is a new plan at most
 constexpr int kMaxChanges = 3;     // of the plan in one look
 
@@ -108,10 +108,6 @@ void Separator::measure(const SeparationStep& step) {
 
 // Looks for conflicts, and does what is to be done about each.
 void Separator::look(const SeparationStep& step) {
-  if (last_moment_ && step.now >= last_moment_until_) {
-    last_moment_.reset();
-    begun_ = false;  // what it wants is planned from here
-  }
   if ((step.now - looked_).seconds() < kLookPeriod && looked_ != Time()) return;
   looked_ = step.now;
   const double until = step.now.seconds() + options_.horizon;
@@ -135,12 +131,12 @@ bool Separator::solve(const SeparationStep& step, const Conflict& conflict) {
     case SeparationMethod::kGroup:       // open_group()
       return false;
     case SeparationMethod::kPriority:
-      return by_priority(step, conflict);
+      return by_priority(step, conflict) || by_evasion(step, conflict);
     case SeparationMethod::kRule:
       return by_rule(step, conflict);
     case SeparationMethod::kLastMoment:
-      at_the_last_moment(step, conflict);
-      return false;
+      return by_evasion(step, conflict) ||
+             (step.now >= last_moment_until_ && at_the_last_moment(step, conflict));
     case SeparationMethod::kNonCooperative:  // avoid_strangers()
     case SeparationMethod::kNone:
     case SeparationMethod::kAuto:
@@ -192,10 +188,10 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
     place.v_north = static_cast<float>(step.v_N.x());
     place.v_east = static_cast<float>(step.v_N.y());
     place.v_down = static_cast<float>(step.v_N.z());
-    place.plan = flies_plan() ? own_.number : 0;
+    place.plan = turn_ ? 0 : own_.number;
     out.push_back({self_, kEveryone, 0, Time(), place});
   }
-  if (!flies_plan()) return;
+  if (turn_) return;
   const bool again =
       said_again_ > 0 && (step.now - said_plan_).seconds() >= kRepeatPeriod;
   if (!plan_is_new_ && !again && (step.now - said_plan_).seconds() < kPlanPeriod) return;
@@ -233,8 +229,8 @@ double Separator::delay_to(EntityId other) const {
 std::vector<KnownFlight> Separator::known_but(EntityId other, Time now) const {
   std::vector<KnownFlight> known;
   for (const TeamFlight& each : team_.flights())
-    if (each.who != other && each.conforms(now))
-      known.push_back({&each.plan, separation_of(own_, each)});
+    if (const auto expected = each.expected(now); each.who != other && expected.plan)
+      known.push_back({expected.plan, separation_of(own_, each, expected.unknown)});
   return known;
 }
 

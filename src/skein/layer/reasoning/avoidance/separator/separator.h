@@ -98,9 +98,6 @@ class Separator {
   /// Milestones of the wanted flight that are not in milestones().
   std::size_t passed() const { return passed_; }
 
-  /// What is flown instead of a plan, as there is no time left.
-  const std::optional<Heading>& last_moment() const { return last_moment_; }
-
   /// What the flight was changed for last is over for some time.
   bool is_clear(Time now) const { return now.seconds() >= clear_from_; }
 
@@ -168,7 +165,11 @@ class Separator {
                      bool higher_only);
   bool apart_from_others(const SeparationStep& step, const Conflict& conflict,
                          bool higher_only);
-  void at_the_last_moment(const SeparationStep& step, const Conflict& conflict);
+  bool by_evasion(const SeparationStep& step, const Conflict& conflict);
+  bool at_the_last_moment(const SeparationStep& step, const Conflict& conflict);
+  std::optional<FlightPlan> flight_at_height(const SeparationStep& step,
+                                             const Conflict& conflict,
+                                             double climb) const;
   struct Change {
     double begin = 0;    // of the flight [s]
     double rejoins = 0;  // where the old plan is met again, by its time [s]
@@ -183,9 +184,9 @@ class Separator {
   NegotiatingFlight leaving_for(const Conflict& conflict, const PathQuery& query) const;
   double safe_altitude(const SeparationStep& step, double course, double altitude) const;
   // Else it is told from moment to moment where to fly.
-  bool flies_plan() const { return !last_moment_ && !turn_; }
-  bool has_way_over(const TeamFlight& other) const;
-  Standing standing_to(const TeamFlight& other) const;
+  bool flies_plan() const { return !turn_; }
+  bool has_way_over(const TeamFlight& other, Time now) const;
+  Standing standing_to(const TeamFlight& other, Time now) const;
   std::vector<KnownFlight> known_but(EntityId other, Time now) const;
   double rejoins(double after) const;
   double delay_to(EntityId other) const;
@@ -204,10 +205,9 @@ class Separator {
   bool changed_ = false, is_plan_ = true;
   double clear_from_ = 0;  // [s]
   std::string_view reason_;
-  std::optional<Heading> last_moment_;
+  Time last_moment_until_;
   StrangerAvoidance strangers_;
   std::optional<Heading> turn_;
-  Time last_moment_until_;
   std::optional<PairNegotiation> negotiation_, last_;  // that goes on, the one before
   ConflictGroups groups_;
   std::optional<GroupNegotiation> group_;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/manoeuvre/evasive_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
@@ -9,6 +10,7 @@
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/role/terrain.h"
 
@@ -20,6 +22,7 @@ namespace {
 constexpr double kBudget = 3;          // of negotiations, besides messages [s]
 constexpr int kAttempts = 2;           // to negotiate, before one acts alone
 constexpr double kLittleLoss = 0.1;    // of messages
+constexpr double kLittleDelay = 1;     // of messages [s]
 constexpr double kMinTimeToAct = 3;    // between an agreement and the conflict [s]
 constexpr std::size_t kGroupFrom = 2;  // conflicts of one aircraft
 constexpr double kApartFor = 150;      // after a manoeuvre's begin [s]
@@ -31,7 +34,8 @@ constexpr double kSteps = 1.5;             // heights that are left at the last 
 constexpr double kGroundAhead = 500;       // that is looked at [m]
 constexpr double kGroundStep = 50;         // [m]
 constexpr double kNear = 3000;             // others that plans are made around [m]
-constexpr std::size_t kFew = 3;            // conflicts that are solved one by one
+constexpr double kEvades = 15, kBothEvade = 9;  // before a conflict [s]
+constexpr std::size_t kFew = 3;                 // conflicts that are solved one by one
 constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
 
 }  // namespace
@@ -43,7 +47,9 @@ SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const
   const double left = conflict.meeting.begin - now.seconds();
   const double negotiating = kBudget + 4 * (2 * delay_to(conflict.other) + kAgentStep);
   const bool alone = conflicts_.size() < kGroupFrom;
-  const bool hears = team_.loss() < kLittleLoss;
+  const TeamFlight* other = team_.find(conflict.other);
+  const bool hears = other && other->conforms(now) && team_.loss() < kLittleLoss &&
+                     delay_to(conflict.other) < kLittleDelay;
   if (left > options_.fixed + negotiating && hears)
     return alone ? SeparationMethod::kNegotiated : SeparationMethod::kGroup;
   const auto waiting = waiting_.find(conflict.other);
@@ -51,16 +57,21 @@ SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const
   if (left > negotiating + kMinTimeToAct && hears && !failed)
     return SeparationMethod::kNegotiated;
   if (left > options_.emergency) return SeparationMethod::kPriority;
-  if (left > options_.last_moment) return SeparationMethod::kRule;
+  // Rules know of two only, and others hear late of what follows from them.
+  if (left > options_.last_moment)
+    return hears ? SeparationMethod::kRule : SeparationMethod::kPriority;
   return SeparationMethod::kLastMoment;
 }
 
-Standing Separator::standing_to(const TeamFlight& other) const {
+Standing Separator::standing_to(const TeamFlight& other, Time now) const {
+  if (!other.conforms(now)) return Standing::kOtherHigher;
   if (priority_ == other.priority) return Standing::kEqual;
   return priority_ > other.priority ? Standing::kOwnHigher : Standing::kOtherHigher;
 }
 
-bool Separator::has_way_over(const TeamFlight& other) const {
+// Who is not where its plan has it flies on, whatever others do.
+bool Separator::has_way_over(const TeamFlight& other, Time now) const {
+  if (!other.conforms(now)) return false;
   return priority_ != other.priority ? priority_ > other.priority : self_ < other.who;
 }
 
@@ -105,9 +116,11 @@ bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
   const TeamFlight* other = team_.find(conflict.other);
   if (!other) return false;
   const double now = step.now.seconds(), left = conflict.meeting.begin - now;
-  const model::FlightMoment theirs = model::moment_at(other->plan, now);
+  const TeamFlight::Expected expected = other->expected(step.now);
+  if (!expected.plan) return false;
+  const model::FlightMoment theirs = model::moment_at(*expected.plan, now);
   const AirRule rule = rule_for({step.p_N, step.v_N}, {theirs.p_N, theirs.v_N},
-                                standing_to(*other), self_ < other->who);
+                                standing_to(*other, step.now), self_ < other->who);
   const bool late = left < options_.emergency && rule != AirRule::kPreferred;
   if (!acts(rule) && !late) return false;
   const double begin = begin_of_action(conflict, step.now);
@@ -125,7 +138,7 @@ bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
           const auto meets = [&](const FlightPlan& flown, const Separation& kept) {
             return first_meeting(plan, flown, kept, begin, begin + kApartFor).has_value();
           };
-          if (meets(other->plan, c.separation)) return false;
+          if (meets(*expected.plan, c.separation)) return false;
           if (among_others && std::ranges::any_of(thirds, [&](const KnownFlight& third) {
                 return meets(*third.plan, third.separation);
               }))
@@ -148,7 +161,7 @@ bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
 // The lower one plans around the higher ones, and around the others too where it can.
 bool Separator::by_priority(const SeparationStep& step, const Conflict& conflict) {
   const TeamFlight* other = team_.find(conflict.other);
-  if (!other || has_way_over(*other)) return false;
+  if (!other || has_way_over(*other, step.now)) return false;
   Waiting& waiting = waiting_[conflict.other];
   const double now = step.now.seconds();
   if (now < waiting.until) return false;
@@ -165,13 +178,14 @@ std::vector<PlannedFlight> Separator::rooms(const SeparationStep& step,
                                             bool higher_only) const {
   std::vector<PlannedFlight> all;
   for (const TeamFlight& each : team_.flights()) {
-    if (!each.conforms(step.now) || (higher_only && has_way_over(each))) continue;
-    const Vec3 p_N = model::moment_at(each.plan, step.now.seconds()).p_N;
+    const TeamFlight::Expected expected = each.expected(step.now);
+    if (!expected.plan || (higher_only && has_way_over(each, step.now))) continue;
+    const Vec3 p_N = model::moment_at(*expected.plan, step.now.seconds()).p_N;
     if ((p_N - step.p_N).head<2>().norm() > kNear) continue;
-    const Separation separation = separation_of(own_, each);
+    const Separation separation = separation_of(own_, each, expected.unknown);
     PlannedFlight flight;
     flight.who = each.who;
-    flight.plan = each.plan;
+    flight.plan = *expected.plan;
     flight.zone = {kRoomTime, kRoomTime, separation.horizontal + kRoom};
     flight.height = separation.vertical + kHeightRoom;
     all.push_back(std::move(flight));
@@ -203,8 +217,9 @@ bool Separator::apart_from_others(const SeparationStep& step, const Conflict& co
   const NegotiatedConflict c = about(conflict, begin);
   std::vector<KnownFlight> others;
   for (const TeamFlight& each : team_.flights())
-    if (each.conforms(step.now) && (!higher_only || !has_way_over(each)))
-      others.push_back({&each.plan, separation_of(own_, each)});
+    if (const auto expected = each.expected(step.now);
+        expected.plan && (!higher_only || !has_way_over(each, step.now)))
+      others.push_back({expected.plan, separation_of(own_, each, expected.unknown)});
   const FlightPlan part = planning::part_of(own_.plan, begin, own.rejoins);
   if (part.empty()) return false;
   FlightCheck check(step.query, step.zones);
@@ -233,25 +248,85 @@ bool Separator::apart_from_others(const SeparationStep& step, const Conflict& co
   return false;
 }
 
-// The higher climbs, the lower sinks; at one height the lower id climbs.
-void Separator::at_the_last_moment(const SeparationStep& step, const Conflict& conflict) {
+// Puts off the meeting where none can be solved any more: the lower one of the two, and
+// when little time is left each of them.
+bool Separator::by_evasion(const SeparationStep& step, const Conflict& conflict) {
   const TeamFlight* other = team_.find(conflict.other);
-  if (!other) return;
+  const double left = conflict.meeting.begin - step.now.seconds();
+  if (!other || left > kEvades || (left > kBothEvade && has_way_over(*other, step.now)))
+    return false;
+  const double begin = begin_of_action(conflict, step.now);
+  const NegotiatingFlight own = leaving_for(conflict, step.query);
+  const FlightPlan part = planning::part_of(own_.plan, begin, own.rejoins);
+  if (part.empty()) return false;
+  FlightCheck check(step.query, step.zones);
+  const std::vector<KnownFlight> others = known_but(self_, step.now);
+  const PlanMeeting& meeting = conflict.meeting;
+  auto evasive = evasive_flight(
+      {part, own.limits, begin, std::max(begin, meeting.begin),
+       std::max(begin, meeting.closest_time), std::max(begin, meeting.end),
+       conflict.separation},
+      others, [&](const FlightPlan& flight) { return check.is_free(flight); });
+  if (!evasive) return false;
+  append_rest(evasive->flight, own_.plan, own.rejoins);
+  adopt(evasive->flight,
+        {begin, own.rejoins, meeting.end, SeparationMethod::kPriority, conflict.other, 0,
+         "evades"},
+        step.now);
+  return true;
+}
+
+// The higher climbs, the lower sinks; at one height the lower id climbs. Straight on
+// until the other has passed.
+bool Separator::at_the_last_moment(const SeparationStep& step, const Conflict& conflict) {
+  const TeamFlight* other = team_.find(conflict.other);
+  if (!other) return false;
+  const TeamFlight::Expected expected = other->expected(step.now);
+  if (!expected.plan) return false;
   constexpr double kSameHeight = 1;
   const double now = step.now.seconds();
-  const double over = model::moment_at(other->plan, now).p_N.z() -
-                      model::moment_at(own_.plan, now).p_N.z();
+  const double over = model::moment_at(*expected.plan, now).p_N.z() - step.p_N.z();
   const bool up = std::abs(over) > kSameHeight ? over > 0 : self_ < conflict.other;
-  const double height = kSteps * conflict.separation.vertical;
   const double course = geo::bearing(step.v_N.head<2>());
-  last_moment_ = Heading{
-      course, safe_altitude(step, course, -step.p_N.z() + (up ? height : -height))};
-  // However long the two would stay near each other: the heights that are reached by then
-  // are what is planned from.
+  const double height = (up ? 1 : -1) * kSteps * conflict.separation.vertical;
+  const double climb = safe_altitude(step, course, -step.p_N.z() + height) + step.p_N.z();
+  const auto flight = flight_at_height(step, conflict, climb);
+  if (!flight) return false;
   last_moment_until_ = Time::from_seconds(
       std::min(conflict.meeting.closest_time + kClearTime, now + kLongestLastMoment));
-  reason_ = up ? "climbs away at the last moment" : "sinks away at the last moment";
-  log_.solved(conflict.other, step.now, SeparationMethod::kLastMoment, reason_);
+  const std::string_view what =
+      up ? "climbs away at the last moment" : "sinks away at the last moment";
+  adopt(*flight,
+        {now, rejoins(conflict.meeting.end + kRejoinsAfter), conflict.meeting.end,
+         SeparationMethod::kLastMoment, conflict.other, 0, what},
+        step.now);
+  return true;
+}
+
+// From where the aircraft is straight on, so much higher, and then on.
+std::optional<FlightPlan> Separator::flight_at_height(const SeparationStep& step,
+                                                      const Conflict& conflict,
+                                                      double climb) const {
+  const double now = step.now.seconds();
+  const NegotiatingFlight own = leaving_for(conflict, step.query);
+  const FlightPlan part = planning::part_of(own_.plan, now, own.rejoins);
+  if (part.empty()) return std::nullopt;
+  const double rate = climb > 0 ? own.limits.climb_rate : own.limits.sink_rate;
+  const double lasts =
+      model::climb_time(std::abs(climb), rate, own.limits.climb_acceleration);
+  const double apart =
+      std::clamp(conflict.meeting.closest_time, now, now + kLongestLastMoment) + lasts;
+  ConflictOfFlight of_flight{part, own.limits, now, now, now, apart, conflict.separation};
+  const auto straight =
+      straight_on_flight(of_flight, step.p_N, step.v_N, apart + kClearTime - now);
+  if (!straight) return std::nullopt;
+  const ConflictOfFlight of_straight{*straight, own.limits,         now, now, now,
+                                     apart,     conflict.separation};
+  auto flight = manoeuvred(
+      {climb > 0 ? ManoeuvreKind::kUp : ManoeuvreKind::kDown, std::abs(climb), 0},
+      of_straight);
+  if (flight) append_rest(*flight, own_.plan, own.rejoins);
+  return flight;
 }
 
 }  // namespace skein::reasoning

@@ -4,6 +4,7 @@
 
 #include "skein/layer/reasoning/avoidance/flights/execution_errors.h"
 #include "skein/model/path/flight_code.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 namespace {
@@ -67,6 +68,24 @@ TEST(TeamFlights, APlanThatIsNotKeptProtectsNobody) {
   const Time now = Time::from_seconds(10);
   EXPECT_TRUE(after(10, {plan, says(place(205, 1), 10)}).find(kOther)->conforms(now));
   EXPECT_FALSE(after(10, {plan, says(place(300, 1), 10)}).find(kOther)->conforms(now));
+}
+
+TEST(TeamFlights, WhoIsOffItsPlanIsExpectedStraightOn) {
+  const Message plan = says(report(1, north_at(20, 100)), 2);
+  PlaceReport off = place(300, 1);
+  off.v_east = 10;
+  off.v_down = -2;
+  const auto flights = after(10, {plan, says(off, 10)});
+  const TeamFlight& other = *flights.find(kOther);
+  const auto expected = other.expected(Time::from_seconds(10));
+  ASSERT_TRUE(expected.plan);
+  EXPECT_NE(expected.number, 1u);
+  // It climbs for six seconds and is level then.
+  const Vec3 later = model::moment_at(*expected.plan, 20).p_N;
+  EXPECT_LT((later - Vec3(300, 100, -112)).norm(), 1e-6);
+  EXPECT_FALSE(other.expected(Time::from_seconds(25)).plan) << "it may be anywhere";
+  const auto kept = after(10, {plan, says(place(205, 1), 10)});
+  EXPECT_EQ(kept.find(kOther)->expected(Time::from_seconds(10)).number, 1u);
 }
 
 TEST(TeamFlights, ASilentOnesPlanProtectsItNoMore) {

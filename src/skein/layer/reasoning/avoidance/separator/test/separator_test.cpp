@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "skein/base/math.h"
@@ -194,8 +196,55 @@ TEST(Separator, TheLastMomentEndsAboveTheGround) {
   std::vector<Message> out;
   separator.step({Time(), to.p_N, Vec3(20, 0, 0), 0, FlightPriority::kNormal, query, {}},
                  {1, {to}, {200}}, out);
-  ASSERT_TRUE(separator.last_moment());
-  EXPECT_EQ(separator.last_moment()->altitude_msl, 90) << "36 m lower were 64";
+  ASSERT_TRUE(separator.changed());
+  double lowest = 1e9;
+  for (double t = 0; t < 60; ++t)
+    lowest = std::min(lowest, -model::moment_at(separator.plan(), t).p_N.z());
+  EXPECT_GE(lowest, 89.9) << "36 m lower were 64";
+  const bool says_so = std::ranges::any_of(out, [&](const Message& said) {
+    const auto* plan = std::get_if<PlanReport>(&said.content);
+    return plan && plan->number == separator.number();
+  });
+  EXPECT_TRUE(says_so) << "others count with where it flies";
+}
+
+// Whoever is not where its plan has it is gone around, whatever its plan says.
+TEST(Separator, AMemberOffItsPlanIsAnObstacle) {
+  SeparationOptions options;
+  options.method = SeparationMethod::kAuto;
+  FlightElement to;
+  to.p_N = Vec3(0, 0, -100);
+  to.airspeed = 20;
+  to.duration = 200;
+  FlightElement elsewhere = to;
+  elsewhere.p_N = Vec3(1000, 5000, -100);
+  PlanReport report;
+  report.number = 1;
+  report.flight = *model::coded_flight({elsewhere});
+  PlaceReport place;
+  place.plan = 1;
+  place.north = 400;
+  place.down = -100;
+  place.v_north = -20;
+  // The lower id would have the right of way of two that keep to their plans.
+  const EntityId self{1}, other{2};
+  const std::vector<Message> heard = {{other, self, 0, Time(), report},
+                                      {other, self, 0, Time(), place}};
+  Separator separator(self, options);
+  separator.listen(Time(), heard);
+  std::vector<Message> out;
+  const PathQuery query;
+  separator.step({Time(), to.p_N, Vec3(20, 0, 0), 0, FlightPriority::kNormal, query, {}},
+                 {1, {to}, {200}}, out);
+  EXPECT_TRUE(separator.changed());
+  double least = 1e9;
+  for (double t = 0; t < 20; t += 0.5) {
+    const Vec3 apart =
+        model::moment_at(separator.plan(), t).p_N - Vec3(400 - 20 * t, 0, -100);
+    least =
+        std::min(least, Separation{}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
+  }
+  EXPECT_GE(least, 1);
 }
 
 TEST(Separator, ManyOnACircleAreKeptApart) {
