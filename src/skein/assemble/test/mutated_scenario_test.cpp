@@ -87,7 +87,11 @@ TEST(MutatedScenario, AlwaysGetsAnAnswer) {
     const auto change = [&](const std::string& path) {
       return scenario::Override{path + "=" + any(kValues)};
     };
-    for (const std::string& path : paths) {
+    // Of scenarios with many aircraft, whose keys are the same ones again, some keys.
+    constexpr std::size_t kMaxPaths = 250;
+    const std::size_t stride = 1 + paths.size() / kMaxPaths;
+    for (std::size_t at = 0; at < paths.size(); at += stride) {
+      const std::string& path = paths[at];
       for (int k = 0; k < 3; ++k) expect_answer(text, {change(path)});
       expect_answer(text, {change(path), change(any(paths)), change(any(paths))});
     }

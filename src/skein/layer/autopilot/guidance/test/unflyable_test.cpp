@@ -175,7 +175,7 @@ TEST(Unflyable, ClimbsOfPlansCountOverASecond) {
                 {Time::from_seconds(5), {100, 0, -100 - up}, {20, 0, 0}},
                 {Time::from_seconds(10), {200, 0, -100 - up}, {20, 0, 0}}};
   };
-  EXPECT_FALSE(unflyable({FollowPlan{step(0.2)}, 0, {}}, kWing, kCalm));
+  EXPECT_FALSE(unflyable({FollowPlan{step(0.04)}, 0, {}}, kWing, kCalm));
   EXPECT_TRUE(unflyable({FollowPlan{step(20)}, 0, {}}, kWing, kCalm));
 }
 
