@@ -1,6 +1,6 @@
 // Scenario tests: every file of scenarios/expect/ names a scenario, changes to it, and
-// what its summary must say, with the reason of each bound; by each of `seeds` where there
-// are some, else by the scenario's.
+// what its summary must say, with the reason of each bound; by each of `seeds` where
+// there are some, else by the scenario's.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
