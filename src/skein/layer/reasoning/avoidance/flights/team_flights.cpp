@@ -47,7 +47,7 @@ bool TeamFlight::conforms(Time now) const {
 
 TeamFlight::Expected TeamFlight::expected(Time now) const {
   if (conforms(now)) return {&plan, number, 0};
-  if (!place || (now - place->sent).seconds() > kCourseFor) return {};
+  if (course.empty() || (now - place->sent).seconds() > kCourseFor) return {};
   return {&course, course_number, kCourseError};
 }
 
@@ -105,9 +105,18 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
     }
   }
   flight.place = place;
-  flight.course = course_flight(place.p_N, place.v_N, place.sent.seconds(),
+  flight.course.clear();
+}
+
+// Of those whose plan says nothing.
+void TeamFlights::expect_courses(Time now) {
+  for (TeamFlight& each : flights_) {
+    if (!each.place || !each.course.empty() || each.conforms(now)) continue;
+    const ReportedPlace& place = *each.place;
+    each.course = course_flight(place.p_N, place.v_N, place.sent.seconds(),
                                 kCourseFor + kCourseOn, kClimbsOn);
-  flight.course_number = kCourses | ++courses_;
+    each.course_number = kCourses | ++courses_;
+  }
 }
 
 double TeamFlights::loss() const {
@@ -132,6 +141,7 @@ void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox
         flight.place ? std::max(flight.sent, flight.place->sent) : flight.sent;
     return (now - last).seconds() > kForget;
   });
+  expect_courses(now);
 }
 
 }  // namespace skein::reasoning

@@ -31,7 +31,8 @@ struct TeamFlight {
   double height_error = 2;  ///< [m]
   Time sent;                ///< the newest report of the plan
   std::optional<ReportedPlace> place;
-  FlightPlan course;                ///< straight on from the place that was reported last
+  FlightPlan course;  ///< straight on from the place reported last, if the plan does not
+                      ///< conform; else empty
   std::uint32_t course_number = 0;  ///< of `course`; no plan has such a number
   double delay = 0;  ///< of what it sends, smoothed; the longest of late [s]
 
@@ -46,6 +47,7 @@ struct TeamFlight {
   };
   /// Its plan while it conforms; else straight on from where it was last, while that is
   /// not too long ago.
+  /// @param now  of the last TeamFlights::listen().
   Expected expected(Time now) const;
 };
 
@@ -70,6 +72,7 @@ class TeamFlights {
 
  private:
   TeamFlight& at(EntityId who);
+  void expect_courses(Time now);
   void take(const Message& message, const PlanReport& report);
   void take(const Message& message, const PlaceReport& report);
 

@@ -188,10 +188,10 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
     place.v_north = static_cast<float>(step.v_N.x());
     place.v_east = static_cast<float>(step.v_N.y());
     place.v_down = static_cast<float>(step.v_N.z());
-    place.plan = turn_ ? 0 : own_.number;
+    place.plan = flies_plan() ? own_.number : 0;
     out.push_back({self_, kEveryone, 0, Time(), place});
   }
-  if (turn_) return;
+  if (!flies_plan()) return;
   const bool again =
       said_again_ > 0 && (step.now - said_plan_).seconds() >= kRepeatPeriod;
   if (!plan_is_new_ && !again && (step.now - said_plan_).seconds() < kPlanPeriod) return;

@@ -260,7 +260,7 @@ bool Separator::by_evasion(const SeparationStep& step, const Conflict& conflict)
   const FlightPlan part = planning::part_of(own_.plan, begin, own.rejoins);
   if (part.empty()) return false;
   FlightCheck check(step.query, step.zones);
-  const std::vector<KnownFlight> others = known_but(self_, step.now);
+  const std::vector<KnownFlight> others = known_but(self_, step.now);  // all others
   const PlanMeeting& meeting = conflict.meeting;
   auto evasive = evasive_flight(
       {part, own.limits, begin, std::max(begin, meeting.begin),

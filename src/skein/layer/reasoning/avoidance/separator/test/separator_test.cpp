@@ -166,6 +166,15 @@ TEST(Separator, LossAndDelayAreNormal) {
     }
 }
 
+// Straight on for 200 s from the origin, 100 m up.
+FlightElement north() {
+  FlightElement e;
+  e.p_N = Vec3(0, 0, -100);
+  e.airspeed = 20;
+  e.duration = 200;
+  return e;
+}
+
 // The ground is 60 m below: who has to sink goes no lower than its clearance.
 class Plateau final : public Terrain {
  public:
@@ -180,10 +189,7 @@ TEST(Separator, TheLastMomentEndsAboveTheGround) {
   query.ground_clearance = 50;
   SeparationOptions options;
   options.method = SeparationMethod::kAuto;
-  FlightElement to;
-  to.p_N = Vec3(0, 0, -100);
-  to.airspeed = 20;
-  to.duration = 200;
+  const FlightElement to = north();
   FlightElement back = to;
   back.p_N = Vec3(200, 0, -102);
   back.heading = geo::kPi;
@@ -212,10 +218,7 @@ TEST(Separator, TheLastMomentEndsAboveTheGround) {
 TEST(Separator, AMemberOffItsPlanIsAnObstacle) {
   SeparationOptions options;
   options.method = SeparationMethod::kAuto;
-  FlightElement to;
-  to.p_N = Vec3(0, 0, -100);
-  to.airspeed = 20;
-  to.duration = 200;
+  const FlightElement to = north();
   FlightElement elsewhere = to;
   elsewhere.p_N = Vec3(1000, 5000, -100);
   PlanReport report;
