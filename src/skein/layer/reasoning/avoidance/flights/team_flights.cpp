@@ -15,10 +15,9 @@ namespace {
 constexpr double kErrors = 3;
 constexpr double kAcross = 30, kHeight = 12;  // [m]
 
-constexpr double kCourseFor = 10;    // that a place is of use [s]
-constexpr double kCourseOn = 20;     // that a course is looked at after that [s]
-constexpr double kClimbsOn = 6;      // of who has no plan [s]
-constexpr double kCourseError = 10;  // of a course that is no plan [m]
+constexpr double kCourseFor = 10;               // that a place is of use [s]
+constexpr double kClimbsOn = 6;                 // of who has no plan [s]
+constexpr double kCourseError = 10;             // of a course that is no plan [m]
 constexpr std::uint32_t kCourses = 0x80000000;  // numbers of courses begin there
 constexpr double kLargestError = 1000;          // that can be meant [m]
 constexpr double kLargestSeparation = 20e3;
@@ -113,8 +112,8 @@ void TeamFlights::expect_courses(Time now) {
   for (TeamFlight& each : flights_) {
     if (!each.place || !each.course.empty() || each.conforms(now)) continue;
     const ReportedPlace& place = *each.place;
-    each.course = course_flight(place.p_N, place.v_N, place.sent.seconds(),
-                                kCourseFor + kCourseOn, kClimbsOn);
+    each.course =
+        course_flight(place.p_N, place.v_N, place.sent.seconds(), horizon_, kClimbsOn);
     each.course_number = kCourses | ++courses_;
   }
 }

@@ -61,6 +61,9 @@ class TeamFlights {
   /// What has not been heard of for longer is forgotten [s].
   static constexpr double kForget = 60;
 
+  /// @param horizon  how long courses are expected to be kept [s].
+  explicit TeamFlights(double horizon = 90) : horizon_(horizon) {}
+
   /// Takes in what was received and forgets who has been silent for long.
   void listen(EntityId self, Time now, std::span<const Message> inbox);
 
@@ -76,6 +79,7 @@ class TeamFlights {
   void take(const Message& message, const PlanReport& report);
   void take(const Message& message, const PlaceReport& report);
 
+  double horizon_;
   std::vector<TeamFlight> flights_;
   double received_ = 0, expected_ = 0;  // PlaceReports of late
   std::uint32_t courses_ = 0;

@@ -79,6 +79,7 @@ class Separator {
   Separator(EntityId self, const SeparationOptions& options)
       : self_(self),
         options_(options),
+        team_(options.horizon),
         strangers_(options.reaction, options.well_clear.get()) {}
 
   /// Takes in what was received. At each step, on the ground too.
