@@ -10,7 +10,7 @@
 namespace skein::reasoning {
 namespace {
 
-FlightPlan straight(Vec3 from, double heading, double duration = 300) {
+FlightPlan straight(const Vec3& from, double heading, double duration = 300) {
   FlightElement e;
   e.p_N = from;
   e.heading = heading;
