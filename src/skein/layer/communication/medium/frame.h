@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "skein/base/time.h"
+
+namespace skein::communication {
+
+/// A radio of the medium, counted from 0.
+using NodeIndex = std::uint32_t;
+/// As receiver: all that hear it.
+inline constexpr NodeIndex kAllNodes = 0xFFFFFFFFu;
+
+enum class FrameKind : std::uint8_t { kData, kAck, kRts, kCts };
+
+/// What is sent in one go.
+struct Frame {
+  FrameKind kind = FrameKind::kData;
+  NodeIndex from = 0;
+  NodeIndex to = 0;             ///< or kAllNodes
+  std::uint32_t packet = 0;     ///< of data: its place among the packets
+  std::uint64_t tag = 0;        ///< of data: the number that its sender's user gave
+  std::uint32_t mac_bytes = 0;  ///< with header and check sequence
+  Time duration;                ///< on the air, with preamble
+  Time reserved = {};           ///< what its duration field asks others to wait after it
+};
+
+}  // namespace skein::communication

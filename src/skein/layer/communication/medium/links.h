@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "skein/geo/vec.h"
+#include "skein/layer/communication/medium/frame.h"
+#include "skein/layer/communication/medium/radio_profile.h"
+#include "skein/role/propagation.h"
+
+namespace skein::communication {
+
+/// From a node to one that its signals reach.
+struct Link {
+  NodeIndex to = 0;
+  Time delay;        ///< from place to place at the speed of light
+  double power = 0;  ///< that arrives [W]
+};
+
+/// Where a node is [m] in N.
+using NodePlace = std::function<Vec3(NodeIndex, Time)>;
+
+/// Who is reached by whose signals, and how strongly.
+class Links {
+ public:
+  struct Nodes {
+    NodePlace place;
+    std::vector<double> transmit_power_dbm;  ///< of each node
+    bool move = true;  ///< false: they stay where they are at the beginning
+  };
+
+  /// @param propagation  outlives this
+  Links(const PhyProfile& phy, const Propagation& propagation, Nodes nodes);
+
+  std::size_t size() const { return tables_.size(); }
+
+  /// Those that a signal of `from` reaches with at least the interference floor, nearest
+  /// first. Powers and delays of nodes that move are at most 0.1 s old.
+  const std::vector<Link>& of(NodeIndex from, Time now);
+
+ private:
+  struct Table {
+    Time made;
+    bool there = false;
+    std::vector<Link> links;
+  };
+
+  void make(NodeIndex from, Time now, Table& table);
+
+  const Propagation& propagation_;
+  Nodes nodes_;
+  double floor_;     // [W]
+  double antennas_;  // product of both gains
+  std::vector<Table> tables_;
+  std::vector<Vec3> places_;  // of all nodes at places_at_
+  Time places_at_;
+  bool places_known_ = false;
+};
+
+/// Watts of a level in dBm.
+double watts(double dbm);
+
+}  // namespace skein::communication

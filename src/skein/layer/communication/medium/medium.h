@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include "skein/layer/communication/medium/channel.h"
+#include "skein/layer/communication/medium/dcf.h"
+
+namespace skein::communication {
+
+/// A radio medium between nodes: who hears what, and when.
+///
+/// Event driven, in integer nanoseconds; what happens does not depend on how often
+/// advance() is called. The random numbers of a node are its own.
+class Medium {
+ public:
+  /// @param propagation, listener  outlive this
+  Medium(const RadioProfile& profile, const Propagation& propagation, Links::Nodes nodes,
+         std::uint64_t seed, MediumListener& listener);
+
+  Medium(const Medium&) = delete;
+  Medium& operator=(const Medium&) = delete;
+
+  Time now() const { return now_; }
+
+  /// Does everything that happens before `until`, which is then now.
+  void advance(Time until);
+
+  /// A packet is handed to the radio of `order.from` now.
+  /// @returns false when the queue is full; nothing more is heard of it then
+  bool send(const PacketOrder& order);
+
+  /// Packets that wait or are in service.
+  std::size_t waiting() const { return packets_.size(); }
+
+  /// Who would decode a frame of `from` that began now, without interference.
+  std::vector<NodeIndex> in_range(NodeIndex from);
+
+ private:
+  const RadioProfile profile_;
+  Time now_;
+  Schedule schedule_;
+  PacketStore packets_;
+  Links links_;
+  Dcf dcf_;
+  Channel channel_;
+};
+
+}  // namespace skein::communication

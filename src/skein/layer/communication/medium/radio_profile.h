@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "skein/base/time.h"
+
+namespace skein::communication {
+
+/// How the share of lost frames follows from the ratio of signal to interference.
+enum class ErrorModel {
+  kDsss2,   ///< IEEE 802.11b DSSS: header DBPSK 1 Mbit/s, payload DQPSK 2 Mbit/s
+  kBinary,  ///< everything at or above `lock_sinr_db` is received, nothing below
+};
+
+/// What becomes of a frame with a packet error ratio between 0 and 1.
+enum class PacketError {
+  kRandom,  ///< lost with that probability
+  kHalf,    ///< lost if and only if the ratio is at least 0.5: for repeatable traces
+};
+
+/// What a transceiver does with signals. Levels in dBm are powers after the antenna.
+struct PhyProfile {
+  double frequency = 2.4e9;                       ///< [Hz]
+  double rate = 2e6;                              ///< of all payloads [bit/s]
+  Time preamble_header = Time::from_ns(192'000);  ///< before every payload
+  double transmit_power_dbm = 15;
+  double transmit_gain_db = 0;
+  double receive_gain_db = 0;
+  double decode_threshold_dbm = -90;         ///< weaker frames are not received
+  double carrier_sense_threshold_dbm = -90;  ///< of the sum of all signals
+  double interference_floor_dbm = -101;      ///< weaker signals do not exist
+  double noise_temperature = 290;            ///< [K]
+  double noise_bandwidth = 20e6;             ///< [Hz]
+  double noise_figure_db = 7;
+  Time lock_window = Time::from_ns(4'000);  ///< from a frame's start to its detection
+  double lock_sinr_db = 4;                  ///< least ratio at that moment
+  ErrorModel error_model = ErrorModel::kDsss2;
+  PacketError packet_error = PacketError::kRandom;
+};
+
+/// When a station may send: the distributed coordination function of IEEE 802.11.
+struct DcfProfile {
+  Time slot = Time::from_ns(20'000);
+  Time sifs = Time::from_ns(10'000);
+  Time difs = Time::from_ns(50'000);
+  Time eifs = Time::from_ns(364'000);         ///< instead of DIFS after a failed payload
+  Time ack_timeout = Time::from_ns(222'000);  ///< from the end of the own frame
+  std::uint32_t cw_min = 31, cw_max = 1023;   ///< slots
+  /// Slots of every back-off; none: uniform in [0, contention window].
+  std::optional<std::uint32_t> backoff_slots;
+  /// Unicasts whose frame is larger are announced by RTS and CTS; 65535 = never.
+  std::uint32_t rts_threshold_bytes = 65535;
+  std::uint32_t short_retry_limit = 7;     ///< transmissions without RTS; RTS in a row
+  std::uint32_t long_retry_limit = 4;      ///< transmissions announced by RTS
+  std::uint32_t queue_packets = 10;        ///< with the one in service; more are refused
+  std::optional<Time> queue_lifetime;      ///< older ones are dropped; none: never
+  std::uint32_t data_overhead_bytes = 36;  ///< around the payload of a data frame
+};
+
+/// A kind of radio: transceiver and access to the medium.
+struct RadioProfile {
+  PhyProfile phy;
+  DcfProfile mac;
+};
+
+}  // namespace skein::communication
