@@ -30,6 +30,11 @@ Command add_link(CLI::App& program, const std::atomic<bool>& stop);
 Command add_vehicle(CLI::App& program, const std::atomic<bool>& stop);
 Command add_agent(CLI::App& program, const std::atomic<bool>& stop);
 
+// The radio medium alone.
+
+/// @param stop  asks for an early end.
+Command add_net(CLI::App& program, const std::atomic<bool>& stop);
+
 // A command of commands that share tasks among a team.
 
 /// @param stop  asks for an early end.

@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/build.h"
+#include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/verify_kinds.h"
 #include "skein/base/check.h"
 #include "skein/base/log.h"
@@ -65,6 +66,17 @@ void list_aircraft() {
   print_list("aircraft", all);
 }
 
+// The radios that are part of the program.
+void list_radios() {
+  std::vector<Listed> all;
+  for (const assemble::BuiltInRadio& each : assemble::built_in_radios()) {
+    const auto file = assemble::read_radio(each.text, std::string(each.name));
+    SKEIN_CHECK(file.ok(), each.name, file.error().text());
+    all.push_back({std::string(each.name), file.value().description});
+  }
+  print_list("radio profile", all);
+}
+
 // Where a kind comes from, if it is not part of the program.
 std::string origin_of(const assemble::KindRegistry& kinds, const std::string& role,
                       const std::string& kind) {
@@ -77,6 +89,10 @@ std::string origin_of(const assemble::KindRegistry& kinds, const std::string& ro
 int list_command(const std::string& role, const std::vector<std::string>& plugins) {
   if (role == "aircraft") {
     list_aircraft();
+    return kDone;
+  }
+  if (role == "radio-profile") {
+    list_radios();
     return kDone;
   }
   const auto kinds = load_kinds(plugins);
@@ -92,11 +108,14 @@ int list_command(const std::string& role, const std::vector<std::string>& plugin
           {kind.name, kind.help + origin_of(*kinds, each, kind.name)});
     print_list(each, kinds_of_role);
   }
-  if (role.empty()) list_aircraft();
+  if (role.empty()) {
+    list_aircraft();
+    list_radios();
+  }
   if (any) return kDone;
   complain("There is no role \"{}\". Roles:", role);
   for (const std::string& each : table.roles()) complain(" {}", each);
-  complain(" aircraft\n");
+  complain(" aircraft radio-profile\n");
   return kBadUsage;
 }
 
@@ -120,6 +139,7 @@ namespace {
 // What a file other than a scenario is made of; null: it is a scenario.
 const scenario::Document* document_of(const std::string& name) {
   if (name == "aircraft") return &assemble::aircraft_document();
+  if (name == "radio") return &assemble::radio_document();
   if (name == "campaign") return &campaign::campaign_document();
   return nullptr;
 }

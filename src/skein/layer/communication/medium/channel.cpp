@@ -27,6 +27,7 @@ Channel::Channel(const PhyProfile& phy, Links& links, Schedule& schedule,
       decode_threshold_(watts(phy.decode_threshold_dbm)),
       carrier_sense_threshold_(watts(phy.carrier_sense_threshold_dbm)),
       lock_ratio_(math::pow(10, phy.lock_sinr_db / 10)),
+      rates_{phy.error_model, phy.rate, lock_ratio_},
       preamble_(std::max(Time(), phy.preamble_header - kHeader)),
       receivers_(links.size()) {
   errors_.reserve(links.size());
@@ -214,11 +215,12 @@ void Channel::judge(Receiver& receiver, Time now) {
   const Time header_from = std::max(since, receiver.header_begin);
   const Time header_to = std::min(now, receiver.payload_begin);
   if (header_from < header_to)
-    receiver.log_header += log_header_success(ratio, (header_to - header_from).seconds());
+    receiver.log_header +=
+        rates_.log_header_success(ratio, (header_to - header_from).seconds());
   const Time payload_from = std::max(since, receiver.payload_begin);
   if (payload_from < now)
     receiver.log_payload +=
-        log_payload_success(ratio, (now - payload_from).seconds(), phy_.rate);
+        rates_.log_payload_success(ratio, (now - payload_from).seconds());
 }
 
 bool Channel::is_lost(NodeIndex node, double log_success) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
+#include "skein/layer/communication/medium/error_model.h"
 #include "skein/layer/communication/medium/frame.h"
 #include "skein/layer/communication/medium/links.h"
 #include "skein/layer/communication/medium/radio_profile.h"
@@ -99,6 +100,7 @@ class Channel {
   ChannelListener& listener_;
   double noise_, decode_threshold_, carrier_sense_threshold_;  // [W]
   double lock_ratio_;
+  ErrorRates rates_;
   Time preamble_;  // before the header
   std::vector<Receiver> receivers_;
   std::vector<RandomStream> errors_;

@@ -125,6 +125,7 @@ void Dcf::on_access(NodeIndex node, Time now) {
       .kind = FrameKind::kRts,
       .from = node,
       .to = packet.order.to,
+      .tag = packet.order.tag,
       .mac_bytes = kRtsBytes,
       .duration = airtime(kRtsBytes),
       .reserved = mac_.sifs * 3 + cts_airtime_ + airtime(bytes) + ack_airtime_};

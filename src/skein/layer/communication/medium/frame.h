@@ -19,7 +19,7 @@ struct Frame {
   NodeIndex from = 0;
   NodeIndex to = 0;             ///< or kAllNodes
   std::uint32_t packet = 0;     ///< of data: its place among the packets
-  std::uint64_t tag = 0;        ///< of data: the number that its sender's user gave
+  std::uint64_t tag = 0;        ///< of data and RTS: the number that its user gave
   std::uint32_t mac_bytes = 0;  ///< with header and check sequence
   Time duration;                ///< on the air, with preamble
   Time reserved = {};           ///< what its duration field asks others to wait after it

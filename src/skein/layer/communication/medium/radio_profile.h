@@ -9,8 +9,8 @@ namespace skein::communication {
 
 /// How the share of lost frames follows from the ratio of signal to interference.
 enum class ErrorModel {
-  kDsss2,   ///< IEEE 802.11b DSSS: header DBPSK 1 Mbit/s, payload DQPSK 2 Mbit/s
-  kBinary,  ///< everything at or above `lock_sinr_db` is received, nothing below
+  kDsss2,      ///< IEEE 802.11b DSSS: header DBPSK 1 Mbit/s, payload DQPSK 2 Mbit/s
+  kThreshold,  ///< no bit fails at `lock_sinr_db` and above, all below
 };
 
 /// What becomes of a frame with a packet error ratio between 0 and 1.

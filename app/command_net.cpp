@@ -1,0 +1,162 @@
+// skein net: the radio medium alone, as a network simulator.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <memory>
+
+#include "app/command_options.h"
+#include "app/commands.h"
+#include "app/common.h"
+#include "app/output.h"
+#include "skein/assemble/radio/radio_file.h"
+#include "skein/exchange/network_results.h"
+#include "skein/exchange/network_tables.h"
+#include "skein/layer/communication/experiment/network_run.h"
+#include "skein/layer/communication/propagation/path_loss.h"
+
+namespace skein::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNetExamples = R"(
+Nodes: columns node, time_s, x_m, y_m, z_m[, power_dbm], or an ns-2 movement file (.ns2 or
+.tcl). Traffic: message, time_s, from, to (a node or *), bytes. docs/network.md has the
+columns of what is written, and what radios there are.
+
+Examples:
+  skein net --nodes nodes.csv --traffic traffic.csv --profile wifi-dsss-2 \
+      --duration 60 --out messages.csv --report network.html
+  skein net --nodes nodes.csv --saturate 0,1,1000,5 --saturate 2,1,1000,5 \
+      --profile mine.yaml --duration 30 --seed 2 --trace frames.csv --out messages.csv)";
+
+struct NetArguments {
+  std::string nodes, traffic, profile, trace, out, report;
+  std::vector<std::string> flows;
+  double duration = 0;  // [s]
+  std::uint64_t seed = 1;
+};
+
+Result<NetworkCase> read_case(const NetArguments& given) {
+  NetworkCase network;
+  std::string text;
+  if (auto good = read_text(given.nodes, text); !good) return good.error();
+  const bool is_ns2 = given.nodes.ends_with(".ns2") || given.nodes.ends_with(".tcl");
+  auto good = is_ns2 ? exchange::read_ns2_movement(text, given.nodes, network)
+                     : exchange::read_network_nodes(text, given.nodes, network);
+  if (!good) return good.error();
+  if (!given.traffic.empty()) {
+    if (good = read_text(given.traffic, text); !good) return good.error();
+    good = exchange::read_network_traffic(text, given.traffic, network);
+    if (!good) return good.error();
+  }
+  for (const std::string& flow : given.flows) {
+    auto parsed = exchange::parse_saturated_flow(flow, network);
+    if (!parsed) return parsed.error();
+    network.flows.push_back(parsed.value());
+  }
+  if (given.traffic.empty() && network.flows.empty())
+    return Error{ErrorCode::kBadInput, "", "nothing is sent.",
+                 "Give --traffic FILE or --saturate FROM,TO,BYTES,DEPTH."};
+  network.duration = Time::from_seconds(given.duration);
+  return network;
+}
+
+// Goes on step by step, says how far it is, and ends early when asked to.
+void run_to_end(communication::NetworkRun& run, const NetworkCase& network,
+                const std::atomic<bool>& stop) {
+  using Clock = std::chrono::steady_clock;
+  auto said = Clock::now();
+  constexpr std::int64_t kParts = 1000;
+  for (std::int64_t part = 1; part <= kParts && !stop; ++part) {
+    run.advance(Time::from_ns(network.duration.ns() / kParts * part));
+    if (Clock::now() - said < std::chrono::seconds(5)) continue;
+    said = Clock::now();
+    complain("{:.1f} of {:.6g} s\n", run.now().seconds(), network.duration.seconds());
+  }
+  if (!stop) run.advance(network.duration);
+}
+
+int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
+  auto read = read_case(given);
+  if (!read) return say_error(read.error());
+  NetworkCase& network = read.value();
+  const auto radio = assemble::load_radio(given.profile, fs::current_path());
+  if (!radio) return say_error(radio.error());
+  const auto propagation = communication::make_propagation(
+      radio.value().propagation, radio.value().radio.phy.frequency, given.seed);
+
+  std::ofstream trace;
+  if (!given.trace.empty()) {
+    trace.open(given.trace, std::ios::binary);
+    trace << exchange::network_trace_header();
+    if (!trace)
+      return say_error({ErrorCode::kUnavailable, given.trace, "cannot be written.", ""});
+  }
+  const std::clock_t began = std::clock();
+  communication::NetworkRun run(network, radio.value().radio, *propagation, given.seed);
+  if (trace.is_open())
+    run.on_transmission = [&](const TransmissionRecord& transmission) {
+      trace << exchange::network_trace_row(network, transmission);
+    };
+  run_to_end(run, network, stop);
+  const double cpu =
+      static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
+  const bool whole = run.done();
+  if (!whole) network.duration = run.now();
+
+  trace.flush();
+  if (trace.is_open() && !trace)
+    return say_error({ErrorCode::kUnavailable, given.trace, "cannot be written.", ""});
+  const NetworkResult& result = run.result();
+  if (auto good = write_text(given.out, exchange::network_messages_csv(network, result));
+      !good)
+    return say_error(good.error());
+  if (!given.report.empty()) {
+    const std::string title =
+        fmt::format("{} nodes, radio {}", network.nodes.size(), radio.value().name);
+    if (auto good =
+            write_text(given.report, exchange::network_page(title, network, result));
+        !good)
+      return say_error(good.error());
+  }
+  print("{}", exchange::network_summary_text(exchange::summarize(network, result)));
+  print("simulated   {:.6g} s in {:.3f} CPU s{}\n", network.duration.seconds(), cpu,
+        whole ? "" : ", then interrupted");
+  return whole ? kDone : kInterrupted;
+}
+
+}  // namespace
+
+Command add_net(CLI::App& program, const std::atomic<bool>& stop) {
+  auto* command = program.add_subcommand(
+      "net", "Simulate a radio network: who hears what, and when.");
+  const auto given = std::make_shared<NetArguments>();
+  command->add_option("--nodes", given->nodes, "Where the nodes are (CSV, ns-2).")
+      ->required();
+  command->add_option("--traffic", given->traffic, "What is sent, and when (CSV).");
+  command
+      ->add_option("--saturate", given->flows,
+                   "A node that always has something to send: "
+                   "FROM,TO,BYTES,DEPTH[,START_S]; may be repeated.")
+      ->take_all();
+  command
+      ->add_option("--profile", given->profile,
+                   "The radio: a name (skein list radio-profile) or a file (.yaml).")
+      ->required();
+  command->add_option("--duration", given->duration, "How long [s].")
+      ->required()
+      ->check(CLI::Range(1e-6, 4e6));
+  command->add_option("--seed", given->seed, "Of all random numbers; default 1.");
+  command->add_option("--trace", given->trace,
+                      "Every start of a frame is written there.");
+  command->add_option("--out", given->out, "What became of each message (CSV).")
+      ->required();
+  command->add_option("--report", given->report, "A page with figures (HTML).");
+  command->footer(kNetExamples);
+  return {command, [given, &stop] { return net_command(*given, stop); }};
+}
+
+}  // namespace skein::app

@@ -1,0 +1,100 @@
+#include "skein/assemble/radio/radio_file.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "skein/assemble/radio/radio_fields.h"
+#include "skein/scenario/text.h"
+
+namespace skein::assemble {
+namespace {
+
+// The file as it is written.
+struct RadioSections {
+  std::string name, description;
+  PhySection phy;
+  communication::PropagationProfile propagation;
+  MacSection mac;
+};
+
+scenario::Fields<RadioSections> radio_section_fields() {
+  using T = RadioSections;
+  return scenario::Fields<T>()
+      .text("name", &T::name, "What it is called; empty: as the file.")
+      .text("description", &T::description, "One line about it.")
+      .object("phy", &T::phy, phy_fields(), "The transceiver.")
+      .object("propagation", &T::propagation, propagation_fields(),
+              "Signals on their way.")
+      .object("mac", &T::mac, mac_fields(), "Access to the medium.");
+}
+
+Result<RadioFile> outcome(const scenario::Reading& reading, const RadioSections& file,
+                          const std::string& name) {
+  if (!reading.ok()) {
+    std::string report = reading.report();
+    report.pop_back();  // the last line feed
+    return Error{ErrorCode::kBadInput, "", std::move(report), ""};
+  }
+  return RadioFile{.name = file.name.empty() ? name : file.name,
+                   .description = file.description,
+                   .radio = {phy_of(file.phy), mac_of(file.mac)},
+                   .propagation = file.propagation};
+}
+
+}  // namespace
+
+const scenario::Document& radio_document() {
+  static const scenario::Document document = {
+      radio_section_fields().description(),
+      "a radio",
+      "Give it sections phy, propagation and mac.",
+      "the radio cannot be used",
+      "Skein radio",
+      "# Keys of a radio file\n\n"
+      "Written by the program (`skein keys radio`) from the description that also reads "
+      "and checks the files. The unit of a number ends its key.\n\n## Radio\n\n"};
+  return document;
+}
+
+Result<RadioFile> read_radio(std::string_view text, const std::string& name) {
+  RadioSections file;
+  const auto reading = scenario::read_document_text(text, name, {}, radio_document(),
+                                                    scenario::KindTable{}, {}, &file);
+  return outcome(reading, file, name);
+}
+
+Result<RadioFile> load_radio(const std::string& name_or_path,
+                             const std::filesystem::path& folder) {
+  if (name_or_path.ends_with(".yaml") || name_or_path.ends_with(".yml")) {
+    RadioSections file;
+    const auto path = folder / name_or_path;
+    const auto reading =
+        scenario::read_document(path, radio_document(), scenario::KindTable{}, {}, &file);
+    return outcome(reading, file, path.stem().string());
+  }
+  std::vector<std::string> names;
+  for (const BuiltInRadio& each : built_in_radios()) {
+    if (each.name == name_or_path) return read_radio(each.text, name_or_path);
+    names.emplace_back(each.name);
+  }
+  const std::string near = scenario::nearest_name(name_or_path, names);
+  return Error{ErrorCode::kNotFound, "",
+               fmt::format("there is no radio {}.", scenario::quote(name_or_path)),
+               fmt::format("{}Built in: {}. A file's name ends in .yaml.",
+                           near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near),
+                           scenario::any_of(names))};
+}
+
+std::string write_radio(const RadioFile& radio) {
+  RadioSections file;
+  file.name = radio.name;
+  file.description = radio.description;
+  file.phy = section_of(radio.radio.phy);
+  file.propagation = radio.propagation;
+  file.mac = section_of(radio.radio.mac);
+  return scenario::write_document(radio_document(), &file, scenario::KindTable{});
+}
+
+}  // namespace skein::assemble

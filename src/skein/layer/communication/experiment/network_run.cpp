@@ -1,0 +1,154 @@
+#include "skein/layer/communication/experiment/network_run.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace skein::communication {
+namespace {
+
+constexpr std::size_t kNoFlow = std::numeric_limits<std::size_t>::max();
+
+Links::Nodes nodes_of(const NetworkCase& network, const RadioProfile& radio) {
+  Links::Nodes nodes;
+  nodes.move = false;
+  for (const NodeTrack& track : network.nodes) {
+    nodes.transmit_power_dbm.push_back(
+        track.transmit_power_dbm.value_or(radio.phy.transmit_power_dbm));
+    nodes.move = nodes.move || track.moves();
+  }
+  nodes.place = [&network](NodeIndex node, Time now) {
+    return network.nodes[node].place(now);
+  };
+  return nodes;
+}
+
+const char* name_of(FrameKind kind) {
+  switch (kind) {
+    case FrameKind::kData:
+      return "DATA";
+    case FrameKind::kAck:
+      return "ACK";
+    case FrameKind::kRts:
+      return "RTS";
+    case FrameKind::kCts:
+      return "CTS";
+  }
+  return "";
+}
+
+}  // namespace
+
+NetworkRun::NetworkRun(const NetworkCase& network, const RadioProfile& radio,
+                       const Propagation& propagation, std::uint64_t seed)
+    : network_(network),
+      medium_(radio, propagation, nodes_of(network, radio), seed, *this),
+      flow_order_(network.flows.size()),
+      result_{{}, std::vector<NodeUse>(network.nodes.size()), {}} {
+  for (NodeIndex node = 0; node < network.nodes.size(); ++node)
+    result_.hearers.push_back(medium_.in_range(node));
+  std::iota(flow_order_.begin(), flow_order_.end(), 0);
+  std::stable_sort(flow_order_.begin(), flow_order_.end(),
+                   [&](std::size_t a, std::size_t b) {
+                     return network_.flows[a].start < network_.flows[b].start;
+                   });
+  for (const TrafficItem& item : network.traffic)
+    next_number_ = std::max(next_number_, item.message + 1);
+}
+
+void NetworkRun::advance(Time until) {
+  until = std::min(until, network_.duration);
+  while (true) {
+    const bool has_item = next_traffic_ < network_.traffic.size();
+    const bool has_flow = next_flow_ < flow_order_.size();
+    if (!has_item && !has_flow) break;
+    const Time flow_start =
+        has_flow ? network_.flows[flow_order_[next_flow_]].start : until;
+    const Time item_time = has_item ? network_.traffic[next_traffic_].time : until;
+    const bool flow_is_next = has_flow && (!has_item || flow_start <= item_time);
+    const Time next = flow_is_next ? flow_start : item_time;
+    if (next >= until) break;
+    medium_.advance(next);
+    if (flow_is_next) {
+      const std::size_t flow = flow_order_[next_flow_++];
+      for (std::uint32_t i = 0; i < network_.flows[flow].depth; ++i) fill(flow);
+    } else {
+      const TrafficItem& item = network_.traffic[next_traffic_++];
+      flow_of_.push_back(kNoFlow);
+      create(item.message, item.from, item.to == kAllNodesOfCase ? kAllNodes : item.to,
+             item.bytes);
+    }
+  }
+  medium_.advance(until);
+}
+
+void NetworkRun::fill(std::size_t flow) {
+  const SaturatedFlow& given = network_.flows[flow];
+  flow_of_.push_back(flow);
+  create(next_number_++, given.from, given.to, given.bytes);
+}
+
+void NetworkRun::create(std::uint64_t number, NodeIndex from, NodeIndex to,
+                        std::uint32_t bytes) {
+  const std::uint64_t tag = result_.messages.size();
+  NetworkMessage& record = result_.messages.emplace_back();
+  record.number = number;
+  record.from = from;
+  record.to = to;
+  record.bytes = bytes;
+  record.sent = medium_.now();
+  if (!medium_.send({from, to, bytes, tag}))
+    result_.messages[tag].fate = MessageFate::kQueueFull;
+}
+
+void NetworkRun::on_frame(const Frame& frame, Time now) {
+  NodeUse& use = result_.nodes[frame.from];
+  use.airtime += frame.duration;
+  switch (frame.kind) {
+    case FrameKind::kData: {
+      ++use.data_frames;
+      NetworkMessage& record = result_.messages[frame.tag];
+      ++record.transmissions;
+      if (frame.to != kAllNodes) break;
+      record.fate = MessageFate::kDelivered;
+      for (const NodeIndex node : medium_.in_range(frame.from))
+        record.in_range.push_back({node, std::nullopt});
+      break;
+    }
+    case FrameKind::kAck:
+      ++use.ack_frames;
+      break;
+    case FrameKind::kRts:
+      ++use.rts_frames;
+      ++result_.messages[frame.tag].rts;
+      break;
+    case FrameKind::kCts:
+      ++use.cts_frames;
+      break;
+  }
+  if (on_transmission)
+    on_transmission({now, frame.from, name_of(frame.kind), frame.mac_bytes});
+}
+
+void NetworkRun::on_delivered(const Frame& data, NodeIndex receiver, Time now) {
+  NetworkMessage& record = result_.messages[data.tag];
+  if (data.to != kAllNodes) {
+    record.delivered = now;
+    record.fate = MessageFate::kDelivered;
+    return;
+  }
+  for (BroadcastReception& each : record.in_range)
+    if (each.node == receiver) each.delivered = now;
+}
+
+void NetworkRun::on_finished(const Packet& packet, PacketEnd end, Time) {
+  NetworkMessage& record = result_.messages[packet.order.tag];
+  if (record.fate != MessageFate::kDelivered) {
+    if (end == PacketEnd::kRetryLimit) record.fate = MessageFate::kRetryLimit;
+    if (end == PacketEnd::kExpired) record.fate = MessageFate::kExpired;
+  }
+  const std::size_t flow = flow_of_[packet.order.tag];
+  if (flow != kNoFlow) fill(flow);
+}
+
+}  // namespace skein::communication

@@ -1,0 +1,105 @@
+#include "skein/layer/communication/experiment/network_run.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "skein/layer/communication/propagation/path_loss.h"
+
+namespace skein::communication {
+namespace {
+
+NetworkCase row_of(std::uint32_t count, double spacing, Time duration) {
+  NetworkCase network;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    network.names.push_back(10 + i);
+    network.nodes.push_back({{{Time(), Vec3(spacing * i, 0, 0)}}, std::nullopt});
+  }
+  network.duration = duration;
+  return network;
+}
+
+RadioProfile radio_of_tests() {
+  RadioProfile radio;
+  radio.phy.frequency = 2e9;
+  radio.phy.transmit_power_dbm = 1;
+  radio.phy.transmit_gain_db = radio.phy.receive_gain_db = 1;
+  radio.phy.decode_threshold_dbm = radio.phy.carrier_sense_threshold_dbm = -81;
+  return radio;
+}
+
+TEST(NetworkRun, GivesEveryMessageOneFate) {
+  NetworkCase network = row_of(6, 100, Time::from_seconds(2));
+  RandomStream random(4, 0, Purpose::kTest);
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    TrafficItem item;
+    item.message = i;
+    item.time = Time::from_ns(static_cast<std::int64_t>(i) * 500'000);
+    item.from = static_cast<std::uint32_t>(random.uniform(0, 6));
+    item.to = static_cast<std::uint32_t>(random.uniform(0, 7));
+    if (item.to == 6 || item.to == item.from) item.to = kAllNodesOfCase;
+    item.bytes = static_cast<std::uint32_t>(random.uniform(0, 1500));
+    network.traffic.push_back(item);
+  }
+  const FreeSpace field(2e9);
+  NetworkRun run(network, radio_of_tests(), field, 3);
+  run.advance(network.duration);
+  ASSERT_TRUE(run.done());
+  // Nothing is lost without a cause: each message once, and none of the fates is empty.
+  const auto& messages = run.result().messages;
+  ASSERT_EQ(messages.size(), 4000u);
+  std::map<MessageFate, int> fates;
+  for (const NetworkMessage& message : messages) {
+    ++fates[message.fate];
+    EXPECT_EQ(message.delivered.has_value(),
+              message.fate == MessageFate::kDelivered && message.to != kAllNodesOfCase);
+    EXPECT_LE(message.transmissions, message.to == kAllNodesOfCase ? 1u : 7u);
+  }
+  for (const MessageFate fate : {MessageFate::kDelivered, MessageFate::kQueueFull,
+                                 MessageFate::kRetryLimit, MessageFate::kPending})
+    EXPECT_GT(fates[fate], 0) << static_cast<int>(fate);
+  Time on_air;
+  for (const NodeUse& use : run.result().nodes) on_air += use.airtime;
+  EXPECT_GT(on_air.seconds(), 1);
+}
+
+TEST(NetworkRun, KeepsFlowsFull) {
+  NetworkCase network = row_of(2, 100, Time::from_seconds(1));
+  network.flows.push_back({0, 1, 1000, 5, Time::from_seconds(0.5)});
+  const FreeSpace field(2e9);
+  NetworkRun run(network, radio_of_tests(), field, 3);
+  run.advance(Time::from_seconds(0.5));
+  EXPECT_TRUE(run.result().messages.empty());
+  run.advance(network.duration);
+  // One after the other: 5 ms each with back-off; 5 are left.
+  const auto& messages = run.result().messages;
+  EXPECT_NEAR(static_cast<double>(messages.size()), 0.5 / 0.005 + 5, 10);
+  std::size_t pending = 0;
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    EXPECT_EQ(messages[i].number, i);
+    if (messages[i].fate == MessageFate::kPending) ++pending;
+  }
+  EXPECT_LE(pending, 5u);
+  EXPECT_GE(pending, 4u);
+}
+
+TEST(NetworkRun, IsTheSameForEveryStep) {
+  NetworkCase network = row_of(4, 90, Time::from_seconds(1));
+  for (std::uint32_t node = 0; node < 4; ++node)
+    network.flows.push_back({node, (node + 1) % 4, 700, 3, Time()});
+  const FreeSpace field(2e9);
+  const auto starts = [&](int parts) {
+    NetworkRun run(network, radio_of_tests(), field, 3);
+    std::vector<std::int64_t> found;
+    run.on_transmission = [&](const TransmissionRecord& transmission) {
+      found.push_back(transmission.start.ns());
+    };
+    for (int part = 1; part <= parts; ++part)
+      run.advance(Time::from_ns(network.duration.ns() / parts * part));
+    return found;
+  };
+  EXPECT_EQ(starts(1), starts(100));
+}
+
+}  // namespace
+}  // namespace skein::communication
