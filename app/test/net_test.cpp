@@ -96,6 +96,22 @@ TEST_F(Program, NetSendsTheFramesOfTheReference) {
   EXPECT_EQ(good, cases);
 }
 
+// The messages without their times of delivery, and these.
+std::pair<std::string, std::vector<double>> apart(const std::string& messages) {
+  std::pair<std::string, std::vector<double>> found;
+  std::istringstream lines(messages);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::size_t begin = 0;
+    for (int comma = 0; comma < 4; ++comma) begin = line.find(',', begin) + 1;
+    const std::size_t end = line.find(',', begin);
+    found.first += line.substr(0, begin) + line.substr(end) + "\n";
+    found.second.push_back(end > begin ? std::stod(line.substr(begin)) : -1);
+  }
+  return found;
+}
+
 TEST_F(Program, NetMovesNodesAndCountsBroadcastsLikeTheReference) {
   if (!fs::exists(kReference)) GTEST_SKIP() << "the reference is not part of the project";
   for (const std::string profile : {"cs91_k7", "cs91_rts_k7", "nn4_k7", "nn4_rts_k7"}) {
@@ -109,9 +125,14 @@ TEST_F(Program, NetMovesNodesAndCountsBroadcastsLikeTheReference) {
         same_frames(read_file(folder_ / "t.csv"),
                     unpacked(kReference / "example" / ("trace_" + profile + ".csv.gz")));
     EXPECT_EQ(same, all) << profile;
-    EXPECT_EQ(read_file(folder_ / "m.csv"),
-              unpacked(kReference / "example" / ("messages_" + profile + ".csv.gz")))
-        << profile;
+    const auto ours = apart(read_file(folder_ / "m.csv"));
+    const auto theirs =
+        apart(unpacked(kReference / "example" / ("messages_" + profile + ".csv.gz")));
+    EXPECT_EQ(ours.first, theirs.first) << profile;
+    ASSERT_EQ(ours.second.size(), theirs.second.size());
+    // Places of nodes that move are 10 ms old at most: 0.5 m of way.
+    for (std::size_t i = 0; i < ours.second.size(); ++i)
+      EXPECT_NEAR(ours.second[i], theirs.second[i], 2e-9) << profile << " row " << i;
   }
 }
 

@@ -10,8 +10,7 @@
 namespace skein::communication {
 namespace {
 
-constexpr double kSpeedOfLight = 299'792'458;            // [m/s]
-constexpr Time kRefreshed = Time::from_ns(100'000'000);  // how old links may be
+constexpr double kSpeedOfLight = 299'792'458;  // [m/s]
 
 }  // namespace
 
@@ -30,14 +29,12 @@ Links::Links(const PhyProfile& phy, const Propagation& propagation, Nodes nodes)
 
 const std::vector<Link>& Links::of(NodeIndex from, Time now) {
   Table& table = tables_[from];
-  if (!table.there || (nodes_.move && now - table.made >= kRefreshed))
-    make(from, now, table);
+  if (!table.there || (nodes_.move && table.made != now)) make(from, now, table);
   return table.links;
 }
 
 void Links::make(NodeIndex from, Time now, Table& table) {
-  // One look at all places serves all senders until it is old.
-  if (!places_known_ || (nodes_.move && now - places_at_ >= kRefreshed)) {
+  if (!places_known_ || (nodes_.move && places_at_ != now)) {
     places_.resize(tables_.size());
     for (NodeIndex node = 0; node < places_.size(); ++node)
       places_[node] = nodes_.place(node, now);

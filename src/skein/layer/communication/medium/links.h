@@ -36,7 +36,7 @@ class Links {
   std::size_t size() const { return tables_.size(); }
 
   /// Those that a signal of `from` reaches with at least the interference floor, nearest
-  /// first. Powers and delays of nodes that move are at most 0.1 s old.
+  /// first. Cost: of nodes that move, N log N each time.
   const std::vector<Link>& of(NodeIndex from, Time now);
 
  private:
