@@ -166,6 +166,16 @@ TEST_F(Program, NetSaysWhatBecameOfEachMessage) {
   EXPECT_NE(read_file(folder_ / "page.html").find("Who hears whom"), std::string::npos);
 }
 
+TEST_F(Program, RadiosAreListedAndTheirKeysDocumented) {
+  const Finished list = run({"list", "radio-profile"});
+  EXPECT_EQ(list.status, 0) << list.err;
+  for (const char* name : {"nn4", "cs91", "wifi-dsss-2", "xbee-digimesh"})
+    EXPECT_NE(list.out.find(std::string("  ") + name + " "), std::string::npos)
+        << list.out;
+  EXPECT_EQ(run({"keys", "radio"}).out, read_file(SKEIN_SOURCE_DIR "/docs/radio-keys.md"))
+      << "Renew it: build/release/skein keys radio > docs/radio-keys.md";
+}
+
 TEST_F(Program, NetReadsNs2Movement) {
   write("n.ns2",
         "# two nodes\n"
