@@ -9,10 +9,12 @@ namespace skein::app {
 Command add_team(CLI::App& program, const std::atomic<bool>& stop) {
   auto* team = program.add_subcommand(
       "team",
-      "Share tasks among the aircraft of a team, and rehearse how it leads itself.");
+      "Share tasks among the aircraft of a team, rehearse how it leads itself, and see "
+      "what it says.");
   team->require_subcommand(1);
   const auto commands = std::make_shared<std::vector<Command>>();
-  for (auto* add : {add_team_allocate, add_team_route, add_team_tours, add_team_rehearse})
+  for (auto* add : {add_team_allocate, add_team_route, add_team_tours, add_team_rehearse,
+                    add_team_messages})
     commands->push_back(add(*team, stop));
   team->footer("\nExamples:\n  skein team allocate --help\n  skein team route --help");
   return {team, [commands] {

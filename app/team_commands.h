@@ -19,6 +19,7 @@ Command add_team_allocate(CLI::App& team, const std::atomic<bool>& stop);
 Command add_team_route(CLI::App& team, const std::atomic<bool>& stop);
 Command add_team_tours(CLI::App& team, const std::atomic<bool>& stop);
 Command add_team_rehearse(CLI::App& team, const std::atomic<bool>& stop);
+Command add_team_messages(CLI::App& team, const std::atomic<bool>& stop);
 
 /// Options of commands that answer a file of problems.
 struct TeamBatchArguments {

@@ -569,6 +569,7 @@ export interface TeamTask {
   branch: number | null; // of a mission that was split
   sensors: number; // a bit for each kind that it takes
   what: number[]; // the task, coded
+  released: boolean; // the operator has approved it
 }
 
 /** A master's order: these tasks and no others. */
@@ -639,11 +640,43 @@ export interface TeamBids {
   bids: TeamBid[]; // one for each task
 }
 
+/** A task that a member is given. */
+export interface TeamShare {
+  entity_id: number; // which member
+  task: number; // its number
+}
+
+/** An allocation that a leader proposes. */
+export interface TeamProposal {
+  mission_name: string; // the operator's name; also its lineage
+  mission_branch: number | null; // of a part: its first master
+  number: number; // from 1; grows
+  state: "waits" | "approved" | "rejected" | "withdrawn" | "taken-over" | "unasked"; // what becomes of it
+  value: number | null; // its utility; null: not measured
+  bound: number | null; // no allocation is better
+  shares: TeamShare[]; // who gets which tasks
+}
+
+/** A station's answer to a proposal. */
+export interface TeamDecision {
+  number: number; // of the proposal
+  answer: "seen" | "approve" | "reject" | "taken"; // what the operator says
+}
+
+/** A follower is there; its inform still holds. */
+export interface TeamHere {
+  master_id: number | null; // whom it follows
+  query: number; // number of its master's last one
+  held_s: number; // since that was received
+  members_hash: number; // of whom it knows
+  state_number: number; // of what it has in full
+}
+
 /** A message of a team that leads itself. */
 export interface Team {
   version: number; // of the protocol
   team_number: number; // counts the sender's messages
-  said: ({ kind: "team_query" } & TeamQuery) | ({ kind: "team_inform" } & TeamInform) | ({ kind: "team_propose" } & TeamPropose) | ({ kind: "team_accept" } & TeamAccept) | ({ kind: "team_reject" } & TeamReject) | ({ kind: "team_confirm" } & TeamConfirm) | ({ kind: "team_decline" } & TeamDecline) | ({ kind: "team_assign" } & TeamAssign) | ({ kind: "team_assign_ack" } & TeamAssignAck) | ({ kind: "team_state" } & TeamState) | ({ kind: "team_merge" } & TeamMerge) | ({ kind: "team_split" } & TeamSplit) | ({ kind: "team_bids" } & TeamBids); // what it says
+  said: ({ kind: "team_query" } & TeamQuery) | ({ kind: "team_inform" } & TeamInform) | ({ kind: "team_propose" } & TeamPropose) | ({ kind: "team_accept" } & TeamAccept) | ({ kind: "team_reject" } & TeamReject) | ({ kind: "team_confirm" } & TeamConfirm) | ({ kind: "team_decline" } & TeamDecline) | ({ kind: "team_assign" } & TeamAssign) | ({ kind: "team_assign_ack" } & TeamAssignAck) | ({ kind: "team_state" } & TeamState) | ({ kind: "team_merge" } & TeamMerge) | ({ kind: "team_split" } & TeamSplit) | ({ kind: "team_bids" } & TeamBids) | ({ kind: "team_proposal" } & TeamProposal) | ({ kind: "team_decision" } & TeamDecision) | ({ kind: "team_here" } & TeamHere); // what it says
 }
 
 /** A message that arrived or was lost. */
@@ -656,6 +689,8 @@ export interface MessageRecord {
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived
+  said: string; // of content team: what it says
+  copy: boolean; // a further receiver's copy of a message to all
 }
 
 /** One point of a believed boundary. */
@@ -998,11 +1033,18 @@ export interface Vehicle {
   request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot) | ({ kind: "obstacles" } & Obstacles) | ({ kind: "upload_fence" } & UploadFence) | ({ kind: "position_fix" } & PositionFix); // what
 }
 
+/** An allocation that a team has proposed comes into force, or not. */
+export interface Allocation {
+  action: "approve" | "reject"; // what becomes of it
+  number: number; // of the proposal; 0: that waits
+  station: string; // whose team; empty: of all
+}
+
 /** A command that somebody gave. */
 export interface CommandRecord {
   time_s: number; // it counts from this step on
   sender: string; // who gave it
-  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle)
+  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle) | ({ kind: "allocation" } & Allocation)
 }
 
 /** A value that a plugin has recorded. */
@@ -1352,4 +1394,18 @@ export interface RecommendationChange {
   state: "shown" | "followed" | "ignored" | "over"; // what becomes of it
   reason: string; // why another path than the task's
   path: RecommendedPoint[]; // the next minutes of it, when it is shown
+}
+
+/** What becomes of an allocation of a team's tasks, as its leader says it; as its operator's station, where the leader was lost first. */
+export interface TeamAllocation {
+  time_s: number; // when
+  entity_id: number; // who says so
+  team: string; // its mission; M/7: a branch
+  proposer_id: number; // who leads, and has worked it out
+  number: number; // of the proposal; 0: it was none
+  state: "waits" | "approved" | "rejected" | "withdrawn" | "taken-over" | "unasked"; // what becomes of it
+  value: number | null; // its utility; null: not measured
+  bound: number | null; // no allocation is better; null: not known
+  gap: number | null; // bound minus value over the larger of both
+  shares: TeamShare[]; // who gets which tasks
 }

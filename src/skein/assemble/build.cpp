@@ -244,6 +244,8 @@ class Builder {
     options.position.p_N = place_of(described);
     options.heartbeat = heartbeat(scenario_, described);
     options.zones = server_options(station);
+    options.name = described.name;
+    if (station.desk) options.desk = station.desk();
     return std::make_unique<reasoning::GroundStation>(
         options, std::move(missions), std::make_unique<reasoning::NearestAllocator>());
   }

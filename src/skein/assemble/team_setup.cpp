@@ -1,5 +1,9 @@
 #include "skein/assemble/team_setup.h"
 
+#include <map>
+#include <string>
+
+#include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/aircraft_fit.h"
 #include "skein/assemble/contexts.h"
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
@@ -22,15 +26,20 @@ bool is_in_wind(const TeamSetup& setup) {
 }
 
 // The station and its aircraft, which come after all stations.
-std::set<EntityId> members_of(const scenario::Scenario& scenario, std::size_t station) {
-  std::set<EntityId> ids = {EntityId{static_cast<std::uint32_t>(station)}};
+std::map<EntityId, std::string> members_of(const scenario::Scenario& scenario,
+                                           std::size_t station) {
+  std::map<EntityId, std::string> members = {
+      {EntityId{static_cast<std::uint32_t>(station)}, scenario.stations[station].name}};
   EntityId next{static_cast<std::uint32_t>(scenario.stations.size())};
-  for (const scenario::AircraftGroup& group : scenario.aircraft) {
-    const bool own = station_of(scenario, group) == station;
-    for (int i = 0; i < group.count; ++i, ++next.value)
-      if (own) ids.insert(next);
+  const auto names = aircraft_names(scenario);
+  for (std::size_t g = 0; g < names.size(); ++g) {
+    const bool own = station_of(scenario, scenario.aircraft[g]) == station;
+    for (const std::string& name : names[g]) {
+      if (own) members[next] = name;
+      ++next.value;
+    }
   }
-  return ids;
+  return members;
 }
 
 TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station) {
@@ -41,7 +50,9 @@ TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station) 
   config.times.mission_diameter = setup.diameter.value_or(0);
   config.times.radio_range = radio_range(scenario.radio);
   config.seed = scenario.seed;
-  config.known = members_of(scenario, station);
+  config.names = members_of(scenario, station);
+  for (const auto& [member, name] : config.names) config.known.insert(member);
+  config.approval = setup.approval;
   config.allocation_period = is_in_wind(setup) ? kAllocateAgain : 0;
   switch (setup.structure) {
     case TeamSetup::Structure::kNone:

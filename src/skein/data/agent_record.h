@@ -20,12 +20,12 @@ namespace skein {
 /// zones that it has put into force or taken back, what it believes about a boundary or
 /// an object now, what it forecasts, what its planners do, how its missions go, how
 /// far it is with a stored mission, a conflict that is over, what it believes of other
-/// traffic, who leads its team, alerts and what its pilot is shown, a plugin's own. The
-/// simulation adds when, who, and what was true.
-using AgentRecord =
-    std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief, PluginRecord,
-                 PlannerChange, ObjectBelief, MissionChange, PerimeterForecast,
-                 ArrivalForecast, MissionProgress, ConflictReport, TrafficBelief,
-                 TeamLead, TrafficAlert, FlightBands, Recommendation>;
+/// traffic, who leads its team and what becomes of allocations, alerts and what its pilot
+/// is shown, a plugin's own. The simulation adds when, who, and what was true.
+using AgentRecord = std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief,
+                                 PluginRecord, PlannerChange, ObjectBelief, MissionChange,
+                                 PerimeterForecast, ArrivalForecast, MissionProgress,
+                                 ConflictReport, TrafficBelief, TeamLead, TrafficAlert,
+                                 FlightBands, Recommendation, TeamAllocationReport>;
 
 }  // namespace skein

@@ -176,11 +176,36 @@ constexpr auto describe(const VehicleCommand*) {
                       field("request", &T::request, Storage::kJson, "what"));
 }
 
+/// What becomes of an allocation that a team has proposed.
+enum class AllocationAction : std::uint8_t {
+  kApprove,  ///< it comes into force
+  kReject,   ///< what is in force stays
+};
+constexpr auto names_of(const AllocationAction*) {
+  return std::to_array<std::string_view>({"approve", "reject"});
+}
+
+/// An allocation that a team has proposed to its operator comes into force, or does not.
+struct AllocationCommand {
+  AllocationAction action = AllocationAction::kApprove;
+  std::uint32_t number = 0;  ///< of the proposal, from 1; 0: the one that waits
+  std::string station = {};  ///< whose team; empty: of every station
+};
+
+constexpr auto describe(const AllocationCommand*) {
+  using T = AllocationCommand;
+  return described<T>({"allocation"},
+                      "An allocation that a team has proposed comes into force, or not.",
+                      field("action", &T::action, "what becomes of it"),
+                      field("number", &T::number, "of the proposal; 0: that waits"),
+                      field("station", &T::station, "whose team; empty: of all"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
 using Command =
     std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
                  SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand,
-                 TaskChangeCommand, VehicleCommand>;
+                 TaskChangeCommand, VehicleCommand, AllocationCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

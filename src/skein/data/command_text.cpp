@@ -25,9 +25,8 @@ Error wrong(std::string message, std::string usage) {
 }
 
 constexpr const char* kUsage =
-    "Commands: zone, task, mission, pause, resume, step, speed, fault, repair, wind, "
-    "add, "
-    "remove.";
+    "Commands: zone, task, mission, allocation, pause, resume, step, speed, fault, "
+    "repair, wind, add, remove.";
 std::string task_hint() {
   std::string hint = "Say: task AIRCRAFT pause, resume, cancel, give AIRCRAFT";
   for (const auto& [usage, help] : task_usage()) hint += "; " + usage;
@@ -115,6 +114,27 @@ Result<Command> mission(Words given) {
                "Say: mission pause, or mission pause NAME; resume, start, end.");
 }
 
+Result<Command> allocation(Words given) {
+  const auto refuse = [] {
+    return wrong(
+        "a proposed allocation is approved or rejected, by its number from 1 on.",
+        "Say: allocation approve, or allocation approve 3; reject; then the "
+        "station where there are several.");
+  };
+  if (given.empty() || given.size() > 3) return refuse();
+  AllocationCommand command;
+  if (given[0] == name_of(AllocationAction::kReject))
+    command.action = AllocationAction::kReject;
+  else if (given[0] != name_of(AllocationAction::kApprove))
+    return refuse();
+  if (given.size() == 1) return Command(command);
+  const auto number = count(given[1]);
+  if (!number) return refuse();
+  command.number = static_cast<std::uint32_t>(*number);
+  if (given.size() == 3) command.station = std::string(given[2]);
+  return Command(std::move(command));
+}
+
 // What the types of its fields leave open: empty when it can be obeyed.
 struct ValueCheck {
   std::string operator()(const StepCommand& c) {
@@ -167,6 +187,7 @@ Result<Command> parse_command(std::string_view line) {
   }
   if (verb == "task") return task(given);
   if (verb == "mission") return mission(given);
+  if (verb == "allocation") return allocation(given);
   if (verb == "speed") return speed(given);
   if (verb == "step") return step(given);
   if (verb == "wind") return wind(given);

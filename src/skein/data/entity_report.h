@@ -48,7 +48,7 @@ using EntitySaying =
     std::variant<RemoteState, Message, Event, FireReading, Crossing, PluginRecord,
                  PlannerChange, MissionProgress, ObjectBelief, RegionOfInterest,
                  ConflictReport, TrafficBelief, TeamLead, TrafficAlert, FlightBands,
-                 Recommendation>;
+                 Recommendation, TeamAllocationReport>;
 
 /// One thing that such an entity says.
 struct EntityReport {

@@ -27,10 +27,12 @@ constexpr auto describe(const Event*) {
 }
 
 /// Whether an operator is to know of an event at once: alerts about other traffic that
-/// rise or are over, and paths that are recommended to pilots.
+/// rise or are over, paths that are recommended to pilots, allocations of a team that
+/// wait for approval and what becomes of them.
 inline bool is_announced(const Event& event) {
   return event.kind == "traffic-alert" || event.kind == "clear-of-traffic" ||
-         event.kind == "recommended";
+         event.kind == "recommended" || event.kind == "allocation-proposed" ||
+         event.kind == "allocation-over";
 }
 
 }  // namespace skein

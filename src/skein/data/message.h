@@ -103,6 +103,9 @@ struct Message {
   std::uint64_t number = 0;
   Time sent;
   MessageContent content;
+  /// Of a message to all, which is sent once: a further receiver's copy. Of the
+  /// simulated radio, not of what is said: no part of the description.
+  bool copy = false;
 };
 
 constexpr auto describe(const Message*) {

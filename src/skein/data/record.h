@@ -82,15 +82,20 @@ struct MessageRecord {
   Time arrived;
   std::uint32_t size_bytes = 0;  ///< as coded on the air
   bool lost = false;
+  std::string said = {};  ///< of a team's message what it says; else empty
+  bool copy = false;      ///< of a message to all: it was sent once, to others too
 };
 
 constexpr auto describe(const MessageRecord*) {
   using T = MessageRecord;
-  return described<T>({"message", "messages"}, "A message that arrived or was lost.",
-                      field("", &T::message, "the message"),
-                      field("arrived", &T::arrived, "when it arrived, or was lost"),
-                      field("size_bytes", &T::size_bytes, "as coded on the air"),
-                      field("lost", &T::lost, "it never arrived"));
+  return described<T>(
+      {"message", "messages"}, "A message that arrived or was lost.",
+      field("", &T::message, "the message"),
+      field("arrived", &T::arrived, "when it arrived, or was lost"),
+      field("size_bytes", &T::size_bytes, "as coded on the air"),
+      field("lost", &T::lost, "it never arrived"),
+      field("said", &T::said, "of content team: what it says"),
+      field("copy", &T::copy, "a further receiver's copy of a message to all"));
 }
 
 /// The true burnt region and what an agent believes about its boundary at that time.
@@ -349,6 +354,23 @@ constexpr auto describe(const RecommendationRecord*) {
                       field("", &T::recommendation, "which path"));
 }
 
+/// What becomes of an allocation of a team's tasks.
+struct TeamAllocationRecord {
+  Time time;
+  EntityId id;
+  TeamAllocationReport report;
+};
+
+constexpr auto describe(const TeamAllocationRecord*) {
+  using T = TeamAllocationRecord;
+  return described<T>(
+      {"team_allocation", "team_allocations"},
+      "What becomes of an allocation of a team's tasks, as its leader says it; as its "
+      "operator's station, where the leader was lost first.",
+      field("time", &T::time, "when"), field("entity_id", &T::id, "who says so"),
+      field("", &T::report, "which allocation, and what becomes of it"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
 using Record =
@@ -359,6 +381,6 @@ using Record =
                  ForecastRecord, ArrivalRecord, VehicleReportRecord,
                  MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
                  AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord,
-                 AlertRecord, BandRecord, RecommendationRecord>;
+                 AlertRecord, BandRecord, RecommendationRecord, TeamAllocationRecord>;
 
 }  // namespace skein

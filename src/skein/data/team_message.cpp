@@ -19,6 +19,9 @@ struct AirBytes {
   std::size_t operator()(const TeamMerge& m) const { return 25 + 2 * m.members.size(); }
   std::size_t operator()(const TeamSplit& m) const { return 25 + 24 * m.tasks.size(); }
   std::size_t operator()(const TeamBids& m) const { return 17 + 10 * m.bids.size(); }
+  std::size_t operator()(const TeamProposal& m) const { return 24 + 4 * m.shares.size(); }
+  std::size_t operator()(const TeamDecision&) const { return 14; }
+  std::size_t operator()(const TeamHere&) const { return 25; }
 };
 
 }  // namespace

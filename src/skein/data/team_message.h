@@ -45,6 +45,8 @@ struct TeamTask {
   std::uint32_t sensors = 0;  ///< TeamResources::sensors that it takes, all of them
   /// What is to be done: a TaskKind as wire::encode() makes it. Empty: nothing is flown.
   std::vector<std::uint8_t> what = {};
+  /// The operator has approved that it is flown: whoever does so.
+  bool released = false;
   friend bool operator==(const TeamTask&, const TeamTask&) = default;
 };
 
@@ -57,7 +59,8 @@ constexpr auto describe(const TeamTask*) {
                       field("done", &T::done, "nothing is left of it"),
                       field("branch", &T::branch, "of a mission that was split"),
                       field("sensors", &T::sensors, "a bit for each kind that it takes"),
-                      field("what", &T::what, Storage::kBytes, "the task, coded"));
+                      field("what", &T::what, Storage::kBytes, "the task, coded"),
+                      field("released", &T::released, "the operator has approved it"));
 }
 
 /// What a member can do.
@@ -337,11 +340,104 @@ constexpr auto describe(const TeamBids*) {
                       field("bids", &T::bids, "one for each task"));
 }
 
+/// A task that a member of a team is given by an allocation.
+struct TeamShare {
+  EntityId member;
+  std::uint32_t task = 0;  ///< its number
+  friend bool operator==(const TeamShare&, const TeamShare&) = default;
+};
+
+constexpr auto describe(const TeamShare*) {
+  using T = TeamShare;
+  return described<T>({"team_share"}, "A task that a member is given.",
+                      field("entity_id", &T::member, "which member"),
+                      field("task", &T::task, "its number"));
+}
+
+/// What becomes of an allocation that a leader has worked out.
+enum class AllocationState : std::uint8_t {
+  kWaits,      ///< for the operator's approval
+  kApproved,   ///< the operator has approved it: it is in force
+  kRejected,   ///< the operator has rejected it: what was in force stays
+  kWithdrawn,  ///< tasks or members came or went before the operator decided, or the lead
+  kTakenOver,  ///< in force at once: approved tasks of a member that was lost
+  kUnasked,    ///< in force at once: no approval is needed
+};
+constexpr auto names_of(const AllocationState*) {
+  return std::array<std::string_view, 6>{"waits",     "approved",   "rejected",
+                                         "withdrawn", "taken-over", "unasked"};
+}
+
+/// An allocation that a leader proposes to an operator's station, and what became of it.
+struct TeamProposal {
+  TeamMission mission;
+  std::uint32_t number = 0;  ///< from 1; grows
+  AllocationState state = AllocationState::kWaits;
+  std::optional<float> value = std::nullopt;  ///< utility; none: it is not measured
+  std::optional<float> bound = std::nullopt;  ///< no allocation is better
+  std::vector<TeamShare> shares = {};         ///< in the order in which they are flown
+};
+
+constexpr auto describe(const TeamProposal*) {
+  using T = TeamProposal;
+  return described<T>({"team_proposal"}, "An allocation that a leader proposes.",
+                      field("mission", &T::mission, "whose tasks they are"),
+                      field("number", &T::number, "from 1; grows"),
+                      field("state", &T::state, "what becomes of it"),
+                      field("value", &T::value, "its utility; null: not measured"),
+                      field("bound", &T::bound, "no allocation is better"),
+                      field("shares", &T::shares, "who gets which tasks"));
+}
+
+/// What a station says about a proposal.
+enum class TeamAnswer : std::uint8_t {
+  kSeen,     ///< the operator is shown it
+  kApprove,  ///< it shall come into force
+  kReject,   ///< it shall not
+  kTaken,    ///< another leader's had that number: it needs a higher one
+};
+constexpr auto names_of(const TeamAnswer*) {
+  return std::array<std::string_view, 4>{"seen", "approve", "reject", "taken"};
+}
+
+/// The answer of an operator's station to a proposal.
+struct TeamDecision {
+  std::uint32_t number = 0;  ///< of the proposal; kTaken: the highest one known
+  TeamAnswer answer = TeamAnswer::kSeen;
+};
+
+constexpr auto describe(const TeamDecision*) {
+  using T = TeamDecision;
+  return described<T>({"team_decision"}, "A station's answer to a proposal.",
+                      field("number", &T::number, "of the proposal"),
+                      field("answer", &T::answer, "what the operator says"));
+}
+
+/// A follower is there, and nothing of its last `inform` has changed but where it is and
+/// how far: to all, in answer to queries.
+struct TeamHere {
+  std::optional<EntityId> master = std::nullopt;  ///< whom it follows
+  std::uint32_t query = 0;         ///< number of the last one heard from its master
+  float held = 0;                  ///< since that was heard [s]
+  std::uint32_t members_hash = 0;  ///< of the members that it knows
+  std::uint32_t state_number = 0;  ///< of the newest state that it has in full
+};
+
+constexpr auto describe(const TeamHere*) {
+  using T = TeamHere;
+  return described<T>({"team_here"}, "A follower is there; its inform still holds.",
+                      field("master_id", &T::master, "whom it follows"),
+                      field("query", &T::query, "number of its master's last one"),
+                      field("held", &T::held, unit::kSecond, "since that was received"),
+                      field("members_hash", &T::members_hash, "of whom it knows"),
+                      field("state_number", &T::state_number, "of what it has in full"));
+}
+
 /// What members of a team say. New kinds go to the end.
 using TeamContent =
     std::variant<TeamQuery, TeamInform, TeamPropose, TeamAccept, TeamReject, TeamConfirm,
                  TeamDecline, TeamAssign, TeamAssignAck, TeamState, TeamMerge, TeamSplit,
-                 TeamBids>;
+                 TeamBids, TeamProposal, TeamDecision, TeamHere>;
 
 /// A message of the team protocol.
 struct TeamMessage {
@@ -368,7 +464,8 @@ std::string_view kind_of(const TeamContent& content);
 /// numbers of 2 bytes: query 25, inform and proposal 62, accept 25, confirm 17, reject
 /// and decline 13, assign 21 + 48 for each task, its answer 17; state 21 + 2 for each
 /// member + 8 for each meeting + 24 for each task; merge 25 + 2 for each member; split
-/// 25 + 24 for each task; bids 17 + 10 for each.
+/// 25 + 24 for each task; bids 17 + 10 for each; proposal 24 + 4 for each share; decision
+/// 14; here 25.
 std::size_t air_bytes(const TeamContent& content);
 
 /// Why somebody leads.
@@ -424,6 +521,32 @@ constexpr auto describe(const TeamLead*) {
                       field("master_id", &T::master, "null: nobody"),
                       field("members", &T::members, Storage::kJson, "itself included"),
                       field("reason", &T::reason, "why"));
+}
+
+/// An allocation of a team's tasks, as records keep it whenever something becomes of it.
+struct TeamAllocationReport {
+  std::string team;          ///< its mission, "M/7" for a branch
+  EntityId proposer;         ///< who leads, and has worked it out
+  std::uint32_t number = 0;  ///< of a proposal; 0: it was none
+  AllocationState state = AllocationState::kWaits;
+  std::optional<double> value = std::nullopt;  ///< utility; none: it is not measured
+  std::optional<double> bound = std::nullopt;  ///< no allocation is better
+  std::optional<double> gap = std::nullopt;    ///< (bound - value) / the larger of both
+  std::vector<TeamShare> shares;               ///< in the order in which they are flown
+};
+
+constexpr auto describe(const TeamAllocationReport*) {
+  using T = TeamAllocationReport;
+  return described<T>(
+      {"team_allocation_report"}, "An allocation of a team's tasks.",
+      field("team", &T::team, "its mission; M/7: a branch"),
+      field("proposer_id", &T::proposer, "who leads, and has worked it out"),
+      field("number", &T::number, "of the proposal; 0: it was none"),
+      field("state", &T::state, "what becomes of it"),
+      field("value", &T::value, "its utility; null: not measured"),
+      field("bound", &T::bound, "no allocation is better; null: not known"),
+      field("gap", &T::gap, "bound minus value over the larger of both"),
+      field("shares", &T::shares, Storage::kJson, "who gets which tasks"));
 }
 
 }  // namespace skein

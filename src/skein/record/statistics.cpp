@@ -73,6 +73,9 @@ struct Taker {
   void operator()(const PlannerRecord&) {}
   void operator()(const BandRecord&) {}
   void operator()(const TeamLeadRecord& r) { statistics.team().lead(r); }
+  void operator()(const TeamAllocationRecord& r) {
+    statistics.team().allocation(r.report);
+  }
   void operator()(const ConflictRecord& r) {
     statistics.separation().conflict(r.report);
     statistics.alerts().conflict(r);

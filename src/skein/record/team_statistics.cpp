@@ -30,6 +30,10 @@ void TeamStatistics::lead(const TeamLeadRecord& record) {
   last = master;
 }
 
+void TeamStatistics::allocation(const TeamAllocationReport& report) {
+  ++allocations_[report.state];
+}
+
 void TeamStatistics::event(const Event& event) {
   if (event.kind == "task-done" && event.text.starts_with(kTeamTask)) {
     if (const auto task =
@@ -65,6 +69,15 @@ void TeamStatistics::add_figures(std::map<std::string, double>& figures) const {
   figures["team_changes"] = changes_;
   figures["team_tasks_done"] = static_cast<double>(done_.size());
   figures["team_double_max_s"] = doubled_max_;
+  const auto count = [&](AllocationState state) {
+    const auto found = allocations_.find(state);
+    return found == allocations_.end() ? 0 : found->second;
+  };
+  if (count(AllocationState::kWaits) == 0) return;
+  figures["team_allocations_proposed"] = count(AllocationState::kWaits);
+  figures["team_allocations_approved"] = count(AllocationState::kApproved);
+  figures["team_allocations_rejected"] = count(AllocationState::kRejected);
+  figures["team_allocations_taken_over"] = count(AllocationState::kTakenOver);
 }
 
 }  // namespace skein::record

@@ -15,6 +15,7 @@ namespace skein::record {
 class TeamStatistics {
  public:
   void lead(const TeamLeadRecord& record);
+  void allocation(const TeamAllocationReport& report);
   /// "team-task", "team-task-over" and "left" say who flies which task, "task-done" what
   /// is done.
   void event(const Event& event);
@@ -22,7 +23,9 @@ class TeamStatistics {
   /// Adds `team_masters` (that anybody followed, stations included), `team_changes` (of
   /// the master, as members saw them), `team_tasks_done`, and of tasks for one aircraft
   /// `team_double_max_s`: the longest time for which two flew the same one, from when the
-  /// second began.
+  /// second began. Where allocations wait for approval also `team_allocations_proposed`,
+  /// `team_allocations_approved`, `team_allocations_rejected` and
+  /// `team_allocations_taken_over`.
   void add_figures(std::map<std::string, double>& figures) const;
 
  private:
@@ -37,6 +40,7 @@ class TeamStatistics {
   std::set<EntityId> masters_;
   std::map<EntityId, std::optional<EntityId>> master_of_;
   double changes_ = 0, doubled_max_ = 0;
+  std::map<AllocationState, double> allocations_;
   std::set<std::uint32_t> done_;
   std::map<std::uint32_t, Flown> flown_;
 };

@@ -180,6 +180,7 @@ struct TeamSetup {
   Allocation allocation = Allocation::kCoalitions;
   Time query_period = Time::from_seconds(1);
   std::optional<double> diameter;  ///< of its mission [m]; none: of the tasks known
+  bool approval = false;           ///< allocations wait for the operator
 };
 
 /// A ground station, which pursues missions and gives orders.

@@ -247,7 +247,18 @@ Fields<TeamSetup> team_fields() {
       .number("mission_diameter_m", &T::diameter,
               "Beyond the range of the radio it takes longer until somebody counts as "
               "lost. Null: that of the tasks.",
-              {.above = 0, .at_most = 1e6});
+              {.above = 0, .at_most = 1e6})
+      .boolean("approval", &T::approval,
+               "Allocations that a master works out wait until the operator approves "
+               "them: `allocation approve`.")
+      .rule("approval", [](const T& t) {
+        const bool leads =
+            t.structure == Structure::kMaster || t.structure == Structure::kFixedMaster;
+        return !t.approval || leads ? std::string()
+                                    : std::string(
+                                          "needs a structure in which somebody "
+                                          "leads: master or fixed-master.");
+      });
 }
 
 Fields<Station> station_fields() {

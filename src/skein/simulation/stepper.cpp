@@ -326,6 +326,7 @@ void Stepper::send_to_all(Message message, bool works) {
     message.to = id_of(k);
     message.number = states_[from].sent++;
     send(message, works);
+    message.copy = true;
   }
 }
 
@@ -481,6 +482,9 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
       return ConflictRecord{now, agent, report};
     }
     Record operator()(const TeamLead& lead) { return TeamLeadRecord{now, agent, lead}; }
+    Record operator()(const TeamAllocationReport& report) {
+      return TeamAllocationRecord{now, agent, report};
+    }
     Record operator()(const TrafficBelief& belief) {
       return TrafficBeliefRecord{now, agent, belief};
     }
@@ -499,8 +503,10 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
 }
 
 void Stepper::record_message(const Message& message, Time arrived, bool lost) {
-  recorder_.record(MessageRecord{message, arrived,
-                                 static_cast<std::uint32_t>(coded_size(message)), lost});
+  const auto* team = std::get_if<TeamMessage>(&message.content);
+  recorder_.record(MessageRecord{
+      message, arrived, static_cast<std::uint32_t>(coded_size(message)), lost,
+      team ? std::string(kind_of(team->content)) : std::string(), message.copy});
 }
 
 void Stepper::record_event(Time now, std::size_t i, std::string kind, std::string text) {

@@ -94,6 +94,7 @@ class Stepper {
   void record_event(Time now, std::size_t i, std::string kind, std::string text);
   void record_event(const Event& event);
   std::optional<std::size_t> find(const std::string& aircraft) const;
+  bool is_station(const std::string& name) const;
   void obey(Time now, const Command& command);
   template <class Body>
   void for_each(Body body);  // body(i) for every entity

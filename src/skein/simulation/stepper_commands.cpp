@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "skein/simulation/commanded_wind.h"
 #include "skein/simulation/stepper.h"
 
@@ -16,6 +18,12 @@ std::optional<std::size_t> Stepper::find(const std::string& aircraft) const {
   for (std::size_t i = 0; i < world_.entities.size(); ++i)
     if (world_.entities[i].vehicle && world_.entities[i].name == aircraft) return i;
   return std::nullopt;
+}
+
+bool Stepper::is_station(const std::string& name) const {
+  return std::ranges::any_of(world_.entities, [&](const Entity& entity) {
+    return !entity.vehicle && entity.name == name;
+  });
 }
 
 void Stepper::refuse(Time now, const std::string& why) {
@@ -52,6 +60,11 @@ void Stepper::obey(Time now, const Command& command) {
       });
     }
     void operator()(const MissionCommand&) const { pass_on_to_stations(); }
+    void operator()(const AllocationCommand& c) const {
+      if (!c.station.empty() && !run.is_station(c.station))
+        return run.refuse(now, fmt::format("there is no station \"{}\".", c.station));
+      pass_on_to_stations();
+    }
     // The clock is the run loop's.
     void operator()(const PauseCommand&) const {}
     void operator()(const StepCommand&) const {}

@@ -141,5 +141,40 @@ TEST(TeamFlight, AnOrderOfTheOperatorGoesBeforeTheTeams) {
   EXPECT_EQ(own->entity.value, 2u);
 }
 
+TEST(TeamFlight, WhatNeedsApprovalIsFlownWhenTheOperatorSaysSo) {
+  const std::string commands = R"(commands:
+  - {at_s: 5, do: "allocation approve"}
+  - {at_s: 60, do: "allocation approve 99"}
+  - {at_s: 61, do: "allocation approve 1 nobody"}
+  - {at_s: 100, do: "allocation approve"}
+  - {at_s: 200, do: "allocation approve 1"}
+)";
+  const FlightLog log = fly(three("master, approval: true", commands));
+  EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
+  const Event* proposed = log.find("allocation-proposed", "of scout-1: scout-1 flies ");
+  ASSERT_NE(proposed, nullptr) << log.story();
+  EXPECT_EQ(proposed->entity.value, 0u) << "the station says so";
+  for (const Event& event : log.events)
+    if (event.kind == "team-task") {
+      EXPECT_GE(event.time.seconds(), 100) << log.story();
+    }
+  EXPECT_NE(log.find("allocation-over", " is in force"), nullptr) << log.story();
+  EXPECT_NE(log.find("command-refused", "allocation of station: none waits"), nullptr)
+      << log.story();
+  EXPECT_NE(log.find("command-refused", "99 does not wait"), nullptr) << log.story();
+  EXPECT_NE(log.find("command-refused", "there is no station \"nobody\""), nullptr)
+      << log.story();
+  EXPECT_GE(log.figure("team_allocations_approved"), 1);
+}
+
+TEST(TeamFlight, WhereNothingNeedsApprovalADecisionIsRefused) {
+  const std::string commands = R"(commands:
+  - {at_s: 60, do: "allocation approve"}
+)";
+  const FlightLog free = fly(three("master", commands));
+  EXPECT_NE(free.find("command-refused", "need no approval"), nullptr) << free.story();
+  EXPECT_THROW(fly(three("auction, approval: true")), std::exception);
+}
+
 }  // namespace
 }  // namespace skein::assemble

@@ -46,12 +46,22 @@ TEST(CommandText, SaysEveryCommand) {
   EXPECT_LT((parsed<WindCommand>("wind 3 270").added - Vec2(0, 3)).norm(), 1e-12);
   EXPECT_EQ(parsed<WindCommand>("wind off").added, Vec2(0, 0));
   EXPECT_EQ(parsed<AddCommand>("add b").aircraft, "b");
+  EXPECT_EQ(parsed<AllocationCommand>("allocation approve").number, 0u);
+  const auto rejected = parsed<AllocationCommand>("allocation reject 3 base");
+  EXPECT_EQ(rejected.action, AllocationAction::kReject);
+  EXPECT_EQ(rejected.number, 3u);
+  EXPECT_EQ(rejected.station, "base");
   EXPECT_EQ(parsed<RemoveCommand>("remove b").aircraft, "b");
 }
 
 TEST(CommandText, RefusesEverythingElseAndSaysWhy) {
   for (const char* line : {"",
                            "fly",
+                           "allocation",
+                           "allocation approve 0",
+                           "allocation approve x",
+                           "allocation keep",
+                           "allocation approve 1 base now",
                            "task",
                            "task a",
                            "task a loiter",

@@ -80,6 +80,9 @@ struct WorldFeed::Listener {
   void operator()(const TeamLeadRecord& record) const {
     feed.said_.emplace_back(record.lead);
   }
+  void operator()(const TeamAllocationRecord& record) const {
+    feed.said_.emplace_back(record.report);
+  }
   void operator()(const ObjectBeliefRecord& record) const {
     feed.said_.emplace_back(record.belief);
   }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "skein/layer/reasoning/station/heartbeat.h"
 #include "skein/layer/reasoning/station/mission_control.h"
 #include "skein/layer/reasoning/station/zone_server.h"
+#include "skein/layer/reasoning/team/onboard/team_desk.h"
 
 namespace skein::reasoning {
 
@@ -15,6 +17,8 @@ struct GroundStationOptions {
   NavEstimate position;             ///< of itself
   Time heartbeat;                   ///< between two heartbeats; 0: none
   ZoneServerOptions zones;
+  std::string name = {};                ///< of itself
+  std::shared_ptr<TeamDesk> desk = {};  ///< of its team that leads itself; none: null
 };
 
 /// The agent of a ground station: says which no-fly zones are in force, pursues its
@@ -27,10 +31,14 @@ class GroundStation final : public Agent {
   void step(const AgentInput& in, AgentOutput& out) override;
 
  private:
+  void obey(const AllocationCommand& command, Time now, AgentOutput& out);
+
   ZoneServer zones_;
   OrderServer orders_;
   MissionControl missions_;
   HeartbeatSender heartbeat_;
+  std::string name_;
+  std::shared_ptr<TeamDesk> desk_;
 };
 
 }  // namespace skein::reasoning

@@ -111,8 +111,8 @@ CoalitionProblem CoalitionAllocation::problem_of(std::span<const TeamTask> tasks
   return problem;
 }
 
-TeamAllocation CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
-                                               std::span<const TeamWorker> workers) {
+TeamAllocated CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
+                                              std::span<const TeamWorker> workers) {
   std::set<std::uint32_t> numbers;
   std::set<EntityId> ids;
   for (const TeamTask& task : tasks) numbers.insert(task.number);
@@ -124,15 +124,18 @@ TeamAllocation CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
   const CoalitionProblem problem = problem_of(tasks, workers);
   std::vector<std::size_t> kept = present(tasks, workers);
   const CoalitionAnswer found = allocation::best_coalitions(problem, {});
-  const bool better = allocation::is_worth_changing(allocation::utility_of(problem, kept),
-                                                    found.quality.value, changed);
+  const double present_value = allocation::utility_of(problem, kept);
+  const bool better =
+      allocation::is_worth_changing(present_value, found.quality.value, changed);
   const std::vector<std::size_t>& chosen = better ? found.task : kept;
-  TeamAllocation given;
+  TeamAllocated all;
+  all.value = better ? found.quality.value : present_value;
+  all.bound = found.quality.bound;
   for (std::size_t i = 0; i < workers.size(); ++i) {
-    std::vector<std::uint32_t>& own = given[workers[i].id];
+    std::vector<std::uint32_t>& own = all.given[workers[i].id];
     if (chosen[i] != CoalitionAnswer::kIdle) own.push_back(tasks[chosen[i]].number);
   }
-  return given;
+  return all;
 }
 
 double worth_in_wind(const TeamTask& task, const TeamResources& self,

@@ -33,8 +33,8 @@ class CoalitionAllocation {
   /// @param wind  as its owner believes it to be now [m/s].
   explicit CoalitionAllocation(std::function<Vec2()> wind) : wind_(std::move(wind)) {}
 
-  TeamAllocation operator()(std::span<const TeamTask> tasks,
-                            std::span<const TeamWorker> workers);
+  TeamAllocated operator()(std::span<const TeamTask> tasks,
+                           std::span<const TeamWorker> workers);
 
  private:
   using Executed = std::pair<EntityId, std::uint32_t>;

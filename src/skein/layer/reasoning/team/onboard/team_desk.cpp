@@ -50,6 +50,12 @@ void TeamDesk::learn_wind(const AgentInput& in) {
       wind_ = report->nav.wind_N;
 }
 
+std::string TeamDesk::decide(const AllocationCommand& command, Time now) {
+  if (stepped_ != now) return "no mission of the team is going on.";
+  return link_.member().decide(command.number,
+                               command.action == AllocationAction::kApprove);
+}
+
 bool TeamDesk::is_done(std::uint32_t task) const {
   const auto& known = link_.member().knowledge().tasks;
   const auto found = known.find(task);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/data/command.h"
 #include "skein/layer/reasoning/team/onboard/team_link.h"
 
 namespace skein::reasoning {
@@ -34,6 +35,10 @@ class TeamDesk {
 
   /// Once for each time, whoever asks for it.
   void step(const AgentInput& in, AgentOutput& out);
+
+  /// The operator approves an allocation that the team proposes, or not.
+  /// @returns  why that cannot be; empty: the leader is told.
+  std::string decide(const AllocationCommand& command, Time now);
 
   /// As far as the station has heard.
   bool is_done(std::uint32_t task) const;

@@ -31,9 +31,11 @@ void TeamLink::step(const AgentInput& in, AgentOutput& out) {
     out.outbox.push_back(std::move(message));
   }
   for (Event& event : done.events) {
-    event.kind.insert(0, "team-");
+    if (!event.kind.starts_with("allocation-")) event.kind.insert(0, "team-");
     out.events.push_back(std::move(event));
   }
+  for (TeamAllocationReport& report : done.allocations)
+    out.records.emplace_back(std::move(report));
   if (!done.changed) return;
   const TeamStatus& status = member_.status();
   TeamLead lead;

@@ -9,7 +9,8 @@ namespace skein::reasoning {
 
 /// A member of a team on the radio of a run: gives it what has arrived, sends what it
 /// says, and records who leads it, and why, whenever that changes. Its events are called
-/// as those of TeamMember, with "team-" before.
+/// as those of TeamMember, with "team-" before; those of a station's operator about
+/// allocations keep their names.
 ///
 /// A message to all arrives as one copy for each receiver. So that these know it from one
 /// that is for them alone, whose numbers count by themselves, the latter have the highest

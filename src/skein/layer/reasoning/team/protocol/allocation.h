@@ -2,8 +2,10 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "skein/data/team_message.h"
@@ -22,9 +24,19 @@ struct TeamWorker {
 /// For each worker the numbers of its tasks, in the order in which it flies them.
 using TeamAllocation = std::map<EntityId, std::vector<std::uint32_t>>;
 
+/// An allocation, and how good it is.
+struct TeamAllocated {
+  TeamAllocated() = default;
+  TeamAllocated(TeamAllocation all) : given(std::move(all)) {}
+
+  TeamAllocation given;
+  std::optional<double> value = std::nullopt;  ///< utility; none: it is not measured
+  std::optional<double> bound = std::nullopt;  ///< no allocation is better
+};
+
 /// Shares tasks among workers: every worker has an entry, no single task two workers.
 using AllocateTasks =
-    std::function<TeamAllocation(std::span<const TeamTask>, std::span<const TeamWorker>)>;
+    std::function<TeamAllocated(std::span<const TeamTask>, std::span<const TeamWorker>)>;
 
 /// Divides tasks between two teams: the numbers of those that the first one gets.
 using DivideTasks = std::function<std::set<std::uint32_t>(

@@ -43,8 +43,14 @@ bool is_sane(const TeamMeeting& meeting) {
 bool is_sane(const EntityId&) {
   return true;
 }
+bool is_sane(const std::optional<float>& utility) {
+  return !utility || (std::isfinite(*utility) && std::abs(*utility) <= kMaxNumber);
+}
 bool is_sane(const TeamBid& bid) {
   return is_sane(bid.value);
+}
+bool is_sane(const TeamShare&) {
+  return true;
 }
 template <class T>
 bool is_sane(const std::vector<T>& list) {
@@ -85,6 +91,12 @@ struct Sane {
   bool operator()(const TeamBids& m) const {
     return is_sane(m.mission) && is_sane(m.bids);
   }
+  bool operator()(const TeamProposal& m) const {
+    return is_sane(m.mission) && m.number > 0 && m.number <= kMaxProposalNumber &&
+           is_sane(m.value) && is_sane(m.bound) && is_sane(m.shares);
+  }
+  bool operator()(const TeamHere& m) const { return is_sane(m.held); }
+  bool operator()(const TeamDecision& m) const { return m.number <= kMaxProposalNumber; }
 };
 
 }  // namespace
@@ -120,6 +132,14 @@ TeamVerdict TeamContacts::take(EntityId from, bool to_all, const TeamMessage& me
     contact.inform = *inform;
     contact.informed = now;
     contact.leads = false;
+  } else if (const auto* here = std::get_if<TeamHere>(&message.content)) {
+    // Of one whose inform was lost it says nothing but that it is there.
+    if (contact.leads || contact.inform.master != here->master) return verdict;
+    contact.inform.query = here->query;
+    contact.inform.held = here->held;
+    contact.inform.members_hash = here->members_hash;
+    contact.inform.state_number = here->state_number;
+    contact.informed = now;
   } else if (const auto* query = std::get_if<TeamQuery>(&message.content)) {
     contact.query = *query;
     contact.query_number = message.number;

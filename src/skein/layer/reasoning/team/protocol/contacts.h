@@ -29,6 +29,9 @@ constexpr auto names_of(const TeamVerdict*) {
                                          "duplicate-id",  "implausible"};
 }
 
+/// Of proposed allocations.
+inline constexpr std::uint32_t kMaxProposalNumber = 1000000;
+
 /// Whether no honest sender could have made a message: numbers that are not finite or out
 /// of all bounds, lists of more than 1000, names of missions that are empty or long.
 bool is_implausible(const TeamContent& content);
@@ -38,7 +41,7 @@ class TeamContacts {
  public:
   struct Contact {
     double heard = -1e300;     ///< when something of it arrived last [s]
-    double informed = -1e300;  ///< when `inform` arrived [s]
+    double informed = -1e300;  ///< when `inform` arrived, or `here` that renews it [s]
     double queried = -1e300;   ///< when `query` arrived [s]
     TeamInform inform;
     TeamQuery query;

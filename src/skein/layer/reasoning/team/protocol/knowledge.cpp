@@ -69,6 +69,7 @@ bool TeamKnowledge::add(const TeamState& state) {
   for (const TeamTask& task : state.tasks) {
     const auto [place, is_new] = tasks.try_emplace(task.number, task);
     if (!is_new && task.done) place->second.done = true;
+    if (!is_new && task.released) place->second.released = true;
   }
   return number() != before;
 }

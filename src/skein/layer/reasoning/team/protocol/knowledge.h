@@ -33,7 +33,8 @@ class TeamKnowledge {
 
   /// Takes in a part of the master's; what it says replaces all when the last is there.
   void take(const TeamState& state);
-  /// Takes from a part what is new here: tasks, those that are done, meetings.
+  /// Takes from a part what is new here: tasks, those that are done or approved,
+  /// meetings.
   /// @returns  whether tasks have changed.
   bool add(const TeamState& state);
 

@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "skein/data/team_message.h"
@@ -56,6 +58,10 @@ struct TeamConfig {
   /// A master allocates anew after so long, whatever has happened [s]; 0: only when a
   /// task or a member came or went.
   double allocation_period = 0;
+  /// An allocation comes into force when the operator has approved it: at a station of
+  /// `operators`, or of the fixed master. Only for structures in which somebody leads.
+  bool approval = false;
+  std::map<EntityId, std::string> names;  ///< for texts; who has none: the number
   SelectMaster select = lowest_id;
   AllocateTasks allocate = allocate_nearest;
   DivideTasks divide = divide_by_size;

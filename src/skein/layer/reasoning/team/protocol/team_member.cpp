@@ -13,6 +13,20 @@ constexpr double kMaxDelay = 8;     // [s] that is taken for normal while none i
 // Members that went silent together with the master were heard as long as it was, but for
 // the jitter of their messages.
 constexpr double kAfterMaster = 1.5;  // query periods
+constexpr int kInformRepeats = 3;     // in full, after a change
+constexpr int kInformEvery = 5;       // query periods, in full without one
+
+// But for where it is, how long it can fly and how far it is with its tasks.
+bool is_same_but_for_flight(const TeamInform& a, const TeamInform& b) {
+  const auto same_task = [](const TeamProgress& one, const TeamProgress& other) {
+    return one.task == other.task && (one.share >= 1) == (other.share >= 1);
+  };
+  return a.mission == b.mission && a.master == b.master && a.leaving == b.leaving &&
+         a.resources.able == b.resources.able &&
+         a.resources.sensors == b.resources.sensors &&
+         a.resources.speed == b.resources.speed &&
+         std::ranges::equal(a.tasks, b.tasks, same_task);
+}
 
 }  // namespace
 
@@ -92,6 +106,7 @@ TeamStep TeamMember::step(Time now, std::span<const TeamReceived> received) {
       break;
   }
   expire_order();
+  step_shown();
   if (!resources_.able) set_executing({});
   send_periodic();
   send_repeated();
@@ -190,6 +205,20 @@ TeamInform TeamMember::own_inform() const {
   return inform;
 }
 
+// In full when something has changed that others act upon, some times over as messages
+// are lost, and now and then.
+void TeamMember::send_inform() {
+  TeamInform inform = own_inform();
+  if (!is_same_but_for_flight(inform, informed_)) informs_ = kInformRepeats;
+  if (role_ == Role::kFollowing && informs_ <= 0 && ++since_inform_ < kInformEvery)
+    return send_all(TeamHere{inform.master, inform.query, static_cast<float>(inform.held),
+                             inform.members_hash, inform.state_number});
+  informs_ = std::max(0, informs_ - 1);
+  since_inform_ = 0;
+  informed_ = inform;
+  send_all(std::move(inform));
+}
+
 // Of what it executes, and of what it has done and others do not know to be done.
 std::vector<TeamProgress> TeamMember::own_progress() const {
   std::vector<TeamProgress> all;
@@ -232,7 +261,7 @@ void TeamMember::send_periodic() {
     next_query_ = after(next_query_);
   }
   if (now_ < next_inform_) return;
-  send_all(own_inform());
+  send_inform();
   next_inform_ = after(next_inform_);
   if (role_ == Role::kFollowing) {
     send_handed_in();
@@ -254,7 +283,7 @@ void TeamMember::step_alone() {
   const auto tasks = open_tasks();
   if (config_.structure == TeamStructure::kNone) {
     const TeamWorker self = own_worker();
-    if (resources_.able) set_executing(config_.allocate(tasks, {&self, 1})[self_]);
+    if (resources_.able) set_executing(config_.allocate(tasks, {&self, 1}).given[self_]);
     return set_status(TeamReason::kAlone);
   }
   for (const EntityId id : auction_.bidders()) {
@@ -269,6 +298,7 @@ void TeamMember::step_alone() {
 
 void TeamMember::follow(EntityId master, TeamReason reason) {
   if (role_ == Role::kLeading) {
+    withdraw();
     members_ = member_ids();
     followers_.clear();
     rivals_.clear();

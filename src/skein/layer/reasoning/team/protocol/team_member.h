@@ -37,7 +37,8 @@ struct TeamOutgoing {
 struct TeamStep {
   std::vector<TeamOutgoing> send;
   std::vector<Event> events;
-  bool changed = false;  ///< status() is another one than before
+  std::vector<TeamAllocationReport> allocations;  ///< what has become of them
+  bool changed = false;                           ///< status() is another one than before
 };
 
 /// A member of a team that leads itself: aircraft, or a ground station that may lead.
@@ -48,9 +49,16 @@ struct TeamStep {
 /// one team, and when they meet again split the mission and both stay. Only times of
 /// arrival on the own clock count: clocks may be off.
 ///
+/// With TeamConfig::approval a master proposes allocations to the station of the operator
+/// (decide()); in force meanwhile is what was approved before. What a lost member had is
+/// taken over by who is idle, without asking: that a task is flown is approved, not by
+/// whom. A proposal is withdrawn, and worked out anew, when a task or an able member came
+/// or went; it ends with the lead of its proposer.
+///
 /// Events: "selected", "following", "master-lost", "follower-lost", "joined", "merged",
 /// "split", "took-back", "gave-back", "handover", "rejected", "order-unanswered",
-/// "order-expired"; of hostile or broken input "own-id", "duplicate-id",
+/// "order-expired", "proposed", of a station "allocation-proposed" and "allocation-over";
+/// of hostile or broken input "own-id", "duplicate-id",
 /// "other-version", "unknown-sender", "implausible", "order-refused", "answer-refused":
 /// such messages change nothing.
 class TeamMember {
@@ -73,6 +81,11 @@ class TeamMember {
   void leave(bool leaving = true) { leaving_ = leaving; }
   /// Something else of a member was heard: a report, a plan.
   void note_heard(EntityId id, Time now) { contacts_.note_heard(id, now.seconds()); }
+
+  /// The operator, who is with this member, approves a proposed allocation or not.
+  /// @param number  of the proposal; 0: the only one that waits.
+  /// @returns  why that cannot be; empty: the leader will be told until it answers.
+  std::string decide(std::uint32_t number, bool approve);
 
   /// To be called several times a query period, with what has arrived since the last.
   TeamStep step(Time now, std::span<const TeamReceived> received);
@@ -115,6 +128,23 @@ class TeamMember {
     double first = 0, last = 0;
     std::map<std::uint32_t, std::vector<TeamTask>> parts;
   };
+  // An allocation that a master has proposed.
+  struct Proposal {
+    std::uint32_t number = 0;
+    TeamAllocated allocated;  // without who gets nothing
+    TeamAllocation present;   // what was in force then
+    std::set<std::uint32_t> tasks;
+    std::set<EntityId> members;  // able ones
+    bool seen = false, rejected = false;
+    int quick = 0;    // messages that are left to be repeated soon
+    double next = 0;  // when it is said again
+  };
+  // One that an operator is shown.
+  struct Shown {
+    TeamProposal proposal;
+    std::optional<TeamAnswer> decision = std::nullopt;
+    double next = 0;  // when that is said again
+  };
   // How a newcomer looks for a team.
   struct Joining {
     double first_master = -1;  // when one was first heard
@@ -141,6 +171,7 @@ class TeamMember {
   void expire_order();
   void set_status(TeamReason reason);
   TeamInform own_inform() const;
+  void send_inform();
   double interval() {
     return times().query_period * (1 + times().jitter * (2 * random_.uniform() - 1));
   }
@@ -169,6 +200,7 @@ class TeamMember {
   void refuse(const TeamReceived& received, TeamVerdict verdict);
   void on(EntityId from, const TeamQuery& query);
   void on(EntityId from, const TeamInform& inform);
+  void on(EntityId from, const TeamHere& here);
   void on(EntityId from, const TeamPropose& propose);
   void on(EntityId from, const TeamAccept& accept);
   void on(EntityId from, const TeamReject& reject);
@@ -180,6 +212,8 @@ class TeamMember {
   void on(EntityId from, const TeamMerge& merge);
   void on(EntityId from, const TeamSplit& split);
   void on(EntityId from, const TeamBids& bids);
+  void on(EntityId from, const TeamProposal& proposal);
+  void on(EntityId from, const TeamDecision& decision);
   void state_as_follower(EntityId from, const TeamState& state);
   bool may_add_tasks(EntityId from) const;
   void query_as_follower(EntityId from, const TeamQuery& query);
@@ -218,6 +252,29 @@ class TeamMember {
   bool is_team_gone() const;
   void inform_as_station(EntityId from, const TeamInform& inform);
 
+  // team_member_approval.cpp
+  void keep_in_force(std::span<const TeamTask> tasks, std::vector<TeamWorker>& workers);
+  void take_over(std::span<const TeamTask> tasks, std::vector<TeamWorker>& workers);
+  void propose(std::span<const TeamTask> tasks, std::span<const TeamWorker> workers);
+  void send_proposal();
+  TeamProposal said(const Proposal& proposal, AllocationState state) const;
+  void settle(EntityId from, const TeamDecision& decision);
+  void put_in_force();
+  void order_what_is_in_force();
+  void withdraw();
+  void note_allocation(AllocationState state, std::uint32_t number,
+                       const TeamAllocated& allocated);
+
+  // team_member_desk.cpp
+  bool is_desk(EntityId id) const {
+    return is_operator(id) || config_.fixed_master == id;
+  }
+  std::string name(EntityId id) const;
+  std::string text_of(EntityId proposer, const TeamProposal& proposal) const;
+  void show(EntityId proposer, const TeamProposal& proposal);
+  void end_shown(EntityId proposer, AllocationState state, const char* why);
+  void step_shown();
+
   // team_member_join.cpp
   void step_joining();
   void choose_team();
@@ -242,6 +299,9 @@ class TeamMember {
   std::uint32_t sent_to_all_ = 0;
   std::map<EntityId, std::uint32_t> sent_to_;
   double next_query_ = 0, next_inform_ = 0;
+  TeamInform informed_;  // the last that it sent
+  int informs_ = 0,
+      since_inform_ = 0;  // that are left to be sent in full; since the last
   std::vector<Repeated> repeated_;
   std::map<std::pair<EntityId, TeamVerdict>, double> refused_;  // when last reported
 
@@ -264,6 +324,11 @@ class TeamMember {
   double chosen_since_ = 0;
   std::set<EntityId> passed_over_;  // were chosen, and did not lead
 
+  // As the station of an operator.
+  std::map<EntityId, Shown> shown_;               // by who proposes
+  std::map<EntityId, std::uint32_t> last_shown_;  // its number
+  std::uint32_t highest_shown_ = 0;
+
   // As a newcomer.
   Joining joining_;
   std::uint32_t exchange_ = 0;
@@ -281,9 +346,13 @@ class TeamMember {
   std::map<std::uint32_t, double> query_times_;
   std::map<EntityId, double> round_trips_;
   std::uint32_t queries_ = 0, next_part_ = 0;
-  bool changed_ = false;           // tasks are to be allocated anew
-  bool able_ = true;               // whether it was when they were
-  double allocated_ = 0;           // when they were
+  bool changed_ = false;     // tasks are to be allocated anew
+  bool able_ = true;         // whether it was when they were
+  double allocated_ = 0;     // when they were
+  TeamAllocation in_force_;  // what members are ordered; of all that are able
+  std::optional<Proposal> proposal_;
+  std::uint32_t proposals_ = 0;                               // the last one's number
+  std::pair<std::uint32_t, AllocationState> last_settled_{};  // what became of the last
   std::set<EntityId> split_with_;  // with whom the mission was split
 };
 

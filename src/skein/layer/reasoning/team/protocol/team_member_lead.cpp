@@ -57,6 +57,8 @@ void TeamMember::lead(TeamReason reason, std::optional<EntityId> predecessor) {
   orders_.clear();
   siblings_.clear();
   taken_back_.clear();
+  in_force_.clear();
+  proposal_.reset();
   for (const auto& [number, task] : knowledge_.tasks)
     if (task.branch) siblings_[*task.branch] = now_;
   report("selected", fmt::format("{} leads ({}).", self_.value, name_of(reason)));
@@ -201,9 +203,18 @@ void TeamMember::allocate() {
   changed_ = false;
   allocated_ = now_;
   const auto tasks = open_tasks();
-  const auto all = workers();
-  TeamAllocation given = config_.allocate(tasks, all);
-  for (const EntityId id : member_ids()) orders_.set(id, given[id]);
+  auto all = workers();
+  if (config_.approval) {
+    keep_in_force(tasks, all);
+    take_over(tasks, all);
+    propose(tasks, all);
+  } else {
+    TeamAllocated found = config_.allocate(tasks, all);
+    const bool is_new = found.given != in_force_;
+    in_force_ = found.given;
+    if (is_new) note_allocation(AllocationState::kUnasked, 0, found);
+  }
+  order_what_is_in_force();
 }
 
 void TeamMember::give_orders() {
@@ -257,6 +268,7 @@ void TeamMember::step_leading() {
   if (able_ != resources_.able) changed_ = true;
   able_ = resources_.able;
   if (changed_ && !is_held_by_rival() && !asked_) allocate();
+  send_proposal();
   give_orders();
   set_status(TeamReason::kMembers);
 }

@@ -7,11 +7,13 @@
 namespace skein::reasoning {
 namespace {
 
-// What a member says of itself now: nothing when something newer is known.
+// What a member says of now: nothing when something newer is known.
 bool is_news_only(const TeamContent& content) {
   return std::holds_alternative<TeamQuery>(content) ||
          std::holds_alternative<TeamInform>(content) ||
-         std::holds_alternative<TeamBids>(content);
+         std::holds_alternative<TeamHere>(content) ||
+         std::holds_alternative<TeamBids>(content) ||
+         std::holds_alternative<TeamProposal>(content);
 }
 
 }  // namespace
@@ -88,6 +90,11 @@ void TeamMember::on(EntityId from, const TeamInform& inform) {
   if (role_ == Role::kFollowing) return inform_as_follower(from, inform);
   if (role_ == Role::kLeading) inform_as_master(from, inform);
   if (takes_part_in_auction()) take_progress(inform);
+}
+
+void TeamMember::on(EntityId from, const TeamHere&) {
+  const auto* contact = contacts_.find(from);
+  if (contact && !contact->leads && contact->informed == now_) on(from, contact->inform);
 }
 
 void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {

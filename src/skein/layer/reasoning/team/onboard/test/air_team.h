@@ -33,13 +33,17 @@ struct AirTeam {
   std::map<EntityId, Aircraft> aircraft;
   std::vector<Event> events;
   std::map<EntityId, TeamLead> leads;
+  std::vector<TeamAllocationReport> allocations;
   std::vector<Message> to_station;
   std::map<std::uint32_t, int> executed;  // how often each task was done
+  std::map<std::string, int> said;        // how many messages of each kind
   RandomStream random{7, 0, Purpose::kTeam};
   double now = 0;
 
-  explicit AirTeam(TeamStructure structure = TeamStructure::kMaster) {
+  explicit AirTeam(TeamStructure structure = TeamStructure::kMaster,
+                   bool approval = false) {
     config.structure = structure;
+    config.approval = approval;
     config.times.radio_range = 0;
     config.times.mission_diameter = 0;
     if (structure == TeamStructure::kMaster) config.operators = {EntityId{0}};
@@ -58,6 +62,8 @@ struct AirTeam {
 
   bool arrives() { return random.uniform() >= loss; }
   void deliver(const Message& message) {
+    if (const auto* team = std::get_if<TeamMessage>(&message.content))
+      ++said[std::string(kind_of(team->content))];
     const auto give = [&](EntityId to, std::vector<Message>& inbox) {
       if (to == message.from || (message.to != kEveryone && message.to != to)) return;
       if (arrives()) inbox.push_back(message);
@@ -96,8 +102,11 @@ struct AirTeam {
           message.from = id;
           sent.push_back(std::move(message));
         }
-        for (const AgentRecord& record : out.records)
+        for (const AgentRecord& record : out.records) {
           if (const auto* lead = std::get_if<TeamLead>(&record)) leads[id] = *lead;
+          if (const auto* report = std::get_if<TeamAllocationReport>(&record))
+            allocations.push_back(*report);
+        }
         events.insert(events.end(), out.events.begin(), out.events.end());
       };
       AgentInput in;
@@ -132,6 +141,21 @@ struct AirTeam {
     for (const auto& [id, one] : aircraft)
       if (one.team->task()) all.insert(one.team->task()->number);
     return all;
+  }
+  /// What the operator says of a proposal; 0: of the one that waits.
+  /// @returns  why that cannot be.
+  std::string decide(AllocationAction action, std::uint32_t number = 0) {
+    return desk->decide({action, number}, Time::from_seconds(now));
+  }
+  int count(const std::string& kind) const {
+    return static_cast<int>(std::ranges::count(events, kind, &Event::kind));
+  }
+  /// What became of the proposal of a number, the last of it.
+  std::string state_of(std::uint32_t number) const {
+    std::string state = "unknown";
+    for (const TeamAllocationReport& each : allocations)
+      if (each.number == number) state = name_of(each.state);
+    return state;
   }
   std::string story() const {
     std::string all;

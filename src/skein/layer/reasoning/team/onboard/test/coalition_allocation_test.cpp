@@ -28,7 +28,7 @@ TEST(CoalitionAllocation, SharesForTheSumAndNotForTheNearest) {
   // The nearest pair is 2 and task 1: then 1 would have to fly 2100 m.
   const std::vector<TeamTask> tasks = {measure(1, {1000, 0}), measure(2, {2100, 0})};
   const std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {1500, 0})};
-  const TeamAllocation given = allocate(tasks, workers);
+  const TeamAllocation given = allocate(tasks, workers).given;
   EXPECT_EQ(given.at(EntityId{1}), Numbers{1});
   EXPECT_EQ(given.at(EntityId{2}), Numbers{2});
 }
@@ -38,8 +38,8 @@ TEST(CoalitionAllocation, TheWindDecidesWhoIsNear) {
   const std::vector<TeamWorker> workers = {worker(1, {-1200, 0}), worker(2, {1000, 0})};
   CoalitionAllocation calm([] { return Vec2(0, 0); });
   CoalitionAllocation windy([] { return Vec2(10, 0); });
-  EXPECT_EQ(calm(tasks, workers).at(EntityId{2}), Numbers{1});
-  EXPECT_EQ(windy(tasks, workers).at(EntityId{1}), Numbers{1});
+  EXPECT_EQ(calm(tasks, workers).given.at(EntityId{2}), Numbers{1});
+  EXPECT_EQ(windy(tasks, workers).given.at(EntityId{1}), Numbers{1});
 }
 
 TEST(CoalitionAllocation, SensorsAndEnduranceSayWhoIsAble) {
@@ -47,22 +47,22 @@ TEST(CoalitionAllocation, SensorsAndEnduranceSayWhoIsAble) {
   std::vector<TeamTask> tasks = {team_task(1, Measure{{0, 0}, 30}, kCameraSensor, false)};
   std::vector<TeamWorker> workers = {worker(1, {0, 0}),
                                      worker(2, {3000, 0}, kCameraSensor)};
-  EXPECT_EQ(allocate(tasks, workers).at(EntityId{2}), Numbers{1});
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{2}), Numbers{1});
   workers[1].resources.endurance = 150;  // 180 s with the reserve
-  EXPECT_TRUE(allocate(tasks, workers).at(EntityId{2}).empty());
-  EXPECT_TRUE(allocate(tasks, workers).at(EntityId{1}).empty());
+  EXPECT_TRUE(allocate(tasks, workers).given.at(EntityId{2}).empty());
+  EXPECT_TRUE(allocate(tasks, workers).given.at(EntityId{1}).empty());
 }
 
 TEST(CoalitionAllocation, ChangesOnlyForMoreThanFivePercent) {
   CoalitionAllocation allocate([] { return Vec2(0, 0); });
   const std::vector<TeamTask> tasks = {measure(1, {0, 0})};
   std::vector<TeamWorker> workers = {worker(1, {1000, 0}), worker(2, {1000, 10})};
-  ASSERT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  ASSERT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
   workers[0].tasks = {1};
   workers[1].resources.place = {960, 0, -100};
-  EXPECT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
   workers[1].resources.place = {100, 0, -100};
-  EXPECT_EQ(allocate(tasks, workers).at(EntityId{2}), Numbers{1});
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{2}), Numbers{1});
 }
 
 TEST(CoalitionAllocation, WhoHasBegunWithATaskKeepsItWhereverThatLeads) {
@@ -71,16 +71,16 @@ TEST(CoalitionAllocation, WhoHasBegunWithATaskKeepsItWhereverThatLeads) {
   survey.area = {{0, 0}, {2000, 0}, {2000, 500}, {0, 500}};
   const std::vector<TeamTask> tasks = {team_task(1, survey, 0, false)};
   std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {-500, 0})};
-  ASSERT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  ASSERT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
   workers[0].tasks = {1};
   workers[0].shares = {0};
-  ASSERT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  ASSERT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
   // Along the first line of the survey, of which nothing is seen yet in whole.
   workers[0].resources.place = {1900, 0, -100};
-  EXPECT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
   workers[0].shares = {0.4};
   workers[1].resources.place = {0, 0, -100};
-  EXPECT_EQ(allocate(tasks, workers).at(EntityId{1}), Numbers{1});
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
 }
 
 TEST(CoalitionAllocation, NoSingleTaskHasTwo) {
@@ -90,12 +90,12 @@ TEST(CoalitionAllocation, NoSingleTaskHasTwo) {
   for (std::uint32_t id = 1; id <= 6; ++id) workers.push_back(worker(id, {0, 0}));
   workers[2].tasks = workers[3].tasks = {2};
   std::map<std::uint32_t, int> flown;
-  for (const auto& [id, numbers] : allocate(tasks, workers))
+  for (const auto& [id, numbers] : allocate(tasks, workers).given)
     for (const std::uint32_t number : numbers) ++flown[number];
   EXPECT_EQ(flown, (std::map<std::uint32_t, int>{{1, 1}, {2, 1}}));
   tasks[1].single = false;
   flown.clear();
-  for (const auto& [id, numbers] : allocate(tasks, workers))
+  for (const auto& [id, numbers] : allocate(tasks, workers).given)
     for (const std::uint32_t number : numbers) ++flown[number];
   EXPECT_GT(flown[2], 1);
 }

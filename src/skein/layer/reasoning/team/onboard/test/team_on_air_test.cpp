@@ -33,6 +33,21 @@ TEST(TeamOnAir, TheStationHandsOverAndTheAircraftShareTheTasks) {
   EXPECT_FALSE(team.desk->is_done(numbers.front()));
 }
 
+TEST(TeamOnAir, WhoHasNothingNewToSayOnlySaysThatItIsThere) {
+  AirTeam team = three(TeamStructure::kMaster, 0.1);
+  team.desk->hand_in("M", measurements(3), Time());
+  team.task_time = 1e6;
+  team.run(60);
+  team.said.clear();
+  team.run(60);
+  EXPECT_GE(team.said["team_here"], 3 * team.said["team_inform"]);
+  EXPECT_GE(team.said["team_inform"], 30) << "three followers, every fifth query";
+  team.said.clear();
+  for (auto& [id, one] : team.aircraft) one.work.free = false;
+  team.run(4);
+  EXPECT_GT(team.said["team_inform"], team.said["team_here"]) << "news are said in full";
+}
+
 TEST(TeamOnAir, GoesOnWhenItsMasterIsLostAndTheStationIsOutOfReach) {
   AirTeam team = three(TeamStructure::kMaster, 0.2);
   const auto numbers = team.desk->hand_in("M", measurements(7), Time());

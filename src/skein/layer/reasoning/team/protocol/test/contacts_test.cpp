@@ -39,6 +39,34 @@ TEST(TeamContacts, KnowsNewLateAndRepeatedMessages) {
   EXPECT_EQ(heard.take(ack, false), TeamVerdict::kRepeated);
 }
 
+TEST(TeamContacts, AShortSignRenewsTheInformItIsAbout) {
+  Heard heard;
+  const auto here = [](std::uint32_t number, std::uint32_t master) {
+    TeamHere said;
+    said.master = EntityId{master};
+    said.query = 7;
+    said.state_number = 9;
+    return TeamMessage{TeamMessage::kVersion, number, said};
+  };
+  EXPECT_EQ(heard.take(here(1, 3)), TeamVerdict::kNew);
+  EXPECT_LT(heard.contacts.find(kOther)->informed, 0) << "nothing is known of it";
+  TeamMessage full = inform(2, 22);
+  std::get<TeamInform>(full.content).master = EntityId{3};
+  heard.take(full);
+  heard.now = 3;
+  heard.take(here(3, 3));
+  const TeamContacts::Contact& known = *heard.contacts.find(kOther);
+  EXPECT_EQ(known.informed, 3);
+  EXPECT_EQ(known.inform.query, 7u);
+  EXPECT_EQ(known.inform.state_number, 9u);
+  EXPECT_EQ(known.inform.resources.speed, 22);
+  // Of another master: the inform that said so was lost.
+  heard.now = 4;
+  heard.take(here(4, 5));
+  EXPECT_EQ(known.informed, 3);
+  EXPECT_EQ(known.heard, 4);
+}
+
 TEST(TeamContacts, RefusesWhatNoMemberSays) {
   Heard heard;
   TeamMessage other_version = inform(1);

@@ -17,6 +17,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   TeamConfig config;
   config.structure = static_cast<TeamStructure>(data[0] % 4);
   config.fixed_master = EntityId{2};
+  config.approval = (data[0] & 8) != 0;
+  if ((data[0] & 16) != 0)
+    config.operators = {(data[0] & 32) != 0 ? EntityId{3} : EntityId{2}};
   TeamMember member({3}, config);
   std::vector<TeamTask> tasks(3);
   for (std::uint32_t k = 0; k < 3; ++k) tasks[k].number = k + 1;
@@ -35,6 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (message)
       received.push_back({{head[0] % 8U}, (head[1] & 1) != 0, message.value()});
     if ((head[1] & 2) != 0) member.leave();
+    if ((head[1] & 4) != 0) member.decide(head[0] & 8U, (head[1] & 8) != 0);
     const TeamStep step = member.step(Time::from_seconds(now), received);
     for (const TeamOutgoing& out : step.send)
       SKEIN_CHECK(!is_implausible(out.message.content));
