@@ -56,6 +56,7 @@ void AvoidanceWatch::take(const TruthRecord& truth) {
     return;
   }
   place_traffic(truth.time);
+  if (truth.state.on_ground) return;
   meter_.place(truth.time, truth.id, truth.state.p_N);
 }
 
