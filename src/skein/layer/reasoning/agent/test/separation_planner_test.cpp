@@ -95,9 +95,7 @@ TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
   const auto* landing = std::get_if<Landing>(&aircraft.second()->what);
   ASSERT_TRUE(landing);
   EXPECT_NEAR(landing->course.value(), 0, 1e-6) << "into the wind";
-  aircraft.second();
-  const auto plan = aircraft.said<PlanReport>();
-  if (plan) EXPECT_EQ(plan->priority, FlightPriority::kLanding);
+  EXPECT_EQ(aircraft.said<PlanReport>().value().priority, FlightPriority::kLanding);
 }
 
 TEST(SeparationPlanner, WhatAFailsafeLandsIsSaidAndLandsAtOnce) {

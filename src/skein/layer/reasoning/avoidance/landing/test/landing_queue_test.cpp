@@ -52,7 +52,7 @@ class Field {
   double together() const { return together_; }     ///< two land at once for so long [s]
   double one_height() const { return one_height_; }  ///< two wait at one [s]
   bool all_landed() const {
-    return std::ranges::all_of(all_, [](const auto& one) { return one->landed; });
+    return std::ranges::all_of(all_, [](const auto& one) { return one->landed.has_value(); });
   }
 
  private:
