@@ -18,7 +18,7 @@ struct Aircraft {
   Aircraft() {
     options.method = SeparationMethod::kAuto;
     planner.emplace(context, options);
-    nav.p_N = Vec3(-400, 0, -160);
+    nav.p_N = Vec3(-400, 0, -260);
     nav.v_N = Vec3(15, 0, 0);
     nav.wind_N = Vec2(-4, 0);
   }
@@ -50,7 +50,7 @@ struct Aircraft {
     LandingReport report;
     report.phase = LandingPhase::kLands;
     report.lasts = 100;
-    report.altitude_msl = 160;
+    report.altitude_msl = 260;
     report.endurance = 500;
     return {kOther, kEveryone, 0, now, report};
   }
@@ -61,7 +61,7 @@ struct Aircraft {
   Beliefs beliefs{EntityId{0}};
   SeparationOptions options;
   std::optional<SeparationPlanner> planner;
-  FlightIntent given{1, Landing{Vec2::Zero(), 120}};
+  FlightIntent given{1, Landing{Vec2::Zero(), 220}};
   FlightProgress progress;
   IntentCounter intents;
   NavEstimate nav;
@@ -80,7 +80,7 @@ TEST(SeparationPlanner, ALandingWaitsWhileAnotherAircraftLands) {
     EXPECT_TRUE(aircraft.planner->modifies());
   }
   EXPECT_EQ(aircraft.said<LandingReport>()->phase, LandingPhase::kWaits);
-  EXPECT_NE(aircraft.said<LandingReport>()->altitude_msl, 160) << "that is the other's";
+  EXPECT_NE(aircraft.said<LandingReport>()->altitude_msl, 260) << "that is the other's";
 }
 
 TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
@@ -90,8 +90,8 @@ TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
     circling = std::get_if<Circling>(&aircraft.second()->what);
   ASSERT_TRUE(circling);
   EXPECT_LT(circling->centre.x(), -500) << "downwind, where the approach begins";
-  EXPECT_EQ(circling->altitude_msl, 160);
-  aircraft.nav.p_N = Vec3(circling->centre.x(), circling->centre.y(), -160);
+  EXPECT_EQ(circling->altitude_msl, 260);
+  aircraft.nav.p_N = Vec3(circling->centre.x(), circling->centre.y(), -260);
   const auto* landing = std::get_if<Landing>(&aircraft.second()->what);
   ASSERT_TRUE(landing);
   EXPECT_NEAR(landing->course.value(), 0, 1e-6) << "into the wind";
@@ -100,7 +100,7 @@ TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
 
 TEST(SeparationPlanner, WhatAFailsafeLandsIsSaidAndLandsAtOnce) {
   Aircraft aircraft;
-  aircraft.given = {2, Circling{Vec2(0, 500), 160.0}};
+  aircraft.given = {2, Circling{Vec2(0, 500), 260.0}};
   aircraft.second();  // where it is now is home
   aircraft.status.trigger = FailsafeTrigger::kBattery;
   aircraft.status.reaction = FailsafeReaction::kLand;
@@ -125,7 +125,7 @@ TEST(SeparationPlanner, OnTheGroundItSaysNothingButThatItHasLanded) {
 // Nobody on board knows what the pilot flies next: others count with straight on.
 TEST(SeparationPlanner, WhatAPilotFliesIsSaidAsItsCourse) {
   Aircraft aircraft;
-  aircraft.given = {2, Circling{Vec2(0, 500), 160.0}};
+  aircraft.given = {2, Circling{Vec2(0, 500), 260.0}};
   aircraft.second();
   aircraft.status.mode = FlightMode::kStabilized;
   aircraft.nav.v_N = Vec3(0, 15, 0);
@@ -138,7 +138,7 @@ TEST(SeparationPlanner, WhatAPilotFliesIsSaidAsItsCourse) {
   ASSERT_TRUE(flight);
   const double t = model::start_of(*flight);
   const Vec3 later = model::moment_at(*flight, t + 60).p_N;
-  EXPECT_LT((later - Vec3(-400, 900, -160)).norm(), 1);
+  EXPECT_LT((later - Vec3(-400, 900, -260)).norm(), 1);
 }
 
 }  // namespace
