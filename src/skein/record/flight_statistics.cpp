@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/record/ground_time.h"
+
 namespace skein::record {
 
 void FlightStatistics::truth(Time time, EntityId id, const VehicleState& state) {
   last_[id] = {time, geo::horizontal(state.p_N)};
   const double charge = state.energy.charge;
   min_charge_ = std::min(min_charge_.value_or(charge), charge);
-  if (!state.on_ground) {
+  const auto landed = landed_.find(id);
+  if (state.on_ground) {
+    if (flown_.contains(id)) landed_[id] = time;
+  } else if (landed == landed_.end()) {
     flown_.insert(id);
-    landed_.erase(id);
-  } else if (flown_.contains(id)) {
-    landed_.insert(id);
+  } else if ((time - landed->second).seconds() >= kGroundTime) {
+    landed_.erase(landed);
   }
 }
 
@@ -50,7 +54,7 @@ void FlightStatistics::add_figures(
   figures["accidents"] = static_cast<double>(accidents_);
   figures["failsafes"] = static_cast<double>(failsafes_);
   const auto landed = std::ranges::count_if(
-      landed_, [this](EntityId id) { return !broken_.contains(id); });
+      landed_, [this](const auto& each) { return !broken_.contains(each.first); });
   if (landed > 0) figures["aircraft_landed"] = static_cast<double>(landed);
   const auto put = [&](const char* name, const Square& square) {
     if (square.count > 0) figures[name] = std::sqrt(square.sum / square.count);

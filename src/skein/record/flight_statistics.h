@@ -28,11 +28,11 @@ class FlightStatistics {
   void event(const Event& event);
 
   /// Adds `accidents`, `failsafes` (how often one began to act), `aircraft_landed` (that
-  /// stand on the ground in the end, having flown, without an accident; where none does it
-  /// is left out), and where there is
-  /// something to say `cross_track_rms_m`, `position_error_rms_m` (horizontal, of the
-  /// estimates against the truth of the same time) and `min_charge`.
-  /// Per aircraft, by its name, `min_reserve_<name>` once something was known of it.
+  /// stand on the ground in the end, having flown, without an accident; where none does
+  /// it is left out), and where there is something to say `cross_track_rms_m`,
+  /// `position_error_rms_m` (horizontal, of the estimates against the truth of the same
+  /// time) and `min_charge`. Per aircraft, by its name, `min_reserve_<name>` once
+  /// something was known of it.
   void add_figures(std::map<std::string, double>& figures,
                    const std::function<std::string(EntityId)>& name_of) const;
 
@@ -53,7 +53,8 @@ class FlightStatistics {
   std::optional<double> min_charge_;
   std::map<EntityId, double> min_reserve_;
   std::map<EntityId, bool> acting_;  // a failsafe
-  std::set<EntityId> flown_, landed_, broken_;
+  std::set<EntityId> flown_, broken_;
+  std::map<EntityId, Time> landed_;  // when it touched the ground last
   std::uint64_t accidents_ = 0, failsafes_ = 0;
 };
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/record/ground_time.h"
+
 namespace skein::record {
 namespace {
 
 constexpr double kNear = 700;  // well clear and what two move between moments [m]
 constexpr int kParts = 8;      // of the motion between two moments
-constexpr double kJump = 3;    // off the ground for longer: it flies [s]
 
 }  // namespace
 
@@ -18,7 +19,8 @@ SeparationMeter::SeparationMeter(const Separation& kept)
 void SeparationMeter::place(Time time, EntityId id, const Vec3& p_N, bool on_ground) {
   if (on_ground) touched_[id] = time;
   const auto touched = touched_.find(id);
-  if (touched != touched_.end() && (time - touched->second).seconds() < kJump) return;
+  if (touched != touched_.end() && (time - touched->second).seconds() < kGroundTime)
+    return;
   if (begun_ && time != time_) look();
   begun_ = true;
   time_ = time;

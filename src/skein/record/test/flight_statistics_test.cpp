@@ -23,15 +23,15 @@ std::map<std::string, double> figures(const FlightStatistics& statistics) {
 TEST(FlightStatistics, CountsWhoStandsOnTheGroundHavingFlown) {
   FlightStatistics statistics;
   const EntityId stands{1}, flies{2}, lands{3}, crashes{4};
-  for (int t = 0; t < 3; ++t) {
+  for (int t = 0; t < 6; ++t) {
     const Time time = Time::from_seconds(t);
     statistics.truth(time, stands, at(0, 0, true));
-    statistics.truth(time, flies, at(0, 100, t == 1));  // touches, and goes around
-    statistics.truth(time, lands, at(0, 0, t > 0));
+    statistics.truth(time, flies, at(0, 100, t == 1));        // touches, and goes around
+    statistics.truth(time, lands, at(0, 0, t > 0 && t < 5));  // on springs
     statistics.truth(time, crashes, at(0, 0, t > 0));
   }
   EXPECT_EQ(figures(statistics).at("aircraft_landed"), 2);
-  statistics.event({Time::from_seconds(2), crashes, "accident", "too fast"});
+  statistics.event({Time::from_seconds(5), crashes, "accident", "too fast"});
   EXPECT_EQ(figures(statistics).at("aircraft_landed"), 1);
 }
 
@@ -47,7 +47,8 @@ double violations(bool on_ground, bool jumps = false) {
   statistics.message({EntityId{1}, kEveryone, 0, Time(), PlanReport{}});
   for (int t = 0; t < 5; ++t) {
     statistics.truth(Time::from_seconds(t), EntityId{1}, at(20 * t - 40, 15));
-    statistics.truth(Time::from_seconds(t), EntityId{2}, at(0, 0, on_ground && !(jumps && t == 2)));
+    statistics.truth(Time::from_seconds(t), EntityId{2},
+                     at(0, 0, on_ground && !(jumps && t == 2)));
   }
   std::map<std::string, double> all;
   statistics.add_figures(all);

@@ -14,10 +14,10 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kSameCourse = 0.02;  // [rad]
-constexpr double kMinAirspeed = 1;    // of what hovers, so that it has a heading [m/s]
-constexpr double kSameAltitude = 2;   // of pieces of a flight over ground [m]
-constexpr double kOnCircle = 0.3;     // beside it, of its radius
+constexpr double kSameCourse = 0.02;    // [rad]
+constexpr double kMinAirspeed = 1;      // of what hovers, so that it has a heading [m/s]
+constexpr double kSameAltitude = 2;     // of pieces of a flight over ground [m]
+constexpr double kOnCircle = 0.3;       // beside it, of its radius
 constexpr double kApproachHeight = 40;  // above the ground at the place [m]
 constexpr double kInLine = 30;          // behind its begin: on the approach [m]
 

@@ -61,9 +61,8 @@ double LandingPlanner::time_needed(const LandingTurn& turn,
   const Vec2 approach = place_ - approach_length() * geo::unit(turn.course);
   const double down = std::max(0.0, -nav.p_N.z() - ground_ - kApproachHeight) /
                       std::max(context_.limits.sink_rate, kMinSpeed / 2);
-  const double there = leg_ == Leg::kApproach
-                           ? 0
-                           : (geo::horizontal(nav.p_N) - approach).norm() / speed;
+  const double there =
+      leg_ == Leg::kApproach ? 0 : (geo::horizontal(nav.p_N) - approach).norm() / speed;
   return there + down + approach_length() / speed + kTurns;
 }
 

@@ -20,12 +20,12 @@ constexpr double kWorthReturning =
     40;  // of a flight that is left, to be planned anew [s]
 constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
 constexpr double kOtherWind = 1;             // than that of the plan [m/s]
-constexpr double kCourseAgain = 5;           // of who does not obey, at least so often [s]
-constexpr double kMinCourse = 1;             // and not more often than that [s]
-constexpr double kCourseError = 10;          // of a course that is no plan [m]
-constexpr double kClimbsFor = 6;             // it may climb and sink on [s]
-constexpr double kPlannedRadius = 1.1;       // of the turn radius: room to correct
-constexpr double kPlannedClimb = 0.95;       // of the climb rate, likewise
+constexpr double kCourseAgain = 5;      // of who does not obey, at least so often [s]
+constexpr double kMinCourse = 1;        // and not more often than that [s]
+constexpr double kCourseError = 10;     // of a course that is no plan [m]
+constexpr double kClimbsFor = 6;        // it may climb and sink on [s]
+constexpr double kPlannedRadius = 1.1;  // of the turn radius: room to correct
+constexpr double kPlannedClimb = 0.95;  // of the climb rate, likewise
 
 // The least height above the ground of a flight, and a little less [m].
 double lowest(const FlightPlan& plan, const Terrain& ground) {
@@ -116,8 +116,7 @@ void SeparationPlanner::want_course(const TaskStep& step) {
   const double now = step.in.now.seconds(), age = now - expected_at_.seconds();
   if (by_others_) {
     const Vec3 off = model::moment_at(wanted_.plan, now).p_N - nav.p_N;
-    const bool astray =
-        off.head<2>().norm() > kOff || std::abs(off.z()) > kOffHeight;
+    const bool astray = off.head<2>().norm() > kOff || std::abs(off.z()) > kOffHeight;
     if (age < kMinCourse || (!astray && age < kCourseAgain)) return;
   }
   FlightPlan plan =

@@ -32,8 +32,8 @@ struct Aircraft {
     out = {};
     planner->listen(in, out);
     safety.may_fly(in, 100, true, out);
-    const FlightIntent* flown =
-        planner->plan(&given, {in, {}, safety, beliefs, progress, intents}, progress, out);
+    const FlightIntent* flown = planner->plan(
+        &given, {in, {}, safety, beliefs, progress, intents}, progress, out);
     now += Time::from_seconds(1);
     return flown;
   }
@@ -86,8 +86,7 @@ TEST(SeparationPlanner, ALandingWaitsWhileAnotherAircraftLands) {
 TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
   Aircraft aircraft;
   const Circling* circling = nullptr;
-  for (int k = 0; k < 20; ++k)
-    circling = std::get_if<Circling>(&aircraft.second()->what);
+  for (int k = 0; k < 20; ++k) circling = std::get_if<Circling>(&aircraft.second()->what);
   ASSERT_TRUE(circling);
   EXPECT_LT(circling->centre.x(), -500) << "downwind, where the approach begins";
   EXPECT_EQ(circling->altitude_msl, 260);

@@ -151,9 +151,8 @@ void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox
     flight.delay = std::max((now - message.sent).seconds(), kFades * flight.delay);
   }
   std::erase_if(flights_, [&](const TeamFlight& flight) {
-    const Time last =
-        std::max({flight.sent, flight.place ? flight.place->sent : Time(),
-                  flight.landed.value_or(Time())});
+    const Time last = std::max({flight.sent, flight.place ? flight.place->sent : Time(),
+                                flight.landed.value_or(Time())});
     return (now - last).seconds() > kForget;
   });
   expect_courses(now);

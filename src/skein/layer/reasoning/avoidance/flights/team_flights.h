@@ -26,10 +26,10 @@ struct TeamFlight {
   std::uint32_t number = 0;  ///< of the plan
   std::uint32_t agreed = 0;  ///< negotiation that the plan comes from; 0: none
   FlightPriority priority = FlightPriority::kNormal;
-  Separation separation;    ///< that it keeps
-  double across_error = 8;  ///< off its plan [m]
-  double height_error = 2;  ///< [m]
-  Time sent;                ///< the newest report of the plan
+  Separation separation;       ///< that it keeps
+  double across_error = 8;     ///< off its plan [m]
+  double height_error = 2;     ///< [m]
+  Time sent;                   ///< the newest report of the plan
   std::optional<Time> landed;  ///< it said so then; what it sent before says nothing
   std::optional<ReportedPlace> place;
   FlightPlan course;  ///< straight on from the place reported last, if the plan does not

@@ -10,23 +10,23 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kPeriod = 1;              // of reports [s]
-constexpr double kNotHeard = 1e-4;         // chance that one is not heard of at all
+constexpr double kPeriod = 1;       // of reports [s]
+constexpr double kNotHeard = 1e-4;  // chance that one is not heard of at all
 constexpr double kLossMin = 0.05, kLossMax = 0.9;
-constexpr int kReportsMin = 4;             // that may be lost before one is lost
-constexpr double kStepTime = 1;            // agents answer so late at most [s]
-constexpr double kOnePlace = 1000;         // nearer places are one [m]
-constexpr double kEnduranceStep = 10;      // [s]
-constexpr double kIdle = 120;              // nobody lands: whoever waits claims [s]
-constexpr double kTurnMax = 600;           // [s]
-constexpr double kSilentShare = 1.5;       // of what it needs, for who lands unheard
-constexpr double kSilentMore = 30;         // [s]
-constexpr double kForgetStanding = 60;     // [s]
-constexpr double kSayStanding = 10;        // at least [s]
-constexpr double kApproachHeight = 40;     // of approaches, above the ground [m]
+constexpr int kReportsMin = 4;          // that may be lost before one is lost
+constexpr double kStepTime = 1;         // agents answer so late at most [s]
+constexpr double kOnePlace = 1000;      // nearer places are one [m]
+constexpr double kEnduranceStep = 10;   // [s]
+constexpr double kIdle = 120;           // nobody lands: whoever waits claims [s]
+constexpr double kTurnMax = 600;        // [s]
+constexpr double kSilentShare = 1.5;    // of what it needs, for who lands unheard
+constexpr double kSilentMore = 30;      // [s]
+constexpr double kForgetStanding = 60;  // [s]
+constexpr double kSayStanding = 10;     // at least [s]
+constexpr double kApproachHeight = 40;  // of approaches, above the ground [m]
 constexpr int kLevels = 20;
-constexpr double kCalm = 1;                // wind that gives no course [m/s]
-constexpr double kTailWind = 1.5;          // that asks for another course [m/s]
+constexpr double kCalm = 1;        // wind that gives no course [m/s]
+constexpr double kTailWind = 1.5;  // that asks for another course [m/s]
 
 // As long as it takes to hear of somebody with certainty but for kNotHeard.
 double certain_after(double loss, double delay) {
@@ -102,8 +102,8 @@ void LandingQueue::forget() {
     const double silent = (step_.now - other.heard).seconds();
     switch (other.report.phase) {
       case LandingPhase::kLands:
-        return silent > std::max<double>(patience_, kSilentShare * other.report.lasts +
-                                                        kSilentMore);
+        return silent > std::max<double>(patience_,
+                                         kSilentShare * other.report.lasts + kSilentMore);
       case LandingPhase::kLanded:
       case LandingPhase::kLeaves:
         return silent > kForgetStanding;
@@ -136,8 +136,8 @@ void LandingQueue::choose_course() {
 bool LandingQueue::is_taken(double altitude_msl, bool by_earlier_only) const {
   return std::ranges::any_of(others_, [&](const auto& each) {
     const LandingReport& report = each.second.report;
-    const bool earlier = std::tuple(report.since, each.first.value) <
-                         std::tuple(own_.since, self_.value);
+    const bool earlier =
+        std::tuple(report.since, each.first.value) < std::tuple(own_.since, self_.value);
     return is_there(each.second) && (earlier || !by_earlier_only) &&
            std::abs(report.altitude_msl - altitude_msl) < level_step_ / 2;
   });

@@ -40,9 +40,9 @@ struct LandingTurn {
 ///
 /// *Turns.* While nobody lands or claims who goes before, the first of those that wait
 /// claims the turn; when nobody has objected for as long as it takes to hear of everyone
-/// for nearly certain, it lands. Of two that claim, or land since they could not hear each
-/// other, the one that goes later waits again, unless it is so low that it breaks off no
-/// more.
+/// for nearly certain, it lands. Of two that claim, or land since they could not hear
+/// each other, the one that goes later waits again, unless it is so low that it breaks
+/// off no more.
 ///
 /// *Nobody waits for ever.* Who waits counts while it is heard; who lands and is silent,
 /// half as long again as it said that it needs; a turn lasts ten minutes at most, and is
@@ -99,13 +99,13 @@ class LandingQueue {
   EntityId self_;
   double level_step_;
   std::map<EntityId, Other> others_;
-  LandingStep step_;           // the last one
-  LandingReport own_;          // as said last
-  bool in_ = false;            // it wants to land
-  double patience_ = 0;        // until it is nearly certain that one would be heard [s]
+  LandingStep step_;     // the last one
+  LandingReport own_;    // as said last
+  bool in_ = false;      // it wants to land
+  double patience_ = 0;  // until it is nearly certain that one would be heard [s]
   LandingPhase phase_ = LandingPhase::kLeaves;
-  Time since_;                 // of the phase
-  Time idle_since_;            // nobody lands
+  Time since_;       // of the phase
+  Time idle_since_;  // nobody lands
   std::optional<Time> said_, landed_at_;
 };
 

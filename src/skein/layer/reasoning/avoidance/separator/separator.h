@@ -215,7 +215,7 @@ class Separator {
   std::vector<double> milestones_;
   std::size_t passed_ = 0;
   bool changed_ = false, is_plan_ = true, keeps_on_ = false;
-  double unknown_ = 0;  // how far it may be off what is wanted [m]
+  double unknown_ = 0;     // how far it may be off what is wanted [m]
   double clear_from_ = 0;  // [s]
   std::string_view reason_;
   Time last_moment_until_;

@@ -52,8 +52,8 @@ bool Separator::can_join(const SeparationStep& step,
                          const GroupInvitation& invitation) const {
   return !negotiation_ && !group_ && flies_plan() &&
          is_plausible(invitation, step.now.seconds(), options_.horizon) &&
-         invitation.begin < model::end_time_of(own_.plan) &&
-         !keeps_on_ && !flies_on(priority_) &&
+         invitation.begin < model::end_time_of(own_.plan) && !keeps_on_ &&
+         !flies_on(priority_) &&
          (options_.method == SeparationMethod::kAuto ||
           options_.method == SeparationMethod::kGroup);
 }

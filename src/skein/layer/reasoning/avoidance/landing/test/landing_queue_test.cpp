@@ -14,9 +14,9 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kStep = 0.5;       // of agents [s]
-constexpr double kLanding = 100;    // that one takes [s]
-constexpr double kLevelStep = 60;   // [m]
+constexpr double kStep = 0.5;      // of agents [s]
+constexpr double kLanding = 100;   // that one takes [s]
+constexpr double kLevelStep = 60;  // [m]
 
 // Aircraft that come to one place, and a radio that loses and delays. Who has its turn
 // stands on the ground after 100 s.
@@ -49,10 +49,11 @@ class Field {
   }
 
   One& at(std::size_t k) { return *all_[k]; }
-  double together() const { return together_; }     ///< two land at once for so long [s]
+  double together() const { return together_; }      ///< two land at once for so long [s]
   double one_height() const { return one_height_; }  ///< two wait at one [s]
   bool all_landed() const {
-    return std::ranges::all_of(all_, [](const auto& one) { return one->landed.has_value(); });
+    return std::ranges::all_of(all_,
+                               [](const auto& one) { return one->landed.has_value(); });
   }
 
  private:

@@ -188,8 +188,13 @@ float said_error(bool widens) {
   std::vector<Message> out;
   const PathQuery query;
   for (double t = 0; t < 30; ++t)
-    separator.step({Time::from_seconds(t), Vec3(20 * t, 5, -100), Vec3(20, 0, 0), 3,
-                    FlightPriority::kNormal, query, {}},
+    separator.step({Time::from_seconds(t),
+                    Vec3(20 * t, 5, -100),
+                    Vec3(20, 0, 0),
+                    3,
+                    FlightPriority::kNormal,
+                    query,
+                    {}},
                    {1, {e}, {300}}, out);
   float error = -1;
   for (const Message& message : out)
