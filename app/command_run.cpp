@@ -84,6 +84,7 @@ void print_table(const record::RunSummary& summary) {
       {"observations", "observations"},
       {"crossings", "crossings"},
       {"messages_lost", "messages lost"},
+      {"aircraft_landed", "aircraft that have landed"},
       {"accidents", "accidents"},
       {"failsafes", "failsafes"},
       {"cross_track_rms_m", "distance to the path flown, RMS [m]"},

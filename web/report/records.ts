@@ -359,7 +359,7 @@ export interface Sighting {
 export interface PlanReport {
   plan_number: number; // the newest counts
   agreed: number; // number of the negotiation it comes from; 0: none
-  priority: "normal" | "cannot-manoeuvre" | "manned" | "pilot-flies" | "emergency"; // who flies on where two meet
+  priority: "normal" | "landing" | "cannot-manoeuvre" | "manned" | "pilot-flies" | "emergency"; // who flies on where two meet
   horizontal_m: number; // separation that it keeps
   vertical_m: number; // the same, up and down
   across_error_m: number; // how far it is off its plan
@@ -679,13 +679,28 @@ export interface Team {
   said: ({ kind: "team_query" } & TeamQuery) | ({ kind: "team_inform" } & TeamInform) | ({ kind: "team_propose" } & TeamPropose) | ({ kind: "team_accept" } & TeamAccept) | ({ kind: "team_reject" } & TeamReject) | ({ kind: "team_confirm" } & TeamConfirm) | ({ kind: "team_decline" } & TeamDecline) | ({ kind: "team_assign" } & TeamAssign) | ({ kind: "team_assign_ack" } & TeamAssignAck) | ({ kind: "team_state" } & TeamState) | ({ kind: "team_merge" } & TeamMerge) | ({ kind: "team_split" } & TeamSplit) | ({ kind: "team_bids" } & TeamBids) | ({ kind: "team_proposal" } & TeamProposal) | ({ kind: "team_decision" } & TeamDecision) | ({ kind: "team_here" } & TeamHere); // what it says
 }
 
+/** The sender wants to land, or has landed. */
+export interface LandingReport {
+  phase: "waits" | "claims" | "lands" | "landed" | "leaves"; // how far it is
+  north_m: number; // where it lands
+  east_m: number; // where it lands
+  course_deg: number; // of approaches
+  altitude_msl_m: number; // at which it waits
+  since_s: number; // when it began to want that
+  endurance_s: number; // flight time left
+  lasts_s: number; // until it stands, from now on
+  attempts: number; // turns that it has given back
+  emergency: boolean; // it lands without a turn
+  committed: boolean; // it breaks off no more
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived

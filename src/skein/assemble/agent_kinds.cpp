@@ -89,6 +89,11 @@ Fields<AvoidanceChoice> avoidance_fields() {
               "much above the one before, eight at most, then from the first again. 0: "
               "all at altitude_agl_m. Null: three times vertical_m.",
               {.at_least = 0, .at_most = 5000})
+      .boolean(
+          "widens", &T::widens,
+          "What is kept grows by how far the aircraft has been off its plans of late "
+          "and by the uncertainty of its position. Else it is horizontal_m and "
+          "vertical_m, whatever happens: for experiments.")
       .duration_s("horizon_s", &T::horizon, "How far ahead conflicts are looked for.",
                   {.at_least = 20, .at_most = 600})
       .word("well_clear", &T::well_clear_name,
@@ -280,6 +285,7 @@ Result<reasoning::SeparationOptions> separation_of(const AvoidanceChoice& choice
   auto well_clear = well_clear_of(choice);
   if (!well_clear) return well_clear.error();
   options.well_clear = std::move(well_clear).value();
+  options.holding_step = 3 * choice.separation.vertical;
   // What is recommended begins when the pilot will have decided.
   if (choice.pilot)
     options.reaction = std::max(options.reaction, choice.pilot->reaction[1] + kMargin);

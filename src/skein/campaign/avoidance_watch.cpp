@@ -56,7 +56,7 @@ void AvoidanceWatch::take(const TruthRecord& truth) {
     return;
   }
   place_traffic(truth.time);
-  meter_.place(truth.time, truth.id, truth.state.p_N);
+  meter_.place(truth.time, truth.id, truth.state.p_N, truth.state.on_ground);
 }
 
 // Whether it has passed abeam of its goal, close to it.

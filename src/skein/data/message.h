@@ -12,6 +12,7 @@
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
 #include "skein/data/fire.h"
+#include "skein/data/landing_message.h"
 #include "skein/data/object.h"
 #include "skein/data/separation_message.h"
 #include "skein/data/task.h"
@@ -91,7 +92,7 @@ using MessageContent =
     std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
                  PluginPayload, TaskChange, TaskReport, ObjectSighting, PlanReport,
                  PlaceReport, ConflictNotice, Offers, Acceptance, Busy, GroupInvitation,
-                 GroupJoining, GroupPlan, GroupAcceptance, TeamMessage>;
+                 GroupJoining, GroupPlan, GroupAcceptance, TeamMessage, LandingReport>;
 
 /// As `to` of a message: all entities but the sender.
 inline constexpr EntityId kEveryone{0xFFFFFFFFu};

@@ -19,6 +19,7 @@ namespace skein {
 /// Who flies on where two meet: the higher class, in it the lower id.
 enum class FlightPriority : std::uint8_t {
   kNormal,
+  kLanding,          ///< on its approach
   kCannotManoeuvre,  ///< its energy is below what brings it home
   kManned,
   kPilotFlies,  ///< a safety pilot has taken over
@@ -26,7 +27,14 @@ enum class FlightPriority : std::uint8_t {
 };
 constexpr auto names_of(const FlightPriority*) {
   return std::to_array<std::string_view>(
-      {"normal", "cannot-manoeuvre", "manned", "pilot-flies", "emergency"});
+      {"normal", "landing", "cannot-manoeuvre", "manned", "pilot-flies", "emergency"});
+}
+
+/// Whoever has it flies on: nothing can be agreed on with it.
+constexpr bool flies_on(FlightPriority priority) {
+  return priority == FlightPriority::kLanding ||
+         priority == FlightPriority::kPilotFlies ||
+         priority == FlightPriority::kEmergency;
 }
 
 /// The flight that the sender flies, to everyone.

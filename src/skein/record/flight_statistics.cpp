@@ -3,11 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/record/ground_time.h"
+
 namespace skein::record {
 
-void FlightStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
-  last_[id] = {time, geo::horizontal(p_N)};
+void FlightStatistics::truth(Time time, EntityId id, const VehicleState& state) {
+  last_[id] = {time, geo::horizontal(state.p_N)};
+  const double charge = state.energy.charge;
   min_charge_ = std::min(min_charge_.value_or(charge), charge);
+  const auto landed = landed_.find(id);
+  if (state.on_ground) {
+    if (flown_.contains(id)) landed_[id] = time;
+  } else if (landed == landed_.end()) {
+    flown_.insert(id);
+  } else if ((time - landed->second).seconds() >= kGroundTime) {
+    landed_.erase(landed);
+  }
 }
 
 void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
@@ -25,7 +36,10 @@ void FlightStatistics::reserve(EntityId id, double reserve) {
 }
 
 void FlightStatistics::event(const Event& event) {
-  if (event.kind == "accident") ++accidents_;
+  if (event.kind == "accident") {
+    ++accidents_;
+    broken_.insert(event.entity);
+  }
   if (event.kind != "failsafe") return;
   // "link: return", "motor: none", "over": it begins where nothing acted before.
   bool& acting = acting_[event.entity];
@@ -39,6 +53,9 @@ void FlightStatistics::add_figures(
     const std::function<std::string(EntityId)>& name_of) const {
   figures["accidents"] = static_cast<double>(accidents_);
   figures["failsafes"] = static_cast<double>(failsafes_);
+  const auto landed = std::ranges::count_if(
+      landed_, [this](const auto& each) { return !broken_.contains(each.first); });
+  if (landed > 0) figures["aircraft_landed"] = static_cast<double>(landed);
   const auto put = [&](const char* name, const Square& square) {
     if (square.count > 0) figures[name] = std::sqrt(square.sum / square.count);
   };

@@ -4,11 +4,13 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/event.h"
+#include "skein/data/vehicle.h"
 #include "skein/geo/vec.h"
 
 namespace skein::record {
@@ -16,8 +18,7 @@ namespace skein::record {
 /// How well a run's aircraft flew: the part of its key figures that is about flight.
 class FlightStatistics {
  public:
-  /// @param charge  left, from 0 to 1.
-  void truth(Time time, EntityId id, const Vec3& p_N, double charge);
+  void truth(Time time, EntityId id, const VehicleState& state);
   /// @param cross_track  of the path that it follows; none when it follows nothing [m].
   void estimate(Time time, EntityId id, const Vec3& p_N,
                 std::optional<double> cross_track);
@@ -26,10 +27,12 @@ class FlightStatistics {
   void reserve(EntityId id, double reserve);
   void event(const Event& event);
 
-  /// Adds `accidents`, `failsafes` (how often one began to act), and where there is
-  /// something to say `cross_track_rms_m`, `position_error_rms_m` (horizontal, of the
-  /// estimates against the truth of the same time) and `min_charge`.
-  /// Per aircraft, by its name, `min_reserve_<name>` once something was known of it.
+  /// Adds `accidents`, `failsafes` (how often one began to act), `aircraft_landed` (that
+  /// stand on the ground in the end, having flown, without an accident; where none does
+  /// it is left out), and where there is something to say `cross_track_rms_m`,
+  /// `position_error_rms_m` (horizontal, of the estimates against the truth of the same
+  /// time) and `min_charge`. Per aircraft, by its name, `min_reserve_<name>` once
+  /// something was known of it.
   void add_figures(std::map<std::string, double>& figures,
                    const std::function<std::string(EntityId)>& name_of) const;
 
@@ -50,6 +53,8 @@ class FlightStatistics {
   std::optional<double> min_charge_;
   std::map<EntityId, double> min_reserve_;
   std::map<EntityId, bool> acting_;  // a failsafe
+  std::set<EntityId> flown_, broken_;
+  std::map<EntityId, Time> landed_;  // when it touched the ground last
   std::uint64_t accidents_ = 0, failsafes_ = 0;
 };
 

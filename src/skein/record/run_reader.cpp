@@ -191,11 +191,14 @@ class Reader {
     std::map<EntityId, TrackBuilder> builders;
     auto done = rows(
         "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg, charge,"
-        " airspeed_mps FROM truth",
+        " airspeed_mps, on_ground FROM truth",
         [&](const Statement& row) {
           const EntityId id = entity_id(row, 0);
-          statistics_.truth(Time::from_seconds(row.real(1)), id,
-                            Vec3(row.real(2), row.real(3), -row.real(4)), row.real(6));
+          VehicleState state;
+          state.p_N = Vec3(row.real(2), row.real(3), -row.real(4));
+          state.energy.charge = row.real(6);
+          state.on_ground = row.integer(8) != 0;
+          statistics_.truth(Time::from_seconds(row.real(1)), id, state);
           flights_->truth(id, {row.real(1), Vec2(row.real(2), row.real(3)), row.real(4),
                                known(row, 7), known(row, 6)});
           builders.try_emplace(id, id, step)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/record/ground_time.h"
+
 namespace skein::record {
 namespace {
 
@@ -14,7 +16,11 @@ constexpr int kParts = 8;      // of the motion between two moments
 SeparationMeter::SeparationMeter(const Separation& kept)
     : kept_(kept), near_(std::max(kNear, 1.2 * kept.horizontal)) {}
 
-void SeparationMeter::place(Time time, EntityId id, const Vec3& p_N) {
+void SeparationMeter::place(Time time, EntityId id, const Vec3& p_N, bool on_ground) {
+  if (on_ground) touched_[id] = time;
+  const auto touched = touched_.find(id);
+  if (touched != touched_.end() && (time - touched->second).seconds() < kGroundTime)
+    return;
   if (begun_ && time != time_) look();
   begun_ = true;
   time_ = time;

@@ -25,8 +25,9 @@ class SeparationMeter {
   /// @param kept  whose violations are counted.
   explicit SeparationMeter(const Separation& kept);
 
-  /// Where an aircraft is; moments in order of time.
-  void place(Time time, EntityId id, const Vec3& p_N);
+  /// Where an aircraft is; moments in order of time. On the ground, and while it jumps
+  /// there, it is not to be kept apart from.
+  void place(Time time, EntityId id, const Vec3& p_N, bool on_ground = false);
 
   /// It takes no further part.
   void remove(EntityId id) { last_.erase(id); }
@@ -53,6 +54,7 @@ class SeparationMeter {
   double near_;  // all that is counted happens nearer [m]
   Time time_;
   bool begun_ = false;
+  std::map<EntityId, Time> touched_;  // the ground last
   std::map<EntityId, Vec3> last_;
   std::vector<std::pair<EntityId, Vec3>> now_;
   std::vector<Place> places_;

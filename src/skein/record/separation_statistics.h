@@ -13,8 +13,8 @@ namespace skein::record {
 /// as soon as one says what it flies.
 class SeparationStatistics {
  public:
-  void truth(Time time, EntityId id, const Vec3& p_N) {
-    if (meter_) meter_->place(time, id, p_N);
+  void truth(Time time, EntityId id, const VehicleState& state) {
+    if (meter_) meter_->place(time, id, state.p_N, state.on_ground);
   }
   /// Of a message: its PlanReports say what separation is kept.
   void message(const Message& message);

@@ -11,8 +11,8 @@ struct Taker {
 
   void operator()(const EntityRecord& r) { statistics.entity(r); }
   void operator()(const TruthRecord& r) {
-    statistics.separation().truth(r.time, r.id, r.state.p_N);
-    statistics.truth(r.time, r.id, r.state.p_N, r.state.energy.charge);
+    statistics.separation().truth(r.time, r.id, r.state);
+    statistics.truth(r.time, r.id, r.state);
     statistics.missions().truth(r.time, r.id, r.state.p_N);
   }
   void operator()(const EstimateRecord& r) {
@@ -96,8 +96,9 @@ void RunStatistics::entity(const EntityRecord& entity) {
   memory_.entity(entity.reality);
 }
 
-void RunStatistics::truth(Time time, EntityId id, const Vec3& p_N, double charge) {
-  flight_statistics_.truth(time, id, p_N, charge);
+void RunStatistics::truth(Time time, EntityId id, const VehicleState& state) {
+  const Vec3& p_N = state.p_N;
+  flight_statistics_.truth(time, id, state);
   Flight& flight = flights_[id];
   if (flight.last) flight.distance += (p_N - *flight.last).norm();
   flight.last = p_N;

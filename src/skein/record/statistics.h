@@ -31,7 +31,7 @@ class RunStatistics {
   void take(const Record& record);
 
   void entity(const EntityRecord& entity);
-  void truth(Time time, EntityId id, const Vec3& p_N, double charge);
+  void truth(Time time, EntityId id, const VehicleState& state);
   /// See FlightStatistics.
   void estimate(Time time, EntityId id, const Vec3& p_N,
                 std::optional<double> cross_track) {

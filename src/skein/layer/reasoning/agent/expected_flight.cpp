@@ -14,10 +14,12 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kSameCourse = 0.02;  // [rad]
-constexpr double kMinAirspeed = 1;    // of what hovers, so that it has a heading [m/s]
-constexpr double kSameAltitude = 2;   // of pieces of a flight over ground [m]
-constexpr double kOnCircle = 0.3;     // beside it, of its radius
+constexpr double kSameCourse = 0.02;    // [rad]
+constexpr double kMinAirspeed = 1;      // of what hovers, so that it has a heading [m/s]
+constexpr double kSameAltitude = 2;     // of pieces of a flight over ground [m]
+constexpr double kOnCircle = 0.3;       // beside it, of its radius
+constexpr double kApproachHeight = 40;  // above the ground at the place [m]
+constexpr double kInLine = 30;          // behind its begin: on the approach [m]
 
 // A flight that grows piece by piece, level.
 class Flight {
@@ -139,6 +141,13 @@ class Expectation {
   void operator()(const Itinerary&) {}
   void operator()(const Landing& landing) {
     altitude_msl = landing.altitude_msl;
+    // Autopilots come down to the height of the approach at once.
+    if (landing.course && context_.limits.slowest > 0) {
+      const Vec2 begin = landing.place - landing.approach * geo::unit(*landing.course);
+      const Vec2 off = geo::horizontal(nav_.p_N) - begin;
+      altitude_msl = context_.map->elevation_msl(landing.place) + kApproachHeight;
+      if (off.dot(geo::unit(*landing.course)) < kInLine) flight_.fly_to(begin);
+    }
     flight_.fly_to(landing.place);
   }
   void operator()(const Returning& returning) {

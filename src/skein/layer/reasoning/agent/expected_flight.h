@@ -13,7 +13,8 @@ namespace skein::reasoning {
 /// - Steering: a turn to its course, then straight on.
 /// - Circling: to the circle, then around.
 /// - Legs: from point to point, then around the last.
-/// - Landing: to the place. Returning: straight on.
+/// - Landing: to the place; where the approach is known, to where that begins, and along
+///   it, at its height from the start on. Returning: straight on.
 ///
 /// Altitudes are reached as quickly as the aircraft climbs and sinks.
 ///

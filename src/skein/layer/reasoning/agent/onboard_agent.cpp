@@ -28,7 +28,7 @@ void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   if (options_.takes_orders && tasks_.receive(in, out)) safety_.allow_launch(in);
   if (team_) follow_team(in, out);
   safety_.listen(in, out);
-  chain_.listen(in);
+  chain_.listen(in, out);
   if (!in.nav) return;
   beliefs_.step(in, out);
   readings_.step(in, out);

@@ -47,8 +47,8 @@ class PlannerChain {
   PlannerChain(const PlannerChain&) = delete;
   PlannerChain& operator=(const PlannerChain&) = delete;
 
-  /// Takes in what others say to keep apart. At each step.
-  void listen(const AgentInput& in) { separation_.listen(in); }
+  /// Takes in what others say to keep apart, and says that it has landed. At each step.
+  void listen(const AgentInput& in, AgentOutput& out) { separation_.listen(in, out); }
 
   /// Commands what is flown.
   void fly(const TaskStep& step, AgentOutput& out);

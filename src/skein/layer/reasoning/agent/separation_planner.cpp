@@ -7,6 +7,7 @@
 #include "skein/base/check.h"
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/agent/expected_flight.h"
+#include "skein/layer/reasoning/avoidance/flights/course_flight.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -19,8 +20,12 @@ constexpr double kWorthReturning =
     40;  // of a flight that is left, to be planned anew [s]
 constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
 constexpr double kOtherWind = 1;             // than that of the plan [m/s]
-constexpr double kPlannedRadius = 1.1;       // of the turn radius: room to correct
-constexpr double kPlannedClimb = 0.95;       // of the climb rate, likewise
+constexpr double kCourseAgain = 5;      // of who does not obey, at least so often [s]
+constexpr double kMinCourse = 1;        // and not more often than that [s]
+constexpr double kCourseError = 10;     // of a course that is no plan [m]
+constexpr double kClimbsFor = 6;        // it may climb and sink on [s]
+constexpr double kPlannedRadius = 1.1;  // of the turn radius: room to correct
+constexpr double kPlannedClimb = 0.95;  // of the climb rate, likewise
 
 // The least height above the ground of a flight, and a little less [m].
 double lowest(const FlightPlan& plan, const Terrain& ground) {
@@ -36,15 +41,18 @@ double lowest(const FlightPlan& plan, const Terrain& ground) {
 
 FlightPriority priority_of(const AutopilotStatus& status) {
   if (status.trigger != FailsafeTrigger::kNone) return FlightPriority::kEmergency;
-  if (status.mode == FlightMode::kManual) return FlightPriority::kPilotFlies;
+  if (status.mode == FlightMode::kManual || status.mode == FlightMode::kStabilized)
+    return FlightPriority::kPilotFlies;
   if (status.reserve < 0) return FlightPriority::kCannotManoeuvre;
   return FlightPriority::kNormal;
 }
 
 }  // namespace
 
-void SeparationPlanner::listen(const AgentInput& in) {
-  if (options_.method != SeparationMethod::kNone) separator_.listen(in.now, in.inbox);
+void SeparationPlanner::listen(const AgentInput& in, AgentOutput& out) {
+  if (options_.method == SeparationMethod::kNone) return;
+  separator_.listen(in.now, in.inbox);
+  landing_.listen(in, {separator_.loss(), separator_.delay()}, out);
 }
 
 PathQuery SeparationPlanner::query_of(const TaskStep& step) const {
@@ -64,7 +72,8 @@ PathQuery SeparationPlanner::query_of(const TaskStep& step) const {
 // Whether the aircraft flies elsewhere than was expected, or further than that goes.
 bool SeparationPlanner::expects_other(const FlightIntent& given,
                                       const TaskStep& step) const {
-  if (!expected_ || given.number != given_ || given.what.index() != kind_) return true;
+  if (!expected_ || by_others_ || given.number != given_ || given.what.index() != kind_)
+    return true;
   const double age = (step.in.now - expected_at_).seconds();
   if (separator_.changed()) {
     // Near its end another flight could not come down in time to where this one ends.
@@ -97,6 +106,25 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   given_ = given.number;
   kind_ = given.what.index();
   expected_ = true;
+  by_others_ = false;
+  expected_at_ = step.in.now;
+}
+
+// Nobody on board knows what a pilot or a failsafe flies next.
+void SeparationPlanner::want_course(const TaskStep& step) {
+  const NavEstimate& nav = *step.in.nav;
+  const double now = step.in.now.seconds(), age = now - expected_at_.seconds();
+  if (by_others_) {
+    const Vec3 off = model::moment_at(wanted_.plan, now).p_N - nav.p_N;
+    const bool astray = off.head<2>().norm() > kOff || std::abs(off.z()) > kOffHeight;
+    if (age < kMinCourse || (!astray && age < kCourseAgain)) return;
+  }
+  FlightPlan plan =
+      course_flight(nav.p_N, nav.v_N, now, options_.horizon + kExpected, kClimbsFor);
+  if (plan.empty()) return;
+  wanted_ = {++counted_, std::move(plan), {}, false, kCourseError};
+  wanted_.milestones = {model::end_time_of(wanted_.plan)};
+  expected_ = by_others_ = true;
   expected_at_ = step.in.now;
 }
 
@@ -113,7 +141,7 @@ void SeparationPlanner::want_itinerary(const FlightIntent& given,
     wanted_.milestones.push_back(end);
   given_ = given.number;
   kind_ = given.what.index();
-  expected_ = false;
+  expected_ = by_others_ = false;
 }
 
 const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
@@ -123,35 +151,53 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
   SKEIN_CHECK(given != nullptr);
   modifies_ = false;
   reason_ = {};
-  if (options_.method == SeparationMethod::kNone) return given;
+  if (options_.method == SeparationMethod::kNone || step.in.autopilot.on_ground)
+    return given;
+  const FlightIntent* asked =
+      landing_.plan(given, step, {separator_.loss(), separator_.delay()}, out);
   // The task has no part in it when another flight than its own is refused.
   if (flight.refused && own_number_ != 0 && flight.number == own_number_ &&
       separator_.changed()) {
     separator_.refuse_plan();
     if (expected_) given_ = 0;  // expected anew, from here and in the wind that there is
   }
-  want(*given, step, flight);
-  if (wanted_.plan.empty()) return given;
+  const bool obeys = obeys_orders(step.in.autopilot);
+  if (obeys)
+    want(*asked, step, flight);
+  else
+    want_course(step);
+  modifies_ = asked != given;
+  reason_ = landing_.reason();
+  if (wanted_.plan.empty()) return asked;
+  separate(step, !obeys || landing_.approaches());
+  say(out);
+  if (!obeys) return asked;
+  if (const std::string_view why = separator_.reason(); !why.empty()) reason_ = why;
+  if (const auto& turn = separator_.turn()) {
+    own_ = {0, Steering{HoldCourse{turn->course}, turn->course, turn->altitude_msl, {}}};
+    own_number_ = 0;
+    modifies_ = false;
+    return &own_;
+  }
+  if (expected_ && !separator_.changed()) return asked;
+  return own_flight(*asked, step);
+}
+
+// Changes the flight that is wanted, if it has to be.
+void SeparationPlanner::separate(const TaskStep& step, bool keeps_on) {
   messages_.clear();
   if (lowest_of_ != wanted_.number) {
     lowest_of_ = wanted_.number;
     lowest_ = lowest(wanted_.plan, *context_.map);
   }
   list_strangers(step);
+  FlightPriority priority = priority_of(step.in.autopilot);
+  if (landing_.approaches()) priority = std::max(priority, FlightPriority::kLanding);
   const PathQuery query = query_of(step);
   separator_.step(
       {step.in.now, step.in.nav->p_N, step.in.nav->v_N, step.in.nav->position_sd,
-       priority_of(step.in.autopilot), query, step.safety.zones().zones(), strangers_},
+       priority, query, step.safety.zones().zones(), strangers_, keeps_on},
       wanted_, messages_);
-  say(out);
-  reason_ = separator_.reason();
-  if (const auto& turn = separator_.turn()) {
-    own_ = {0, Steering{HoldCourse{turn->course}, turn->course, turn->altitude_msl, {}}};
-    own_number_ = 0;
-    return &own_;
-  }
-  if (expected_ && !separator_.changed()) return given;
-  return own_flight(*given, step);
 }
 
 // The plan of the separator, to be flown in time.

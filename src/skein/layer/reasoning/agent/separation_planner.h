@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "skein/layer/reasoning/agent/landing_planner.h"
 #include "skein/layer/reasoning/agent/task_executor.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 
@@ -13,14 +14,19 @@ namespace skein::reasoning {
 /// What the task flies by a plan is flown in time, and in another way where that would
 /// not be apart; the task counts it as its own. What it flies without a plan is said to
 /// others as far as it can be expected, and interrupted by a plan while something has to
-/// be passed.
+/// be passed. Landings are flown one after the other with others (LandingPlanner). While
+/// a pilot or a failsafe flies it says that the aircraft flies straight on, and changes
+/// nothing: others keep out of its way. On the ground it says nothing.
 class SeparationPlanner {
  public:
   SeparationPlanner(const FlightContext& context, const SeparationOptions& options)
-      : context_(context), options_(options), separator_(context.self, options) {}
+      : context_(context),
+        options_(options),
+        landing_(context, options.separation.horizontal, options.holding_step),
+        separator_(context.self, options) {}
 
   /// Takes in what others say. At each step, on the ground too.
-  void listen(const AgentInput& in);
+  void listen(const AgentInput& in, AgentOutput& out);
 
   /// What shall be flown.
   /// @param flight  how the flight of the last intent goes that this has returned.
@@ -39,22 +45,26 @@ class SeparationPlanner {
  private:
   void want(const FlightIntent& given, const TaskStep& step,
             const FlightProgress& flight);
+  void want_course(const TaskStep& step);
   void want_itinerary(const FlightIntent& given, const Itinerary& itinerary,
                       const TaskStep& step);
   bool expects_other(const FlightIntent& given, const TaskStep& step) const;
   PathQuery query_of(const TaskStep& step) const;
+  void separate(const TaskStep& step, bool keeps_on);
   const FlightIntent* own_flight(const FlightIntent& given, const TaskStep& step);
   void say(AgentOutput& out);
   void list_strangers(const TaskStep& step);
 
   FlightContext context_;
   SeparationOptions options_;
+  LandingPlanner landing_;
   Separator separator_;
   WantedFlight wanted_;
   std::uint32_t counted_ = 0;  // flights that were wanted
   std::uint32_t given_ = 0;    // number of the intent that is wanted
   std::size_t kind_ = 0;       // of the intent
   bool expected_ = false;      // it has no plan
+  bool by_others_ = false;     // what is wanted is the flight of a pilot or failsafe
   Time expected_at_;
   double lowest_ = 0;  // height above the ground of what is wanted [m]
   std::uint32_t lowest_of_ = 0;

@@ -54,8 +54,10 @@ struct Itinerary {
 
 /// Down to the ground at a place.
 struct Landing {
-  Vec2 place = Vec2::Zero();  ///< [m]
-  double altitude_msl = 0;    ///< until the approach [m]
+  Vec2 place = Vec2::Zero();       ///< [m]
+  double altitude_msl = 0;         ///< until the approach [m]
+  std::optional<double> course{};  ///< of the approach [rad]; none: against the wind
+  double approach = 0;  ///< about how long that is, over ground [m]; 0: not known
 };
 
 /// Home, by the route that has been planned for returns, and to stay above.

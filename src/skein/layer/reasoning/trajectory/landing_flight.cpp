@@ -25,7 +25,7 @@ void LandingFlight::step(const TrajectoryStep& step, AgentOutput& out) {
                                       place.x(), place.y())});
   AutopilotCommand command;
   command.altitude_msl = landing_.altitude_msl;
-  command.guidance = Land{place, ground};
+  command.guidance = Land{place, ground, landing_.course};
   out.command = std::move(command);
 }
 

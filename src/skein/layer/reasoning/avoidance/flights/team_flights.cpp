@@ -66,6 +66,7 @@ const TeamFlight* TeamFlights::find(EntityId who) const {
 void TeamFlights::take(const Message& message, const PlanReport& report) {
   TeamFlight& flight = at(message.from);
   if (!flight.plan.empty() && message.sent < flight.sent) return;
+  if (flight.landed && message.sent <= *flight.landed) return;
   const bool other = flight.plan.empty() || report.number != flight.number;
   // A lower number is of somebody who has begun anew, if that is not a late message.
   if (other && report.number < flight.number &&
@@ -95,6 +96,7 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
   if (!place.p_N.allFinite() || !place.v_N.allFinite()) return;
   TeamFlight& flight = at(message.from);
   if (flight.place && place.sent <= flight.place->sent) return;
+  if (flight.landed && place.sent <= *flight.landed) return;
   if (flight.place) {
     // Longer gaps are of somebody who was out of reach.
     const double sent = std::round((place.sent - flight.place->sent).seconds() / kPeriod);
@@ -104,6 +106,17 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
     }
   }
   flight.place = place;
+  flight.course.clear();
+}
+
+void TeamFlights::take(const Message& message, const LandingReport& report) {
+  if (report.phase != LandingPhase::kLanded) return;
+  TeamFlight& flight = at(message.from);
+  if (flight.landed && message.sent <= *flight.landed) return;
+  flight.landed = message.sent;
+  if (!flight.plan.empty() && flight.sent <= message.sent) flight.plan.clear();
+  if (!flight.place || flight.place->sent > message.sent) return;
+  flight.place.reset();
   flight.course.clear();
 }
 
@@ -130,14 +143,16 @@ void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox
       take(message, *plan);
     else if (const auto* place = std::get_if<PlaceReport>(&message.content))
       take(message, *place);
+    else if (const auto* landing = std::get_if<LandingReport>(&message.content))
+      take(message, *landing);
     else
       continue;
     TeamFlight& flight = at(message.from);
     flight.delay = std::max((now - message.sent).seconds(), kFades * flight.delay);
   }
   std::erase_if(flights_, [&](const TeamFlight& flight) {
-    const Time last =
-        flight.place ? std::max(flight.sent, flight.place->sent) : flight.sent;
+    const Time last = std::max({flight.sent, flight.place ? flight.place->sent : Time(),
+                                flight.landed.value_or(Time())});
     return (now - last).seconds() > kForget;
   });
   expect_courses(now);

@@ -26,10 +26,11 @@ struct TeamFlight {
   std::uint32_t number = 0;  ///< of the plan
   std::uint32_t agreed = 0;  ///< negotiation that the plan comes from; 0: none
   FlightPriority priority = FlightPriority::kNormal;
-  Separation separation;    ///< that it keeps
-  double across_error = 8;  ///< off its plan [m]
-  double height_error = 2;  ///< [m]
-  Time sent;                ///< the newest report of the plan
+  Separation separation;       ///< that it keeps
+  double across_error = 8;     ///< off its plan [m]
+  double height_error = 2;     ///< [m]
+  Time sent;                   ///< the newest report of the plan
+  std::optional<Time> landed;  ///< it said so then; what it sent before says nothing
   std::optional<ReportedPlace> place;
   FlightPlan course;  ///< straight on from the place reported last, if the plan does not
                       ///< conform; else empty
@@ -51,9 +52,9 @@ struct TeamFlight {
   Expected expected(Time now) const;
 };
 
-/// The flights of the others of the team, from their PlanReports and PlaceReports. What
-/// comes late, twice or in another order changes nothing; what makes no sense is left
-/// out.
+/// The flights of the others of the team, from their PlanReports and PlaceReports; who
+/// has said in a LandingReport that it has landed has none. What comes late, twice or in
+/// another order changes nothing; what makes no sense is left out.
 class TeamFlights {
  public:
   /// A plan that has not been heard of for longer protects its owner no more [s].
@@ -78,6 +79,7 @@ class TeamFlights {
   void expect_courses(Time now);
   void take(const Message& message, const PlanReport& report);
   void take(const Message& message, const PlaceReport& report);
+  void take(const Message& message, const LandingReport& report);
 
   double horizon_;
   std::vector<TeamFlight> flights_;

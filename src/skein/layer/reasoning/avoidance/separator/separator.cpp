@@ -56,6 +56,7 @@ void Separator::want(const WantedFlight& wanted) {
   begun_ = true;
   wanted_ = wanted.number;
   is_plan_ = wanted.is_plan;
+  unknown_ = wanted.unknown;
   own_.plan = model::as_sent(wanted.plan);
   ++own_.number;
   milestones_ = wanted.milestones;
@@ -72,6 +73,7 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
                      std::vector<Message>& out) {
   want(wanted);
   priority_ = step.priority;
+  keeps_on_ = step.keeps_on;
   own_.separation = options_.separation;
   measure(step);
   hear(step);
@@ -94,8 +96,12 @@ void Separator::measure(const SeparationStep& step) {
       now <= model::end_time_of(own_.plan))
     errors_.add(step.now, model::moment_at(own_.plan, now).p_N - step.p_N);
   const double unknown = kSigmas * step.position_sd;
-  own_.across_error = half_metres(errors_.across() + unknown);
-  own_.height_error = half_metres(errors_.height() + kVerticalSd * unknown);
+  own_.across_error = own_.height_error = 0;
+  if (options_.widens) {
+    own_.across_error = half_metres(errors_.across() + unknown);
+    own_.height_error = half_metres(errors_.height() + kVerticalSd * unknown);
+  }
+  own_.across_error += unknown_;
   for (const Conflict& conflict : conflicts_) {
     const TeamFlight* other = team_.find(conflict.other);
     if (!other || !other->place) continue;
@@ -125,7 +131,7 @@ void Separator::look(const SeparationStep& step) {
 
 // @returns whether the own plan is another one now.
 bool Separator::solve(const SeparationStep& step, const Conflict& conflict) {
-  if (!flies_plan()) return false;
+  if (!flies_plan() || keeps_on_) return false;
   switch (method_for(conflict, step.now)) {
     case SeparationMethod::kNegotiated:  // open_earliest()
     case SeparationMethod::kGroup:       // open_group()
@@ -219,6 +225,12 @@ double Separator::rejoins(double after) const {
   const auto found = std::ranges::upper_bound(milestones_, after);
   return found != milestones_.end() ? std::min(*found, model::end_time_of(own_.plan))
                                     : model::end_time_of(own_.plan);
+}
+
+double Separator::delay() const {
+  double longest = 0;
+  for (const TeamFlight& each : team_.flights()) longest = std::max(longest, each.delay);
+  return longest;
 }
 
 double Separator::delay_to(EntityId other) const {

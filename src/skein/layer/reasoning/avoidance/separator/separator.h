@@ -31,6 +31,10 @@ struct SeparationOptions {
   double reaction = 2;     ///< own action begins so long after a decision [s]
   double emergency = 15;   ///< from so short a time on each acts alone [s]
   double last_moment = 5;  ///< from so short a time on only heights count [s]
+  /// How far it is off its plans, and from where it believes to be, is kept on top of
+  /// `separation`; else that is all that is kept.
+  bool widens = true;
+  double holding_step = 60;  ///< between the heights of two that wait to land [m]
   /// By which alerts about strangers are given and bands made; null: skein_suas.
   std::shared_ptr<const model::WellClearConfiguration> well_clear = {};
 };
@@ -44,6 +48,7 @@ struct WantedFlight {
   /// It is flown as it is; else it is what can be expected: how far the aircraft is off
   /// it says nothing of how well it keeps to plans.
   bool is_plan = true;
+  double unknown = 0;  ///< how far it may be off that, besides [m]
 };
 
 /// What the separator is given at one step.
@@ -58,6 +63,8 @@ struct SeparationStep {
   std::span<const Zone> zones;  ///< no-fly
   /// Tracks of those who do not belong to the team.
   std::span<const Stranger> strangers = {};
+  /// Another flight would not be flown: a pilot or a failsafe flies, or it lands.
+  bool keeps_on = false;
 };
 
 /// To fly now instead of any plan.
@@ -101,6 +108,10 @@ class Separator {
 
   /// What the flight was changed for last is over for some time.
   bool is_clear(Time now) const { return now.seconds() >= clear_from_; }
+
+  /// Of what others send: the share that is lost, and the longest delay of late [s].
+  double loss() const { return team_.loss(); }
+  double delay() const;
 
   /// What is flown instead of a plan, out of a stranger's way.
   const std::optional<Heading>& turn() const { return turn_; }
@@ -203,7 +214,8 @@ class Separator {
   std::uint32_t wanted_ = 0, agreed_ = 0, opened_ = 0;
   std::vector<double> milestones_;
   std::size_t passed_ = 0;
-  bool changed_ = false, is_plan_ = true;
+  bool changed_ = false, is_plan_ = true, keeps_on_ = false;
+  double unknown_ = 0;     // how far it may be off what is wanted [m]
   double clear_from_ = 0;  // [s]
   std::string_view reason_;
   Time last_moment_until_;

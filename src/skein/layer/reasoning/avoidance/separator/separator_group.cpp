@@ -52,8 +52,8 @@ bool Separator::can_join(const SeparationStep& step,
                          const GroupInvitation& invitation) const {
   return !negotiation_ && !group_ && flies_plan() &&
          is_plausible(invitation, step.now.seconds(), options_.horizon) &&
-         invitation.begin < model::end_time_of(own_.plan) &&
-         priority_ != FlightPriority::kEmergency &&
+         invitation.begin < model::end_time_of(own_.plan) && !keeps_on_ &&
+         !flies_on(priority_) &&
          (options_.method == SeparationMethod::kAuto ||
           options_.method == SeparationMethod::kGroup);
 }
@@ -83,7 +83,7 @@ void Separator::answer(const SeparationStep& step, EntityId from,
 // Invites to a group where that is up to this aircraft: the lowest of the group, or after
 // some time any other of it.
 void Separator::open_group(const SeparationStep& step) {
-  if (!flies_plan() || negotiation_ || group_) return;
+  if (!flies_plan() || negotiation_ || group_ || keeps_on_) return;
   const auto first = std::ranges::find_if(conflicts_, [&](const Conflict& conflict) {
     return method_for(conflict, step.now) == SeparationMethod::kGroup;
   });

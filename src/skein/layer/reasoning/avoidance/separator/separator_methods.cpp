@@ -48,7 +48,8 @@ SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const
   const double negotiating = kBudget + 4 * (2 * delay_to(conflict.other) + kAgentStep);
   const bool alone = conflicts_.size() < kGroupFrom;
   const TeamFlight* other = team_.find(conflict.other);
-  const bool hears = other && other->conforms(now) && team_.loss() < kLittleLoss &&
+  const bool hears = other && other->conforms(now) && !flies_on(other->priority) &&
+                     team_.loss() < kLittleLoss &&
                      delay_to(conflict.other) < kLittleDelay;
   if (left > options_.fixed + negotiating && hears)
     return alone ? SeparationMethod::kNegotiated : SeparationMethod::kGroup;

@@ -75,8 +75,8 @@ bool Separator::can_answer(const SeparationStep& step, const ConflictNotice& not
   const double now = step.now.seconds();
   return same_plans && !negotiation_ && !group_ && flies_plan() &&
          makes_sense(notice, now, options_.horizon) && notice.begin > now &&
-         notice.begin < model::end_time_of(own_.plan) &&
-         priority_ != FlightPriority::kEmergency &&
+         notice.begin < model::end_time_of(own_.plan) && !keeps_on_ &&
+         !flies_on(priority_) &&
          (options_.method == SeparationMethod::kAuto ||
           options_.method == SeparationMethod::kNegotiated);
 }
@@ -115,7 +115,7 @@ void Separator::begin_negotiation(const SeparationStep& step,
 
 // Opens a negotiation about the earliest conflict that can be negotiated.
 void Separator::open_earliest(const SeparationStep& step) {
-  if (!flies_plan() || group_) return;
+  if (!flies_plan() || group_ || keeps_on_) return;
   for (const Conflict& conflict : conflicts_)
     if (!negotiation_ &&
         method_for(conflict, step.now) == SeparationMethod::kNegotiated &&

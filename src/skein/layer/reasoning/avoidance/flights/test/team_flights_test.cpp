@@ -51,6 +51,21 @@ TEST(TeamFlights, TheNewestPlanCountsInWhateverOrderTheyCome) {
   EXPECT_EQ(flights.find(kOther)->number, 2u);
 }
 
+TEST(TeamFlights, WhoHasLandedIsInNobodysWayUntilItFliesAgain) {
+  LandingReport landed;
+  landed.phase = LandingPhase::kLanded;
+  const std::vector<Message> before = {says(report(2, north_at(20, 100)), 2),
+                                       says(place(40, 2), 3)};
+  TeamFlights flights = after(3, before);
+  ASSERT_TRUE(flights.find(kOther)->expected(Time::from_seconds(3)).plan);
+  const std::vector<Message> late = {says(landed, 4), before[0], before[1]};
+  flights.listen(kSelf, Time::from_seconds(5), late);
+  EXPECT_FALSE(flights.find(kOther)->expected(Time::from_seconds(5)).plan);
+  const std::vector<Message> again = {says(report(3, north_at(20, 100)), 6)};
+  flights.listen(kSelf, Time::from_seconds(6), again);
+  EXPECT_TRUE(flights.find(kOther)->expected(Time::from_seconds(6)).plan);
+}
+
 TEST(TeamFlights, TheSameTwiceIsOnce) {
   const Message plan = says(report(2, north_at(20, 100)), 2);
   EXPECT_EQ(after(3, {plan, plan}).flights().size(), 1u);

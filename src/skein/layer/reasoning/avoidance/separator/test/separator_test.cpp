@@ -65,6 +65,7 @@ class Sky {
            model::end_time_of(all_[k]->wanted.plan);
   }
   const Separator& separator(std::size_t k) const { return all_[k]->separator; }
+  void give(std::size_t k, FlightPriority priority) { all_[k]->priority = priority; }
   int messages() const { return messages_; }
 
  private:
@@ -77,6 +78,7 @@ class Sky {
     EntityId id;
     Separator separator;
     WantedFlight wanted;
+    FlightPriority priority = FlightPriority::kNormal;
     Moving now;
     std::vector<Message> inbox;
   };
@@ -106,9 +108,11 @@ class Sky {
                            one->now.p_N,
                            one->now.v_N,
                            0,
-                           FlightPriority::kNormal,
+                           one->priority,
                            query,
-                           {}},
+                           {},
+                           {},
+                           flies_on(one->priority)},
                           one->wanted, out);
       for (Message& message : out) {
         ++messages_;
@@ -156,6 +160,52 @@ TEST(Separator, ANegotiationChangesOneOrBothByLittle) {
   EXPECT_GE(sky.fly(), 1);
   EXPECT_TRUE(sky.separator(0).changed() || sky.separator(1).changed());
   EXPECT_LT(sky.later(0) + sky.later(1), 2);
+}
+
+// Whoever it is, and whatever could be agreed on.
+TEST(Separator, AllOthersGiveWayToWhoFliesOn) {
+  for (const auto priority : {FlightPriority::kLanding, FlightPriority::kPilotFlies,
+                              FlightPriority::kEmergency})
+    for (const std::size_t first : {0, 1}) {
+      Sky sky = head_on(SeparationMethod::kAuto);
+      sky.give(first, priority);
+      EXPECT_GE(sky.fly(), 1) << name_of(priority);
+      EXPECT_FALSE(sky.separator(first).changed()) << name_of(priority);
+      EXPECT_TRUE(sky.separator(1 - first).changed()) << name_of(priority);
+    }
+}
+
+// What it says that it is off its plan by, having been 5 m off for some time.
+float said_error(bool widens) {
+  SeparationOptions options;
+  options.method = SeparationMethod::kAuto;
+  options.widens = widens;
+  Separator separator(EntityId{1}, options);
+  FlightElement e;
+  e.p_N = Vec3(0, 0, -100);
+  e.airspeed = 20;
+  e.duration = 300;
+  std::vector<Message> out;
+  const PathQuery query;
+  for (double t = 0; t < 30; ++t)
+    separator.step({Time::from_seconds(t),
+                    Vec3(20 * t, 5, -100),
+                    Vec3(20, 0, 0),
+                    3,
+                    FlightPriority::kNormal,
+                    query,
+                    {}},
+                   {1, {e}, {300}}, out);
+  float error = -1;
+  for (const Message& message : out)
+    if (const auto* plan = std::get_if<PlanReport>(&message.content))
+      error = plan->across_error;
+  return error;
+}
+
+TEST(Separator, WhatIsKeptWidensByWhatIsMeasured) {
+  EXPECT_GE(said_error(true), 5 + 2.2 * 3);
+  EXPECT_EQ(said_error(false), 0);
 }
 
 TEST(Separator, LossAndDelayAreNormal) {

@@ -1,0 +1,144 @@
+#include "skein/layer/reasoning/agent/separation_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "skein/layer/reasoning/trajectory/test/test_flight.h"
+#include "skein/model/path/flight_code.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning {
+namespace {
+
+constexpr EntityId kOther{1}, kOwn{2};
+
+// An aircraft that is where it is put, and its separation planner.
+struct Aircraft {
+  Aircraft() {
+    options.method = SeparationMethod::kAuto;
+    planner.emplace(context, options);
+    nav.p_N = Vec3(-400, 0, -260);
+    nav.v_N = Vec3(15, 0, 0);
+    nav.wind_N = Vec2(-4, 0);
+  }
+
+  const FlightIntent* second(const std::vector<Message>& inbox = {}) {
+    AgentInput in;
+    in.now = now;
+    in.nav = &nav;
+    in.inbox = inbox;
+    in.autopilot = status;
+    out = {};
+    planner->listen(in, out);
+    safety.may_fly(in, 100, true, out);
+    const FlightIntent* flown = planner->plan(
+        &given, {in, {}, safety, beliefs, progress, intents}, progress, out);
+    now += Time::from_seconds(1);
+    return flown;
+  }
+
+  template <class T>
+  std::optional<T> said() const {
+    for (const Message& message : out.outbox)
+      if (const auto* content = std::get_if<T>(&message.content)) return *content;
+    return std::nullopt;
+  }
+
+  // Somebody else has the turn.
+  Message other_lands() const {
+    LandingReport report;
+    report.phase = LandingPhase::kLands;
+    report.lasts = 100;
+    report.altitude_msl = 260;
+    report.endurance = 500;
+    return {kOther, kEveryone, 0, now, report};
+  }
+
+  test::FlatGround ground;
+  FlightContext context{kOwn, FlightLimits{15, 60, 3, 3, 11, 20}, &ground, nullptr, 120};
+  FlightSafety safety{{}, {}, kOwn, FlightLimits{}, ground, {}};
+  Beliefs beliefs{EntityId{0}};
+  SeparationOptions options;
+  std::optional<SeparationPlanner> planner;
+  FlightIntent given{1, Landing{Vec2::Zero(), 220}};
+  FlightProgress progress;
+  IntentCounter intents;
+  NavEstimate nav;
+  AutopilotStatus status;
+  AgentOutput out;
+  Time now;
+};
+
+TEST(SeparationPlanner, ALandingWaitsWhileAnotherAircraftLands) {
+  Aircraft aircraft;
+  for (int k = 0; k < 60; ++k) {
+    const FlightIntent* flown = aircraft.second({aircraft.other_lands()});
+    const auto* circling = std::get_if<Circling>(&flown->what);
+    ASSERT_TRUE(circling) << k;
+    EXPECT_GT(circling->centre.x(), 100) << "upwind, where nobody approaches";
+    EXPECT_TRUE(aircraft.planner->modifies());
+  }
+  EXPECT_EQ(aircraft.said<LandingReport>()->phase, LandingPhase::kWaits);
+  EXPECT_NE(aircraft.said<LandingReport>()->altitude_msl, 260) << "that is the other's";
+}
+
+TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
+  Aircraft aircraft;
+  const Circling* circling = nullptr;
+  for (int k = 0; k < 20; ++k) circling = std::get_if<Circling>(&aircraft.second()->what);
+  ASSERT_TRUE(circling);
+  EXPECT_LT(circling->centre.x(), -500) << "downwind, where the approach begins";
+  EXPECT_EQ(circling->altitude_msl, 260);
+  aircraft.nav.p_N = Vec3(circling->centre.x(), circling->centre.y(), -260);
+  const auto* landing = std::get_if<Landing>(&aircraft.second()->what);
+  ASSERT_TRUE(landing);
+  EXPECT_NEAR(landing->course.value(), 0, 1e-6) << "into the wind";
+  EXPECT_EQ(aircraft.said<PlanReport>().value().priority, FlightPriority::kLanding);
+}
+
+TEST(SeparationPlanner, WhatAFailsafeLandsIsSaidAndLandsAtOnce) {
+  Aircraft aircraft;
+  aircraft.given = {2, Circling{Vec2(0, 500), 260.0}};
+  aircraft.second();  // where it is now is home
+  aircraft.status.trigger = FailsafeTrigger::kBattery;
+  aircraft.status.reaction = FailsafeReaction::kLand;
+  aircraft.second({aircraft.other_lands()});
+  const auto report = aircraft.said<LandingReport>();
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->phase, LandingPhase::kLands);
+  EXPECT_TRUE(report->emergency);
+}
+
+TEST(SeparationPlanner, OnTheGroundItSaysNothingButThatItHasLanded) {
+  Aircraft aircraft;
+  aircraft.second();
+  EXPECT_TRUE(aircraft.said<PlaceReport>());
+  aircraft.status.on_ground = true;
+  aircraft.second();
+  EXPECT_EQ(aircraft.said<LandingReport>()->phase, LandingPhase::kLanded);
+  EXPECT_FALSE(aircraft.said<PlaceReport>());
+  EXPECT_FALSE(aircraft.said<PlanReport>());
+}
+
+// Nobody on board knows what the pilot flies next: others count with straight on.
+TEST(SeparationPlanner, WhatAPilotFliesIsSaidAsItsCourse) {
+  Aircraft aircraft;
+  aircraft.given = {2, Circling{Vec2(0, 500), 260.0}};
+  aircraft.second();
+  aircraft.status.mode = FlightMode::kStabilized;
+  aircraft.nav.v_N = Vec3(0, 15, 0);
+  aircraft.second();
+  const auto plan = aircraft.said<PlanReport>();
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->priority, FlightPriority::kPilotFlies);
+  EXPECT_GE(plan->across_error, 10);
+  const auto flight = model::decoded_flight(plan->flight);
+  ASSERT_TRUE(flight);
+  const double t = model::start_of(*flight);
+  const Vec3 later = model::moment_at(*flight, t + 60).p_N;
+  EXPECT_LT((later - Vec3(-400, 900, -260)).norm(), 1);
+}
+
+}  // namespace
+}  // namespace skein::reasoning

@@ -1,0 +1,65 @@
+#include "skein/record/flight_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include "skein/record/separation_statistics.h"
+
+namespace skein::record {
+namespace {
+
+VehicleState at(double north, double height, bool on_ground = false) {
+  VehicleState state;
+  state.p_N = Vec3(north, 0, -height);
+  state.on_ground = on_ground;
+  return state;
+}
+
+std::map<std::string, double> figures(const FlightStatistics& statistics) {
+  std::map<std::string, double> all;
+  statistics.add_figures(all, [](EntityId) { return std::string("a"); });
+  return all;
+}
+
+TEST(FlightStatistics, CountsWhoStandsOnTheGroundHavingFlown) {
+  FlightStatistics statistics;
+  const EntityId stands{1}, flies{2}, lands{3}, crashes{4};
+  for (int t = 0; t < 6; ++t) {
+    const Time time = Time::from_seconds(t);
+    statistics.truth(time, stands, at(0, 0, true));
+    statistics.truth(time, flies, at(0, 100, t == 1));        // touches, and goes around
+    statistics.truth(time, lands, at(0, 0, t > 0 && t < 5));  // on springs
+    statistics.truth(time, crashes, at(0, 0, t > 0));
+  }
+  EXPECT_EQ(figures(statistics).at("aircraft_landed"), 2);
+  statistics.event({Time::from_seconds(5), crashes, "accident", "too fast"});
+  EXPECT_EQ(figures(statistics).at("aircraft_landed"), 1);
+}
+
+TEST(FlightStatistics, WhereNobodyLandsNothingIsSaidAboutIt) {
+  FlightStatistics statistics;
+  statistics.truth(Time(), EntityId{1}, at(0, 100));
+  EXPECT_FALSE(figures(statistics).contains("aircraft_landed"));
+}
+
+// @param jumps  it is off the ground for one moment in five.
+double violations(bool on_ground, bool jumps = false) {
+  SeparationStatistics statistics;
+  statistics.message({EntityId{1}, kEveryone, 0, Time(), PlanReport{}});
+  for (int t = 0; t < 5; ++t) {
+    statistics.truth(Time::from_seconds(t), EntityId{1}, at(20 * t - 40, 15));
+    statistics.truth(Time::from_seconds(t), EntityId{2},
+                     at(0, 0, on_ground && !(jumps && t == 2)));
+  }
+  std::map<std::string, double> all;
+  statistics.add_figures(all);
+  return all.at("violations");
+}
+
+TEST(SeparationStatistics, WhoIsOnTheGroundIsNotToBeKeptApartFrom) {
+  EXPECT_EQ(violations(false), 1);
+  EXPECT_EQ(violations(true), 0);
+  EXPECT_EQ(violations(true, true), 0) << "landing gear springs";
+}
+
+}  // namespace
+}  // namespace skein::record
