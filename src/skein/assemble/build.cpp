@@ -476,6 +476,7 @@ class Builder {
     // The radio outlives no entity: both are the world's.
     RadioContext context;
     context.seed = scenario_.seed;
+    context.entities = build_.world.entities.size();
     std::vector<const Vehicle*> vehicles;
     for (const simulation::Entity& entity : build_.world.entities)
       vehicles.push_back(entity.vehicle.get());

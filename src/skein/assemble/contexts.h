@@ -139,6 +139,7 @@ struct MissionContext {
 /// What every radio is given besides its options.
 struct RadioContext {
   std::uint64_t seed = 0;
+  std::size_t entities = 0;  ///< all of the run, those that come late too
   std::function<std::optional<Vec3>(EntityId)> position;
 };
 

@@ -1,9 +1,12 @@
 // Radios: one row each.
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/team_setup.h"
 #include "skein/layer/communication/ideal_radio.h"
+#include "skein/layer/communication/medium_radio.h"
+#include "skein/layer/communication/propagation/path_loss.h"
 
 namespace skein::assemble {
 namespace {
@@ -29,9 +32,54 @@ Fields<communication::IdealRadioOptions> ideal_fields() {
                   {.above = 0, .at_most = 86400});
 }
 
+// A medium whose radio stands in a radio file.
+struct MediumChoice {
+  std::string profile = "wifi-dsss-2";
+  std::string file;
+  double spread = communication::MediumRadioOptions().spread;
+};
+
+Fields<MediumChoice> medium_fields() {
+  using T = MediumChoice;
+  return Fields<T>()
+      .text("profile", &T::profile,
+            "A built-in radio: `skein list radio-profile` names them.")
+      .file("file", &T::file, "A radio file instead; \"\": none.", {.may_be_empty = true})
+      .duration_s("spread_s", &T::spread,
+                  "Agents think at the same moments; their messages reach the radios "
+                  "later, by up to this.",
+                  {.at_least = 0, .at_most = 10});
+}
+
+Result<RadioFile> load(const MediumChoice& choice) {
+  return load_radio(choice.file.empty() ? choice.profile : choice.file, ".");
+}
+
+// How far its frames are understood where nothing interferes [m]; 0: no limit.
+double range_of(const RadioFile& file) {
+  const auto propagation =
+      communication::make_propagation(file.propagation, file.radio.phy.frequency, 0);
+  const auto& phy = file.radio.phy;
+  const double radiated = communication::watts(
+      phy.transmit_power_dbm + phy.transmit_gain_db + phy.receive_gain_db);
+  const double threshold = communication::watts(phy.decode_threshold_dbm);
+  const auto reached = [&](double distance) {
+    return propagation->received(radiated, Vec3::Zero(), Vec3(distance, 0, 0)) >=
+           threshold;
+  };
+  double near = 1, far = 1e7;
+  if (reached(far)) return 0;
+  while (far - near > 1) (reached((near + far) / 2) ? near : far) = (near + far) / 2;
+  return near;
+}
+
 }  // namespace
 
 double radio_range(const scenario::Choice& radio) {
+  if (const auto* medium = std::any_cast<MediumChoice>(&radio.options)) {
+    const auto file = load(*medium);
+    return file ? range_of(file.value()) : 0;
+  }
   const auto* ideal = std::any_cast<communication::IdealRadioOptions>(&radio.options);
   return ideal ? ideal->range : 0;
 }
@@ -42,6 +90,20 @@ Kinds<Radio, RadioContext> radio_kinds() {
             ideal_fields(),
             [](const communication::IdealRadioOptions& o, const RadioContext& c) {
               return std::make_unique<communication::IdealRadio>(o, c.seed, c.position);
+            });
+  kinds.add("medium",
+            "Messages fight for the air: carrier sense, collisions, queues, retries.",
+            medium_fields(),
+            [](const MediumChoice& o,
+               const RadioContext& c) -> Result<std::unique_ptr<Radio>> {
+              const auto file = load(o);
+              if (!file) return file.error();
+              return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
+                  communication::MediumRadioOptions{file.value().radio, o.spread},
+                  communication::make_propagation(file.value().propagation,
+                                                  file.value().radio.phy.frequency,
+                                                  c.seed),
+                  c.entities, c.position, c.seed));
             });
   return kinds;
 }

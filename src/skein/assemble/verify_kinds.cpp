@@ -127,7 +127,7 @@ class Stage {
             &warnings_};
   }
   static RadioContext radio() {
-    return {kSeed, [](EntityId id) -> std::optional<Vec3> {
+    return {kSeed, 3, [](EntityId id) -> std::optional<Vec3> {
               return Vec3(200.0 * id.value, 0, -100);
             }};
   }

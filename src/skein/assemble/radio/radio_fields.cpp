@@ -11,7 +11,8 @@
 namespace skein::assemble {
 namespace {
 
-using communication::DcfProfile;
+using communication::AccessMethod;
+using communication::MacProfile;
 using communication::ErrorModel;
 using communication::PacketError;
 using communication::PhyProfile;
@@ -144,11 +145,13 @@ Fields<MacSection> mac_fields() {
     };
   };
   return Fields<T>()
-      .text(
-          "access", &T::access,
-          "When a node may send: `dcf` senses the carrier and backs off, as IEEE 802.11.",
-          {"dcf"})
-      .number("slot_us", &T::slot_us, "A slot of the back-off.", kMicroseconds)
+      .word("access", in(&MacProfile::access), "How nodes share the medium.",
+            {{"dcf", AccessMethod::kDcf, "carrier sense and back-off, as IEEE 802.11"},
+             {"tdma", AccessMethod::kTdma, "a slot for each node, in turn"},
+             {"direct", AccessMethod::kDirect,
+              "a line for each node, as by satellite or cell: nothing to share"}})
+      .number("slot_us", &T::slot_us,
+              "A slot of the back-off; with `tdma` that a node sends in.", kMicroseconds)
       .number("sifs_us", &T::sifs_us, "Before an answer.", kMicroseconds)
       .number("difs_us", &T::difs_us, "That the medium is idle before slots count.",
               kMicroseconds)
@@ -156,29 +159,38 @@ Fields<MacSection> mac_fields() {
               kMicroseconds)
       .number("ack_timeout_us", &T::ack_timeout_us,
               "From the end of a frame, for the header of its answer.", kMicroseconds)
-      .integer("cw_min", in(&DcfProfile::cw_min), "Contention window at first, in slots.",
+      .integer("cw_min", in(&MacProfile::cw_min), "Contention window at first, in slots.",
                {.at_least = 0, .at_most = kMaxSlots})
-      .integer("cw_max", in(&DcfProfile::cw_max),
+      .integer("cw_max", in(&MacProfile::cw_max),
                "It doubles with each failure up to this.",
                {.at_least = 0, .at_most = kMaxSlots})
       .text("backoff_slots", &T::backoff_slots,
             "`random`: uniform in the contention window; a number: of every back-off.")
-      .integer("rts_threshold_bytes", in(&DcfProfile::rts_threshold_bytes),
+      .integer("rts_threshold_bytes", in(&MacProfile::rts_threshold_bytes),
                "Larger unicast frames are announced by RTS and CTS; 65535: none.",
                {.at_least = 0, .at_most = 65535})
-      .integer("short_retry_limit", in(&DcfProfile::short_retry_limit),
+      .integer("short_retry_limit", in(&MacProfile::short_retry_limit),
                "Transmissions without RTS; RTS in a row.",
                {.at_least = 1, .at_most = 255})
-      .integer("long_retry_limit", in(&DcfProfile::long_retry_limit),
+      .integer("long_retry_limit", in(&MacProfile::long_retry_limit),
                "Transmissions that RTS announced.", {.at_least = 1, .at_most = 255})
-      .integer("queue_packets", in(&DcfProfile::queue_packets),
+      .integer("queue_packets", in(&MacProfile::queue_packets),
                "That wait at a node, with the one in service; more are refused.",
                {.at_least = 1, .at_most = 100'000})
       .text("queue_lifetime_s", &T::queue_lifetime_s,
             "Older packets are dropped before they are sent; `none`: never.")
-      .integer("data_overhead_bytes", in(&DcfProfile::data_overhead_bytes),
+      .integer("data_overhead_bytes", in(&MacProfile::data_overhead_bytes),
                "Of headers and check sequence around the payload of a data frame.",
                {.at_least = 0, .at_most = 1000})
+      .integer("part_bytes", in(&MacProfile::part_bytes),
+               "In a run longer messages go in parts of so much.",
+               {.at_least = 20, .at_most = 65'000})
+      .duration_s("latency_s", in(&MacProfile::latency),
+                  "With `direct`: from the end of a packet to its arrival.",
+                  {.at_least = 0, .at_most = 3600})
+      .number("loss", in(&MacProfile::loss),
+              "With `direct`: probability that a receiver misses a packet.",
+              {.at_least = 0, .at_most = 1})
       .rule("cw_max",
             [](const T& t) -> std::string {
               return t.mac.cw_min <= t.mac.cw_max ? "" : "must not be below cw_min.";
@@ -204,8 +216,8 @@ PhyProfile phy_of(const PhySection& section) {
   return phy;
 }
 
-DcfProfile mac_of(const MacSection& section) {
-  DcfProfile mac = section.mac;
+MacProfile mac_of(const MacSection& section) {
+  MacProfile mac = section.mac;
   mac.slot = from_us(section.slot_us);
   mac.sifs = from_us(section.sifs_us);
   mac.difs = from_us(section.difs_us);
@@ -221,7 +233,7 @@ PhySection section_of(const PhyProfile& phy) {
   return {phy, in_us(phy.preamble_header), in_us(phy.lock_window)};
 }
 
-MacSection section_of(const DcfProfile& mac) {
+MacSection section_of(const MacProfile& mac) {
   MacSection section;
   section.mac = mac;
   section.slot_us = in_us(mac.slot);

@@ -18,9 +18,8 @@ struct PhySection {
 };
 
 struct MacSection {
-  communication::DcfProfile mac;
+  communication::MacProfile mac;
   double slot_us = 20, sifs_us = 10, difs_us = 50, eifs_us = 364, ack_timeout_us = 222;
-  std::string access = "dcf";
   std::string backoff_slots = "random";   // or a number
   std::string queue_lifetime_s = "none";  // or a number
 };
@@ -30,8 +29,8 @@ scenario::Fields<communication::PropagationProfile> propagation_fields();
 scenario::Fields<MacSection> mac_fields();
 
 communication::PhyProfile phy_of(const PhySection& section);
-communication::DcfProfile mac_of(const MacSection& section);
+communication::MacProfile mac_of(const MacSection& section);
 PhySection section_of(const communication::PhyProfile& phy);
-MacSection section_of(const communication::DcfProfile& mac);
+MacSection section_of(const communication::MacProfile& mac);
 
 }  // namespace skein::assemble

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -27,7 +29,17 @@ scenario::Fields<RadioSections> radio_section_fields() {
       .object("phy", &T::phy, phy_fields(), "The transceiver.")
       .object("propagation", &T::propagation, propagation_fields(),
               "Signals on their way.")
-      .object("mac", &T::mac, mac_fields(), "Access to the medium.");
+      .object("mac", &T::mac, mac_fields(), "Access to the medium.")
+      .rule("mac.part_bytes", [](const T& t) -> std::string {
+        if (t.mac.mac.access != communication::AccessMethod::kTdma) return "";
+        const double bytes =
+            (t.mac.slot_us - t.phy.preamble_header_us) * 1e-6 * t.phy.phy.rate / 8 -
+            t.mac.mac.data_overhead_bytes;
+        return t.mac.mac.part_bytes <= bytes
+                   ? ""
+                   : fmt::format("a slot of mac.slot_us holds {:.0f} bytes only.",
+                                 std::max(0.0, std::floor(bytes)));
+      });
 }
 
 Result<RadioFile> outcome(const scenario::Reading& reading, const RadioSections& file,

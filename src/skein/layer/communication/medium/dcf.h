@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/layer/communication/medium/channel.h"
+#include "skein/layer/communication/medium/access.h"
 #include "skein/layer/communication/medium/medium_listener.h"
 #include "skein/layer/communication/medium/packet.h"
 #include "skein/layer/communication/medium/schedule.h"
@@ -18,22 +18,18 @@ namespace skein::communication {
 /// finds the medium idle waits a whole DIFS; a back-off follows each transmission; a
 /// reception that begins while an answer is awaited extends the time-out; EIFS follows
 /// only a payload that was lost.
-class Dcf final : public ChannelListener {
+class Dcf final : public Access {
  public:
   /// All but the seed outlive this; the channel is the one that this listens to.
   Dcf(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
       PacketStore& packets, MediumListener& listener, std::uint64_t seed);
-  void use(Channel& channel) { channel_ = &channel; }
+  void use(Channel& channel) override { channel_ = &channel; }
 
-  /// Whether the queue of the node that sends it has room.
-  bool has_room(NodeIndex node) const {
+  bool has_room(NodeIndex node) const override {
     return stations_[node].queue.size() < mac_.queue_packets;
   }
-  /// A packet waits to be sent.
-  void enqueue(std::uint32_t packet, Time now);
-
-  /// An event of a station, of the kinds from kAccess on.
-  void handle(const Schedule::Event& event);
+  void enqueue(std::uint32_t packet, Time now) override;
+  void handle(const Schedule::Event& event) override;
 
   /// Time on the air of a frame of so many bytes.
   Time airtime(std::uint32_t mac_bytes) const;
@@ -84,7 +80,7 @@ class Dcf final : public ChannelListener {
   void reserve(NodeIndex node, const Frame& frame, Time now);
   void drop_expired(NodeIndex node, Time now);
 
-  const DcfProfile& mac_;
+  const MacProfile& mac_;
   const PhyProfile& phy_;
   Schedule& schedule_;
   PacketStore& packets_;

@@ -33,6 +33,11 @@ const std::vector<Link>& Links::of(NodeIndex from, Time now) {
   return table.links;
 }
 
+void Links::renew() {
+  places_known_ = false;
+  for (Table& table : tables_) table.there = false;
+}
+
 void Links::make(NodeIndex from, Time now, Table& table) {
   if (!places_known_ || (nodes_.move && places_at_ != now)) {
     places_.resize(tables_.size());

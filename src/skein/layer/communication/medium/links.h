@@ -39,6 +39,9 @@ class Links {
   /// first. Cost: of nodes that move, N log N each time.
   const std::vector<Link>& of(NodeIndex from, Time now);
 
+  /// All is looked at anew when it is asked for next.
+  void renew();
+
  private:
   struct Table {
     Time made;

@@ -3,16 +3,37 @@
 #include <utility>
 
 #include "skein/base/check.h"
+#include "skein/layer/communication/medium/dcf.h"
+#include "skein/layer/communication/medium/direct_access.h"
+#include "skein/layer/communication/medium/tdma.h"
 
 namespace skein::communication {
+namespace {
+
+std::unique_ptr<Access> make_access(const RadioProfile& profile, Links& links,
+                                    Schedule& schedule, PacketStore& packets,
+                                    MediumListener& listener, std::uint64_t seed) {
+  switch (profile.mac.access) {
+    case AccessMethod::kTdma:
+      return std::make_unique<Tdma>(profile, links.size(), schedule, packets, listener);
+    case AccessMethod::kDirect:
+      return std::make_unique<DirectAccess>(profile, links, schedule, packets, listener,
+                                            seed);
+    case AccessMethod::kDcf:
+      break;
+  }
+  return std::make_unique<Dcf>(profile, links.size(), schedule, packets, listener, seed);
+}
+
+}  // namespace
 
 Medium::Medium(const RadioProfile& profile, const Propagation& propagation,
                Links::Nodes nodes, std::uint64_t seed, MediumListener& listener)
     : profile_(profile),
       links_(profile_.phy, propagation, std::move(nodes)),
-      dcf_(profile_, links_.size(), schedule_, packets_, listener, seed),
-      channel_(profile_.phy, links_, schedule_, dcf_, seed) {
-  dcf_.use(channel_);
+      access_(make_access(profile_, links_, schedule_, packets_, listener, seed)),
+      channel_(profile_.phy, links_, schedule_, *access_, seed) {
+  access_->use(channel_);
 }
 
 void Medium::advance(Time until) {
@@ -23,7 +44,7 @@ void Medium::advance(Time until) {
     if (event.kind < EventKind::kAccess)
       channel_.handle(event);
     else
-      dcf_.handle(event);
+      access_->handle(event);
   }
   now_ = until;
 }
@@ -31,8 +52,8 @@ void Medium::advance(Time until) {
 bool Medium::send(const PacketOrder& order) {
   SKEIN_CHECK(order.from < links_.size() &&
               (order.to < links_.size() || order.to == kAllNodes));
-  if (!dcf_.has_room(order.from)) return false;
-  dcf_.enqueue(packets_.add(order, now_), now_);
+  if (!access_->has_room(order.from)) return false;
+  access_->enqueue(packets_.add(order, now_), now_);
   return true;
 }
 

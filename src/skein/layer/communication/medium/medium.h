@@ -1,9 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
+#include "skein/layer/communication/medium/access.h"
 #include "skein/layer/communication/medium/channel.h"
-#include "skein/layer/communication/medium/dcf.h"
+#include "skein/layer/communication/medium/medium_listener.h"
+#include "skein/layer/communication/medium/packet.h"
 
 namespace skein::communication {
 
@@ -21,6 +25,9 @@ class Medium {
   Medium& operator=(const Medium&) = delete;
 
   Time now() const { return now_; }
+
+  /// Nodes that do not move by themselves are elsewhere from now on.
+  void places_changed() { links_.renew(); }
 
   /// Does everything that happens before `until`, which is then now.
   void advance(Time until);
@@ -41,7 +48,7 @@ class Medium {
   Schedule schedule_;
   PacketStore packets_;
   Links links_;
-  Dcf dcf_;
+  std::unique_ptr<Access> access_;
   Channel channel_;
 };
 

@@ -39,9 +39,18 @@ struct PhyProfile {
   PacketError packet_error = PacketError::kRandom;
 };
 
-/// When a station may send: the distributed coordination function of IEEE 802.11.
-struct DcfProfile {
-  Time slot = Time::from_ns(20'000);
+/// How nodes share the medium.
+enum class AccessMethod {
+  kDcf,     ///< carrier sense and back-off, as IEEE 802.11
+  kTdma,    ///< a slot for each node, in turn
+  kDirect,  ///< a line for each node, nothing to share
+};
+
+/// When a station may send. Without another word the keys are those of the distributed
+/// coordination function of IEEE 802.11.
+struct MacProfile {
+  AccessMethod access = AccessMethod::kDcf;
+  Time slot = Time::from_ns(20'000);  ///< of the back-off; of TDMA: that a node sends in
   Time sifs = Time::from_ns(10'000);
   Time difs = Time::from_ns(50'000);
   Time eifs = Time::from_ns(364'000);         ///< instead of DIFS after a failed payload
@@ -56,12 +65,16 @@ struct DcfProfile {
   std::uint32_t queue_packets = 10;        ///< with the one in service; more are refused
   std::optional<Time> queue_lifetime;      ///< older ones are dropped; none: never
   std::uint32_t data_overhead_bytes = 36;  ///< around the payload of a data frame
+  /// Longer messages of a run go in parts of so much (MediumRadio).
+  std::uint32_t part_bytes = 1500;
+  Time latency;     ///< of kDirect: from the last bit's start to its arrival
+  double loss = 0;  ///< of kDirect: probability that a receiver misses a packet
 };
 
 /// A kind of radio: transceiver and access to the medium.
 struct RadioProfile {
   PhyProfile phy;
-  DcfProfile mac;
+  MacProfile mac;
 };
 
 }  // namespace skein::communication

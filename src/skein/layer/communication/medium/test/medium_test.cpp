@@ -207,6 +207,51 @@ TEST(Medium, ManyNodesAtOnePlaceShareIt) {
   EXPECT_EQ(medium.waiting(), 0u);
 }
 
+TEST(Medium, WithSlotsNobodyCollides) {
+  const Field field;
+  Log log;
+  RadioProfile radio = grid_radio();
+  radio.mac.access = AccessMethod::kTdma;
+  radio.mac.slot = Time::from_ns(10'000'000);
+  Medium medium(radio, field, standing({{0, 0, 0}, {100, 0, 0}, {50, 50, 0}}), 1, log);
+  for (NodeIndex node = 0; node < 3; ++node)
+    for (std::uint64_t k = 0; k < 3; ++k) medium.send({node, kAllNodes, 1000, 3 * node + k});
+  medium.send({0, kAllNodes, 10'000, 99});
+  medium.advance(Time::from_seconds(1));
+  // A slot holds two frames of 4.3 ms, none of 40 ms.
+  for (std::uint64_t tag = 0; tag < 9; ++tag) {
+    EXPECT_EQ(log.delivered[tag].size(), 2u) << tag;
+    EXPECT_EQ(log.finished.at(tag), PacketEnd::kDone);
+  }
+  EXPECT_EQ(log.finished.at(99), PacketEnd::kRetryLimit);
+  for (const Log::Sent& sent : log.frames)
+    EXPECT_EQ(sent.time.ns() / 10'000'000 % 3, sent.node);
+}
+
+TEST(Medium, ALineForEachIsLateAndLosesByChance) {
+  const Field field;
+  Log log;
+  RadioProfile radio = grid_radio();
+  radio.mac.access = AccessMethod::kDirect;
+  radio.mac.latency = Time::from_seconds(0.5);
+  radio.mac.loss = 0.3;
+  radio.mac.queue_packets = 1000;
+  Medium medium(radio, field, standing({{0, 0, 0}, {100, 0, 0}, {100, 50, 0}}), 1, log);
+  for (std::uint64_t tag = 0; tag < 400; ++tag) medium.send({0, kAllNodes, 214, tag});
+  medium.send({0, 1, 214, 400});
+  medium.advance(Time::from_seconds(0.501));
+  EXPECT_TRUE(log.delivered.empty());
+  medium.advance(Time::from_seconds(5));
+  int received = 0;
+  for (const auto& [tag, receivers] : log.delivered)
+    received += static_cast<int>(receivers.size());
+  // One of 800 is 192 us and 250 bytes at 2 Mbit/s; 3 sigma of 800 draws are 39.
+  EXPECT_NEAR(received, 560, 40);
+  for (const auto& [receiver, time] : log.delivered[10])
+    EXPECT_NEAR(us(time), 11 * 1192 + 500'000, 1);
+  EXPECT_EQ(log.finished.size(), 401u);
+}
+
 TEST(Medium, NodesThatMoveComeIntoRange) {
   const Field field;
   Log log;

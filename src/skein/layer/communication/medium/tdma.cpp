@@ -1,0 +1,96 @@
+#include "skein/layer/communication/medium/tdma.h"
+
+#include "skein/base/check.h"
+
+namespace skein::communication {
+
+Tdma::Tdma(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
+           PacketStore& packets, MediumListener& listener)
+    : mac_(profile.mac),
+      phy_(profile.phy),
+      schedule_(schedule),
+      packets_(packets),
+      listener_(listener),
+      stations_(nodes) {}
+
+Time Tdma::airtime(std::uint32_t bytes) const {
+  return phy_.preamble_header +
+         Time::from_seconds((bytes + mac_.data_overhead_bytes) * 8.0 / phy_.rate);
+}
+
+// The next beginning of the node's slot that is not before `now`.
+Time Tdma::next_slot(NodeIndex node, Time now) const {
+  const std::int64_t slot = mac_.slot.ns();
+  const std::int64_t frame = slot * static_cast<std::int64_t>(stations_.size());
+  const std::int64_t begin = slot * node;
+  if (now.ns() <= begin) return Time::from_ns(begin);
+  const std::int64_t frames = (now.ns() - begin + frame - 1) / frame;
+  return Time::from_ns(begin + frames * frame);
+}
+
+void Tdma::enqueue(std::uint32_t packet, Time now) {
+  const NodeIndex node = packets_[packet].order.from;
+  Station& station = stations_[node];
+  station.queue.push_back(packet);
+  if (station.awake) return;
+  station.awake = true;
+  schedule_.add(next_slot(node, now), EventKind::kAccess, node);
+}
+
+void Tdma::handle(const Schedule::Event& event) {
+  const NodeIndex node = event.index;
+  if (event.kind == EventKind::kSent) finish(node, PacketEnd::kDone, event.time);
+  use_slot(node, event.time);
+}
+
+// Sends the next packet if what is left of the slot holds it.
+void Tdma::use_slot(NodeIndex node, Time now) {
+  Station& station = stations_[node];
+  while (!station.queue.empty()) {
+    Packet& packet = packets_[station.queue.front()];
+    const Time duration = airtime(packet.order.bytes);
+    const bool too_old =
+        mac_.queue_lifetime && now - packet.created > *mac_.queue_lifetime;
+    if (too_old || duration > mac_.slot) {
+      finish(node, too_old ? PacketEnd::kExpired : PacketEnd::kRetryLimit, now);
+      continue;
+    }
+    const Time slot = next_slot(node, now);
+    const Time frame_end =
+        slot == now ? now + mac_.slot
+                    : slot + mac_.slot -
+                          mac_.slot * static_cast<std::int64_t>(stations_.size());
+    if (now + duration > frame_end) {
+      schedule_.add(slot, EventKind::kAccess, node);
+      return;
+    }
+    ++packet.transmissions;
+    const Frame data{.kind = FrameKind::kData,
+                     .from = node,
+                     .to = packet.order.to,
+                     .packet = station.queue.front(),
+                     .tag = packet.order.tag,
+                     .mac_bytes = packet.order.bytes + mac_.data_overhead_bytes,
+                     .duration = duration};
+    listener_.on_frame(data, now);
+    channel_->transmit(data, now);
+    schedule_.add(now + duration, EventKind::kSent, node);
+    return;
+  }
+  station.awake = false;
+}
+
+void Tdma::on_received(NodeIndex node, Time now, const Frame& frame) {
+  if (frame.to == node || frame.to == kAllNodes) listener_.on_delivered(frame, node, now);
+}
+
+void Tdma::finish(NodeIndex node, PacketEnd end, Time now) {
+  Station& station = stations_[node];
+  const std::uint32_t place = station.queue.front();
+  station.queue.pop_front();
+  const Packet packet = packets_[place];
+  packets_.remove(place);
+  listener_.on_finished(packet, end, now);
+}
+
+}  // namespace skein::communication

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "skein/layer/communication/medium/access.h"
+#include "skein/layer/communication/medium/medium_listener.h"
+#include "skein/layer/communication/medium/packet.h"
+
+namespace skein::communication {
+
+/// Each node sends in a slot of its own, in turn; nothing is acknowledged.
+///
+/// Slot k of a frame of as many slots as there are nodes belongs to node k, from the
+/// beginning of time. A node sends what waits and fits into what is left of its slot,
+/// the oldest first; a packet that no slot holds is given up. Clocks agree.
+class Tdma final : public Access {
+ public:
+  /// All outlive this; the channel is the one that this listens to.
+  Tdma(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
+       PacketStore& packets, MediumListener& listener);
+  void use(Channel& channel) override { channel_ = &channel; }
+
+  bool has_room(NodeIndex node) const override {
+    return stations_[node].queue.size() < mac_.queue_packets;
+  }
+  void enqueue(std::uint32_t packet, Time now) override;
+  void handle(const Schedule::Event& event) override;
+
+  void on_busy(NodeIndex, Time, Time) override {}
+  void on_payload(NodeIndex, Time, Time) override {}
+  void on_payload_lost(NodeIndex, Time) override {}
+  void on_received(NodeIndex node, Time now, const Frame& frame) override;
+
+ private:
+  struct Station {
+    std::deque<std::uint32_t> queue;  // packets, the oldest first
+    bool awake = false;               // a slot is awaited or used
+  };
+
+  Time airtime(std::uint32_t bytes) const;
+  Time next_slot(NodeIndex node, Time now) const;
+  void use_slot(NodeIndex node, Time now);
+  void finish(NodeIndex node, PacketEnd end, Time now);
+
+  const MacProfile& mac_;
+  const PhyProfile& phy_;
+  Schedule& schedule_;
+  PacketStore& packets_;
+  MediumListener& listener_;
+  Channel* channel_ = nullptr;
+  std::vector<Station> stations_;
+};
+
+}  // namespace skein::communication

@@ -1,0 +1,144 @@
+#include "skein/layer/communication/medium_radio.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "skein/layer/communication/propagation/path_loss.h"
+
+namespace skein::communication {
+namespace {
+
+Message message_of(std::uint32_t from, std::uint32_t to, std::uint64_t number, Time sent,
+                   std::size_t bytes = 0) {
+  Message message;
+  message.from = EntityId{from};
+  message.to = EntityId{to};
+  message.number = number;
+  message.sent = sent;
+  if (bytes > 0)
+    message.content = PluginPayload{"test", std::vector<std::uint8_t>(bytes)};
+  else
+    message.content = Heartbeat{};
+  return message;
+}
+
+// Four in a row, a kilometre apart; number 3 is out of range.
+class Row {
+ public:
+  explicit Row(const MediumRadioOptions& options = {})
+      : radio_(options, std::make_unique<FreeSpace>(2.4e9), 4,
+               [](EntityId id) -> std::optional<Vec3> {
+                 return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
+               },
+               7) {}
+
+  // Sends to the others, as the simulation does: the first and its copies.
+  void send_to_all(std::uint32_t from, std::size_t bytes = 0) {
+    bool copy = false;
+    for (std::uint32_t to = 0; to < 4; ++to) {
+      if (to == from) continue;
+      Message message = message_of(from, to, number_++, now_, bytes);
+      message.copy = copy;
+      copy = true;
+      radio_.send(message);
+    }
+  }
+  void send(std::uint32_t from, std::uint32_t to, std::size_t bytes = 0) {
+    radio_.send(message_of(from, to, number_++, now_, bytes));
+  }
+  void step() {
+    radio_.deliver(now_, arrived, lost);
+    now_ += Time::from_seconds(0.1);
+  }
+
+  std::vector<Message> arrived, lost;
+  std::uint64_t sent() const { return number_; }
+
+ private:
+  MediumRadio radio_;
+  Time now_;
+  std::uint64_t number_ = 0;
+};
+
+TEST(MediumRadio, DeliversAtANextStep) {
+  Row row;
+  row.send(0, 1);
+  row.step();
+  EXPECT_TRUE(row.arrived.empty());
+  row.step();
+  row.step();
+  ASSERT_EQ(row.arrived.size(), 1u);
+  EXPECT_EQ(row.arrived[0].to, EntityId{1});
+  EXPECT_TRUE(std::holds_alternative<Heartbeat>(row.arrived[0].content));
+}
+
+TEST(MediumRadio, SendsToAllAtOnceAndLosesWhatIsOutOfRange) {
+  Row row;
+  row.send_to_all(1);
+  row.send(0, 3);
+  for (int i = 0; i < 20; ++i) row.step();
+  ASSERT_EQ(row.arrived.size(), 2u);
+  EXPECT_EQ(row.arrived[0].to, EntityId{0});
+  EXPECT_EQ(row.arrived[1].to, EntityId{2});
+  ASSERT_EQ(row.lost.size(), 2u);
+  for (const Message& message : row.lost) EXPECT_EQ(message.to, EntityId{3});
+}
+
+TEST(MediumRadio, SendsLongMessagesInParts) {
+  Row row;
+  row.send(0, 1, 20'000);
+  row.send_to_all(2, 5'000);
+  for (int i = 0; i < 20; ++i) row.step();
+  ASSERT_EQ(row.arrived.size(), 3u);
+  for (const Message& message : row.arrived)
+    EXPECT_EQ(std::get<PluginPayload>(message.content).coded.size(),
+              message.from.value == 0 ? 20'000u : 5'000u);
+}
+
+TEST(MediumRadio, ALostPartLosesTheMessage) {
+  MediumRadioOptions options;
+  options.profile.mac.queue_packets = 5;
+  Row row(options);
+  row.send(0, 1, 20'000);
+  for (int i = 0; i < 20; ++i) row.step();
+  EXPECT_TRUE(row.arrived.empty());
+  EXPECT_EQ(row.lost.size(), 1u);
+}
+
+TEST(MediumRadio, LosesUnderLoadAndForgetsNothing) {
+  Row row;
+  RandomStream random(3, 0, Purpose::kTest);
+  for (int step = 0; step < 300; ++step) {
+    for (int k = 0; k < 8; ++k) {
+      const auto from = static_cast<std::uint32_t>(random.uniform(0, 4));
+      const auto to = static_cast<std::uint32_t>(random.uniform(0, 5));
+      const auto bytes = static_cast<std::size_t>(random.uniform(0, 6000));
+      if (to == 4)
+        row.send_to_all(from, bytes);
+      else if (to != from)
+        row.send(from, to, bytes);
+    }
+    row.step();
+  }
+  for (int i = 0; i < 100; ++i) row.step();
+  std::set<std::uint64_t> seen;
+  for (const auto* list : {&row.arrived, &row.lost})
+    for (const Message& message : *list)
+      EXPECT_TRUE(seen.insert(message.number).second) << "twice";
+  EXPECT_EQ(seen.size(), row.sent());
+  EXPECT_GT(row.arrived.size(), 500u);
+  EXPECT_GT(row.lost.size(), 500u);
+}
+
+TEST(MediumRadio, ToNobodyIsLost) {
+  Row row;
+  row.send(0, 9);
+  row.send(9, 0);
+  for (int i = 0; i < 5; ++i) row.step();
+  EXPECT_EQ(row.lost.size(), 2u);
+}
+
+}  // namespace
+}  // namespace skein::communication
