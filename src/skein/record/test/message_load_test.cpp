@@ -56,7 +56,7 @@ TEST(MessageLoad, PhasesAreWhatIsSumsOfThemToo) {
   MessageLoad parts(load_phases({{"a", 3}, {"b", 11.5}, {"c", 20}}, run.duration).value(),
                     9);
   for (int k = 0; k < 500; ++k) {
-    const SentMessage message{(random() % 3000) / 100.0,
+    const SentMessage message{static_cast<double>(random() % 3000) / 100.0,
                               {static_cast<std::uint32_t>(random() % 3)},
                               random() % 2 ? "x" : "y",
                               static_cast<std::uint32_t>(random() % 100)};
