@@ -91,20 +91,18 @@ Kinds<Radio, RadioContext> radio_kinds() {
             [](const communication::IdealRadioOptions& o, const RadioContext& c) {
               return std::make_unique<communication::IdealRadio>(o, c.seed, c.position);
             });
-  kinds.add("medium",
-            "Messages fight for the air: carrier sense, collisions, queues, retries.",
-            medium_fields(),
-            [](const MediumChoice& o,
-               const RadioContext& c) -> Result<std::unique_ptr<Radio>> {
-              const auto file = load(o);
-              if (!file) return file.error();
-              return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
-                  communication::MediumRadioOptions{file.value().radio, o.spread},
-                  communication::make_propagation(file.value().propagation,
-                                                  file.value().radio.phy.frequency,
-                                                  c.seed),
-                  c.entities, c.position, c.seed));
-            });
+  kinds.add(
+      "medium", "Messages fight for the air: carrier sense, collisions, queues, retries.",
+      medium_fields(),
+      [](const MediumChoice& o, const RadioContext& c) -> Result<std::unique_ptr<Radio>> {
+        const auto file = load(o);
+        if (!file) return file.error();
+        return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
+            communication::MediumRadioOptions{file.value().radio, o.spread},
+            communication::make_propagation(file.value().propagation,
+                                            file.value().radio.phy.frequency, c.seed),
+            c.entities, c.position, c.seed));
+      });
   return kinds;
 }
 

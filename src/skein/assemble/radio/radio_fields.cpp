@@ -12,8 +12,8 @@ namespace skein::assemble {
 namespace {
 
 using communication::AccessMethod;
-using communication::MacProfile;
 using communication::ErrorModel;
+using communication::MacProfile;
 using communication::PacketError;
 using communication::PhyProfile;
 using communication::PropagationModel;

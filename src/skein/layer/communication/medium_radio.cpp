@@ -8,8 +8,8 @@
 namespace skein::communication {
 namespace {
 
-constexpr std::uint32_t kSpreads = 4;     // of a node's random streams for its radio
-constexpr std::uint32_t kPartBytes = 4;   // which part of which message it is
+constexpr std::uint32_t kSpreads = 4;    // of a node's random streams for its radio
+constexpr std::uint32_t kPartBytes = 4;  // which part of which message it is
 constexpr Time kLongestWay = Time::from_ns(1'000'000);  // 300 km at the speed of light
 // Where nothing reaches: an entity without a place.
 const Vec3 kNowhere(1e9, 1e9, 0);
@@ -63,7 +63,7 @@ void MediumRadio::deliver(Time now, std::vector<Message>& arrived,
     depart(next.post);
   }
   medium_.advance(std::max(now, medium_.now()));
-  settle_broadcasts(now);
+  settle(now);
   arrived_ = lost_ = nullptr;
 }
 
@@ -126,24 +126,18 @@ void MediumRadio::end_part(std::uint32_t index, Time now) {
   Post& post = posts_[index];
   if (++post.parts_ended < post.parts) return;
   post.ended = now;
-  if (post.to_all)
-    sent_to_all_.push_back(index);  // its end is still on the way
-  else
-    settle_copies(index);
+  leaving_.push_back(index);  // its end may still be on the way
 }
 
 // What has not arrived by now never will.
-void MediumRadio::settle_copies(std::uint32_t index) {
-  for (Post::Copy& copy : posts_[index].copies)
-    if (!copy.settled) lost_->push_back(std::move(copy.message));
-  posts_[index].copies.clear();
-  free_.push_back(index);
-}
-
-void MediumRadio::settle_broadcasts(Time now) {
-  std::erase_if(sent_to_all_, [&](std::uint32_t index) {
-    if (posts_[index].ended + kLongestWay > now) return false;
-    settle_copies(index);
+void MediumRadio::settle(Time now) {
+  std::erase_if(leaving_, [&](std::uint32_t index) {
+    Post& post = posts_[index];
+    if (post.ended + kLongestWay > now) return false;
+    for (Post::Copy& copy : post.copies)
+      if (!copy.arrived) lost_->push_back(std::move(copy.message));
+    post.copies.clear();
+    free_.push_back(index);
     return true;
   });
 }
@@ -155,7 +149,7 @@ void MediumRadio::on_delivered(const Frame& data, NodeIndex receiver, Time) {
   for (Post::Copy& copy : post.copies) {
     if (copy.message.to.value != receiver) continue;
     if (++copy.parts_received == post.parts) {
-      copy.settled = true;
+      copy.arrived = true;
       arrived_->push_back(std::move(copy.message));
     }
     return;

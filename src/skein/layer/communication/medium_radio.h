@@ -24,8 +24,8 @@ struct MediumRadioOptions {
 ///
 /// A message to all is one frame; a message to one is acknowledged and repeated. Messages
 /// are as long as their wire form (data/wire.h) and go in parts when a frame cannot hold
-/// them (MacProfile::part_bytes), with 4 bytes more each; all parts must arrive. What happens between two calls of
-/// deliver() happens where nodes are at the second.
+/// them (MacProfile::part_bytes), with 4 bytes more each; all parts must arrive. What
+/// happens between two calls of deliver() happens where nodes are at the second.
 class MediumRadio final : public Radio, private MediumListener {
  public:
   /// @param entities  how many there are; messages to others are lost
@@ -47,7 +47,7 @@ class MediumRadio final : public Radio, private MediumListener {
     struct Copy {
       Message message;
       std::uint32_t parts_received = 0;
-      bool settled = false;  // arrived or lost
+      bool arrived = false;
     };
     std::vector<Copy> copies;
   };
@@ -61,8 +61,7 @@ class MediumRadio final : public Radio, private MediumListener {
   void collect();
   void depart(std::uint32_t index);
   void end_part(std::uint32_t index, Time now);
-  void settle_copies(std::uint32_t index);
-  void settle_broadcasts(Time now);
+  void settle(Time now);
 
   void on_frame(const Frame& frame, Time now) override;
   void on_delivered(const Frame& data, NodeIndex receiver, Time now) override;
@@ -74,12 +73,12 @@ class MediumRadio final : public Radio, private MediumListener {
   PositionLookup position_;
   std::uint64_t seed_;
   Medium medium_;
-  std::vector<Message> written_;        // since the last deliver()
-  std::vector<Departure> departures_;   // a heap, earliest first
+  std::vector<Message> written_;       // since the last deliver()
+  std::vector<Departure> departures_;  // a heap, earliest first
   std::uint64_t departed_ = 0;
   std::vector<Post> posts_;
   std::vector<std::uint32_t> free_;
-  std::vector<std::uint32_t> sent_to_all_;  // posts that left and may still be on the way
+  std::vector<std::uint32_t> leaving_;  // posts that left and may still be on the way
   std::vector<Message>* arrived_ = nullptr;
   std::vector<Message>* lost_ = nullptr;
 };

@@ -57,9 +57,9 @@ void Tdma::use_slot(NodeIndex node, Time now) {
     }
     const Time slot = next_slot(node, now);
     const Time frame_end =
-        slot == now ? now + mac_.slot
-                    : slot + mac_.slot -
-                          mac_.slot * static_cast<std::int64_t>(stations_.size());
+        slot == now
+            ? now + mac_.slot
+            : slot + mac_.slot - mac_.slot * static_cast<std::int64_t>(stations_.size());
     if (now + duration > frame_end) {
       schedule_.add(slot, EventKind::kAccess, node);
       return;

@@ -28,11 +28,12 @@ Message message_of(std::uint32_t from, std::uint32_t to, std::uint64_t number, T
 class Row {
  public:
   explicit Row(const MediumRadioOptions& options = {})
-      : radio_(options, std::make_unique<FreeSpace>(2.4e9), 4,
-               [](EntityId id) -> std::optional<Vec3> {
-                 return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
-               },
-               7) {}
+      : radio_(
+            options, std::make_unique<FreeSpace>(2.4e9), 4,
+            [](EntityId id) -> std::optional<Vec3> {
+              return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
+            },
+            7) {}
 
   // Sends to the others, as the simulation does: the first and its copies.
   void send_to_all(std::uint32_t from, std::size_t bytes = 0) {
@@ -87,9 +88,11 @@ TEST(MediumRadio, SendsToAllAtOnceAndLosesWhatIsOutOfRange) {
 }
 
 TEST(MediumRadio, SendsLongMessagesInParts) {
-  Row row;
+  MediumRadioOptions options;
+  options.profile.mac.queue_packets = 50;
+  Row row(options);
   row.send(0, 1, 20'000);
-  row.send_to_all(2, 5'000);
+  row.send_to_all(1, 5'000);
   for (int i = 0; i < 20; ++i) row.step();
   ASSERT_EQ(row.arrived.size(), 3u);
   for (const Message& message : row.arrived)
@@ -128,7 +131,7 @@ TEST(MediumRadio, LosesUnderLoadAndForgetsNothing) {
     for (const Message& message : *list)
       EXPECT_TRUE(seen.insert(message.number).second) << "twice";
   EXPECT_EQ(seen.size(), row.sent());
-  EXPECT_GT(row.arrived.size(), 500u);
+  EXPECT_GT(row.arrived.size(), 200u);
   EXPECT_GT(row.lost.size(), 500u);
 }
 

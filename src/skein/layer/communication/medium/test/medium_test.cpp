@@ -215,7 +215,8 @@ TEST(Medium, WithSlotsNobodyCollides) {
   radio.mac.slot = Time::from_ns(10'000'000);
   Medium medium(radio, field, standing({{0, 0, 0}, {100, 0, 0}, {50, 50, 0}}), 1, log);
   for (NodeIndex node = 0; node < 3; ++node)
-    for (std::uint64_t k = 0; k < 3; ++k) medium.send({node, kAllNodes, 1000, 3 * node + k});
+    for (std::uint64_t k = 0; k < 3; ++k)
+      medium.send({node, kAllNodes, 1000, 3 * node + k});
   medium.send({0, kAllNodes, 10'000, 99});
   medium.advance(Time::from_seconds(1));
   // A slot holds two frames of 4.3 ms, none of 40 ms.
