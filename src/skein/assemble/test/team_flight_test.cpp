@@ -141,6 +141,14 @@ TEST(TeamFlight, AnOrderOfTheOperatorGoesBeforeTheTeams) {
   EXPECT_EQ(own->entity.value, 2u);
 }
 
+// The first event of that kind whose text holds `part`.
+const Event* with_text(const FlightLog& log, std::string_view kind,
+                       std::string_view part) {
+  for (const Event& event : log.events)
+    if (event.kind == kind && event.text.find(part) != std::string::npos) return &event;
+  return nullptr;
+}
+
 TEST(TeamFlight, WhatNeedsApprovalIsFlownWhenTheOperatorSaysSo) {
   const std::string commands = R"(commands:
   - {at_s: 5, do: "allocation approve"}
@@ -151,18 +159,23 @@ TEST(TeamFlight, WhatNeedsApprovalIsFlownWhenTheOperatorSaysSo) {
 )";
   const FlightLog log = fly(three("master, approval: true", commands));
   EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
-  const Event* proposed = log.find("allocation-proposed", "of scout-1: scout-1 flies ");
+  const Event* proposed =
+      with_text(log, "allocation-proposed", "1 of scout-1: scout-1 flies ");
   ASSERT_NE(proposed, nullptr) << log.story();
   EXPECT_EQ(proposed->entity.value, 0u) << "the station says so";
   for (const Event& event : log.events)
     if (event.kind == "team-task") {
       EXPECT_GE(event.time.seconds(), 100) << log.story();
     }
-  EXPECT_NE(log.find("allocation-over", " is in force"), nullptr) << log.story();
-  EXPECT_NE(log.find("command-refused", "allocation of station: none waits"), nullptr)
+  EXPECT_NE(with_text(log, "allocation-over", "1 of scout-1 is in force"), nullptr)
       << log.story();
-  EXPECT_NE(log.find("command-refused", "99 does not wait"), nullptr) << log.story();
-  EXPECT_NE(log.find("command-refused", "there is no station \"nobody\""), nullptr)
+  EXPECT_NE(with_text(log, "command-refused", "allocation of station: none waits"),
+            nullptr)
+      << log.story();
+  EXPECT_NE(with_text(log, "command-refused", "allocation of station: 99 does not wait"),
+            nullptr)
+      << log.story();
+  EXPECT_NE(with_text(log, "command-refused", "there is no station \"nobody\""), nullptr)
       << log.story();
   EXPECT_GE(log.figure("team_allocations_approved"), 1);
 }
@@ -172,7 +185,10 @@ TEST(TeamFlight, WhereNothingNeedsApprovalADecisionIsRefused) {
   - {at_s: 60, do: "allocation approve"}
 )";
   const FlightLog free = fly(three("master", commands));
-  EXPECT_NE(free.find("command-refused", "need no approval"), nullptr) << free.story();
+  EXPECT_NE(with_text(free, "command-refused",
+                      "allocation of station: allocations of this team need no approval"),
+            nullptr)
+      << free.story();
   EXPECT_THROW(fly(three("auction, approval: true")), std::exception);
 }
 
