@@ -76,6 +76,10 @@ simulation::RunOptions run_options(const Scenario& scenario,
   const double steps_per_row = 1 / (scenario.record.rate_hz * options.step.seconds());
   options.record_period = options.step * std::llround(steps_per_row);
   options.perimeter_period = scenario.record.metrics_period;
+  options.radio_period =
+      options.step *
+      std::max<std::int64_t>(1, std::llround(scenario.record.radio_period.seconds() /
+                                             options.step.seconds()));
   return options;
 }
 

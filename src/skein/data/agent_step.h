@@ -10,6 +10,7 @@
 #include "skein/data/event.h"
 #include "skein/data/message.h"
 #include "skein/data/payload.h"
+#include "skein/data/radio.h"
 #include "skein/data/sensing.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone.h"
@@ -25,6 +26,7 @@ struct AgentInput {
   std::span<const Message> inbox;         ///< since the last step
   std::span<const Command> commands;      ///< to it, since the last step
   CommandFate command_fate = {};          ///< of the last AgentOutput::command
+  RadioStatus radio = {};                 ///< of its modem
 };
 
 /// What an agent does at one step.

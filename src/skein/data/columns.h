@@ -137,7 +137,8 @@ void put(const Form& form, const T& value, Sink& sink) {
     for (const auto& item : value) put(form, item, sink);
   } else if constexpr (kIsOptional<T>) {
     using Inner = typename T::value_type;
-    static_assert(std::is_arithmetic_v<Inner> || kIsId<Inner>);
+    static_assert(std::is_arithmetic_v<Inner> || kIsId<Inner> ||
+                  std::is_same_v<Inner, Time>);
     if (value)
       put(form, *value, sink);
     else
@@ -230,7 +231,10 @@ void take(const Form& form, T& value, Source& source) {
   } else if constexpr (kIsArray<T>) {
     for (auto& item : value) take(form, item, source);
   } else if constexpr (kIsOptional<T>) {
-    if constexpr (std::is_same_v<T, std::optional<double>>) {
+    if constexpr (std::is_same_v<T, std::optional<Time>>) {
+      double seconds = 0;
+      if (source.take(seconds)) value = Time::from_seconds(seconds);
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
       double written = 0;
       if (source.take(written)) value = written / json::detail::factor_of(form);
     } else {

@@ -100,6 +100,15 @@ std::string_view suffix_of(const Form& form) {
     return {};
 }
 
+// The name of a value that is one number or word: with its unit.
+template <class T, class Form>
+std::string name_in_object(std::string_view name, const Form& form) {
+  if constexpr (std::is_same_v<T, Time>)
+    return joined(name, "s");
+  else
+    return std::string(name).append(suffix_of(form));
+}
+
 template <class T, class Form>
 void put(Json& object, std::string_view name, const Form& form, const T& value) {
   if constexpr (std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3>) {
@@ -115,7 +124,7 @@ void put(Json& object, std::string_view name, const Form& form, const T& value) 
     if (value)
       put(object, name, form, *value);
     else
-      object[std::string(name).append(suffix_of(form))] = nullptr;
+      object[name_in_object<typename T::value_type>(name, form)] = nullptr;
   } else if constexpr (Described<T>) {
     put_fields(object, name, value);
   } else if constexpr (kIsVariant<T>) {
@@ -216,7 +225,7 @@ class Taker {
         if (!(missing && missing->is_null()) && has_parts(name))
           take(name, form, value.emplace());
       } else {
-        const Json* found = find(name + std::string(suffix_of(form)));
+        const Json* found = find(name_in_object<Inner>(name, form));
         if (found && !found->is_null()) take(name, form, value.emplace());
       }
     } else if constexpr (Described<T>) {

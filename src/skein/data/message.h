@@ -122,6 +122,14 @@ constexpr auto describe(const Message*) {
 /// The word for what a message says.
 std::string_view kind_of(const MessageContent& content);
 
+/// How soon a message should be sent when others wait.
+enum class Urgency : std::uint8_t {
+  kReport,   ///< what is said again soon: places, readings
+  kCommand,  ///< what somebody is to do, and that it is done
+  kSafety,   ///< what keeps aircraft apart
+};
+Urgency urgency_of(const MessageContent& content);
+
 /// Bytes of a message on the air, as wire::encode() makes them.
 std::size_t coded_size(const Message& message);
 

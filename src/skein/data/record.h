@@ -18,6 +18,7 @@
 #include "skein/data/payload.h"
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
+#include "skein/data/radio.h"
 #include "skein/data/separation_message.h"
 #include "skein/data/traffic.h"
 #include "skein/data/vehicle.h"
@@ -84,6 +85,9 @@ struct MessageRecord {
   bool lost = false;
   std::string said = {};  ///< of a team's message what it says; else empty
   bool copy = false;      ///< of a message to all: it was sent once, to others too
+  LossCause cause = LossCause::kNone;
+  MessageWay way = {};
+  std::optional<Time> read = {};  ///< its receiver's agent reads it; none: nobody does
 };
 
 constexpr auto describe(const MessageRecord*) {
@@ -95,7 +99,10 @@ constexpr auto describe(const MessageRecord*) {
       field("size_bytes", &T::size_bytes, "as coded on the air"),
       field("lost", &T::lost, "it never arrived"),
       field("said", &T::said, "of content team: what it says"),
-      field("copy", &T::copy, "a further receiver's copy of a message to all"));
+      field("copy", &T::copy, "a further receiver's copy of a message to all"),
+      field("cause", &T::cause, "why it was lost"),
+      field("", &T::way, "how it went over the air"),
+      field("read", &T::read, "when its receiver's agent reads it; null: nobody does"));
 }
 
 /// The true burnt region and what an agent believes about its boundary at that time.
@@ -371,6 +378,36 @@ constexpr auto describe(const TeamAllocationRecord*) {
       field("", &T::report, "which allocation, and what becomes of it"));
 }
 
+/// What a radio did in a while.
+struct RadioUseRecord {
+  Time time;
+  EntityId id;
+  RadioUse use;
+};
+
+constexpr auto describe(const RadioUseRecord*) {
+  using T = RadioUseRecord;
+  return described<T>({"radio", "radios"},
+                      "What the radio of an entity did since the row before.",
+                      field("time", &T::time, "the end"),
+                      field("entity_id", &T::id, "whose radio"),
+                      field("", &T::use, "what it did"));
+}
+
+/// How well one radio heard another in a while.
+struct LinkUseRecord {
+  Time time;
+  LinkUse use;
+};
+
+constexpr auto describe(const LinkUseRecord*) {
+  using T = LinkUseRecord;
+  return described<T>(
+      {"radio_link", "radio_links"},
+      "How well one radio heard another since the last such time; only if it sent to it.",
+      field("time", &T::time, "the end"), field("", &T::use, "who heard whom, and how"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
 using Record =
@@ -381,6 +418,7 @@ using Record =
                  ForecastRecord, ArrivalRecord, VehicleReportRecord,
                  MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
                  AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord,
-                 AlertRecord, BandRecord, RecommendationRecord, TeamAllocationRecord>;
+                 AlertRecord, BandRecord, RecommendationRecord, TeamAllocationRecord,
+                 RadioUseRecord, LinkUseRecord>;
 
 }  // namespace skein

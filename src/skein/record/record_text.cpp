@@ -83,6 +83,8 @@ class TypeScript {
         line(json::joined(name, angle), "number", help, out);
     } else if constexpr (std::is_same_v<M, Time>) {
       line(json::joined(name, "s"), "number", help, out);
+    } else if constexpr (std::is_same_v<M, std::optional<Time>>) {
+      line(json::joined(name, "s"), "number | null", help, out);
     } else if constexpr (kIsArray<M>) {
       for (std::size_t k = 1; k <= std::tuple_size_v<M>; ++k)
         add_field<typename M::value_type>(json::joined(name, std::to_string(k)), form,

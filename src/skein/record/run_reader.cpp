@@ -52,6 +52,12 @@ PerimeterMetrics metrics_from(const Statement& row, int column) {
 }
 
 // Bands as their column has them: from and to have units in their names.
+LossCause loss_cause(const std::string& name) {
+  constexpr auto kNames = names_of(static_cast<const LossCause*>(nullptr));
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  return static_cast<LossCause>(found == kNames.end() ? 0 : found - kNames.begin());
+}
+
 std::vector<StoredBand> stored_bands(const std::string& text) {
   std::vector<StoredBand> all;
   const auto list = nlohmann::json::parse(text, nullptr, false);
@@ -83,7 +89,7 @@ class Reader {
          {&Reader::schema,          &Reader::meta,     &Reader::entities,
           &Reader::duration,        &Reader::events,   &Reader::metrics,
           &Reader::forecasts,       &Reader::tracks,   &Reader::estimates,
-          &Reader::readings,        &Reader::messages, &Reader::perimeters,
+          &Reader::readings,        &Reader::messages, &Reader::radios, &Reader::perimeters,
           &Reader::crossings,       &Reader::payload,  &Reader::memory,
           &Reader::traffic,         &Reader::alerts,   &Reader::bands,
           &Reader::recommendations, &Reader::zones,    &Reader::missions,
@@ -239,19 +245,25 @@ class Reader {
                 [this](const Statement&) { statistics_.reading(); });
   }
 
+  Result<void> radios() {
+    return records<RadioUseRecord>("", [this](const RadioUseRecord& record) {
+      statistics_.radio().radio(record.use);
+    });
+  }
+
   Result<void> messages() {
     run_.message_bin = std::max(10.0, std::ceil(run_.duration / 120 / 10) * 10);
     const double needed = std::max(1.0, std::ceil(run_.duration / run_.message_bin));
     const auto bins = static_cast<std::size_t>(needed);
     run_.messages_sent.assign(bins, 0);
     run_.messages_lost.assign(bins, 0);
-    return rows("SELECT sent_s, lost FROM messages", [&](const Statement& row) {
+    return rows("SELECT sent_s, cause FROM messages", [&](const Statement& row) {
       const double bin = std::max(0.0, row.real(0) / run_.message_bin);
       const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
       ++run_.messages_sent[k];
-      const bool lost = row.integer(1) != 0;
-      if (lost) ++run_.messages_lost[k];
-      statistics_.message(lost);
+      const LossCause cause = loss_cause(row.text(1));
+      if (cause != LossCause::kNone) ++run_.messages_lost[k];
+      statistics_.radio().message(cause);
     });
   }
 

@@ -25,7 +25,7 @@ struct Taker {
   void operator()(const FireReading&) { statistics.reading(); }
   void operator()(const Crossing& r) { statistics.crossing(r); }
   void operator()(const MessageRecord& r) {
-    statistics.message(r.lost);
+    statistics.radio().message(r.cause);
     statistics.separation().message(r.message);
   }
   void operator()(const PerimeterRecord& r) {
@@ -80,6 +80,8 @@ struct Taker {
     statistics.separation().conflict(r.report);
     statistics.alerts().conflict(r);
   }
+  void operator()(const RadioUseRecord& r) { statistics.radio().radio(r.use); }
+  void operator()(const LinkUseRecord&) {}
   void operator()(const VehicleReportRecord&) {}
   void operator()(const MissionProgressRecord&) {}
 };
@@ -107,11 +109,6 @@ void RunStatistics::truth(Time time, EntityId id, const VehicleState& state) {
 void RunStatistics::crossing(const Crossing& crossing) {
   ++crossings_;
   ages_.add(crossing);
-}
-
-void RunStatistics::message(bool lost) {
-  ++messages_sent_;
-  if (lost) ++messages_lost_;
 }
 
 void RunStatistics::event(const Event& event) {
@@ -200,11 +197,10 @@ std::map<std::string, double> RunStatistics::figures() const {
   team_.add_figures(out);
   traffic_.add_figures(out);
   alerts_.add_figures(out);
+  radio_.add_figures(out);
   out["aircraft"] = static_cast<double>(aircraft_);
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);
-  out["messages_sent"] = static_cast<double>(messages_sent_);
-  out["messages_lost"] = static_cast<double>(messages_lost_);
   return out;
 }
 

@@ -15,6 +15,7 @@
 #include "skein/record/metrics.h"
 #include "skein/record/mission/mission_statistics.h"
 #include "skein/record/payload_statistics.h"
+#include "skein/record/radio_statistics.h"
 #include "skein/record/reading_ages.h"
 #include "skein/record/separation_statistics.h"
 #include "skein/record/summary.h"
@@ -46,9 +47,9 @@ class RunStatistics {
   TeamStatistics& team() { return team_; }
   TrafficStatistics& traffic() { return traffic_; }
   AlertStatistics& alerts() { return alerts_; }
+  RadioStatistics& radio() { return radio_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
-  void message(bool lost);
   /// An event of the kind "allocation" starts the allocation phase; those between
   /// "over-confident" and "trusted" bound the time in which the belief is distrusted.
   void event(const Event& event);
@@ -93,6 +94,7 @@ class RunStatistics {
   TeamStatistics team_;
   TrafficStatistics traffic_;
   AlertStatistics alerts_;
+  RadioStatistics radio_;
   ReadingAges ages_;
   std::vector<std::pair<Believer, Gathering>> gathered_;  // in order of first beliefs
   std::optional<Time> allocation_start_;
@@ -100,7 +102,6 @@ class RunStatistics {
   std::optional<Time> over_confident_since_;
   Time over_confident_, last_metrics_;
   std::uint64_t aircraft_ = 0, observations_ = 0, crossings_ = 0;
-  std::uint64_t messages_sent_ = 0, messages_lost_ = 0;
 };
 
 }  // namespace skein::record

@@ -2,9 +2,15 @@
 
 #include <vector>
 
-#include "skein/data/message.h"
+#include "skein/data/radio.h"
 
 namespace skein {
+
+/// What the radios of a run did since it was asked for last.
+struct RadioStatistics {
+  std::vector<RadioUse> radios;  ///< of each entity; empty: there is no medium
+  std::vector<LinkUse> links;    ///< that were used, in the order of sender and receiver
+};
 
 /// The radio medium between all entities.
 class Radio {
@@ -15,9 +21,15 @@ class Radio {
   virtual void send(const Message& message) = 0;
 
   /// Appends the messages that have arrived by `now`, in order of arrival, ties in the
-  /// order of sending; lost ones go to `lost`.
-  virtual void deliver(Time now, std::vector<Message>& arrived,
-                       std::vector<Message>& lost) = 0;
+  /// order of sending; lost ones among them, when that is certain.
+  virtual void deliver(Time now, std::vector<MessageOutcome>& ended) = 0;
+
+  /// What the modem of an entity knows at the last `now`. Radios without a medium know of
+  /// no load.
+  virtual RadioStatus status(EntityId) const { return {}; }
+
+  /// What happened since the last call, the last `now` being the end.
+  virtual RadioStatistics take_statistics() { return {}; }
 };
 
 }  // namespace skein

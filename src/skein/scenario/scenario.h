@@ -197,6 +197,7 @@ struct Recording {
   double rate_hz = 10;
   Time metrics_period = Time::from_seconds(5);
   Time perimeter_period = Time::from_seconds(10);
+  Time radio_period = Time::from_seconds(10);
   bool messages = true;
 };
 

@@ -288,6 +288,8 @@ Fields<Recording> record_fields() {
                   kPeriod)
       .duration_s("perimeter_period_s", &T::perimeter_period,
                   "Time between two stored perimeters.", kPeriod)
+      .duration_s("radio_period_s", &T::radio_period,
+                  "Time between two rows of what radios did and how links were.", kPeriod)
       .boolean("messages", &T::messages, "Whether messages are stored.");
 }
 

@@ -18,6 +18,7 @@ struct RunOptions {
   Time environment_period = Time::from_seconds(1);  ///< of moving phenomena
   Time record_period = Time::from_seconds(0.1);     ///< of recording truth and estimates
   Time perimeter_period = Time::from_seconds(5);    ///< of comparing belief and truth
+  Time radio_period = Time::from_seconds(10);       ///< of statistics of radios
   /// Simulated seconds per second of wall time; 0 = as fast as possible.
   double speed = 0;
   int threads = 1;

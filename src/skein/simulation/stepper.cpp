@@ -253,10 +253,12 @@ void Stepper::record_memory() {
 }
 
 void Stepper::think(Time now) {
-  for_each([&](std::size_t i) { think(now, world_.entities[i], states_[i]); });
+  for_each([&](std::size_t i) { think(now, i); });
 }
 
-void Stepper::think(Time now, Entity& entity, EntityState& state) {
+void Stepper::think(Time now, std::size_t i) {
+  Entity& entity = world_.entities[i];
+  EntityState& state = states_[i];
   if (!state.active || !due(now, entity.agent_period)) return;
   AgentInput in;
   in.now = now;
@@ -270,6 +272,7 @@ void Stepper::think(Time now, Entity& entity, EntityState& state) {
   in.samples = state.payload.samples;
   in.inbox = state.inbox;
   in.commands = state.commands;
+  in.radio = world_.radio->status(id_of(i));
   entity.agent->step(in, state.output);
   if (state.output.command && entity.vehicle)
     entity.vehicle->command(*state.output.command);
@@ -301,6 +304,7 @@ void Stepper::exchange(Time now) {
     output.records.clear();
   }
   receive(now);
+  record_radios(now);
 }
 
 void Stepper::send(Time now, std::size_t i) {
@@ -334,24 +338,36 @@ void Stepper::send(const Message& message, bool works) {
   if (works)
     world_.radio->send(message);
   else
-    record_message(message, message.sent, true);
+    record_message({message, LossCause::kLinkDown}, message.sent);
 }
 
 void Stepper::receive(Time now) {
-  arrived_.clear();
-  lost_.clear();
-  world_.radio->deliver(now, arrived_, lost_);
-  for (Message& message : arrived_) {
-    const bool known = message.to.value < states_.size();
+  ended_.clear();
+  world_.radio->deliver(now, ended_);
+  for (MessageOutcome& outcome : ended_) {
+    Message& message = outcome.message;
+    const bool known =
+        message.to.value < states_.size() && states_[message.to.value].active;
     Vehicle* vehicle = known ? world_.entities[message.to.value].vehicle.get() : nullptr;
-    const bool link_down = vehicle && !vehicle->link_works();
-    record_message(message, now, link_down);
-    if (!known || link_down || !states_[message.to.value].active) continue;
+    if (outcome.cause == LossCause::kNone) {
+      if (!known) outcome.cause = LossCause::kNobody;
+      if (vehicle && !vehicle->link_works()) outcome.cause = LossCause::kLinkDown;
+    }
+    record_message(outcome, now);
+    if (outcome.cause != LossCause::kNone) continue;
     if (vehicle && world_.entities[message.from.value].kind == "station")
       vehicle->ground_received(now);
     states_[message.to.value].inbox.push_back(std::move(message));
   }
-  for (const Message& message : lost_) record_message(message, now, true);
+}
+
+void Stepper::record_radios(Time now) {
+  if (!due(now, options_.radio_period)) return;
+  const RadioStatistics statistics = world_.radio->take_statistics();
+  for (std::size_t i = 0; i < statistics.radios.size() && i < states_.size(); ++i)
+    if (states_[i].active)
+      recorder_.record(RadioUseRecord{now, id_of(i), statistics.radios[i]});
+  for (const LinkUse& use : statistics.links) recorder_.record(LinkUseRecord{now, use});
 }
 
 void Stepper::record_vehicles(Time now) {
@@ -502,11 +518,20 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
   recorder_.record(std::visit(Maker{*this, now, id_of(i)}, said));
 }
 
-void Stepper::record_message(const Message& message, Time arrived, bool lost) {
+void Stepper::record_message(const MessageOutcome& outcome, Time ended) {
+  const Message& message = outcome.message;
   const auto* team = std::get_if<TeamMessage>(&message.content);
+  const bool arrived = outcome.cause == LossCause::kNone;
+  std::optional<Time> read;
+  if (arrived) {
+    // The first step of its receiver's agent from now on; this step's is over.
+    const Time period = world_.entities[message.to.value].agent_period;
+    read = period * (ended.ns() / period.ns() + 1);
+  }
   recorder_.record(MessageRecord{
-      message, arrived, static_cast<std::uint32_t>(coded_size(message)), lost,
-      team ? std::string(kind_of(team->content)) : std::string(), message.copy});
+      message, ended, static_cast<std::uint32_t>(coded_size(message)), !arrived,
+      team ? std::string(kind_of(team->content)) : std::string(), message.copy,
+      outcome.cause, outcome.way, read});
 }
 
 void Stepper::record_event(Time now, std::size_t i, std::string kind, std::string text) {

@@ -77,12 +77,13 @@ class Stepper {
   void log_payload_samples(Time now, std::size_t i);
   void record_memory();
   void think(Time now);
-  void think(Time now, Entity& entity, EntityState& state);
+  void think(Time now, std::size_t i);
   void exchange(Time now);
   void send(Time now, std::size_t i);
   void send_to_all(Message message, bool works);
   void send(const Message& message, bool works);
   void receive(Time now);
+  void record_radios(Time now);
   void record_vehicles(Time now);
   void advance(Time now, Time until);
   void record_accidents(Time now);
@@ -90,7 +91,7 @@ class Stepper {
   void record_status_changes(Time now, std::size_t i);
   void record_sensor_changes(Time now, std::size_t i);
   void record_agent(Time now, std::size_t i, const AgentRecord& said);
-  void record_message(const Message& message, Time arrived, bool lost);
+  void record_message(const MessageOutcome& outcome, Time ended);
   void record_event(Time now, std::size_t i, std::string kind, std::string text);
   void record_event(const Event& event);
   std::optional<std::size_t> find(const std::string& aircraft) const;
@@ -113,7 +114,7 @@ class Stepper {
   std::vector<Event> memory_events_;
   std::vector<const Phenomenon*> phenomena_;
   std::vector<EntityState> states_;
-  std::vector<Message> arrived_, lost_;
+  std::vector<MessageOutcome> ended_;
   std::vector<VehicleEvent> vehicle_events_;
   std::vector<VehicleReport> vehicle_reports_;
   std::vector<Event> announcements_;

@@ -37,27 +37,33 @@ bool IdealRadio::is_out(EntityId modem, Time now) {
   return found->second.until(now).has_value();
 }
 
+LossCause IdealRadio::cause_of(const Message& message, bool by_chance) {
+  if (by_chance) return LossCause::kChance;
+  if (out_of_range(message)) return LossCause::kOutOfRange;
+  if (is_out(message.from, message.sent) || is_out(message.to, message.sent))
+    return LossCause::kOutage;
+  return LossCause::kNone;
+}
+
 void IdealRadio::send(const Message& message) {
   // One block of the stream per message holds both numbers.
   RandomStream random(seed_, message.from.value, Purpose::kRadio);
   random.seek(message.number);
-  const bool by_chance = random.uniform() < options_.loss;
-  const bool lost = by_chance || out_of_range(message) ||
-                    is_out(message.from, message.sent) ||
-                    is_out(message.to, message.sent);
+  const LossCause cause = cause_of(message, random.uniform() < options_.loss);
   const double delay = options_.delay + options_.jitter * random.uniform();
   // A lost message is reported when it is sent: nobody waits for it.
-  const Time arrival = lost ? message.sent : message.sent + Time::from_seconds(delay);
-  in_flight_.push_back({arrival, sent_++, lost, message});
+  const Time arrival = cause == LossCause::kNone
+                           ? message.sent + Time::from_seconds(delay)
+                           : message.sent;
+  in_flight_.push_back({arrival, sent_++, cause, message});
   std::push_heap(in_flight_.begin(), in_flight_.end(), later);
 }
 
-void IdealRadio::deliver(Time now, std::vector<Message>& arrived,
-                         std::vector<Message>& lost) {
+void IdealRadio::deliver(Time now, std::vector<MessageOutcome>& ended) {
   while (!in_flight_.empty() && in_flight_.front().arrival <= now) {
     std::pop_heap(in_flight_.begin(), in_flight_.end(), later);
     InFlight& next = in_flight_.back();
-    (next.lost ? lost : arrived).push_back(std::move(next.message));
+    ended.push_back({std::move(next.message), next.cause});
     in_flight_.pop_back();
   }
 }

@@ -38,19 +38,19 @@ class IdealRadio final : public Radio {
              PositionLookup position = {});
 
   void send(const Message& message) override;
-  void deliver(Time now, std::vector<Message>& arrived,
-               std::vector<Message>& lost) override;
+  void deliver(Time now, std::vector<MessageOutcome>& ended) override;
 
  private:
   struct InFlight {
     Time arrival;
     std::uint64_t order;  // of sending
-    bool lost;
+    LossCause cause;
     Message message;
   };
   static bool later(const InFlight& a, const InFlight& b);
   bool out_of_range(const Message& message) const;
   bool is_out(EntityId modem, Time now);
+  LossCause cause_of(const Message& message, bool by_chance);
 
   IdealRadioOptions options_;
   std::uint64_t seed_;

@@ -14,6 +14,20 @@ constexpr Time kLongestWay = Time::from_ns(1'000'000);  // 300 km at the speed o
 // Where nothing reaches: an entity without a place.
 const Vec3 kNowhere(1e9, 1e9, 0);
 
+LossCause cause_of_end(PacketEnd end) {
+  switch (end) {
+    case PacketEnd::kDone:
+      break;
+    case PacketEnd::kRetryLimit:
+      return LossCause::kRetryLimit;
+    case PacketEnd::kExpired:
+      return LossCause::kExpired;
+    case PacketEnd::kQueueFull:
+      return LossCause::kQueueFull;
+  }
+  return LossCause::kNone;
+}
+
 Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
                       const PositionLookup& position) {
   Links::Nodes nodes;
@@ -37,7 +51,9 @@ MediumRadio::MediumRadio(const MediumRadioOptions& options,
       seed_(seed),
       medium_(options.profile, *propagation_,
               nodes_of(entities, options.profile.phy.transmit_power_dbm, position_), seed,
-              *this) {
+              *this),
+      meter_(options.profile.mac.access, entities),
+      waiting_(entities, 0) {
   SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes);
 }
 
@@ -49,10 +65,13 @@ void MediumRadio::send(const Message& message) {
   written_.push_back(message);
 }
 
-void MediumRadio::deliver(Time now, std::vector<Message>& arrived,
-                          std::vector<Message>& lost) {
-  arrived_ = &arrived;
-  lost_ = &lost;
+RadioStatus MediumRadio::status(EntityId id) const {
+  if (id.value >= entities_) return {};
+  return {meter_.load(id.value), waiting_[id.value]};
+}
+
+void MediumRadio::deliver(Time now, std::vector<MessageOutcome>& ended) {
+  ended_ = &ended;
   medium_.places_changed();
   collect();
   while (!departures_.empty() && departures_.front().time <= now) {
@@ -64,7 +83,10 @@ void MediumRadio::deliver(Time now, std::vector<Message>& arrived,
   }
   medium_.advance(std::max(now, medium_.now()));
   settle(now);
-  arrived_ = lost_ = nullptr;
+  meter_.step(now, [this](NodeIndex node) { return medium_.heard(node); });
+  for (NodeIndex node = 0; node < entities_; ++node)
+    waiting_[node] = static_cast<std::uint32_t>(medium_.waiting(node));
+  ended_ = nullptr;
 }
 
 // Makes posts of what was written: a message with the copies that follow it is one.
@@ -95,6 +117,8 @@ void MediumRadio::collect() {
                      ? 1
                      : static_cast<std::uint32_t>((bytes + room - 1) / room);
     post.parts_ended = 0;
+    post.cause = LossCause::kNone;
+    post.way = {};
     post.copies.clear();
     for (; i < end; ++i) post.copies.push_back({std::move(written_[i])});
     departures_.push_back({time, departed_++, index});
@@ -109,6 +133,8 @@ void MediumRadio::depart(std::uint32_t index) {
   const std::uint32_t to = post.to_all ? kAllNodes : post.copies[0].message.to.value;
   const std::uint32_t parts = post.parts;
   const auto bytes = static_cast<std::uint32_t>(coded_size(post.copies[0].message));
+  const auto urgency =
+      static_cast<std::uint8_t>(urgency_of(post.copies[0].message.content));
   const bool known =
       post.from < entities_ && (to < entities_ || to == kAllNodes) && to != post.from;
   std::uint32_t left = bytes;
@@ -117,13 +143,21 @@ void MediumRadio::depart(std::uint32_t index) {
         parts == 1 ? bytes : std::min(left, options_.profile.mac.part_bytes - kPartBytes);
     left -= here;
     const std::uint32_t size = parts == 1 ? here : here + kPartBytes;
-    if (!known || !medium_.send({posts_[index].from, to, size, index}))
-      end_part(index, medium_.now());
+    const NodeIndex from = posts_[index].from;
+    if (!known) {
+      end_part(index, LossCause::kNobody, medium_.now());
+    } else if (!medium_.send({from, to, size, index, urgency})) {
+      meter_.lost(from, PacketEnd::kQueueFull);
+      end_part(index, LossCause::kQueueFull, medium_.now());
+    } else {
+      meter_.queue(from, medium_.waiting(from));
+    }
   }
 }
 
-void MediumRadio::end_part(std::uint32_t index, Time now) {
+void MediumRadio::end_part(std::uint32_t index, LossCause cause, Time now) {
   Post& post = posts_[index];
+  if (post.cause == LossCause::kNone) post.cause = cause;
   if (++post.parts_ended < post.parts) return;
   post.ended = now;
   leaving_.push_back(index);  // its end may still be on the way
@@ -134,30 +168,53 @@ void MediumRadio::settle(Time now) {
   std::erase_if(leaving_, [&](std::uint32_t index) {
     Post& post = posts_[index];
     if (post.ended + kLongestWay > now) return false;
-    for (Post::Copy& copy : post.copies)
-      if (!copy.arrived) lost_->push_back(std::move(copy.message));
+    for (Post::Copy& copy : post.copies) {
+      if (copy.arrived) continue;
+      meter_.message_lost(copy.message.from, copy.message.to);
+      const LossCause cause = cause_of(post, copy.message.to);
+      ended_->push_back({std::move(copy.message), cause, post.way});
+    }
     post.copies.clear();
     free_.push_back(index);
     return true;
   });
 }
 
-void MediumRadio::on_frame(const Frame&, Time) {}
+// What was sent and not acknowledged was too weak there, or disturbed.
+LossCause MediumRadio::cause_of(const Post& post, EntityId to) {
+  if (post.cause != LossCause::kNone) return post.cause;
+  if (to.value >= entities_) return LossCause::kNobody;
+  return medium_.reaches(post.from, to.value) ? LossCause::kNotReceived
+                                              : LossCause::kOutOfRange;
+}
 
-void MediumRadio::on_delivered(const Frame& data, NodeIndex receiver, Time) {
+void MediumRadio::on_frame(const Frame& frame, Time now) {
+  meter_.frame(frame);
+  if (frame.kind != FrameKind::kData) return;
+  MessageWay& way = posts_[frame.tag].way;
+  if (!way.on_air) way.on_air = now;
+  ++way.transmissions;
+}
+
+void MediumRadio::on_delivered(const Frame& data, NodeIndex receiver, Time now,
+                               const Reception& reception) {
+  meter_.received(data, receiver, reception);
   Post& post = posts_[data.tag];
   for (Post::Copy& copy : post.copies) {
     if (copy.message.to.value != receiver) continue;
     if (++copy.parts_received == post.parts) {
       copy.arrived = true;
-      arrived_->push_back(std::move(copy.message));
+      meter_.message_arrived(copy.message.from, copy.message.to,
+                             now - copy.message.sent);
+      ended_->push_back({std::move(copy.message), LossCause::kNone, post.way});
     }
     return;
   }
 }
 
-void MediumRadio::on_finished(const Packet& packet, PacketEnd, Time now) {
-  end_part(static_cast<std::uint32_t>(packet.order.tag), now);
+void MediumRadio::on_finished(const Packet& packet, PacketEnd end, Time now) {
+  meter_.lost(packet.order.from, end);
+  end_part(static_cast<std::uint32_t>(packet.order.tag), cause_of_end(end), now);
 }
 
 }  // namespace skein::communication

@@ -7,6 +7,7 @@
 
 #include "skein/layer/communication/ideal_radio.h"
 #include "skein/layer/communication/medium/medium.h"
+#include "skein/layer/communication/radio_meter.h"
 #include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 
@@ -34,8 +35,9 @@ class MediumRadio final : public Radio, private MediumListener {
               std::size_t entities, PositionLookup position, std::uint64_t seed);
 
   void send(const Message& message) override;
-  void deliver(Time now, std::vector<Message>& arrived,
-               std::vector<Message>& lost) override;
+  void deliver(Time now, std::vector<MessageOutcome>& ended) override;
+  RadioStatus status(EntityId id) const override;
+  RadioStatistics take_statistics() override { return meter_.take(); }
 
  private:
   /// What is sent as one: a message to one, or the copies of a message to several.
@@ -44,6 +46,8 @@ class MediumRadio final : public Radio, private MediumListener {
     bool to_all = false;
     std::uint32_t parts = 1, parts_ended = 0;
     Time ended;  // when the last part left
+    LossCause cause = LossCause::kNone;  // of the first part that was lost at its sender
+    MessageWay way;
     struct Copy {
       Message message;
       std::uint32_t parts_received = 0;
@@ -60,11 +64,13 @@ class MediumRadio final : public Radio, private MediumListener {
   static bool later(const Departure& a, const Departure& b);
   void collect();
   void depart(std::uint32_t index);
-  void end_part(std::uint32_t index, Time now);
+  void end_part(std::uint32_t index, LossCause cause, Time now);
+  LossCause cause_of(const Post& post, EntityId to);
   void settle(Time now);
 
   void on_frame(const Frame& frame, Time now) override;
-  void on_delivered(const Frame& data, NodeIndex receiver, Time now) override;
+  void on_delivered(const Frame& data, NodeIndex receiver, Time now,
+                    const Reception& reception) override;
   void on_finished(const Packet& packet, PacketEnd end, Time now) override;
 
   MediumRadioOptions options_;
@@ -73,14 +79,15 @@ class MediumRadio final : public Radio, private MediumListener {
   PositionLookup position_;
   std::uint64_t seed_;
   Medium medium_;
+  RadioMeter meter_;
   std::vector<Message> written_;       // since the last deliver()
   std::vector<Departure> departures_;  // a heap, earliest first
   std::uint64_t departed_ = 0;
   std::vector<Post> posts_;
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> leaving_;  // posts that left and may still be on the way
-  std::vector<Message>* arrived_ = nullptr;
-  std::vector<Message>* lost_ = nullptr;
+  std::vector<std::uint32_t> waiting_;  // packets in the queue of each node
+  std::vector<MessageOutcome>* ended_ = nullptr;
 };
 
 }  // namespace skein::communication

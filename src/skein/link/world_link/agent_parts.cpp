@@ -20,6 +20,12 @@ bool made_in_world(const Event& event) {
 
 }  // namespace
 
+void WorldRadio::deliver(Time now, std::vector<MessageOutcome>& ended) {
+  arrived_.clear();
+  client_.receive(now, arrived_);
+  for (Message& message : arrived_) ended.push_back({std::move(message)});
+}
+
 const char* ConnectedAgent::event_of(SessionChange::Kind kind) {
   switch (kind) {
     case SessionChange::Kind::kUp:

@@ -37,13 +37,11 @@ class WorldRadio final : public Radio {
   explicit WorldRadio(WorldClient& client) : client_(client) {}
 
   void send(const Message& message) override { client_.say(message.sent, message); }
-  void deliver(Time now, std::vector<Message>& arrived,
-               std::vector<Message>& /*lost*/) override {
-    client_.receive(now, arrived);
-  }
+  void deliver(Time now, std::vector<MessageOutcome>& ended) override;
 
  private:
   WorldClient& client_;
+  std::vector<Message> arrived_;
 };
 
 /// An agent that also says when its world is lost and back: events "world-joined",

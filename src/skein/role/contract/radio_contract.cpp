@@ -52,21 +52,22 @@ Outcome pass(Radio& radio, const std::vector<Message>& messages, Checks& checks)
       radio.send(messages[next]);
       in_transit.emplace(name_of(messages[next]), &messages[next]);
     }
-    std::vector<Message> arrived, lost;
-    radio.deliver(now, arrived, lost);
-    for (const auto* list : {&arrived, &lost})
-      for (const Message& message : *list) {
-        const auto sent = in_transit.find(name_of(message));
-        checks.expect(sent != in_transit.end(),
-                      "a message comes out twice, or was never sent");
-        if (sent == in_transit.end()) continue;
-        checks.expect(message.to == sent->second->to &&
-                          message.sent == sent->second->sent &&
-                          message.content.index() == sent->second->content.index(),
-                      "a message is changed in transit");
-        in_transit.erase(sent);
-        (list == &arrived ? outcome.arrived : outcome.lost).push_back(name_of(message));
-      }
+    std::vector<MessageOutcome> ended;
+    radio.deliver(now, ended);
+    for (const MessageOutcome& end : ended) {
+      const Message& message = end.message;
+      const auto sent = in_transit.find(name_of(message));
+      checks.expect(sent != in_transit.end(),
+                    "a message comes out twice, or was never sent");
+      if (sent == in_transit.end()) continue;
+      checks.expect(message.to == sent->second->to &&
+                        message.sent == sent->second->sent &&
+                        message.content.index() == sent->second->content.index(),
+                    "a message is changed in transit");
+      in_transit.erase(sent);
+      (end.cause == LossCause::kNone ? outcome.arrived : outcome.lost)
+          .push_back(name_of(message));
+    }
   }
   checks.expect(in_transit.empty(),
                 "after two minutes a message is neither delivered nor lost");

@@ -52,10 +52,10 @@ class Post : public Radio {
  public:
   explicit Post(Time delay) : delay_(delay) {}
   void send(const Message& message) override { mail_.push_back(message); }
-  void deliver(Time now, std::vector<Message>& arrived, std::vector<Message>&) override {
+  void deliver(Time now, std::vector<MessageOutcome>& ended) override {
     std::erase_if(mail_, [&](const Message& m) {
       if (m.sent + delay_ > now) return false;
-      arrived.push_back(m);
+      ended.push_back({m});
       return true;
     });
   }

@@ -130,7 +130,8 @@ void NetworkRun::on_frame(const Frame& frame, Time now) {
     on_transmission({now, frame.from, name_of(frame.kind), frame.mac_bytes});
 }
 
-void NetworkRun::on_delivered(const Frame& data, NodeIndex receiver, Time now) {
+void NetworkRun::on_delivered(const Frame& data, NodeIndex receiver, Time now,
+                              const Reception&) {
   NetworkMessage& record = result_.messages[data.tag];
   if (data.to != kAllNodes) {
     record.delivered = now;
@@ -145,6 +146,7 @@ void NetworkRun::on_finished(const Packet& packet, PacketEnd end, Time) {
   NetworkMessage& record = result_.messages[packet.order.tag];
   if (record.fate != MessageFate::kDelivered) {
     if (end == PacketEnd::kRetryLimit) record.fate = MessageFate::kRetryLimit;
+    if (end == PacketEnd::kQueueFull) record.fate = MessageFate::kQueueFull;
     if (end == PacketEnd::kExpired) record.fate = MessageFate::kExpired;
   }
   const std::size_t flow = flow_of_[packet.order.tag];

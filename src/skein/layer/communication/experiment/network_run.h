@@ -30,7 +30,8 @@ class NetworkRun final : private MediumListener {
 
  private:
   void on_frame(const Frame& frame, Time now) override;
-  void on_delivered(const Frame& data, NodeIndex receiver, Time now) override;
+  void on_delivered(const Frame& data, NodeIndex receiver, Time now,
+                    const Reception& reception) override;
   void on_finished(const Packet& packet, PacketEnd end, Time now) override;
 
   void create(std::uint64_t number, NodeIndex from, NodeIndex to, std::uint32_t bytes);

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "skein/layer/communication/medium/channel.h"
+#include "skein/layer/communication/medium/packet_queue.h"
 #include "skein/layer/communication/medium/schedule.h"
 
 namespace skein::communication {
@@ -13,10 +14,10 @@ class Access : public ChannelListener {
   /// The transceivers, which tell this what they hear; once, before anything else.
   virtual void use(Channel& channel) = 0;
 
-  /// Whether the queue of a node has room for one more packet.
-  virtual bool has_room(NodeIndex node) const = 0;
+  /// The packets of a node that wait or are in service.
+  virtual PacketQueue& queue(NodeIndex node) = 0;
 
-  /// A packet waits to be sent; its node has room.
+  /// A packet waits to be sent; it goes into the queue, whatever there is already.
   virtual void enqueue(std::uint32_t packet, Time now) = 0;
 
   /// An event of a station, of the kinds from kAccess on, that this has scheduled.

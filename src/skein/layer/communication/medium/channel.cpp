@@ -1,6 +1,7 @@
 #include "skein/layer/communication/medium/channel.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "skein/base/check.h"
@@ -11,7 +12,6 @@ namespace skein::communication {
 namespace {
 
 constexpr std::uint32_t kReceptions = 2;     // of a node's random streams for its radio
-constexpr double kBoltzmann = 1.380649e-23;  // [J/K]
 constexpr Time kHeader = Time::from_ns(48'000);  // what the preamble ends with
 
 }  // namespace
@@ -22,8 +22,7 @@ Channel::Channel(const PhyProfile& phy, Links& links, Schedule& schedule,
       links_(links),
       schedule_(schedule),
       listener_(listener),
-      noise_(kBoltzmann * phy.noise_temperature * phy.noise_bandwidth *
-             math::pow(10, phy.noise_figure_db / 10)),
+      noise_(noise_power(phy)),
       decode_threshold_(watts(phy.decode_threshold_dbm)),
       carrier_sense_threshold_(watts(phy.carrier_sense_threshold_dbm)),
       lock_ratio_(math::pow(10, phy.lock_sinr_db / 10)),
@@ -131,6 +130,7 @@ void Channel::arrive(FrameIndex index, const Link& link, Time now) {
   if (receives) judge(receiver, now);
   receiver.signals.push_back({index, link.power, now + on_air_[index].frame.duration});
   receiver.power += link.power;
+  hear(receiver, now);
   if (receives || now < receiver.sending_until)
     sense(link.to, now);
   else
@@ -165,6 +165,7 @@ void Channel::detect(FrameIndex index, std::uint32_t place, Time now) {
   receiver.header_begin = arrival + preamble_;
   receiver.payload_begin = arrival + phy_.preamble_header;
   receiver.judged_until = now;
+  receiver.least_ratio = std::numeric_limits<double>::infinity();
   receiver.log_header = receiver.log_payload = 0;
   if (on_air.next_header == on_air.locked.size())
     schedule_.add(receiver.payload_begin, EventKind::kHeader, index);
@@ -196,12 +197,14 @@ void Channel::finish(FrameIndex index, const Link& link, Time now) {
       break;
     }
   receiver.power = receiver.signals.empty() ? 0 : receiver.power - link.power;
+  hear(receiver, now);
   if (!was_locked) return;
   receiver.locked = kNone;
   if (is_lost(link.to, receiver.log_payload))
     listener_.on_payload_lost(link.to, now);
   else
-    listener_.on_received(link.to, now, on_air_[index].frame);
+    listener_.on_received(link.to, now, on_air_[index].frame,
+                          {link.power, receiver.least_ratio});
   sense(link.to, now);
 }
 
@@ -212,6 +215,7 @@ void Channel::judge(Receiver& receiver, Time now) {
   const double others =
       receiver.signals.size() == 1 ? 0 : receiver.power - receiver.locked_power;
   const double ratio = receiver.locked_power / (noise_ + std::max(0.0, others));
+  receiver.least_ratio = std::min(receiver.least_ratio, ratio);
   const Time header_from = std::max(since, receiver.header_begin);
   const Time header_to = std::min(now, receiver.payload_begin);
   if (header_from < header_to)
@@ -221,6 +225,17 @@ void Channel::judge(Receiver& receiver, Time now) {
   if (payload_from < now)
     receiver.log_payload +=
         rates_.log_payload_success(ratio, (now - payload_from).seconds());
+}
+
+// Keeps how long others are heard.
+void Channel::hear(Receiver& receiver, Time now) const {
+  const bool hears = receiver.power >= carrier_sense_threshold_;
+  if (hears == receiver.hears) return;
+  receiver.hears = hears;
+  if (hears)
+    receiver.hears_since = now;
+  else
+    receiver.heard += now - receiver.hears_since;
 }
 
 bool Channel::is_lost(NodeIndex node, double log_success) {

@@ -22,7 +22,8 @@ class ChannelListener {
   /// The payload of a frame begins, which lasts until then.
   virtual void on_payload(NodeIndex node, Time now, Time until) = 0;
   virtual void on_payload_lost(NodeIndex node, Time now) = 0;
-  virtual void on_received(NodeIndex node, Time now, const Frame& frame) = 0;
+  virtual void on_received(NodeIndex node, Time now, const Frame& frame,
+                           const Reception& reception) = 0;
 };
 
 /// The transceivers of all nodes and what is on the air between them.
@@ -50,6 +51,12 @@ class Channel {
   /// Whether a frame would be decoded at the other end of a link if nothing interferes.
   bool in_range(const Link& link) const { return link.power >= decode_threshold_; }
 
+  /// How long `node` has heard that others send, until `now`.
+  Time heard(NodeIndex node, Time now) const {
+    const Receiver& receiver = receivers_[node];
+    return receiver.heard + (receiver.hears ? now - receiver.hears_since : Time());
+  }
+
  private:
   using FrameIndex = std::uint32_t;
   static constexpr FrameIndex kNone = 0xFFFFFFFFu;
@@ -74,10 +81,12 @@ class Channel {
   struct Receiver {
     double power = 0;  // sum of all signals [W]
     FrameIndex locked = kNone;
-    double locked_power = 0;
+    double locked_power = 0, least_ratio = 0;
     Time header_begin, payload_begin, judged_until;  // of the frame that it receives
     double log_header = 0, log_payload = 0;          // of success until then
     Time sending_until;
+    bool hears = false;  // at least the carrier sense threshold
+    Time hears_since, heard;
     std::vector<Signal> signals;
     std::vector<Candidate> candidates;  // frames whose window is open
   };
@@ -92,6 +101,7 @@ class Channel {
   void judge(Receiver& receiver, Time now);
   bool is_lost(NodeIndex node, double log_success);
   void sense(NodeIndex node, Time now);
+  void hear(Receiver& receiver, Time now) const;
   FrameIndex free_place();
 
   const PhyProfile& phy_;

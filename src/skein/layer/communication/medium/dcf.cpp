@@ -77,7 +77,6 @@ void Dcf::draw_backoff(NodeIndex node, Time now) {
 void Dcf::enqueue(std::uint32_t packet, Time now) {
   const NodeIndex node = packets_[packet].order.from;
   Station& station = stations_[node];
-  SKEIN_CHECK(station.queue.size() < mac_.queue_packets);
   if (station.queue.empty() && !station.in_service) {
     count_slots(station, now);
     if (station.backoff_slots == 0) {
@@ -87,7 +86,7 @@ void Dcf::enqueue(std::uint32_t packet, Time now) {
         station.backoff_start = now + mac_.difs;
     }
   }
-  station.queue.push_back(packet);
+  station.queue.push(packet, packets_[packet].order.urgency);
   expect_access(node, now);
 }
 
@@ -116,6 +115,7 @@ void Dcf::on_access(NodeIndex node, Time now) {
     if (station.queue.empty()) return;
   }
   station.in_service = true;
+  station.queue.serve_front();
   Packet& packet = packets_[station.queue.front()];
   const std::uint32_t bytes = packet.order.bytes + mac_.data_overhead_bytes;
   if (packet.order.to == kAllNodes || bytes <= mac_.rts_threshold_bytes)
@@ -236,12 +236,14 @@ void Dcf::on_payload_lost(NodeIndex node, Time now) {
   station.rx_end = now;
 }
 
-void Dcf::on_received(NodeIndex node, Time now, const Frame& frame) {
+void Dcf::on_received(NodeIndex node, Time now, const Frame& frame,
+                      const Reception& reception) {
   Station& station = stations_[node];
   if (frame.to != node && frame.to != kAllNodes) return reserve(node, frame, now);
   switch (frame.kind) {
     case FrameKind::kData: {
-      if (frame.to == kAllNodes) return listener_.on_delivered(frame, node, now);
+      if (frame.to == kAllNodes) 
+        return listener_.on_delivered(frame, node, now, reception);
       respond(node,
               {.kind = FrameKind::kAck,
                .from = node,
@@ -252,7 +254,7 @@ void Dcf::on_received(NodeIndex node, Time now, const Frame& frame) {
       Packet& packet = packets_[frame.packet];
       if (packet.delivered) return;
       packet.delivered = true;
-      listener_.on_delivered(frame, node, now);
+      listener_.on_delivered(frame, node, now, reception);
       return;
     }
     case FrameKind::kRts: {
@@ -317,7 +319,7 @@ void Dcf::finish(NodeIndex node, PacketEnd end, Time now) {
   station.rts_failures = station.data_failures = 0;
   station.window = mac_.cw_min;
   const std::uint32_t place = station.queue.front();
-  station.queue.erase(station.queue.begin());
+  station.queue.pop_front();
   const Packet packet = packets_[place];
   packets_.remove(place);
   release(node, now);
@@ -338,7 +340,7 @@ void Dcf::drop_expired(NodeIndex node, Time now) {
   while (!station.queue.empty() &&
          now - packets_[station.queue.front()].created > *mac_.queue_lifetime) {
     const std::uint32_t place = station.queue.front();
-    station.queue.erase(station.queue.begin());
+    station.queue.pop_front();
     const Packet packet = packets_[place];
     packets_.remove(place);
     listener_.on_finished(packet, PacketEnd::kExpired, now);

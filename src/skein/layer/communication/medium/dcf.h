@@ -25,9 +25,7 @@ class Dcf final : public Access {
       PacketStore& packets, MediumListener& listener, std::uint64_t seed);
   void use(Channel& channel) override { channel_ = &channel; }
 
-  bool has_room(NodeIndex node) const override {
-    return stations_[node].queue.size() < mac_.queue_packets;
-  }
+  PacketQueue& queue(NodeIndex node) override { return stations_[node].queue; }
   void enqueue(std::uint32_t packet, Time now) override;
   void handle(const Schedule::Event& event) override;
 
@@ -37,7 +35,8 @@ class Dcf final : public Access {
   void on_busy(NodeIndex node, Time now, Time until) override;
   void on_payload(NodeIndex node, Time now, Time until) override;
   void on_payload_lost(NodeIndex node, Time now) override;
-  void on_received(NodeIndex node, Time now, const Frame& frame) override;
+  void on_received(NodeIndex node, Time now, const Frame& frame,
+                   const Reception& reception) override;
 
  private:
   enum class Waiting : std::uint8_t { kNothing, kCts, kAck, kSending };
@@ -61,7 +60,7 @@ class Dcf final : public Access {
     std::uint32_t nav_stamp = 0;
     bool nav_may_reset = false;
     Frame response;                    // what it sends SIFS after a reception
-    std::vector<std::uint32_t> queue;  // packets, the oldest first
+    PacketQueue queue;
   };
 
   bool is_busy(const Station& station, Time now) const;

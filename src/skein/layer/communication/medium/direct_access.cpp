@@ -15,6 +15,7 @@ DirectAccess::DirectAccess(const RadioProfile& profile, Links& links, Schedule& 
     : mac_(profile.mac),
       phy_(profile.phy),
       decode_threshold_(watts(profile.phy.decode_threshold_dbm)),
+      noise_(noise_power(profile.phy)),
       links_(links),
       schedule_(schedule),
       packets_(packets),
@@ -27,7 +28,7 @@ DirectAccess::DirectAccess(const RadioProfile& profile, Links& links, Schedule& 
 
 void DirectAccess::enqueue(std::uint32_t packet, Time now) {
   const NodeIndex node = packets_[packet].order.from;
-  stations_[node].queue.push_back(packet);
+  stations_[node].queue.push(packet, packets_[packet].order.urgency);
   if (stations_[node].queue.size() == 1) begin(node, now);
 }
 
@@ -40,6 +41,7 @@ void DirectAccess::begin(NodeIndex node, Time now) {
   const std::uint32_t place = station.queue.front();
   Packet& packet = packets_[place];
   ++packet.transmissions;
+  station.queue.serve_front();
   const std::uint32_t bytes = packet.order.bytes + mac_.data_overhead_bytes;
   const Frame data{
       .kind = FrameKind::kData,
@@ -73,7 +75,7 @@ void DirectAccess::arrive(NodeIndex node, Time now) {
     if (data.to != kAllNodes && data.to != link.to) continue;
     if (link.power < decode_threshold_) continue;
     if (mac_.loss > 0 && losses_[node].uniform() < mac_.loss) continue;
-    listener_.on_delivered(data, link.to, now);
+    listener_.on_delivered(data, link.to, now, {link.power, link.power / noise_});
   }
   const Packet packet = packets_[data.packet];
   packets_.remove(data.packet);

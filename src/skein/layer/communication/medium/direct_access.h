@@ -25,21 +25,19 @@ class DirectAccess final : public Access {
 
   void use(Channel&) override {}  // it has none
 
-  bool has_room(NodeIndex node) const override {
-    return stations_[node].queue.size() < mac_.queue_packets;
-  }
+  PacketQueue& queue(NodeIndex node) override { return stations_[node].queue; }
   void enqueue(std::uint32_t packet, Time now) override;
   void handle(const Schedule::Event& event) override;
 
   void on_busy(NodeIndex, Time, Time) override {}
   void on_payload(NodeIndex, Time, Time) override {}
   void on_payload_lost(NodeIndex, Time) override {}
-  void on_received(NodeIndex, Time, const Frame&) override {}
+  void on_received(NodeIndex, Time, const Frame&, const Reception&) override {}
 
  private:
   struct Station {
-    std::deque<std::uint32_t> queue;  // packets, the first one is being sent
-    std::deque<Frame> on_the_way;     // sent and not yet arrived
+    PacketQueue queue;             // the first one is being sent
+    std::deque<Frame> on_the_way;  // sent and not yet arrived
   };
 
   void begin(NodeIndex node, Time now);
@@ -48,7 +46,7 @@ class DirectAccess final : public Access {
 
   const MacProfile& mac_;
   const PhyProfile& phy_;
-  double decode_threshold_;  // [W]
+  double decode_threshold_, noise_;  // [W]
   Links& links_;
   Schedule& schedule_;
   PacketStore& packets_;

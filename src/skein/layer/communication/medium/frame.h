@@ -25,4 +25,10 @@ struct Frame {
   Time reserved = {};           ///< what its duration field asks others to wait after it
 };
 
+/// How a frame arrived at a receiver.
+struct Reception {
+  double power = 0;  ///< [W]
+  double sinr = 0;   ///< the least ratio of signal to noise and interference
+};
+
 }  // namespace skein::communication

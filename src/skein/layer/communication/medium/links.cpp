@@ -11,11 +11,21 @@ namespace skein::communication {
 namespace {
 
 constexpr double kSpeedOfLight = 299'792'458;  // [m/s]
+constexpr double kBoltzmann = 1.380649e-23;    // [J/K]
 
 }  // namespace
 
 double watts(double dbm) {
   return 1e-3 * math::pow(10, dbm / 10);
+}
+
+double dbm(double watts) {
+  return 10 * math::log10(watts) + 30;
+}
+
+double noise_power(const PhyProfile& phy) {
+  return kBoltzmann * phy.noise_temperature * phy.noise_bandwidth *
+         math::pow(10, phy.noise_figure_db / 10);
 }
 
 Links::Links(const PhyProfile& phy, const Propagation& propagation, Nodes nodes)

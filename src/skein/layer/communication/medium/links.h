@@ -64,4 +64,10 @@ class Links {
 /// Watts of a level in dBm.
 double watts(double dbm);
 
+/// dBm of a power above 0 [W].
+double dbm(double watts);
+
+/// Of a receiver: k T B times its noise figure [W].
+double noise_power(const PhyProfile& phy);
+
 }  // namespace skein::communication

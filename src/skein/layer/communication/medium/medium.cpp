@@ -32,7 +32,8 @@ Medium::Medium(const RadioProfile& profile, const Propagation& propagation,
     : profile_(profile),
       links_(profile_.phy, propagation, std::move(nodes)),
       access_(make_access(profile_, links_, schedule_, packets_, listener, seed)),
-      channel_(profile_.phy, links_, schedule_, *access_, seed) {
+      channel_(profile_.phy, links_, schedule_, *access_, seed),
+      listener_(listener) {
   access_->use(channel_);
 }
 
@@ -52,9 +53,22 @@ void Medium::advance(Time until) {
 bool Medium::send(const PacketOrder& order) {
   SKEIN_CHECK(order.from < links_.size() &&
               (order.to < links_.size() || order.to == kAllNodes));
-  if (!access_->has_room(order.from)) return false;
+  PacketQueue& queue = access_->queue(order.from);
+  if (queue.size() >= profile_.mac.queue_packets) {
+    const auto dropped = queue.take_less_urgent(order.urgency);
+    if (!dropped) return false;
+    const Packet packet = packets_[*dropped];
+    packets_.remove(*dropped);
+    listener_.on_finished(packet, PacketEnd::kQueueFull, now_);
+  }
   access_->enqueue(packets_.add(order, now_), now_);
   return true;
+}
+
+bool Medium::reaches(NodeIndex from, NodeIndex to) {
+  for (const Link& link : links_.of(from, now_))
+    if (link.to == to) return channel_.in_range(link);
+  return false;
 }
 
 std::vector<NodeIndex> Medium::in_range(NodeIndex from) {

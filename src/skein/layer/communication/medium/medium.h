@@ -32,13 +32,22 @@ class Medium {
   /// Does everything that happens before `until`, which is then now.
   void advance(Time until);
 
-  /// A packet is handed to the radio of `order.from` now.
+  /// A packet is handed to the radio of `order.from` now. In a full queue it takes the
+  /// place of a less urgent one, if there is any.
   /// @returns false when the queue is full; nothing more is heard of it then
   bool send(const PacketOrder& order);
 
   /// Packets that wait or are in service.
   std::size_t waiting() const { return packets_.size(); }
 
+  /// Those of one node.
+  std::size_t waiting(NodeIndex node) { return access_->queue(node).size(); }
+
+  /// How long a node has heard that others send. Of lines that share nothing: 0.
+  Time heard(NodeIndex node) const { return channel_.heard(node, now_); }
+
+  /// Whether `to` would decode a frame of `from` that began now, without interference.
+  bool reaches(NodeIndex from, NodeIndex to);
   /// Who would decode a frame of `from` that began now, without interference.
   std::vector<NodeIndex> in_range(NodeIndex from);
 
@@ -50,6 +59,7 @@ class Medium {
   Links links_;
   std::unique_ptr<Access> access_;
   Channel channel_;
+  MediumListener& listener_;
 };
 
 }  // namespace skein::communication

@@ -11,6 +11,7 @@ enum class PacketEnd : std::uint8_t {
   kDone,        ///< acknowledged; of a broadcast: sent
   kRetryLimit,  ///< given up
   kExpired,     ///< too old before it was sent
+  kQueueFull,   ///< dropped for a more urgent one
 };
 
 /// Who hears what becomes of packets.
@@ -22,7 +23,8 @@ class MediumListener {
   virtual void on_frame(const Frame& frame, Time now) = 0;
   /// A data frame has reached `receiver`: its broadcasts, and of unicasts the first
   /// transmission that comes through.
-  virtual void on_delivered(const Frame& data, NodeIndex receiver, Time now) = 0;
+  virtual void on_delivered(const Frame& data, NodeIndex receiver, Time now,
+                            const Reception& reception) = 0;
   /// The medium has done with a packet. The one that takes its place may be ordered now.
   virtual void on_finished(const Packet& packet, PacketEnd end, Time now) = 0;
 };

@@ -13,6 +13,7 @@ struct PacketOrder {
   NodeIndex to = kAllNodes;
   std::uint32_t bytes = 0;  ///< of payload
   std::uint64_t tag = 0;    ///< the caller's own number for it
+  std::uint8_t urgency = 0;  ///< more urgent ones are sent first
 };
 
 /// An order that waits or is in service.

@@ -31,7 +31,7 @@ Time Tdma::next_slot(NodeIndex node, Time now) const {
 void Tdma::enqueue(std::uint32_t packet, Time now) {
   const NodeIndex node = packets_[packet].order.from;
   Station& station = stations_[node];
-  station.queue.push_back(packet);
+  station.queue.push(packet, packets_[packet].order.urgency);
   if (station.awake) return;
   station.awake = true;
   schedule_.add(next_slot(node, now), EventKind::kAccess, node);
@@ -65,6 +65,7 @@ void Tdma::use_slot(NodeIndex node, Time now) {
       return;
     }
     ++packet.transmissions;
+    station.queue.serve_front();
     const Frame data{.kind = FrameKind::kData,
                      .from = node,
                      .to = packet.order.to,
@@ -80,8 +81,10 @@ void Tdma::use_slot(NodeIndex node, Time now) {
   station.awake = false;
 }
 
-void Tdma::on_received(NodeIndex node, Time now, const Frame& frame) {
-  if (frame.to == node || frame.to == kAllNodes) listener_.on_delivered(frame, node, now);
+void Tdma::on_received(NodeIndex node, Time now, const Frame& frame,
+                       const Reception& reception) {
+  if (frame.to == node || frame.to == kAllNodes)
+    listener_.on_delivered(frame, node, now, reception);
 }
 
 void Tdma::finish(NodeIndex node, PacketEnd end, Time now) {

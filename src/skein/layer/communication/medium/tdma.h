@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "skein/layer/communication/medium/access.h"
@@ -22,21 +21,20 @@ class Tdma final : public Access {
        PacketStore& packets, MediumListener& listener);
   void use(Channel& channel) override { channel_ = &channel; }
 
-  bool has_room(NodeIndex node) const override {
-    return stations_[node].queue.size() < mac_.queue_packets;
-  }
+  PacketQueue& queue(NodeIndex node) override { return stations_[node].queue; }
   void enqueue(std::uint32_t packet, Time now) override;
   void handle(const Schedule::Event& event) override;
 
   void on_busy(NodeIndex, Time, Time) override {}
   void on_payload(NodeIndex, Time, Time) override {}
   void on_payload_lost(NodeIndex, Time) override {}
-  void on_received(NodeIndex node, Time now, const Frame& frame) override;
+  void on_received(NodeIndex node, Time now, const Frame& frame,
+                   const Reception& reception) override;
 
  private:
   struct Station {
-    std::deque<std::uint32_t> queue;  // packets, the oldest first
-    bool awake = false;               // a slot is awaited or used
+    PacketQueue queue;
+    bool awake = false;  // a slot is awaited or used
   };
 
   Time airtime(std::uint32_t bytes) const;

@@ -24,7 +24,10 @@ struct Delivery {
 };
 Delivery deliver(IdealRadio& radio, double now) {
   Delivery d;
-  radio.deliver(Time::from_seconds(now), d.arrived, d.lost);
+  std::vector<MessageOutcome> ended;
+  radio.deliver(Time::from_seconds(now), ended);
+  for (const MessageOutcome& each : ended)
+    (each.cause == LossCause::kNone ? d.arrived : d.lost).push_back(each.message);
   return d;
 }
 

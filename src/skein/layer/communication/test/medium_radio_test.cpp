@@ -50,12 +50,19 @@ class Row {
     radio_.send(message_of(from, to, number_++, now_, bytes));
   }
   void step() {
-    radio_.deliver(now_, arrived, lost);
+    std::vector<MessageOutcome> ended;
+    radio_.deliver(now_, ended);
+    for (const MessageOutcome& each : ended) {
+      (each.cause == LossCause::kNone ? arrived : lost).push_back(each.message);
+      outcomes.push_back(each);
+    }
     now_ += Time::from_seconds(0.1);
   }
 
   std::vector<Message> arrived, lost;
+  std::vector<MessageOutcome> outcomes;
   std::uint64_t sent() const { return number_; }
+  MediumRadio& radio() { return radio_; }
 
  private:
   MediumRadio radio_;
@@ -141,6 +148,76 @@ TEST(MediumRadio, ToNobodyIsLost) {
   row.send(9, 0);
   for (int i = 0; i < 5; ++i) row.step();
   EXPECT_EQ(row.lost.size(), 2u);
+}
+
+TEST(MediumRadio, SaysWhyMessagesAreLostAndHowTheyWent) {
+  MediumRadioOptions options;
+  options.profile.mac.queue_packets = 2;
+  Row row(options);
+  row.send(0, 1);
+  row.send(0, 3);         // out of range: given up
+  row.send_to_all(1);     // to 3 out of range
+  row.send(0, 9);         // nobody
+  row.send(2, 1, 20'000); // 14 parts, the queue holds two
+  for (int i = 0; i < 20; ++i) row.step();
+  std::map<std::uint32_t, LossCause> causes;  // by number
+  for (const MessageOutcome& each : row.outcomes) {
+    if (each.cause != LossCause::kNone)
+      causes[static_cast<std::uint32_t>(each.message.number)] = each.cause;
+    if (each.cause == LossCause::kNobody) continue;
+    ASSERT_TRUE(each.way.on_air);
+    EXPECT_GE(*each.way.on_air, each.message.sent);
+    EXPECT_GE(each.way.transmissions, 1u);
+  }
+  EXPECT_EQ(causes, (std::map<std::uint32_t, LossCause>{{1, LossCause::kRetryLimit},
+                                                        {4, LossCause::kOutOfRange},
+                                                        {5, LossCause::kNobody},
+                                                        {6, LossCause::kQueueFull}}));
+}
+
+TEST(MediumRadio, KeepsWhatRadiosAndLinksAreUsedFor) {
+  MediumRadioOptions options;
+  options.profile.mac.queue_packets = 100;
+  Row row(options);
+  for (int i = 0; i < 50; ++i) {
+    row.send(0, 1, 1000);
+    row.step();
+  }
+  const double airtime = 192e-6 + (1000 + 36) * 8 / 2e6;
+  const RadioStatistics all = row.radio().take_statistics();
+  ASSERT_EQ(all.radios.size(), 4u);
+  // Ten messages a second, each some bytes longer than its payload: 1 % on top; what is
+  // sent at the end is not over yet: one of fifty.
+  EXPECT_NEAR(all.radios[0].sending_share, 10 * airtime, 10 * airtime * 0.04);
+  EXPECT_NEAR(all.radios[1].busy_share, 10 * airtime, 10 * airtime * 0.04);
+  EXPECT_GT(all.radios[1].sending_share, 0) << "it acknowledges";
+  EXPECT_EQ(all.radios[3].busy_share, 0) << "it is out of range";
+  EXPECT_NEAR(all.radios[1].received, 49, 1);
+  ASSERT_EQ(all.links.size(), 1u) << "data goes one way";
+  EXPECT_EQ(all.links[0].from, EntityId{0});
+  EXPECT_EQ(all.links[0].to, EntityId{1});
+  EXPECT_NEAR(all.links[0].arrived, 49, 1);
+  // 15 dBm over 1 km of free space at 2.4 GHz: 100.05 dB less.
+  EXPECT_NEAR(all.links[0].rssi_dbm.value(), 15 - 100.05, 0.1);
+  EXPECT_GT(all.links[0].delay.value(), airtime);
+  EXPECT_LT(all.links[0].delay.value(), 0.11) << "departures are spread over 0.1 s";
+  EXPECT_NEAR(row.radio().status(EntityId{1}).load, 10 * airtime, 0.02);
+  EXPECT_TRUE(row.radio().take_statistics().links.empty()) << "told once";
+}
+
+TEST(MediumRadio, UrgentMessagesGoFirstAndTakeTheLastPlace) {
+  MediumRadioOptions options;
+  options.profile.mac.queue_packets = 4;
+  options.spread = 0;
+  Row row(options);
+  for (int i = 0; i < 6; ++i) row.send(0, 1, 1000);  // of plugins: as reports
+  row.send(0, 1);                                    // a heartbeat
+  for (int i = 0; i < 10; ++i) row.step();
+  ASSERT_EQ(row.arrived.size(), 4u);
+  // All came before the first could be sent.
+  EXPECT_TRUE(std::holds_alternative<Heartbeat>(row.arrived[0].content));
+  EXPECT_EQ(row.arrived[1].number, 0u);
+  EXPECT_EQ(row.lost.size(), 3u);
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #include "skein/layer/reasoning/agent/fire_readings.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace skein::reasoning {
 
-void FireReadings::step(const AgentInput& in, AgentOutput& out) {
+void FireReadings::step(const AgentInput& in, double share, AgentOutput& out) {
   latest_.clear();
   const NavEstimate& nav = *in.nav;
   const Vec2 velocity = geo::horizontal(nav.v_N);
@@ -18,12 +19,24 @@ void FireReadings::step(const AgentInput& in, AgentOutput& out) {
                                   fire->look_ahead * geo::unit(nav.heading),
                               nav.position_sd, fire->inside};
     latest_.push_back(reading);
-    Message message;
-    message.to = station_;
-    message.content = reading;
-    out.outbox.push_back(std::move(message));
     out.records.emplace_back(reading);
+    const bool changed = last_ && last_->inside != reading.inside;
+    if (changed && !last_sent_) send(*last_, out);
+    credit_ = std::min(credit_ + share, 1.0);
+    last_sent_ = changed || credit_ >= 1;
+    if (last_sent_) {
+      send(reading, out);
+      credit_ -= 1;
+    }
+    last_ = reading;
   }
+}
+
+void FireReadings::send(const FireReading& reading, AgentOutput& out) const {
+  Message message;
+  message.to = station_;
+  message.content = reading;
+  out.outbox.push_back(std::move(message));
 }
 
 }  // namespace skein::reasoning

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,18 +11,27 @@ namespace skein::reasoning {
 
 /// Places what the fire sensor of an aircraft says by the estimated position, and sends
 /// and records it.
+///
+/// Where the air has no room for all readings, those on both sides of a change are sent,
+/// as they say where the fire's edge is, and a share of the others, evenly.
 class FireReadings {
  public:
   FireReadings(EntityId self, EntityId station) : self_(self), station_(station) {}
 
   /// To be called at each step; needs in.nav.
-  void step(const AgentInput& in, AgentOutput& out);
+  /// @param share  of the readings that the air has room for, above 0, at most 1.
+  void step(const AgentInput& in, double share, AgentOutput& out);
 
   /// Those of the last step.
   std::span<const FireReading> latest() const { return latest_; }
 
  private:
+  void send(const FireReading& reading, AgentOutput& out) const;
+
   EntityId self_, station_;
+  std::optional<FireReading> last_;
+  bool last_sent_ = false;
+  double credit_ = 1;  // of readings that may be sent
   std::vector<FireReading> latest_;
 };
 

@@ -15,6 +15,7 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
       safety_(options.avoidance, options.safety_zone, context.self, context.limits,
               *context.map, zones),
       beliefs_(station),
+      rate_(options.report_rate),
       readings_(context.self, station),
       report_(station, options.report_period),
       tasks_(context.self, station, std::move(make)),
@@ -31,13 +32,15 @@ void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   chain_.listen(in, out);
   if (!in.nav) return;
   beliefs_.step(in, out);
-  readings_.step(in, out);
+  rate_.step(in.now, in.radio);
+  readings_.step(in, rate_.share(), out);
   const TaskStep step{in,       readings_.latest(), safety_,
                       beliefs_, chain_.progress(),  intents_};
   look_out(step, fly(step, out), out);
   safety_.finish(in, out);
   tasks_.report(in, out);
-  if (report_.step(in, context_.limits, tasks_, safety_.zones().changes_known(), out))
+  if (report_.step(in, context_.limits, tasks_, safety_.zones().changes_known(),
+                   rate_.share(), out))
     tell_watchers(*in.nav, out);
 }
 

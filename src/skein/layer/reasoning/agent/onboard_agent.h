@@ -9,6 +9,7 @@
 #include "skein/layer/reasoning/agent/flight_safety.h"
 #include "skein/layer/reasoning/agent/loiter_planner.h"
 #include "skein/layer/reasoning/agent/planner_chain.h"
+#include "skein/layer/reasoning/agent/report_rate.h"
 #include "skein/layer/reasoning/agent/status_report.h"
 #include "skein/layer/reasoning/agent/task_planner.h"
 #include "skein/layer/reasoning/avoidance/alerting/traffic_alerting.h"
@@ -19,6 +20,7 @@ namespace skein::reasoning {
 
 struct OnboardAgentOptions {
   double report_period = 1;  ///< between reports to the station [s]
+  ReportRateOptions report_rate = {};
   SafetyZone safety_zone = {};
   ZoneAvoidanceOptions avoidance = {};
   SeparationOptions separation = {};
@@ -37,7 +39,8 @@ struct OnboardAgentOptions {
 /// It flies the newest task it has received (TaskPlanner) by a chain of planners that
 /// always have something to fly (PlannerChain); without messages it goes on with the last
 /// task, and before the first it circles where it began. It sends the readings of its
-/// fire sensor and a report each second to the station. It takes off first, as long as no
+/// fire sensor and a report each second to the station, fewer where the air is full
+/// (ReportRate). It takes off first, as long as no
 /// no-fly zone forbids it (FlightSafety).
 ///
 /// As a member of a team that leads itself it flies what that gives it (OnboardTeam), by
@@ -67,6 +70,7 @@ class OnboardAgent final : public Agent {
   FlightContext context_;
   FlightSafety safety_;
   Beliefs beliefs_;
+  ReportRate rate_;
   FireReadings readings_;
   StatusReport report_;
   TaskPlanner tasks_;

@@ -6,10 +6,10 @@ namespace skein::reasoning {
 
 bool StatusReport::step(const AgentInput& in, const FlightLimits& limits,
                         const TaskPlanner& tasks, std::uint32_t zone_changes,
-                        AgentOutput& out) {
+                        double share, AgentOutput& out) {
   if (next_ && in.now < *next_) return false;
   // Even spacing, also when steps do not fall on the period.
-  next_ = std::max(next_.value_or(in.now) + Time::from_seconds(period_), in.now);
+  next_ = std::max(next_.value_or(in.now) + Time::from_seconds(period_ / share), in.now);
   const TaskProgress progress = tasks.progress(in);
   AircraftReport content;
   content.nav = *in.nav;

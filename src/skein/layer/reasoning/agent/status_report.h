@@ -8,7 +8,8 @@
 
 namespace skein::reasoning {
 
-/// Reports to the ground station where an aircraft is and what it does, evenly in time.
+/// Reports to the ground station where an aircraft is and what it does, evenly in time
+/// as long as the air has room for all of it.
 class StatusReport {
  public:
   /// @param period  between two reports [s].
@@ -16,9 +17,10 @@ class StatusReport {
 
   /// To be called at each step; needs in.nav.
   /// @param zone_changes  it acknowledges the changes of zones up to this number.
+  /// @param share         of the reports that the air has room for, above 0, at most 1.
   /// @returns             whether it has reported.
   bool step(const AgentInput& in, const FlightLimits& limits, const TaskPlanner& tasks,
-            std::uint32_t zone_changes, AgentOutput& out);
+            std::uint32_t zone_changes, double share, AgentOutput& out);
 
  private:
   EntityId station_;

@@ -34,7 +34,8 @@ class Log final : public MediumListener {
   void on_frame(const Frame& frame, Time now) override {
     frames.push_back({now, frame.from, frame.kind});
   }
-  void on_delivered(const Frame& data, NodeIndex receiver, Time now) override {
+  void on_delivered(const Frame& data, NodeIndex receiver, Time now,
+                    const Reception&) override {
     delivered[data.tag].push_back({receiver, now});
   }
   void on_finished(const Packet& packet, PacketEnd end, Time) override {
@@ -167,7 +168,7 @@ std::pair<std::uint64_t, std::uint64_t> hidden(bool rts) {
   const Field field;
   struct Source final : MediumListener {
     void on_frame(const Frame&, Time) override {}
-    void on_delivered(const Frame&, NodeIndex, Time) override { ++delivered; }
+    void on_delivered(const Frame&, NodeIndex, Time, const Reception&) override { ++delivered; }
     void on_finished(const Packet& packet, PacketEnd, Time) override {
       ++done;
       medium->send(packet.order);

@@ -1,0 +1,106 @@
+#include "skein/layer/reasoning/agent/report_rate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "skein/layer/reasoning/agent/fire_readings.h"
+
+namespace skein::reasoning {
+namespace {
+
+// Aircraft that would all together like to use `demand` times what the air carries.
+struct Air {
+  std::vector<ReportRate> rates;
+  double demand = 1;
+  double load() const {
+    double sum = 0;
+    for (const ReportRate& rate : rates)
+      sum += rate.share() * demand / static_cast<double>(rates.size());
+    return std::min(1.0, sum);
+  }
+  void seconds(int from, int to) {
+    for (int t = from; t < to; ++t) {
+      const RadioStatus radio{load(), 0};
+      for (ReportRate& rate : rates) rate.step(Time::from_seconds(t), radio);
+    }
+  }
+};
+
+TEST(ReportRate, SaysAllWithoutAMedium) {
+  ReportRate rate({});
+  for (int t = 0; t < 100; ++t) rate.step(Time::from_seconds(t), {});
+  EXPECT_EQ(rate.share(), 1);
+}
+
+TEST(ReportRate, KeepsTheLoadOfTheAirNearItsTarget) {
+  for (const double demand : {1.5, 5.0, 30.0}) {
+    Air air{std::vector<ReportRate>(40, ReportRate({})), demand};
+    air.seconds(0, 120);
+    // In balance the increase is taken back: at 1/50 of the rate that needs an eighth of
+    // the target.
+    EXPECT_NEAR(air.load(), 0.6, 0.1) << demand;
+  }
+}
+
+TEST(ReportRate, WhoComesLateGetsAsMuch) {
+  Air air{std::vector<ReportRate>(10, ReportRate({})), 10};
+  air.seconds(0, 300);
+  for (int k = 0; k < 10; ++k) air.rates.emplace_back(ReportRateOptions{});
+  air.demand = 20;
+  air.seconds(300, 4000);
+  EXPECT_NEAR(air.rates.front().share() / air.rates.back().share(), 1, 0.05);
+}
+
+TEST(ReportRate, AFullQueueCountsAsAFullAir) {
+  ReportRate rate({});
+  for (int t = 0; t < 60; ++t) rate.step(Time::from_seconds(t), {0.1, 10});
+  EXPECT_LT(rate.share(), 0.1);
+}
+
+TEST(ReportRate, NoTargetNoAdaptation) {
+  ReportRate rate({.target_load = 0});
+  for (int t = 0; t < 60; ++t) rate.step(Time::from_seconds(t), {1, 10});
+  EXPECT_EQ(rate.share(), 1);
+}
+
+// Readings that are sent of those of a sensor which is inside from second 50 on.
+std::vector<FireReading> sent(double share) {
+  FireReadings readings(EntityId{1}, EntityId{0});
+  std::vector<FireReading> all;
+  for (int t = 0; t < 100; ++t) {
+    const Time now = Time::from_seconds(t);
+    NavEstimate nav;
+    nav.time = now;
+    const std::vector<SensorSample> samples = {FireSample{now, 0, t >= 50}};
+    AgentInput in;
+    in.now = now;
+    in.nav = &nav;
+    in.samples = samples;
+    AgentOutput out;
+    readings.step(in, share, out);
+    EXPECT_EQ(out.records.size(), 1u) << "all are recorded";
+    for (const Message& message : out.outbox)
+      all.push_back(std::get<FireReading>(message.content));
+  }
+  return all;
+}
+
+TEST(FireReadings, SendsAllWhereThereIsRoom) {
+  EXPECT_EQ(sent(1).size(), 100u);
+}
+
+TEST(FireReadings, SendsBothSidesOfAChangeWhereThereIsNot) {
+  const auto few = sent(0.1);
+  EXPECT_NEAR(static_cast<double>(few.size()), 11, 2);
+  const auto change = std::adjacent_find(
+      few.begin(), few.end(),
+      [](const FireReading& a, const FireReading& b) { return a.inside != b.inside; });
+  ASSERT_NE(change, few.end());
+  EXPECT_EQ(change->time, Time::from_seconds(49));
+  EXPECT_EQ((change + 1)->time, Time::from_seconds(50));
+}
+
+}  // namespace
+}  // namespace skein::reasoning

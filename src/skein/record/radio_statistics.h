@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "skein/data/record.h"
+
+namespace skein::record {
+
+/// Messages of a run, and how full the air was: the part of its key figures that is
+/// about them.
+class RadioStatistics {
+ public:
+  /// A message that arrived (kNone) or was lost.
+  void message(LossCause cause) { ++messages_[static_cast<std::size_t>(cause)]; }
+  void radio(const RadioUse& use);
+
+  /// Adds `messages_sent`, `messages_lost`, of each cause that there was
+  /// `messages_lost_<cause>`, and where there is a medium `radio_load_mean` and
+  /// `radio_load_max`: the share of the time in which a radio sent or heard others, of
+  /// all radios and times, and the highest of a radio between two records;
+  /// `radio_sending_max`: the same of sending alone.
+  void add_figures(std::map<std::string, double>& figures) const;
+
+ private:
+  std::array<std::uint64_t, names_of(static_cast<const LossCause*>(nullptr)).size()>
+      messages_ = {};
+  double load_ = 0, load_max_ = 0, sending_max_ = 0;
+  std::uint64_t rows_ = 0;
+};
+
+}  // namespace skein::record
