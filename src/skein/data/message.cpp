@@ -1,5 +1,7 @@
 #include "skein/data/message.h"
 
+#include <algorithm>
+
 #include "skein/data/wire.h"
 
 namespace skein {
@@ -8,9 +10,15 @@ std::string_view kind_of(const MessageContent& content) {
   return std::visit([]<class T>(const T&) { return kind_of<T>(); }, content);
 }
 
+double silence_allowed(const AircraftReport& report, double least) {
+  // Two of three may be lost.
+  return std::max(least, 3 * report.next_in.value_or(0) + 1);
+}
+
 Urgency urgency_of(const MessageContent& content) {
   struct Judge {
     Urgency operator()(const FireReading&) { return Urgency::kReport; }
+    Urgency operator()(const FireReport&) { return Urgency::kReport; }
     Urgency operator()(const AircraftReport&) { return Urgency::kReport; }
     Urgency operator()(const TeamPosition&) { return Urgency::kReport; }
     Urgency operator()(const ObjectSighting&) { return Urgency::kReport; }

@@ -22,10 +22,12 @@
 
 namespace skein {
 
-/// What an aircraft reports to the team about itself, once a second.
+/// What an aircraft reports to the team about itself, once a second where the air has
+/// room for it.
 struct AircraftReport {
   NavEstimate nav;
-  FlightLimits limits;
+  /// Said now and then, as they do not change.
+  std::optional<FlightLimits> limits;
   std::uint32_t task_number = 0;  ///< the newest order that it obeys; 0 = none yet
   TaskState task_state = TaskState::kNone;
   /// False while a pilot or a failsafe flies: then orders wait.
@@ -35,6 +37,8 @@ struct AircraftReport {
   double task_share = 0;  ///< of its task that is done, from 0 to 1
   /// Until it is done [s]; none: not known, or it has no end.
   std::optional<double> task_time_to_go = std::nullopt;
+  /// Until its next report, where the air has no room for more [s]; none: soon.
+  std::optional<double> next_in = std::nullopt;
 };
 
 constexpr auto describe(const AircraftReport*) {
@@ -49,7 +53,25 @@ constexpr auto describe(const AircraftReport*) {
       field("zone_changes", &T::zone_changes, "it knows all changes up to this number"),
       field("task_share", &T::task_share, "of its task that is done"),
       field("task_time_to_go", &T::task_time_to_go, unit::kSecond,
-            "until its task is done; null: not known, or without end"));
+            "until its task is done; null: not known, or without end"),
+      field("next_in", &T::next_in, unit::kSecond,
+            "until its next report, where the air has no room for more; null: soon"));
+}
+
+/// How long an aircraft may say nothing until it is not counted on any more [s].
+///
+/// @param least  where reports come as often as is wanted [s]
+double silence_allowed(const AircraftReport& report, double least);
+
+/// Readings of a fire sensor in order of time, in one message.
+struct FireReport {
+  std::vector<FireReading> readings;
+};
+
+constexpr auto describe(const FireReport*) {
+  using T = FireReport;
+  return described<T>({"readings"}, "Readings of a fire sensor.",
+                      field("readings", &T::readings, Storage::kJson, "in order of time"));
 }
 
 /// Where an aircraft of the team is, reported by the ground station or by itself.
@@ -92,7 +114,7 @@ using MessageContent =
     std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
                  PluginPayload, TaskChange, TaskReport, ObjectSighting, PlanReport,
                  PlaceReport, ConflictNotice, Offers, Acceptance, Busy, GroupInvitation,
-                 GroupJoining, GroupPlan, GroupAcceptance, TeamMessage, LandingReport>;
+                 GroupJoining, GroupPlan, GroupAcceptance, TeamMessage, LandingReport, FireReport>;
 
 /// As `to` of a message: all entities but the sender.
 inline constexpr EntityId kEveryone{0xFFFFFFFFu};

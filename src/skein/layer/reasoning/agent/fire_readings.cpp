@@ -7,6 +7,7 @@ namespace skein::reasoning {
 
 void FireReadings::step(const AgentInput& in, double share, AgentOutput& out) {
   latest_.clear();
+  to_send_.clear();
   const NavEstimate& nav = *in.nav;
   const Vec2 velocity = geo::horizontal(nav.v_N);
   for (const SensorSample& sample : in.samples) {
@@ -21,21 +22,22 @@ void FireReadings::step(const AgentInput& in, double share, AgentOutput& out) {
     latest_.push_back(reading);
     out.records.emplace_back(reading);
     const bool changed = last_ && last_->inside != reading.inside;
-    if (changed && !last_sent_) send(*last_, out);
+    if (changed && !last_sent_) to_send_.push_back(*last_);
     credit_ = std::min(credit_ + share, 1.0);
     last_sent_ = changed || credit_ >= 1;
     if (last_sent_) {
-      send(reading, out);
-      credit_ -= 1;
+      to_send_.push_back(reading);
+      credit_ = std::max(credit_ - 1, -1.0);
     }
     last_ = reading;
   }
-}
-
-void FireReadings::send(const FireReading& reading, AgentOutput& out) const {
+  if (to_send_.empty()) return;
   Message message;
   message.to = station_;
-  message.content = reading;
+  if (to_send_.size() == 1)
+    message.content = to_send_.front();
+  else
+    message.content = FireReport{to_send_};
   out.outbox.push_back(std::move(message));
 }
 

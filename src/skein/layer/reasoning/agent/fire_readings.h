@@ -26,11 +26,10 @@ class FireReadings {
   std::span<const FireReading> latest() const { return latest_; }
 
  private:
-  void send(const FireReading& reading, AgentOutput& out) const;
-
   EntityId self_, station_;
   std::optional<FireReading> last_;
   bool last_sent_ = false;
+  std::vector<FireReading> to_send_;
   double credit_ = 1;  // of readings that may be sent
   std::vector<FireReading> latest_;
 };

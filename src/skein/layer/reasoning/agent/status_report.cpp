@@ -3,23 +3,43 @@
 #include <algorithm>
 
 namespace skein::reasoning {
+namespace {
+
+constexpr std::uint32_t kLimitsEvery = 20;  // reports
+
+}  // namespace
+
+bool StatusReport::is_due(const AgentInput& in, const TaskPlanner& tasks,
+                          double share) const {
+  if (!next_ || in.now >= *next_) return true;
+  if (share >= 1) return false;
+  return tasks.order() != said_order_ ||
+         (tasks.order() > 0 && tasks.state() != said_state_);
+}
 
 bool StatusReport::step(const AgentInput& in, const FlightLimits& limits,
                         const TaskPlanner& tasks, std::uint32_t zone_changes,
                         double share, AgentOutput& out) {
-  if (next_ && in.now < *next_) return false;
+  if (!is_due(in, tasks, share)) return false;
   // Even spacing, also when steps do not fall on the period.
-  next_ = std::max(next_.value_or(in.now) + Time::from_seconds(period_ / share), in.now);
+  const bool early = next_ && in.now < *next_;
+  const Time period = Time::from_seconds(period_ / share);
+  next_ = std::max((early ? in.now : next_.value_or(in.now)) + period, in.now);
   const TaskProgress progress = tasks.progress(in);
   AircraftReport content;
   content.nav = *in.nav;
-  content.limits = limits;
+  // They do not change, but a report may be lost.
+  if (reports_ < 3 || reports_ % kLimitsEvery == 0) content.limits = limits;
+  ++reports_;
   content.task_number = tasks.order();
   content.task_state = tasks.order() > 0 ? tasks.state() : TaskState::kNone;
   content.obeys = obeys_orders(in.autopilot);
   content.zone_changes = zone_changes;
   content.task_share = progress.share;
   content.task_time_to_go = progress.time_to_go;
+  if (share < 1) content.next_in = period.seconds();
+  said_order_ = content.task_number;
+  said_state_ = content.task_state;
   Message report;
   report.to = station_;
   report.content = content;

@@ -8,8 +8,10 @@
 
 namespace skein::reasoning {
 
-/// Reports to the ground station where an aircraft is and what it does, evenly in time
-/// as long as the air has room for all of it.
+/// Reports to the ground station where an aircraft is and what it does, evenly in time.
+///
+/// Where the air has no room for all reports, they are rarer and say when the next one
+/// comes; a new order or the end of one is reported at once.
 class StatusReport {
  public:
   /// @param period  between two reports [s].
@@ -23,8 +25,13 @@ class StatusReport {
             std::uint32_t zone_changes, double share, AgentOutput& out);
 
  private:
+  bool is_due(const AgentInput& in, const TaskPlanner& tasks, double share) const;
+
   EntityId station_;
   double period_;
+  std::uint32_t reports_ = 0;
+  std::uint32_t said_order_ = 0;  // in the last report
+  TaskState said_state_ = TaskState::kNone;
   std::optional<Time> next_;
 };
 

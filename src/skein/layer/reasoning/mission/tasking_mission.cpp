@@ -32,7 +32,8 @@ void TaskingMission::listen(const AgentInput& in) {
     if (from == team_.end()) continue;
     if (const auto* report = std::get_if<AircraftReport>(&message.content)) {
       from->nav = report->nav;
-      from->limits = report->limits;
+      if (report->limits) from->limits = *report->limits;
+      from->silence_allowed = silence_allowed(*report, kSilent);
       from->mine = report->obeys;
       from->heard = in.now;
       from->confirmed = report->task_number;
@@ -44,7 +45,7 @@ void TaskingMission::listen(const AgentInput& in) {
     }
   }
   for (Aircraft& each : team_)
-    if ((in.now - each.heard).seconds() > kSilent) each.mine = false;
+    if ((in.now - each.heard).seconds() > each.silence_allowed) each.mine = false;
 }
 
 int TaskingMission::mine() const {

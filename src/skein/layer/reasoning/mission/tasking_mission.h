@@ -22,6 +22,7 @@ class TaskingMission : public Mission {
     FlightLimits limits;
     bool mine = false;  ///< allocated to this mission, in contact, and it obeys
     Time heard;
+    double silence_allowed = 0;  ///< from there on [s]
     Task task;  ///< the last that was ordered; number 0: none
     Time ordered;
     std::uint32_t confirmed = 0;         ///< number of the order that it works on

@@ -9,7 +9,6 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kAllocationPeriod = 1;  // [s]
-constexpr double kSilent = 5;            // an aircraft unheard for so long [s]
 
 using Member = OrderServer::Member;
 using Holder = OrderServer::Holder;
@@ -24,7 +23,7 @@ std::optional<std::size_t> find_member(const OrderServer& orders,
 }
 
 bool is_silent(const Member& member, Time now) {
-  return member.heard && (now - *member.heard).seconds() > kSilent;
+  return member.heard && (now - *member.heard).seconds() > member.silence_allowed;
 }
 
 // Puts the numbers of those that a task is about in place of their names.

@@ -9,6 +9,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kResendAfter = 3;     // an order not confirmed by now is sent again [s]
+constexpr double kSilent = 5;          // an aircraft unheard for so long [s]
 constexpr double kPositionPeriod = 1;  // of the station's own, to relays [s]
 
 // Whose positions a task needs.
@@ -60,6 +61,7 @@ void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
     if (const auto* report = std::get_if<AircraftReport>(&message.content)) {
       member->place = geo::horizontal(report->nav.p_N);
       member->heard = in.now;
+      member->silence_allowed = silence_allowed(*report, kSilent);
       member->obeys = report->obeys;
       member->state = report->task_state;
       member->confirmed = report->task_number;
@@ -175,8 +177,12 @@ bool OrderServer::has(const Member& member, std::size_t mission) const {
 
 bool OrderServer::concerns(const Message& message, std::size_t mission,
                            const ReadingRouter& readings) {
+  if (!readings.divides()) return true;
   const auto* reading = std::get_if<FireReading>(&message.content);
-  if (!reading || !readings.divides()) return true;
+  // Those of one message are of one sensor and nearly one place.
+  const auto* several = std::get_if<FireReport>(&message.content);
+  if (several && !several->readings.empty()) reading = &several->readings.back();
+  if (!reading) return true;
   const Member* member = find(reading->aircraft);
   return readings.belongs(*reading, member ? member->mission : std::nullopt, mission);
 }

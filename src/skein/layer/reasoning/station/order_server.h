@@ -39,6 +39,7 @@ class OrderServer {
         {};                          ///< that has it, or had it before the operator
     Vec2 place = Vec2::Zero();       ///< as last reported [m]
     std::optional<Time> heard = {};  ///< last
+    double silence_allowed = 0;      ///< from there on [s]
     bool obeys = false;              ///< neither a pilot nor a failsafe flies
     TaskState state = TaskState::kNone;
 

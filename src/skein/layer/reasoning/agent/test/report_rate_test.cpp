@@ -81,8 +81,14 @@ std::vector<FireReading> sent(double share) {
     AgentOutput out;
     readings.step(in, share, out);
     EXPECT_EQ(out.records.size(), 1u) << "all are recorded";
-    for (const Message& message : out.outbox)
-      all.push_back(std::get<FireReading>(message.content));
+    EXPECT_LE(out.outbox.size(), 1u) << "several go in one message";
+    for (const Message& message : out.outbox) {
+      if (const auto* one = std::get_if<FireReading>(&message.content))
+        all.push_back(*one);
+      else
+        for (const FireReading& each : std::get<FireReport>(message.content).readings)
+          all.push_back(each);
+    }
   }
   return all;
 }

@@ -109,6 +109,8 @@ void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
       roster_.take(*report, message.from, in.now);
     else if (const auto* reading = std::get_if<FireReading>(&message.content))
       readings.push_back(*reading);
+    else if (const auto* several = std::get_if<FireReport>(&message.content))
+      readings.insert(readings.end(), several->readings.begin(), several->readings.end());
     else if (const auto* change = std::get_if<ZoneChange>(&message.content))
       zones_.take(*change);
   }

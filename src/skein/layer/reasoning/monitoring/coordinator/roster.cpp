@@ -29,7 +29,8 @@ bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
   member->available = report.obeys;
   member->last_report = now;
   member->status.nav = report.nav;
-  member->status.limits = report.limits;
+  member->silence_allowed = silence_allowed(report, lost_after_);
+  if (report.limits) member->status.limits = *report.limits;
   member->reported_task = report.task_number;
   member->status.task_done = report.task_state == TaskState::kDone &&
                              report.task_number == member->status.task.number;
@@ -39,7 +40,7 @@ bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
 std::vector<EntityId> Roster::update(Time now) {
   std::vector<EntityId> silent;
   for (Member& member : members_) {
-    if (!member.available || (now - member.last_report).seconds() <= lost_after_)
+    if (!member.available || (now - member.last_report).seconds() <= member.silence_allowed)
       continue;
     member.available = false;
     member.forced = false;

@@ -13,6 +13,7 @@ namespace skein::monitoring {
 struct Member {
   AircraftStatus status;
   Time last_report;
+  double silence_allowed = 0;  ///< from there on [s]
   Time task_sent;
   bool heard = false;      ///< has ever reported
   bool available = false;  ///< reported lately, and takes orders
@@ -27,7 +28,8 @@ struct Member {
 /// The team as its reports show it: who is there, where, doing what.
 class Roster {
  public:
-  /// @param lost_after  an aircraft silent for this time is not counted on [s].
+  /// @param lost_after  an aircraft silent for this time is not counted on, unless it has
+  ///                    said that it reports more rarely [s].
   Roster(std::span<const EntityId> members, double lost_after);
 
   /// Takes in a report; false when it is not from the team. Who flies by itself (a pilot,
