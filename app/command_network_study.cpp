@@ -98,18 +98,17 @@ std::string hash_of(const NetworkResult& result) {
 std::map<std::string, double> numbers_of(const exchange::NetworkSummary& summary,
                                          bool rts) {
   const auto number = [](std::uint64_t count) { return static_cast<double>(count); };
-  std::map<std::string, double> numbers = {
-      {"sent", number(summary.sent)},
-      {"delivered", number(summary.delivered)},
-      {"queue_full", number(summary.queue_full)},
-      {"given_up", number(summary.given_up)},
-      {"pending", number(summary.pending)},
-      {"data_frames", number(summary.data_frames)},
-      {"ack_frames", number(summary.ack_frames)},
-      {"rts_frames", number(summary.rts_frames)},
-      {"cts_frames", number(summary.cts_frames)},
-      {figure::kLoss, 100 * summary.loss_ratio},
-      {figure::kGoodput, summary.goodput_bps / 1e3}};
+  std::map<std::string, double> numbers = {{"sent", number(summary.sent)},
+                                           {"delivered", number(summary.delivered)},
+                                           {"queue_full", number(summary.queue_full)},
+                                           {"given_up", number(summary.given_up)},
+                                           {"pending", number(summary.pending)},
+                                           {"data_frames", number(summary.data_frames)},
+                                           {"ack_frames", number(summary.ack_frames)},
+                                           {"rts_frames", number(summary.rts_frames)},
+                                           {"cts_frames", number(summary.cts_frames)},
+                                           {figure::kLoss, 100 * summary.loss_ratio},
+                                           {figure::kGoodput, summary.goodput_bps / 1e3}};
   if (!summary.delays.empty()) {
     numbers[figure::kDelayMean] = 1e3 * summary.mean_delay;
     numbers["delay_median_ms"] = 1e3 * summary.delay_quantile(0.5);
@@ -139,8 +138,7 @@ Result<record::RunSummary> simulate(NetworkExperiment experiment,
                                     const campaign::NetworkStudyCase& given,
                                     double duration, const assemble::RadioFile& radio,
                                     const std::atomic<bool>& stop) {
-  const NetworkCase network =
-      network_of(experiment, given, Time::from_seconds(duration));
+  const NetworkCase network = network_of(experiment, given, Time::from_seconds(duration));
   const auto propagation = communication::make_propagation(
       radio.propagation, radio.radio.phy.frequency, given.seed);
   communication::NetworkRun run(network, radio.radio, *propagation, given.seed);
@@ -172,8 +170,8 @@ const Experiment* experiment_of(const StudyArguments& arguments) {
   std::string names;
   for (const Experiment& each : kExperiments) {
     if (arguments.experiment == each.name) {
-      if (!each.not_for_it || !std::count(arguments.given.begin(), arguments.given.end(),
-                                          each.not_for_it))
+      if (!each.not_for_it ||
+          !std::count(arguments.given.begin(), arguments.given.end(), each.not_for_it))
         return &each;
       complain("error: {} has no meaning for the experiment {}.\n", each.not_for_it,
                each.name);
@@ -225,8 +223,7 @@ int network_study(const StudyArguments& arguments, const assemble::KindRegistry&
                     assemble::write_radio(radios[cases[i].profile][cases[i].rts]));
 
   const auto outcomes = run_plan(
-      plan, arguments.threads, kinds, folder, stop,
-      [&](const campaign::BatchItem& item) {
+      plan, arguments.threads, kinds, folder, stop, [&](const campaign::BatchItem& item) {
         const auto& given = cases[static_cast<std::size_t>(&item - plan.items.data())];
         return simulate(study.experiment, given, study.duration,
                         radios.at(given.profile)[given.rts], stop);

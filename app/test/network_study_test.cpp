@@ -46,7 +46,8 @@ TEST_F(Program, StudyNetworkGridAgreesWithAPacketLevelSimulator) {
 }
 
 TEST_F(Program, StudyNetworkCellAgreesWithTheory) {
-  const Finished done = run({"study", "network", "cell", "--seeds", "2", "--out", "cell"});
+  const Finished done =
+      run({"study", "network", "cell", "--seeds", "2", "--out", "cell"});
   ASSERT_EQ(done.status, 0) << done.err;
   Figures figures = figures_of(folder_ / "cell");
   for (const std::string access : {"basic", "rts"})
@@ -54,8 +55,10 @@ TEST_F(Program, StudyNetworkCellAgreesWithTheory) {
       const std::string cell = "cell/" + access + "/" + stations;
       EXPECT_NEAR(figures.at(cell + "/bianchi_off_percent"), 0, 3) << cell;
       // ns-3 was asked about the first three.
-      if (const std::string off = cell + "/goodput_off_percent"; figures.contains(off))
-        EXPECT_NEAR(figures[off], 0, 2) << cell;
+      if (const auto off = figures.find(cell + "/goodput_off_percent");
+          off != figures.end()) {
+        EXPECT_NEAR(off->second, 0, 2) << cell;
+      }
     }
   EXPECT_TRUE(figures.contains("cell/basic/10/goodput_off_percent"));
 }
@@ -88,10 +91,9 @@ TEST_F(Program, StudyNetworkIsTheSameForAnyNumberOfThreads) {
 
 TEST_F(Program, StudyNetworkKeepsWhatIsDoneWhenItIsInterrupted) {
   // The small grids are done at once; hundreds of large ones take minutes.
-  const std::vector<std::string> study = {"study",      "network", "grid",    "--nodes",
-                                          "2,400",      "--seeds", "100",     "--profiles",
-                                          "cs91",       "--out",   "cut",     "--threads",
-                                          "2",          "--duration", "100"};
+  const std::vector<std::string> study = {
+      "study", "network", "grid", "--nodes",   "2,400", "--seeds",    "100", "--profiles",
+      "cs91",  "--out",   "cut",  "--threads", "2",     "--duration", "100"};
   const pid_t child = start(study);
   ASSERT_TRUE(appears(folder_ / "cut/runs.jsonl"));
   for (int k = 0; k < 3000 && fs::file_size(folder_ / "cut/runs.jsonl") == 0; ++k)

@@ -18,8 +18,8 @@ constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 // A reference of whatever experiment, in the units of the figures; NaN: not known.
 struct NetworkReference {
-  double delay_mean = kNotKnown, delay_p95 = kNotKnown, loss = kNotKnown, goodput = kNotKnown,
-         collisions = kNotKnown, cpu = kNotKnown;
+  double delay_mean = kNotKnown, delay_p95 = kNotKnown, loss = kNotKnown,
+         goodput = kNotKnown, collisions = kNotKnown, cpu = kNotKnown;
 };
 
 NetworkReference reference_of(NetworkExperiment experiment, const NetworkStudyCase& of) {
@@ -101,8 +101,8 @@ record::StudyTable grid_table(const FinishedNetworks& done, const std::string& p
                               bool rts) {
   record::StudyTable table;
   table.title = fmt::format("{}, {}", profile, access_of(rts));
-  table.columns = {"nodes", "mean delay [ms]",    "ns-3", "off [%]", "95 % within [ms]",
-                   "ns-3",  "off [%]",            "loss [%]", "ns-3", "goodput [kbit/s]",
+  table.columns = {"nodes", "mean delay [ms]", "ns-3",     "off [%]", "95 % within [ms]",
+                   "ns-3",  "off [%]",         "loss [%]", "ns-3",    "goodput [kbit/s]",
                    "ns-3",  "off [%]"};
   for (const StudyCell* cell : done.row(profile, rts)) {
     const NetworkReference ns3 = done.reference(*cell);
@@ -133,9 +133,9 @@ record::StudyTable cell_table(const FinishedNetworks& done, const std::string& p
   table.caption =
       "Off: Skein against Bianchi's model with the profile's retry limit, and against "
       "ns-3. Collisions: share of transmissions.";
-  table.columns = {"stations", "goodput [kbit/s]", "Bianchi", "with retry limit",
-                   "off [%]",  "ns-3",             "off [%]", "collisions [%]",
-                   "Bianchi",  "ns-3"};
+  table.columns = {
+      "stations", "goodput [kbit/s]", "Bianchi",        "with retry limit", "off [%]",
+      "ns-3",     "off [%]",          "collisions [%]", "Bianchi",          "ns-3"};
   for (const StudyCell* cell : done.row(profile, rts)) {
     const NetworkReference ns3 = done.reference(*cell);
     const double goodput = done.mean(*cell, figure::kGoodput);
@@ -160,8 +160,8 @@ record::StudyTable hidden_table(const FinishedNetworks& done) {
   table.title = "Two stations that send to one between them";
   table.caption =
       "With nn4 and nn8 the two do not hear each other; with cs91 they sense each other.";
-  table.columns = {"profile", "access",        "goodput [kbit/s]", "ns-3",
-                   "off [%]", "delivered [%]", "ns-3",             "off [points]"};
+  table.columns = {"profile",       "access", "goodput [kbit/s]", "ns-3", "off [%]",
+                   "delivered [%]", "ns-3",   "off [points]"};
   for (const StudyCell& cell : done.planned.plan.cells) {
     const NetworkStudyCase& of = done.planned.of(cell);
     const NetworkReference ns3 = done.reference(cell);
@@ -186,13 +186,9 @@ record::StudyTable network_cost_table(const FinishedNetworks& done) {
   table.caption =
       "CPU time of the medium, start-up not counted, as measured when it ran. That of "
       "ns-3 was measured on another machine: the ratio is a rough one.";
-  table.columns = {"profile",
-                   "access",
-                   "nodes",
-                   "CPU s a case",
-                   "CPU ms a simulated s",
-                   "ns-3",
-                   "times less"};
+  table.columns = {
+      "profile", "access",    "nodes", "CPU s a case", "CPU ms a simulated s",
+      "ns-3",    "times less"};
   for (const StudyCell& cell : done.planned.plan.cells) {
     const double cpu = done.mean(cell, figure::kCpu);
     if (std::isnan(cpu)) continue;
@@ -210,15 +206,15 @@ record::StudyTable network_cost_table(const FinishedNetworks& done) {
 }
 
 // Of a figure against the number of nodes: a line with its interval for each profile.
-record::StudyPlot network_plot(const FinishedNetworks& done, const char* name, double scale, bool rts,
-                          double NetworkReference::*reference, const std::string& title,
-                          const std::string& unit) {
+record::StudyPlot network_plot(const FinishedNetworks& done, const char* name,
+                               double scale, bool rts,
+                               double NetworkReference::*reference,
+                               const std::string& title, const std::string& unit) {
   record::StudyPlot plot;
   plot.title = fmt::format("{}, {}", title, access_of(rts));
   plot.caption =
       "Bands: 95 % intervals of the means over the seeds. Points: ns-3, where given.";
-  plot.x_label =
-      done.study.experiment == NetworkExperiment::kCell ? "stations" : "nodes";
+  plot.x_label = done.study.experiment == NetworkExperiment::kCell ? "stations" : "nodes";
   plot.y_label = unit;
   std::vector<record::StudySeries> references;
   for (const std::string& profile : done.study.profiles) {
@@ -263,9 +259,10 @@ void add_model(const FinishedNetworks& done, const char* name, double scale, boo
 }
 
 record::StudyDots network_dots(const FinishedNetworks& done, const std::string& title,
-                          const std::string& label,
-                          MeanInterval (*value)(const FinishedNetworks&, const StudyCell&),
-                          double (*known)(const NetworkReference&)) {
+                               const std::string& label,
+                               MeanInterval (*value)(const FinishedNetworks&,
+                                                     const StudyCell&),
+                               double (*known)(const NetworkReference&)) {
   record::StudyDots plot;
   plot.title = title;
   plot.caption = "Lines: 95 % intervals of the means over the seeds.";
@@ -276,9 +273,9 @@ record::StudyDots network_dots(const FinishedNetworks& done, const std::string& 
     plot.rows.push_back(fmt::format("{}, {}", of.profile, access_of(of.rts)));
     const MeanInterval ours = value(done, cell);
     const double half = ours.count > 1 ? ours.half_width : kNotKnown;
-    plot.dots.push_back({{ours.count > 0 ? ours.mean : kNotKnown, ours.mean - half,
-                          ours.mean + half},
-                         {known(done.reference(cell)), kNotKnown, kNotKnown}});
+    plot.dots.push_back(
+        {{ours.count > 0 ? ours.mean : kNotKnown, ours.mean - half, ours.mean + half},
+         {known(done.reference(cell)), kNotKnown, kNotKnown}});
   }
   return plot;
 }
@@ -295,17 +292,20 @@ void add_grid(const FinishedNetworks& done, record::StudyReport& report) {
     for (const bool rts : {false, true})
       report.tables.push_back(grid_table(done, profile, rts));
   for (const bool rts : {false, true}) {
-    auto delay = network_plot(done, figure::kDelayMean, 1, rts, &NetworkReference::delay_mean,
-                         "Mean delay", "mean delay [ms], logarithmic");
-    auto slow = network_plot(done, figure::kDelayP95, 1, rts, &NetworkReference::delay_p95,
-                        "95th percentile of delays", "delay [ms], logarithmic");
+    auto delay =
+        network_plot(done, figure::kDelayMean, 1, rts, &NetworkReference::delay_mean,
+                     "Mean delay", "mean delay [ms], logarithmic");
+    auto slow =
+        network_plot(done, figure::kDelayP95, 1, rts, &NetworkReference::delay_p95,
+                     "95th percentile of delays", "delay [ms], logarithmic");
     delay.log_y = slow.log_y = true;
     report.plots.push_back(std::move(delay));
     report.plots.push_back(std::move(slow));
-    report.plots.push_back(
-        network_plot(done, figure::kLoss, 1, rts, &NetworkReference::loss, "Loss", "lost [%]"));
-    report.plots.push_back(network_plot(done, figure::kGoodput, 1, rts, &NetworkReference::goodput,
-                                   "Goodput", "goodput [kbit/s]"));
+    report.plots.push_back(network_plot(done, figure::kLoss, 1, rts,
+                                        &NetworkReference::loss, "Loss", "lost [%]"));
+    report.plots.push_back(network_plot(done, figure::kGoodput, 1, rts,
+                                        &NetworkReference::goodput, "Goodput",
+                                        "goodput [kbit/s]"));
   }
 }
 
@@ -317,11 +317,13 @@ void add_cell(const FinishedNetworks& done, record::StudyReport& report) {
       done.study.duration));
   for (const bool rts : {false, true}) {
     report.tables.push_back(cell_table(done, done.study.profiles.front(), rts));
-    auto goodput = network_plot(done, figure::kGoodput, 1, rts, &NetworkReference::goodput, "Goodput",
-                           "goodput [kbit/s]");
+    auto goodput =
+        network_plot(done, figure::kGoodput, 1, rts, &NetworkReference::goodput,
+                     "Goodput", "goodput [kbit/s]");
     add_model(done, figure::kBianchiFiniteGoodput, 1, rts, goodput);
-    auto collisions = network_plot(done, figure::kCollisions, 100, rts, &NetworkReference::collisions,
-                              "Collisions", "of transmissions [%]");
+    auto collisions =
+        network_plot(done, figure::kCollisions, 100, rts, &NetworkReference::collisions,
+                     "Collisions", "of transmissions [%]");
     add_model(done, figure::kBianchiCollisions, 100, rts, collisions);
     report.plots.push_back(std::move(goodput));
     report.plots.push_back(std::move(collisions));

@@ -29,7 +29,8 @@ struct NetworkSummary {
   double delay_quantile(double p) const;
 };
 
-/// @param warm_up  messages created before it do not count, and goodput is that of what is
+/// @param warm_up  messages created before it do not count, and goodput is that of what
+/// is
 ///   received from then on; frames and airtime are those of the whole case
 NetworkSummary summarize(const NetworkCase& network, const NetworkResult& result,
                          Time warm_up = Time());

@@ -55,8 +55,8 @@ NetworkCase grid_network(std::uint32_t nodes, Time duration, std::uint64_t seed,
     for (std::uint64_t k = 0; static_cast<double>(k) / traffic.rate < duration.seconds();
          ++k) {
       TrafficItem item;
-      item.time = Time::from_seconds((static_cast<double>(k) + random.uniform()) /
-                                     traffic.rate);
+      item.time =
+          Time::from_seconds((static_cast<double>(k) + random.uniform()) / traffic.rate);
       item.from = node;
       item.to = neighbours[static_cast<std::size_t>(random.uniform(0, count))];
       item.bytes = traffic.bytes;

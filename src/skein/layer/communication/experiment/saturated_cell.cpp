@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "skein/base/check.h"
+#include "skein/base/math.h"
 #include "skein/layer/communication/medium/frame.h"
 
 namespace skein::communication {
@@ -17,7 +18,7 @@ struct Window {
 
 Window window_of(const MacProfile& mac) {
   const double least = mac.cw_min + 1.0;
-  return {least, static_cast<int>(std::lround(std::log2((mac.cw_max + 1.0) / least)))};
+  return {least, static_cast<int>(std::lround(math::log2((mac.cw_max + 1.0) / least)))};
 }
 
 double transmission_probability(double p, const Window& window,
@@ -25,14 +26,14 @@ double transmission_probability(double p, const Window& window,
   const auto [w, m] = window;
   if (!transmissions) {
     double sum = 0;
-    for (int i = 0; i < m; ++i) sum += std::pow(2 * p, i);
+    for (int i = 0; i < m; ++i) sum += math::pow(2 * p, i);
     return 2 / (1 + w + p * w * sum);
   }
   double sent = 0, slots = 0;
   for (int i = 0; i < static_cast<int>(*transmissions); ++i) {
-    const double share = std::pow(p, i);
+    const double share = math::pow(p, i);
     sent += share;
-    slots += share * (w * std::pow(2, std::min(i, m)) + 1) / 2;
+    slots += share * (w * math::pow(2, std::min(i, m)) + 1) / 2;
   }
   return sent / slots;
 }
@@ -52,7 +53,7 @@ SaturatedCell saturated_cell(std::uint32_t stations, const RadioProfile& radio,
   for (int i = 0; i < kHalvings; ++i) {
     const double p = (low + high) / 2;
     const double tau = transmission_probability(p, window, transmissions);
-    (1 - std::pow(1 - tau, n - 1) > p ? low : high) = p;
+    (1 - math::pow(1 - tau, n - 1) > p ? low : high) = p;
   }
   SaturatedCell cell;
   cell.collision_probability = (low + high) / 2;
@@ -72,8 +73,8 @@ SaturatedCell saturated_cell(std::uint32_t stations, const RadioProfile& radio,
     collision = rts + difs;
   }
   const double tau = cell.transmission_probability;
-  const double idle = std::pow(1 - tau, n);
-  const double succeeds = n * tau * std::pow(1 - tau, n - 1);
+  const double idle = math::pow(1 - tau, n);
+  const double succeeds = n * tau * math::pow(1 - tau, n - 1);
   cell.throughput = 8.0 * bytes * succeeds /
                     (idle * mac.slot.seconds() + succeeds * success +
                      (1 - idle - succeeds) * collision);

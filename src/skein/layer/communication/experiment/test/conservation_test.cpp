@@ -64,8 +64,8 @@ NetworkCase any_network() {
   for (std::uint64_t i = 0; i < count; ++i) {
     TrafficItem item;
     item.message = i;
-    item.time = Time::from_seconds(2.0 * static_cast<double>(i) /
-                                   static_cast<double>(count));
+    item.time =
+        Time::from_seconds(2.0 * static_cast<double>(i) / static_cast<double>(count));
     item.from = static_cast<std::uint32_t>(random.uniform(0, nodes));
     item.to = static_cast<std::uint32_t>(random.uniform(0, nodes));
     if (item.to == item.from) item.to = kAllNodesOfCase;
@@ -99,8 +99,7 @@ TEST(Conservation, EveryMessageIsDeliveredLostByACauseOrPending) {
           RC_ASSERT(message.in_range.empty());
         if (message.fate == MessageFate::kQueueFull)
           RC_ASSERT(message.transmissions == 0u);
-        if (message.fate == MessageFate::kDelivered ||
-            message.fate == MessageFate::kLost)
+        if (message.fate == MessageFate::kDelivered || message.fate == MessageFate::kLost)
           RC_ASSERT(message.transmissions > 0u);
         // Only what nobody acknowledges is sent and lost.
         if (message.fate == MessageFate::kLost)

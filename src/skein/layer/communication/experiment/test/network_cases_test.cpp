@@ -37,8 +37,8 @@ TEST(GridNetwork, NodesSendToTheirNeighboursOnceInEachInterval) {
     EXPECT_LT(item.time, network.duration);
     EXPECT_EQ(item.bytes, 1000u);
     last = item.time;
-    const Vec3 way = network.nodes[item.to].place(last) -
-                     network.nodes[item.from].place(last);
+    const Vec3 way =
+        network.nodes[item.to].place(last) - network.nodes[item.from].place(last);
     EXPECT_DOUBLE_EQ(way.norm(), 100);
     of[item.from].push_back(&item);
   }
