@@ -187,8 +187,8 @@ record::StudyTable network_cost_table(const FinishedNetworks& done) {
       "CPU time of the medium, start-up not counted, as measured when it ran. That of "
       "ns-3 was measured on another machine: the ratio is a rough one.";
   table.columns = {
-      "profile", "access",    "nodes", "CPU s a case", "CPU ms a simulated s",
-      "ns-3",    "times less"};
+      "profile",   "access",    "nodes", "CPU s a case", "CPU ms a simulated s",
+      "ns-3 [ms]", "times less"};
   for (const StudyCell& cell : done.planned.plan.cells) {
     const double cpu = done.mean(cell, figure::kCpu);
     if (std::isnan(cpu)) continue;
