@@ -6,8 +6,9 @@
 
 namespace skein::campaign {
 
-// What a packet-level simulator, ns-3.37, made of the same networks: means over three
-// seeds. Its retry rule was replaced by the standard's, which gives up on failed RTS.
+// What a packet-level simulator, ns-3.37, made of the same networks: means over one to
+// three seeds. Its retry rule was replaced by the standard's, which gives up on failed
+// RTS.
 
 /// Nodes on a grid, as in [Selecky18] 6.4.3.
 struct GridReference {

@@ -374,7 +374,7 @@ record::StudyReport network_report(const NetworkStudy& study,
   }
   report.intro.push_back(
       fmt::format("{} seeds from {} on; means over the seeds, ± their 95 % confidence "
-                  "interval. Beside them means over three seeds of ns-3.37, a "
+                  "interval. Beside them means over up to three seeds of ns-3.37, a "
                   "packet-level simulator, for the same parameters with other traffic.",
                   study.seeds, study.first_seed));
   report.tables.push_back(network_cost_table(done));
