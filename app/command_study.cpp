@@ -202,6 +202,12 @@ const std::vector<StudyKind>& study_kinds() {
         "--method", "--plant", "--loss", "--delay", "--range", "--tracks", "--turbulence",
         "--separation", "--wind-from"},
        avoidance_study},
+      {"network",
+       "the radio medium beside ns-3 and Bianchi: network grid, network cell, network "
+       "hidden",
+       {"experiment", "--out", "--log", "--seeds", "--first-seed", "--threads", "--nodes",
+        "--profiles", "--duration"},
+       network_study},
       {"tuning",
        "laps of waypoints, each with other gains; can search for gains",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
@@ -247,6 +253,12 @@ std::string not_for(const StudyArguments& arguments) {
   return {};
 }
 
+std::string default_folder(const StudyArguments& arguments) {
+  std::string name = "study-" + arguments.name;
+  if (!arguments.experiment.empty()) name += "-" + arguments.experiment;
+  return name;
+}
+
 // The plugins as the first changes of every run, so that its scenario says what it needs.
 StudyArguments with_plugins(const StudyArguments& arguments) {
   StudyArguments all = arguments;
@@ -281,7 +293,7 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
   if (arguments.name == "estimators" && !arguments.updates_file.empty())
     return evaluate_rows(arguments.updates_file, campaign::evaluate_updates);
   const fs::path folder = arguments.out.empty()
-                              ? fs::path("runs") / ("study-" + arguments.name)
+                              ? fs::path("runs") / default_folder(arguments)
                               : arguments.out;
   if (arguments.name == "estimators") return estimators(folder);
   const auto kinds = load_kinds(arguments.plugins);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -40,7 +41,7 @@ struct AvoidanceArguments {
 
 struct StudyArguments {
   std::string name;           ///< empty = list the studies
-  std::filesystem::path out;  ///< empty = runs/study-NAME
+  std::filesystem::path out;  ///< empty = runs/study-NAME[-EXPERIMENT]
   std::optional<int> seeds;   ///< none: the study's own number
   int first_seed = 1;
   int threads = 2;
@@ -51,6 +52,10 @@ struct StudyArguments {
   std::string data;                      ///< bridge: folder of the recorded fire
   std::vector<std::string> gains;        ///< tuning: files of gains
   int search = 0;                        ///< tuning: gains to try; 0 = no search
+  std::string experiment;                ///< network: grid, cell or hidden
+  std::vector<std::uint32_t> nodes;      ///< network: empty = the experiment's own
+  std::vector<std::string> profiles;     ///< network: empty = the experiment's own
+  std::optional<double> duration;        ///< network: of each case [s]
   AvoidanceArguments avoidance;
   std::vector<std::string> given;  ///< names of all options of the command line
 };

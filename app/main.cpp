@@ -97,6 +97,7 @@ Examples:
   skein study monitoring --estimators qkf,joint --strategies gus,tracking-binary --seeds 6
   skein study bridge --data ../shared/data/fires/bridge_2021
   skein study tuning --search 60 --threads 2
+  skein study network grid --nodes 4,9,16 --profiles nn4,cs91 --seeds 3
   skein study estimators --cases values.csv > out.csv)";
 
 constexpr const char* kCampaignExamples = R"(
@@ -347,6 +348,8 @@ Command add_study(CLI::App& program) {
       program.add_subcommand("study", "Run a study, with report and summary.");
   const auto study = std::make_shared<StudyArguments>();
   command->add_option("name", study->name, "The study; none = list them.");
+  command->add_option("experiment", study->experiment,
+                      "network: the experiment: grid, cell or hidden.");
   command->add_option("--out", study->out, "Folder; default: runs/study-NAME.");
   command->add_option("--seeds", study->seeds, "Seeds per cell.")
       ->check(CLI::Range(1, 10000));
@@ -415,6 +418,16 @@ Command add_study(CLI::App& program) {
   command
       ->add_option("--search", study->search, "tuning: search for gains, so many tries.")
       ->check(CLI::Range(1, 100000));
+  command
+      ->add_option("--nodes", study->nodes,
+                   "network: numbers of nodes or stations (comma separated).")
+      ->delimiter(',');
+  command
+      ->add_option("--profiles", study->profiles,
+                   "network: radios by name or file (comma separated).")
+      ->delimiter(',');
+  command->add_option("--duration", study->duration, "network: of each case [s].")
+      ->check(CLI::Range(1e-3, 4e6));
   add_log_option(*command);
   command->footer("\nStudies:\n" + list_of_studies() + kStudyExamples);
   return {command, [command, study] {

@@ -85,6 +85,10 @@ int ground_starts_study(const StudyArguments& arguments,
 int keeping_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                   const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
+/// `skein study network EXPERIMENT`; returns the exit status.
+int network_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                  const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
 /// `skein study tuning`; returns the exit status.
 int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                  const std::filesystem::path& folder, const std::atomic<bool>& stop);

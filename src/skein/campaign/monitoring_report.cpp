@@ -230,7 +230,7 @@ std::string runs_csv(const StudyPlan& plan, const std::vector<BatchOutcome>& out
   for (const BatchOutcome& outcome : outcomes)
     if (outcome.summary)
       for (const auto& [name, value] : outcome.summary->numbers)
-        if (name != "wall_s" && name != "real_time_factor") names.insert(name);
+        if (!depends_on_machine(name)) names.insert(name);
   std::string csv;
   for (const std::string& dimension : plan.dimensions)
     if (!dimension.empty()) csv += dimension + ",";

@@ -141,6 +141,10 @@ std::string figure_text(const MeanInterval& figure, int digits) {
   return text;
 }
 
+bool depends_on_machine(const std::string& name) {
+  return name == "wall_s" || name == "real_time_factor" || name == "cpu_s";
+}
+
 std::string partial_text(const std::vector<BatchOutcome>& outcomes) {
   std::size_t done = 0, failed = 0;
   for (const BatchOutcome& outcome : outcomes) {

@@ -79,6 +79,10 @@ MeanInterval figure_of(const StudyCell& cell, const std::vector<BatchOutcome>& o
 /// are missing; empty without any value.
 std::string figure_text(const MeanInterval& figure, int digits);
 
+/// Whether a figure says how long the machine took: it differs from run to run, and
+/// summaries and rows of runs leave it out.
+bool depends_on_machine(const std::string& name);
+
 /// "partial: 5 of 20 runs", with how many failed; empty when all runs ended well.
 std::string partial_text(const std::vector<BatchOutcome>& outcomes);
 

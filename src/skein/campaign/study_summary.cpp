@@ -22,7 +22,7 @@ StudyFigures study_figures(const StudyPlan& plan,
     for (const std::size_t item : cell.items)
       if (outcomes[item].summary)
         for (const auto& [name, value] : outcomes[item].summary->numbers)
-          if (name != "wall_s" && name != "real_time_factor") names.insert(name);
+          if (!depends_on_machine(name)) names.insert(name);
     const std::string path = cell.path();
     const std::string prefix = path.empty() ? path : path + "/";
     figures[prefix + "runs"] = static_cast<double>(

@@ -17,7 +17,9 @@ enum class MessageFate : std::uint8_t {
   kRetryLimit,  ///< a unicast that was given up and never received
   kExpired,     ///< too old before it was sent
   kOutOfRange,  ///< of a broadcast: too weak at this receiver
-  kLost,        ///< of a broadcast: strong enough and not received
+  /// Of a broadcast: strong enough and not received. Of a unicast that nobody
+  /// acknowledges: not received.
+  kLost,
 };
 
 /// A receiver in range of a broadcast.

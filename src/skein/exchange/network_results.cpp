@@ -55,7 +55,6 @@ void count_unicast(const NetworkMessage& message, NetworkSummary& summary) {
   }
   if (!message.delivered) return;
   summary.delays.push_back((*message.delivered - message.sent).seconds());
-  summary.goodput_bps += message.bytes * 8.0;
 }
 
 void count_broadcast(const NetworkMessage& message, NetworkSummary& summary) {
@@ -73,16 +72,21 @@ double NetworkSummary::delay_quantile(double p) const {
   return delays[std::min(place, delays.size() - 1)];
 }
 
-NetworkSummary summarize(const NetworkCase& network, const NetworkResult& result) {
+NetworkSummary summarize(const NetworkCase& network, const NetworkResult& result,
+                         Time warm_up) {
   NetworkSummary summary;
   for (const NetworkMessage& message : result.messages) {
+    // Of unicasts only: a broadcast has no time of delivery of its own.
+    if (message.delivered && *message.delivered >= warm_up)
+      summary.goodput_bps += message.bytes * 8.0;
+    if (message.sent < warm_up) continue;
     if (message.to == kAllNodesOfCase)
       count_broadcast(message, summary);
     else
       count_unicast(message, summary);
   }
   const double duration = std::max(1e-9, network.duration.seconds());
-  summary.goodput_bps /= duration;
+  summary.goodput_bps /= std::max(1e-9, (network.duration - warm_up).seconds());
   std::sort(summary.delays.begin(), summary.delays.end());
   if (!summary.delays.empty())
     summary.mean_delay =

@@ -29,7 +29,11 @@ struct NetworkSummary {
   double delay_quantile(double p) const;
 };
 
-NetworkSummary summarize(const NetworkCase& network, const NetworkResult& result);
+/// @param warm_up  messages created before it do not count, and goodput is that of what
+/// is
+///   received from then on; frames and airtime are those of the whole case
+NetworkSummary summarize(const NetworkCase& network, const NetworkResult& result,
+                         Time warm_up = Time());
 
 /// The summary as lines for people.
 std::string network_summary_text(const NetworkSummary& summary);

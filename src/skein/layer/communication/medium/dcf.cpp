@@ -8,7 +8,6 @@ namespace skein::communication {
 namespace {
 
 constexpr std::uint32_t kBackoffs = 1;  // of a node's random streams for its radio
-constexpr std::uint32_t kAckBytes = 14, kCtsBytes = 14, kRtsBytes = 20;
 
 }  // namespace
 

@@ -13,6 +13,9 @@ inline constexpr NodeIndex kAllNodes = 0xFFFFFFFFu;
 
 enum class FrameKind : std::uint8_t { kData, kAck, kRts, kCts };
 
+/// Of control frames, with their check sequence: [802.11] 9.3.1.
+inline constexpr std::uint32_t kAckBytes = 14, kCtsBytes = 14, kRtsBytes = 20;
+
 /// What is sent in one go.
 struct Frame {
   FrameKind kind = FrameKind::kData;

@@ -1,0 +1,44 @@
+#include "skein/exchange/network_results.h"
+
+#include <gtest/gtest.h>
+
+namespace skein::exchange {
+namespace {
+
+NetworkMessage unicast(double sent, std::optional<double> delivered, MessageFate fate) {
+  NetworkMessage message;
+  message.from = 0;
+  message.to = 1;
+  message.bytes = 1000;
+  message.sent = Time::from_seconds(sent);
+  if (delivered) message.delivered = Time::from_seconds(*delivered);
+  message.fate = fate;
+  return message;
+}
+
+TEST(NetworkResults, WhatHappensInTheWarmUpDoesNotCount) {
+  NetworkCase network;
+  network.duration = Time::from_seconds(5);
+  NetworkResult result;
+  result.messages = {unicast(0.2, 0.3, MessageFate::kDelivered),
+                     unicast(0.5, {}, MessageFate::kRetryLimit),
+                     unicast(0.9, 1.5, MessageFate::kDelivered),
+                     unicast(1.0, 1.2, MessageFate::kDelivered),
+                     unicast(2.0, {}, MessageFate::kLost),
+                     unicast(4.9, {}, MessageFate::kPending)};
+  const NetworkSummary all = summarize(network, result);
+  EXPECT_EQ(all.sent, 6u);
+  EXPECT_DOUBLE_EQ(all.loss_ratio, 2.0 / 5);
+  EXPECT_DOUBLE_EQ(all.goodput_bps, 3 * 8000.0 / 5);
+  const NetworkSummary later = summarize(network, result, Time::from_seconds(1));
+  EXPECT_EQ(later.sent, 3u);
+  EXPECT_EQ(later.pending, 1u);
+  EXPECT_DOUBLE_EQ(later.loss_ratio, 0.5);
+  // What was sent before and received after it is on the air after it.
+  EXPECT_DOUBLE_EQ(later.goodput_bps, 2 * 8000.0 / 4);
+  ASSERT_EQ(later.delays.size(), 1u);
+  EXPECT_NEAR(later.mean_delay, 0.2, 1e-9);
+}
+
+}  // namespace
+}  // namespace skein::exchange
