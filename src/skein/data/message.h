@@ -129,6 +129,8 @@ struct Message {
   /// Of a message to all, which is sent once: a further receiver's copy. Of the
   /// simulated radio, not of what is said: no part of the description.
   bool copy = false;
+  /// Somebody else sent it in the name of `from`. No part of what is said either.
+  bool forged = false;
 };
 
 constexpr auto describe(const Message*) {

@@ -24,17 +24,19 @@ enum class LossCause : std::uint8_t {
   kNotReceived,  ///< sent once, strong enough, and not understood
   kLinkDown,     ///< the sender or the receiver does not reach its radio
   kNobody,       ///< its receiver takes no part
+  kRefused,      ///< its receiver found that it was not authentic
 };
 constexpr auto names_of(const LossCause*) {
   return std::to_array<std::string_view>(
       {"none", "chance", "outage", "out-of-range", "queue-full", "retry-limit", "expired",
-       "not-received", "link-down", "nobody"});
+       "not-received", "link-down", "nobody", "refused"});
 }
 
 /// How a message went over the air.
 struct MessageWay {
   std::optional<Time> on_air;       ///< its first frame began; none: never, or not known
   std::uint32_t transmissions = 0;  ///< data frames, of all its parts
+  std::uint32_t hops = 0;           ///< radios that passed it on
 };
 
 constexpr auto describe(const MessageWay*) {
@@ -42,7 +44,8 @@ constexpr auto describe(const MessageWay*) {
   return described<T>(
       {"message_way"}, "How a message went over the air.",
       field("on_air", &T::on_air, "when its first frame began; null: never, or not known"),
-      field("transmissions", &T::transmissions, "data frames, of all its parts"));
+      field("transmissions", &T::transmissions, "data frames, of all its parts"),
+      field("hops", &T::hops, "radios that passed it on"));
 }
 
 /// A message that has arrived or is lost.

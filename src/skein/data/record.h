@@ -87,6 +87,7 @@ struct MessageRecord {
   bool copy = false;      ///< of a message to all: it was sent once, to others too
   LossCause cause = LossCause::kNone;
   MessageWay way = {};
+  bool forged = false;
   std::optional<Time> read = {};  ///< its receiver's agent reads it; none: nobody does
 };
 
@@ -102,6 +103,7 @@ constexpr auto describe(const MessageRecord*) {
       field("copy", &T::copy, "a further receiver's copy of a message to all"),
       field("cause", &T::cause, "why it was lost"),
       field("", &T::way, "how it went over the air"),
+      field("forged", &T::forged, "it was sent by another in the name of from_id"),
       field("read", &T::read, "when its receiver's agent reads it; null: nobody does"));
 }
 

@@ -531,7 +531,7 @@ void Stepper::record_message(const MessageOutcome& outcome, Time ended) {
   recorder_.record(MessageRecord{
       message, ended, static_cast<std::uint32_t>(coded_size(message)), !arrived,
       team ? std::string(kind_of(team->content)) : std::string(), message.copy,
-      outcome.cause, outcome.way, read});
+      outcome.cause, outcome.way, message.forged, read});
 }
 
 void Stepper::record_event(Time now, std::size_t i, std::string kind, std::string text) {
