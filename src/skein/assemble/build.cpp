@@ -494,6 +494,10 @@ class Builder {
       const VehicleState* truth = vehicles[id.value]->truth();
       return truth ? truth->p_N : vehicles[id.value]->estimate().p_N;
     };
+    std::vector<std::string> names;
+    for (const simulation::Entity& entity : build_.world.entities)
+      names.push_back(entity.name);
+    context.name = [names](EntityId id) { return names.at(id.value); };
     auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();
     build_.world.radio = std::move(made).value();

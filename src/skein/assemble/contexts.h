@@ -141,6 +141,7 @@ struct RadioContext {
   std::uint64_t seed = 0;
   std::size_t entities = 0;  ///< all of the run, those that come late too
   std::function<std::optional<Vec3>(EntityId)> position;
+  std::function<std::string(EntityId)> name;
 };
 
 /// What every estimator is given besides its options.

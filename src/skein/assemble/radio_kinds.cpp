@@ -11,6 +11,7 @@
 namespace skein::assemble {
 namespace {
 
+using communication::Routing;
 using scenario::Fields;
 using scenario::Range;
 
@@ -36,7 +37,7 @@ Fields<communication::IdealRadioOptions> ideal_fields() {
 struct MediumChoice {
   std::string profile = "wifi-dsss-2";
   std::string file;
-  double spread = communication::MediumRadioOptions().spread;
+  communication::MediumRadioOptions radio;  // without its profile
 };
 
 Fields<MediumChoice> medium_fields() {
@@ -45,10 +46,25 @@ Fields<MediumChoice> medium_fields() {
       .text("profile", &T::profile,
             "A built-in radio: `skein list radio-profile` names them.")
       .file("file", &T::file, "A radio file instead; \"\": none.", {.may_be_empty = true})
-      .duration_s("spread_s", &T::spread,
+      .duration_s("spread_s", [](T & t) -> auto& { return t.radio.spread; },
                   "Agents think at the same moments; their messages reach the radios "
                   "later, by up to this.",
-                  {.at_least = 0, .at_most = 10});
+                  {.at_least = 0, .at_most = 10})
+      .word("routing", [](T & t) -> auto& { return t.radio.routing; },
+            "Who passes on what was for others.",
+            {{"none", Routing::kNone, "nobody"},
+             {"flooding", Routing::kFlooding,
+              "all, once, what its sender cannot tell its receiver directly"}})
+      .integer("hops", [](T & t) -> auto& { return t.radio.hops; },
+               "Of `flooding`: radios that may pass a message on.",
+               {.at_least = 1, .at_most = 100})
+      .duration_s("relay_delay_s", [](T & t) -> auto& { return t.radio.relay_delay; },
+                  "Of `flooding`: each waits up to this.", {.at_least = 0, .at_most = 10})
+      .duration_s("advertisement_period_s",
+                  [](T & t) -> auto& { return t.radio.advertisement_period; },
+                  "Between a radio's words that it is there, by which others find their "
+                  "neighbours; 0: none.",
+                  {.at_least = 0, .at_most = 3600});
 }
 
 Result<RadioFile> load(const MediumChoice& choice) {
@@ -97,11 +113,13 @@ Kinds<Radio, RadioContext> radio_kinds() {
       [](const MediumChoice& o, const RadioContext& c) -> Result<std::unique_ptr<Radio>> {
         const auto file = load(o);
         if (!file) return file.error();
+        communication::MediumRadioOptions options = o.radio;
+        options.profile = file.value().radio;
         return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
-            communication::MediumRadioOptions{file.value().radio, o.spread},
+            options,
             communication::make_propagation(file.value().propagation,
                                             file.value().radio.phy.frequency, c.seed),
-            c.entities, c.position, c.seed));
+            c.entities, c.position, c.name, c.seed));
       });
   return kinds;
 }

@@ -129,7 +129,8 @@ class Stage {
   static RadioContext radio() {
     return {kSeed, 3, [](EntityId id) -> std::optional<Vec3> {
               return Vec3(200.0 * id.value, 0, -100);
-            }};
+            },
+            [](EntityId id) { return std::to_string(id.value); }};
   }
 
   static NavEstimate start(const FlightLimits& limits) {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "skein/data/event.h"
 #include "skein/data/radio.h"
 
 namespace skein {
@@ -10,6 +11,17 @@ namespace skein {
 struct RadioStatistics {
   std::vector<RadioUse> radios;  ///< of each entity; empty: there is no medium
   std::vector<LinkUse> links;    ///< that were used, in the order of sender and receiver
+};
+
+/// What has become of messages, and what else happened on the air.
+struct RadioNews {
+  std::vector<MessageOutcome> ended;
+  std::vector<Event> events;
+
+  void clear() {
+    ended.clear();
+    events.clear();
+  }
 };
 
 /// The radio medium between all entities.
@@ -22,7 +34,7 @@ class Radio {
 
   /// Appends the messages that have arrived by `now`, in order of arrival, ties in the
   /// order of sending; lost ones among them, when that is certain.
-  virtual void deliver(Time now, std::vector<MessageOutcome>& ended) = 0;
+  virtual void deliver(Time now, RadioNews& news) = 0;
 
   /// What the modem of an entity knows at the last `now`. Radios without a medium know of
   /// no load.

@@ -342,9 +342,10 @@ void Stepper::send(const Message& message, bool works) {
 }
 
 void Stepper::receive(Time now) {
-  ended_.clear();
-  world_.radio->deliver(now, ended_);
-  for (MessageOutcome& outcome : ended_) {
+  news_.clear();
+  world_.radio->deliver(now, news_);
+  for (const Event& event : news_.events) record_event(event);
+  for (MessageOutcome& outcome : news_.ended) {
     Message& message = outcome.message;
     const bool known =
         message.to.value < states_.size() && states_[message.to.value].active;

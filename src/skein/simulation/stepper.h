@@ -114,7 +114,7 @@ class Stepper {
   std::vector<Event> memory_events_;
   std::vector<const Phenomenon*> phenomena_;
   std::vector<EntityState> states_;
-  std::vector<MessageOutcome> ended_;
+  RadioNews news_;
   std::vector<VehicleEvent> vehicle_events_;
   std::vector<VehicleReport> vehicle_reports_;
   std::vector<Event> announcements_;

@@ -21,7 +21,7 @@ struct PatientOptions {
 class PatientRadio final : public Radio {
  public:
   void send(const Message&) override {}
-  void deliver(Time, std::vector<MessageOutcome>&) override {}
+  void deliver(Time, RadioNews&) override {}
 };
 
 // What a plugin with one radio adds. Its default of 3 must be at least `min`.

@@ -59,11 +59,11 @@ void IdealRadio::send(const Message& message) {
   std::push_heap(in_flight_.begin(), in_flight_.end(), later);
 }
 
-void IdealRadio::deliver(Time now, std::vector<MessageOutcome>& ended) {
+void IdealRadio::deliver(Time now, RadioNews& news) {
   while (!in_flight_.empty() && in_flight_.front().arrival <= now) {
     std::pop_heap(in_flight_.begin(), in_flight_.end(), later);
     InFlight& next = in_flight_.back();
-    ended.push_back({std::move(next.message), next.cause});
+    news.ended.push_back({std::move(next.message), next.cause});
     in_flight_.pop_back();
   }
 }

@@ -38,7 +38,7 @@ class IdealRadio final : public Radio {
              PositionLookup position = {});
 
   void send(const Message& message) override;
-  void deliver(Time now, std::vector<MessageOutcome>& ended) override;
+  void deliver(Time now, RadioNews& news) override;
 
  private:
   struct InFlight {

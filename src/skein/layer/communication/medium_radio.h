@@ -1,72 +1,115 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "skein/base/random.h"
 #include "skein/layer/communication/ideal_radio.h"
 #include "skein/layer/communication/medium/medium.h"
+#include "skein/layer/communication/neighbours.h"
 #include "skein/layer/communication/radio_meter.h"
 #include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 
 namespace skein::communication {
 
+/// Who passes on what was not for him.
+enum class Routing {
+  kNone,      ///< nobody: messages go to who hears their sender
+  kFlooding,  ///< all, once, whoever has not got the message yet
+};
+
 struct MediumRadioOptions {
   RadioProfile profile;
   /// Agents of a run think at the same moments, radios of a team do not send at the same
   /// one: a message reaches its radio later, by up to this, uniform [s].
   double spread = 0.1;
+  Routing routing = Routing::kNone;
+  std::uint32_t hops = 3;     ///< of flooding: radios that may pass a message on
+  double relay_delay = 0.05;  ///< of these: each waits up to this, uniform [s]
+  /// Of a node's word that it is there, 10 % earlier or later [s]; 0: it says nothing.
+  double advertisement_period = 0;
 };
+
+/// What entities are called, in events.
+using NameLookup = std::function<std::string(EntityId)>;
 
 /// A radio whose messages fight for a medium: airtime, carrier sense, collisions, queues,
 /// retries.
 ///
 /// A message to all is one frame; a message to one is acknowledged and repeated. Messages
 /// are as long as their wire form (data/wire.h) and go in parts when a frame cannot hold
-/// them (MacProfile::part_bytes), with 4 bytes more each; all parts must arrive. What
-/// happens between two calls of deliver() happens where nodes are at the second.
+/// them (MacProfile::part_bytes), with 4 bytes more each; all parts must arrive. Urgent
+/// ones go first (urgency_of). What happens between two calls of deliver() happens where
+/// nodes are at the second.
+///
+/// With flooding a message to one whom its sender has not heard lately goes to all, with
+/// 8 bytes more, and whoever gets it and is not its receiver passes it on, once: to the
+/// receiver if that was heard lately, else to all. Messages to all are passed on so too.
+///
+/// A node that has heard another knows it as its neighbour until it was silent for three
+/// periods of advertisements (three seconds without these): events "neighbour-found" and
+/// "neighbour-lost", where there are advertisements.
 class MediumRadio final : public Radio, private MediumListener {
  public:
   /// @param entities  how many there are; messages to others are lost
   /// @param position  where an entity is; one without a place hears and says nothing
   MediumRadio(const MediumRadioOptions& options, std::unique_ptr<Propagation> propagation,
-              std::size_t entities, PositionLookup position, std::uint64_t seed);
+              std::size_t entities, PositionLookup position, NameLookup name,
+              std::uint64_t seed);
 
   void send(const Message& message) override;
-  void deliver(Time now, std::vector<MessageOutcome>& ended) override;
+  void deliver(Time now, RadioNews& news) override;
   RadioStatus status(EntityId id) const override;
   RadioStatistics take_statistics() override { return meter_.take(); }
 
  private:
-  /// What is sent as one: a message to one, or the copies of a message to several.
-  struct Post {
+  /// A message to one, or the copies of a message to several, until all that carries them
+  /// has ended.
+  struct Transfer {
     NodeIndex from = 0;
     bool to_all = false;
-    std::uint32_t parts = 1, parts_ended = 0;
-    Time ended;  // when the last part left
-    LossCause cause = LossCause::kNone;  // of the first part that was lost at its sender
+    std::uint32_t bytes = 0;
+    std::uint8_t urgency = 0;
+    std::uint32_t posts = 0;  // that have not ended
+    Time ended;               // when the last one did
+    LossCause cause = LossCause::kNone;  // of what was lost first at a sender
     MessageWay way;
     struct Copy {
       Message message;
-      std::uint32_t parts_received = 0;
       bool arrived = false;
     };
     std::vector<Copy> copies;
+    std::vector<bool> reached;           // of flooding: nodes that have it
+    std::vector<std::uint32_t> carried;  // posts, to be used again in the end
+    bool leaves = false;                 // stands in leaving_
   };
-  struct Departure {
-    Time time;
-    std::uint64_t order;
-    std::uint32_t post;
+  /// A transfer as one radio sends it.
+  struct Post {
+    std::uint32_t transfer = 0;
+    NodeIndex from = 0;
+    std::uint32_t hop = 0;  // radios that passed it on before
+    std::uint32_t parts = 1, parts_ended = 0;
+    std::vector<std::pair<NodeIndex, std::uint32_t>> received;  // parts, by receiver
   };
 
-  static bool later(const Departure& a, const Departure& b);
   void collect();
-  void depart(std::uint32_t index);
+  void begin(std::size_t first, std::size_t end);
+  void post(std::uint32_t transfer, NodeIndex from, std::uint32_t hop, Time time);
+  bool has_all(Post& post, NodeIndex receiver);
+  void arrive(Transfer& transfer, NodeIndex receiver, std::uint32_t hop, Time now);
+  void pass_on(std::uint32_t transfer, NodeIndex node, std::uint32_t hop, Time now);
+  void leave(std::uint32_t transfer, Time now);
   void end_part(std::uint32_t index, LossCause cause, Time now);
-  LossCause cause_of(const Post& post, EntityId to);
   void settle(Time now);
+  LossCause cause_of(const Transfer& transfer, EntityId to);
+  void advertise(Time now);
+  void note_neighbours(Time now, std::vector<Event>& events);
 
   void on_frame(const Frame& frame, Time now) override;
   void on_delivered(const Frame& data, NodeIndex receiver, Time now,
@@ -77,17 +120,23 @@ class MediumRadio final : public Radio, private MediumListener {
   std::unique_ptr<Propagation> propagation_;
   std::size_t entities_;
   PositionLookup position_;
+  NameLookup name_;
   std::uint64_t seed_;
   Medium medium_;
   RadioMeter meter_;
-  std::vector<Message> written_;       // since the last deliver()
-  std::vector<Departure> departures_;  // a heap, earliest first
-  std::uint64_t departed_ = 0;
+  bool knows_neighbours_;
+  Neighbours neighbours_;
+  Time next_check_;  // for lost ones
+  std::vector<Neighbours::Change> changes_;  // since the last deliver()
+  std::vector<RandomStream> relay_delays_, advertisement_times_;
+  std::vector<Time> next_advertisements_;
+  std::vector<Message> written_;  // since the last deliver()
+  std::vector<Transfer> transfers_;
   std::vector<Post> posts_;
-  std::vector<std::uint32_t> free_;
-  std::vector<std::uint32_t> leaving_;  // posts that left and may still be on the way
+  std::vector<std::uint32_t> free_transfers_, free_posts_;
+  std::vector<std::uint32_t> leaving_;  // transfers that may still be on the way
   std::vector<std::uint32_t> waiting_;  // packets in the queue of each node
-  std::vector<MessageOutcome>* ended_ = nullptr;
+  RadioNews* news_ = nullptr;
 };
 
 }  // namespace skein::communication

@@ -20,10 +20,10 @@ bool made_in_world(const Event& event) {
 
 }  // namespace
 
-void WorldRadio::deliver(Time now, std::vector<MessageOutcome>& ended) {
+void WorldRadio::deliver(Time now, RadioNews& news) {
   arrived_.clear();
   client_.receive(now, arrived_);
-  for (Message& message : arrived_) ended.push_back({std::move(message)});
+  for (Message& message : arrived_) news.ended.push_back({std::move(message)});
 }
 
 const char* ConnectedAgent::event_of(SessionChange::Kind kind) {

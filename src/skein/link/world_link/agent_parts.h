@@ -37,7 +37,7 @@ class WorldRadio final : public Radio {
   explicit WorldRadio(WorldClient& client) : client_(client) {}
 
   void send(const Message& message) override { client_.say(message.sent, message); }
-  void deliver(Time now, std::vector<MessageOutcome>& ended) override;
+  void deliver(Time now, RadioNews& news) override;
 
  private:
   WorldClient& client_;

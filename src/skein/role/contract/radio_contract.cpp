@@ -52,9 +52,9 @@ Outcome pass(Radio& radio, const std::vector<Message>& messages, Checks& checks)
       radio.send(messages[next]);
       in_transit.emplace(name_of(messages[next]), &messages[next]);
     }
-    std::vector<MessageOutcome> ended;
-    radio.deliver(now, ended);
-    for (const MessageOutcome& end : ended) {
+    RadioNews news;
+    radio.deliver(now, news);
+    for (const MessageOutcome& end : news.ended) {
       const Message& message = end.message;
       const auto sent = in_transit.find(name_of(message));
       checks.expect(sent != in_transit.end(),

@@ -52,10 +52,10 @@ class Post : public Radio {
  public:
   explicit Post(Time delay) : delay_(delay) {}
   void send(const Message& message) override { mail_.push_back(message); }
-  void deliver(Time now, std::vector<MessageOutcome>& ended) override {
+  void deliver(Time now, RadioNews& news) override {
     std::erase_if(mail_, [&](const Message& m) {
       if (m.sent + delay_ > now) return false;
-      ended.push_back({m});
+      news.ended.push_back({m});
       return true;
     });
   }

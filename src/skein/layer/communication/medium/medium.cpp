@@ -1,5 +1,6 @@
 #include "skein/layer/communication/medium/medium.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "skein/base/check.h"
@@ -44,10 +45,32 @@ void Medium::advance(Time until) {
     now_ = event.time;
     if (event.kind < EventKind::kAccess)
       channel_.handle(event);
-    else
+    else if (event.kind != EventKind::kOrder)
       access_->handle(event);
+    else
+      hand_over(event.index);
   }
   now_ = until;
+}
+
+void Medium::send_at(Time time, const PacketOrder& order) {
+  std::uint32_t place = 0;
+  if (free_orders_.empty()) {
+    place = static_cast<std::uint32_t>(orders_.size());
+    orders_.push_back(order);
+  } else {
+    place = free_orders_.back();
+    free_orders_.pop_back();
+    orders_[place] = order;
+  }
+  schedule_.add(std::max(time, now_), EventKind::kOrder, place);
+}
+
+void Medium::hand_over(std::uint32_t place) {
+  const PacketOrder order = orders_[place];
+  free_orders_.push_back(place);
+  if (!send(order))
+    listener_.on_finished({order, now_, 0, 0, false}, PacketEnd::kQueueFull, now_);
 }
 
 bool Medium::send(const PacketOrder& order) {

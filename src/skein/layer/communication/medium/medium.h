@@ -37,6 +37,9 @@ class Medium {
   /// @returns false when the queue is full; nothing more is heard of it then
   bool send(const PacketOrder& order);
 
+  /// The same at a later time; a queue that is full then is heard of as kQueueFull.
+  void send_at(Time time, const PacketOrder& order);
+
   /// Packets that wait or are in service.
   std::size_t waiting() const { return packets_.size(); }
 
@@ -52,11 +55,15 @@ class Medium {
   std::vector<NodeIndex> in_range(NodeIndex from);
 
  private:
+  void hand_over(std::uint32_t place);
+
   const RadioProfile profile_;
   Time now_;
   Schedule schedule_;
   PacketStore packets_;
   Links links_;
+  std::vector<PacketOrder> orders_;  // for later, by small numbers
+  std::vector<std::uint32_t> free_orders_;
   std::unique_ptr<Access> access_;
   Channel channel_;
   MediumListener& listener_;

@@ -21,6 +21,8 @@ enum class EventKind : std::uint8_t {
   kResponse,  ///< SIFS after a frame that asks for an answer
   kSent,      ///< a frame without an answer has been sent
   kNavReset,  ///< nothing has followed an RTS of others
+  // Of whoever sends.
+  kOrder,  ///< a packet is handed to its radio
 };
 
 /// Events in order of time; those of one moment in the order in which they were made.

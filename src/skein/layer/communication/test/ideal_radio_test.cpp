@@ -24,9 +24,9 @@ struct Delivery {
 };
 Delivery deliver(IdealRadio& radio, double now) {
   Delivery d;
-  std::vector<MessageOutcome> ended;
-  radio.deliver(Time::from_seconds(now), ended);
-  for (const MessageOutcome& each : ended)
+  RadioNews news;
+  radio.deliver(Time::from_seconds(now), news);
+  for (const MessageOutcome& each : news.ended)
     (each.cause == LossCause::kNone ? d.arrived : d.lost).push_back(each.message);
   return d;
 }

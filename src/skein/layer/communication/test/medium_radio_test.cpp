@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "skein/layer/communication/propagation/path_loss.h"
 
@@ -33,7 +35,7 @@ class Row {
             [](EntityId id) -> std::optional<Vec3> {
               return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
             },
-            7) {}
+            [](EntityId id) { return "node " + std::to_string(id.value); }, 7) {}
 
   // Sends to the others, as the simulation does: the first and its copies.
   void send_to_all(std::uint32_t from, std::size_t bytes = 0) {
@@ -50,9 +52,10 @@ class Row {
     radio_.send(message_of(from, to, number_++, now_, bytes));
   }
   void step() {
-    std::vector<MessageOutcome> ended;
-    radio_.deliver(now_, ended);
-    for (const MessageOutcome& each : ended) {
+    RadioNews news;
+    radio_.deliver(now_, news);
+    for (Event& event : news.events) events.push_back(std::move(event));
+    for (const MessageOutcome& each : news.ended) {
       (each.cause == LossCause::kNone ? arrived : lost).push_back(each.message);
       outcomes.push_back(each);
     }
@@ -61,6 +64,7 @@ class Row {
 
   std::vector<Message> arrived, lost;
   std::vector<MessageOutcome> outcomes;
+  std::vector<Event> events;
   std::uint64_t sent() const { return number_; }
   MediumRadio& radio() { return radio_; }
 
@@ -218,6 +222,155 @@ TEST(MediumRadio, UrgentMessagesGoFirstAndTakeTheLastPlace) {
   EXPECT_TRUE(std::holds_alternative<Heartbeat>(row.arrived[0].content));
   EXPECT_EQ(row.arrived[1].number, 0u);
   EXPECT_EQ(row.lost.size(), 3u);
+}
+
+// Six in a chain, each in reach of its neighbours only, or as many as `nodes`.
+class Chain {
+ public:
+  explicit Chain(MediumRadioOptions options, std::uint32_t nodes = 6)
+      : nodes_(nodes),
+        gone_(nodes, false),
+        radio_(
+            [&options] {
+              // 15 dBm and -90 dBm: 992 m at 2.4 GHz.
+              options.profile.phy.decode_threshold_dbm = -90;
+              options.profile.phy.carrier_sense_threshold_dbm = -95;
+              return options;
+            }(),
+            std::make_unique<FreeSpace>(2.4e9), nodes,
+            [this](EntityId id) -> std::optional<Vec3> {
+              if (gone_[id.value]) return std::nullopt;
+              return Vec3(600.0 * id.value, 0, -100);
+            },
+            [](EntityId id) { return "node " + std::to_string(id.value); }, 7) {}
+
+  void send(std::uint32_t from, std::uint32_t to) {
+    radio_.send(message_of(from, to, number_++, now_));
+  }
+  void send_to_all(std::uint32_t from) {
+    bool copy = false;
+    for (std::uint32_t to = 0; to < nodes_; ++to) {
+      if (to == from) continue;
+      Message message = message_of(from, to, number_++, now_);
+      message.copy = std::exchange(copy, true);
+      radio_.send(message);
+    }
+  }
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) {
+      radio_.deliver(now_, news);
+      now_ += Time::from_seconds(0.1);
+    }
+  }
+  void remove(std::uint32_t node) { gone_[node] = true; }
+  std::size_t arrived() const {
+    return static_cast<std::size_t>(
+        std::count_if(news.ended.begin(), news.ended.end(), [](const auto& each) {
+          return each.cause == LossCause::kNone;
+        }));
+  }
+  std::uint64_t sent() const { return number_; }
+
+  RadioNews news;
+
+ private:
+  std::uint32_t nodes_;
+  std::vector<bool> gone_;
+  MediumRadio radio_;
+  Time now_;
+  std::uint64_t number_ = 0;
+};
+
+MediumRadioOptions flooding(std::uint32_t hops) {
+  MediumRadioOptions options;
+  options.routing = Routing::kFlooding;
+  options.hops = hops;
+  return options;
+}
+
+TEST(MediumRadio, FloodingReachesWhoIsSeveralHopsAway) {
+  Chain chain(flooding(4));
+  chain.send(0, 5);
+  chain.steps(30);
+  ASSERT_EQ(chain.news.ended.size(), 1u);
+  EXPECT_EQ(chain.news.ended[0].cause, LossCause::kNone);
+  EXPECT_EQ(chain.news.ended[0].way.hops, 4u);
+  EXPECT_EQ(chain.news.ended[0].way.transmissions, 5u) << "each sends it once";
+}
+
+TEST(MediumRadio, FloodingEndsAfterItsHops) {
+  Chain chain(flooding(3));
+  chain.send(0, 5);
+  chain.steps(30);
+  ASSERT_EQ(chain.news.ended.size(), 1u);
+  EXPECT_EQ(chain.news.ended[0].cause, LossCause::kOutOfRange);
+}
+
+TEST(MediumRadio, WithoutRoutingNobodyPassesOn) {
+  Chain chain({});
+  chain.send(0, 2);
+  chain.steps(30);
+  ASSERT_EQ(chain.news.ended.size(), 1u);
+  EXPECT_EQ(chain.news.ended[0].cause, LossCause::kRetryLimit);
+}
+
+TEST(MediumRadio, FloodingCarriesWhatIsForAll) {
+  Chain chain(flooding(5));
+  chain.send_to_all(2);
+  chain.steps(30);
+  EXPECT_EQ(chain.arrived(), 5u);
+  EXPECT_EQ(chain.news.ended.size(), 5u) << "each once";
+}
+
+TEST(MediumRadio, WhoWasHeardLatelyIsToldDirectly) {
+  MediumRadioOptions options = flooding(5);
+  options.advertisement_period = 1;
+  Chain chain(options);
+  chain.steps(30);
+  chain.send(0, 1);
+  chain.steps(10);
+  ASSERT_EQ(chain.news.ended.size(), 1u);
+  EXPECT_EQ(chain.news.ended[0].way.transmissions, 1u) << "nobody else has passed it on";
+}
+
+TEST(MediumRadio, FindsNeighboursAndLosesThem) {
+  MediumRadioOptions options;
+  options.advertisement_period = 1;
+  Chain chain(options, 3);
+  chain.steps(40);
+  const auto count = [&](const char* kind) {
+    return std::count_if(chain.news.events.begin(), chain.news.events.end(),
+                         [&](const Event& event) { return event.kind == kind; });
+  };
+  EXPECT_EQ(count("neighbour-found"), 4) << "0-1 and 1-2, each of the other";
+  EXPECT_EQ(count("neighbour-lost"), 0);
+  chain.remove(2);
+  chain.steps(60);
+  EXPECT_EQ(count("neighbour-lost"), 2);
+  EXPECT_EQ(chain.news.events.back().time.seconds() > 6, true)
+      << "not before three periods of silence";
+}
+
+TEST(MediumRadio, FloodingUnderLoadForgetsNothing) {
+  Chain chain(flooding(3), 12);
+  RandomStream random(3, 0, Purpose::kTest);
+  for (int step = 0; step < 200; ++step) {
+    for (int k = 0; k < 6; ++k) {
+      const auto from = static_cast<std::uint32_t>(random.uniform(0, 12));
+      const auto to = static_cast<std::uint32_t>(random.uniform(0, 13));
+      if (to == 12)
+        chain.send_to_all(from);
+      else if (to != from)
+        chain.send(from, to);
+    }
+    chain.steps(1);
+  }
+  chain.steps(100);
+  std::set<std::uint64_t> seen;
+  for (const MessageOutcome& each : chain.news.ended)
+    EXPECT_TRUE(seen.insert(each.message.number).second) << "twice";
+  EXPECT_EQ(seen.size(), chain.sent());
+  EXPECT_GT(chain.arrived(), chain.sent() / 4);
 }
 
 }  // namespace

@@ -162,8 +162,8 @@ class Copier final : public Radio {
   void send(const Message& message) override {
     for (int k = 0; k < copies_; ++k) in_transit_.push_back(message);
   }
-  void deliver(Time, std::vector<MessageOutcome>& ended) override {
-    for (const Message& message : in_transit_) ended.push_back({message});
+  void deliver(Time, RadioNews& news) override {
+    for (const Message& message : in_transit_) news.ended.push_back({message});
     in_transit_.clear();
   }
 
