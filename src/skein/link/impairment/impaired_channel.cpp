@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t kPiece = 256;
 // Packets that are larger do not keep their memory.
 constexpr std::size_t kKeptBytes = 2048;
+constexpr double kLongest = 1e9;  // transmission [s]: longer than anything runs
 
 double bits_of(std::size_t bytes) {
   return 8 * static_cast<double>(bytes);
@@ -153,7 +154,7 @@ std::optional<Time> ImpairedChannel::outage_end(Time now) {
 
 Time ImpairedChannel::transmission_end() const {
   if (impairment_.rate <= 0) return sent_from_;
-  const double seconds = bits_left_ / impairment_.rate;
+  const double seconds = std::min(bits_left_ / impairment_.rate, kLongest);
   return sent_from_ + Time::from_ns(static_cast<std::int64_t>(std::ceil(seconds * 1e9)));
 }
 
