@@ -87,8 +87,9 @@ int port_of(int socket) {
 
 TEST_F(Relays, ObeyWhileTheyRun) {
   const int target = datagram_socket(0, true);
-  const pid_t relay = start_relay("udpin:0", port_of(target),
-                                  {"--set", "loss=1,to_a.delay_s=0.1", "--stats", "s.csv"});
+  const pid_t relay =
+      start_relay("udpin:0", port_of(target),
+                  {"--set", "loss=1,to_a.delay_s=0.1", "--stats", "s.csv"});
   const int caller = datagram_socket(relay_port(), false);
   EXPECT_EQ(send(caller, "lost", 4, 0), 4);
   said_by("relay-err.txt", "session 1 with 127.0.0.1:");
@@ -153,11 +154,11 @@ TEST_F(Relays, CarryAnAgentAndItsWorld) {
     return false;
   };
   EXPECT_TRUE(comes_to("SELECT count(*) FROM readings WHERE entity_id = 1", 3, 30));
-  EXPECT_TRUE(comes_to("SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0 AND "
-                       "content_kind = 'report'",
-                       3, 30));
   EXPECT_TRUE(
-      comes_to("SELECT max(north_m) FROM truth WHERE entity_id = 1", 150, 40));
+      comes_to("SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0 AND "
+               "content_kind = 'report'",
+               3, 30));
+  EXPECT_TRUE(comes_to("SELECT max(north_m) FROM truth WHERE entity_id = 1", 150, 40));
   EXPECT_EQ(query(database, "SELECT count(*) FROM events WHERE kind = 'link-lost'"), 0);
   const Finished carried = stop(relay, "relay-");
   EXPECT_EQ(stop(agent, "agent-").status, 0) << read_file(folder_ / "agent-err.txt");
