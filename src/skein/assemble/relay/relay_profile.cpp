@@ -61,8 +61,9 @@ Fields<RelayProfile> profile_fields() {
   });
   fields
       .object("to_b", &T::to_b, one_way_fields(),
-              "What is different from those who call to the target.")
-      .object("to_a", &T::to_a, one_way_fields(), "What is different on the way back.")
+              "What is different from those who call to the target; null: nothing.")
+      .object("to_a", &T::to_a, one_way_fields(),
+              "What is different on the way back; null: nothing.")
       .object("outages", &T::outages, relay_outage_fields(),
               "Outages at given times, both ways.")
       .number("outages_per_hour", &T::outages_per_hour,
@@ -71,7 +72,7 @@ Fields<RelayProfile> profile_fields() {
       .duration_s("outage_mean_s", &T::outage_mean, "Mean length of those by chance.",
                   {.above = 0, .at_most = 86400})
       .object("changes", &T::changes, change_fields(),
-              "New values from given times on; what is not given stays.");
+              "New values from given times on; what is null or not given stays.");
   return fields;
 }
 
