@@ -1,8 +1,10 @@
 // skein relay: a bad connection between two real ends.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <memory>
 #include <string>
 #include <vector>
@@ -126,7 +128,15 @@ void obey(const std::string& line, bool tcp, relay::Relay& relay) {
   complain("{:.3f} s: {}\n", relay.now().seconds(), line);
 }
 
+// Where orders come from; negative: nowhere. Asked before a socket could take its number.
+int input_of_orders() {
+  // In the background of a terminal reading fails then, instead of stopping the program.
+  std::signal(SIGTTIN, SIG_IGN);
+  return ::fcntl(STDIN_FILENO, F_GETFD) < 0 ? -1 : STDIN_FILENO;
+}
+
 int relay_command(const RelayArguments& given, const std::atomic<bool>& stop) {
+  hmi::LineInput orders(input_of_orders());
   const auto options = options_of(given);
   if (!options) return say_error(options.error());
   const bool tcp = std::holds_alternative<transport::TcpServer>(options.value().listen);
@@ -140,7 +150,6 @@ int relay_command(const RelayArguments& given, const std::atomic<bool>& stop) {
   }
   complain("waiting at {}\n", relay.place());
 
-  hmi::LineInput orders(STDIN_FILENO);
   Time next_row = kEvery;
   while (!stop && (given.duration <= 0 || relay.now().seconds() < given.duration)) {
     relay.run_for(kRelayTurn);
