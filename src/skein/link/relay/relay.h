@@ -47,7 +47,8 @@ struct RelayReport {
   std::uint32_t sessions = 0;     ///< that there were
   std::uint32_t open = 0;         ///< of these, now
   std::uint64_t failed = 0;       ///< TCP: connections that end b did not take
-  std::uint64_t turned_away = 0;  ///< UDP: packets of callers beyond kMaxSessions
+  std::uint64_t turned_away = 0;  ///< packets (UDP) or connections of callers beyond
+                                  ///< kMaxSessions, or for whom the system has no socket
   std::array<DirectionReport, 2> directions;
 };
 

@@ -92,6 +92,7 @@ impairment::ImpairedChannel RelayCore::make_channel(impairment::Traffic traffic,
 
 void RelayCore::add(std::uint32_t number, const std::shared_ptr<Session>& session) {
   sessions_.emplace(number, session);
+  ++report_.sessions;
   news_(fmt::format("session {} with {} begins", number, session->report().name));
 }
 

@@ -49,8 +49,8 @@ class RelayCore {
   void cut(impairment::Directions directions, Time length);
   void reset();
 
-  /// The number of the next session.
-  std::uint32_t next_number() { return ++report_.sessions; }
+  /// The number of the session that is added next.
+  std::uint32_t next_number() const { return report_.sessions + 1; }
   impairment::ImpairedChannel make_channel(impairment::Traffic traffic,
                                            std::uint32_t session,
                                            impairment::Direction direction) const;
@@ -60,7 +60,6 @@ class RelayCore {
   void remove(std::uint32_t number, const std::string& why);
   void count_failed() { ++report_.failed; }
   void count_turned_away() { ++report_.turned_away; }
-  void say(const std::string& news) const { news_(news); }
 
   /// Stops all sessions, before what they refer to goes.
   void stop();

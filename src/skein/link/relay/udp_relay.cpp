@@ -226,10 +226,7 @@ class UdpRelay final : public CoreRelay {
     const std::uint32_t number = core_.next_number();
     const auto session =
         std::make_shared<UdpSession>(core_, socket_, buffer_, caller, number);
-    if (const auto error = session->open(target_)) {
-      core_.say(error.message());
-      return nullptr;
-    }
+    if (session->open(target_)) return nullptr;
     sessions_.emplace(caller, session);
     core_.add(number, session);
     session->begin();
