@@ -335,11 +335,11 @@ TEST(TcpRelay, PassesBytesInOrderAtItsRateAndSaysTheEnd) {
 
 TEST(TcpRelay, BytesWaitForTheEndOfAnOutage) {
   Connection connection({});
-  connection.stand.relay->cut(Directions::kBoth, Time::from_seconds(0.3));
   const auto begin = Clock::now();
+  connection.stand.relay->cut(Directions::kBoth, Time::from_seconds(0.3));
   EXPECT_TRUE(connection.caller.send("late"));
   EXPECT_EQ(next_of(*connection.called, connection.stand), "late");
-  EXPECT_GE(Clock::now() - begin, 290ms) << "it began a moment ago";
+  EXPECT_GE(Clock::now() - begin, 300ms);
 }
 
 TEST(TcpRelay, ReadsNoFasterThanItMaySend) {
@@ -347,10 +347,12 @@ TEST(TcpRelay, ReadsNoFasterThanItMaySend) {
   impairment.rate = 8000;
   impairment.queue_bytes = 10'000;
   Connection connection(impairment);
-  EXPECT_TRUE(connection.caller.send(long_text(100'000)));
+  connection.caller.send(long_text(100'000));  // as much as the system takes
   connection.stand.wait([&] { return connection.stand.to_b().waiting_bytes >= 10'000; });
   connection.stand.relay->run_for(50ms);
-  EXPECT_EQ(connection.stand.to_b().waiting_bytes, 10'000u);
+  // A piece of 256 bytes may have gone out just now.
+  EXPECT_LE(connection.stand.to_b().waiting_bytes, 10'000u);
+  EXPECT_GE(connection.stand.to_b().waiting_bytes, 10'000u - 256);
   EXPECT_EQ(connection.stand.to_b().counts.lost_queue_full, 0u);
 }
 
