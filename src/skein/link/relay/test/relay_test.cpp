@@ -4,12 +4,16 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace skein::relay {
@@ -284,6 +288,27 @@ TEST(UdpRelay, ForgetsWhoIsSilent) {
   EXPECT_EQ(stand.relay->report().sessions, 2u);
 }
 
+TEST(UdpRelay, TurnsAwayMoreCallersThanItTakes) {
+  rlimit files{};
+  getrlimit(RLIMIT_NOFILE, &files);
+  constexpr rlim_t kEnough = 2 * Relay::kMaxSessions + 100;
+  if (files.rlim_max < kEnough) GTEST_SKIP() << "the system has not so many sockets";
+  files.rlim_cur = std::max(files.rlim_cur, kEnough);
+  setrlimit(RLIMIT_NOFILE, &files);
+  Socket target(SOCK_DGRAM);
+  const Stand stand(false, target.bind(), {});
+  std::vector<Socket> callers;
+  for (std::size_t k = 0; k < Relay::kMaxSessions + 3; ++k) {
+    callers.emplace_back(SOCK_DGRAM);
+    callers.back().connect(stand.port());
+    callers.back().send("x");
+    if (k % 50 == 0) stand.relay->run_for(5ms);
+  }
+  EXPECT_TRUE(stand.wait([&] { return stand.relay->report().turned_away == 3; }));
+  EXPECT_EQ(stand.relay->report().open, Relay::kMaxSessions);
+  EXPECT_EQ(stand.relay->report().sessions, Relay::kMaxSessions);
+}
+
 // A connection through a relay: both ends.
 struct Connection {
   explicit Connection(const impairment::Impairment& impairment)
@@ -331,6 +356,26 @@ TEST(TcpRelay, PassesBytesInOrderAtItsRateAndSaysTheEnd) {
   connection.called->close();
   EXPECT_TRUE(
       connection.stand.wait([&] { return connection.stand.relay->report().open == 0; }));
+}
+
+TEST(TcpRelay, CarriesSeveralConnections) {
+  Connection first({});
+  Socket caller(SOCK_STREAM);
+  caller.connect(first.stand.port());
+  int descriptor = -1;
+  EXPECT_TRUE(
+      first.stand.wait([&] { return (descriptor = first.target.accept()) >= 0; }));
+  Socket called(SOCK_STREAM, descriptor);
+  caller.send("second");
+  first.caller.send("first");
+  EXPECT_EQ(next_of(called, first.stand), "second");
+  EXPECT_EQ(next_of(*first.called, first.stand), "first");
+  EXPECT_EQ(first.stand.relay->report().open, 2u);
+  caller.close();
+  called.close();
+  EXPECT_TRUE(first.stand.wait([&] { return first.stand.relay->report().open == 1; }));
+  first.caller.send("still there");
+  EXPECT_EQ(next_of(*first.called, first.stand), "still there");
 }
 
 TEST(TcpRelay, BytesWaitForTheEndOfAnOutage) {
