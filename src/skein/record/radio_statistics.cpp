@@ -25,6 +25,7 @@ void RadioStatistics::add_figures(std::map<std::string, double>& figures) const 
     std::replace(name.begin(), name.end(), '-', '_');
     figures[name] = static_cast<double>(messages_[cause]);
   }
+  if (relayed_ > 0) figures["messages_relayed"] = static_cast<double>(relayed_);
   if (rows_ == 0) return;
   figures["radio_load_mean"] = load_ / static_cast<double>(rows_);
   figures["radio_load_max"] = load_max_;

@@ -13,12 +13,16 @@ namespace skein::record {
 /// about them.
 class RadioStatistics {
  public:
-  /// A message that arrived (kNone) or was lost.
-  void message(LossCause cause) { ++messages_[static_cast<std::size_t>(cause)]; }
+  /// A message that arrived (kNone) or was lost; how many radios have passed it on.
+  void message(LossCause cause, std::uint32_t hops) {
+    ++messages_[static_cast<std::size_t>(cause)];
+    if (cause == LossCause::kNone && hops > 0) ++relayed_;
+  }
   void radio(const RadioUse& use);
 
   /// Adds `messages_sent`, `messages_lost`, of each cause that there was
-  /// `messages_lost_<cause>`, and where there is a medium `radio_load_mean` and
+  /// `messages_lost_<cause>`, `messages_relayed` if any arrived by way of other radios,
+  /// and where there is a medium `radio_load_mean` and
   /// `radio_load_max`: the share of the time in which a radio sent or heard others, of
   /// all radios and times, and the highest of a radio between two records;
   /// `radio_sending_max`: the same of sending alone.
@@ -28,7 +32,7 @@ class RadioStatistics {
   std::array<std::uint64_t, names_of(static_cast<const LossCause*>(nullptr)).size()>
       messages_ = {};
   double load_ = 0, load_max_ = 0, sending_max_ = 0;
-  std::uint64_t rows_ = 0;
+  std::uint64_t rows_ = 0, relayed_ = 0;
 };
 
 }  // namespace skein::record

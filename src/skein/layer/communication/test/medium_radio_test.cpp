@@ -232,7 +232,7 @@ class Chain {
         gone_(nodes, false),
         radio_(
             [&options] {
-              // 15 dBm and -90 dBm: 992 m at 2.4 GHz.
+              // 15 dBm and -90 dBm: 1.77 km at 2.4 GHz.
               options.profile.phy.decode_threshold_dbm = -90;
               options.profile.phy.carrier_sense_threshold_dbm = -95;
               return options;
@@ -240,7 +240,7 @@ class Chain {
             std::make_unique<FreeSpace>(2.4e9), nodes,
             [this](EntityId id) -> std::optional<Vec3> {
               if (gone_[id.value]) return std::nullopt;
-              return Vec3(600.0 * id.value, 0, -100);
+              return Vec3(1200.0 * id.value, 0, -100);
             },
             [](EntityId id) { return "node " + std::to_string(id.value); }, 7) {}
 
