@@ -52,6 +52,7 @@ class SharedTerrain : public Terrain {
     return terrain_->elevation_msl(p);
   }
   Vec2 gradient(const Vec2& p) const override { return terrain_->gradient(p); }
+  double highest_msl() const override { return terrain_->highest_msl(); }
 
  private:
   std::shared_ptr<const Terrain> terrain_;

@@ -15,13 +15,14 @@ constexpr Time kLongestWay = Time::from_ns(1'000'000);  // 300 km at the speed o
 const Vec3 kNowhere(1e9, 1e9, 0);
 
 Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
-                      const PositionLookup& position) {
+                      const PositionLookup& position, NodeAntennas antennas) {
   Links::Nodes nodes;
   nodes.move = false;  // but when places_changed() says so
   nodes.transmit_power_dbm.assign(entities, transmit_power_dbm);
   nodes.place = [position](NodeIndex node, Time) {
     return position(EntityId{node}).value_or(kNowhere);
   };
+  nodes.antennas = std::move(antennas);
   return nodes;
 }
 
@@ -29,15 +30,17 @@ Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
 
 MediumRadio::MediumRadio(const MediumRadioOptions& options,
                          std::unique_ptr<Propagation> propagation, std::size_t entities,
-                         PositionLookup position, std::uint64_t seed)
+                         PositionLookup position, std::uint64_t seed,
+                         NodeAntennas antennas)
     : options_(options),
       propagation_(std::move(propagation)),
       entities_(entities),
       position_(std::move(position)),
       seed_(seed),
       medium_(options.profile, *propagation_,
-              nodes_of(entities, options.profile.phy.transmit_power_dbm, position_), seed,
-              *this) {
+              nodes_of(entities, options.profile.phy.transmit_power_dbm, position_,
+                       std::move(antennas)),
+              seed, *this) {
   SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes);
 }
 

@@ -30,8 +30,10 @@ class MediumRadio final : public Radio, private MediumListener {
  public:
   /// @param entities  how many there are; messages to others are lost
   /// @param position  where an entity is; one without a place hears and says nothing
+  /// @param antennas  of the entities
   MediumRadio(const MediumRadioOptions& options, std::unique_ptr<Propagation> propagation,
-              std::size_t entities, PositionLookup position, std::uint64_t seed);
+              std::size_t entities, PositionLookup position, std::uint64_t seed,
+              NodeAntennas antennas = {});
 
   void send(const Message& message) override;
   void deliver(Time now, std::vector<Message>& arrived,
