@@ -491,6 +491,15 @@ class Builder {
       const VehicleState* truth = vehicles[id.value]->truth();
       return truth ? truth->p_N : vehicles[id.value]->estimate().p_N;
     };
+    context.attitude = [vehicles](EntityId id) -> Mat3 {
+      if (id.value >= vehicles.size() || !vehicles[id.value]) return Mat3::Identity();
+      if (const VehicleState* truth = vehicles[id.value]->truth())
+        return truth->q_NB.toRotationMatrix();
+      const NavEstimate& nav = vehicles[id.value]->estimate();
+      return geo::from_euler({nav.roll, nav.pitch, nav.heading}).toRotationMatrix();
+    };
+    context.stations = antennas.size();
+    context.terrain = build_.world.terrain.get();
     auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();
     build_.world.radio = std::move(made).value();

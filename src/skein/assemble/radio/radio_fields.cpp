@@ -110,31 +110,39 @@ Fields<PhySection> phy_fields() {
       });
 }
 
-Fields<PropagationProfile> propagation_fields() {
-  using T = PropagationProfile;
+Fields<PropagationSection> propagation_fields() {
+  using T = PropagationSection;
+  const auto in = [](auto member) {
+    return [member](T & t) -> auto& {
+      return t.propagation.*member;
+    };
+  };
   return Fields<T>()
-      .word("model", &T::model, "How signals get weaker on their way.",
+      .word("model", in(&PropagationProfile::model), "How signals get weaker on their way.",
             {{"free-space", PropagationModel::kFreeSpace, "with the distance squared"},
              {"fixed", PropagationModel::kFixed, "all arrive with `received_power_dbm`"},
              {"log-distance", PropagationModel::kLogDistance,
               "with the distance to the power of `exponent`, and shadowing"},
              {"two-ray", PropagationModel::kTwoRay,
               "free space nearby, over flat ground with the distance to the fourth"}})
-      .number("received_power_dbm", &T::received_power_dbm, "Of `fixed`.", kLevel)
-      .number("exponent", &T::exponent, "Of `log-distance`.",
+      .number("received_power_dbm", in(&PropagationProfile::received_power_dbm), "Of `fixed`.", kLevel)
+      .number("exponent", in(&PropagationProfile::exponent), "Of `log-distance`.",
               {.at_least = 1, .at_most = 10})
-      .number("reference_distance_m", &T::reference_distance,
+      .number("reference_distance_m", in(&PropagationProfile::reference_distance),
               "Of `log-distance`: up to there it is free space.",
               {.at_least = 0.1, .at_most = 1e5})
-      .number("shadowing_db", &T::shadowing_db,
+      .number("shadowing_db", in(&PropagationProfile::shadowing_db),
               "Of `log-distance`: standard deviation of what obstacles take or give.",
               {.at_least = 0, .at_most = 40})
-      .number("shadowing_distance_m", &T::shadowing_distance,
+      .number("shadowing_distance_m", in(&PropagationProfile::shadowing_distance),
               "Of `log-distance`: over which shadowing is alike.",
               {.at_least = 1, .at_most = 1e5})
-      .number("antenna_height_m", &T::antenna_height,
+      .number("antenna_height_m", in(&PropagationProfile::antenna_height),
               "Of `two-ray`: above the place of a node.",
-              {.at_least = 0, .at_most = 1000});
+              {.at_least = 0, .at_most = 1000})
+      .object("obstacles", &T::obstacles, obstacle_fields(),
+              "What stands between nodes, with any model.")
+      .items({.at_most = kMaxObstacles});
 }
 
 Fields<MacSection> mac_fields() {
@@ -216,6 +224,13 @@ PhyProfile phy_of(const PhySection& section) {
   return phy;
 }
 
+PropagationProfile propagation_of(const PropagationSection& section) {
+  PropagationProfile propagation = section.propagation;
+  for (const ObstacleSection& each : section.obstacles)
+    propagation.obstacles.push_back(obstacle_of(each));
+  return propagation;
+}
+
 MacProfile mac_of(const MacSection& section) {
   MacProfile mac = section.mac;
   mac.slot = from_us(section.slot_us);
@@ -231,6 +246,14 @@ MacProfile mac_of(const MacSection& section) {
 
 PhySection section_of(const PhyProfile& phy) {
   return {phy, in_us(phy.preamble_header), in_us(phy.lock_window)};
+}
+
+PropagationSection section_of(const PropagationProfile& propagation) {
+  PropagationSection section{propagation, {}};
+  section.propagation.obstacles.clear();
+  for (const communication::Obstacle& each : propagation.obstacles)
+    section.obstacles.push_back(section_of(each));
+  return section;
 }
 
 MacSection section_of(const MacProfile& mac) {
