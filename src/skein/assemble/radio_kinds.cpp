@@ -102,9 +102,10 @@ Result<std::unique_ptr<Propagation>> propagation_in_run(const MediumChoice& choi
 communication::NodeAntennas antennas_in_run(const MediumChoice& choice,
                                             const RadioFile& file,
                                             const RadioContext& context) {
-  const auto aircraft = communication::make_antenna(choice.antenna.value_or(file.antenna));
-  const auto station = communication::make_antenna(
-      choice.station_antenna.value_or(file.station_antenna));
+  const auto aircraft =
+      communication::make_antenna(choice.antenna.value_or(file.antenna));
+  const auto station =
+      communication::make_antenna(choice.station_antenna.value_or(file.station_antenna));
   communication::NodeAntennas antennas;
   if (!aircraft && !station) return antennas;
   antennas.of.assign(context.entities, aircraft);

@@ -36,17 +36,17 @@ std::vector<RuleViolation> antenna_errors(const AntennaProfile& antenna) {
       found.push_back({key, "must not be empty: the model is a table."});
   }
   if (antenna.gains_db.size() != antenna.elevations.size())
-    found.push_back({"gains_db", fmt::format("has {} rows; needs one for each of {} "
-                                             "elevations.",
-                                             antenna.gains_db.size(),
-                                             antenna.elevations.size())});
+    found.push_back(
+        {"gains_db", fmt::format("has {} rows; needs one for each of {} "
+                                 "elevations.",
+                                 antenna.gains_db.size(), antenna.elevations.size())});
   for (std::size_t k = 0; k < antenna.gains_db.size(); ++k)
     if (antenna.gains_db[k].size() != antenna.azimuths.size()) {
       found.push_back(
-          {"gains_db", fmt::format("row {} has {} gains; needs one for each of {} "
-                                   "azimuths. Rows are counted from 0.",
-                                   k, antenna.gains_db[k].size(),
-                                   antenna.azimuths.size())});
+          {"gains_db",
+           fmt::format("row {} has {} gains; needs one for each of {} "
+                       "azimuths. Rows are counted from 0.",
+                       k, antenna.gains_db[k].size(), antenna.azimuths.size())});
       break;
     }
   return found;

@@ -118,14 +118,16 @@ Fields<PropagationSection> propagation_fields() {
     };
   };
   return Fields<T>()
-      .word("model", in(&PropagationProfile::model), "How signals get weaker on their way.",
+      .word("model", in(&PropagationProfile::model),
+            "How signals get weaker on their way.",
             {{"free-space", PropagationModel::kFreeSpace, "with the distance squared"},
              {"fixed", PropagationModel::kFixed, "all arrive with `received_power_dbm`"},
              {"log-distance", PropagationModel::kLogDistance,
               "with the distance to the power of `exponent`, and shadowing"},
              {"two-ray", PropagationModel::kTwoRay,
               "free space nearby, over flat ground with the distance to the fourth"}})
-      .number("received_power_dbm", in(&PropagationProfile::received_power_dbm), "Of `fixed`.", kLevel)
+      .number("received_power_dbm", in(&PropagationProfile::received_power_dbm),
+              "Of `fixed`.", kLevel)
       .number("exponent", in(&PropagationProfile::exponent), "Of `log-distance`.",
               {.at_least = 1, .at_most = 10})
       .number("reference_distance_m", in(&PropagationProfile::reference_distance),

@@ -65,12 +65,15 @@ class Log final : public Recorder {
 Log fly(const std::string& radio, const std::string& terrain = "flat") {
   const std::string text =
       "duration_s: 190\nrecord: {rate_hz: 10}\n"
-      "environment: {wind: {kind: uniform, speed_mps: 0}, terrain: " + terrain + "}\n"
+      "environment: {wind: {kind: uniform, speed_mps: 0}, terrain: " +
+      terrain +
+      "}\n"
       "stations: [{position_m: [0, 0], antenna_agl_m: 2}]\n"
       "aircraft: [{altitude_agl_m: 120, start: {placement: list, positions_m: [[1500, "
       "200]], heading_deg: 0}}]\n"
       "missions: [{kind: tasks, tasks: [{task: \"orbit 1500,0 radius 200\"}]}]\n"
-      "radio: {kind: medium, " + radio + "}\n";
+      "radio: {kind: medium, " +
+      radio + "}\n";
   const auto read = scenario::read_scenario_text(text, "test", ".", kind_table());
   EXPECT_TRUE(read.ok()) << read.report();
   Log log;
@@ -84,11 +87,12 @@ Log fly(const std::string& radio, const std::string& terrain = "flat") {
 }
 
 TEST(RadioOfARun, LosesWhatTheAirframeShadows) {
-  const Log log = fly(
-      "antenna: {model: shadowed-by-body, shadow_azimuth_deg: 180, "
-      "shadow_half_width_deg: 40, shadow_edge_deg: 20, shadow_depth_db: 20}");
-  // Signals have 5 to 7.5 dB to spare; a fourth to a third of 20 dB is lost some 43 degrees
-  // from astern. Messages leave up to 0.2 s, that is 1.2 degrees, after they are written.
+  const Log log =
+      fly("antenna: {model: shadowed-by-body, shadow_azimuth_deg: 180, "
+          "shadow_half_width_deg: 40, shadow_edge_deg: 20, shadow_depth_db: 20}");
+  // Signals have 5 to 7.5 dB to spare; a fourth to a third of 20 dB is lost some 43
+  // degrees from astern. Messages leave up to 0.2 s, that is 1.2 degrees, after they are
+  // written.
   int in_shadow = 0, outside = 0;
   for (const auto& [tens, count] : log.by_angle()) {
     if (tens == 13) continue;  // the edge
@@ -122,7 +126,8 @@ TEST(RadioOfARun, LosesWhatAnObstacleHides) {
 }
 
 TEST(RadioOfARun, LosesWhatAHillHides) {
-  const std::string hill = "{kind: hill, height_m: 250, width_m: 150, centre_m: [750, 0]}";
+  const std::string hill =
+      "{kind: hill, height_m: 250, width_m: 150, centre_m: [750, 0]}";
   const auto over = fly("terrain: true", hill).all();
   EXPECT_EQ(over.lost, over.sent);  // some 35 dB
   EXPECT_EQ(fly("terrain: false", hill).all().lost, 0);

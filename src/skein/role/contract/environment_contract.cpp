@@ -13,7 +13,7 @@ namespace skein::contract {
 
 Violations terrain_violations(const Make<Terrain>& make) {
   constexpr int kPoints = 400;
-  constexpr double kStep = 0.5;  // of the differences [m]
+  constexpr double kStep = 0.5;       // of the differences [m]
   constexpr double kRounding = 1e-6;  // of interpolation [m]
   Checks checks;
   const auto terrain = make();

@@ -37,7 +37,8 @@ Cell cell_of(std::span<const double> axis, double x) {
 Cell cell_of_circle(std::span<const double> axis, double x) {
   if (x >= axis.front() && x < axis.back()) return cell_of(axis, x);
   const double gap = axis.front() + 2 * geo::kPi - axis.back();
-  const double since = x >= axis.back() ? x - axis.back() : x + 2 * geo::kPi - axis.back();
+  const double since =
+      x >= axis.back() ? x - axis.back() : x + 2 * geo::kPi - axis.back();
   return {axis.size() - 1, 0, since / gap};
 }
 

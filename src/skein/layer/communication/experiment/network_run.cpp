@@ -46,7 +46,8 @@ NetworkRun::NetworkRun(const NetworkCase& network, const RadioProfile& radio,
                        const Propagation& propagation, std::uint64_t seed,
                        NodeAntennas antennas)
     : network_(network),
-      medium_(radio, propagation, nodes_of(network, radio, std::move(antennas)), seed, *this),
+      medium_(radio, propagation, nodes_of(network, radio, std::move(antennas)), seed,
+              *this),
       flow_order_(network.flows.size()),
       result_{{}, std::vector<NodeUse>(network.nodes.size()), {}} {
   for (NodeIndex node = 0; node < network.nodes.size(); ++node)

@@ -48,7 +48,8 @@ void Links::look(Time now) {
   if (nodes_.antennas.attitude) {
     attitudes_.resize(nodes_.antennas.of.size());
     for (NodeIndex node = 0; node < attitudes_.size(); ++node)
-      if (nodes_.antennas.of[node]) attitudes_[node] = nodes_.antennas.attitude(node, now);
+      if (nodes_.antennas.of[node])
+        attitudes_[node] = nodes_.antennas.attitude(node, now);
   }
   places_at_ = now;
   places_known_ = true;
@@ -66,8 +67,9 @@ double Links::gains(NodeIndex a, NodeIndex b) const {
 double Links::gain(NodeIndex node, const Vec3& direction_N) const {
   const Antenna* antenna = nodes_.antennas.of[node].get();
   if (!antenna) return 1;
-  return antenna->gain(
-      attitudes_.empty() ? direction_N : Vec3(attitudes_[node].transpose() * direction_N));
+  return antenna->gain(attitudes_.empty()
+                           ? direction_N
+                           : Vec3(attitudes_[node].transpose() * direction_N));
 }
 
 void Links::make(NodeIndex from, Time now, Table& table) {

@@ -10,8 +10,8 @@ namespace skein::communication {
 /// An upright prism or cylinder that weakens what passes through it.
 struct Obstacle {
   std::variant<geo::Ring, Disc> area = {};
-  double base_msl = 0;                       ///< [m], below `top_msl`
-  double top_msl = 0;                        ///< [m]
+  double base_msl = 0;                      ///< [m], below `top_msl`
+  double top_msl = 0;                       ///< [m]
   double attenuation_db = math::kInfinity;  ///< at least 0; infinite: opaque
 };
 

@@ -13,9 +13,9 @@
 namespace skein::communication {
 namespace {
 
-constexpr double kSpeedOfLightInAir = 299'792'458;   // [m/s]
+constexpr double kSpeedOfLightInAir = 299'792'458;  // [m/s]
 constexpr double kEarthRadius = 4.0 / 3 * 6'371e3;  // that rays see [m]
-constexpr double kNoLoss = -0.78;                    // Fresnel parameters up to there
+constexpr double kNoLoss = -0.78;                   // Fresnel parameters up to there
 
 // Ground between two ends: places 0 and size - 1 are the ends themselves.
 struct Profile {
@@ -32,16 +32,15 @@ struct Edge {
 // The edge with the largest Fresnel parameter between two places of a profile.
 Edge main_edge(const Profile& profile, int begin, int end, double wavelength) {
   Edge main;
-  const double slope =
-      (profile.height[static_cast<std::size_t>(end)] -
-       profile.height[static_cast<std::size_t>(begin)]) / (end - begin);
+  const double slope = (profile.height[static_cast<std::size_t>(end)] -
+                        profile.height[static_cast<std::size_t>(begin)]) /
+                       (end - begin);
   for (int k = begin + 1; k < end; ++k) {
     const double line =
         profile.height[static_cast<std::size_t>(begin)] + slope * (k - begin);
     const double over = profile.height[static_cast<std::size_t>(k)] - line;
-    const double v =
-        fresnel_parameter(over, (k - begin) * profile.spacing, (end - k) * profile.spacing,
-                          wavelength);
+    const double v = fresnel_parameter(over, (k - begin) * profile.spacing,
+                                       (end - k) * profile.spacing, wavelength);
     if (v > main.v) main = {k, v};
   }
   return main;
@@ -78,9 +77,10 @@ double TerrainDiffraction::loss_db(const Vec3& a, const Vec3& b) const {
   if (std::min(-from.z(), -to.z()) > highest_ + clearance) return 0;
 
   Profile profile;
-  profile.size = 1 + std::clamp(static_cast<int>(std::min(
-                                    std::ceil(distance / step_), 1.0 + kMaxSamples)),
-                                1, 1 + kMaxSamples);
+  profile.size =
+      1 + std::clamp(
+              static_cast<int>(std::min(std::ceil(distance / step_), 1.0 + kMaxSamples)),
+              1, 1 + kMaxSamples);
   const int last = profile.size - 1;
   profile.spacing = distance / last;
   profile.height[0] = -from.z();

@@ -21,8 +21,8 @@ namespace skein::communication {
 /// the ground; none when both ends are high above it.
 /// Valid: edges are sharp and across the path; rounded tops take some decibels more
 /// or less. What goes around hills to the side is left out.
-/// Reference: [P526] for J; [Deygout66] for the three edges, with the weight that P.526-11
-/// gives the minor ones of cascaded knife edges.
+/// Reference: [P526] for J; [Deygout66] for the three edges, with the weight that
+/// P.526-11 gives the minor ones of cascaded knife edges.
 class TerrainDiffraction final : public Propagation {
  public:
   static constexpr int kMaxSamples = 64;

@@ -78,7 +78,7 @@ TEST(GainTable, GivesItsEntriesAndIsSmoothInBetween) {
   EXPECT_NEAR(gain_db(*antenna, towards(190, -30)), -20, 1e-9);
   EXPECT_NEAR(gain_db(*antenna, towards(190, 0)), -15, 1e-9);
   EXPECT_NEAR(gain_db(*antenna, towards(145, 30)), -6, 1e-9);
-  EXPECT_NEAR(gain_db(*antenna, towards(100, 80)), -2, 1e-9);   // the nearest row
+  EXPECT_NEAR(gain_db(*antenna, towards(100, 80)), -2, 1e-9);  // the nearest row
   EXPECT_NEAR(gain_db(*antenna, towards(100, -80)), -4, 1e-9);
   // Round north: from 280 to 370 degrees.
   EXPECT_NEAR(gain_db(*antenna, towards(325, -30)), -4, 1e-9);
@@ -94,8 +94,8 @@ TEST(GainTable, OfOneEntryIsTheSameEverywhere) {
   const GainTable antenna(profile);
   RandomStream random(3, 0, Purpose::kTest);
   for (int i = 0; i < 1000; ++i) {
-    const double gain = antenna.gain(
-        towards(random.uniform(-180, 540), random.uniform(-90, 90)));
+    const double gain =
+        antenna.gain(towards(random.uniform(-180, 540), random.uniform(-90, 90)));
     EXPECT_NEAR(10 * std::log10(gain), -3, 1e-12);
   }
 }

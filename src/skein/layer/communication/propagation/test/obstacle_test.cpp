@@ -15,12 +15,12 @@ Obstacle block() {
 TEST(Obstacle, IsCrossedByLinesThroughItOnly) {
   const Obstacle wall = block();
   EXPECT_TRUE(is_crossed(wall, {0, 0, -10}, {100, 0, -10}));
-  EXPECT_FALSE(is_crossed(wall, {0, 0, -31}, {100, 0, -31}));   // above it
-  EXPECT_FALSE(is_crossed(wall, {0, 0, 1}, {100, 0, 1}));       // below it
+  EXPECT_FALSE(is_crossed(wall, {0, 0, -31}, {100, 0, -31}));    // above it
+  EXPECT_FALSE(is_crossed(wall, {0, 0, 1}, {100, 0, 1}));        // below it
   EXPECT_FALSE(is_crossed(wall, {0, 11, -10}, {100, 11, -10}));  // beside it
-  EXPECT_FALSE(is_crossed(wall, {0, 0, -10}, {39, 0, -10}));    // before it
-  EXPECT_TRUE(is_crossed(wall, {50, 0, -10}, {100, 0, -10}));   // from inside
-  EXPECT_TRUE(is_crossed(wall, {45, 0, -10}, {55, 0, -10}));    // inside
+  EXPECT_FALSE(is_crossed(wall, {0, 0, -10}, {39, 0, -10}));     // before it
+  EXPECT_TRUE(is_crossed(wall, {50, 0, -10}, {100, 0, -10}));    // from inside
+  EXPECT_TRUE(is_crossed(wall, {45, 0, -10}, {55, 0, -10}));     // inside
   // It climbs over the near side, 30 m high at 40 m, or just not.
   EXPECT_FALSE(is_crossed(wall, {0, 0, -1}, {40, 0, -30.5}));
   EXPECT_TRUE(is_crossed(wall, {0, 0, -1}, {100, 0, -60}));

@@ -99,10 +99,8 @@ TEST(TerrainDiffraction, OfTwoEqualEdgesIsDeygouts) {
   } walls;
   TerrainDiffraction field(std::make_unique<FreeSpace>(kFrequency), walls, kFrequency,
                            30);
-  const double main =
-      knife_edge_loss_db(fresnel_parameter(20, 600, 1200, kWavelength));
-  const double minor =
-      knife_edge_loss_db(fresnel_parameter(10, 600, 600, kWavelength));
+  const double main = knife_edge_loss_db(fresnel_parameter(20, 600, 1200, kWavelength));
+  const double minor = knife_edge_loss_db(fresnel_parameter(10, 600, 600, kWavelength));
   // The earth's bulge of up to 4 cm is not in what is expected.
   EXPECT_NEAR(field.loss_db({0, 0, 0}, {1800, 0, 0}),
               main + (1 - std::exp(-main / 6)) * minor, 0.1);
