@@ -195,6 +195,18 @@ Fields<MacSection> mac_fields() {
       .integer("part_bytes", in(&MacProfile::part_bytes),
                "In a run longer messages go in parts of so much.",
                {.at_least = 20, .at_most = 65'000})
+      .boolean("adaptive_power", in(&MacProfile::adaptive_power),
+               "With `dcf`: unicasts and their acknowledgements go with the power that "
+               "they need, all else with full power.")
+      .number("power_margin_db", in(&MacProfile::power_margin_db),
+              "With `adaptive_power`: by how much they arrive above "
+              "phy.decode_threshold_dbm.",
+              {.at_least = 0, .at_most = 100})
+      .number("power_step_db", in(&MacProfile::power_step_db),
+              "With `adaptive_power`: so much more after each failure.",
+              {.at_least = 0, .at_most = 30})
+      .number("min_power_dbm", in(&MacProfile::min_power_dbm),
+              "With `adaptive_power`: never less, but for nodes that have less.", kLevel)
       .duration_s("latency_s", in(&MacProfile::latency),
                   "With `direct`: from the end of a packet to its arrival.",
                   {.at_least = 0, .at_most = 3600})
@@ -204,6 +216,12 @@ Fields<MacSection> mac_fields() {
       .rule("cw_max",
             [](const T& t) -> std::string {
               return t.mac.cw_min <= t.mac.cw_max ? "" : "must not be below cw_min.";
+            })
+      .rule("adaptive_power",
+            [](const T& t) -> std::string {
+              return !t.mac.adaptive_power || t.mac.access == AccessMethod::kDcf
+                         ? ""
+                         : "needs access: dcf; nothing else acknowledges.";
             })
       .rule("backoff_slots",
             [](const T& t) -> std::string {

@@ -50,6 +50,9 @@ class Channel {
   /// Whether a frame would be decoded at the other end of a link if nothing interferes.
   bool in_range(const Link& link) const { return link.power >= decode_threshold_; }
 
+  /// With how much power the frame arrived that `node` is told of in on_received() [W].
+  double received_power(NodeIndex node) const { return receivers_[node].locked_power; }
+
  private:
   using FrameIndex = std::uint32_t;
   static constexpr FrameIndex kNone = 0xFFFFFFFFu;
@@ -98,7 +101,7 @@ class Channel {
   Links& links_;
   Schedule& schedule_;
   ChannelListener& listener_;
-  double noise_, decode_threshold_, carrier_sense_threshold_;  // [W]
+  double noise_, decode_threshold_, carrier_sense_threshold_, floor_;  // [W]
   double lock_ratio_;
   ErrorRates rates_;
   Time preamble_;  // before the header

@@ -25,6 +25,7 @@ Links::Links(const PhyProfile& phy, const Propagation& propagation, Nodes nodes)
       antennas_(math::pow(10, (phy.transmit_gain_db + phy.receive_gain_db) / 10)),
       tables_(nodes_.transmit_power_dbm.size()) {
   SKEIN_CHECK(nodes_.place);
+  for (const double dbm : nodes_.transmit_power_dbm) full_power_.push_back(watts(dbm));
   SKEIN_CHECK(nodes_.antennas.of.empty() || nodes_.antennas.of.size() == tables_.size());
 }
 
@@ -77,7 +78,7 @@ void Links::make(NodeIndex from, Time now, Table& table) {
   table.made = places_at_;
   table.there = true;
   table.links.clear();
-  const double radiated = watts(nodes_.transmit_power_dbm[from]) * antennas_;
+  const double radiated = full_power_[from] * antennas_;
   const Vec3& here = places_[from];
   for (NodeIndex node = 0; node < places_.size(); ++node) {
     if (node == from) continue;

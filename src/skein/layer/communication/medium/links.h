@@ -46,6 +46,9 @@ class Links {
 
   std::size_t size() const { return tables_.size(); }
 
+  /// That a node sends with when nothing lowers it [W].
+  double full_power(NodeIndex node) const { return full_power_[node]; }
+
   /// Those that a signal of `from` reaches with at least the interference floor, nearest
   /// first. Cost: of nodes that move, N log N each time.
   const std::vector<Link>& of(NodeIndex from, Time now);
@@ -67,8 +70,9 @@ class Links {
 
   const Propagation& propagation_;
   Nodes nodes_;
-  double floor_;     // [W]
-  double antennas_;  // product of both nominal gains
+  std::vector<double> full_power_;  // of each node [W]
+  double floor_;                    // [W]
+  double antennas_;                 // product of both nominal gains
   std::vector<Table> tables_;
   std::vector<Vec3> places_;     // of all nodes at places_at_
   std::vector<Mat3> attitudes_;  // the same; empty: none is needed
