@@ -111,6 +111,17 @@ station_antenna:
   EXPECT_EQ(write_radio(again.value()), written);
 }
 
+TEST(RadioFile, AdaptsPowerWithAcknowledgementsOnly) {
+  const auto file = read_radio(
+      "mac: {adaptive_power: true, power_margin_db: 9, min_power_dbm: -5}", "x.yaml");
+  ASSERT_TRUE(file.ok()) << file.error().text();
+  EXPECT_TRUE(file.value().radio.mac.adaptive_power);
+  EXPECT_EQ(file.value().radio.mac.power_margin_db, 9);
+  EXPECT_NE(problems_with("mac: {adaptive_power: true, access: direct}")
+                .find("mac.adaptive_power: needs access: dcf"),
+            std::string::npos);
+}
+
 TEST(RadioFile, SaysWhatIsWrongWithObstacles) {
   const auto with = [](const std::string& obstacle) {
     return problems_with("propagation: {obstacles: [{" + obstacle + "}]}");
