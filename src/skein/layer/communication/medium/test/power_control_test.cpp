@@ -69,7 +69,7 @@ TEST(PowerControl, RaisesItAfterFailuresAndLowersItSlowly) {
   EXPECT_NEAR(db(control.share(0, 1)), -10, 1e-9);
   for (int i = 0; i < 100; ++i) control.failed(0, 1);
   EXPECT_EQ(control.share(0, 1), 1);
-  // It has not become hoarse of it: less than five steps are to be taken back.
+  // Failures at full power raise nothing: less than five steps are to be taken back.
   for (int i = 0; i < 50; ++i) control.succeeded(0, 1);
   EXPECT_NEAR(db(control.share(0, 1)), -10, 1e-9);
 }
