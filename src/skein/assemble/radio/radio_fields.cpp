@@ -21,10 +21,10 @@ using communication::PropagationProfile;
 using scenario::Fields;
 using scenario::Range;
 
-constexpr Range kLevel{.at_least = -200, .at_most = 100};  // [dBm]
-constexpr Range kGain{.at_least = -100, .at_most = 100};   // [dB]
-constexpr Range kMicroseconds{.above = 0, .at_most = 1e6};
-constexpr double kMaxLifetime = 86400;  // [s]
+constexpr Range kLevel{.at_least = -200, .at_most = 100};          // [dBm]
+constexpr Range kGain{.at_least = -100, .at_most = 100};           // [dB]
+constexpr Range kMicroseconds{.at_least = 0.001, .at_most = 1e6};  // whole nanoseconds
+constexpr double kMinLifetime = 1e-9, kMaxLifetime = 86400;        // [s]
 constexpr std::uint32_t kMaxSlots = 65535;
 
 Time from_us(double us) {
@@ -45,7 +45,8 @@ std::optional<std::uint32_t> slots_in(const std::string& text) {
 
 std::optional<double> lifetime_in(const std::string& text) {
   const auto seconds = scenario::parse_number(text);
-  if (!seconds || !(*seconds > 0 && *seconds <= kMaxLifetime)) return std::nullopt;
+  if (!seconds || !(*seconds >= kMinLifetime && *seconds <= kMaxLifetime))
+    return std::nullopt;
   return seconds;
 }
 
@@ -232,8 +233,8 @@ Fields<MacSection> mac_fields() {
             })
       .rule("queue_lifetime_s", [](const T& t) -> std::string {
         if (t.queue_lifetime_s == "none" || lifetime_in(t.queue_lifetime_s)) return "";
-        return fmt::format("found {}; needs \"none\" or a number above 0 and at most {}.",
-                           t.queue_lifetime_s, kMaxLifetime);
+        return fmt::format("found {}; needs \"none\" or a number from {} to {}.",
+                           t.queue_lifetime_s, kMinLifetime, kMaxLifetime);
       });
 }
 

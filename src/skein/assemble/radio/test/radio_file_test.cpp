@@ -111,6 +111,13 @@ station_antenna:
   EXPECT_EQ(write_radio(again.value()), written);
 }
 
+TEST(RadioFile, RefusesTimesThatAreNoNanosecond) {
+  EXPECT_NE(problems_with("mac: {sifs_us: 1e-9}").find("mac.sifs_us"), std::string::npos);
+  EXPECT_NE(problems_with("mac: {queue_lifetime_s: 1e-12}").find("queue_lifetime_s"),
+            std::string::npos);
+  EXPECT_EQ(problems_with("mac: {sifs_us: 0.001, queue_lifetime_s: 1e-9}"), "");
+}
+
 TEST(RadioFile, AdaptsPowerWithAcknowledgementsOnly) {
   const auto file = read_radio(
       "mac: {adaptive_power: true, power_margin_db: 9, min_power_dbm: -5}", "x.yaml");
