@@ -33,13 +33,14 @@ LossCause cause_of_end(PacketEnd end) {
 }
 
 Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
-                      const PositionLookup& position) {
+                      const PositionLookup& position, NodeAntennas antennas) {
   Links::Nodes nodes;
   nodes.move = false;  // but when places_changed() says so
   nodes.transmit_power_dbm.assign(entities, transmit_power_dbm);
   nodes.place = [position](NodeIndex node, Time) {
     return position(EntityId{node}).value_or(kNowhere);
   };
+  nodes.antennas = std::move(antennas);
   return nodes;
 }
 
@@ -62,24 +63,25 @@ std::uint32_t free_place(std::vector<T>& all, std::vector<std::uint32_t>& unused
 }  // namespace
 
 MediumRadio::MediumRadio(const MediumRadioOptions& options,
-                         std::unique_ptr<Propagation> propagation, std::size_t entities,
-                         PositionLookup position, NameLookup name, std::uint64_t seed)
+                         std::unique_ptr<Propagation> propagation, RadioNodes nodes,
+                         std::uint64_t seed)
     : options_(options),
       propagation_(std::move(propagation)),
-      entities_(entities),
-      position_(std::move(position)),
-      name_(std::move(name)),
+      entities_(nodes.count),
+      position_(std::move(nodes.position)),
+      name_(std::move(nodes.name)),
       seed_(seed),
       medium_(options.profile, *propagation_,
-              nodes_of(entities, options.profile.phy.transmit_power_dbm, position_), seed,
-              *this),
-      meter_(options.profile.mac.access, entities),
+              nodes_of(entities_, options.profile.phy.transmit_power_dbm, position_,
+                       std::move(nodes.antennas)),
+              seed, *this),
+      meter_(options.profile.mac.access, entities_),
       knows_neighbours_(options.routing != Routing::kNone ||
                         options.advertisement_period > 0),
-      neighbours_(entities, patience_of(options.advertisement_period)),
-      waiting_(entities, 0) {
+      neighbours_(entities_, patience_of(options.advertisement_period)),
+      waiting_(entities_, 0) {
   SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes + kRouteBytes);
-  for (std::uint32_t node = 0; node < entities; ++node) {
+  for (std::uint32_t node = 0; node < entities_; ++node) {
     relay_delays_.emplace_back(seed, node, Purpose::kRadio, kRelayDelays);
     advertisement_times_.emplace_back(seed, node, Purpose::kRadio, kAdvertisementTimes);
     if (options.advertisement_period > 0)
