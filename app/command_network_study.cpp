@@ -59,9 +59,11 @@ Result<assemble::RadioFile> radio_of(NetworkExperiment experiment,
   if (!radio) return radio;
   if (experiment != NetworkExperiment::kGrid)
     radio.value().radio.mac.queue_packets = kSaturatedQueue;
-  if (cell)
-    radio.value().propagation = {.model = communication::PropagationModel::kFixed,
-                                 .received_power_dbm = kCellPower};
+  if (cell) {
+    auto& propagation = radio.value().propagation;
+    propagation.model = communication::PropagationModel::kFixed;
+    propagation.received_power_dbm = kCellPower;
+  }
   radio.value().radio.mac.rts_threshold_bytes = 65535;
   return radio;
 }

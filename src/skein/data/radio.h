@@ -60,7 +60,8 @@ struct RadioStatus {
   /// Share of the last second in which the medium was busy, by others or by itself; where
   /// each sends in times of its own, the share of these that it used. 0 to 1.
   double load = 0;
-  std::uint32_t waiting = 0;  ///< messages that it has not sent yet
+  std::uint32_t waiting = 0;  ///< packets that it has not sent yet
+  bool shared = false;        ///< others use the same medium
 };
 
 /// What a radio did since the last of these.

@@ -96,7 +96,8 @@ void MediumRadio::send(const Message& message) {
 
 RadioStatus MediumRadio::status(EntityId id) const {
   if (id.value >= entities_) return {};
-  return {meter_.load(id.value), waiting_[id.value]};
+  return {meter_.load(id.value), waiting_[id.value],
+          options_.profile.mac.access != AccessMethod::kDirect};
 }
 
 void MediumRadio::deliver(Time now, RadioNews& news) {

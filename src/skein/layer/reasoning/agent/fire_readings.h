@@ -6,6 +6,7 @@
 
 #include "skein/data/agent_step.h"
 #include "skein/data/fire.h"
+#include "skein/layer/reasoning/agent/report_rate.h"
 
 namespace skein::reasoning {
 
@@ -16,7 +17,8 @@ namespace skein::reasoning {
 /// as they say where the fire's edge is, and a share of the others, evenly.
 class FireReadings {
  public:
-  FireReadings(EntityId self, EntityId station) : self_(self), station_(station) {}
+  FireReadings(EntityId self, EntityId station)
+      : self_(self), station_(station), credit_(ReportRate::phase(self)) {}
 
   /// To be called at each step; needs in.nav.
   /// @param share  of the readings that the air has room for, above 0, at most 1.
@@ -30,7 +32,7 @@ class FireReadings {
   std::optional<FireReading> last_;
   bool last_sent_ = false;
   std::vector<FireReading> to_send_;
-  double credit_ = 1;  // of readings that may be sent
+  double credit_;  // of readings that may be sent
   std::vector<FireReading> latest_;
 };
 

@@ -17,7 +17,7 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
       beliefs_(station),
       rate_(options.report_rate),
       readings_(context.self, station),
-      report_(station, options.report_period),
+      report_(context.self, station, options.report_period),
       tasks_(context.self, station, std::move(make)),
       chain_(context, options.separation, options.pilot, loiter_, tasks_),
       alerting_(options.separation.well_clear) {

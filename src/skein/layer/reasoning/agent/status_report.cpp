@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "skein/layer/reasoning/agent/report_rate.h"
+
 namespace skein::reasoning {
 namespace {
 
@@ -20,6 +22,8 @@ bool StatusReport::is_due(const AgentInput& in, const TaskPlanner& tasks,
 bool StatusReport::step(const AgentInput& in, const FlightLimits& limits,
                         const TaskPlanner& tasks, std::uint32_t zone_changes,
                         double share, AgentOutput& out) {
+  if (!next_ && share < 1)
+    next_ = in.now + Time::from_seconds(period_ / share * ReportRate::phase(self_));
   if (!is_due(in, tasks, share)) return false;
   // Even spacing, also when steps do not fall on the period.
   const bool early = next_ && in.now < *next_;

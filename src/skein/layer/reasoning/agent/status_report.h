@@ -15,7 +15,8 @@ namespace skein::reasoning {
 class StatusReport {
  public:
   /// @param period  between two reports [s].
-  StatusReport(EntityId station, double period) : station_(station), period_(period) {}
+  StatusReport(EntityId self, EntityId station, double period)
+      : self_(self), station_(station), period_(period) {}
 
   /// To be called at each step; needs in.nav.
   /// @param zone_changes  it acknowledges the changes of zones up to this number.
@@ -27,7 +28,7 @@ class StatusReport {
  private:
   bool is_due(const AgentInput& in, const TaskPlanner& tasks, double share) const;
 
-  EntityId station_;
+  EntityId self_, station_;
   double period_;
   std::uint32_t reports_ = 0;
   std::uint32_t said_order_ = 0;  // in the last report

@@ -22,7 +22,7 @@ struct Air {
   }
   void seconds(int from, int to) {
     for (int t = from; t < to; ++t) {
-      const RadioStatus radio{load(), 0};
+      const RadioStatus radio{load(), 0, true};
       for (ReportRate& rate : rates) rate.step(Time::from_seconds(t), radio);
     }
   }
@@ -55,13 +55,30 @@ TEST(ReportRate, WhoComesLateGetsAsMuch) {
 
 TEST(ReportRate, AFullQueueCountsAsAFullAir) {
   ReportRate rate({});
-  for (int t = 0; t < 60; ++t) rate.step(Time::from_seconds(t), {0.1, 10});
+  for (int t = 0; t < 60; ++t) rate.step(Time::from_seconds(t), {0.1, 10, true});
   EXPECT_LT(rate.share(), 0.1);
+}
+
+TEST(ReportRate, BeginsLowWhereOthersUseTheMediumAndRisesWhereItIsIdle) {
+  ReportRate rate({});
+  rate.step(Time(), {0, 0, true});
+  EXPECT_LT(rate.share(), 0.2);
+  for (int t = 1; t < 15; ++t) rate.step(Time::from_seconds(t), {0.01, 0, true});
+  EXPECT_EQ(rate.share(), 1);
+}
+
+TEST(ReportRate, PhasesOfATeamAreSpread) {
+  std::vector<double> phases;
+  for (std::uint32_t id = 1; id <= 40; ++id)
+    phases.push_back(ReportRate::phase(EntityId{id}));
+  std::sort(phases.begin(), phases.end());
+  for (std::size_t k = 1; k < phases.size(); ++k)
+    EXPECT_GT(phases[k] - phases[k - 1], 0.2 / 40);
 }
 
 TEST(ReportRate, NoTargetNoAdaptation) {
   ReportRate rate({.target_load = 0});
-  for (int t = 0; t < 60; ++t) rate.step(Time::from_seconds(t), {1, 10});
+  for (int t = 0; t < 60; ++t) rate.step(Time::from_seconds(t), {1, 10, true});
   EXPECT_EQ(rate.share(), 1);
 }
 
