@@ -17,6 +17,7 @@ constexpr double kSoon = 60;   // zones that come into force within this count [
 constexpr double kNewsEvery = 60;   // of one kind of warning [s]
 constexpr double kAssembly = 3;     // for all to report before they are deployed [s]
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
+constexpr int kResentAtOnce = 5;     // where others use the same medium
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
 // outside at the fire's origin, from inside beyond the nearest believed boundary.
@@ -60,7 +61,7 @@ void Coordinator::step(const AgentInput& in, AgentOutput& out) {
   deploy(in.now, out);
   force_crossings(in.now, out);
   allocate(in.now, out);
-  resend_lost_orders(in.now, out);
+  resend_lost_orders(in, out);
   record_belief(in.now, out);
   look_ahead(in.now, out);
 }
@@ -312,14 +313,20 @@ void Coordinator::allocate(Time now, AgentOutput& out) {
       order(*member, std::move(assignment.what), now, out);
 }
 
-void Coordinator::resend_lost_orders(Time now, AgentOutput& out) {
+// Orders that its radio has not sent yet are not lost; a few at once leave it room.
+void Coordinator::resend_lost_orders(const AgentInput& in, AgentOutput& out) {
+  if (in.radio.waiting > 0) return;
+  const Time now = in.now;
+  int left = in.radio.shared ? kResentAtOnce : std::numeric_limits<int>::max();
   for (Member& member : roster_.members()) {
+    if (left == 0) return;
     if (!member.available || member.status.task.number == 0 ||
         member.reported_task == member.status.task.number ||
         (now - member.task_sent).seconds() < kResendAfter)
       continue;
     member.task_sent = now;
     send_order(member, out);
+    --left;
   }
 }
 

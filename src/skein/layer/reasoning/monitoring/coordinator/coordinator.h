@@ -75,7 +75,7 @@ class Coordinator : public Mission {
   void send_to_entries(Time now, AgentOutput& out);
   void force_crossings(Time now, AgentOutput& out);
   void allocate(Time now, AgentOutput& out);
-  void resend_lost_orders(Time now, AgentOutput& out);
+  void resend_lost_orders(const AgentInput& in, AgentOutput& out);
   void order(Member& member, TaskKind what, Time now, AgentOutput& out);
   void record_belief(Time now, AgentOutput& out);
   void look_ahead(Time now, AgentOutput& out);
