@@ -498,6 +498,7 @@ class Builder {
     for (const simulation::Entity& entity : build_.world.entities)
       names.push_back(entity.name);
     context.name = [names](EntityId id) { return names.at(id.value); };
+    context.terrain = build_.world.terrain.get();
     auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();
     build_.world.radio = std::move(made).value();

@@ -142,6 +142,7 @@ struct RadioContext {
   std::size_t entities = 0;  ///< all of the run, those that come late too
   std::function<std::optional<Vec3>(EntityId)> position;
   std::function<std::string(EntityId)> name;
+  const Terrain* terrain = nullptr;  ///< of the run; outlives the radio
 };
 
 /// What every estimator is given besides its options.

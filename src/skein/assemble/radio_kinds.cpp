@@ -2,6 +2,7 @@
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/radio/radio_file.h"
+#include "skein/assemble/radio_security.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/team_setup.h"
 #include "skein/layer/communication/ideal_radio.h"
@@ -37,7 +38,9 @@ Fields<communication::IdealRadioOptions> ideal_fields() {
 struct MediumChoice {
   std::string profile = "wifi-dsss-2";
   std::string file;
-  communication::MediumRadioOptions radio;  // without its profile
+  communication::MediumRadioOptions radio;  // without its profile and its security
+  std::vector<AttackChoice> attacks;
+  std::optional<AuthenticationChoice> authentication;
 };
 
 Fields<MediumChoice> medium_fields() {
@@ -64,7 +67,12 @@ Fields<MediumChoice> medium_fields() {
                   [](T & t) -> auto& { return t.radio.advertisement_period; },
                   "Between a radio's words that it is there, by which others find their "
                   "neighbours; 0: none.",
-                  {.at_least = 0, .at_most = 3600});
+                  {.at_least = 0, .at_most = 3600})
+      .object("attacks", &T::attacks, attack_fields(),
+              "Who disturbs the radio, or lies by it.")
+      .items({.at_most = 100})
+      .object("authentication", &T::authentication, authentication_fields(),
+              "Messages carry a tag of the team's key; null: none.");
 }
 
 Result<RadioFile> load(const MediumChoice& choice) {
@@ -115,6 +123,14 @@ Kinds<Radio, RadioContext> radio_kinds() {
         if (!file) return file.error();
         communication::MediumRadioOptions options = o.radio;
         options.profile = file.value().radio;
+        auto attacks = make_attacks(o.attacks, c, options.profile.mac);
+        if (!attacks) return attacks.error();
+        options.attacks = std::move(attacks).value();
+        if (o.authentication) {
+          const auto authentication = make_authentication(*o.authentication);
+          if (!authentication) return authentication.error();
+          options.authentication = authentication.value();
+        }
         return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
             options,
             communication::make_propagation(file.value().propagation,

@@ -5,6 +5,13 @@
 
 namespace skein::record {
 
+void RadioStatistics::message(LossCause cause, bool forged) {
+  ++messages_[static_cast<std::size_t>(cause)];
+  if (!forged) return;
+  ++forged_;
+  if (cause == LossCause::kNone) ++accepted_;
+}
+
 void RadioStatistics::radio(const RadioUse& use) {
   const double load = std::min(1.0, use.sending_share + use.busy_share);
   load_ += load;
@@ -24,6 +31,10 @@ void RadioStatistics::add_figures(std::map<std::string, double>& figures) const 
     std::string name = "messages_lost_" + std::string(kNames[cause]);
     std::replace(name.begin(), name.end(), '-', '_');
     figures[name] = static_cast<double>(messages_[cause]);
+  }
+  if (forged_ > 0) {
+    figures["messages_forged"] = static_cast<double>(forged_);
+    figures["messages_forged_accepted"] = static_cast<double>(accepted_);
   }
   if (rows_ == 0) return;
   figures["radio_load_mean"] = load_ / static_cast<double>(rows_);

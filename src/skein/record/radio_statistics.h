@@ -14,11 +14,12 @@ namespace skein::record {
 class RadioStatistics {
  public:
   /// A message that arrived (kNone) or was lost.
-  void message(LossCause cause) { ++messages_[static_cast<std::size_t>(cause)]; }
+  void message(LossCause cause, bool forged);
   void radio(const RadioUse& use);
 
   /// Adds `messages_sent`, `messages_lost`, of each cause that there was
-  /// `messages_lost_<cause>`, and where there is a medium `radio_load_mean` and
+  /// `messages_lost_<cause>`, where there were forged ones `messages_forged` and of these
+  /// `messages_forged_accepted`, and where there is a medium `radio_load_mean` and
   /// `radio_load_max`: the share of the time in which a radio sent or heard others, of
   /// all radios and times, and the highest of a radio between two records;
   /// `radio_sending_max`: the same of sending alone.
@@ -27,6 +28,7 @@ class RadioStatistics {
  private:
   std::array<std::uint64_t, names_of(static_cast<const LossCause*>(nullptr)).size()>
       messages_ = {};
+  std::uint64_t forged_ = 0, accepted_ = 0;
   double load_ = 0, load_max_ = 0, sending_max_ = 0;
   std::uint64_t rows_ = 0;
 };

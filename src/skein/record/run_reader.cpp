@@ -257,13 +257,13 @@ class Reader {
     const auto bins = static_cast<std::size_t>(needed);
     run_.messages_sent.assign(bins, 0);
     run_.messages_lost.assign(bins, 0);
-    return rows("SELECT sent_s, cause FROM messages", [&](const Statement& row) {
+    return rows("SELECT sent_s, cause, forged FROM messages", [&](const Statement& row) {
       const double bin = std::max(0.0, row.real(0) / run_.message_bin);
       const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
       ++run_.messages_sent[k];
       const LossCause cause = loss_cause(row.text(1));
       if (cause != LossCause::kNone) ++run_.messages_lost[k];
-      statistics_.radio().message(cause);
+      statistics_.radio().message(cause, row.integer(2) != 0);
     });
   }
 

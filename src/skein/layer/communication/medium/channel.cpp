@@ -131,7 +131,7 @@ void Channel::arrive(FrameIndex index, const Link& link, Time now) {
   receiver.signals.push_back({index, link.power, now + on_air_[index].frame.duration});
   receiver.power += link.power;
   hear(receiver, now);
-  if (receives || now < receiver.sending_until)
+  if (receives || now < receiver.sending_until || on_air_[index].frame.noise)
     sense(link.to, now);
   else
     receiver.candidates.push_back({index, link.power});

@@ -238,7 +238,10 @@ void Dcf::on_payload_lost(NodeIndex node, Time now) {
 void Dcf::on_received(NodeIndex node, Time now, const Frame& frame,
                       const Reception& reception) {
   Station& station = stations_[node];
-  if (frame.to != node && frame.to != kAllNodes) return reserve(node, frame, now);
+  if (frame.to != node && frame.to != kAllNodes) {
+    if (frame.kind == FrameKind::kData) listener_.on_overheard(frame, node, now);
+    return reserve(node, frame, now);
+  }
   switch (frame.kind) {
     case FrameKind::kData: {
       if (frame.to == kAllNodes) 

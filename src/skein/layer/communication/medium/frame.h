@@ -26,6 +26,7 @@ struct Frame {
   std::uint32_t mac_bytes = 0;  ///< with header and check sequence
   Time duration;                ///< on the air, with preamble
   Time reserved = {};           ///< what its duration field asks others to wait after it
+  bool noise = false;           ///< nobody can decode it
 };
 
 /// How a frame arrived at a receiver.

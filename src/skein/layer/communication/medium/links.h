@@ -28,12 +28,15 @@ class Links {
     NodePlace place;
     std::vector<double> transmit_power_dbm;  ///< of each node
     bool move = true;  ///< false: they stay where they are at the beginning
+    std::size_t outsiders = 0;  ///< the last ones, which share slots with others
   };
 
   /// @param propagation  outlives this
   Links(const PhyProfile& phy, const Propagation& propagation, Nodes nodes);
 
   std::size_t size() const { return tables_.size(); }
+  /// Those that are no outsiders.
+  std::size_t members() const { return tables_.size() - nodes_.outsiders; }
 
   /// Those that a signal of `from` reaches with at least the interference floor, nearest
   /// first. Cost: of nodes that move, N log N each time.
