@@ -5,6 +5,7 @@
 #include <ctime>
 #include <fstream>
 #include <memory>
+#include <utility>
 
 #include "app/command_options.h"
 #include "app/commands.h"
@@ -13,6 +14,7 @@
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/exchange/network_results.h"
 #include "skein/exchange/network_tables.h"
+#include "skein/layer/communication/antenna/antenna_pattern.h"
 #include "skein/layer/communication/experiment/network_run.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
@@ -96,7 +98,11 @@ int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
       return say_error({ErrorCode::kUnavailable, given.trace, "cannot be written.", ""});
   }
   const std::clock_t began = std::clock();
-  communication::NetworkRun run(network, radio.value().radio, *propagation, given.seed);
+  communication::NodeAntennas antennas;
+  if (const auto antenna = communication::make_antenna(radio.value().antenna))
+    antennas.of.assign(network.nodes.size(), antenna);
+  communication::NetworkRun run(network, radio.value().radio, *propagation, given.seed,
+                                std::move(antennas));
   if (trace.is_open())
     run.on_transmission = [&](const TransmissionRecord& transmission) {
       trace << exchange::network_trace_row(network, transmission);

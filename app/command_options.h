@@ -29,6 +29,8 @@ void add_set_option(CLI::App& command, std::vector<std::string>& overrides);
 Command add_link(CLI::App& program, const std::atomic<bool>& stop);
 Command add_vehicle(CLI::App& program, const std::atomic<bool>& stop);
 Command add_agent(CLI::App& program, const std::atomic<bool>& stop);
+/// A bad connection between others.
+Command add_relay(CLI::App& program, const std::atomic<bool>& stop);
 
 // The radio medium alone.
 

@@ -10,6 +10,7 @@
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/build.h"
 #include "skein/assemble/radio/radio_file.h"
+#include "skein/assemble/relay/relay_profile.h"
 #include "skein/assemble/verify_kinds.h"
 #include "skein/base/check.h"
 #include "skein/base/log.h"
@@ -140,6 +141,7 @@ namespace {
 const scenario::Document* document_of(const std::string& name) {
   if (name == "aircraft") return &assemble::aircraft_document();
   if (name == "radio") return &assemble::radio_document();
+  if (name == "relay") return &assemble::relay_document();
   if (name == "campaign") return &campaign::campaign_document();
   return nullptr;
 }

@@ -195,10 +195,11 @@ Command add_description(CLI::App& program, const char* name, const char* help,
   };
   auto* command = program.add_subcommand(name, help);
   const auto given = std::make_shared<Given>();
-  std::vector<std::string> documents = {"scenario", "aircraft", "radio", "campaign",
-                                        "records"};
+  std::vector<std::string> documents = {"scenario", "aircraft", "radio",
+                                        "relay",    "campaign", "records"};
   std::string which =
-      "Of which files: scenario, aircraft, radio or campaign; records: what runs leave "
+      "Of which files: scenario, aircraft, radio, relay or campaign; records: what runs "
+      "leave "
       "behind";
   if (std::string_view(name) == "keys") {
     documents.emplace_back("tasks");
@@ -484,10 +485,11 @@ int run_program(int argc, char** argv) {
   program.failure_message(CLI::FailureMessage::simple);
   std::vector<Command> commands;
   for (auto* add : {add_run, add_check, add_list}) commands.push_back(add(program));
-  commands.push_back(add_description(program, "schema",
-                                     "Print the JSON Schema of scenario, aircraft, radio "
-                                     "or campaign files, for editors.",
-                                     kSchemaExamples, schema_command));
+  commands.push_back(
+      add_description(program, "schema",
+                      "Print the JSON Schema of scenario, aircraft, radio, "
+                      "relay or campaign files, for editors.",
+                      kSchemaExamples, schema_command));
   commands.push_back(add_description(program, "keys",
                                      "Print the documentation of all keys (Markdown).",
                                      kKeysExamples, keys_command));
@@ -495,7 +497,7 @@ int run_program(int argc, char** argv) {
   const PlanOptions plan(program);
   for (auto* add : {add_avoid, add_report, add_export, add_fire})
     commands.push_back(add(program));
-  for (auto* add : {add_link, add_vehicle, add_agent, add_team, add_net})
+  for (auto* add : {add_link, add_relay, add_vehicle, add_agent, add_team, add_net})
     commands.push_back(add(program, stop_requested));
   for (auto* add : {add_study, add_campaign, add_completion})
     commands.push_back(add(program));

@@ -120,6 +120,16 @@ export interface RunData {
     texts: Record<string, string>;
   };
   messages: { bin_s: number; sent: number[]; lost: number[] };
+  /** Of a run whose radio has a medium: load of the air over time (float32), radios, links. */
+  radio: {
+    time_s: Packed;
+    load_mean: Packed;
+    load_max: Packed;
+    radios: { entity: number; frames: number; sending: number; busy: number; waiting: number; queue_full: number;
+      retry_limit: number; expired: number; received: number }[];
+    links: { from: number; to: number; arrived: number; lost: number; rssi_dbm: number | null; sinr_db: number | null;
+      delay_s: number | null }[];
+  } | null;
   events: Event[];
   events_left_out: number;
   scenario: string;

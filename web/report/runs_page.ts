@@ -7,6 +7,7 @@ import { flightCharts } from "./flight_plots";
 import { chosen, sameFire } from "./scenario_text";
 import { pilotPanel } from "./pilot_panel";
 import { Player } from "./player";
+import { loadLines, radioPanel } from "./radio_panel";
 
 const kStates = {
   complete: "complete",
@@ -124,6 +125,8 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
     ...missionCharts(runs).map(make),
     ...(runs.length === 1 ? flightCharts(runs[0]).map(make) : []),
     make({ title: "Messages per minute", lines: messageLines(runs) }),
+    make({ title: "Load of the air", note: "share of the time in which radios sent or heard others", range: [0, 1.02],
+      lines: loadLines(runs) }),
   ].flat();
 }
 
@@ -190,6 +193,7 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
     section("Over time", "plots",
       h("p", { class: "hint" }, "Drag across a plot to zoom, double-click to see all; a click moves the map to that time."),
       h("div", { class: "charts" }, ...charts.map((c) => c.element))),
+    ...(several || !runs[0].radio ? [] : [section("Radios", "radios", ...radioPanel(runs[0]))]),
     ...[eventList(runs), scenarios.length > 0 ? section("Scenario", "scenario", ...scenarios) : null]
       .filter((part): part is HTMLElement => part !== null),
   ];

@@ -52,6 +52,7 @@ class SharedTerrain : public Terrain {
     return terrain_->elevation_msl(p);
   }
   Vec2 gradient(const Vec2& p) const override { return terrain_->gradient(p); }
+  double highest_msl() const override { return terrain_->highest_msl(); }
 
  private:
   std::shared_ptr<const Terrain> terrain_;
@@ -498,6 +499,14 @@ class Builder {
     for (const simulation::Entity& entity : build_.world.entities)
       names.push_back(entity.name);
     context.name = [names](EntityId id) { return names.at(id.value); };
+    context.attitude = [vehicles](EntityId id) -> Mat3 {
+      if (id.value >= vehicles.size() || !vehicles[id.value]) return Mat3::Identity();
+      if (const VehicleState* truth = vehicles[id.value]->truth())
+        return truth->q_NB.toRotationMatrix();
+      const NavEstimate& nav = vehicles[id.value]->estimate();
+      return geo::from_euler({nav.roll, nav.pitch, nav.heading}).toRotationMatrix();
+    };
+    context.stations = antennas.size();
     context.terrain = build_.world.terrain.get();
     auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();

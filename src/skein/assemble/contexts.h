@@ -19,6 +19,7 @@
 #include "skein/data/vehicle.h"
 #include "skein/data/zone.h"
 #include "skein/geo/local_frame.h"
+#include "skein/geo/rotation.h"
 
 namespace skein {
 class PathPlanner;
@@ -142,6 +143,9 @@ struct RadioContext {
   std::size_t entities = 0;  ///< all of the run, those that come late too
   std::function<std::optional<Vec3>(EntityId)> position;
   std::function<std::string(EntityId)> name;
+  /// R_NB of an entity now; level and to the north where it has none.
+  std::function<Mat3(EntityId)> attitude = {};
+  std::size_t stations = 0;          ///< the first entities, which are no aircraft
   const Terrain* terrain = nullptr;  ///< of the run; outlives the radio
 };
 

@@ -1,13 +1,23 @@
 // Radios: one row each.
 
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/radio/antenna_fields.h"
+#include "skein/assemble/radio/obstacle_fields.h"
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/radio_security.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/team_setup.h"
+#include "skein/layer/communication/antenna/antenna_pattern.h"
 #include "skein/layer/communication/ideal_radio.h"
 #include "skein/layer/communication/medium_radio.h"
 #include "skein/layer/communication/propagation/path_loss.h"
+#include "skein/layer/communication/propagation/terrain_diffraction.h"
 
 namespace skein::assemble {
 namespace {
@@ -39,6 +49,10 @@ struct MediumChoice {
   std::string profile = "wifi-dsss-2";
   std::string file;
   communication::MediumRadioOptions radio;  // without its profile and its security
+  std::vector<ObstacleSection> obstacles;
+  bool terrain = false;
+  double terrain_step = 30;  // [m]
+  std::optional<communication::AntennaProfile> antenna, station_antenna;
   std::vector<AttackChoice> attacks;
   std::optional<AuthenticationChoice> authentication;
 };
@@ -68,6 +82,19 @@ Fields<MediumChoice> medium_fields() {
                   "Between a radio's words that it is there, by which others find their "
                   "neighbours; 0: none.",
                   {.at_least = 0, .at_most = 3600})
+      .object("obstacles", &T::obstacles, obstacle_fields(),
+              "What stands between radios, besides the obstacles of the radio file.")
+      .items({.at_most = kMaxObstacles})
+      .boolean("terrain", &T::terrain,
+               "The ground takes from signals what diffraction at its edges takes.")
+      .number("terrain_step_m", &T::terrain_step,
+              "With `terrain`: between looks at the ground, of which each link has at "
+              "most 64.",
+              {.at_least = 1, .at_most = 1000})
+      .object("antenna", &T::antenna, antenna_fields(),
+              "Of aircraft, instead of that of the radio. Null: that one.")
+      .object("station_antenna", &T::station_antenna, antenna_fields(),
+              "The same for ground stations.")
       .object("attacks", &T::attacks, attack_fields(),
               "Who disturbs the radio, or lies by it.")
       .items({.at_most = 100})
@@ -79,10 +106,50 @@ Result<RadioFile> load(const MediumChoice& choice) {
   return load_radio(choice.file.empty() ? choice.profile : choice.file, ".");
 }
 
-// How far its frames are understood where nothing interferes [m]; 0: no limit.
+// Signals of a run on their way.
+Result<std::unique_ptr<Propagation>> propagation_in_run(const MediumChoice& choice,
+                                                        const RadioFile& file,
+                                                        const RadioContext& context) {
+  auto profile = file.propagation;
+  for (const ObstacleSection& each : choice.obstacles)
+    profile.obstacles.push_back(obstacle_of(each));
+  const double frequency = file.radio.phy.frequency;
+  auto made = communication::make_propagation(profile, frequency, context.seed);
+  if (!choice.terrain) return made;
+  if (!context.terrain)
+    return Error{ErrorCode::kBadInput, "terrain", "there is no terrain here.", ""};
+  return std::unique_ptr<Propagation>(std::make_unique<communication::TerrainDiffraction>(
+      std::move(made), *context.terrain, frequency, choice.terrain_step));
+}
+
+// Antennas of all entities of a run.
+communication::NodeAntennas antennas_in_run(const MediumChoice& choice,
+                                            const RadioFile& file,
+                                            const RadioContext& context) {
+  const auto aircraft =
+      communication::make_antenna(choice.antenna.value_or(file.antenna));
+  const auto station =
+      communication::make_antenna(choice.station_antenna.value_or(file.station_antenna));
+  communication::NodeAntennas antennas;
+  if (!aircraft && !station) return antennas;
+  antennas.of.assign(context.entities, aircraft);
+  for (std::size_t k = 0; k < std::min(context.stations, context.entities); ++k)
+    antennas.of[k] = station;
+  if (context.attitude)
+    antennas.attitude = [attitude = context.attitude](communication::NodeIndex node,
+                                                      Time) {
+      return attitude(EntityId{node});
+    };
+  return antennas;
+}
+
+// How far its frames are understood where nothing interferes and nothing stands in the
+// way [m]; 0: no limit.
 double range_of(const RadioFile& file) {
+  auto open = file.propagation;
+  open.obstacles.clear();
   const auto propagation =
-      communication::make_propagation(file.propagation, file.radio.phy.frequency, 0);
+      communication::make_propagation(open, file.radio.phy.frequency, 0);
   const auto& phy = file.radio.phy;
   const double radiated = communication::watts(
       phy.transmit_power_dbm + phy.transmit_gain_db + phy.receive_gain_db);
@@ -121,6 +188,8 @@ Kinds<Radio, RadioContext> radio_kinds() {
       [](const MediumChoice& o, const RadioContext& c) -> Result<std::unique_ptr<Radio>> {
         const auto file = load(o);
         if (!file) return file.error();
+        auto propagation = propagation_in_run(o, file.value(), c);
+        if (!propagation) return propagation.error();
         communication::MediumRadioOptions options = o.radio;
         options.profile = file.value().radio;
         auto attacks = make_attacks(o.attacks, c, options.profile.mac);
@@ -132,10 +201,10 @@ Kinds<Radio, RadioContext> radio_kinds() {
           options.authentication = authentication.value();
         }
         return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
-            options,
-            communication::make_propagation(file.value().propagation,
-                                            file.value().radio.phy.frequency, c.seed),
-            c.entities, c.position, c.name, c.seed));
+            options, std::move(propagation).value(),
+            communication::RadioNodes{c.entities, c.position, c.name,
+                                      antennas_in_run(o, file.value(), c)},
+            c.seed));
       });
   return kinds;
 }

@@ -5,8 +5,9 @@
 
 namespace skein::record {
 
-void RadioStatistics::message(LossCause cause, bool forged) {
+void RadioStatistics::message(LossCause cause, std::uint32_t hops, bool forged) {
   ++messages_[static_cast<std::size_t>(cause)];
+  if (cause == LossCause::kNone && hops > 0) ++relayed_;
   if (!forged) return;
   ++forged_;
   if (cause == LossCause::kNone) ++accepted_;
@@ -32,6 +33,7 @@ void RadioStatistics::add_figures(std::map<std::string, double>& figures) const 
     std::replace(name.begin(), name.end(), '-', '_');
     figures[name] = static_cast<double>(messages_[cause]);
   }
+  if (relayed_ > 0) figures["messages_relayed"] = static_cast<double>(relayed_);
   if (forged_ > 0) {
     figures["messages_forged"] = static_cast<double>(forged_);
     figures["messages_forged_accepted"] = static_cast<double>(accepted_);

@@ -15,6 +15,7 @@
 #include "skein/record/page.h"
 #include "skein/record/report_alerts.h"
 #include "skein/record/report_map.h"
+#include "skein/record/report_radio.h"
 #include "skein/record/run_reader.h"
 
 namespace skein::record {
@@ -176,6 +177,7 @@ Json run_json(const StoredRun& run, const std::string& label, const fs::path& di
            {{"bin_s", run.message_bin},
             {"sent", run.messages_sent},
             {"lost", run.messages_lost}}},
+          {"radio", radio_json(run)},
           {"events", std::move(events)},
           {"events_left_out", run.events_left_out},
           {"scenario", scenario},

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "skein/record/radio_sums.h"
 #include "skein/record/record_table.h"
 #include "skein/record/run_database.h"
 #include "skein/record/statistics.h"
@@ -246,9 +247,17 @@ class Reader {
   }
 
   Result<void> radios() {
-    return records<RadioUseRecord>("", [this](const RadioUseRecord& record) {
-      statistics_.radio().radio(record.use);
-    });
+    RadioSums sums;
+    auto done = records<RadioUseRecord>("ORDER BY time_s, entity_id",
+                                        [&](const RadioUseRecord& record) {
+                                          statistics_.radio().radio(record.use);
+                                          sums.add(record);
+                                        });
+    if (!done) return done;
+    done = records<LinkUseRecord>(
+        "", [&](const LinkUseRecord& record) { sums.add(record.use); });
+    if (done) sums.finish(run_);
+    return done;
   }
 
   Result<void> messages() {
@@ -257,13 +266,14 @@ class Reader {
     const auto bins = static_cast<std::size_t>(needed);
     run_.messages_sent.assign(bins, 0);
     run_.messages_lost.assign(bins, 0);
-    return rows("SELECT sent_s, cause, forged FROM messages", [&](const Statement& row) {
+    return rows("SELECT sent_s, cause, hops, forged FROM messages", [&](const Statement& row) {
       const double bin = std::max(0.0, row.real(0) / run_.message_bin);
       const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
       ++run_.messages_sent[k];
       const LossCause cause = loss_cause(row.text(1));
       if (cause != LossCause::kNone) ++run_.messages_lost[k];
-      statistics_.radio().message(cause, row.integer(2) != 0);
+      statistics_.radio().message(cause, static_cast<std::uint32_t>(row.integer(2)),
+                                  row.integer(3) != 0);
     });
   }
 

@@ -77,6 +77,18 @@ struct StoredSeries {
   std::vector<float> values;
 };
 
+/// The load of the air until a time, since the one before.
+struct StoredLoad {
+  double time = 0;          ///< [s]
+  double mean = 0, most = 0;  ///< of all radios: shares of the time
+};
+
+/// What the radio of an entity did in a run; shares are means.
+struct StoredRadio {
+  EntityId id;
+  RadioUse use;
+};
+
 /// How a run came to its end.
 enum class RunEnding { kComplete, kInterrupted, kCutOff };
 
@@ -112,6 +124,9 @@ struct StoredRun {
   int events_left_out = 0;                            ///< more of the most frequent kinds
   double message_bin = 60;                            ///< [s]
   std::vector<int> messages_sent, messages_lost;      ///< per bin
+  std::vector<StoredLoad> loads;                      ///< in order of time
+  std::vector<StoredRadio> radios;                    ///< in the order of their entities
+  std::vector<LinkUse> links;  ///< of the whole run, in the order of sender and receiver
   std::unique_ptr<TerrainRow> terrain;                ///< null when the run has none
 };
 

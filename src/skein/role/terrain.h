@@ -15,6 +15,10 @@ class Terrain {
 
   /// Slope of the ground: d elevation / d(north, east), dimensionless.
   virtual Vec2 gradient(const Vec2& p) const = 0;
+
+  /// An upper bound of elevation_msl() over the whole plane [m]; infinite when none is
+  /// known. Cost: none.
+  virtual double highest_msl() const { return math::kInfinity; }
 };
 
 }  // namespace skein

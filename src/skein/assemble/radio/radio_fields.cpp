@@ -21,10 +21,10 @@ using communication::PropagationProfile;
 using scenario::Fields;
 using scenario::Range;
 
-constexpr Range kLevel{.at_least = -200, .at_most = 100};  // [dBm]
-constexpr Range kGain{.at_least = -100, .at_most = 100};   // [dB]
-constexpr Range kMicroseconds{.above = 0, .at_most = 1e6};
-constexpr double kMaxLifetime = 86400;  // [s]
+constexpr Range kLevel{.at_least = -200, .at_most = 100};          // [dBm]
+constexpr Range kGain{.at_least = -100, .at_most = 100};           // [dB]
+constexpr Range kMicroseconds{.at_least = 0.001, .at_most = 1e6};  // whole nanoseconds
+constexpr double kMinLifetime = 1e-9, kMaxLifetime = 86400;        // [s]
 constexpr std::uint32_t kMaxSlots = 65535;
 
 Time from_us(double us) {
@@ -45,7 +45,8 @@ std::optional<std::uint32_t> slots_in(const std::string& text) {
 
 std::optional<double> lifetime_in(const std::string& text) {
   const auto seconds = scenario::parse_number(text);
-  if (!seconds || !(*seconds > 0 && *seconds <= kMaxLifetime)) return std::nullopt;
+  if (!seconds || !(*seconds >= kMinLifetime && *seconds <= kMaxLifetime))
+    return std::nullopt;
   return seconds;
 }
 
@@ -110,31 +111,41 @@ Fields<PhySection> phy_fields() {
       });
 }
 
-Fields<PropagationProfile> propagation_fields() {
-  using T = PropagationProfile;
+Fields<PropagationSection> propagation_fields() {
+  using T = PropagationSection;
+  const auto in = [](auto member) {
+    return [member](T & t) -> auto& {
+      return t.propagation.*member;
+    };
+  };
   return Fields<T>()
-      .word("model", &T::model, "How signals get weaker on their way.",
+      .word("model", in(&PropagationProfile::model),
+            "How signals get weaker on their way.",
             {{"free-space", PropagationModel::kFreeSpace, "with the distance squared"},
              {"fixed", PropagationModel::kFixed, "all arrive with `received_power_dbm`"},
              {"log-distance", PropagationModel::kLogDistance,
               "with the distance to the power of `exponent`, and shadowing"},
              {"two-ray", PropagationModel::kTwoRay,
               "free space nearby, over flat ground with the distance to the fourth"}})
-      .number("received_power_dbm", &T::received_power_dbm, "Of `fixed`.", kLevel)
-      .number("exponent", &T::exponent, "Of `log-distance`.",
+      .number("received_power_dbm", in(&PropagationProfile::received_power_dbm),
+              "Of `fixed`.", kLevel)
+      .number("exponent", in(&PropagationProfile::exponent), "Of `log-distance`.",
               {.at_least = 1, .at_most = 10})
-      .number("reference_distance_m", &T::reference_distance,
+      .number("reference_distance_m", in(&PropagationProfile::reference_distance),
               "Of `log-distance`: up to there it is free space.",
               {.at_least = 0.1, .at_most = 1e5})
-      .number("shadowing_db", &T::shadowing_db,
+      .number("shadowing_db", in(&PropagationProfile::shadowing_db),
               "Of `log-distance`: standard deviation of what obstacles take or give.",
               {.at_least = 0, .at_most = 40})
-      .number("shadowing_distance_m", &T::shadowing_distance,
+      .number("shadowing_distance_m", in(&PropagationProfile::shadowing_distance),
               "Of `log-distance`: over which shadowing is alike.",
               {.at_least = 1, .at_most = 1e5})
-      .number("antenna_height_m", &T::antenna_height,
+      .number("antenna_height_m", in(&PropagationProfile::antenna_height),
               "Of `two-ray`: above the place of a node.",
-              {.at_least = 0, .at_most = 1000});
+              {.at_least = 0, .at_most = 1000})
+      .object("obstacles", &T::obstacles, obstacle_fields(),
+              "What stands between nodes, with any model.")
+      .items({.at_most = kMaxObstacles});
 }
 
 Fields<MacSection> mac_fields() {
@@ -185,6 +196,18 @@ Fields<MacSection> mac_fields() {
       .integer("part_bytes", in(&MacProfile::part_bytes),
                "In a run longer messages go in parts of so much.",
                {.at_least = 20, .at_most = 65'000})
+      .boolean("adaptive_power", in(&MacProfile::adaptive_power),
+               "With `dcf`: unicasts and their acknowledgements go with the power that "
+               "they need, all else with full power.")
+      .number("power_margin_db", in(&MacProfile::power_margin_db),
+              "With `adaptive_power`: by how much they arrive above "
+              "phy.decode_threshold_dbm.",
+              {.at_least = 0, .at_most = 100})
+      .number("power_step_db", in(&MacProfile::power_step_db),
+              "With `adaptive_power`: so much more after each failure.",
+              {.at_least = 0, .at_most = 30})
+      .number("min_power_dbm", in(&MacProfile::min_power_dbm),
+              "With `adaptive_power`: never less, but for nodes that have less.", kLevel)
       .duration_s("latency_s", in(&MacProfile::latency),
                   "With `direct`: from the end of a packet to its arrival.",
                   {.at_least = 0, .at_most = 3600})
@@ -195,6 +218,12 @@ Fields<MacSection> mac_fields() {
             [](const T& t) -> std::string {
               return t.mac.cw_min <= t.mac.cw_max ? "" : "must not be below cw_min.";
             })
+      .rule("adaptive_power",
+            [](const T& t) -> std::string {
+              return !t.mac.adaptive_power || t.mac.access == AccessMethod::kDcf
+                         ? ""
+                         : "needs access: dcf; nothing else acknowledges.";
+            })
       .rule("backoff_slots",
             [](const T& t) -> std::string {
               if (t.backoff_slots == "random" || slots_in(t.backoff_slots)) return "";
@@ -204,8 +233,8 @@ Fields<MacSection> mac_fields() {
             })
       .rule("queue_lifetime_s", [](const T& t) -> std::string {
         if (t.queue_lifetime_s == "none" || lifetime_in(t.queue_lifetime_s)) return "";
-        return fmt::format("found {}; needs \"none\" or a number above 0 and at most {}.",
-                           t.queue_lifetime_s, kMaxLifetime);
+        return fmt::format("found {}; needs \"none\" or a number from {} to {}.",
+                           t.queue_lifetime_s, kMinLifetime, kMaxLifetime);
       });
 }
 
@@ -214,6 +243,13 @@ PhyProfile phy_of(const PhySection& section) {
   phy.preamble_header = from_us(section.preamble_header_us);
   phy.lock_window = from_us(section.lock_window_us);
   return phy;
+}
+
+PropagationProfile propagation_of(const PropagationSection& section) {
+  PropagationProfile propagation = section.propagation;
+  for (const ObstacleSection& each : section.obstacles)
+    propagation.obstacles.push_back(obstacle_of(each));
+  return propagation;
 }
 
 MacProfile mac_of(const MacSection& section) {
@@ -231,6 +267,14 @@ MacProfile mac_of(const MacSection& section) {
 
 PhySection section_of(const PhyProfile& phy) {
   return {phy, in_us(phy.preamble_header), in_us(phy.lock_window)};
+}
+
+PropagationSection section_of(const PropagationProfile& propagation) {
+  PropagationSection section{propagation, {}};
+  section.propagation.obstacles.clear();
+  for (const communication::Obstacle& each : propagation.obstacles)
+    section.obstacles.push_back(section_of(each));
+  return section;
 }
 
 MacSection section_of(const MacProfile& mac) {

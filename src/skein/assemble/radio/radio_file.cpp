@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "skein/assemble/radio/antenna_fields.h"
 #include "skein/assemble/radio/radio_fields.h"
 #include "skein/scenario/text.h"
 
@@ -17,8 +18,9 @@ namespace {
 struct RadioSections {
   std::string name, description;
   PhySection phy;
-  communication::PropagationProfile propagation;
+  PropagationSection propagation;
   MacSection mac;
+  communication::AntennaProfile antenna, station_antenna;
 };
 
 scenario::Fields<RadioSections> radio_section_fields() {
@@ -30,6 +32,11 @@ scenario::Fields<RadioSections> radio_section_fields() {
       .object("propagation", &T::propagation, propagation_fields(),
               "Signals on their way.")
       .object("mac", &T::mac, mac_fields(), "Access to the medium.")
+      .object("antenna", &T::antenna, antenna_fields(),
+              "Of aircraft, in the frame of the body; of all nodes of `skein net`, which "
+              "are level and point north.")
+      .object("station_antenna", &T::station_antenna, antenna_fields(),
+              "Of ground stations, which are level and point north.")
       .rule("mac.part_bytes", [](const T& t) -> std::string {
         if (t.mac.mac.access != communication::AccessMethod::kTdma) return "";
         const double bytes =
@@ -52,7 +59,9 @@ Result<RadioFile> outcome(const scenario::Reading& reading, const RadioSections&
   return RadioFile{.name = file.name.empty() ? name : file.name,
                    .description = file.description,
                    .radio = {phy_of(file.phy), mac_of(file.mac)},
-                   .propagation = file.propagation};
+                   .propagation = propagation_of(file.propagation),
+                   .antenna = file.antenna,
+                   .station_antenna = file.station_antenna};
 }
 
 }  // namespace
@@ -104,7 +113,9 @@ std::string write_radio(const RadioFile& radio) {
   file.name = radio.name;
   file.description = radio.description;
   file.phy = section_of(radio.radio.phy);
-  file.propagation = radio.propagation;
+  file.propagation = section_of(radio.propagation);
+  file.antenna = radio.antenna;
+  file.station_antenna = radio.station_antenna;
   file.mac = section_of(radio.radio.mac);
   return scenario::write_document(radio_document(), &file, scenario::KindTable{});
 }

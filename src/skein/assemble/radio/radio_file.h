@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "skein/base/result.h"
+#include "skein/layer/communication/antenna/antenna_profile.h"
 #include "skein/layer/communication/medium/radio_profile.h"
 #include "skein/layer/communication/propagation/propagation_profile.h"
 #include "skein/scenario/document.h"
@@ -18,6 +19,8 @@ struct RadioFile {
   std::string description;  ///< one line
   communication::RadioProfile radio;
   communication::PropagationProfile propagation;
+  communication::AntennaProfile antenna;          ///< of aircraft, and of nodes
+  communication::AntennaProfile station_antenna;  ///< of ground stations
 };
 
 /// A radio file that is part of the program.

@@ -35,7 +35,8 @@ LossCause cause_of_end(PacketEnd end) {
 }
 
 Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
-                      const PositionLookup& position, const Attackers& attackers) {
+                      const PositionLookup& position, NodeAntennas antennas,
+                      const Attackers& attackers) {
   Links::Nodes nodes;
   nodes.move = false;  // but when places_changed() says so
   nodes.transmit_power_dbm.assign(entities, transmit_power_dbm);
@@ -49,6 +50,10 @@ Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
     if (node >= entities) return places[node - entities];
     return position(EntityId{node}).value_or(kNowhere);
   };
+  nodes.antennas = std::move(antennas);
+  // Those of attackers are alike in all directions.
+  if (!nodes.antennas.of.empty())
+    nodes.antennas.of.resize(nodes.transmit_power_dbm.size());
   return nodes;
 }
 
@@ -71,28 +76,28 @@ std::uint32_t free_place(std::vector<T>& all, std::vector<std::uint32_t>& unused
 }  // namespace
 
 MediumRadio::MediumRadio(const MediumRadioOptions& options,
-                         std::unique_ptr<Propagation> propagation, std::size_t entities,
-                         PositionLookup position, NameLookup name, std::uint64_t seed)
+                         std::unique_ptr<Propagation> propagation, RadioNodes nodes,
+                         std::uint64_t seed)
     : options_(options),
       propagation_(std::move(propagation)),
-      entities_(entities),
-      position_(std::move(position)),
-      name_(std::move(name)),
+      entities_(nodes.count),
+      position_(std::move(nodes.position)),
+      name_(std::move(nodes.name)),
       seed_(seed),
-      attackers_(options.attacks, static_cast<NodeIndex>(entities), position_,
+      attackers_(options.attacks, static_cast<NodeIndex>(entities_), position_,
                  options.authentication.has_value(), seed),
       medium_(options.profile, *propagation_,
-              nodes_of(entities, options.profile.phy.transmit_power_dbm, position_,
-                       attackers_),
+              nodes_of(entities_, options.profile.phy.transmit_power_dbm, position_,
+                       std::move(nodes.antennas), attackers_),
               seed, *this),
-      meter_(options.profile.mac.access, entities),
+      meter_(options.profile.mac.access, entities_),
       knows_neighbours_(options.routing != Routing::kNone ||
                         options.advertisement_period > 0),
-      neighbours_(entities, patience_of(options.advertisement_period)),
-      waiting_(entities, 0) {
+      neighbours_(entities_, patience_of(options.advertisement_period)),
+      waiting_(entities_, 0) {
   SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes + kRouteBytes);
-  if (options.authentication) authenticity_.emplace(*options.authentication, entities);
-  for (std::uint32_t node = 0; node < entities; ++node) {
+  if (options.authentication) authenticity_.emplace(*options.authentication, entities_);
+  for (std::uint32_t node = 0; node < entities_; ++node) {
     relay_delays_.emplace_back(seed, node, Purpose::kRadio, kRelayDelays);
     advertisement_times_.emplace_back(seed, node, Purpose::kRadio, kAdvertisementTimes);
     if (options.advertisement_period > 0)

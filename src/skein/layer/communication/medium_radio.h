@@ -44,6 +44,14 @@ struct MediumRadioOptions {
 /// What entities are called, in events.
 using NameLookup = std::function<std::string(EntityId)>;
 
+/// The entities that have radios.
+struct RadioNodes {
+  std::size_t count = 0;    ///< messages to others are lost
+  PositionLookup position;  ///< who is without a place hears and says nothing
+  NameLookup name;
+  NodeAntennas antennas = {};
+};
+
 /// A radio whose messages fight for a medium: airtime, carrier sense, collisions, queues,
 /// retries.
 ///
@@ -67,11 +75,8 @@ using NameLookup = std::function<std::string(EntityId)>;
 /// who pass it on too, refuse what is not authentic: its end is LossCause::kRefused.
 class MediumRadio final : public Radio, private MediumListener {
  public:
-  /// @param entities  how many there are; messages to others are lost
-  /// @param position  where an entity is; one without a place hears and says nothing
   MediumRadio(const MediumRadioOptions& options, std::unique_ptr<Propagation> propagation,
-              std::size_t entities, PositionLookup position, NameLookup name,
-              std::uint64_t seed);
+              RadioNodes nodes, std::uint64_t seed);
 
   void send(const Message& message) override;
   void deliver(Time now, RadioNews& news) override;

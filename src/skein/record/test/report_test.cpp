@@ -356,6 +356,26 @@ TEST(Report, ReadsARunThatWasCutOff) {
     EXPECT_NEAR(cut["summary"][name].get<double>(), whole.numbers.at(name), 1e-9) << name;
 }
 
+TEST(Report, ShowsWhatRadiosDidAndWhoHeardWhom) {
+  const TemporaryFolder folder("radios");
+  make_run(folder.path() / "run", 200);
+  const fs::path runs[] = {folder.path() / "run"};
+  ASSERT_TRUE(write_report(runs, folder.path() / "run.html"));
+  const auto run = data_of(folder.path() / "run.html")["runs"][0];
+  const auto& radio = run["radio"];
+  // The station's: sends a tenth of the time, hears others three tenths.
+  EXPECT_NEAR(run["summary"]["radio_load_max"].get<double>(), 0.4, 1e-9);
+  EXPECT_EQ(run["summary"]["messages_lost"], run["summary"]["messages_lost_retry_limit"]);
+  ASSERT_FALSE(radio["links"].empty());
+  const auto& link = radio["links"][0];
+  EXPECT_EQ(link["from"], 1);
+  EXPECT_EQ(link["to"], 0);
+  EXPECT_EQ(link["arrived"].get<int>(), 9 * link["lost"].get<int>());
+  EXPECT_NEAR(link["rssi_dbm"].get<double>(), -75, 1e-9);
+  EXPECT_EQ(radio["radios"][1]["retry_limit"].get<int>(), 3 * 20) << "each ten seconds";
+  EXPECT_EQ(radio["radios"][0]["waiting"], 2) << "the most, not the sum";
+}
+
 TEST(Report, SaysWhenARunIsOfAnotherVersion) {
   const TemporaryFolder folder("older");
   make_run(folder.path() / "old", 60);

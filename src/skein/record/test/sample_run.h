@@ -122,8 +122,10 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
         recorder.record(
             Crossing{now, id, radius * geo::unit(bearing), p, 1.5, distance < radius});
       const Message message{id, ground, ++number, now, reading};
-      recorder.record(MessageRecord{message, now + Time::from_seconds(0.05), 32,
-                                    random.uniform() < 0.05});
+      MessageRecord said{message, now + Time::from_seconds(0.05), 32};
+      said.lost = random.uniform() < 0.05;
+      if (said.lost) said.cause = LossCause::kRetryLimit;
+      recorder.record(said);
       if (step % (60 * rows_per_second) == 0) {
         Task task;
         task.number = static_cast<std::uint32_t>(1 + t);
@@ -143,6 +145,17 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
         point.position += 0.6 * sigma * random.normal() * point.normal;
       recorder.record(
           PerimeterRecord{now, ground, {circle({0, 0}, radius, 400)}, belief});
+    }
+    // Aircraft that hear the ground less well the further back they stand in the list.
+    if (whole_second && step > 0 && step % (10 * rows_per_second) == 0) {
+      for (int a = 0; a <= aircraft; ++a) {
+        const EntityId id{static_cast<std::uint32_t>(a)};
+        recorder.record(RadioUseRecord{
+            now, id, {20, 0.1, a == 0 ? 0.3 : 0.1, 2, 1, a == 1 ? 3u : 0u, 0, 9}});
+        if (a > 0)
+          recorder.record(
+              LinkUseRecord{now, {id, ground, 9, 1, -70.0 - 5 * a, 20.0, 0.02}});
+      }
     }
     if (!recorder.step_done(now)) return;
   }

@@ -13,7 +13,8 @@ namespace skein::contract {
 
 Violations terrain_violations(const Make<Terrain>& make) {
   constexpr int kPoints = 400;
-  constexpr double kStep = 0.5;  // of the differences [m]
+  constexpr double kStep = 0.5;       // of the differences [m]
+  constexpr double kRounding = 1e-6;  // of interpolation [m]
   Checks checks;
   const auto terrain = make();
   RandomStream random = draws(1);
@@ -24,6 +25,8 @@ Violations terrain_violations(const Make<Terrain>& make) {
     const Vec2 slope = terrain->gradient(p);
     checks.expect(std::isfinite(height), "elevation_msl() is not finite everywhere");
     checks.expect(slope.allFinite(), "gradient() is not finite everywhere");
+    checks.expect(height <= terrain->highest_msl() + kRounding,
+                  "somewhere it is higher than highest_msl()");
     checks.expect(height == terrain->elevation_msl(p) && slope == terrain->gradient(p),
                   "the same place has another height or slope when asked again");
     const auto rise = [&](const Vec2& step) {

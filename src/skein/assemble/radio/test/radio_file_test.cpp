@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace skein::assemble {
@@ -75,6 +76,104 @@ TEST(RadioFile, SaysWhatIsWrong) {
   ASSERT_FALSE(missing.ok());
   EXPECT_NE(missing.error().text().find("Did you mean \"wifi-dsss-2\"?"),
             std::string::npos);
+}
+
+TEST(RadioFile, KeepsObstaclesAndAntennas) {
+  const auto file = read_radio(R"(
+propagation:
+  obstacles:
+    - {ring_m: [[0, 0], [0, 10], [10.5, 5]], top_msl_m: 30}
+    - {centre_m: [100, 50], size_m: [20, 40], base_msl_m: 5, top_msl_m: 30, attenuation_db: 12.5}
+    - {centre_m: [0, 200], radius_m: 7, top_msl_m: 60, attenuation_db: .inf}
+antenna: {model: shadowed-by-body, shadow_azimuth_deg: 170, shadow_depth_db: 25}
+station_antenna:
+  model: table
+  azimuths_deg: [0, 90, 180.1, 270]
+  elevations_deg: [0, 45]
+  gains_db: [[0, -1, -2, -1], [-3, -3, -3, -3]]
+)",
+                               "x.yaml");
+  ASSERT_TRUE(file.ok()) << file.error().text();
+  const auto& obstacles = file.value().propagation.obstacles;
+  ASSERT_EQ(obstacles.size(), 3u);
+  EXPECT_TRUE(std::isinf(obstacles[0].attenuation_db));
+  const auto& box = std::get<geo::Ring>(obstacles[1].area);
+  EXPECT_EQ(box[0], Vec2(90, 30));
+  EXPECT_EQ(box[2], Vec2(110, 70));
+  EXPECT_EQ(obstacles[1].attenuation_db, 12.5);
+  EXPECT_EQ(obstacles[1].base_msl, 5);
+  EXPECT_EQ(std::get<Disc>(obstacles[2].area).radius, 7);
+  EXPECT_TRUE(std::isinf(obstacles[2].attenuation_db));
+  EXPECT_EQ(file.value().station_antenna.gains_db[1].size(), 4u);
+  const std::string written = write_radio(file.value());
+  const auto again = read_radio(written, "written");
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  EXPECT_EQ(write_radio(again.value()), written);
+}
+
+TEST(RadioFile, RefusesTimesThatAreNoNanosecond) {
+  EXPECT_NE(problems_with("mac: {sifs_us: 1e-9}").find("mac.sifs_us"), std::string::npos);
+  EXPECT_NE(problems_with("mac: {queue_lifetime_s: 1e-12}").find("queue_lifetime_s"),
+            std::string::npos);
+  EXPECT_EQ(problems_with("mac: {sifs_us: 0.001, queue_lifetime_s: 1e-9}"), "");
+}
+
+TEST(RadioFile, AdaptsPowerWithAcknowledgementsOnly) {
+  const auto file = read_radio(
+      "mac: {adaptive_power: true, power_margin_db: 9, min_power_dbm: -5}", "x.yaml");
+  ASSERT_TRUE(file.ok()) << file.error().text();
+  EXPECT_TRUE(file.value().radio.mac.adaptive_power);
+  EXPECT_EQ(file.value().radio.mac.power_margin_db, 9);
+  EXPECT_NE(problems_with("mac: {adaptive_power: true, access: direct}")
+                .find("mac.adaptive_power: needs access: dcf"),
+            std::string::npos);
+}
+
+TEST(RadioFile, SaysWhatIsWrongWithObstacles) {
+  const auto with = [](const std::string& obstacle) {
+    return problems_with("propagation: {obstacles: [{" + obstacle + "}]}");
+  };
+  EXPECT_EQ(with("centre_m: [0, 0], radius_m: 5, top_msl_m: 10"), "");
+  EXPECT_NE(with("centre_m: [0, 0], top_msl_m: 10").find("needs ring_m, or centre_m"),
+            std::string::npos);
+  EXPECT_NE(with("centre_m: [0, 0], size_m: [1, 1], radius_m: 5, top_msl_m: 10")
+                .find("one of these only"),
+            std::string::npos);
+  EXPECT_NE(with("centre_m: [0, 0], size_m: [1, 0], top_msl_m: 10")
+                .find("obstacles[0].size_m: both must be above 0"),
+            std::string::npos);
+  EXPECT_NE(with("centre_m: [0, 0], radius_m: 5, top_msl_m: 0")
+                .find("must be above base_msl_m"),
+            std::string::npos);
+  EXPECT_NE(with("centre_m: [0, 0], radius_m: 5").find("top_msl_m"), std::string::npos);
+  EXPECT_NE(with("centre_m: [0, 0], radius_m: 5, top_msl_m: 9, attenuation_db: -1")
+                .find("\"opaque\", .inf or a number from 0 to 300"),
+            std::string::npos);
+  EXPECT_NE(with("ring_m: [[0, 0], [10, 10], [10, 0], [0, 10]], top_msl_m: 9")
+                .find("crosses itself"),
+            std::string::npos);
+}
+
+TEST(RadioFile, SaysWhatIsWrongWithAntennas) {
+  const auto with = [](const std::string& antenna) {
+    return problems_with("antenna: {" + antenna + "}");
+  };
+  EXPECT_EQ(with("model: dipole"), "");
+  EXPECT_NE(with("model: table").find("antenna.azimuths_deg: must not be empty"),
+            std::string::npos);
+  EXPECT_NE(with("azimuths_deg: [90, 0], elevations_deg: [0], gains_db: [[0, 0]]")
+                .find("must grow"),
+            std::string::npos);
+  EXPECT_NE(with("azimuths_deg: [0, 90], elevations_deg: [0], gains_db: [[0]]")
+                .find("row 0 has 1 gains; needs one for each of 2 azimuths"),
+            std::string::npos);
+  EXPECT_NE(with("azimuths_deg: [0], elevations_deg: [0, 1], gains_db: [[0]]")
+                .find("has 1 rows; needs one for each of 2 elevations"),
+            std::string::npos);
+  EXPECT_NE(with("azimuths_deg: [360]").find("below 360"), std::string::npos);
+  EXPECT_NE(with("shadow_half_width_deg: 5, shadow_edge_deg: 11").find("at most twice"),
+            std::string::npos);
+  EXPECT_NE(with("model: dipol").find("Did you mean \"dipole\"?"), std::string::npos);
 }
 
 }  // namespace

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace skein::communication {
 namespace {
 
 constexpr std::size_t kNoFlow = std::numeric_limits<std::size_t>::max();
 
-Links::Nodes nodes_of(const NetworkCase& network, const RadioProfile& radio) {
+Links::Nodes nodes_of(const NetworkCase& network, const RadioProfile& radio,
+                      NodeAntennas antennas) {
   Links::Nodes nodes;
   nodes.move = false;
   for (const NodeTrack& track : network.nodes) {
@@ -20,6 +22,7 @@ Links::Nodes nodes_of(const NetworkCase& network, const RadioProfile& radio) {
   nodes.place = [&network](NodeIndex node, Time now) {
     return network.nodes[node].place(now);
   };
+  nodes.antennas = std::move(antennas);
   return nodes;
 }
 
@@ -40,9 +43,11 @@ const char* name_of(FrameKind kind) {
 }  // namespace
 
 NetworkRun::NetworkRun(const NetworkCase& network, const RadioProfile& radio,
-                       const Propagation& propagation, std::uint64_t seed)
+                       const Propagation& propagation, std::uint64_t seed,
+                       NodeAntennas antennas)
     : network_(network),
-      medium_(radio, propagation, nodes_of(network, radio), seed, *this),
+      medium_(radio, propagation, nodes_of(network, radio, std::move(antennas)), seed,
+              *this),
       flow_order_(network.flows.size()),
       result_{{}, std::vector<NodeUse>(network.nodes.size()), {}} {
   for (NodeIndex node = 0; node < network.nodes.size(); ++node)

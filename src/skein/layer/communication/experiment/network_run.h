@@ -14,8 +14,10 @@ namespace skein::communication {
 class NetworkRun final : private MediumListener {
  public:
   /// @param network, propagation  outlive this
+  /// @param antennas  of the nodes
   NetworkRun(const NetworkCase& network, const RadioProfile& radio,
-             const Propagation& propagation, std::uint64_t seed);
+             const Propagation& propagation, std::uint64_t seed,
+             NodeAntennas antennas = {});
 
   /// Called at the start of every frame.
   std::function<void(const TransmissionRecord&)> on_transmission;

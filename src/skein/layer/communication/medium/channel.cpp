@@ -25,6 +25,7 @@ Channel::Channel(const PhyProfile& phy, Links& links, Schedule& schedule,
       noise_(noise_power(phy)),
       decode_threshold_(watts(phy.decode_threshold_dbm)),
       carrier_sense_threshold_(watts(phy.carrier_sense_threshold_dbm)),
+      floor_(watts(phy.interference_floor_dbm)),
       lock_ratio_(math::pow(10, phy.lock_sinr_db / 10)),
       rates_{phy.error_model, phy.rate, lock_ratio_},
       preamble_(std::max(Time(), phy.preamble_header - kHeader)),
@@ -55,6 +56,10 @@ void Channel::transmit(const Frame& frame, Time now) {
   on_air.frame = frame;
   on_air.start = now;
   on_air.links = links_.of(frame.from, now);
+  if (frame.power < 1) {
+    for (Link& link : on_air.links) link.power *= frame.power;
+    std::erase_if(on_air.links, [&](const Link& link) { return link.power < floor_; });
+  }
   on_air.locked.clear();
   on_air.next_arrival = on_air.next_detection = on_air.next_header = on_air.next_end = 0;
   if (on_air.links.empty()) {

@@ -108,7 +108,7 @@ class Channel {
   Links& links_;
   Schedule& schedule_;
   ChannelListener& listener_;
-  double noise_, decode_threshold_, carrier_sense_threshold_;  // [W]
+  double noise_, decode_threshold_, carrier_sense_threshold_, floor_;  // [W]
   double lock_ratio_;
   ErrorRates rates_;
   Time preamble_;  // before the header

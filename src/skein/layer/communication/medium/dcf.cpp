@@ -11,7 +11,7 @@ constexpr std::uint32_t kBackoffs = 1;  // of a node's random streams for its ra
 
 }  // namespace
 
-Dcf::Dcf(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
+Dcf::Dcf(const RadioProfile& profile, const Links& links, Schedule& schedule,
          PacketStore& packets, MediumListener& listener, std::uint64_t seed)
     : mac_(profile.mac),
       phy_(profile.phy),
@@ -23,9 +23,10 @@ Dcf::Dcf(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
       // [802.11] 10.3.2.4: what follows an RTS has begun by then.
       nav_reset_delay_(mac_.sifs * 2 + cts_airtime_ + phy_.preamble_header +
                        mac_.slot * 2),
-      stations_(nodes) {
-  backoffs_.reserve(nodes);
-  for (NodeIndex node = 0; node < nodes; ++node) {
+      stations_(links.size()) {
+  if (mac_.adaptive_power) power_.emplace(profile, links);
+  backoffs_.reserve(links.size());
+  for (NodeIndex node = 0; node < links.size(); ++node) {
     backoffs_.emplace_back(seed, node, Purpose::kRadio, kBackoffs);
     stations_[node].window = mac_.cw_min;
     draw_backoff(node, Time());
@@ -132,6 +133,10 @@ void Dcf::on_access(NodeIndex node, Time now) {
   await(node, Waiting::kCts, now + rts.duration + mac_.ack_timeout);
 }
 
+double Dcf::power_to(NodeIndex node, NodeIndex to) const {
+  return power_ && to != kAllNodes ? power_->share(node, to) : 1;
+}
+
 void Dcf::send_data(NodeIndex node, Time now) {
   Station& station = stations_[node];
   const std::uint32_t place = station.queue.front();
@@ -146,7 +151,8 @@ void Dcf::send_data(NodeIndex node, Time now) {
                    .tag = packet.order.tag,
                    .mac_bytes = bytes,
                    .duration = airtime(bytes),
-                   .reserved = to_all ? Time() : mac_.sifs + ack_airtime_};
+                   .reserved = to_all ? Time() : mac_.sifs + ack_airtime_,
+                   .power = power_to(node, packet.order.to)};
   send(data, now);
   if (to_all) {
     station.waiting = Waiting::kSending;
@@ -238,6 +244,8 @@ void Dcf::on_payload_lost(NodeIndex node, Time now) {
 void Dcf::on_received(NodeIndex node, Time now, const Frame& frame,
                       const Reception& reception) {
   Station& station = stations_[node];
+  if (power_)
+    power_->heard(node, frame.from, reception.power, frame.power);
   if (frame.to != node && frame.to != kAllNodes) {
     if (frame.kind == FrameKind::kData) listener_.on_overheard(frame, node, now);
     return reserve(node, frame, now);
@@ -251,7 +259,8 @@ void Dcf::on_received(NodeIndex node, Time now, const Frame& frame,
                .from = node,
                .to = frame.from,
                .mac_bytes = kAckBytes,
-               .duration = ack_airtime_},
+               .duration = ack_airtime_,
+               .power = power_to(node, frame.from)},
               now);
       Packet& packet = packets_[frame.packet];
       if (packet.delivered) return;
@@ -282,6 +291,7 @@ void Dcf::on_received(NodeIndex node, Time now, const Frame& frame,
       return;
     case FrameKind::kAck:
       if (station.waiting != Waiting::kAck) return;
+      if (power_) power_->succeeded(node, frame.from);
       ++station.timeout_stamp;
       station.timeout_end = now;
       finish(node, PacketEnd::kDone, now);
@@ -306,6 +316,7 @@ void Dcf::on_timeout(NodeIndex node, Time now) {
   const Packet& packet = packets_[station.queue.front()];
   const bool announced = packet.rts_sent > 0;
   bool give_up = false;
+  if (power_ && station.waiting == Waiting::kAck) power_->failed(node, packet.order.to);
   if (station.waiting == Waiting::kCts)
     give_up = ++station.rts_failures >= mac_.short_retry_limit;
   else

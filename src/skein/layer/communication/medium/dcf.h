@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "skein/base/random.h"
 #include "skein/layer/communication/medium/access.h"
 #include "skein/layer/communication/medium/medium_listener.h"
 #include "skein/layer/communication/medium/packet.h"
+#include "skein/layer/communication/medium/power_control.h"
 #include "skein/layer/communication/medium/schedule.h"
 
 namespace skein::communication {
@@ -21,7 +23,7 @@ namespace skein::communication {
 class Dcf final : public Access {
  public:
   /// All but the seed outlive this; the channel is the one that this listens to.
-  Dcf(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
+  Dcf(const RadioProfile& profile, const Links& links, Schedule& schedule,
       PacketStore& packets, MediumListener& listener, std::uint64_t seed);
   void use(Channel& channel) override { channel_ = &channel; }
 
@@ -70,6 +72,7 @@ class Dcf final : public Access {
   void expect_access(NodeIndex node, Time now);
   void on_access(NodeIndex node, Time now);
   void send(const Frame& frame, Time now);
+  double power_to(NodeIndex node, NodeIndex to) const;
   void send_data(NodeIndex node, Time now);
   void await(NodeIndex node, Waiting what, Time until);
   void respond(NodeIndex node, const Frame& frame, Time now);
@@ -84,6 +87,7 @@ class Dcf final : public Access {
   Schedule& schedule_;
   PacketStore& packets_;
   MediumListener& listener_;
+  std::optional<PowerControl> power_;  // none: always all
   Channel* channel_ = nullptr;
   Time ack_airtime_, cts_airtime_, nav_reset_delay_;
   std::vector<Station> stations_;

@@ -26,6 +26,7 @@ struct Frame {
   std::uint32_t mac_bytes = 0;  ///< with header and check sequence
   Time duration;                ///< on the air, with preamble
   Time reserved = {};           ///< what its duration field asks others to wait after it
+  double power = 1;             ///< share of its sender's full power, above 0
   bool noise = false;           ///< nobody can decode it
 };
 

@@ -24,7 +24,7 @@ std::unique_ptr<Access> make_access(const RadioProfile& profile, Links& links,
     case AccessMethod::kDcf:
       break;
   }
-  return std::make_unique<Dcf>(profile, links.size(), schedule, packets, listener, seed);
+  return std::make_unique<Dcf>(profile, links, schedule, packets, listener, seed);
 }
 
 }  // namespace

@@ -67,6 +67,12 @@ struct MacProfile {
   std::uint32_t data_overhead_bytes = 36;  ///< around the payload of a data frame
   /// Longer messages of a run go in parts of so much (MediumRadio).
   std::uint32_t part_bytes = 1500;
+  /// Unicasts and their acknowledgements are sent with the power that they need
+  /// (PowerControl); kDcf only.
+  bool adaptive_power = false;
+  double power_margin_db = 6;  ///< above the decode threshold
+  double power_step_db = 3;    ///< more after a failure
+  double min_power_dbm = -20;
   Time latency;     ///< of kDirect: from the last bit's start to its arrival
   double loss = 0;  ///< of kDirect: probability that a receiver misses a packet
 };

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "skein/base/check.h"
 #include "skein/base/math.h"
 #include "skein/base/random.h"
+#include "skein/layer/communication/propagation/obstructed.h"
 
 namespace skein::communication {
 namespace {
@@ -87,8 +89,10 @@ double LogDistance::received(double radiated, const Vec3& from, const Vec3& to) 
   return std::min(power, radiated);
 }
 
-std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
-                                              double frequency, std::uint64_t seed) {
+namespace {
+
+std::unique_ptr<Propagation> make_open(const PropagationProfile& profile,
+                                       double frequency, std::uint64_t seed) {
   switch (profile.model) {
     case PropagationModel::kFixed:
       return std::make_unique<FixedPower>(profile.received_power_dbm);
@@ -100,6 +104,15 @@ std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
       break;
   }
   return std::make_unique<FreeSpace>(frequency);
+}
+
+}  // namespace
+
+std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
+                                              double frequency, std::uint64_t seed) {
+  auto open = make_open(profile, frequency, seed);
+  if (profile.obstacles.empty()) return open;
+  return std::make_unique<Obstructed>(std::move(open), profile.obstacles);
 }
 
 }  // namespace skein::communication

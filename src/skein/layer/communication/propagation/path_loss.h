@@ -74,7 +74,7 @@ class LogDistance final : public Propagation {
   std::vector<Wave> waves_;
 };
 
-/// What the profile says. `seed` is for shadowing.
+/// What the profile says, its obstacles included. `seed` is for shadowing.
 std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
                                               double frequency, std::uint64_t seed);
 

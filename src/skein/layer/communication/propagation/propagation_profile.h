@@ -1,5 +1,9 @@
 #pragma once
 
+#include <vector>
+
+#include "skein/layer/communication/propagation/obstacle.h"
+
 namespace skein::communication {
 
 enum class PropagationModel { kFreeSpace, kFixed, kLogDistance, kTwoRay };
@@ -14,6 +18,7 @@ struct PropagationProfile {
   double shadowing_db = 0;          ///< standard deviation
   double shadowing_distance = 100;  ///< over which it is correlated [m]
   double antenna_height = 1;        ///< of kTwoRay: above the place of a node [m]
+  std::vector<Obstacle> obstacles;  ///< of all models
 };
 
 }  // namespace skein::communication

@@ -31,11 +31,13 @@ class Row {
  public:
   explicit Row(const MediumRadioOptions& options = {})
       : radio_(
-            options, std::make_unique<FreeSpace>(2.4e9), 4,
-            [](EntityId id) -> std::optional<Vec3> {
-              return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
-            },
-            [](EntityId id) { return "node " + std::to_string(id.value); }, 7) {}
+            options, std::make_unique<FreeSpace>(2.4e9),
+            {4,
+             [](EntityId id) -> std::optional<Vec3> {
+               return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
+             },
+             [](EntityId id) { return "node " + std::to_string(id.value); }},
+            7) {}
 
   // Sends to the others, as the simulation does: the first and its copies.
   void send_to_all(std::uint32_t from, std::size_t bytes = 0) {
@@ -232,17 +234,19 @@ class Chain {
         gone_(nodes, false),
         radio_(
             [&options] {
-              // 15 dBm and -90 dBm: 992 m at 2.4 GHz.
+              // 15 dBm and -90 dBm: 1.77 km at 2.4 GHz.
               options.profile.phy.decode_threshold_dbm = -90;
               options.profile.phy.carrier_sense_threshold_dbm = -95;
               return options;
             }(),
-            std::make_unique<FreeSpace>(2.4e9), nodes,
-            [this](EntityId id) -> std::optional<Vec3> {
-              if (gone_[id.value]) return std::nullopt;
-              return Vec3(600.0 * id.value, 0, -100);
-            },
-            [](EntityId id) { return "node " + std::to_string(id.value); }, 7) {}
+            std::make_unique<FreeSpace>(2.4e9),
+            {nodes,
+             [this](EntityId id) -> std::optional<Vec3> {
+               if (gone_[id.value]) return std::nullopt;
+               return Vec3(1200.0 * id.value, 0, -100);
+             },
+             [](EntityId id) { return "node " + std::to_string(id.value); }},
+            7) {}
 
   void send(std::uint32_t from, std::uint32_t to) {
     radio_.send(message_of(from, to, number_++, now_));

@@ -14,6 +14,11 @@ constexpr double kLowest = -500, kHighest = 9000;
 
 }  // namespace
 
+RasterTerrain::RasterTerrain(GridField field) : field_(std::move(field)) {
+  const auto values = field_.values();
+  highest_ = *std::max_element(values.begin(), values.end());
+}
+
 Result<std::unique_ptr<Terrain>> make_raster_terrain(const RasterTerrainOptions& options,
                                                      const geo::LocalFrame& frame) {
   const auto error = [&](const std::string& message, const std::string& hint = "") {

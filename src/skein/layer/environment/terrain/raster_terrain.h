@@ -29,13 +29,15 @@ struct RasterTerrainOptions {
 /// bilinear between nodes. Beyond the area that was loaded the values of its edge go on.
 class RasterTerrain final : public Terrain {
  public:
-  explicit RasterTerrain(GridField field) : field_(std::move(field)) {}
+  explicit RasterTerrain(GridField field);
   double elevation_msl(const Vec2& p) const override { return field_.at(p); }
   Vec2 gradient(const Vec2& p) const override { return field_.gradient(p); }
+  double highest_msl() const override { return highest_; }
   const GridField& field() const { return field_; }
 
  private:
   GridField field_;
+  double highest_;  // [m]
 };
 
 /// Loads a raster terrain about the frame's origin.

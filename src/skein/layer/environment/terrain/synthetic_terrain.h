@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "skein/role/terrain.h"
 
 namespace skein::environment {
@@ -14,6 +16,7 @@ class FlatTerrain final : public Terrain {
   explicit FlatTerrain(const FlatTerrainOptions& options) : options_(options) {}
   double elevation_msl(const Vec2&) const override { return options_.elevation; }
   Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+  double highest_msl() const override { return options_.elevation; }
 
  private:
   FlatTerrainOptions options_;
@@ -33,6 +36,9 @@ class HillTerrain final : public Terrain {
   explicit HillTerrain(const HillTerrainOptions& options);
   double elevation_msl(const Vec2& p) const override;
   Vec2 gradient(const Vec2& p) const override;
+  double highest_msl() const override {
+    return options_.elevation + std::max(0.0, options_.height);
+  }
 
  private:
   HillTerrainOptions options_;

@@ -124,7 +124,8 @@ struct Ledger final : MediumListener {
   void on_frame(const Frame& frame, Time) override {
     if (frame.kind == FrameKind::kData) on_air.insert(frame.tag);
   }
-  void on_delivered(const Frame& data, NodeIndex receiver, Time) override {
+  void on_delivered(const Frame& data, NodeIndex receiver, Time,
+                    const Reception&) override {
     RC_ASSERT(on_air.contains(data.tag));
     RC_ASSERT(receiver != data.from);
     if (data.to != kAllNodes) RC_ASSERT(receiver == data.to);
@@ -164,7 +165,7 @@ TEST(Conservation, ThePacketsOfAMediumWaitOrAreFinishedOnce) {
 
 struct Counter final : MediumListener {
   void on_frame(const Frame&, Time) override {}
-  void on_delivered(const Frame&, NodeIndex, Time) override { ++delivered; }
+  void on_delivered(const Frame&, NodeIndex, Time, const Reception&) override { ++delivered; }
   void on_finished(const Packet&, PacketEnd, Time) override { ++finished; }
   std::uint64_t delivered = 0, finished = 0;
 };

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
+#include <utility>
 
 #include "skein/layer/communication/propagation/path_loss.h"
 
@@ -99,6 +101,48 @@ TEST(NetworkRun, IsTheSameForEveryStep) {
     return found;
   };
   EXPECT_EQ(starts(1), starts(100));
+}
+
+// The obstacle of [Selecky18] 6.4.2: three nodes, two of which have it between them.
+TEST(NetworkRun, AnOpaqueObstacleSeparatesTwoOfThree) {
+  NetworkCase network;
+  const std::array<Vec3, 3> places = {Vec3(0, 0, -2), Vec3(100, 0, -2), Vec3(50, 80, -2)};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    network.names.push_back(i);
+    network.nodes.push_back({{{Time(), places[i]}}, std::nullopt});
+  }
+  network.duration = Time::from_seconds(10);
+  std::uint64_t number = 0;
+  for (int k = 0; k < 20; ++k)
+    for (std::uint32_t from = 0; from < 3; ++from)
+      for (std::uint32_t to = 0; to < 3; ++to) {
+        if (to == from) continue;
+        TrafficItem item;
+        item.message = number;
+        item.time = Time::from_ns(static_cast<std::int64_t>(number) * 60'000'000);
+        item.from = from;
+        item.to = to;
+        item.bytes = 500;
+        network.traffic.push_back(item);
+        ++number;
+      }
+  PropagationProfile profile;
+  profile.obstacles = {{geo::Ring{{40, -20}, {60, -20}, {60, 20}, {40, 20}}, 0, 30}};
+  const auto delivered = [&](const PropagationProfile& given) {
+    const auto field = make_propagation(given, 2e9, 1);
+    NetworkRun run(network, radio_of_tests(), *field, 3);
+    run.advance(network.duration);
+    std::map<std::pair<NodeIndex, NodeIndex>, int> matrix;
+    for (const NetworkMessage& message : run.result().messages)
+      matrix[{message.from, message.to}] += message.fate == MessageFate::kDelivered;
+    return matrix;
+  };
+  // Messages come one after the other: what is in range arrives for certain.
+  for (const auto& [pair, count] : delivered({})) EXPECT_EQ(count, 20);
+  for (const auto& [pair, count] : delivered(profile)) {
+    const bool behind = pair.first != 2 && pair.second != 2;
+    EXPECT_EQ(count, behind ? 0 : 20) << pair.first << " to " << pair.second;
+  }
 }
 
 }  // namespace

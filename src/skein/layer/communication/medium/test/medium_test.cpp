@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -272,6 +273,65 @@ TEST(Medium, NodesThatMoveComeIntoRange) {
   EXPECT_FALSE(log.delivered.contains(18));
   for (std::uint64_t second = 20; second < 24; ++second)
     EXPECT_TRUE(log.delivered.contains(second)) << second;
+}
+
+// Forward ten times as strong as backward.
+class Forward final : public Antenna {
+ public:
+  double gain(const Vec3& direction_B) const override {
+    ++asked;
+    return direction_B.x() >= 0 ? 1 : 0.1;
+  }
+  mutable int asked = 0;
+};
+
+TEST(Links, TakeBothAntennasInTheirOwnBodies) {
+  const Field field;
+  const auto antenna = std::make_shared<Forward>();
+  // Number 0 looks north, 1 looks south, 2 has no pattern. All on a line to the north.
+  Links::Nodes nodes = standing({{0, 0, 0}, {100, 0, 0}, {200, 0, 0}});
+  nodes.antennas.of = {antenna, antenna, nullptr};
+  nodes.antennas.attitude = [](NodeIndex node, Time) {
+    return node == 1 ? geo::from_euler({0, 0, geo::kPi}).toRotationMatrix()
+                     : Mat3(Mat3::Identity());
+  };
+  Links with(grid_radio().phy, field, nodes);
+  Links without(grid_radio().phy, field, standing({{0, 0, 0}, {100, 0, 0}, {200, 0, 0}}));
+  const auto gain = [&](NodeIndex from, NodeIndex to) {
+    const auto power = [&](Links& links) {
+      for (const Link& link : links.of(from, Time()))
+        if (link.to == to) return link.power;
+      return 0.0;
+    };
+    return power(with) / power(without);
+  };
+  // Tolerance: roundings.
+  EXPECT_NEAR(gain(0, 1), 1, 1e-12);  // face to face
+  EXPECT_NEAR(gain(1, 0), 1, 1e-12);
+  EXPECT_NEAR(gain(1, 2), 0.1, 1e-12);  // 2 is behind 1
+  EXPECT_NEAR(gain(2, 1), 0.1, 1e-12);
+  EXPECT_NEAR(gain(0, 2), 1, 1e-12);
+}
+
+TEST(Links, LookAtAntennasOnceBetweenChanges) {
+  const Field field;
+  const auto antenna = std::make_shared<Forward>();
+  int attitudes = 0;
+  Links::Nodes nodes = standing({{0, 0, 0}, {100, 0, 0}, {200, 0, 0}});
+  nodes.antennas.of.assign(3, antenna);
+  nodes.antennas.attitude = [&](NodeIndex, Time) {
+    ++attitudes;
+    return Mat3(Mat3::Identity());
+  };
+  Links links(grid_radio().phy, field, nodes);
+  for (int i = 0; i < 10; ++i) links.of(0, Time::from_ns(i));
+  EXPECT_EQ(antenna->asked, 4);
+  EXPECT_EQ(attitudes, 3);
+  links.renew();
+  links.of(0, Time());
+  links.of(1, Time());
+  EXPECT_EQ(antenna->asked, 12);
+  EXPECT_EQ(attitudes, 6);
 }
 
 }  // namespace

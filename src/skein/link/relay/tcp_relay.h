@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "skein/link/relay/relay.h"
+
+namespace skein::relay {
+
+/// A relay of connections. Fails: as Relay::open().
+Result<std::unique_ptr<Relay>> open_tcp_relay(const RelayOptions& options,
+                                              RelayNews news);
+
+}  // namespace skein::relay
