@@ -26,14 +26,15 @@ Fields<Jammer> jammer_fields() {
   return Fields<T>()
       .number("duty", &T::duty, "Share of each period in which it sends noise.",
               {.above = 0, .at_most = 1})
-      .duration_s("period_s", &T::period, "From one burst of noise to the next.", kPeriod);
+      .duration_s("period_s", &T::period, "From one burst of noise to the next.",
+                  kPeriod);
 }
 
 Fields<FlooderChoice> flooder_fields() {
   using T = FlooderChoice;
   return Fields<T>()
-      .integer("bytes", [](T & t) -> auto& { return t.flooder.bytes; },
-               "Of each packet.", {.at_least = 1, .at_most = 65535})
+      .integer("bytes", [](T & t) -> auto& { return t.flooder.bytes; }, "Of each packet.",
+               {.at_least = 1, .at_most = 65535})
       .number("rate_hz", [](T & t) -> auto& { return t.flooder.rate; },
               "Packets that it orders.", {.at_least = 0.001, .at_most = 10000})
       .text("to", &T::to, "Who is to acknowledge them; \"\": they are for all.");
@@ -48,14 +49,16 @@ Fields<SpooferChoice> spoofer_fields() {
       .required()
       .word("content", [](T & t) -> auto& { return t.spoofer.content; }, "What it says.",
             {{"report", FalseContent::kReport, "a report of `as`, from a false place"},
-             {"team-position", FalseContent::kTeamPosition, "that `as` is at a false place"},
+             {"team-position", FalseContent::kTeamPosition,
+              "that `as` is at a false place"},
              {"return-home", FalseContent::kReturnHome,
               "an order to fly home, with a higher number than any in use"}})
       .vector("offset_m", &T::offset, "Of a false place from the true one.")
       .number("offset_up_m", &T::offset_up, "The same, upwards.",
               {.at_least = -1e5, .at_most = 1e5})
-      .duration_s("period_s", [](T & t) -> auto& { return t.spoofer.period; },
-                  "From one message to the next.", kPeriod);
+      .duration_s(
+          "period_s", [](T & t) -> auto& { return t.spoofer.period; },
+          "From one message to the next.", kPeriod);
 }
 
 Fields<ReplayerChoice> replayer_fields() {
@@ -71,8 +74,9 @@ std::string error_of(const AttackChoice& attack) {
   const int kinds = attack.jammer.has_value() + attack.flooder.has_value() +
                     attack.spoofer.has_value() + attack.replayer.has_value();
   if (kinds == 1) return "";
-  return fmt::format("{} given: an attack is one of jammer, flooder, spoofer and replayer.",
-                     kinds == 0 ? "none is" : "several are");
+  return fmt::format(
+      "{} given: an attack is one of jammer, flooder, spoofer and replayer.",
+      kinds == 0 ? "none is" : "several are");
 }
 
 // Turns the choices of a scenario into attacks on its radio.
@@ -87,9 +91,9 @@ class Maker {
     Attack attack;
     attack.name =
         choice.name.empty() ? fmt::format("attack {}", number + 1) : choice.name;
-    attack.place = Vec3(
-        choice.position.x(), choice.position.y(),
-        -(context_.terrain->elevation_msl(choice.position) + choice.altitude_agl));
+    attack.place =
+        Vec3(choice.position.x(), choice.position.y(),
+             -(context_.terrain->elevation_msl(choice.position) + choice.altitude_agl));
     attack.power_dbm = choice.power_dbm;
     attack.from = choice.from;
     attack.until = choice.until;
@@ -112,9 +116,10 @@ class Maker {
 
   void flood(const FlooderChoice& choice, Attack& attack) {
     if (choice.flooder.bytes > mac_.part_bytes)
-      return fail("flooder.bytes",
-                  fmt::format("{} is more than the {} that a frame of this radio carries.",
-                              choice.flooder.bytes, mac_.part_bytes));
+      return fail(
+          "flooder.bytes",
+          fmt::format("{} is more than the {} that a frame of this radio carries.",
+                      choice.flooder.bytes, mac_.part_bytes));
     Flooder flooder = choice.flooder;
     if (!choice.to.empty()) flooder.to = find("flooder.to", choice.to);
     attack.what = flooder;
@@ -194,12 +199,14 @@ Fields<AttackChoice> attack_fields() {
 Fields<AuthenticationChoice> authentication_fields() {
   using T = AuthenticationChoice;
   return Fields<T>()
-      .file("key_file", &T::key_file,
-            "With the team's key, 32 bytes or 64 hexadecimal digits, which nobody else may "
-            "be able to read.")
+      .file(
+          "key_file", &T::key_file,
+          "With the team's key, 32 bytes or 64 hexadecimal digits, which nobody else may "
+          "be able to read.")
       .required()
-      .boolean("required", &T::required,
-               "Messages that are not authentic are refused; else they are reported only.");
+      .boolean(
+          "required", &T::required,
+          "Messages that are not authentic are refused; else they are reported only.");
 }
 
 Result<std::vector<Attack>> make_attacks(const std::vector<AttackChoice>& choices,

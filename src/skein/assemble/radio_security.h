@@ -51,8 +51,8 @@ struct AuthenticationChoice {
 scenario::Fields<AttackChoice> attack_fields();
 scenario::Fields<AuthenticationChoice> authentication_fields();
 
-/// Fails: kBadInput, at the key, for entities that there are not, packets that no frame of
-/// the radio carries, and attacks that cannot do anything to it.
+/// Fails: kBadInput, at the key, for entities that there are not, packets that no frame
+/// of the radio carries, and attacks that cannot do anything to it.
 Result<std::vector<communication::Attack>> make_attacks(
     const std::vector<AttackChoice>& choices, const RadioContext& context,
     const communication::MacProfile& mac);

@@ -11,8 +11,8 @@ namespace {
 
 // A node's random streams for its radio.
 constexpr std::uint32_t kSpreads = 4, kRelayDelays = 6, kAdvertisementTimes = 7;
-constexpr std::uint32_t kPartBytes = 4;   // which part of which message it is
-constexpr std::uint32_t kRouteBytes = 8;  // origin, number and hops of a message
+constexpr std::uint32_t kPartBytes = 4;            // which part of which message it is
+constexpr std::uint32_t kRouteBytes = 8;           // origin, number and hops of a message
 constexpr std::uint32_t kAdvertisementBytes = 12;  // identity, address, kind
 // Tags of what is no message; those of messages are places in posts_.
 constexpr std::uint64_t kAdvertisement = ~std::uint64_t{0}, kFlood = kAdvertisement - 1;
@@ -260,8 +260,7 @@ void MediumRadio::settle(Time now) {
     if (transfer.posts > 0) return true;  // passed on meanwhile: it leaves again
     for (Transfer::Copy& copy : transfer.copies) {
       if (copy.arrived) continue;
-      if (!copy.message.forged)
-        meter_.message_lost(copy.message.from, copy.message.to);
+      if (!copy.message.forged) meter_.message_lost(copy.message.from, copy.message.to);
       const LossCause cause = cause_of(transfer, copy.message.to);
       news_->ended.push_back({std::move(copy.message), cause, transfer.way});
     }

@@ -69,8 +69,8 @@ struct RadioNodes {
 /// periods of advertisements (three seconds without these): events "neighbour-found" and
 /// "neighbour-lost", where there are advertisements.
 ///
-/// Attackers are further nodes of the medium (security/attackers.h). What they send in the
-/// name of entities are messages that are `forged`. With authentication every message
+/// Attackers are further nodes of the medium (security/attackers.h). What they send in
+/// the name of entities are messages that are `forged`. With authentication every message
 /// carries a seal (security/seal.h), which counts as bytes on the air; receivers, those
 /// who pass it on too, refuse what is not authentic: its end is LossCause::kRefused.
 class MediumRadio final : public Radio, private MediumListener {
@@ -91,8 +91,8 @@ class MediumRadio final : public Radio, private MediumListener {
     bool to_all = false;
     std::uint32_t bytes = 0;
     std::uint8_t urgency = 0;
-    std::uint32_t posts = 0;  // that have not ended
-    Time ended;               // when the last one did
+    std::uint32_t posts = 0;             // that have not ended
+    Time ended;                          // when the last one did
     LossCause cause = LossCause::kNone;  // of what was lost first at a sender
     MessageWay way;
     struct Copy {
@@ -100,8 +100,8 @@ class MediumRadio final : public Radio, private MediumListener {
       bool arrived = false;
     };
     std::vector<Copy> copies;
-    std::vector<std::byte> sealed;       // with authentication: its wire form and its seal
-    std::vector<bool> reached;           // of flooding: nodes that have it
+    std::vector<std::byte> sealed;  // with authentication: its wire form and its seal
+    std::vector<bool> reached;      // of flooding: nodes that have it
     std::vector<std::uint32_t> carried;  // posts, to be used again in the end
     bool leaves = false;                 // stands in leaving_
   };
@@ -150,7 +150,7 @@ class MediumRadio final : public Radio, private MediumListener {
   RadioMeter meter_;
   bool knows_neighbours_;
   Neighbours neighbours_;
-  Time next_check_;  // for lost ones
+  Time next_check_;                          // for lost ones
   std::vector<Neighbours::Change> changes_;  // since the last deliver()
   std::vector<RandomStream> relay_delays_, advertisement_times_;
   std::vector<Time> next_advertisements_;

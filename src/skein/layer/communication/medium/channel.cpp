@@ -11,7 +11,7 @@
 namespace skein::communication {
 namespace {
 
-constexpr std::uint32_t kReceptions = 2;     // of a node's random streams for its radio
+constexpr std::uint32_t kReceptions = 2;  // of a node's random streams for its radio
 constexpr Time kHeader = Time::from_ns(48'000);  // what the preamble ends with
 
 }  // namespace

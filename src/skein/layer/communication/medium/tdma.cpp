@@ -58,9 +58,7 @@ void Tdma::use_slot(NodeIndex node, Time now) {
     }
     const Time slot = next_slot(node, now);
     const Time frame_end =
-        slot == now
-            ? now + mac_.slot
-            : slot + mac_.slot - mac_.slot * slots_;
+        slot == now ? now + mac_.slot : slot + mac_.slot - mac_.slot * slots_;
     if (now + duration > frame_end) {
       schedule_.add(slot, EventKind::kAccess, node);
       return;

@@ -13,7 +13,7 @@ namespace skein::communication {
 
 /// Transmits noise that nobody can decode, for a share of each period.
 struct Jammer {
-  double duty = 1;                  ///< above 0, at most 1
+  double duty = 1;  ///< above 0, at most 1
   Time period = Time::from_ns(1'000'000'000);
 };
 

@@ -95,8 +95,8 @@ void Attackers::announce(Attacker& attacker, Time now, std::vector<Event>& event
 void Attackers::jam(Attacker& attacker, NodeIndex node, const Jammer& jammer, Time last,
                     AttackOrders& orders) {
   const Attack& attack = attacker.attack;
-  const Time burst = std::max(Time::from_ns(1), Time::from_seconds(
-                                                    jammer.duty * jammer.period.seconds()));
+  const Time burst = std::max(Time::from_ns(1),
+                              Time::from_seconds(jammer.duty * jammer.period.seconds()));
   while (attacker.next <= last) {
     const std::int64_t periods = (attacker.next - attack.from).ns() / jammer.period.ns();
     const Time begin = attack.from + jammer.period * periods;
@@ -111,8 +111,8 @@ void Attackers::flood(Attacker& attacker, NodeIndex node, const Flooder& flooder
                       Time last, AttackOrders& orders) {
   const Time interval = Time::from_seconds(1 / flooder.rate);
   for (; attacker.next <= last; attacker.next += interval)
-    orders.packets.push_back({node, attacker.next,
-                              flooder.to ? flooder.to->value : kAllNodes, flooder.bytes});
+    orders.packets.push_back(
+        {node, attacker.next, flooder.to ? flooder.to->value : kAllNodes, flooder.bytes});
 }
 
 void Attackers::spoof(Attacker& attacker, NodeIndex node, const Spoofer& spoofer,

@@ -51,8 +51,8 @@ struct AttackOrders {
   }
 };
 
-/// What the attackers of a run do, and when. They are nodes of the medium, those after the
-/// entities in the order of the list, with random numbers of their own.
+/// What the attackers of a run do, and when. They are nodes of the medium, those after
+/// the entities in the order of the list, with random numbers of their own.
 ///
 /// A spoofer has no key: the seal of what it sends is a guess. A replayer keeps the seal
 /// of what it has heard.
@@ -88,9 +88,9 @@ class Attackers {
     RandomStream random;
     Time next;
     bool begun = false, ended = false;
-    std::uint32_t sent = 0;                      // of a spoofer
+    std::uint32_t sent = 0;                     // of a spoofer
     std::optional<std::pair<Time, Vec3>> seen;  // of a spoofer: its victim, last
-    std::deque<Recorded> recorded;               // of a replayer
+    std::deque<Recorded> recorded;              // of a replayer
   };
 
   void announce(Attacker& attacker, Time now, std::vector<Event>& events);

@@ -55,7 +55,8 @@ std::optional<Event> RefusalLog::note(Time now, EntityId receiver, EntityId send
   if (!first && now < row.said + kSayAgain) return std::nullopt;
   row.said = now;
   const std::uint64_t more = std::exchange(row.since, 0);
-  std::string text = fmt::format("in the name of {}: {}", sender_name, reason_of(verdict));
+  std::string text =
+      fmt::format("in the name of {}: {}", sender_name, reason_of(verdict));
   if (more > 0) text += fmt::format("; {} since it was last said", more);
   return Event{now, receiver, refused ? "message-refused" : "message-doubted",
                std::move(text)};

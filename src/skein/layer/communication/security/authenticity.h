@@ -48,7 +48,7 @@ class Authenticity {
  private:
   Seal seal_;
   bool required_;
-  std::vector<std::uint64_t> counters_;                    // last one of each sender
+  std::vector<std::uint64_t> counters_;                   // last one of each sender
   std::unordered_map<std::uint64_t, ReplayWindow> seen_;  // by receiver and sender
 };
 

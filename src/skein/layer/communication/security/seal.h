@@ -14,7 +14,8 @@ using TeamKey = std::array<std::byte, 32>;
 
 /// Seals messages, so that whoever has the same key knows that they are authentic:
 ///
-///   content | counter, 8 bytes, little-endian | tag = BLAKE2b-128(key; counter | content)
+///   content | counter, 8 bytes, little-endian | tag = BLAKE2b-128(key; counter |
+///   content)
 ///
 /// The content is not secret. Never the same counter twice from one sender.
 ///

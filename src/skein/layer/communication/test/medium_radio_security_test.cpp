@@ -15,15 +15,14 @@ namespace {
 class Team {
  public:
   explicit Team(const MediumRadioOptions& options)
-      : radio_(
-            options, std::make_unique<FreeSpace>(2.4e9),
-            RadioNodes{3,
-                       [](EntityId id) -> std::optional<Vec3> {
-                         return Vec3(500.0 * id.value, 0, -100);
-                       },
-                       [](EntityId id) { return "node " + std::to_string(id.value); },
-                       {}},
-            7) {}
+      : radio_(options, std::make_unique<FreeSpace>(2.4e9),
+               RadioNodes{3,
+                          [](EntityId id) -> std::optional<Vec3> {
+                            return Vec3(500.0 * id.value, 0, -100);
+                          },
+                          [](EntityId id) { return "node " + std::to_string(id.value); },
+                          {}},
+               7) {}
 
   void send(std::uint32_t from, std::uint32_t to, bool copy = false) {
     Message message;
@@ -175,8 +174,8 @@ TEST(MediumRadioSecurity, DoubtsAreReportedWhereAuthenticationIsNotRequired) {
 TEST(MediumRadioSecurity, ReplayedMessagesArriveAgainButForTheirCounters) {
   for (const double delay : {2.0, 30.0}) {
     SCOPED_TRACE(delay);
-    MediumRadioOptions options = attacked_by(
-        attack_of(Replayer{Time::from_seconds(delay), std::nullopt}));
+    MediumRadioOptions options =
+        attacked_by(attack_of(Replayer{Time::from_seconds(delay), std::nullopt}));
     Team open(options);
     open.talk(40);
     // To 1 and to all: three for each half second.
@@ -204,7 +203,8 @@ TEST(MediumRadioSecurity, TagsTakeBytesOnTheAir) {
     return team.radio().take_statistics().radios[0].sending_share;
   };
   // 10 a second with 24 bytes more at 2 Mbit/s; one of a hundred is not over.
-  EXPECT_NEAR(sending(true) - sending(false), 10 * 24 * 8 / 2e6, 10 * 24 * 8 / 2e6 * 0.03);
+  EXPECT_NEAR(sending(true) - sending(false), 10 * 24 * 8 / 2e6,
+              10 * 24 * 8 / 2e6 * 0.03);
 }
 
 TEST(MediumRadioSecurity, FloodingPassesNothingForgedOn) {

@@ -24,8 +24,9 @@ Attack attack_of(std::variant<Jammer, Flooder, Spoofer, Replayer> what, double f
 class Watched {
  public:
   explicit Watched(Attack attack, bool sealed = false)
-      : attackers_({std::move(attack)}, kFirst,
-                   [](EntityId) { return std::optional(kVictim); }, sealed, 3) {}
+      : attackers_(
+            {std::move(attack)}, kFirst, [](EntityId) { return std::optional(kVictim); },
+            sealed, 3) {}
 
   Attackers& attackers() { return attackers_; }
   void run(double until) {
@@ -98,8 +99,7 @@ TEST(Attackers, ASpooferLiesAboutItsVictim) {
 }
 
 TEST(Attackers, AReplayerSendsOnceMoreWhatItHasHeard) {
-  Watched watched(
-      attack_of(Replayer{Time::from_seconds(0.55), EntityId{1}}, 1, 2));
+  Watched watched(attack_of(Replayer{Time::from_seconds(0.55), EntityId{1}}, 1, 2));
   Message message;
   message.from = EntityId{1};
   message.to = EntityId{0};

@@ -108,7 +108,8 @@ TEST(Authenticity, AForgeryDoesNotUseUpCounters) {
 TEST(RefusalLog, SpeaksAtOnceAndThenOnceAMinute) {
   RefusalLog log;
   const auto note = [&](double time, EntityId receiver, Verdict verdict) {
-    return log.note(Time::from_seconds(time), receiver, kSender, verdict, true, "station");
+    return log.note(Time::from_seconds(time), receiver, kSender, verdict, true,
+                    "station");
   };
   const auto first = note(0, kReceiver, Verdict::kNoTag);
   ASSERT_TRUE(first);
