@@ -6,6 +6,7 @@
 
 #include "skein/assemble/contexts.h"
 #include "skein/base/result.h"
+#include "skein/layer/communication/medium/radio_profile.h"
 #include "skein/layer/communication/security/attack.h"
 #include "skein/layer/communication/security/authenticity.h"
 #include "skein/scenario/fields.h"
