@@ -10,6 +10,7 @@
 #include "skein/assemble/radio/antenna_fields.h"
 #include "skein/assemble/radio/obstacle_fields.h"
 #include "skein/assemble/radio/radio_file.h"
+#include "skein/assemble/radio_security.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/team_setup.h"
 #include "skein/layer/communication/antenna/antenna_pattern.h"
@@ -47,11 +48,13 @@ Fields<communication::IdealRadioOptions> ideal_fields() {
 struct MediumChoice {
   std::string profile = "wifi-dsss-2";
   std::string file;
-  communication::MediumRadioOptions radio;  // without its profile
+  communication::MediumRadioOptions radio;  // without its profile and its security
   std::vector<ObstacleSection> obstacles;
   bool terrain = false;
   double terrain_step = 30;  // [m]
   std::optional<communication::AntennaProfile> antenna, station_antenna;
+  std::vector<AttackChoice> attacks;
+  std::optional<AuthenticationChoice> authentication;
 };
 
 Fields<MediumChoice> medium_fields() {
@@ -91,7 +94,12 @@ Fields<MediumChoice> medium_fields() {
       .object("antenna", &T::antenna, antenna_fields(),
               "Of aircraft, instead of that of the radio. Null: that one.")
       .object("station_antenna", &T::station_antenna, antenna_fields(),
-              "The same for ground stations.");
+              "The same for ground stations.")
+      .object("attacks", &T::attacks, attack_fields(),
+              "Who disturbs the radio, or lies by it.")
+      .items({.at_most = 100})
+      .object("authentication", &T::authentication, authentication_fields(),
+              "Messages carry a tag of the team's key; null: none.");
 }
 
 Result<RadioFile> load(const MediumChoice& choice) {
@@ -184,6 +192,14 @@ Kinds<Radio, RadioContext> radio_kinds() {
         if (!propagation) return propagation.error();
         communication::MediumRadioOptions options = o.radio;
         options.profile = file.value().radio;
+        auto attacks = make_attacks(o.attacks, c, options.profile.mac);
+        if (!attacks) return attacks.error();
+        options.attacks = std::move(attacks).value();
+        if (o.authentication) {
+          const auto authentication = make_authentication(*o.authentication);
+          if (!authentication) return authentication.error();
+          options.authentication = authentication.value();
+        }
         return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
             options, std::move(propagation).value(),
             communication::RadioNodes{c.entities, c.position, c.name,

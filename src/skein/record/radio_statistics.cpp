@@ -5,6 +5,14 @@
 
 namespace skein::record {
 
+void RadioStatistics::message(LossCause cause, std::uint32_t hops, bool forged) {
+  ++messages_[static_cast<std::size_t>(cause)];
+  if (cause == LossCause::kNone && hops > 0) ++relayed_;
+  if (!forged) return;
+  ++forged_;
+  if (cause == LossCause::kNone) ++accepted_;
+}
+
 void RadioStatistics::radio(const RadioUse& use) {
   const double load = std::min(1.0, use.sending_share + use.busy_share);
   load_ += load;
@@ -26,6 +34,10 @@ void RadioStatistics::add_figures(std::map<std::string, double>& figures) const 
     figures[name] = static_cast<double>(messages_[cause]);
   }
   if (relayed_ > 0) figures["messages_relayed"] = static_cast<double>(relayed_);
+  if (forged_ > 0) {
+    figures["messages_forged"] = static_cast<double>(forged_);
+    figures["messages_forged_accepted"] = static_cast<double>(accepted_);
+  }
   if (rows_ == 0) return;
   figures["radio_load_mean"] = load_ / static_cast<double>(rows_);
   figures["radio_load_max"] = load_max_;

@@ -13,16 +13,15 @@ namespace skein::record {
 /// about them.
 class RadioStatistics {
  public:
-  /// A message that arrived (kNone) or was lost; how many radios have passed it on.
-  void message(LossCause cause, std::uint32_t hops) {
-    ++messages_[static_cast<std::size_t>(cause)];
-    if (cause == LossCause::kNone && hops > 0) ++relayed_;
-  }
+  /// A message that arrived (kNone) or was lost; how many radios have passed it on, and
+  /// whether an attacker sent it in the name of another.
+  void message(LossCause cause, std::uint32_t hops, bool forged);
   void radio(const RadioUse& use);
 
   /// Adds `messages_sent`, `messages_lost`, of each cause that there was
   /// `messages_lost_<cause>`, `messages_relayed` if any arrived by way of other radios,
-  /// and where there is a medium `radio_load_mean` and
+  /// where there were forged ones `messages_forged` and of these
+  /// `messages_forged_accepted`, and where there is a medium `radio_load_mean` and
   /// `radio_load_max`: the share of the time in which a radio sent or heard others, of
   /// all radios and times, and the highest of a radio between two records;
   /// `radio_sending_max`: the same of sending alone.
@@ -31,6 +30,7 @@ class RadioStatistics {
  private:
   std::array<std::uint64_t, names_of(static_cast<const LossCause*>(nullptr)).size()>
       messages_ = {};
+  std::uint64_t forged_ = 0, accepted_ = 0;
   double load_ = 0, load_max_ = 0, sending_max_ = 0;
   std::uint64_t rows_ = 0, relayed_ = 0;
 };

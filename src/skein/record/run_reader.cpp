@@ -86,15 +86,18 @@ class Reader {
 
   Result<StoredRun> read() {
     using Part = Result<void> (Reader::*)();
-    for (const Part part :
-         {&Reader::schema,          &Reader::meta,     &Reader::entities,
-          &Reader::duration,        &Reader::events,   &Reader::metrics,
-          &Reader::forecasts,       &Reader::tracks,   &Reader::estimates,
-          &Reader::readings,        &Reader::messages, &Reader::radios, &Reader::perimeters,
-          &Reader::crossings,       &Reader::payload,  &Reader::memory,
-          &Reader::traffic,         &Reader::alerts,   &Reader::bands,
-          &Reader::recommendations, &Reader::zones,    &Reader::missions,
-          &Reader::terrain,         &Reader::summary})
+    for (const Part part : {&Reader::schema,     &Reader::meta,
+                            &Reader::entities,   &Reader::duration,
+                            &Reader::events,     &Reader::metrics,
+                            &Reader::forecasts,  &Reader::tracks,
+                            &Reader::estimates,  &Reader::readings,
+                            &Reader::messages,   &Reader::radios,
+                            &Reader::perimeters, &Reader::crossings,
+                            &Reader::payload,    &Reader::memory,
+                            &Reader::traffic,    &Reader::alerts,
+                            &Reader::bands,      &Reader::recommendations,
+                            &Reader::zones,      &Reader::missions,
+                            &Reader::terrain,    &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -266,15 +269,16 @@ class Reader {
     const auto bins = static_cast<std::size_t>(needed);
     run_.messages_sent.assign(bins, 0);
     run_.messages_lost.assign(bins, 0);
-    return rows("SELECT sent_s, cause, hops FROM messages", [&](const Statement& row) {
-      const double bin = std::max(0.0, row.real(0) / run_.message_bin);
-      const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
-      ++run_.messages_sent[k];
-      const LossCause cause = loss_cause(row.text(1));
-      if (cause != LossCause::kNone) ++run_.messages_lost[k];
-      statistics_.radio().message(cause,
-                                  static_cast<std::uint32_t>(row.integer(2)));
-    });
+    return rows(
+        "SELECT sent_s, cause, hops, forged FROM messages", [&](const Statement& row) {
+          const double bin = std::max(0.0, row.real(0) / run_.message_bin);
+          const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
+          ++run_.messages_sent[k];
+          const LossCause cause = loss_cause(row.text(1));
+          if (cause != LossCause::kNone) ++run_.messages_lost[k];
+          statistics_.radio().message(cause, static_cast<std::uint32_t>(row.integer(2)),
+                                      row.integer(3) != 0);
+        });
   }
 
   Result<void> forecasts() {

@@ -25,7 +25,7 @@ struct Taker {
   void operator()(const FireReading&) { statistics.reading(); }
   void operator()(const Crossing& r) { statistics.crossing(r); }
   void operator()(const MessageRecord& r) {
-    statistics.radio().message(r.cause, r.way.hops);
+    statistics.radio().message(r.cause, r.way.hops, r.forged);
     statistics.separation().message(r.message);
   }
   void operator()(const PerimeterRecord& r) {

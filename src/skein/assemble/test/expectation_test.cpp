@@ -1,11 +1,13 @@
 // Scenario tests: every file of scenarios/expect/ names a scenario, changes to it, and
 // what its summary must say, with the reason of each bound; by each of `seeds` where
-// there are some, else by the scenario's.
+// there are some, else by the scenario's. `key_file` is the key of the scenario that is
+// given a file with a team's key, which nobody else can read.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/run.h"
@@ -50,6 +52,14 @@ void run_and_judge(const YAML::Node& file, const std::vector<std::string>& set) 
   }
 }
 
+// A file with a key, of the name of a test, for its owner alone.
+fs::path key_file(const std::string& name) {
+  const fs::path file = fs::path(testing::TempDir()) / (name + ".key");
+  std::ofstream(file) << std::string(64, '7') << '\n';
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  return file;
+}
+
 TEST_P(Expectation, Holds) {
   const YAML::Node file = YAML::LoadFile(GetParam().string());
   if (file["needs"] &&
@@ -57,6 +67,9 @@ TEST_P(Expectation, Holds) {
     GTEST_SKIP() << "the data " << file["needs"] << " is not here";
   std::vector<std::string> set;
   for (const auto& text : file["set"]) set.push_back(text.as<std::string>());
+  if (file["key_file"])
+    set.push_back(file["key_file"].as<std::string>() + "=" +
+                  key_file(GetParam().stem().string()).string());
   if (!file["seeds"]) return run_and_judge(file, set);
   for (const auto& seed : file["seeds"]) {
     SCOPED_TRACE("seed " + seed.as<std::string>());

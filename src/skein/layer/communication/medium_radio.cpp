@@ -4,16 +4,18 @@
 #include <utility>
 
 #include "skein/base/check.h"
+#include "skein/data/wire.h"
 
 namespace skein::communication {
 namespace {
 
 // A node's random streams for its radio.
 constexpr std::uint32_t kSpreads = 4, kRelayDelays = 6, kAdvertisementTimes = 7;
-constexpr std::uint32_t kPartBytes = 4;   // which part of which message it is
-constexpr std::uint32_t kRouteBytes = 8;  // origin, number and hops of a message
+constexpr std::uint32_t kPartBytes = 4;            // which part of which message it is
+constexpr std::uint32_t kRouteBytes = 8;           // origin, number and hops of a message
 constexpr std::uint32_t kAdvertisementBytes = 12;  // identity, address, kind
-constexpr std::uint64_t kAdvertisement = ~std::uint64_t{0};         // a tag
+// Tags of what is no message; those of messages are places in posts_.
+constexpr std::uint64_t kAdvertisement = ~std::uint64_t{0}, kFlood = kAdvertisement - 1;
 constexpr Time kLongestWay = Time::from_ns(1'000'000);  // 300 km at the speed of light
 // Where nothing reaches: an entity without a place.
 const Vec3 kNowhere(1e9, 1e9, 0);
@@ -33,14 +35,25 @@ LossCause cause_of_end(PacketEnd end) {
 }
 
 Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
-                      const PositionLookup& position, NodeAntennas antennas) {
+                      const PositionLookup& position, NodeAntennas antennas,
+                      const Attackers& attackers) {
   Links::Nodes nodes;
   nodes.move = false;  // but when places_changed() says so
   nodes.transmit_power_dbm.assign(entities, transmit_power_dbm);
-  nodes.place = [position](NodeIndex node, Time) {
+  nodes.outsiders = attackers.size();
+  std::vector<Vec3> places;  // of attackers
+  for (std::size_t k = 0; k < attackers.size(); ++k) {
+    nodes.transmit_power_dbm.push_back(attackers[k].power_dbm);
+    places.push_back(attackers[k].place);
+  }
+  nodes.place = [position, entities, places](NodeIndex node, Time) -> Vec3 {
+    if (node >= entities) return places[node - entities];
     return position(EntityId{node}).value_or(kNowhere);
   };
   nodes.antennas = std::move(antennas);
+  // Those of attackers are alike in all directions.
+  if (!nodes.antennas.of.empty())
+    nodes.antennas.of.resize(nodes.transmit_power_dbm.size());
   return nodes;
 }
 
@@ -71,9 +84,11 @@ MediumRadio::MediumRadio(const MediumRadioOptions& options,
       position_(std::move(nodes.position)),
       name_(std::move(nodes.name)),
       seed_(seed),
+      attackers_(options.attacks, static_cast<NodeIndex>(entities_), position_,
+                 options.authentication.has_value(), seed),
       medium_(options.profile, *propagation_,
               nodes_of(entities_, options.profile.phy.transmit_power_dbm, position_,
-                       std::move(nodes.antennas)),
+                       std::move(nodes.antennas), attackers_),
               seed, *this),
       meter_(options.profile.mac.access, entities_),
       knows_neighbours_(options.routing != Routing::kNone ||
@@ -81,6 +96,7 @@ MediumRadio::MediumRadio(const MediumRadioOptions& options,
       neighbours_(entities_, patience_of(options.advertisement_period)),
       waiting_(entities_, 0) {
   SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes + kRouteBytes);
+  if (options.authentication) authenticity_.emplace(*options.authentication, entities_);
   for (std::uint32_t node = 0; node < entities_; ++node) {
     relay_delays_.emplace_back(seed, node, Purpose::kRadio, kRelayDelays);
     advertisement_times_.emplace_back(seed, node, Purpose::kRadio, kAdvertisementTimes);
@@ -105,6 +121,7 @@ void MediumRadio::deliver(Time now, RadioNews& news) {
   medium_.places_changed();
   collect();
   advertise(now);
+  attack(now);
   medium_.advance(std::max(now, medium_.now()));
   settle(now);
   meter_.step(now, [this](NodeIndex node) { return medium_.heard(node); });
@@ -129,25 +146,52 @@ void MediumRadio::collect() {
 
 // Makes a transfer of what was written from `first` to `end`.
 void MediumRadio::begin(std::size_t first, std::size_t end) {
+  const Message& message = written_[first];
+  RandomStream random(seed_, message.from.value, Purpose::kRadio, kSpreads);
+  random.seek(message.number);
+  const Time time = message.sent + Time::from_seconds(options_.spread * random.uniform());
+  const NodeIndex from = message.from.value;
+  const std::uint32_t index =
+      new_transfer(from, std::span(written_).subspan(first, end - first));
+  if (from < entities_) seal(transfers_[index]);
+  launch(index, time);
+}
+
+// A message with its copies, which are moved from.
+std::uint32_t MediumRadio::new_transfer(NodeIndex from, std::span<Message> copies) {
   const std::uint32_t index = free_place(transfers_, free_transfers_);
   Transfer& transfer = transfers_[index];
-  const Message& message = written_[first];
-  transfer.from = message.from.value;
-  transfer.to_all = end > first + 1;
-  transfer.bytes = static_cast<std::uint32_t>(coded_size(message));
-  transfer.urgency = static_cast<std::uint8_t>(urgency_of(message.content));
+  transfer.from = from;
+  transfer.to_all = copies.size() > 1;
+  transfer.bytes = static_cast<std::uint32_t>(coded_size(copies[0]));
+  transfer.urgency = static_cast<std::uint8_t>(urgency_of(copies[0].content));
   transfer.posts = 0;
   transfer.cause = LossCause::kNone;
   transfer.way = {};
   transfer.copies.clear();
   transfer.reached.clear();
-  RandomStream random(seed_, message.from.value, Purpose::kRadio, kSpreads);
-  random.seek(message.number);
-  const Time time = message.sent + Time::from_seconds(options_.spread * random.uniform());
-  for (std::size_t i = first; i < end; ++i)
-    transfer.copies.push_back({std::move(written_[i])});
+  transfer.sealed.clear();
+  for (Message& copy : copies) transfer.copies.push_back({std::move(copy)});
+  return index;
+}
+
+// Seals what its sender says, in the form in which it is on the air once.
+void MediumRadio::seal(Transfer& transfer) {
+  if (!authenticity_) return;
+  Message& message = transfer.copies[0].message;
+  const EntityId to = message.to;
+  if (transfer.to_all) message.to = kEveryone;
+  wire::encode(message, transfer.sealed);
+  message.to = to;
+  authenticity_->seal(message.from, transfer.sealed);
+  transfer.bytes = static_cast<std::uint32_t>(transfer.sealed.size());
+}
+
+// Hands a transfer to the radio of its sender.
+void MediumRadio::launch(std::uint32_t index, Time time) {
+  Transfer& transfer = transfers_[index];
   const bool known =
-      transfer.from < entities_ &&
+      transfer.from < entities_ + attackers_.size() &&
       (transfer.to_all || (transfer.copies[0].message.to.value < entities_ &&
                            transfer.copies[0].message.to.value != transfer.from));
   if (!known) {
@@ -156,7 +200,7 @@ void MediumRadio::begin(std::size_t first, std::size_t end) {
     return;
   }
   if (options_.routing == Routing::kFlooding) {
-    transfer.reached.assign(entities_, false);
+    transfer.reached.assign(entities_ + attackers_.size(), false);
     transfer.reached[transfer.from] = true;
   }
   post(index, transfer.from, 0, time);
@@ -172,7 +216,8 @@ void MediumRadio::post(std::uint32_t index, NodeIndex from, std::uint32_t hop,
   Post& post = posts_[place];
   const bool floods = options_.routing == Routing::kFlooding;
   std::uint32_t to = transfer.to_all ? kAllNodes : transfer.copies[0].message.to.value;
-  if (floods && to != kAllNodes && !neighbours_.has(from, to, std::max(time, medium_.now())))
+  if (floods && to != kAllNodes &&
+      (from >= entities_ || !neighbours_.has(from, to, std::max(time, medium_.now()))))
     to = kAllNodes;
   const std::uint32_t head = floods ? kRouteBytes : 0;
   const std::uint32_t most = options_.profile.mac.part_bytes - head;
@@ -216,7 +261,7 @@ void MediumRadio::settle(Time now) {
     if (transfer.posts > 0) return true;  // passed on meanwhile: it leaves again
     for (Transfer::Copy& copy : transfer.copies) {
       if (copy.arrived) continue;
-      meter_.message_lost(copy.message.from, copy.message.to);
+      if (!copy.message.forged) meter_.message_lost(copy.message.from, copy.message.to);
       const LossCause cause = cause_of(transfer, copy.message.to);
       news_->ended.push_back({std::move(copy.message), cause, transfer.way});
     }
@@ -263,8 +308,8 @@ void MediumRadio::note_neighbours(Time now, std::vector<Event>& events) {
 }
 
 void MediumRadio::on_frame(const Frame& frame, Time now) {
-  meter_.frame(frame);
-  if (frame.kind != FrameKind::kData || frame.tag == kAdvertisement) return;
+  if (frame.from < entities_) meter_.frame(frame);
+  if (frame.kind != FrameKind::kData || frame.tag >= kFlood) return;
   MessageWay& way = transfers_[posts_[frame.tag].transfer].way;
   if (!way.on_air) way.on_air = now;
   ++way.transmissions;
@@ -281,13 +326,19 @@ bool MediumRadio::has_all(Post& post, NodeIndex receiver) {
 
 void MediumRadio::on_delivered(const Frame& data, NodeIndex receiver, Time now,
                                const Reception& reception) {
-  meter_.received(data, receiver, reception);
-  if (knows_neighbours_) neighbours_.hear(receiver, data.from, now, changes_);
-  if (data.tag == kAdvertisement) return;
+  if (receiver >= entities_) return on_overheard(data, receiver, now);
+  if (data.from < entities_) {
+    meter_.received(data, receiver, reception);
+    if (knows_neighbours_) neighbours_.hear(receiver, data.from, now, changes_);
+  }
+  if (data.tag >= kFlood) return;
   Post& post = posts_[data.tag];
   if (!has_all(post, receiver)) return;
-  arrive(transfers_[post.transfer], receiver, post.hop, now);
-  pass_on(post.transfer, receiver, post.hop, now);
+  Transfer& transfer = transfers_[post.transfer];
+  const bool refused = refuses(transfer, receiver, now);
+  arrive(transfer, receiver, post.hop, refused ? LossCause::kRefused : LossCause::kNone,
+         now);
+  if (!refused) pass_on(post.transfer, receiver, post.hop, now);
 }
 
 // Whoever gets a message that floods, and is not its end, sends it once.
@@ -302,27 +353,76 @@ void MediumRadio::pass_on(std::uint32_t index, NodeIndex node, std::uint32_t hop
   post(index, node, hop + 1, now + Time::from_seconds(wait));
 }
 
+// Whether a receiver finds that a message is not authentic, where it must be. What has
+// reached it before it has judged before.
+bool MediumRadio::refuses(Transfer& transfer, NodeIndex receiver, Time now) {
+  const bool reached = !transfer.reached.empty() && transfer.reached[receiver];
+  if (!authenticity_ || reached) return false;
+  const EntityId self{receiver}, sender = transfer.copies[0].message.from;
+  const Verdict verdict = authenticity_->judge(self, sender, transfer.sealed);
+  if (verdict == Verdict::kAuthentic) return false;
+  const bool refused = authenticity_->is_required();
+  if (auto event = refusals_.note(now, self, sender, verdict, refused, name_(sender)))
+    news_->events.push_back(*std::move(event));
+  if (refused && !transfer.reached.empty()) transfer.reached[receiver] = true;
+  return refused;
+}
+
+// Does what attackers do up to `now`.
+void MediumRadio::attack(Time now) {
+  attack_orders_.clear();
+  attackers_.step(now, attack_orders_, news_->events);
+  for (const AttackOrders::Noise& noise : attack_orders_.noise)
+    medium_.send_noise_at(noise.time, noise.node, noise.duration);
+  for (const AttackOrders::Packet& packet : attack_orders_.packets)
+    medium_.send_at(packet.time, {packet.node, packet.to, packet.bytes, kFlood, 0});
+  for (AttackOrders::Forgery& forgery : attack_orders_.forgeries) {
+    const std::uint32_t index = new_transfer(forgery.node, forgery.message.copies);
+    Transfer& transfer = transfers_[index];
+    transfer.sealed = std::move(forgery.message.sealed);
+    if (authenticity_)
+      transfer.bytes = static_cast<std::uint32_t>(transfer.sealed.size());
+    launch(index, forgery.time);
+  }
+}
+
+void MediumRadio::on_overheard(const Frame& data, NodeIndex receiver, Time now) {
+  if (receiver < entities_ || !attackers_.listen() || data.tag >= kFlood) return;
+  const Post& post = posts_[data.tag];
+  if (post.parts > 1) return;
+  const Transfer& transfer = transfers_[post.transfer];
+  overheard_.clear();
+  for (const Transfer::Copy& copy : transfer.copies) overheard_.push_back(copy.message);
+  attackers_.overhear(receiver, overheard_, transfer.sealed, now);
+}
+
 void MediumRadio::arrive(Transfer& transfer, NodeIndex receiver, std::uint32_t hop,
-                         Time now) {
+                         LossCause cause, Time now) {
   for (Transfer::Copy& copy : transfer.copies) {
     if (copy.arrived || copy.message.to.value != receiver) continue;
     copy.arrived = true;
     transfer.way.hops = hop;
-    meter_.message_arrived(copy.message.from, copy.message.to, now - copy.message.sent);
+    if (!copy.message.forged && cause == LossCause::kNone)
+      meter_.message_arrived(copy.message.from, copy.message.to, now - copy.message.sent);
+    else if (!copy.message.forged)
+      meter_.message_lost(copy.message.from, copy.message.to);
+    // Attackers may still hear it.
+    Message arrived = attackers_.listen() ? copy.message : std::move(copy.message);
     // Who it came from is still needed where it is passed on.
-    Message arrived = std::move(copy.message);
     copy.message.from = arrived.from;
     copy.message.to = arrived.to;
-    news_->ended.push_back({std::move(arrived), LossCause::kNone, transfer.way});
+    news_->ended.push_back({std::move(arrived), cause, transfer.way});
     return;
   }
 }
 
 void MediumRadio::on_finished(const Packet& packet, PacketEnd end, Time now) {
-  meter_.lost(packet.order.from, end);
-  if (end != PacketEnd::kQueueFull)
-    meter_.queue(packet.order.from, medium_.waiting(packet.order.from) + 1);
-  if (packet.order.tag == kAdvertisement) return;
+  if (packet.order.from < entities_) {
+    meter_.lost(packet.order.from, end);
+    if (end != PacketEnd::kQueueFull)
+      meter_.queue(packet.order.from, medium_.waiting(packet.order.from) + 1);
+  }
+  if (packet.order.tag >= kFlood) return;
   end_part(static_cast<std::uint32_t>(packet.order.tag), cause_of_end(end), now);
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "skein/layer/communication/medium/medium.h"
 #include "skein/layer/communication/neighbours.h"
 #include "skein/layer/communication/radio_meter.h"
+#include "skein/layer/communication/security/attackers.h"
+#include "skein/layer/communication/security/authenticity.h"
 #include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 
@@ -34,6 +37,8 @@ struct MediumRadioOptions {
   double relay_delay = 0.05;  ///< of these: each waits up to this, uniform [s]
   /// Of a node's word that it is there, 10 % earlier or later [s]; 0: it says nothing.
   double advertisement_period = 0;
+  std::vector<Attack> attacks;
+  std::optional<AuthenticationOptions> authentication;  ///< none: messages carry no seals
 };
 
 /// What entities are called, in events.
@@ -63,6 +68,11 @@ struct RadioNodes {
 /// A node that has heard another knows it as its neighbour until it was silent for three
 /// periods of advertisements (three seconds without these): events "neighbour-found" and
 /// "neighbour-lost", where there are advertisements.
+///
+/// Attackers are further nodes of the medium (security/attackers.h). What they send in
+/// the name of entities are messages that are `forged`. With authentication every message
+/// carries a seal (security/seal.h), which counts as bytes on the air; receivers, those
+/// who pass it on too, refuse what is not authentic: its end is LossCause::kRefused.
 class MediumRadio final : public Radio, private MediumListener {
  public:
   MediumRadio(const MediumRadioOptions& options, std::unique_ptr<Propagation> propagation,
@@ -81,8 +91,8 @@ class MediumRadio final : public Radio, private MediumListener {
     bool to_all = false;
     std::uint32_t bytes = 0;
     std::uint8_t urgency = 0;
-    std::uint32_t posts = 0;  // that have not ended
-    Time ended;               // when the last one did
+    std::uint32_t posts = 0;             // that have not ended
+    Time ended;                          // when the last one did
     LossCause cause = LossCause::kNone;  // of what was lost first at a sender
     MessageWay way;
     struct Copy {
@@ -90,7 +100,8 @@ class MediumRadio final : public Radio, private MediumListener {
       bool arrived = false;
     };
     std::vector<Copy> copies;
-    std::vector<bool> reached;           // of flooding: nodes that have it
+    std::vector<std::byte> sealed;  // with authentication: its wire form and its seal
+    std::vector<bool> reached;      // of flooding: nodes that have it
     std::vector<std::uint32_t> carried;  // posts, to be used again in the end
     bool leaves = false;                 // stands in leaving_
   };
@@ -105,9 +116,15 @@ class MediumRadio final : public Radio, private MediumListener {
 
   void collect();
   void begin(std::size_t first, std::size_t end);
+  std::uint32_t new_transfer(NodeIndex from, std::span<Message> copies);
+  void seal(Transfer& transfer);
+  void launch(std::uint32_t transfer, Time time);
   void post(std::uint32_t transfer, NodeIndex from, std::uint32_t hop, Time time);
   bool has_all(Post& post, NodeIndex receiver);
-  void arrive(Transfer& transfer, NodeIndex receiver, std::uint32_t hop, Time now);
+  void arrive(Transfer& transfer, NodeIndex receiver, std::uint32_t hop, LossCause cause,
+              Time now);
+  bool refuses(Transfer& transfer, NodeIndex receiver, Time now);
+  void attack(Time now);
   void pass_on(std::uint32_t transfer, NodeIndex node, std::uint32_t hop, Time now);
   void leave(std::uint32_t transfer, Time now);
   void end_part(std::uint32_t index, LossCause cause, Time now);
@@ -119,6 +136,7 @@ class MediumRadio final : public Radio, private MediumListener {
   void on_frame(const Frame& frame, Time now) override;
   void on_delivered(const Frame& data, NodeIndex receiver, Time now,
                     const Reception& reception) override;
+  void on_overheard(const Frame& data, NodeIndex receiver, Time now) override;
   void on_finished(const Packet& packet, PacketEnd end, Time now) override;
 
   MediumRadioOptions options_;
@@ -127,11 +145,12 @@ class MediumRadio final : public Radio, private MediumListener {
   PositionLookup position_;
   NameLookup name_;
   std::uint64_t seed_;
+  Attackers attackers_;
   Medium medium_;
   RadioMeter meter_;
   bool knows_neighbours_;
   Neighbours neighbours_;
-  Time next_check_;  // for lost ones
+  Time next_check_;                          // for lost ones
   std::vector<Neighbours::Change> changes_;  // since the last deliver()
   std::vector<RandomStream> relay_delays_, advertisement_times_;
   std::vector<Time> next_advertisements_;
@@ -141,6 +160,10 @@ class MediumRadio final : public Radio, private MediumListener {
   std::vector<std::uint32_t> free_transfers_, free_posts_;
   std::vector<std::uint32_t> leaving_;  // transfers that may still be on the way
   std::vector<std::uint32_t> waiting_;  // packets in the queue of each node
+  std::optional<Authenticity> authenticity_;
+  RefusalLog refusals_;
+  AttackOrders attack_orders_;
+  std::vector<Message> overheard_;
   RadioNews* news_ = nullptr;
 };
 

@@ -11,7 +11,7 @@
 namespace skein::communication {
 namespace {
 
-constexpr std::uint32_t kReceptions = 2;     // of a node's random streams for its radio
+constexpr std::uint32_t kReceptions = 2;  // of a node's random streams for its radio
 constexpr Time kHeader = Time::from_ns(48'000);  // what the preamble ends with
 
 }  // namespace
@@ -136,7 +136,7 @@ void Channel::arrive(FrameIndex index, const Link& link, Time now) {
   receiver.signals.push_back({index, link.power, now + on_air_[index].frame.duration});
   receiver.power += link.power;
   hear(receiver, now);
-  if (receives || now < receiver.sending_until)
+  if (receives || now < receiver.sending_until || on_air_[index].frame.noise)
     sense(link.to, now);
   else
     receiver.candidates.push_back({index, link.power});

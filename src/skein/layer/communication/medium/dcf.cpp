@@ -244,12 +244,14 @@ void Dcf::on_payload_lost(NodeIndex node, Time now) {
 void Dcf::on_received(NodeIndex node, Time now, const Frame& frame,
                       const Reception& reception) {
   Station& station = stations_[node];
-  if (power_)
-    power_->heard(node, frame.from, reception.power, frame.power);
-  if (frame.to != node && frame.to != kAllNodes) return reserve(node, frame, now);
+  if (power_) power_->heard(node, frame.from, reception.power, frame.power);
+  if (frame.to != node && frame.to != kAllNodes) {
+    if (frame.kind == FrameKind::kData) listener_.on_overheard(frame, node, now);
+    return reserve(node, frame, now);
+  }
   switch (frame.kind) {
     case FrameKind::kData: {
-      if (frame.to == kAllNodes) 
+      if (frame.to == kAllNodes)
         return listener_.on_delivered(frame, node, now, reception);
       respond(node,
               {.kind = FrameKind::kAck,

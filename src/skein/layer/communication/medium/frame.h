@@ -27,6 +27,7 @@ struct Frame {
   Time duration;                ///< on the air, with preamble
   Time reserved = {};           ///< what its duration field asks others to wait after it
   double power = 1;             ///< share of its sender's full power, above 0
+  bool noise = false;           ///< nobody can decode it
 };
 
 /// How a frame arrived at a receiver.

@@ -39,12 +39,15 @@ class Links {
     std::vector<double> transmit_power_dbm;  ///< of each node
     bool move = true;  ///< false: they stay where they are at the beginning
     NodeAntennas antennas = {};
+    std::size_t outsiders = 0;  ///< the last ones, which share slots with others
   };
 
   /// @param propagation  outlives this
   Links(const PhyProfile& phy, const Propagation& propagation, Nodes nodes);
 
   std::size_t size() const { return tables_.size(); }
+  /// Those that are no outsiders.
+  std::size_t members() const { return tables_.size() - nodes_.outsiders; }
 
   /// That a node sends with when nothing lowers it [W].
   double full_power(NodeIndex node) const { return full_power_[node]; }

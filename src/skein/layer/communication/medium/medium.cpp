@@ -16,7 +16,8 @@ std::unique_ptr<Access> make_access(const RadioProfile& profile, Links& links,
                                     MediumListener& listener, std::uint64_t seed) {
   switch (profile.mac.access) {
     case AccessMethod::kTdma:
-      return std::make_unique<Tdma>(profile, links.size(), schedule, packets, listener);
+      return std::make_unique<Tdma>(profile, links.size(), links.members(), schedule,
+                                    packets, listener);
     case AccessMethod::kDirect:
       return std::make_unique<DirectAccess>(profile, links, schedule, packets, listener,
                                             seed);
@@ -45,10 +46,16 @@ void Medium::advance(Time until) {
     now_ = event.time;
     if (event.kind < EventKind::kAccess)
       channel_.handle(event);
-    else if (event.kind != EventKind::kOrder)
+    else if (event.kind < EventKind::kOrder)
       access_->handle(event);
-    else
+    else if (event.kind == EventKind::kOrder)
       hand_over(event.index);
+    else
+      channel_.transmit({.from = event.index,
+                         .to = kAllNodes,
+                         .duration = Time::from_ns(event.stamp),
+                         .noise = true},
+                        now_);
   }
   now_ = until;
 }
@@ -64,6 +71,12 @@ void Medium::send_at(Time time, const PacketOrder& order) {
     orders_[place] = order;
   }
   schedule_.add(std::max(time, now_), EventKind::kOrder, place);
+}
+
+void Medium::send_noise_at(Time time, NodeIndex node, Time duration) {
+  const auto length = static_cast<std::uint32_t>(duration.ns());
+  SKEIN_CHECK(node < links_.size() && length > 0 && length == duration.ns());
+  schedule_.add(std::max(time, now_), EventKind::kNoise, node, length);
 }
 
 void Medium::hand_over(std::uint32_t place) {

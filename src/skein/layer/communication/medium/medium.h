@@ -40,6 +40,10 @@ class Medium {
   /// The same at a later time; a queue that is full then is heard of as kQueueFull.
   void send_at(Time time, const PacketOrder& order);
 
+  /// A node sends noise, whatever it hears: nobody can decode it, all sense it.
+  /// @param duration  above 0, at most 4 s
+  void send_noise_at(Time time, NodeIndex node, Time duration);
+
   /// Packets that wait or are in service.
   std::size_t waiting() const { return packets_.size(); }
 

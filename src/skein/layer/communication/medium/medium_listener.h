@@ -25,6 +25,8 @@ class MediumListener {
   /// transmission that comes through.
   virtual void on_delivered(const Frame& data, NodeIndex receiver, Time now,
                             const Reception& reception) = 0;
+  /// A data frame for another has reached `receiver` too; retransmissions as well.
+  virtual void on_overheard(const Frame&, NodeIndex /*receiver*/, Time /*now*/) {}
   /// The medium has done with a packet. The one that takes its place may be ordered now.
   virtual void on_finished(const Packet& packet, PacketEnd end, Time now) = 0;
 };

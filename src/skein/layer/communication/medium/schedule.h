@@ -23,6 +23,7 @@ enum class EventKind : std::uint8_t {
   kNavReset,  ///< nothing has followed an RTS of others
   // Of whoever sends.
   kOrder,  ///< a packet is handed to its radio
+  kNoise,  ///< a node begins to send noise, of as many nanoseconds as the stamp says
 };
 
 /// Events in order of time; those of one moment in the order in which they were made.

@@ -4,13 +4,14 @@
 
 namespace skein::communication {
 
-Tdma::Tdma(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
-           PacketStore& packets, MediumListener& listener)
+Tdma::Tdma(const RadioProfile& profile, std::size_t nodes, std::size_t members,
+           Schedule& schedule, PacketStore& packets, MediumListener& listener)
     : mac_(profile.mac),
       phy_(profile.phy),
       schedule_(schedule),
       packets_(packets),
       listener_(listener),
+      slots_(static_cast<std::int64_t>(members)),
       stations_(nodes) {}
 
 Time Tdma::airtime(std::uint32_t bytes) const {
@@ -21,8 +22,8 @@ Time Tdma::airtime(std::uint32_t bytes) const {
 // The next beginning of the node's slot that is not before `now`.
 Time Tdma::next_slot(NodeIndex node, Time now) const {
   const std::int64_t slot = mac_.slot.ns();
-  const std::int64_t frame = slot * static_cast<std::int64_t>(stations_.size());
-  const std::int64_t begin = slot * node;
+  const std::int64_t frame = slot * slots_;
+  const std::int64_t begin = slot * (node % slots_);
   if (now.ns() <= begin) return Time::from_ns(begin);
   const std::int64_t frames = (now.ns() - begin + frame - 1) / frame;
   return Time::from_ns(begin + frames * frame);
@@ -57,9 +58,7 @@ void Tdma::use_slot(NodeIndex node, Time now) {
     }
     const Time slot = next_slot(node, now);
     const Time frame_end =
-        slot == now
-            ? now + mac_.slot
-            : slot + mac_.slot - mac_.slot * static_cast<std::int64_t>(stations_.size());
+        slot == now ? now + mac_.slot : slot + mac_.slot - mac_.slot * slots_;
     if (now + duration > frame_end) {
       schedule_.add(slot, EventKind::kAccess, node);
       return;
@@ -85,6 +84,8 @@ void Tdma::on_received(NodeIndex node, Time now, const Frame& frame,
                        const Reception& reception) {
   if (frame.to == node || frame.to == kAllNodes)
     listener_.on_delivered(frame, node, now, reception);
+  else
+    listener_.on_overheard(frame, node, now);
 }
 
 void Tdma::finish(NodeIndex node, PacketEnd end, Time now) {

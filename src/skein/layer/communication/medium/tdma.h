@@ -11,14 +11,15 @@ namespace skein::communication {
 
 /// Each node sends in a slot of its own, in turn; nothing is acknowledged.
 ///
-/// Slot k of a frame of as many slots as there are nodes belongs to node k, from the
-/// beginning of time. A node sends what waits and fits into what is left of its slot,
-/// the oldest first; a packet that no slot holds is given up. Clocks agree.
+/// Slot k of a frame of as many slots as there are members belongs to node k, from the
+/// beginning of time; outsiders send in slots of members. A node sends what waits and
+/// fits into what is left of its slot, the oldest first; a packet that no slot holds is
+/// given up. Clocks agree.
 class Tdma final : public Access {
  public:
   /// All outlive this; the channel is the one that this listens to.
-  Tdma(const RadioProfile& profile, std::size_t nodes, Schedule& schedule,
-       PacketStore& packets, MediumListener& listener);
+  Tdma(const RadioProfile& profile, std::size_t nodes, std::size_t members,
+       Schedule& schedule, PacketStore& packets, MediumListener& listener);
   void use(Channel& channel) override { channel_ = &channel; }
 
   PacketQueue& queue(NodeIndex node) override { return stations_[node].queue; }
@@ -48,6 +49,7 @@ class Tdma final : public Access {
   PacketStore& packets_;
   MediumListener& listener_;
   Channel* channel_ = nullptr;
+  std::int64_t slots_;  // of a frame
   std::vector<Station> stations_;
 };
 
