@@ -26,6 +26,10 @@ class Terrain;
 class WindField;
 }  // namespace skein
 
+namespace skein::modem {
+class ModemLink;
+}
+
 namespace skein::reasoning {
 struct OnboardTeamOptions;
 class TeamDesk;
@@ -142,6 +146,7 @@ struct RadioContext {
   std::size_t entities = 0;  ///< all of the run, those that come late too
   std::function<std::optional<Vec3>(EntityId)> position;
   std::function<std::string(EntityId)> name;
+  modem::ModemLink* modem = nullptr;  ///< of the run; null: there is none
 };
 
 /// What every estimator is given besides its options.

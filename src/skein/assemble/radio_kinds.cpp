@@ -1,12 +1,14 @@
 // Radios: one row each.
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/modem_setup.h"
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/team_setup.h"
 #include "skein/layer/communication/ideal_radio.h"
 #include "skein/layer/communication/medium_radio.h"
 #include "skein/layer/communication/propagation/path_loss.h"
+#include "skein/link/modem/modem_parts.h"
 
 namespace skein::assemble {
 namespace {
@@ -38,6 +40,7 @@ struct MediumChoice {
   std::string profile = "wifi-dsss-2";
   std::string file;
   communication::MediumRadioOptions radio;  // without its profile
+  std::optional<ModemChoice> modem;
 };
 
 Fields<MediumChoice> medium_fields() {
@@ -64,7 +67,9 @@ Fields<MediumChoice> medium_fields() {
                   [](T & t) -> auto& { return t.radio.advertisement_period; },
                   "Between a radio's words that it is there, by which others find their "
                   "neighbours; 0: none.",
-                  {.at_least = 0, .at_most = 3600});
+                  {.at_least = 0, .at_most = 3600})
+      .object("modem", &T::modem, modem_fields(),
+              "A real modem in the same medium: the messages of some entities go over it.");
 }
 
 Result<RadioFile> load(const MediumChoice& choice) {
@@ -89,7 +94,22 @@ double range_of(const RadioFile& file) {
   return near;
 }
 
+// Where the messages of real entities go by range alone; null: over the medium.
+std::unique_ptr<Radio> by_range(const MediumChoice& choice, const RadioFile& file,
+                                const RadioContext& context) {
+  if (choice.modem->hear) return nullptr;
+  communication::IdealRadioOptions options;
+  options.range = range_of(file);
+  return std::make_unique<communication::IdealRadio>(options, context.seed,
+                                                     context.position);
+}
+
 }  // namespace
+
+const ModemChoice* modem_of(const scenario::Choice& radio) {
+  const auto* medium = std::any_cast<MediumChoice>(&radio.options);
+  return medium && medium->modem ? &*medium->modem : nullptr;
+}
 
 double radio_range(const scenario::Choice& radio) {
   if (const auto* medium = std::any_cast<MediumChoice>(&radio.options)) {
@@ -115,11 +135,16 @@ Kinds<Radio, RadioContext> radio_kinds() {
         if (!file) return file.error();
         communication::MediumRadioOptions options = o.radio;
         options.profile = file.value().radio;
-        return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
+        std::unique_ptr<Radio> medium = std::make_unique<communication::MediumRadio>(
             options,
             communication::make_propagation(file.value().propagation,
                                             file.value().radio.phy.frequency, c.seed),
-            c.entities, c.position, c.name, c.seed));
+            c.entities, c.position, c.name, c.seed);
+        if (!o.modem || !c.modem) return medium;
+        return std::unique_ptr<Radio>(std::make_unique<modem::ModemRadio>(
+            modem::ModemRadioParts{std::move(medium), by_range(o, file.value(), c),
+                                   o.modem->inject ? c.modem : nullptr},
+            *c.modem));
       });
   return kinds;
 }

@@ -313,7 +313,7 @@ void Stepper::send(Time now, std::size_t i) {
   for (Message& message : states_[i].output.outbox) {
     message.from = id_of(i);
     message.sent = now;
-    if (message.to == kEveryone) {
+    if (message.to == kEveryone && !world_.radio->carries_broadcasts()) {
       send_to_all(std::move(message), works);
       continue;
     }
