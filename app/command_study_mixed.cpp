@@ -14,40 +14,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kProfile = "n920";
-constexpr double kRate = 15'000;      // [bit/s]
-constexpr double kOverload = 60'000;  // more than three such modems carry
-constexpr int kRepetitions = 10;
-constexpr double kDuration = 30;  // [s]
+constexpr const char* kMixedProfile = "n920";
+constexpr double kMixedRate = 15'000;      // [bit/s]
+constexpr double kMixedOverload = 60'000;  // more than three such modems carry
+constexpr int kMixedRepetitions = 10;
+constexpr double kMixedDuration = 30;  // [s]
 
-struct Compared {
+struct ComparedRates {
   const char* name;
   MixedSetUp set_up;
   double rate;
 };
 
-constexpr Compared kCompared[] = {
-    {"all-real", MixedSetUp::kAllReal, kRate},
-    {"mixed", MixedSetUp::kMixed, kRate},
-    {"all-real", MixedSetUp::kAllReal, kOverload},
-    {"mixed", MixedSetUp::kMixed, kOverload},
-    {"mixed-without-model", MixedSetUp::kWithoutModel, kOverload},
+constexpr ComparedRates kMixedCompared[] = {
+    {"all-real", MixedSetUp::kAllReal, kMixedRate},
+    {"mixed", MixedSetUp::kMixed, kMixedRate},
+    {"all-real", MixedSetUp::kAllReal, kMixedOverload},
+    {"mixed", MixedSetUp::kMixed, kMixedOverload},
+    {"mixed-without-model", MixedSetUp::kWithoutModel, kMixedOverload},
 };
 
 std::string pair_name(std::size_t from, std::size_t to) {
   return fmt::format("{}_to_{}_byte_s", from + 1, to + 1);
 }
 
-campaign::StudyPlan plan_of(const StudyArguments& arguments, const std::string& profile,
-                            double duration, std::vector<Compared>& cases) {
+campaign::StudyPlan mixed_plan(const StudyArguments& arguments,
+                               const std::string& profile, double duration,
+                               std::vector<ComparedRates>& cases) {
   campaign::StudyPlan plan;
   plan.dimensions = {"profile", "set-up", "rate_kbps"};
-  for (const Compared& each : kCompared) {
+  for (const ComparedRates& each : kMixedCompared) {
     campaign::StudyCell cell;
     cell.case_name = profile;
     cell.strategy = each.name;
     cell.estimator = fmt::format("{}", each.rate / 1e3);
-    for (int k = 0; k < arguments.seeds.value_or(kRepetitions); ++k) {
+    for (int k = 0; k < arguments.seeds.value_or(kMixedRepetitions); ++k) {
       cell.items.push_back(plan.items.size());
       campaign::BatchItem item;
       item.scenario.seed = static_cast<std::uint64_t>(arguments.first_seed + k);
@@ -61,8 +62,8 @@ campaign::StudyPlan plan_of(const StudyArguments& arguments, const std::string& 
   return plan;
 }
 
-Result<record::RunSummary> measure(const MixedRatesCase& given,
-                                   const std::atomic<bool>& stop) {
+Result<record::RunSummary> summary_of_rates(const MixedRatesCase& given,
+                                            const std::atomic<bool>& stop) {
   const auto measured = measure_mixed_rates(given, stop);
   if (!measured) return measured.error();
   record::RunSummary summary;
@@ -100,15 +101,16 @@ std::string spread_of(const campaign::StudyCell& cell,
   return fmt::format("{:.0f} ± {:.0f}", mean, std::sqrt(variance));
 }
 
-record::StudyReport report_of(const campaign::StudyPlan& plan,
-                              const std::vector<campaign::BatchOutcome>& outcomes,
-                              double duration, bool interrupted) {
+record::StudyReport mixed_report(const campaign::StudyPlan& plan,
+                                 const std::vector<campaign::BatchOutcome>& outcomes,
+                                 double duration, bool interrupted) {
   record::StudyReport report;
   report.title = "Data rates between real and simulated entities";
   if (interrupted) report.alert = "Interrupted: not all measurements were made.";
   report.intro.push_back(fmt::format(
       "Three entities at equal distances say {} bytes to the others again and again, for "
-      "{} s. All real: each behind a socket with its own modem, at a stand-in of the air. "
+      "{} s. All real: each behind a socket with its own modem, at a stand-in of the "
+      "air. "
       "Mixed: the first one so, the others simulated in the ground station. Without the "
       "model what is simulated reaches all at once. [Selecky18] 6.4.1.",
       kMixedBytes, duration));
@@ -132,28 +134,30 @@ record::StudyReport report_of(const campaign::StudyPlan& plan,
 
 }  // namespace
 
-int mixed_rates_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
-                      const fs::path& folder, const std::atomic<bool>& stop) {
+int mixed_rates_study(const StudyArguments& arguments,
+                      const assemble::KindRegistry& kinds, const fs::path& folder,
+                      const std::atomic<bool>& stop) {
   if (arguments.profiles.size() > 1 || !arguments.nodes.empty()) {
     complain("error: the experiment mixed has three entities and one profile.\n");
     return kBadUsage;
   }
   const std::string profile =
-      arguments.profiles.empty() ? kProfile : arguments.profiles.front();
+      arguments.profiles.empty() ? kMixedProfile : arguments.profiles.front();
   const auto radio = assemble::load_radio(profile, fs::current_path());
   if (!radio) return say_error(radio.error());
-  const double duration = arguments.duration.value_or(kDuration);
-  std::vector<Compared> cases;
-  const campaign::StudyPlan plan = plan_of(arguments, profile, duration, cases);
+  const double duration = arguments.duration.value_or(kMixedDuration);
+  std::vector<ComparedRates> cases;
+  const campaign::StudyPlan plan = mixed_plan(arguments, profile, duration, cases);
   const auto outcomes = run_plan(
       plan, arguments.threads, kinds, folder, stop, [&](const campaign::BatchItem& item) {
-        const Compared& each = cases[static_cast<std::size_t>(&item - plan.items.data())];
-        return measure(
+        const ComparedRates& each =
+            cases[static_cast<std::size_t>(&item - plan.items.data())];
+        return summary_of_rates(
             {each.set_up, radio.value(), each.rate, duration, item.scenario.seed}, stop);
       });
   if (!outcomes) return say_error(outcomes.error());
   return finish("network mixed", plan, outcomes.value(),
-                report_of(plan, outcomes.value(), duration, stop), folder, stop);
+                mixed_report(plan, outcomes.value(), duration, stop), folder, stop);
 }
 
 }  // namespace skein::app

@@ -17,34 +17,36 @@
 namespace skein::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using RealClock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kAirTurn{1}, kTurn{2};
-constexpr double kMeeting = 10;  // in which all have found each other [s]
-constexpr double kWarmUp = 1;    // before it counts [s]: queues that are still empty
-constexpr double kSide = 200;    // of the triangle [m]
+constexpr std::chrono::milliseconds kAirTurn{1}, kMixedTurn{2};
+constexpr double kMeeting = 10;     // in which all have found each other [s]
+constexpr double kRatesWarmUp = 1;  // before it counts [s]: queues that are still empty
+constexpr double kTriangleSide = 200;  // of the triangle [m]
 
-Time since(Clock::time_point begin) {
+Time since(RealClock::time_point begin) {
   return Time::from_ns(
-      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count());
+      std::chrono::duration_cast<std::chrono::nanoseconds>(RealClock::now() - begin)
+          .count());
 }
 
 // The corners of a triangle of equal sides, 100 m up.
-std::optional<Vec3> corner(EntityId node) {
-  const Vec3 corners[] = {
-      {0, 0, -100}, {kSide, 0, -100}, {kSide / 2, kSide * 0.8660254037844386, -100}};
+std::optional<Vec3> triangle_corner(EntityId node) {
+  const Vec3 corners[] = {{0, 0, -100},
+                          {kTriangleSide, 0, -100},
+                          {kTriangleSide / 2, kTriangleSide * 0.8660254037844386, -100}};
   return corners[node.value % kMixedEntities];
 }
 
-std::unique_ptr<Radio> medium_of(const assemble::RadioFile& radio, std::size_t nodes,
-                                 std::uint64_t seed) {
+std::unique_ptr<Radio> shared_medium(const assemble::RadioFile& radio, std::size_t nodes,
+                                     std::uint64_t seed) {
   communication::MediumRadioOptions options;
   options.profile = radio.radio;
   options.spread = 0;
   return std::make_unique<communication::MediumRadio>(
       options,
       communication::make_propagation(radio.propagation, radio.radio.phy.frequency, seed),
-      nodes, corner, [](EntityId id) { return std::to_string(id.value); }, seed);
+      nodes, triangle_corner, [](EntityId id) { return std::to_string(id.value); }, seed);
 }
 
 // Sends a message to all others, as a run does: the first and its copies.
@@ -65,7 +67,7 @@ void send_to_others(Message message, std::size_t nodes, std::uint64_t& number,
 class ModemAir final : public transport::ChannelListener {
  public:
   ModemAir(const assemble::RadioFile& radio, std::size_t modems, std::uint64_t seed)
-      : modems_(modems), medium_(medium_of(radio, modems, seed)), endpoints_(*this) {}
+      : modems_(modems), medium_(shared_medium(radio, modems, seed)), endpoints_(*this) {}
   ~ModemAir() override {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
@@ -118,7 +120,7 @@ class ModemAir final : public transport::ChannelListener {
 
   std::size_t modems_;
   std::unique_ptr<Radio> medium_;
-  Clock::time_point begin_ = Clock::now();
+  RealClock::time_point begin_ = RealClock::now();
   std::map<transport::ChannelId, std::uint32_t> nodes_;
   std::vector<transport::ChannelId> channels_;  // of the nodes
   std::uint64_t number_ = 0;
@@ -160,14 +162,14 @@ class Measurement {
     for (std::uint32_t k = 0; k < kMixedEntities; ++k)
       speakers.emplace_back(given_.seed, k, given_.rate);
     const Time began = since(begin_);
-    for (double now = 0; now < kWarmUp + given_.duration;
+    for (double now = 0; now < kRatesWarmUp + given_.duration;
          now = (since(begin_) - began).seconds()) {
       if (stop) return Error{ErrorCode::kInterrupted, "", "interrupted.", ""};
-      counts_ = now >= kWarmUp;
+      counts_ = now >= kRatesWarmUp;
       for (std::uint32_t k = 0; k < kMixedEntities; ++k)
         if (speakers[k].speaks(now)) say(EntityId{k});
       step();
-      std::this_thread::sleep_for(kTurn);
+      std::this_thread::sleep_for(kMixedTurn);
     }
     MixedRates rates;
     for (std::size_t from = 0; from < kMixedEntities; ++from)
@@ -204,7 +206,7 @@ class Measurement {
       return add({EntityId{2}});
     }
     if (given_.set_up == MixedSetUp::kMixed)
-      simulated_ = medium_of(given_.radio, kMixedEntities, given_.seed + 1000);
+      simulated_ = shared_medium(given_.radio, kMixedEntities, given_.seed + 1000);
     else
       simulated_ = std::make_unique<communication::IdealRadio>(
           communication::IdealRadioOptions{}, given_.seed, nullptr);
@@ -218,7 +220,7 @@ class Measurement {
       if (since(begin_).seconds() > kMeeting)
         return Error{ErrorCode::kUnavailable, given_.radio.name,
                      "the modems do not find each other.", ""};
-      std::this_thread::sleep_for(kTurn);
+      std::this_thread::sleep_for(kMixedTurn);
       for (const auto& modem : modems_)
         for (const modem::Heard& heard : modem->take(since(begin_)))
           all += std::holds_alternative<modem::NeighbourChange>(heard) ? 1 : 0;
@@ -267,10 +269,10 @@ class Measurement {
   }
 
   MixedRatesCase given_;
-  Clock::time_point begin_ = Clock::now();
+  RealClock::time_point begin_ = RealClock::now();
   ModemAir air_;
   std::vector<std::unique_ptr<modem::ModemLink>> modems_;  // the last: the station's
-  std::unique_ptr<Radio> simulated_;  // null: all are real
+  std::unique_ptr<Radio> simulated_;                       // null: all are real
   std::array<std::array<std::size_t, kMixedEntities>, kMixedEntities> messages_ = {};
   bool counts_ = false;
   std::uint64_t number_ = 0;

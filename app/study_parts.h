@@ -90,7 +90,8 @@ int network_study(const StudyArguments& arguments, const assemble::KindRegistry&
                   const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study network mixed`; returns the exit status.
-int mixed_rates_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int mixed_rates_study(const StudyArguments& arguments,
+                      const assemble::KindRegistry& kinds,
                       const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study tuning`; returns the exit status.

@@ -28,7 +28,7 @@ class Agents : public Program {
     prefix_ = "world-";
     fs::remove(folder_ / "world-err.txt");
     std::vector<std::string> arguments = {
-        "run",  scenario.string(),
+        "run",   scenario.string(),
         "--out", out,
         "--set", "aircraft[0].vehicle.listen='udpin:" + std::to_string(port_) + "'"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -152,15 +152,20 @@ class ModemAgents : public Agents {
  protected:
   // Starts the world, with a modem at any free port.
   pid_t start_modem_world(const std::string& out, const std::string& more) {
-    const pid_t world = start_world(
-        out, {"--set", "radio={kind: medium, profile: wifi-dsss-2, modem: {endpoint: "
-                       "'udpin:0', entities: [far-1]" +
-                           more + "}}"});
-    const std::string said = read_file(folder_ / "world-err.txt");
+    const pid_t world =
+        start_world(out, {"--set",
+                          "radio={kind: medium, profile: wifi-dsss-2, modem: {endpoint: "
+                          "'udpin:0', entities: [far-1]" +
+                              more + "}}"});
     const std::string place = "waiting at udpin:127.0.0.1:";
-    const std::size_t at = said.rfind(place);
-    modem_port_ = std::atoi(said.c_str() + at + place.size());
-    EXPECT_NE(modem_port_, port_) << said;
+    for (int k = 0; k < 1000 && modem_port_ == 0; ++k) {
+      const std::string said = read_file(folder_ / "world-err.txt");
+      const std::size_t at = said.rfind(place);
+      if (at != said.find(place) && said.find('\n', at) != std::string::npos)
+        modem_port_ = std::atoi(said.c_str() + at + place.size());
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_NE(modem_port_, 0) << "its modem's place comes after that of its agents";
     return world;
   }
   pid_t start_modem_agent() {
@@ -193,7 +198,7 @@ TEST_F(ModemAgents, AreReachedAndReplayed) {
                        "SELECT count(*) FROM messages WHERE to_id = 1 AND lost = 0 AND "
                        "sent_s > (SELECT max(time_s) FROM events WHERE kind = "
                        "'neighbour-found')",
-                       2))
+                       1))
       << "it is reached again";
   EXPECT_EQ(stop(agent, "agent-").status, 0) << read_file(folder_ / "agent-err.txt");
   EXPECT_EQ(stop(world, "world-").status, 130);
@@ -214,9 +219,10 @@ TEST_F(ModemAgents, AreHeardByRangeAloneWhereTheMediumDoesNotHearThem) {
                        3));
   EXPECT_EQ(stop(agent, "agent-").status, 0);
   EXPECT_EQ(stop(world, "world-").status, 130);
-  EXPECT_EQ(query(folder_ / "world/run.sqlite",
-                  "SELECT count(*) FROM messages WHERE from_id = 1 AND transmissions > 0"),
-            0);
+  EXPECT_EQ(
+      query(folder_ / "world/run.sqlite",
+            "SELECT count(*) FROM messages WHERE from_id = 1 AND transmissions > 0"),
+      0);
 }
 
 TEST_F(Agents, SayWhatIsWrong) {

@@ -8,8 +8,8 @@ namespace skein::app {
 namespace {
 
 TEST_F(Program, RatesOfMixedAndRealEntitiesAgreeAndWithoutTheMediumDoNot) {
-  const Finished done = run({"study", "network", "mixed", "--duration", "4", "--seeds", "2",
-                             "--threads", "5", "--out", "mixed"});
+  const Finished done = run({"study", "network", "mixed", "--duration", "4", "--seeds",
+                             "2", "--threads", "5", "--out", "mixed"});
   ASSERT_EQ(done.status, 0) << done.err;
   const auto summary = nlohmann::json::parse(read_file(folder_ / "mixed/summary.json"));
   const auto rate = [&](const std::string& set_up, const std::string& pair) -> double {

@@ -24,8 +24,8 @@
 #include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
-#include "skein/link/modem/modem_parts.h"
 #include "skein/link/mavlink/signing_key_file.h"
+#include "skein/link/modem/modem_parts.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/link/world_link/agent_parts.h"
 #include "skein/link/world_link/entity_links.h"
@@ -346,10 +346,9 @@ class Builder {
   }
 
   void aircraft() {
-    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
-                            {*build_.links, *build_.entity_links, nullptr,
-                             build_.modem.get()},
-                            recorded_);
+    AircraftBuilder builder(
+        scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
+        {*build_.links, *build_.entity_links, nullptr, build_.modem.get()}, recorded_);
     const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
     for (std::uint32_t k = 0; k < first; ++k)
       teams_.push_back({EntityId{k},

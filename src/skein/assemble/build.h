@@ -43,7 +43,8 @@ struct Build {
   std::unique_ptr<vehicle_links::VehicleFeed> feed;
   /// To entities whose agents are in other programs; started like `links`.
   std::unique_ptr<world_link::EntityLinks> entity_links;
-  /// To a real modem, of the world or of a single agent; started like `links`. Null: none.
+  /// To a real modem, of the world or of a single agent; started like `links`. Null:
+  /// none.
   std::unique_ptr<modem::ModemLink> modem;
   /// Of a single agent: the link to its world, which is started too, and the listener of
   /// the records that tells the world. Null: this is the world.

@@ -43,8 +43,8 @@ modem::ModemPeerOptions peer_options(const scenario::Scenario& scenario) {
 }
 
 Error bad_entity(const std::string& name, std::string why, std::string hint) {
-  return {ErrorCode::kBadInput, "radio.modem.entities",
-          fmt::format("{} {}", name, why), std::move(hint)};
+  return {ErrorCode::kBadInput, "radio.modem.entities", fmt::format("{} {}", name, why),
+          std::move(hint)};
 }
 
 }  // namespace
@@ -58,8 +58,9 @@ scenario::Fields<ModemChoice> modem_fields() {
             "docs/links.md.")
       .integer("hw", &T::hw, "Address of this modem.",
                {.at_least = 1, .at_most = 0xFFFFFFFE})
-      .text("entities", &T::entities,
-            "Aircraft of the vehicle `remote` whose messages go over modems of their own.")
+      .text(
+          "entities", &T::entities,
+          "Aircraft of the vehicle `remote` whose messages go over modems of their own.")
       .word("gateway", &T::gateway,
             "How those behind the ground station's modem learn the way to others.",
             {{"fixed", GatewayMethod::kFixed, "they know others by their true addresses"},

@@ -48,6 +48,7 @@ struct AgentModem {
 
 /// The modem of an entity in a program of its own.
 std::unique_ptr<modem::ModemLink> make_agent_modem(const scenario::Scenario& scenario,
-                                                   EntityId self, const AgentModem& modem);
+                                                   EntityId self,
+                                                   const AgentModem& modem);
 
 }  // namespace skein::assemble

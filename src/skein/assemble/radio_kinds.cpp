@@ -68,8 +68,9 @@ Fields<MediumChoice> medium_fields() {
                   "Between a radio's words that it is there, by which others find their "
                   "neighbours; 0: none.",
                   {.at_least = 0, .at_most = 3600})
-      .object("modem", &T::modem, modem_fields(),
-              "A real modem in the same medium: the messages of some entities go over it.");
+      .object(
+          "modem", &T::modem, modem_fields(),
+          "A real modem in the same medium: the messages of some entities go over it.");
 }
 
 Result<RadioFile> load(const MediumChoice& choice) {

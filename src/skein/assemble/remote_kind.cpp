@@ -55,8 +55,8 @@ Result<std::unique_ptr<EntityPort>> remote_port(const RemoteOptions& options,
   if (!number) return number.error();
   auto port = c.remotes.port(number.value());
   if (!by_modem(c)) return port;
-  return std::unique_ptr<EntityPort>(std::make_unique<modem::ModemPort>(
-      std::move(port), *c.modem, c.aircraft.self));
+  return std::unique_ptr<EntityPort>(
+      std::make_unique<modem::ModemPort>(std::move(port), *c.modem, c.aircraft.self));
 }
 
 Result<std::unique_ptr<Vehicle>> make_remote(const RemoteOptions& options,

@@ -30,7 +30,8 @@ Result<Datagram> decode_datagram(std::span<const std::byte> bytes) {
   if (datagram.hops > kMaxHops) return no_datagram("it has gone too many hops.");
   if (datagram.sent.ns() > kMaxClock || datagram.sent.ns() < -kMaxClock)
     return no_datagram("its time is none.");
-  if (!walk::has_sound_numbers(datagram)) return no_datagram("its numbers make no sense.");
+  if (!walk::has_sound_numbers(datagram))
+    return no_datagram("its numbers make no sense.");
   return read;
 }
 

@@ -22,8 +22,7 @@ bool Duplicates::is_new(std::uint32_t origin, std::uint64_t session, std::uint64
   known.heard = now;
   if (number > known.newest) {
     const std::uint64_t by = number - known.newest;
-    known.before =
-        by < kWindow ? (known.before << by | std::uint64_t{1} << (by - 1)) : 0;
+    known.before = by < kWindow ? (known.before << by | std::uint64_t{1} << (by - 1)) : 0;
     known.newest = number;
     return true;
   }

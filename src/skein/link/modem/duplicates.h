@@ -16,7 +16,8 @@ namespace skein::modem {
 class Duplicates {
  public:
   /// Whether this is heard for the first time.
-  bool is_new(std::uint32_t origin, std::uint64_t session, std::uint64_t number, Time now);
+  bool is_new(std::uint32_t origin, std::uint64_t session, std::uint64_t number,
+              Time now);
 
  private:
   struct Origin {

@@ -31,9 +31,8 @@ EntityId whose(const Heard& heard) {
 
 // Messages give way before changes, for the simulation acts on them.
 void drop_one(std::vector<Heard>& waiting) {
-  const auto oldest = std::ranges::find_if(waiting, [](const Heard& each) {
-    return std::holds_alternative<Message>(each);
-  });
+  const auto oldest = std::ranges::find_if(
+      waiting, [](const Heard& each) { return std::holds_alternative<Message>(each); });
   waiting.erase(oldest == waiting.end() ? waiting.begin() : oldest);
 }
 

@@ -104,8 +104,9 @@ void ModemPeer::step(Time now, const Send& send) {
   neighbours_.step(now, lost);
   note(std::move(lost));
   if (now >= next_advertisement_ && now >= queue_.due()) {
-    next_advertisement_ = now + Time::from_seconds(options_.advertisement_period.seconds() *
-                                                   jitter_.uniform(0.9, 1.1));
+    next_advertisement_ =
+        now + Time::from_seconds(options_.advertisement_period.seconds() *
+                                 jitter_.uniform(0.9, 1.1));
     Advertisement advertisement{options_.scenario, {}};
     for (const EntityId each : options_.identities)
       advertisement.identities.push_back(each.value);

@@ -22,9 +22,10 @@
 namespace skein::modem {
 
 struct ModemPeerOptions {
-  std::uint32_t hw = 1;       ///< of this modem
-  std::uint64_t session = 1;  ///< larger than that of its last; from the time of the start
-  std::uint32_t scenario = 0; ///< fingerprint of what all must have in common
+  std::uint32_t hw = 1;  ///< of this modem
+  std::uint64_t session =
+      1;  ///< larger than that of its last; from the time of the start
+  std::uint32_t scenario = 0;  ///< fingerprint of what all must have in common
   /// Who is reached through it; the first is whose modem it is: for the others it is the
   /// gateway.
   std::vector<EntityId> identities;
@@ -37,10 +38,10 @@ struct ModemPeerOptions {
 
 /// What a modem did so far.
 struct ModemStatistics {
-  std::uint64_t sent = 0, sent_bytes = 0;  ///< datagrams that went out
-  std::uint64_t injected = 0;              ///< of these: for nobody
+  std::uint64_t sent = 0, sent_bytes = 0;    ///< datagrams that went out
+  std::uint64_t injected = 0;                ///< of these: for nobody
   std::uint64_t heard = 0, heard_bytes = 0;  ///< that came in, each once
-  std::uint64_t duplicates = 0;   ///< came again, or were its own
+  std::uint64_t duplicates = 0;              ///< came again, or were its own
   std::uint64_t unknown = 0;      ///< no datagrams, or of somebody who takes no part
   std::uint64_t unreachable = 0;  ///< messages to somebody who is not heard
   QueueLosses dropped;            ///< instead of being sent
@@ -105,7 +106,9 @@ class ModemPeer {
   };
 
   EntityId own() const { return options_.identities.front(); }
-  bool is_here(EntityId who) const { return who.value < here_.size() && here_[who.value]; }
+  bool is_here(EntityId who) const {
+    return who.value < here_.size() && here_[who.value];
+  }
   bool is_for_us(const Datagram& datagram, const Carried& carried) const;
   std::optional<Address> address_of(const Message& message) const;
   void note(std::vector<NeighbourChange> changes);

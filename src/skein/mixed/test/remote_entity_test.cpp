@@ -232,9 +232,9 @@ TEST(RemoteEntity, IsReachedByItsModemWhileThatHearsIt) {
   stand.desk.waiting = {OutsideEvent{"neighbour-lost", "by the modem"}};
   stand.step(seconds(0.3));
   EXPECT_FALSE(stand.vehicle->link_works());
-  EXPECT_EQ(stand.kinds(), (std::vector<std::string>{"link-up", "neighbour-found",
-                                                     "link-lost", "failure", "repaired",
-                                                     "neighbour-lost"}));
+  EXPECT_EQ(stand.kinds(),
+            (std::vector<std::string>{"link-up", "neighbour-found", "link-lost",
+                                      "failure", "repaired", "neighbour-lost"}));
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ TEST(Gateway, AlteringStandsForOthersAndKnowsTheirTrueAddresses) {
   Gateway gateway(kStation, GatewayMethod::kAltering);
   EXPECT_EQ(gateway.pass_on(kReal), kStation) << "both parts are rewritten";
   EXPECT_EQ(gateway.known_as(kRealId), kStation);
-  EXPECT_EQ(way_of(kBehind, kStation), Way::kLocal) << "they need no gateway of their own";
+  EXPECT_EQ(way_of(kBehind, kStation), Way::kLocal)
+      << "they need no gateway of their own";
   const Node plain{kSimulated, false, {}};
   EXPECT_EQ(gateway.way_out(plain, kStation, kRealId), kReal);
   EXPECT_FALSE(gateway.way_out(plain, {1, 3}, EntityId{3})) << "stays here";

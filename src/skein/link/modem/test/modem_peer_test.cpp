@@ -24,7 +24,8 @@ Message message_of(EntityId from, EntityId to, std::uint64_t number, Time sent,
 // the air: everybody in range hears all, itself too.
 class Air {
  public:
-  explicit Air(GatewayMethod method = GatewayMethod::kFixed, PacedQueueOptions queue = {}) {
+  explicit Air(GatewayMethod method = GatewayMethod::kFixed,
+               PacedQueueOptions queue = {}) {
     ModemPeerOptions options;
     options.session = 10;
     options.entities = 5;
@@ -110,7 +111,8 @@ TEST_P(Methods, BringMessagesToBothSides) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gateways, Methods,
-                         testing::Values(GatewayMethod::kFixed, GatewayMethod::kAltering));
+                         testing::Values(GatewayMethod::kFixed,
+                                         GatewayMethod::kAltering));
 
 TEST(ModemPeer, FindsAllWhoAreReachedThroughOthers) {
   Air air;
@@ -173,8 +175,8 @@ TEST(ModemPeer, NeverSendsWhatCameByTheModem) {
   EXPECT_EQ(air.came[2][0].to, kSecond);
   air.clear();
   // The medium brings it to the other real one's node too.
-  Message copy = air.station().hears(kSecond) ? message_of(kFirst, kSecond, 2, air.now)
-                                              : Message();
+  Message copy =
+      air.station().hears(kSecond) ? message_of(kFirst, kSecond, 2, air.now) : Message();
   air.station().send(copy, air.clock(0));
   air.run(0.05);
   EXPECT_TRUE(air.came[2].empty());

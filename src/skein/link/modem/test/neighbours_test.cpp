@@ -27,7 +27,8 @@ TEST(NeighbourTable, FindsAndLosesAfterItsPatience) {
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_FALSE(changes[1].found);
   EXPECT_FALSE(table.find(EntityId{1}));
-  EXPECT_FALSE(table.heard({7, 1}, seconds(8))) << "only its advertisement brings it back";
+  EXPECT_FALSE(table.heard({7, 1}, seconds(8)))
+      << "only its advertisement brings it back";
   table.advertised({7, 1}, seconds(8), changes);
   EXPECT_TRUE(table.find(EntityId{1}));
 }
