@@ -48,6 +48,11 @@ Result<assemble::AgentOrder> agent_order(const AgentArguments& arguments) {
     if (!team) return team.error();
     order.team.push_back(std::move(team).value());
   }
+  if (!arguments.modem.empty()) {
+    auto modem = transport::parse_endpoint(arguments.modem);
+    if (!modem) return modem.error();
+    order.modem = {std::move(modem).value(), arguments.hw, arguments.modem_rate};
+  }
   return order;
 }
 

@@ -44,6 +44,8 @@ constexpr Experiment kExperiments[] = {
     {"hidden", NetworkExperiment::kHidden, "--nodes"},
 };
 
+constexpr const char* kMixed = "mixed";  // real ones among the nodes
+
 // CPU seconds of this thread.
 double thread_cpu() {
   timespec time{};
@@ -181,6 +183,7 @@ const Experiment* experiment_of(const StudyArguments& arguments) {
     }
     names += fmt::format(" {}", each.name);
   }
+  names += fmt::format(" {}", kMixed);
   if (arguments.experiment.empty())
     complain("error: the study network needs an experiment. There are:{}.\n", names);
   else
@@ -204,6 +207,8 @@ campaign::NetworkStudy study_of(const StudyArguments& arguments,
 
 int network_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                   const fs::path& folder, const std::atomic<bool>& stop) {
+  if (arguments.experiment == kMixed)
+    return mixed_rates_study(arguments, kinds, folder, stop);
   const Experiment* experiment = experiment_of(arguments);
   if (!experiment) return kBadUsage;
   const campaign::NetworkStudy study = study_of(arguments, experiment->which);

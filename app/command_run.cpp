@@ -14,6 +14,7 @@
 #include "skein/assemble/run.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
+#include "skein/link/modem/modem_link.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
@@ -168,6 +169,25 @@ Result<void> set_clock(assemble::Build& ready, double speed,
   return {};
 }
 
+// What the run's modem did.
+void set_figures(const modem::ModemStatistics& modem, record::RunRecorder& recorder) {
+  const auto set = [&recorder](const char* name, auto value) {
+    recorder.set_figure(name, static_cast<double>(value));
+  };
+  set("modem_sent", modem.sent);
+  set("modem_sent_bytes", modem.sent_bytes);
+  set("modem_injected", modem.injected);
+  set("modem_heard", modem.heard);
+  set("modem_heard_bytes", modem.heard_bytes);
+  set("modem_duplicates", modem.duplicates);
+  set("modem_unknown", modem.unknown);
+  set("modem_unreachable", modem.unreachable);
+  set("modem_queue_full", modem.dropped.full);
+  set("modem_expired", modem.dropped.expired);
+  set("modem_delay_mean_s", modem.mean_delay());
+  set("modem_delay_most_s", modem.delay_most.seconds());
+}
+
 // Runs to the end; whether it was interrupted.
 Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
                       const geo::LocalFrame& frame, const RunArguments& arguments,
@@ -179,6 +199,8 @@ Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
   if (!outcome) return outcome.error();
   recorder.set_figure("deadline_misses",
                       static_cast<double>(outcome.value().deadline_misses));
+  if (ready.modem && ready.modem->is_open())
+    set_figures(ready.modem->statistics(), recorder);
   return outcome.value().end == simulation::RunOutcome::End::kStopped;
 }
 

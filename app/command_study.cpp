@@ -204,7 +204,7 @@ const std::vector<StudyKind>& study_kinds() {
        avoidance_study},
       {"network",
        "the radio medium beside ns-3 and Bianchi: network grid, network cell, network "
-       "hidden",
+       "hidden; real and simulated modems: network mixed",
        {"experiment", "--out", "--log", "--seeds", "--first-seed", "--threads", "--nodes",
         "--profiles", "--duration"},
        network_study},

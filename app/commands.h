@@ -52,7 +52,7 @@ struct StudyArguments {
   std::string data;                      ///< bridge: folder of the recorded fire
   std::vector<std::string> gains;        ///< tuning: files of gains
   int search = 0;                        ///< tuning: gains to try; 0 = no search
-  std::string experiment;                ///< network: grid, cell or hidden
+  std::string experiment;                ///< network: grid, cell, hidden or mixed
   std::vector<std::uint32_t> nodes;      ///< network: empty = the experiment's own
   std::vector<std::string> profiles;     ///< network: empty = the experiment's own
   std::optional<double> duration;        ///< network: of each case [s]
@@ -112,6 +112,9 @@ struct AgentArguments {
   std::vector<std::string> team;  ///< where other agents are met directly
   std::string autopilot;  ///< MAVLink endpoint; empty: the vehicle is simulated here
   int system = 1;         ///< MAVLink system id there
+  std::string modem;      ///< where its modem is; empty: its messages go by the world
+  std::uint32_t hw = 0;   ///< address of its modem; 0: by its number
+  double modem_rate = 0;  ///< that its modem can carry [bit/s]; 0: no limit
   double duration = 0;    ///< [s]; 0: until it is interrupted
   std::vector<std::string> overrides, plugins;
   std::filesystem::path out;  ///< folder for records; empty: none

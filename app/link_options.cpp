@@ -25,7 +25,9 @@ Examples:
   skein run fire.yaml --set "aircraft[0].vehicle={kind: remote, listen: 'udpin:14700'}"
   skein agent fire.yaml --entity scout-1 --world udpout:127.0.0.1:14700
   skein agent fire.yaml --entity scout-1 --world udpout:10.0.0.2:14700 \
-      --autopilot serial:/dev/ttyACM0:115200 --team udpmulti:239.255.77.1:14800:10.0.0.7)";
+      --autopilot serial:/dev/ttyACM0:115200 --team udpmulti:239.255.77.1:14800:10.0.0.7
+  skein agent fire.yaml --entity scout-1 --world udpout:10.0.0.2:14700 \
+      --modem serial:/dev/ttyUSB0:57600)";
 
 constexpr const char* kLinkExamples = R"(
 Endpoints:
@@ -132,6 +134,20 @@ Command add_agent(CLI::App& program, const std::atomic<bool>& stop) {
                    "Where other agents are met directly; several times for several.")
       ->take_all()
       ->allow_extra_args(false);
+  auto* modem = command->add_option(
+      "--modem", given->modem,
+      "Where its radio modem is: serial:DEVICE:BAUD, udpout:HOST:PORT...; its messages "
+      "go over it, not by its world.");
+  command
+      ->add_option("--hw", given->hw,
+                   "Address of the modem; default: the aircraft's number and 1.")
+      ->check(CLI::Range(1.0, 4294967294.0))
+      ->needs(modem);
+  command
+      ->add_option("--modem-rate", given->modem_rate,
+                   "What the modem can carry [bit/s]; default: no limit.")
+      ->check(CLI::Range(100.0, 1e9))
+      ->needs(modem);
   auto* autopilot =
       command->add_option("--autopilot", given->autopilot,
                           "Where its autopilot is met by MAVLink; else the vehicle is "

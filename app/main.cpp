@@ -98,6 +98,7 @@ Examples:
   skein study bridge --data ../shared/data/fires/bridge_2021
   skein study tuning --search 60 --threads 2
   skein study network grid --nodes 4,9,16 --profiles nn4,cs91 --seeds 3
+  skein study network mixed --duration 3 --seeds 2 --threads 5
   skein study estimators --cases values.csv > out.csv)";
 
 constexpr const char* kCampaignExamples = R"(
@@ -350,7 +351,7 @@ Command add_study(CLI::App& program) {
   const auto study = std::make_shared<StudyArguments>();
   command->add_option("name", study->name, "The study; none = list them.");
   command->add_option("experiment", study->experiment,
-                      "network: the experiment: grid, cell or hidden.");
+                      "network: the experiment: grid, cell, hidden or mixed.");
   command->add_option("--out", study->out, "Folder; default: runs/study-NAME.");
   command->add_option("--seeds", study->seeds, "Seeds per cell.")
       ->check(CLI::Range(1, 10000));

@@ -89,6 +89,11 @@ int keeping_study(const StudyArguments& arguments, const assemble::KindRegistry&
 int network_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                   const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
+/// `skein study network mixed`; returns the exit status.
+int mixed_rates_study(const StudyArguments& arguments,
+                      const assemble::KindRegistry& kinds,
+                      const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
 /// `skein study tuning`; returns the exit status.
 int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                  const std::filesystem::path& folder, const std::atomic<bool>& stop);

@@ -23,13 +23,16 @@ constexpr const char* kPair =
 class Agents : public Program {
  protected:
   // Starts the world; at the port that it had before, if it had one.
-  pid_t start_world(const std::string& out) {
+  pid_t start_world(const std::string& out, std::vector<std::string> more = {}) {
     const auto scenario = write("pair.yaml", kPair);
     prefix_ = "world-";
     fs::remove(folder_ / "world-err.txt");
-    const pid_t world =
-        start({"run", scenario.string(), "--out", out, "--set",
-               "aircraft[0].vehicle.listen='udpin:" + std::to_string(port_) + "'"});
+    std::vector<std::string> arguments = {
+        "run",   scenario.string(),
+        "--out", out,
+        "--set", "aircraft[0].vehicle.listen='udpin:" + std::to_string(port_) + "'"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const pid_t world = start(arguments);
     for (int k = 0; k < 1000; ++k) {
       const std::string said = read_file(folder_ / "world-err.txt");
       const std::string place = "waiting at udpin:127.0.0.1:";
@@ -142,6 +145,84 @@ TEST_F(Agents, GoOnAloneAndJoinTheNextWorld) {
   EXPECT_EQ(query(database, events("world-lost")), 1) << "said once";
   EXPECT_EQ(stop(agent, "agent-").status, 130);
   EXPECT_EQ(stop(world, "world-").status, 130);
+}
+
+// A world whose aircraft far-1 has a modem of its own.
+class ModemAgents : public Agents {
+ protected:
+  // Starts the world, with a modem at any free port.
+  pid_t start_modem_world(const std::string& out, const std::string& more) {
+    const pid_t world =
+        start_world(out, {"--set",
+                          "radio={kind: medium, profile: wifi-dsss-2, modem: {endpoint: "
+                          "'udpin:0', entities: [far-1]" +
+                              more + "}}"});
+    const std::string place = "waiting at udpin:127.0.0.1:";
+    for (int k = 0; k < 1000 && modem_port_ == 0; ++k) {
+      const std::string said = read_file(folder_ / "world-err.txt");
+      const std::size_t at = said.rfind(place);
+      if (at != said.find(place) && said.find('\n', at) != std::string::npos)
+        modem_port_ = std::atoi(said.c_str() + at + place.size());
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_NE(modem_port_, 0) << "its modem's place comes after that of its agents";
+    return world;
+  }
+  pid_t start_modem_agent() {
+    return start_agent({"--modem", "udpout:127.0.0.1:" + std::to_string(modem_port_)});
+  }
+  double figure(const std::string& run, const std::string& name) {
+    return nlohmann::json::parse(read_file(folder_ / run / "summary.json"))[name];
+  }
+
+  int modem_port_ = 0;
+};
+
+TEST_F(ModemAgents, AreReachedAndReplayed) {
+  const pid_t world = start_modem_world("world", ", inject: true, rate_bps: 50000");
+  pid_t agent = start_modem_agent();
+  ASSERT_TRUE(comes_to("world", events("neighbour-found"), 1));
+  // Its reports are on the air of the medium, the order goes to it by the modem.
+  EXPECT_TRUE(comes_to("world",
+                       "SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0 AND "
+                       "transmissions > 0",
+                       3));
+  EXPECT_TRUE(
+      comes_to("world", "SELECT max(north_m) FROM truth WHERE entity_id = 1", 200, 25));
+  // It is gone, and comes back.
+  kill_at_once(agent);
+  ASSERT_TRUE(comes_to("world", events("neighbour-lost"), 1));
+  agent = start_modem_agent();
+  ASSERT_TRUE(comes_to("world", events("neighbour-found"), 2));
+  EXPECT_TRUE(comes_to("world",
+                       "SELECT count(*) FROM messages WHERE to_id = 1 AND lost = 0 AND "
+                       "sent_s > (SELECT max(time_s) FROM events WHERE kind = "
+                       "'neighbour-found')",
+                       1))
+      << "it is reached again";
+  EXPECT_EQ(stop(agent, "agent-").status, 0) << read_file(folder_ / "agent-err.txt");
+  EXPECT_EQ(stop(world, "world-").status, 130);
+  EXPECT_GT(figure("world", "modem_sent"), 10) << "advertisements among them";
+  EXPECT_GT(figure("world", "modem_heard"), 10);
+  EXPECT_GT(figure("world", "modem_injected"), 0);
+  const Finished again = run({"run", "--replay", "world", "--out", "again"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("The same content hash"), std::string::npos) << again.err;
+}
+
+TEST_F(ModemAgents, AreHeardByRangeAloneWhereTheMediumDoesNotHearThem) {
+  const pid_t world = start_modem_world("world", ", hear: false");
+  const pid_t agent = start_modem_agent();
+  EXPECT_TRUE(comes_to("world",
+                       "SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0 AND "
+                       "transmissions = 0",
+                       3));
+  EXPECT_EQ(stop(agent, "agent-").status, 0);
+  EXPECT_EQ(stop(world, "world-").status, 130);
+  EXPECT_EQ(
+      query(folder_ / "world/run.sqlite",
+            "SELECT count(*) FROM messages WHERE from_id = 1 AND transmissions > 0"),
+      0);
 }
 
 TEST_F(Agents, SayWhatIsWrong) {

@@ -174,6 +174,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
                      .complete_body = complete_body,
                      .links = links_.vehicles,
                      .remotes = links_.entities,
+                     .modem = links_.modem,
                      .agent = remote,
                      .recorded = recorded_ ? &(*recorded_)[self] : nullptr,
                      .is_simulated =

@@ -22,6 +22,9 @@
 namespace skein::vehicle_links {
 class VehicleLinks;
 }
+namespace skein::modem {
+class ModemLink;
+}
 namespace skein::world_link {
 class EntityLinks;
 class WorldClient;
@@ -41,6 +44,7 @@ struct OutsideLinks {
   world_link::EntityLinks& entities;      ///< in other programs
   /// The world that the aircraft of this program takes part in; null: it is this one.
   world_link::WorldClient* world = nullptr;
+  modem::ModemLink* modem = nullptr;  ///< of the radio; null: there is none
 };
 
 /// Makes the aircraft of a scenario, one after the other. Those of one group share their

@@ -25,6 +25,7 @@
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
 #include "skein/link/mavlink/signing_key_file.h"
+#include "skein/link/modem/modem_parts.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/link/world_link/agent_parts.h"
 #include "skein/link/world_link/entity_links.h"
@@ -127,6 +128,7 @@ class Builder {
           "group with a count above 0.");
     build_.world.zones = zones_;
     environment();
+    radio_modem();
     aircraft();
     stations();
     objects();
@@ -146,7 +148,7 @@ class Builder {
     if (auto joined = join_world(order); !joined) return joined.error();
     surroundings();
     only_aircraft();
-    build_.world.radio = std::make_unique<world_link::WorldRadio>(*build_.world_client);
+    agent_radio(order);
     if (!errors_.empty()) return together(errors_);
     return std::move(build_);
   }
@@ -156,6 +158,25 @@ class Builder {
   bool note(const Result<T>& made) {
     if (!made) errors_.push_back(made.error());
     return made.ok();
+  }
+
+  void radio_modem() {
+    if (!modem_of(scenario_.radio)) return;
+    auto made = make_world_modem(scenario_);
+    if (note(made)) build_.modem = std::move(made).value();
+  }
+
+  void agent_radio(const AgentOrder& order) {
+    if (!order.modem) {
+      build_.world.radio = std::make_unique<world_link::WorldRadio>(*build_.world_client);
+      return;
+    }
+    build_.modem = make_agent_modem(scenario_, self_, *order.modem);
+    std::vector<std::string> names;
+    for (const simulation::Entity& entity : build_.world.entities)
+      names.push_back(entity.name);
+    build_.world.radio =
+        std::make_unique<modem::AgentModemRadio>(*build_.modem, self_, std::move(names));
   }
 
   Result<void> join_world(const AgentOrder& order) {
@@ -326,8 +347,9 @@ class Builder {
   }
 
   void aircraft() {
-    AircraftBuilder builder(scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
-                            {*build_.links, *build_.entity_links}, recorded_);
+    AircraftBuilder builder(
+        scenario_, kinds_.kinds(), map_, zones_, *build_.world.wind,
+        {*build_.links, *build_.entity_links, nullptr, build_.modem.get()}, recorded_);
     const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
     for (std::uint32_t k = 0; k < first; ++k)
       teams_.push_back({EntityId{k},
@@ -508,6 +530,7 @@ class Builder {
     };
     context.stations = antennas.size();
     context.terrain = build_.world.terrain.get();
+    context.modem = build_.modem.get();
     auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();
     build_.world.radio = std::move(made).value();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/assemble/kind_registry.h"
+#include "skein/assemble/modem_setup.h"
 #include "skein/base/result.h"
 #include "skein/data/record.h"
 #include "skein/geo/local_frame.h"
@@ -42,6 +43,9 @@ struct Build {
   std::unique_ptr<vehicle_links::VehicleFeed> feed;
   /// To entities whose agents are in other programs; started like `links`.
   std::unique_ptr<world_link::EntityLinks> entity_links;
+  /// To a real modem, of the world or of a single agent; started like `links`. Null:
+  /// none.
+  std::unique_ptr<modem::ModemLink> modem;
   /// Of a single agent: the link to its world, which is started too, and the listener of
   /// the records that tells the world. Null: this is the world.
   std::unique_ptr<world_link::WorldClient> world_client;
@@ -73,6 +77,7 @@ struct AgentOrder {
   std::string entity;                               ///< an aircraft of the scenario
   std::optional<transport::EndpointAddress> world;  ///< none: it is alone
   std::vector<transport::EndpointAddress> team;     ///< other agents, directly
+  std::optional<AgentModem> modem;  ///< its messages go over it; none: by the world
 };
 
 /// Makes one aircraft of a scenario with its agent and its surroundings, without anybody

@@ -27,6 +27,10 @@ class Terrain;
 class WindField;
 }  // namespace skein
 
+namespace skein::modem {
+class ModemLink;
+}
+
 namespace skein::reasoning {
 struct OnboardTeamOptions;
 class TeamDesk;
@@ -147,6 +151,7 @@ struct RadioContext {
   std::function<Mat3(EntityId)> attitude = {};
   std::size_t stations = 0;          ///< the first entities, which are no aircraft
   const Terrain* terrain = nullptr;  ///< of the run; outlives the radio
+  modem::ModemLink* modem = nullptr;  ///< of the run; null: there is none
 };
 
 /// What every estimator is given besides its options.

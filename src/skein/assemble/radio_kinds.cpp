@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/modem_setup.h"
 #include "skein/assemble/radio/antenna_fields.h"
 #include "skein/assemble/radio/obstacle_fields.h"
 #include "skein/assemble/radio/radio_file.h"
@@ -18,6 +19,7 @@
 #include "skein/layer/communication/medium_radio.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 #include "skein/layer/communication/propagation/terrain_diffraction.h"
+#include "skein/link/modem/modem_parts.h"
 
 namespace skein::assemble {
 namespace {
@@ -55,6 +57,7 @@ struct MediumChoice {
   std::optional<communication::AntennaProfile> antenna, station_antenna;
   std::vector<AttackChoice> attacks;
   std::optional<AuthenticationChoice> authentication;
+  std::optional<ModemChoice> modem;
 };
 
 Fields<MediumChoice> medium_fields() {
@@ -99,7 +102,10 @@ Fields<MediumChoice> medium_fields() {
               "Who disturbs the radio, or lies by it.")
       .items({.at_most = 100})
       .object("authentication", &T::authentication, authentication_fields(),
-              "Messages carry a tag of the team's key; null: none.");
+              "Messages carry a tag of the team's key; null: none.")
+      .object(
+          "modem", &T::modem, modem_fields(),
+          "A real modem in the same medium: the messages of some entities go over it.");
 }
 
 Result<RadioFile> load(const MediumChoice& choice) {
@@ -164,7 +170,22 @@ double range_of(const RadioFile& file) {
   return near;
 }
 
+// Where the messages of real entities go by range alone; null: over the medium.
+std::unique_ptr<Radio> by_range(const MediumChoice& choice, const RadioFile& file,
+                                const RadioContext& context) {
+  if (choice.modem->hear) return nullptr;
+  communication::IdealRadioOptions options;
+  options.range = range_of(file);
+  return std::make_unique<communication::IdealRadio>(options, context.seed,
+                                                     context.position);
+}
+
 }  // namespace
+
+const ModemChoice* modem_of(const scenario::Choice& radio) {
+  const auto* medium = std::any_cast<MediumChoice>(&radio.options);
+  return medium && medium->modem ? &*medium->modem : nullptr;
+}
 
 double radio_range(const scenario::Choice& radio) {
   if (const auto* medium = std::any_cast<MediumChoice>(&radio.options)) {
@@ -200,11 +221,16 @@ Kinds<Radio, RadioContext> radio_kinds() {
           if (!authentication) return authentication.error();
           options.authentication = authentication.value();
         }
-        return std::unique_ptr<Radio>(std::make_unique<communication::MediumRadio>(
+        std::unique_ptr<Radio> medium = std::make_unique<communication::MediumRadio>(
             options, std::move(propagation).value(),
             communication::RadioNodes{c.entities, c.position, c.name,
                                       antennas_in_run(o, file.value(), c)},
-            c.seed));
+            c.seed);
+        if (!o.modem || !c.modem) return medium;
+        return std::unique_ptr<Radio>(std::make_unique<modem::ModemRadio>(
+            modem::ModemRadioParts{std::move(medium), by_range(o, file.value(), c),
+                                   o.modem->inject ? c.modem : nullptr},
+            *c.modem));
       });
   return kinds;
 }

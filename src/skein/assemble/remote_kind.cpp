@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "skein/assemble/vehicle_context.h"
+#include "skein/link/modem/modem_parts.h"
 #include "skein/link/world_link/entity_links.h"
 #include "skein/mixed/remote_entity.h"
 
@@ -40,6 +41,10 @@ scenario::Fields<RemoteOptions> remote_fields() {
       .rule("listen", listen_error);
 }
 
+bool by_modem(const VehicleContext& c) {
+  return c.modem && c.modem->is_beyond(c.aircraft.self);
+}
+
 Result<std::unique_ptr<EntityPort>> remote_port(const RemoteOptions& options,
                                                 const VehicleContext& c) {
   if (c.recorded)
@@ -48,7 +53,10 @@ Result<std::unique_ptr<EntityPort>> remote_port(const RemoteOptions& options,
   const auto number = c.remotes.add(
       {c.parts.name, transport::parse_endpoint(options.listen).value(), options.silence});
   if (!number) return number.error();
-  return c.remotes.port(number.value());
+  auto port = c.remotes.port(number.value());
+  if (!by_modem(c)) return port;
+  return std::unique_ptr<EntityPort>(
+      std::make_unique<modem::ModemPort>(std::move(port), *c.modem, c.aircraft.self));
 }
 
 Result<std::unique_ptr<Vehicle>> make_remote(const RemoteOptions& options,
@@ -63,6 +71,7 @@ Result<std::unique_ptr<Vehicle>> make_remote(const RemoteOptions& options,
   parts.hovers = c.aircraft.limits.slowest == 0;
   parts.start = c.aircraft.initial;
   parts.max_age = options.max_age;
+  parts.by_modem = by_modem(c);
   auto vehicle = std::make_unique<mixed::RemoteVehicle>(std::move(parts));
   c.agent = vehicle->agent();
   return std::unique_ptr<Vehicle>(std::move(vehicle));

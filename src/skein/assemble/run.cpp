@@ -39,6 +39,8 @@ Result<std::vector<std::string>> open_links(Build& ready) {
   };
   if (auto started = start(*ready.links); !started) return started.error();
   if (auto started = start(*ready.entity_links); !started) return started.error();
+  if (ready.modem)
+    if (auto started = start(*ready.modem); !started) return started.error();
   if (ready.world_client)
     if (auto started = start(*ready.world_client); !started) return started.error();
   for (simulation::Entity& entity : ready.world.entities)

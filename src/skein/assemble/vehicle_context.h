@@ -15,6 +15,9 @@
 namespace skein::vehicle_links {
 class VehicleLinks;
 }
+namespace skein::modem {
+class ModemLink;
+}
 namespace skein::world_link {
 class EntityLinks;
 }
@@ -36,6 +39,7 @@ struct VehicleContext {
   std::function<Result<void>()> complete_body;
   vehicle_links::VehicleLinks& links;  ///< of the run
   world_link::EntityLinks& remotes;    ///< of the run: to entities in other programs
+  modem::ModemLink* modem = nullptr;   ///< of the run; null: there is none
   /// What stands here for an agent that is where its vehicle is; a vehicle whose agent is
   /// here leaves it null.
   std::unique_ptr<Agent>& agent;

@@ -78,7 +78,8 @@ RemoteVehicle::RemoteVehicle(RemoteEntityParts parts)
       max_age_(parts.max_age),
       believed_(!parts.hovers),
       true_(!parts.hovers),
-      estimate_(parts.start) {
+      estimate_(parts.start),
+      by_modem_(parts.by_modem) {
   shared_->port = std::move(parts.port);
 }
 
@@ -128,6 +129,11 @@ struct RemoteVehicle::Listener {
     if (change.kind == LinkChange::Kind::kUp) self.up_ = true;
     if (change.kind == LinkChange::Kind::kDown) self.up_ = false;
   }
+  void operator()(const OutsideEvent& event) const {
+    self.events_.push_back({event.kind, event.text});
+    if (event.kind == "neighbour-found") self.heard_ = true;
+    if (event.kind == "neighbour-lost") self.heard_ = false;
+  }
   void operator()(const EntityReport& report) const {
     std::visit(SayingListener{self}, report.said);
   }
@@ -147,7 +153,8 @@ void RemoteVehicle::begin_step(Time now) {
     // Of a link that was made to fail only its own state is learnt.
     reports_.erase(std::remove_if(reports_.begin() + begin, reports_.end(),
                                   [](const VehicleReport& report) {
-                                    return !std::holds_alternative<LinkChange>(report);
+                                    return !std::holds_alternative<LinkChange>(report) &&
+                                           !std::holds_alternative<OutsideEvent>(report);
                                   }),
                    reports_.end());
   }

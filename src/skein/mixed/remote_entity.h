@@ -27,6 +27,9 @@ struct RemoteEntityParts {
   bool hovers = false;
   NavEstimate start;                     ///< where it is believed until it says so
   Time max_age = Time::from_seconds(5);  ///< older states are good for nothing
+  /// Its messages go over a modem, by which it may be heard when its link is down, and
+  /// not be when that is up. The port says so: "neighbour-found", "neighbour-lost".
+  bool by_modem = false;
 };
 
 /// What the vehicle and the agent of such an entity share.
@@ -62,7 +65,7 @@ class RemoteVehicle final : public Vehicle {
   void set_return(const ReturnRoute&) override {}
   void pilot(const PilotInput& sticks) override;
   void ground_received(Time) override {}
-  bool link_works() const override { return up_ && !blocked_; }
+  bool link_works() const override { return (by_modem_ ? heard_ : up_) && !blocked_; }
   const VehicleState* truth() const override { return truth_ ? &*truth_ : nullptr; }
   bool lost() const override { return state_ && state_->lost; }
   void take_events(std::vector<VehicleEvent>& out) override;
@@ -91,7 +94,8 @@ class RemoteVehicle final : public Vehicle {
   std::vector<VehicleReport> reports_;  // of this step
   std::vector<VehicleEvent> events_;
   Time now_;
-  bool up_ = false, blocked_ = false, stale_ = false;
+  bool by_modem_;
+  bool up_ = false, heard_ = false, blocked_ = false, stale_ = false;
 };
 
 /// A port that says again what was recorded, for a run that is done again; what is sent

@@ -32,6 +32,9 @@ class Radio {
   /// A message leaves its sender. Calls come in entity order.
   virtual void send(const Message& message) = 0;
 
+  /// Whether it takes a message to kEveryone as it is; else each receiver has a copy.
+  virtual bool carries_broadcasts() const { return false; }
+
   /// Appends the messages that have arrived by `now`, in order of arrival, ties in the
   /// order of sending; lost ones among them, when that is certain.
   virtual void deliver(Time now, RadioNews& news) = 0;

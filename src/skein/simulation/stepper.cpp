@@ -313,7 +313,7 @@ void Stepper::send(Time now, std::size_t i) {
   for (Message& message : states_[i].output.outbox) {
     message.from = id_of(i);
     message.sent = now;
-    if (message.to == kEveryone) {
+    if (message.to == kEveryone && !world_.radio->carries_broadcasts()) {
       send_to_all(std::move(message), works);
       continue;
     }
@@ -529,10 +529,10 @@ void Stepper::record_message(const MessageOutcome& outcome, Time ended) {
     const Time period = world_.entities[message.to.value].agent_period;
     read = period * (ended.ns() / period.ns() + 1);
   }
-  recorder_.record(MessageRecord{
-      message, ended, static_cast<std::uint32_t>(coded_size(message)), !arrived,
-      team ? std::string(kind_of(team->content)) : std::string(), message.copy,
-      outcome.cause, outcome.way, message.forged, read});
+  recorder_.record(
+      MessageRecord{message, ended, static_cast<std::uint32_t>(coded_size(message)),
+                    !arrived, team ? std::string(kind_of(team->content)) : std::string(),
+                    message.copy, outcome.cause, outcome.way, message.forged, read});
 }
 
 void Stepper::record_event(Time now, std::size_t i, std::string kind, std::string text) {

@@ -36,6 +36,8 @@ class WorldRadio final : public Radio {
  public:
   explicit WorldRadio(WorldClient& client) : client_(client) {}
 
+  // Who else there is the world knows.
+  bool carries_broadcasts() const override { return true; }
   void send(const Message& message) override { client_.say(message.sent, message); }
   void deliver(Time now, RadioNews& news) override;
 

@@ -53,12 +53,13 @@ RemoteState flying_north(Time time) {
 }
 
 struct Stand {
-  explicit Stand(std::unique_ptr<EntityPort> port = nullptr) {
+  explicit Stand(std::unique_ptr<EntityPort> port = nullptr, bool by_modem = false) {
     RemoteEntityParts parts;
     parts.name = "scout-1";
     parts.self = EntityId{3};
     parts.port = port ? std::move(port) : std::make_unique<DeskPort>(desk);
     parts.payload.push_back(std::make_unique<Probe>());
+    parts.by_modem = by_modem;
     vehicle = std::make_unique<RemoteVehicle>(std::move(parts));
     agent = vehicle->agent();
   }
@@ -212,6 +213,28 @@ TEST(RemoteVehicle, DoesTheSameAgainWithWhatWasRecorded) {
     EXPECT_EQ(again.vehicle->estimate().p_N, places[static_cast<std::size_t>(k)]);
   }
   EXPECT_EQ(again.kinds(), first.kinds());
+}
+
+TEST(RemoteEntity, IsReachedByItsModemWhileThatHearsIt) {
+  Stand stand(nullptr, true);
+  stand.desk.waiting = {LinkChange{LinkChange::Kind::kUp, "here"}};
+  stand.step(seconds(0));
+  EXPECT_FALSE(stand.vehicle->link_works()) << "its link is not its radio";
+  stand.desk.waiting = {OutsideEvent{"neighbour-found", "by the modem"}};
+  stand.step(seconds(0.1));
+  EXPECT_TRUE(stand.vehicle->link_works());
+  stand.desk.waiting = {LinkChange{LinkChange::Kind::kDown, "gone"}};
+  stand.step(seconds(0.2));
+  EXPECT_TRUE(stand.vehicle->link_works());
+  ASSERT_TRUE(stand.vehicle->set_fault("link", true, seconds(0.2)).ok());
+  EXPECT_FALSE(stand.vehicle->link_works());
+  ASSERT_TRUE(stand.vehicle->set_fault("link", false, seconds(0.2)).ok());
+  stand.desk.waiting = {OutsideEvent{"neighbour-lost", "by the modem"}};
+  stand.step(seconds(0.3));
+  EXPECT_FALSE(stand.vehicle->link_works());
+  EXPECT_EQ(stand.kinds(),
+            (std::vector<std::string>{"link-up", "neighbour-found", "link-lost",
+                                      "failure", "repaired", "neighbour-lost"}));
 }
 
 }  // namespace

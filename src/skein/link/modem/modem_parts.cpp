@@ -1,0 +1,75 @@
+#include "skein/link/modem/modem_parts.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace skein::modem {
+namespace {
+
+const char* event_of(const NeighbourChange& change) {
+  return change.found ? "neighbour-found" : "neighbour-lost";
+}
+
+}  // namespace
+
+void ModemPort::receive(Time now, std::vector<VehicleReport>& out) {
+  port_->receive(now, out);
+  for (Heard& heard : link_.take(now, self_)) {
+    if (auto* message = std::get_if<Message>(&heard)) {
+      out.emplace_back(EntityReport{std::move(*message)});
+      continue;
+    }
+    const auto& change = std::get<NeighbourChange>(heard);
+    out.emplace_back(
+        OutsideEvent{event_of(change), fmt::format("by the modem, hw {}", change.hw)});
+  }
+}
+
+void ModemPort::send(Time now, EntityInput input) {
+  if (const auto* message = std::get_if<Message>(&input))
+    link_.send(now, *message);
+  else
+    port_->send(now, std::move(input));
+}
+
+void ModemRadio::send(const Message& message) {
+  const bool from_beyond = link_.is_beyond(message.from);
+  if (parts_.inject && !from_beyond) {
+    if (!message.copy || candidates_.empty()) candidates_.push_back({message});
+    candidates_.back().goes_out |= link_.is_beyond(message.to);
+  }
+  if (parts_.by_range && from_beyond)
+    parts_.by_range->send(message);
+  else
+    parts_.medium->send(message);
+}
+
+void ModemRadio::inject(Time now) {
+  for (const Candidate& each : candidates_)
+    if (!each.goes_out) parts_.inject->inject(now, each.message);
+  candidates_.clear();
+}
+
+void ModemRadio::deliver(Time now, RadioNews& news) {
+  if (parts_.inject) inject(now);
+  parts_.medium->deliver(now, news);
+  if (parts_.by_range) parts_.by_range->deliver(now, news);
+}
+
+void AgentModemRadio::deliver(Time now, RadioNews& news) {
+  for (Heard& heard : link_.take(now)) {
+    if (auto* message = std::get_if<Message>(&heard)) {
+      news.ended.push_back({std::move(*message)});
+      continue;
+    }
+    const auto& change = std::get<NeighbourChange>(heard);
+    news.events.push_back({now, self_, event_of(change), names_.at(change.who.value)});
+  }
+}
+
+RadioStatus AgentModemRadio::status(EntityId) const {
+  return {0, static_cast<std::uint32_t>(link_.statistics().waiting)};
+}
+
+}  // namespace skein::modem
