@@ -83,7 +83,7 @@ TEST(RadioSecurity, TakesKeysThatNobodyElseCanRead) {
     return "authentication: {key_file: " + key_file(content, permissions).string() + "}";
   };
   EXPECT_EQ(error_of(with_key(std::string(32, 'k'), kOwner)), "");
-  EXPECT_EQ(error_of(with_key(std::string(64, 'a') + "\n", kOwner)), "");
+  EXPECT_EQ(error_of(with_key(std::string(64, 'a'), kOwner)), "");
   const std::string key = "radio.authentication.key_file";
   expect_error(with_key(std::string(32, 'k'), kOwner | fs::perms::group_read), key,
                "others can read");
