@@ -124,20 +124,14 @@ export interface Report {
   position_sd_m: number | null; // per horizontal axis
   roll_deg: number | null; // right wing down positive
   pitch_deg: number | null; // nose up positive
-  limits_airspeed_mps: number | null; // cruise
-  limits_turn_radius_m: number | null; // smallest, at cruise
-  limits_climb_rate_mps: number | null; // largest
-  limits_slowest_mps: number | null; // level flight; 0: it hovers
-  limits_fastest_mps: number | null; // level flight
-  limits_sink_rate_mps: number | null; // largest
-  limits_min_density_kg_m3: number | null; // of air that carries it; 0: any
-  limits_climb_acceleration_mps2: number | null; // largest in plans; 0: climbs begin at once
+  limits: number | null; // what it can do
   task_number: number; // the newest order; 0: none yet
   task_state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is with its task
   obeys: boolean; // no pilot and no failsafe flies
   zone_changes: number; // it knows all changes up to this number
   task_share: number | null; // of its task that is done
   task_time_to_go_s: number | null; // until its task is done; null: not known, or without end
+  next_in_s: number | null; // until its next report, where the air has no room for more; null: soon
 }
 
 /** Circle a point until another order comes. */
@@ -694,18 +688,29 @@ export interface LandingReport {
   committed: boolean; // it breaks off no more
 }
 
+/** Readings of a fire sensor. */
+export interface Readings {
+  readings: Reading[]; // in order of time
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport) | ({ kind: "readings" } & Readings); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived
   said: string; // of content team: what it says
   copy: boolean; // a further receiver's copy of a message to all
+  cause: "none" | "chance" | "outage" | "out-of-range" | "queue-full" | "retry-limit" | "expired" | "not-received" | "link-down" | "nobody" | "refused"; // why it was lost
+  on_air_s: number | null; // when its first frame began; null: never, or not known
+  transmissions: number; // data frames, of all its parts
+  hops: number; // radios that passed it on
+  forged: boolean; // it was sent by another in the name of from_id
+  read_s: number | null; // when its receiver's agent reads it; null: nobody does
 }
 
 /** One point of a believed boundary. */
@@ -1423,4 +1428,30 @@ export interface TeamAllocation {
   bound: number | null; // no allocation is better; null: not known
   gap: number | null; // bound minus value over the larger of both
   shares: TeamShare[]; // who gets which tasks
+}
+
+/** What the radio of an entity did since the row before. */
+export interface Radio {
+  time_s: number; // the end
+  entity_id: number; // whose radio
+  frames: number; // sent: data, answers, announcements
+  sending_share: number | null; // of the time
+  busy_share: number | null; // of the time: others were heard
+  waiting: number; // packets in its queue, the most at once
+  queue_full: number; // packets that the queue had no room for
+  retry_limit: number; // packets given up
+  expired: number; // packets too old before they were sent
+  received: number; // packets that arrived for it
+}
+
+/** How well one radio heard another since the last such time; only if it sent to it. */
+export interface RadioLink {
+  time_s: number; // the end
+  from_id: number; // who sent
+  to_id: number; // for whom
+  arrived: number; // messages
+  lost: number; // messages
+  rssi_dbm: number | null; // mean level of what was received
+  sinr_db: number | null; // mean ratio of signal to noise and interference, the least of each frame
+  delay_s: number | null; // mean from sending to arrival
 }

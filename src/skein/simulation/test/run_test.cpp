@@ -38,6 +38,39 @@ TEST(Run, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+// Counts what it is to send.
+class CountingRadio final : public Radio {
+ public:
+  CountingRadio(bool carries_broadcasts, std::size_t& messages)
+      : carries_broadcasts_(carries_broadcasts), messages_(messages) {}
+  bool carries_broadcasts() const override { return carries_broadcasts_; }
+  void send(const Message& message) override {
+    EXPECT_EQ(message.to == kEveryone, carries_broadcasts_);
+    ++messages_;
+  }
+  void deliver(Time, RadioNews&) override {}
+
+ private:
+  bool carries_broadcasts_;
+  std::size_t& messages_;
+};
+
+TEST(Run, MessagesToAllAreCopiedUnlessTheRadioKnowsWhoTheyAre) {
+  for (const bool carries_broadcasts : {false, true}) {
+    World world = make_world(3);
+    std::size_t messages = 0;
+    world.radio = std::make_unique<CountingRadio>(carries_broadcasts, messages);
+    for (Entity& entity : world.entities)
+      entity.agent = std::make_unique<Talker>(kEveryone);
+    // Of the others the agent's own program knows nothing.
+    world.entities[2].active.clear();
+    Notes notes;
+    Silent console;
+    ASSERT_TRUE(run(world, seconds(5), notes, console).ok());
+    EXPECT_EQ(messages, 2 * 11u) << "each half second two speak, to one other";
+  }
+}
+
 TEST(Run, EntitiesJoinAndLeave) {
   World world = make_world(2);
   world.entities[1].active = {{Time::from_seconds(1), Time::from_seconds(2)},
