@@ -125,9 +125,8 @@ Fields<T> common_fields(Fields<T> fields, const char* across) {
       .duration_s("report_period_s", [](T & t) -> auto& { return t.agent.report_period; },
                   "Between reports to the station.", {.above = 0})
       .number(
-          "report_target_load", [](T & t) -> auto& {
-            return t.agent.report_rate.target_load;
-          },
+          "report_target_load",
+          [](T & t) -> auto& { return t.agent.report_rate.target_load; },
           "Where the radio has a medium, reports and readings are sent as rarely as it "
           "takes to keep its load at this, of 1; 0: always as often.",
           {.at_least = 0, .at_most = 1})

@@ -149,8 +149,8 @@ struct RadioContext {
   std::function<std::string(EntityId)> name;
   /// R_NB of an entity now; level and to the north where it has none.
   std::function<Mat3(EntityId)> attitude = {};
-  std::size_t stations = 0;          ///< the first entities, which are no aircraft
-  const Terrain* terrain = nullptr;  ///< of the run; outlives the radio
+  std::size_t stations = 0;           ///< the first entities, which are no aircraft
+  const Terrain* terrain = nullptr;   ///< of the run; outlives the radio
   modem::ModemLink* modem = nullptr;  ///< of the run; null: there is none
 };
 

@@ -127,7 +127,8 @@ class Stage {
             &warnings_};
   }
   static RadioContext radio() {
-    return {kSeed, 3, [](EntityId id) -> std::optional<Vec3> {
+    return {kSeed, 3,
+            [](EntityId id) -> std::optional<Vec3> {
               return Vec3(200.0 * id.value, 0, -100);
             },
             [](EntityId id) { return std::to_string(id.value); }};

@@ -70,8 +70,9 @@ struct FireReport {
 
 constexpr auto describe(const FireReport*) {
   using T = FireReport;
-  return described<T>({"readings"}, "Readings of a fire sensor.",
-                      field("readings", &T::readings, Storage::kJson, "in order of time"));
+  return described<T>(
+      {"readings"}, "Readings of a fire sensor.",
+      field("readings", &T::readings, Storage::kJson, "in order of time"));
 }
 
 /// Where an aircraft of the team is, reported by the ground station or by itself.
@@ -114,7 +115,8 @@ using MessageContent =
     std::variant<FireReading, AircraftReport, Task, Heartbeat, TeamPosition, ZoneChange,
                  PluginPayload, TaskChange, TaskReport, ObjectSighting, PlanReport,
                  PlaceReport, ConflictNotice, Offers, Acceptance, Busy, GroupInvitation,
-                 GroupJoining, GroupPlan, GroupAcceptance, TeamMessage, LandingReport, FireReport>;
+                 GroupJoining, GroupPlan, GroupAcceptance, TeamMessage, LandingReport,
+                 FireReport>;
 
 /// As `to` of a message: all entities but the sender.
 inline constexpr EntityId kEveryone{0xFFFFFFFFu};

@@ -43,7 +43,8 @@ constexpr auto describe(const MessageWay*) {
   using T = MessageWay;
   return described<T>(
       {"message_way"}, "How a message went over the air.",
-      field("on_air", &T::on_air, "when its first frame began; null: never, or not known"),
+      field("on_air", &T::on_air,
+            "when its first frame began; null: never, or not known"),
       field("transmissions", &T::transmissions, "data frames, of all its parts"),
       field("hops", &T::hops, "radios that passed it on"));
 }

@@ -389,11 +389,10 @@ struct RadioUseRecord {
 
 constexpr auto describe(const RadioUseRecord*) {
   using T = RadioUseRecord;
-  return described<T>({"radio", "radios"},
-                      "What the radio of an entity did since the row before.",
-                      field("time", &T::time, "the end"),
-                      field("entity_id", &T::id, "whose radio"),
-                      field("", &T::use, "what it did"));
+  return described<T>(
+      {"radio", "radios"}, "What the radio of an entity did since the row before.",
+      field("time", &T::time, "the end"), field("entity_id", &T::id, "whose radio"),
+      field("", &T::use, "what it did"));
 }
 
 /// How well one radio heard another in a while.
@@ -412,15 +411,13 @@ constexpr auto describe(const LinkUseRecord*) {
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record =
-    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
-                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
-                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
-                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
-                 ForecastRecord, ArrivalRecord, VehicleReportRecord,
-                 MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
-                 AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord,
-                 AlertRecord, BandRecord, RecommendationRecord, TeamAllocationRecord,
-                 RadioUseRecord, LinkUseRecord>;
+using Record = std::variant<
+    EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing, MessageRecord,
+    PerimeterRecord, Event, ZoneRecord, GroundObject, Detection, Footprint, RangeScan,
+    CommandRecord, PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
+    MissionRecord, ForecastRecord, ArrivalRecord, VehicleReportRecord,
+    MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord, AirTraffic,
+    TrafficMotion, TrafficBeliefRecord, TeamLeadRecord, AlertRecord, BandRecord,
+    RecommendationRecord, TeamAllocationRecord, RadioUseRecord, LinkUseRecord>;
 
 }  // namespace skein

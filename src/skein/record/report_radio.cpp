@@ -46,8 +46,10 @@ Json radio_json(const StoredRun& run) {
                      {"rssi_dbm", rounded(link.rssi_dbm, 10)},
                      {"sinr_db", rounded(link.sinr_db, 10)},
                      {"delay_s", rounded(link.delay, 1e5)}});
-  return {{"time_s", packed(times)},       {"load_mean", packed(means)},
-          {"load_max", packed(mosts)},     {"radios", std::move(radios)},
+  return {{"time_s", packed(times)},
+          {"load_mean", packed(means)},
+          {"load_max", packed(mosts)},
+          {"radios", std::move(radios)},
           {"links", std::move(links)}};
 }
 

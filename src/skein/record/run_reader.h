@@ -79,7 +79,7 @@ struct StoredSeries {
 
 /// The load of the air until a time, since the one before.
 struct StoredLoad {
-  double time = 0;          ///< [s]
+  double time = 0;            ///< [s]
   double mean = 0, most = 0;  ///< of all radios: shares of the time
 };
 
@@ -127,7 +127,7 @@ struct StoredRun {
   std::vector<StoredLoad> loads;                      ///< in order of time
   std::vector<StoredRadio> radios;                    ///< in the order of their entities
   std::vector<LinkUse> links;  ///< of the whole run, in the order of sender and receiver
-  std::unique_ptr<TerrainRow> terrain;                ///< null when the run has none
+  std::unique_ptr<TerrainRow> terrain;  ///< null when the run has none
 };
 
 /// How much a reader keeps.

@@ -52,9 +52,8 @@ void IdealRadio::send(const Message& message) {
   const LossCause cause = cause_of(message, random.uniform() < options_.loss);
   const double delay = options_.delay + options_.jitter * random.uniform();
   // A lost message is reported when it is sent: nobody waits for it.
-  const Time arrival = cause == LossCause::kNone
-                           ? message.sent + Time::from_seconds(delay)
-                           : message.sent;
+  const Time arrival =
+      cause == LossCause::kNone ? message.sent + Time::from_seconds(delay) : message.sent;
   in_flight_.push_back({arrival, sent_++, cause, message});
   std::push_heap(in_flight_.begin(), in_flight_.end(), later);
 }

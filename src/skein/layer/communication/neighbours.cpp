@@ -32,7 +32,8 @@ bool Neighbours::has(NodeIndex node, NodeIndex other, Time now) const {
   const auto place = std::lower_bound(
       entries.begin(), entries.end(), other,
       [](const Entry& entry, NodeIndex who) { return entry.other < who; });
-  return place != entries.end() && place->other == other && now - place->last <= patience_;
+  return place != entries.end() && place->other == other &&
+         now - place->last <= patience_;
 }
 
 }  // namespace skein::communication

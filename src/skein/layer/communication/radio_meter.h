@@ -40,9 +40,9 @@ class RadioMeter {
   };
   struct Node {
     RadioUse use;
-    Time sending, heard;                 // since the beginning
-    Time taken_sending, taken_heard;     // of that, already told
-    std::array<Mark, kMarks> marks = {}; // of the last steps, a tenth of a second apart
+    Time sending, heard;                  // since the beginning
+    Time taken_sending, taken_heard;      // of that, already told
+    std::array<Mark, kMarks> marks = {};  // of the last steps, a tenth of a second apart
     double load = 0;
   };
   struct LinkSums {

@@ -61,7 +61,7 @@ class Dcf final : public Access {
     bool access_expected = false;
     std::uint32_t nav_stamp = 0;
     bool nav_may_reset = false;
-    Frame response;                    // what it sends SIFS after a reception
+    Frame response;  // what it sends SIFS after a reception
     PacketQueue queue;
   };
 

@@ -11,8 +11,8 @@ namespace skein::communication {
 struct PacketOrder {
   NodeIndex from = 0;
   NodeIndex to = kAllNodes;
-  std::uint32_t bytes = 0;  ///< of payload
-  std::uint64_t tag = 0;    ///< the caller's own number for it
+  std::uint32_t bytes = 0;   ///< of payload
+  std::uint64_t tag = 0;     ///< the caller's own number for it
   std::uint8_t urgency = 0;  ///< more urgent ones are sent first
 };
 

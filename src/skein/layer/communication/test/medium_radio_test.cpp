@@ -30,14 +30,13 @@ Message message_of(std::uint32_t from, std::uint32_t to, std::uint64_t number, T
 class Row {
  public:
   explicit Row(const MediumRadioOptions& options = {})
-      : radio_(
-            options, std::make_unique<FreeSpace>(2.4e9),
-            {4,
-             [](EntityId id) -> std::optional<Vec3> {
-               return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
-             },
-             [](EntityId id) { return "node " + std::to_string(id.value); }},
-            7) {}
+      : radio_(options, std::make_unique<FreeSpace>(2.4e9),
+               {4,
+                [](EntityId id) -> std::optional<Vec3> {
+                  return Vec3(id.value == 3 ? 1e6 : 1000.0 * id.value, 0, -100);
+                },
+                [](EntityId id) { return "node " + std::to_string(id.value); }},
+               7) {}
 
   // Sends to the others, as the simulation does: the first and its copies.
   void send_to_all(std::uint32_t from, std::size_t bytes = 0) {
@@ -161,10 +160,10 @@ TEST(MediumRadio, SaysWhyMessagesAreLostAndHowTheyWent) {
   options.profile.mac.queue_packets = 2;
   Row row(options);
   row.send(0, 1);
-  row.send(0, 3);         // out of range: given up
-  row.send_to_all(1);     // to 3 out of range
-  row.send(0, 9);         // nobody
-  row.send(2, 1, 20'000); // 14 parts, the queue holds two
+  row.send(0, 3);          // out of range: given up
+  row.send_to_all(1);      // to 3 out of range
+  row.send(0, 9);          // nobody
+  row.send(2, 1, 20'000);  // 14 parts, the queue holds two
   for (int i = 0; i < 20; ++i) row.step();
   std::map<std::uint32_t, LossCause> causes;  // by number
   for (const MessageOutcome& each : row.outcomes) {
@@ -269,9 +268,8 @@ class Chain {
   void remove(std::uint32_t node) { gone_[node] = true; }
   std::size_t arrived() const {
     return static_cast<std::size_t>(
-        std::count_if(news.ended.begin(), news.ended.end(), [](const auto& each) {
-          return each.cause == LossCause::kNone;
-        }));
+        std::count_if(news.ended.begin(), news.ended.end(),
+                      [](const auto& each) { return each.cause == LossCause::kNone; }));
   }
   std::uint64_t sent() const { return number_; }
 

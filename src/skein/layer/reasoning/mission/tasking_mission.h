@@ -23,7 +23,7 @@ class TaskingMission : public Mission {
     bool mine = false;  ///< allocated to this mission, in contact, and it obeys
     Time heard;
     double silence_allowed = 0;  ///< from there on [s]
-    Task task;  ///< the last that was ordered; number 0: none
+    Task task;                   ///< the last that was ordered; number 0: none
     Time ordered;
     std::uint32_t confirmed = 0;         ///< number of the order that it works on
     TaskState state = TaskState::kNone;  ///< of the task, once it is confirmed

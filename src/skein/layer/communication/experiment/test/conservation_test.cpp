@@ -165,7 +165,9 @@ TEST(Conservation, ThePacketsOfAMediumWaitOrAreFinishedOnce) {
 
 struct Counter final : MediumListener {
   void on_frame(const Frame&, Time) override {}
-  void on_delivered(const Frame&, NodeIndex, Time, const Reception&) override { ++delivered; }
+  void on_delivered(const Frame&, NodeIndex, Time, const Reception&) override {
+    ++delivered;
+  }
   void on_finished(const Packet&, PacketEnd, Time) override { ++finished; }
   std::uint64_t delivered = 0, finished = 0;
 };

@@ -169,7 +169,9 @@ std::pair<std::uint64_t, std::uint64_t> hidden(bool rts) {
   const Field field;
   struct Source final : MediumListener {
     void on_frame(const Frame&, Time) override {}
-    void on_delivered(const Frame&, NodeIndex, Time, const Reception&) override { ++delivered; }
+    void on_delivered(const Frame&, NodeIndex, Time, const Reception&) override {
+      ++delivered;
+    }
     void on_finished(const Packet& packet, PacketEnd, Time) override {
       ++done;
       medium->send(packet.order);

@@ -17,7 +17,7 @@ constexpr double kSoon = 60;   // zones that come into force within this count [
 constexpr double kNewsEvery = 60;   // of one kind of warning [s]
 constexpr double kAssembly = 3;     // for all to report before they are deployed [s]
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
-constexpr int kResentAtOnce = 5;     // where others use the same medium
+constexpr int kResentAtOnce = 5;    // where others use the same medium
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
 // outside at the fire's origin, from inside beyond the nearest believed boundary.

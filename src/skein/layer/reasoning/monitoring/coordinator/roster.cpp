@@ -40,7 +40,8 @@ bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
 std::vector<EntityId> Roster::update(Time now) {
   std::vector<EntityId> silent;
   for (Member& member : members_) {
-    if (!member.available || (now - member.last_report).seconds() <= member.silence_allowed)
+    if (!member.available ||
+        (now - member.last_report).seconds() <= member.silence_allowed)
       continue;
     member.available = false;
     member.forced = false;
