@@ -44,7 +44,8 @@ constexpr Experiment kExperiments[] = {
     {"hidden", NetworkExperiment::kHidden, "--nodes"},
 };
 
-constexpr const char* kMixed = "mixed";  // real ones among the nodes
+// Those with real ones among the nodes.
+constexpr const char *kMixed = "mixed", *kObstacle = "obstacle";
 
 // CPU seconds of this thread.
 double thread_cpu() {
@@ -183,7 +184,7 @@ const Experiment* experiment_of(const StudyArguments& arguments) {
     }
     names += fmt::format(" {}", each.name);
   }
-  names += fmt::format(" {}", kMixed);
+  names += fmt::format(" {} {}", kMixed, kObstacle);
   if (arguments.experiment.empty())
     complain("error: the study network needs an experiment. There are:{}.\n", names);
   else
@@ -209,6 +210,8 @@ int network_study(const StudyArguments& arguments, const assemble::KindRegistry&
                   const fs::path& folder, const std::atomic<bool>& stop) {
   if (arguments.experiment == kMixed)
     return mixed_rates_study(arguments, kinds, folder, stop);
+  if (arguments.experiment == kObstacle)
+    return obstacle_study(arguments, kinds, folder, stop);
   const Experiment* experiment = experiment_of(arguments);
   if (!experiment) return kBadUsage;
   const campaign::NetworkStudy study = study_of(arguments, experiment->which);
@@ -225,7 +228,7 @@ int network_study(const StudyArguments& arguments, const assemble::KindRegistry&
   campaign::StudyPlan& plan = planned.value().plan;
   const auto& cases = planned.value().cases;
   for (std::size_t i = 0; i < cases.size(); ++i)
-    plan.items[i].text =
+    plan.items[i].data =
         fmt::format("# {}, {} s\n{}", plan.items[i].name, study.duration,
                     assemble::write_radio(radios[cases[i].profile][cases[i].rts]));
 

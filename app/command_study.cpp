@@ -204,7 +204,7 @@ const std::vector<StudyKind>& study_kinds() {
        avoidance_study},
       {"network",
        "the radio medium beside ns-3 and Bianchi: network grid, network cell, network "
-       "hidden; real and simulated modems: network mixed",
+       "hidden; real and simulated modems: network mixed, network obstacle",
        {"experiment", "--out", "--log", "--seeds", "--first-seed", "--threads", "--nodes",
         "--profiles", "--duration"},
        network_study},

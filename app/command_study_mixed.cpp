@@ -53,7 +53,7 @@ campaign::StudyPlan mixed_plan(const StudyArguments& arguments,
       campaign::BatchItem item;
       item.scenario.seed = static_cast<std::uint64_t>(arguments.first_seed + k);
       item.name = fmt::format("mixed/{}/{}", cell.path(), item.scenario.seed);
-      item.text = fmt::format("# {}, {} s", item.name, duration);
+      item.data = fmt::format("# {}, {} s", item.name, duration);
       plan.items.push_back(std::move(item));
       cases.push_back(each);
     }

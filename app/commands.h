@@ -52,10 +52,10 @@ struct StudyArguments {
   std::string data;                      ///< bridge: folder of the recorded fire
   std::vector<std::string> gains;        ///< tuning: files of gains
   int search = 0;                        ///< tuning: gains to try; 0 = no search
-  std::string experiment;                ///< network: grid, cell, hidden or mixed
-  std::vector<std::uint32_t> nodes;      ///< network: empty = the experiment's own
-  std::vector<std::string> profiles;     ///< network: empty = the experiment's own
-  std::optional<double> duration;        ///< network: of each case [s]
+  std::string experiment;             ///< network: grid, cell, hidden, mixed or obstacle
+  std::vector<std::uint32_t> nodes;   ///< network: empty = the experiment's own
+  std::vector<std::string> profiles;  ///< network: empty = the experiment's own
+  std::optional<double> duration;     ///< network: of each case [s]
   AvoidanceArguments avoidance;
   std::vector<std::string> given;  ///< names of all options of the command line
 };

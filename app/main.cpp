@@ -351,7 +351,7 @@ Command add_study(CLI::App& program) {
   const auto study = std::make_shared<StudyArguments>();
   command->add_option("name", study->name, "The study; none = list them.");
   command->add_option("experiment", study->experiment,
-                      "network: the experiment: grid, cell, hidden or mixed.");
+                      "network: the experiment: grid, cell, hidden, mixed or obstacle.");
   command->add_option("--out", study->out, "Folder; default: runs/study-NAME.");
   command->add_option("--seeds", study->seeds, "Seeds per cell.")
       ->check(CLI::Range(1, 10000));

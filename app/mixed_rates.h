@@ -38,8 +38,7 @@ struct MixedRates {
   modem::ModemStatistics station;  ///< of the ground station's modem, if there is one
 };
 
-/// Measures them in real time. Real modems share a stand-in of the air: a program's end
-/// at which their datagrams meet, that lets the same medium decide who hears them.
+/// Measures them in real time, in an assemble::MixedNetwork.
 /// Fails: kUnavailable where they do not find each other, kInterrupted when stopped.
 Result<MixedRates> measure_mixed_rates(const MixedRatesCase& given,
                                        const std::atomic<bool>& stop);

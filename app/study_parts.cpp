@@ -73,7 +73,7 @@ bool report_failures(const std::vector<campaign::BatchItem>& items,
       failed = true;
       const fs::path replay = folder / ("failed-" + folder_name(items[i].name) + ".yaml");
       complain("{}: {}\n", items[i].name, outcomes[i].error);
-      if (write_text(replay, items[i].text))
+      if (!items[i].text.empty() && write_text(replay, items[i].text))
         complain("Replay: skein run {}\n", replay.string());
     }
   return failed;

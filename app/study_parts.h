@@ -38,7 +38,8 @@ Result<void> make_folder(const std::filesystem::path& folder);
 /// On standard output, in columns.
 void print_table(const record::StudyTable& table);
 
-/// Says what failed and stores a scenario to replay it; false when nothing did.
+/// Says what failed and stores its scenario, if it has one, to replay it; false when
+/// nothing did.
 bool report_failures(const std::vector<campaign::BatchItem>& items,
                      const std::vector<campaign::BatchOutcome>& outcomes,
                      const std::filesystem::path& folder);
@@ -93,6 +94,10 @@ int network_study(const StudyArguments& arguments, const assemble::KindRegistry&
 int mixed_rates_study(const StudyArguments& arguments,
                       const assemble::KindRegistry& kinds,
                       const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
+/// `skein study network obstacle`; returns the exit status.
+int obstacle_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+                   const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study tuning`; returns the exit status.
 int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,

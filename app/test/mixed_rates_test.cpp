@@ -26,9 +26,36 @@ TEST_F(Program, RatesOfMixedAndRealEntitiesAgreeAndWithoutTheMediumDoNot) {
       << "simulated ones hear all that is said";
 }
 
+TEST_F(Program, AHouseHidesRealAndSimulatedEntitiesAlike) {
+  const Finished done = run({"study", "network", "obstacle", "--seeds", "1", "--threads",
+                             "8", "--out", "obstacle"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto summary =
+      nlohmann::json::parse(read_file(folder_ / "obstacle/summary.json"));
+  int mixes = 0;
+  for (const auto& first : {"simulated", "real"})
+    for (const auto& second : {"simulated", "real"})
+      for (const auto& third : {"simulated", "real"}) {
+        const std::string mix = std::string(first) + ", " + second + ", " + third;
+        const auto share = [&](const std::string& pair) -> double {
+          return summary.at("nn8/" + mix + "/" + pair + "_percent");
+        };
+        EXPECT_EQ(share("1_to_2"), 0) << mix;
+        EXPECT_EQ(share("2_to_1"), 0) << mix;
+        // A message or two of 20 may be lost where a busy machine is late.
+        for (const char* pair : {"1_to_3", "3_to_1", "2_to_3", "3_to_2"}) {
+          EXPECT_GE(share(pair), 90) << mix << ": " << pair;
+          EXPECT_LE(share(pair), 100.1) << mix << ": " << pair;
+        }
+        ++mixes;
+      }
+  EXPECT_EQ(mixes, 8);
+}
+
 TEST_F(Program, MixedRatesRefuseWhatTheyCannotUse) {
   EXPECT_EQ(run({"study", "network", "mixed", "--nodes", "4"}).status, 2);
   EXPECT_EQ(run({"study", "network", "mixed", "--profiles", "nothing"}).status, 2);
+  EXPECT_EQ(run({"study", "network", "obstacle", "--duration", "4"}).status, 2);
 }
 
 }  // namespace

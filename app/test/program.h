@@ -49,7 +49,10 @@ class Program : public testing::Test {
   // `memory_limit` its address space [bytes].
   pid_t start(std::vector<std::string> arguments, rlim_t file_limit = RLIM_INFINITY,
               rlim_t memory_limit = RLIM_INFINITY, int out = -1) {
-    arguments.insert(arguments.begin(), SKEIN_PROGRAM);
+    std::string program = SKEIN_PROGRAM;
+    std::vector<char*> argv{program.data()};
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
     const pid_t child = fork();
     if (child != 0) return child;
     if (chdir(folder_.c_str()) != 0) _exit(99);
@@ -61,9 +64,6 @@ class Program : public testing::Test {
     const rlimit limit{file_limit, file_limit}, memory{memory_limit, memory_limit};
     setrlimit(RLIMIT_FSIZE, &limit);
     setrlimit(RLIMIT_AS, &memory);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
     execv(SKEIN_PROGRAM, argv.data());
     _exit(99);
   }

@@ -14,8 +14,9 @@
 
 namespace skein::campaign {
 
-/// One run of a batch. `text` is the scenario with all defaults filled in; `data` stands
-/// for the files it names (data_fingerprint.h). Together with the program they decide
+/// One run of a batch. `text` is the scenario with all defaults filled in, empty where
+/// the run is of something else; `data` stands for the files it names
+/// (data_fingerprint.h), or for that something. Together with the program they decide
 /// whether an earlier result still counts.
 struct BatchItem {
   std::string name;  ///< unique in the batch

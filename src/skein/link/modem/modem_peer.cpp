@@ -102,7 +102,7 @@ std::size_t ModemPeer::put_out(Datagram datagram, Time now, const Send& send) {
 void ModemPeer::step(Time now, const Send& send) {
   std::vector<NeighbourChange> lost;
   neighbours_.step(now, lost);
-  note(std::move(lost));
+  note(lost);
   if (now >= next_advertisement_ && now >= queue_.due()) {
     next_advertisement_ =
         now + Time::from_seconds(options_.advertisement_period.seconds() *
@@ -168,7 +168,7 @@ Time ModemPeer::shift_of(const Datagram& datagram, Time now) {
   return clock.alignment.to_here(datagram.sent, now) - datagram.sent;
 }
 
-void ModemPeer::note(std::vector<NeighbourChange> changes) {
+void ModemPeer::note(const std::vector<NeighbourChange>& changes) {
   for (const NeighbourChange& change : changes) {
     if (change.found)
       gateway_.pass_on({change.hw, change.who.value});
@@ -190,7 +190,7 @@ void ModemPeer::take(const Datagram& datagram, const Advertisement& said, Time n
       neighbours_.advertised({datagram.origin.hw, sw}, now, found);
   // Who has just come is told soon who is here.
   if (!found.empty()) next_advertisement_ = std::min(next_advertisement_, now);
-  note(std::move(found));
+  note(found);
 }
 
 bool ModemPeer::is_for_us(const Datagram& datagram, const Carried& carried) const {

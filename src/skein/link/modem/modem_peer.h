@@ -111,7 +111,7 @@ class ModemPeer {
   }
   bool is_for_us(const Datagram& datagram, const Carried& carried) const;
   std::optional<Address> address_of(const Message& message) const;
-  void note(std::vector<NeighbourChange> changes);
+  void note(const std::vector<NeighbourChange>& changes);
   void take(const Datagram& datagram, const Advertisement& said, Time now);
   void take(const Datagram& datagram, const Carried& said, Time now,
             std::vector<Message>& out);

@@ -47,8 +47,9 @@ NetworkCase grid_network(std::uint32_t nodes, Time duration, std::uint64_t seed,
   const auto columns =
       static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(nodes))));
   for (std::uint32_t node = 0; node < nodes; ++node) {
-    add_node(network, Vec3(traffic.spacing * (node / columns),
-                           traffic.spacing * (node % columns), 0));
+    const std::uint32_t row = node / columns;
+    const std::uint32_t column = node % columns;
+    add_node(network, Vec3(traffic.spacing * row, traffic.spacing * column, 0));
     const auto neighbours = neighbours_of(node, nodes, columns);
     const auto count = static_cast<double>(neighbours.size());
     RandomStream random(seed, node, Purpose::kStudy);
