@@ -531,6 +531,7 @@ class Builder {
     context.stations = antennas.size();
     context.terrain = build_.world.terrain.get();
     context.modem = build_.modem.get();
+    context.kinds = &kinds_.kinds();
     auto made = kinds_.kinds().radio.make(scenario_.radio, context);
     if (!made) return made.error();
     build_.world.radio = std::move(made).value();

@@ -149,9 +149,16 @@ struct RadioContext {
   std::function<std::string(EntityId)> name;
   /// R_NB of an entity now; level and to the north where it has none.
   std::function<Mat3(EntityId)> attitude = {};
-  std::size_t stations = 0;           ///< the first entities, which are no aircraft
-  const Terrain* terrain = nullptr;   ///< of the run; outlives the radio
-  modem::ModemLink* modem = nullptr;  ///< of the run; null: there is none
+  std::size_t stations = 0;            ///< the first entities, which are no aircraft
+  const Terrain* terrain = nullptr;    ///< of the run; outlives the radio
+  modem::ModemLink* modem = nullptr;   ///< of the run; null: there is none
+  const KindsByRole* kinds = nullptr;  ///< of its parts; outlive this
+};
+
+/// What every routing protocol is given besides its options.
+struct RoutingContext {
+  std::uint64_t seed = 0;
+  std::size_t entities = 0;  ///< all of the run
 };
 
 /// What every estimator is given besides its options.

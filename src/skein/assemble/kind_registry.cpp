@@ -16,7 +16,7 @@ void for_each_role(Visit visit) {
   const auto all = [&visit](auto... role) { (visit(role), ...); };
   all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::traffic,
       &K::vehicle, &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission,
-      &K::radio, &K::estimator, &K::strategy, &K::planner);
+      &K::routing, &K::radio, &K::estimator, &K::strategy, &K::planner);
 }
 
 KindsByRole own_kinds() {
@@ -33,6 +33,7 @@ KindsByRole own_kinds() {
   kinds.sensor = sensor_kinds();
   kinds.agent = agent_kinds();
   kinds.mission = mission_kinds();
+  kinds.routing = routing_kinds();
   kinds.radio = radio_kinds();
   kinds.estimator = estimator_kinds();
   kinds.strategy = strategy_kinds();

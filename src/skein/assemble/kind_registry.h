@@ -31,6 +31,7 @@ struct KindsByRole {
   Kinds<Sensor, AircraftContext> sensor{"sensor"};
   Kinds<Agent, AircraftContext> agent{"agent"};
   Kinds<reasoning::PlannedMission, MissionContext> mission{"mission"};
+  Kinds<Routing, RoutingContext> routing{"routing"};
   Kinds<Radio, RadioContext> radio{"radio"};
   Kinds<PerimeterEstimator, EstimatorContext> estimator{"estimator"};
   Kinds<MonitoringStrategy, StrategyContext> strategy{"strategy"};

@@ -12,6 +12,7 @@ class PerimeterEstimator;
 class Phenomenon;
 class Plant;
 class Radio;
+class Routing;
 class Sensor;
 class Terrain;
 class TrafficAircraft;
@@ -44,6 +45,7 @@ Kinds<Turbulence, AircraftContext> turbulence_kinds();
 Kinds<Vehicle, VehicleContext> vehicle_kinds();
 Kinds<reasoning::PlannedMission, MissionContext> mission_kinds();
 Kinds<Radio, RadioContext> radio_kinds();
+Kinds<Routing, RoutingContext> routing_kinds();
 Kinds<PerimeterEstimator, EstimatorContext> estimator_kinds();
 Kinds<MonitoringStrategy, StrategyContext> strategy_kinds();
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "skein/assemble/kind_registry.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/modem_setup.h"
 #include "skein/assemble/radio/antenna_fields.h"
@@ -24,7 +25,6 @@
 namespace skein::assemble {
 namespace {
 
-using communication::Routing;
 using scenario::Fields;
 using scenario::Range;
 
@@ -51,6 +51,7 @@ struct MediumChoice {
   std::string profile = "wifi-dsss-2";
   std::string file;
   communication::MediumRadioOptions radio;  // without its profile and its security
+  scenario::Choice routing{"none"};
   std::vector<ObstacleSection> obstacles;
   bool terrain = false;
   double terrain_step = 30;  // [m]
@@ -70,16 +71,7 @@ Fields<MediumChoice> medium_fields() {
                   "Agents think at the same moments; their messages reach the radios "
                   "later, by up to this.",
                   {.at_least = 0, .at_most = 10})
-      .word("routing", [](T & t) -> auto& { return t.radio.routing; },
-            "Who passes on what was for others.",
-            {{"none", Routing::kNone, "nobody"},
-             {"flooding", Routing::kFlooding,
-              "all, once, what its sender cannot tell its receiver directly"}})
-      .integer("hops", [](T & t) -> auto& { return t.radio.hops; },
-               "Of `flooding`: radios that may pass a message on.",
-               {.at_least = 1, .at_most = 100})
-      .duration_s("relay_delay_s", [](T & t) -> auto& { return t.radio.relay_delay; },
-                  "Of `flooding`: each waits up to this.", {.at_least = 0, .at_most = 10})
+      .kind("routing", &T::routing, "routing", "Who passes on what was for others.")
       .duration_s("advertisement_period_s",
                   [](T & t) -> auto& { return t.radio.advertisement_period; },
                   "Between a radio's words that it is there, by which others find their "
@@ -154,6 +146,7 @@ communication::NodeAntennas antennas_in_run(const MediumChoice& choice,
 double range_of(const RadioFile& file) {
   auto open = file.propagation;
   open.obstacles.clear();
+  open.shadowing_db = 0;  // as far in all directions
   const auto propagation =
       communication::make_propagation(open, file.radio.phy.frequency, 0);
   const auto& phy = file.radio.phy;
@@ -221,11 +214,13 @@ Kinds<Radio, RadioContext> radio_kinds() {
           if (!authentication) return authentication.error();
           options.authentication = authentication.value();
         }
+        auto routing = c.kinds->routing.make(o.routing, {c.seed, c.entities});
+        if (!routing) return routing.error();
         std::unique_ptr<Radio> medium = std::make_unique<communication::MediumRadio>(
             options, std::move(propagation).value(),
             communication::RadioNodes{c.entities, c.position, c.name,
                                       antennas_in_run(o, file.value(), c)},
-            c.seed);
+            c.seed, std::move(routing).value());
         if (!o.modem || !c.modem) return medium;
         return std::unique_ptr<Radio>(std::make_unique<modem::ModemRadio>(
             modem::ModemRadioParts{std::move(medium), by_range(o, file.value(), c),

@@ -19,6 +19,7 @@
 #include "skein/role/phenomenon.h"
 #include "skein/role/plant.h"
 #include "skein/role/radio.h"
+#include "skein/role/routing.h"
 #include "skein/role/sensor.h"
 #include "skein/role/traffic_aircraft.h"
 #include "skein/role/turbulence.h"
@@ -126,12 +127,14 @@ class Stage {
             [](const std::string&) { return std::optional(EntityId{1}); },
             &warnings_};
   }
-  static RadioContext radio() {
-    return {kSeed, 3,
-            [](EntityId id) -> std::optional<Vec3> {
-              return Vec3(200.0 * id.value, 0, -100);
-            },
-            [](EntityId id) { return std::to_string(id.value); }};
+  RadioContext radio() const {
+    RadioContext context{kSeed, 3,
+                         [](EntityId id) -> std::optional<Vec3> {
+                           return Vec3(200.0 * id.value, 0, -100);
+                         },
+                         [](EntityId id) { return std::to_string(id.value); }};
+    context.kinds = &kinds_.kinds();
+    return context;
   }
 
   static NavEstimate start(const FlightLimits& limits) {
@@ -255,6 +258,11 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
          });
   if (role == "radio")
     test(Subject<Radio, RadioContext>{all.radio, choice, radio()}, radio_suite());
+  if (role == "routing")
+    test(
+        Subject<Routing, RoutingContext>{
+            all.routing, choice, {kSeed, contract::kRoutingEntities}},
+        contract::routing_violations);
   if (role == "estimator")
     test(
         Subject<PerimeterEstimator, EstimatorContext>{

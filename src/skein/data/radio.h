@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -25,11 +26,12 @@ enum class LossCause : std::uint8_t {
   kLinkDown,     ///< the sender or the receiver does not reach its radio
   kNobody,       ///< its receiver takes no part
   kRefused,      ///< its receiver found that it was not authentic
+  kPending,      ///< not lost: still on its way when the run ended
 };
 constexpr auto names_of(const LossCause*) {
   return std::to_array<std::string_view>(
       {"none", "chance", "outage", "out-of-range", "queue-full", "retry-limit", "expired",
-       "not-received", "link-down", "nobody", "refused"});
+       "not-received", "link-down", "nobody", "refused", "pending"});
 }
 
 /// How a message went over the air.
@@ -73,6 +75,9 @@ struct RadioUse {
   std::uint32_t waiting = 0;  ///< messages in its queue, the most at once
   std::uint32_t queue_full = 0, retry_limit = 0, expired = 0;  ///< packets lost so
   std::uint32_t received = 0;                                  ///< packets for it
+
+  /// Share of the time in which it sent or heard others.
+  double load() const { return std::min(1.0, sending_share + busy_share); }
 };
 
 constexpr auto describe(const RadioUse*) {

@@ -8,20 +8,22 @@ void RadioSums::add(const RadioUseRecord& record) {
   const RadioUse& use = record.use;
   const double time = record.time.seconds();
   if (loads_.empty() || loads_.back().time < time) {
+    span_ = time - (loads_.empty() ? 0 : loads_.back().time);
     loads_.push_back({time, 0, 0});
     radios_ = 0;
   }
-  const double load = std::min(1.0, use.sending_share + use.busy_share);
+  const double load = use.load();
   StoredLoad& all = loads_.back();
   all.mean += (load - all.mean) / ++radios_;
   all.most = std::max(all.most, load);
 
   Use& own = uses_[record.id];
   RadioUse& sums = own.sums;
-  ++own.rows;
+  own.seconds += span_;
   sums.frames += use.frames;
-  sums.sending_share += (use.sending_share - sums.sending_share) / own.rows;
-  sums.busy_share += (use.busy_share - sums.busy_share) / own.rows;
+  const double share = own.seconds > 0 ? span_ / own.seconds : 0;
+  sums.sending_share += (use.sending_share - sums.sending_share) * share;
+  sums.busy_share += (use.busy_share - sums.busy_share) * share;
   sums.waiting = std::max(sums.waiting, use.waiting);
   sums.queue_full += use.queue_full;
   sums.retry_limit += use.retry_limit;

@@ -25,11 +25,12 @@ class RadioSums {
   };
   struct Use {
     RadioUse sums;
-    int rows = 0;
+    double seconds = 0;
   };
 
   std::vector<StoredLoad> loads_;
-  int radios_ = 0;  // in the last load
+  int radios_ = 0;   // in the last load
+  double span_ = 0;  // that it covers [s]
   std::map<EntityId, Use> uses_;
   std::map<std::pair<EntityId, EntityId>, Link> links_;
 };

@@ -1,5 +1,7 @@
 #include "skein/record/run_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,13 +54,14 @@ PerimeterMetrics metrics_from(const Statement& row, int column) {
   return metrics;
 }
 
-// Bands as their column has them: from and to have units in their names.
-LossCause loss_cause(const std::string& name) {
+std::optional<LossCause> loss_cause(const std::string& name) {
   constexpr auto kNames = names_of(static_cast<const LossCause*>(nullptr));
   const auto found = std::find(kNames.begin(), kNames.end(), name);
-  return static_cast<LossCause>(found == kNames.end() ? 0 : found - kNames.begin());
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<LossCause>(found - kNames.begin());
 }
 
+// Bands as their column has them: from and to have units in their names.
 std::vector<StoredBand> stored_bands(const std::string& text) {
   std::vector<StoredBand> all;
   const auto list = nlohmann::json::parse(text, nullptr, false);
@@ -253,7 +256,7 @@ class Reader {
     RadioSums sums;
     auto done = records<RadioUseRecord>("ORDER BY time_s, entity_id",
                                         [&](const RadioUseRecord& record) {
-                                          statistics_.radio().radio(record.use);
+                                          statistics_.radio().radio(record);
                                           sums.add(record);
                                         });
     if (!done) return done;
@@ -269,16 +272,25 @@ class Reader {
     const auto bins = static_cast<std::size_t>(needed);
     run_.messages_sent.assign(bins, 0);
     run_.messages_lost.assign(bins, 0);
-    return rows(
+    std::string unknown;
+    auto done = rows(
         "SELECT sent_s, cause, hops, forged FROM messages", [&](const Statement& row) {
           const double bin = std::max(0.0, row.real(0) / run_.message_bin);
           const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
           ++run_.messages_sent[k];
-          const LossCause cause = loss_cause(row.text(1));
-          if (cause != LossCause::kNone) ++run_.messages_lost[k];
-          statistics_.radio().message(cause, static_cast<std::uint32_t>(row.integer(2)),
+          const auto cause = loss_cause(row.text(1));
+          if (!cause) {
+            unknown = row.text(1);
+            return;
+          }
+          const bool lost = *cause != LossCause::kNone && *cause != LossCause::kPending;
+          if (lost) ++run_.messages_lost[k];
+          statistics_.radio().message(*cause, static_cast<std::uint32_t>(row.integer(2)),
                                       row.integer(3) != 0);
         });
+    if (!done || unknown.empty()) return done;
+    return Error{ErrorCode::kBadInput, "messages",
+                 fmt::format("\"{}\" is no cause of a loss.", unknown), ""};
   }
 
   Result<void> forecasts() {

@@ -80,7 +80,7 @@ struct Taker {
     statistics.separation().conflict(r.report);
     statistics.alerts().conflict(r);
   }
-  void operator()(const RadioUseRecord& r) { statistics.radio().radio(r.use); }
+  void operator()(const RadioUseRecord& r) { statistics.radio().radio(r); }
   void operator()(const LinkUseRecord&) {}
   void operator()(const VehicleReportRecord&) {}
   void operator()(const MissionProgressRecord&) {}

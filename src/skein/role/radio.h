@@ -39,6 +39,14 @@ class Radio {
   /// order of sending; lost ones among them, when that is certain.
   virtual void deliver(Time now, RadioNews& news) = 0;
 
+  /// Whether an entity takes part and its radio works, from now on; at first all do. One
+  /// that is off sends, hears and passes on nothing.
+  virtual void turn(EntityId /*id*/, bool /*on*/) {}
+
+  /// The run is over: appends the messages that have neither arrived nor are lost, as
+  /// LossCause::kPending. A radio that hands on what it gets has none.
+  virtual void end(RadioNews& /*news*/) {}
+
   /// What the modem of an entity knows at the last `now`. Radios without a medium know of
   /// no load.
   virtual RadioStatus status(EntityId) const { return {}; }

@@ -97,8 +97,19 @@ Result<void> Stepper::step(Time now) {
   return recorder_.step_done(now);
 }
 
+void Stepper::finish(Time now) {
+  news_.clear();
+  world_.radio->end(news_);
+  for (const MessageOutcome& outcome : news_.ended) record_message(outcome, now);
+  if (now > radios_recorded_) record_radios(now);
+}
+
 std::string Stepper::headline() const {
-  return sigma_ ? fmt::format("sigma {:.1f} m", *sigma_) : std::string();
+  std::string line = sigma_ ? fmt::format("sigma {:.1f} m", *sigma_) : std::string();
+  if (air_)
+    line += fmt::format("{}air {:.0f} % full, {} lost", line.empty() ? "" : ", ",
+                        100 * *air_, lost_before_);
+  return line;
 }
 
 template <class Body>
@@ -303,8 +314,13 @@ void Stepper::exchange(Time now) {
     output.events.clear();
     output.records.clear();
   }
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const Vehicle* vehicle = world_.entities[i].vehicle.get();
+    world_.radio->turn(id_of(i),
+                       states_[i].active && (!vehicle || vehicle->link_works()));
+  }
   receive(now);
-  record_radios(now);
+  if (now > Time() && due(now, options_.radio_period)) record_radios(now);
 }
 
 void Stepper::send(Time now, std::size_t i) {
@@ -363,11 +379,15 @@ void Stepper::receive(Time now) {
 }
 
 void Stepper::record_radios(Time now) {
-  if (!due(now, options_.radio_period)) return;
+  radios_recorded_ = now;
+  lost_before_ = std::exchange(lost_, 0);
   const RadioStatistics statistics = world_.radio->take_statistics();
-  for (std::size_t i = 0; i < statistics.radios.size() && i < states_.size(); ++i)
-    if (states_[i].active)
-      recorder_.record(RadioUseRecord{now, id_of(i), statistics.radios[i]});
+  for (std::size_t i = 0; i < statistics.radios.size() && i < states_.size(); ++i) {
+    if (!states_[i].active) continue;
+    const RadioUse& use = statistics.radios[i];
+    air_ = i == 0 ? use.load() : std::max(air_.value_or(0), use.load());
+    recorder_.record(RadioUseRecord{now, id_of(i), use});
+  }
   for (const LinkUse& use : statistics.links) recorder_.record(LinkUseRecord{now, use});
 }
 
@@ -523,6 +543,7 @@ void Stepper::record_message(const MessageOutcome& outcome, Time ended) {
   const Message& message = outcome.message;
   const auto* team = std::get_if<TeamMessage>(&message.content);
   const bool arrived = outcome.cause == LossCause::kNone;
+  if (!arrived && outcome.cause != LossCause::kPending) ++lost_;
   std::optional<Time> read;
   if (arrived) {
     // The first step of its receiver's agent from now on; this step's is over.

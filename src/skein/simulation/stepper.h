@@ -59,6 +59,9 @@ class Stepper {
   /// Moves the world from `now` to the next step.
   Result<void> step(Time now);
 
+  /// Records what is left to record after the last step, which was at `now`.
+  void finish(Time now);
+
   /// Events since the last call that an operator is to know of at once.
   std::vector<Event> take_announcements() { return std::exchange(announcements_, {}); }
   std::string_view name_of_entity(EntityId id) const;
@@ -119,6 +122,10 @@ class Stepper {
   std::vector<VehicleReport> vehicle_reports_;
   std::vector<Event> announcements_;
   std::optional<double> sigma_;  // root mean square, of the newest belief [m]
+  std::optional<double> air_;    // load of the fullest radio in the last radio period
+  std::size_t lost_ = 0;         // messages in this radio period
+  std::size_t lost_before_ = 0;  // in the last one
+  Time radios_recorded_;
 };
 
 }  // namespace skein::simulation

@@ -192,7 +192,7 @@ Fields<MacSection> mac_fields() {
             "Older packets are dropped before they are sent; `none`: never.")
       .integer("data_overhead_bytes", in(&MacProfile::data_overhead_bytes),
                "Of headers and check sequence around the payload of a data frame.",
-               {.at_least = 0, .at_most = 1000})
+               {.at_least = 1, .at_most = 1000})
       .integer("part_bytes", in(&MacProfile::part_bytes),
                "In a run longer messages go in parts of so much.",
                {.at_least = 20, .at_most = 65'000})
@@ -217,6 +217,12 @@ Fields<MacSection> mac_fields() {
       .rule("cw_max",
             [](const T& t) -> std::string {
               return t.mac.cw_min <= t.mac.cw_max ? "" : "must not be below cw_min.";
+            })
+      .rule("difs_us",
+            [](const T& t) -> std::string {
+              return t.mac.access != AccessMethod::kDcf || t.sifs_us < t.difs_us
+                         ? ""
+                         : "must be longer than sifs_us: answers come first.";
             })
       .rule("adaptive_power",
             [](const T& t) -> std::string {

@@ -37,6 +37,17 @@ scenario::Fields<RadioSections> radio_section_fields() {
               "are level and point north.")
       .object("station_antenna", &T::station_antenna, antenna_fields(),
               "Of ground stations, which are level and point north.")
+      .rule("mac.ack_timeout_us",
+            [](const T& t) -> std::string {
+              if (t.mac.mac.access != communication::AccessMethod::kDcf) return "";
+              const double least = t.mac.sifs_us + t.phy.preamble_header_us;
+              return t.mac.ack_timeout_us >= least
+                         ? ""
+                         : fmt::format(
+                               "no answer is there by then: sifs_us and "
+                               "phy.preamble_header_us are {} us together.",
+                               least);
+            })
       .rule("mac.part_bytes", [](const T& t) -> std::string {
         if (t.mac.mac.access != communication::AccessMethod::kTdma) return "";
         const double bytes =

@@ -24,7 +24,8 @@ class Log final : public Recorder {
     if (const auto* truth = std::get_if<TruthRecord>(&value))
       truth_[truth->time.ns()] = truth->state;
     const auto* message = std::get_if<MessageRecord>(&value);
-    if (message && message->message.from == EntityId{1})
+    if (message && message->message.from == EntityId{1} &&
+        message->cause != LossCause::kPending)
       said_.emplace_back(message->message.sent, message->lost);
   }
 

@@ -67,4 +67,11 @@ void IdealRadio::deliver(Time now, RadioNews& news) {
   }
 }
 
+void IdealRadio::end(RadioNews& news) {
+  std::sort_heap(in_flight_.begin(), in_flight_.end(), later);
+  for (auto next = in_flight_.rbegin(); next != in_flight_.rend(); ++next)
+    news.ended.push_back({std::move(next->message), LossCause::kPending});
+  in_flight_.clear();
+}
+
 }  // namespace skein::communication

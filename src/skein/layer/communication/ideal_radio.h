@@ -39,6 +39,7 @@ class IdealRadio final : public Radio {
 
   void send(const Message& message) override;
   void deliver(Time now, RadioNews& news) override;
+  void end(RadioNews& news) override;
 
  private:
   struct InFlight {

@@ -5,20 +5,17 @@
 
 #include "skein/base/check.h"
 #include "skein/data/wire.h"
+#include "skein/layer/communication/routing/no_routing.h"
 
 namespace skein::communication {
 namespace {
 
 // A node's random streams for its radio.
-constexpr std::uint32_t kSpreads = 4, kRelayDelays = 6, kAdvertisementTimes = 7;
+constexpr std::uint32_t kSpreads = 4, kAdvertisementTimes = 7;
 constexpr std::uint32_t kPartBytes = 4;            // which part of which message it is
-constexpr std::uint32_t kRouteBytes = 8;           // origin, number and hops of a message
 constexpr std::uint32_t kAdvertisementBytes = 12;  // identity, address, kind
 // Tags of what is no message; those of messages are places in posts_.
 constexpr std::uint64_t kAdvertisement = ~std::uint64_t{0}, kFlood = kAdvertisement - 1;
-constexpr Time kLongestWay = Time::from_ns(1'000'000);  // 300 km at the speed of light
-// Where nothing reaches: an entity without a place.
-const Vec3 kNowhere(1e9, 1e9, 0);
 
 LossCause cause_of_end(PacketEnd end) {
   switch (end) {
@@ -35,8 +32,8 @@ LossCause cause_of_end(PacketEnd end) {
 }
 
 Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
-                      const PositionLookup& position, NodeAntennas antennas,
-                      const Attackers& attackers) {
+                      const PositionLookup& position, const std::vector<bool>& on,
+                      NodeAntennas antennas, const Attackers& attackers) {
   Links::Nodes nodes;
   nodes.move = false;  // but when places_changed() says so
   nodes.transmit_power_dbm.assign(entities, transmit_power_dbm);
@@ -48,7 +45,10 @@ Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
   }
   nodes.place = [position, entities, places](NodeIndex node, Time) -> Vec3 {
     if (node >= entities) return places[node - entities];
-    return position(EntityId{node}).value_or(kNowhere);
+    return position(EntityId{node}).value_or(Vec3::Zero());
+  };
+  nodes.is_on = [position, entities, &on](NodeIndex node) {
+    return node >= entities || (on[node] && position(EntityId{node}));
   };
   nodes.antennas = std::move(antennas);
   // Those of attackers are alike in all directions.
@@ -77,7 +77,7 @@ std::uint32_t free_place(std::vector<T>& all, std::vector<std::uint32_t>& unused
 
 MediumRadio::MediumRadio(const MediumRadioOptions& options,
                          std::unique_ptr<Propagation> propagation, RadioNodes nodes,
-                         std::uint64_t seed)
+                         std::uint64_t seed, std::unique_ptr<Routing> routing)
     : options_(options),
       propagation_(std::move(propagation)),
       entities_(nodes.count),
@@ -86,19 +86,18 @@ MediumRadio::MediumRadio(const MediumRadioOptions& options,
       seed_(seed),
       attackers_(options.attacks, static_cast<NodeIndex>(entities_), position_,
                  options.authentication.has_value(), seed),
+      routing_(routing ? std::move(routing) : std::make_unique<NoRouting>()),
+      on_(entities_, true),
       medium_(options.profile, *propagation_,
-              nodes_of(entities_, options.profile.phy.transmit_power_dbm, position_,
+              nodes_of(entities_, options.profile.phy.transmit_power_dbm, position_, on_,
                        std::move(nodes.antennas), attackers_),
               seed, *this),
       meter_(options.profile.mac.access, entities_),
-      knows_neighbours_(options.routing != Routing::kNone ||
-                        options.advertisement_period > 0),
       neighbours_(entities_, patience_of(options.advertisement_period)),
       waiting_(entities_, 0) {
-  SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes + kRouteBytes);
+  SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes + routing_->head_bytes());
   if (options.authentication) authenticity_.emplace(*options.authentication, entities_);
   for (std::uint32_t node = 0; node < entities_; ++node) {
-    relay_delays_.emplace_back(seed, node, Purpose::kRadio, kRelayDelays);
     advertisement_times_.emplace_back(seed, node, Purpose::kRadio, kAdvertisementTimes);
     if (options.advertisement_period > 0)
       next_advertisements_.push_back(Time::from_seconds(
@@ -116,6 +115,10 @@ RadioStatus MediumRadio::status(EntityId id) const {
           options_.profile.mac.access != AccessMethod::kDirect};
 }
 
+void MediumRadio::turn(EntityId id, bool on) {
+  on_.at(id.value) = on;
+}
+
 void MediumRadio::deliver(Time now, RadioNews& news) {
   news_ = &news;
   medium_.places_changed();
@@ -125,9 +128,24 @@ void MediumRadio::deliver(Time now, RadioNews& news) {
   medium_.advance(std::max(now, medium_.now()));
   settle(now);
   meter_.step(now, [this](NodeIndex node) { return medium_.heard(node); });
-  for (NodeIndex node = 0; node < entities_; ++node)
+  for (NodeIndex node = 0; node < entities_; ++node) {
     waiting_[node] = static_cast<std::uint32_t>(medium_.waiting(node));
+    meter_.queue(node, waiting_[node]);
+  }
   note_neighbours(now, news.events);
+  news_ = nullptr;
+}
+
+void MediumRadio::end(RadioNews& news) {
+  news_ = &news;
+  collect();
+  for (Transfer& transfer : transfers_) {
+    for (Transfer::Copy& copy : transfer.copies)
+      if (!copy.arrived)
+        news.ended.push_back(
+            {std::move(copy.message), LossCause::kPending, transfer.way});
+    transfer.copies.clear();
+  }
   news_ = nullptr;
 }
 
@@ -169,7 +187,6 @@ std::uint32_t MediumRadio::new_transfer(NodeIndex from, std::span<Message> copie
   transfer.cause = LossCause::kNone;
   transfer.way = {};
   transfer.copies.clear();
-  transfer.reached.clear();
   transfer.sealed.clear();
   for (Message& copy : copies) transfer.copies.push_back({std::move(copy)});
   return index;
@@ -199,32 +216,55 @@ void MediumRadio::launch(std::uint32_t index, Time time) {
     leave(index, time);
     return;
   }
-  if (options_.routing == Routing::kFlooding) {
-    transfer.reached.assign(entities_ + attackers_.size(), false);
-    transfer.reached[transfer.from] = true;
+  transfer.reached.assign(entities_ + attackers_.size(), false);
+  transfer.reached[transfer.from] = true;
+  const auto to = way_from(transfer, transfer.from, 0);
+  if (!to) {
+    transfer.cause = LossCause::kNobody;
+    leave(index, time);
+    return;
   }
-  post(index, transfer.from, 0, time);
+  post(index, transfer.from, *to, 0, time);
+}
+
+// What a routing knows of a transfer.
+RoutedMessage MediumRadio::routed(const Transfer& transfer, std::uint32_t hop) {
+  const Message& said = transfer.copies[0].message;
+  return {said.from, transfer.to_all ? kEveryone : said.to, hop};
+}
+
+// To whom a node sends a transfer that `hop` radios have passed on, itself among them.
+std::optional<std::uint32_t> MediumRadio::way_from(const Transfer& transfer,
+                                                   NodeIndex node, std::uint32_t hop) {
+  const EntityId to = transfer.to_all ? kEveryone : transfer.copies[0].message.to;
+  if (node >= entities_) {
+    // Attackers know nobody; where messages are passed on, theirs are too.
+    return to == kEveryone || routing_->head_bytes() > 0 ? kAllNodes : to.value;
+  }
+  const Time now = medium_.now();
+  const auto hears = [this, now](EntityId one, EntityId other) {
+    return neighbours_.has(one.value, other.value, now);
+  };
+  const auto next = routing_->next(EntityId{node}, routed(transfer, hop), hears, now);
+  if (!next) return std::nullopt;
+  return *next == kEveryone ? kAllNodes : next->value;
 }
 
 // Hands the parts of a transfer to the radio of `from`.
-void MediumRadio::post(std::uint32_t index, NodeIndex from, std::uint32_t hop,
-                       Time time) {
+void MediumRadio::post(std::uint32_t index, NodeIndex from, std::uint32_t to,
+                       std::uint32_t hop, Time time) {
   Transfer& transfer = transfers_[index];
   ++transfer.posts;
   const std::uint32_t place = free_place(posts_, free_posts_);
   transfer.carried.push_back(place);
   Post& post = posts_[place];
-  const bool floods = options_.routing == Routing::kFlooding;
-  std::uint32_t to = transfer.to_all ? kAllNodes : transfer.copies[0].message.to.value;
-  if (floods && to != kAllNodes &&
-      (from >= entities_ || !neighbours_.has(from, to, std::max(time, medium_.now()))))
-    to = kAllNodes;
-  const std::uint32_t head = floods ? kRouteBytes : 0;
+  const std::uint32_t head = routing_->head_bytes();
   const std::uint32_t most = options_.profile.mac.part_bytes - head;
   const std::uint32_t room = most - kPartBytes;
   post.transfer = index;
   post.from = from;
   post.hop = hop;
+  post.again = false;
   post.parts = transfer.bytes <= most ? 1 : (transfer.bytes + room - 1) / room;
   post.parts_ended = 0;
   post.received.clear();
@@ -256,7 +296,8 @@ void MediumRadio::leave(std::uint32_t index, Time now) {
 void MediumRadio::settle(Time now) {
   std::erase_if(leaving_, [&](std::uint32_t index) {
     Transfer& transfer = transfers_[index];
-    if (transfer.posts == 0 && transfer.ended + kLongestWay > now) return false;
+    if (transfer.posts == 0 && transfer.ended + medium_.longest_delay() >= now)
+      return false;
     transfer.leaves = false;
     if (transfer.posts > 0) return true;  // passed on meanwhile: it leaves again
     for (Transfer::Copy& copy : transfer.copies) {
@@ -287,8 +328,9 @@ void MediumRadio::advertise(Time now) {
   for (NodeIndex node = 0; node < next_advertisements_.size(); ++node) {
     Time& next = next_advertisements_[node];
     while (next <= now) {
-      medium_.send_at(next, {node, kAllNodes, kAdvertisementBytes, kAdvertisement,
-                             static_cast<std::uint8_t>(Urgency::kCommand)});
+      if (on_[node])
+        medium_.send_at(next, {node, kAllNodes, kAdvertisementBytes, kAdvertisement,
+                               static_cast<std::uint8_t>(Urgency::kCommand)});
       next += Time::from_seconds(options_.advertisement_period *
                                  advertisement_times_[node].uniform(0.9, 1.1));
     }
@@ -296,14 +338,15 @@ void MediumRadio::advertise(Time now) {
 }
 
 void MediumRadio::note_neighbours(Time now, std::vector<Event>& events) {
-  if (!knows_neighbours_ || now < next_check_) return;
+  if (now < next_check_) return;
   next_check_ = now + Time::from_seconds(1);
   neighbours_.step(now, changes_);
   if (options_.advertisement_period > 0)
     for (const Neighbours::Change& change : changes_)
-      events.push_back({now, EntityId{change.node},
-                        change.found ? "neighbour-found" : "neighbour-lost",
-                        name_(EntityId{change.other})});
+      if (on_[change.node])
+        events.push_back({now, EntityId{change.node},
+                          change.found ? "neighbour-found" : "neighbour-lost",
+                          name_(EntityId{change.other})});
   changes_.clear();
 }
 
@@ -329,42 +372,57 @@ void MediumRadio::on_delivered(const Frame& data, NodeIndex receiver, Time now,
   if (receiver >= entities_) return on_overheard(data, receiver, now);
   if (data.from < entities_) {
     meter_.received(data, receiver, reception);
-    if (knows_neighbours_) neighbours_.hear(receiver, data.from, now, changes_);
+    neighbours_.hear(receiver, data.from, now, changes_);
   }
   if (data.tag >= kFlood) return;
   Post& post = posts_[data.tag];
   if (!has_all(post, receiver)) return;
   Transfer& transfer = transfers_[post.transfer];
+  const std::uint32_t hop = post.hop;
   const bool refused = refuses(transfer, receiver, now);
-  arrive(transfer, receiver, post.hop, refused ? LossCause::kRefused : LossCause::kNone,
-         now);
-  if (!refused) pass_on(post.transfer, receiver, post.hop, now);
+  arrive(transfer, receiver, hop, refused ? LossCause::kRefused : LossCause::kNone, now);
+  if (refused) return;
+  if (data.from < entities_)
+    routing_->learn(EntityId{receiver}, EntityId{data.from}, routed(transfer, hop), now);
+  pass_on(post.transfer, receiver, hop, now);
 }
 
-// Whoever gets a message that floods, and is not its end, sends it once.
+// Whoever gets a message for others sends it once, if the routing says so.
 void MediumRadio::pass_on(std::uint32_t index, NodeIndex node, std::uint32_t hop,
                           Time now) {
   Transfer& transfer = transfers_[index];
-  if (transfer.reached.empty() || transfer.reached[node]) return;
+  if (transfer.reached[node]) return;
   transfer.reached[node] = true;
   const bool is_end = !transfer.to_all && transfer.copies[0].message.to.value == node;
-  if (is_end || hop >= options_.hops) return;
-  const double wait = options_.relay_delay * relay_delays_[node].uniform();
-  post(index, node, hop + 1, now + Time::from_seconds(wait));
+  if (is_end) return;
+  if (const auto to = way_from(transfer, node, hop + 1)) {
+    const double wait = routing_->delay(EntityId{node});
+    post(index, node, *to, hop + 1, now + Time::from_seconds(wait));
+  }
+}
+
+// What a radio on the way has not acknowledged goes to all who hear it, once.
+void MediumRadio::try_again(const Packet& packet, Time now) {
+  const std::uint32_t to = packet.order.to;
+  const auto place = static_cast<std::uint32_t>(packet.order.tag);
+  const NodeIndex from = posts_[place].from;
+  if (to >= entities_ || from >= entities_) return;
+  if (!routing_->failed(EntityId{from}, EntityId{to})) return;
+  if (std::exchange(posts_[place].again, true)) return;
+  post(posts_[place].transfer, from, kAllNodes, posts_[place].hop, now);
 }
 
 // Whether a receiver finds that a message is not authentic, where it must be. What has
 // reached it before it has judged before.
 bool MediumRadio::refuses(Transfer& transfer, NodeIndex receiver, Time now) {
-  const bool reached = !transfer.reached.empty() && transfer.reached[receiver];
-  if (!authenticity_ || reached) return false;
+  if (!authenticity_ || transfer.reached[receiver]) return false;
   const EntityId self{receiver}, sender = transfer.copies[0].message.from;
   const Verdict verdict = authenticity_->judge(self, sender, transfer.sealed);
   if (verdict == Verdict::kAuthentic) return false;
   const bool refused = authenticity_->is_required();
   if (auto event = refusals_.note(now, self, sender, verdict, refused, name_(sender)))
     news_->events.push_back(*std::move(event));
-  if (refused && !transfer.reached.empty()) transfer.reached[receiver] = true;
+  if (refused) transfer.reached[receiver] = true;
   return refused;
 }
 
@@ -387,10 +445,19 @@ void MediumRadio::attack(Time now) {
 }
 
 void MediumRadio::on_overheard(const Frame& data, NodeIndex receiver, Time now) {
-  if (receiver < entities_ || !attackers_.listen() || data.tag >= kFlood) return;
+  const bool attacker = receiver >= entities_;
+  if (!attacker && data.from < entities_)
+    neighbours_.hear(receiver, data.from, now, changes_);
+  if (data.tag >= kFlood) return;
   const Post& post = posts_[data.tag];
-  if (post.parts > 1) return;
   const Transfer& transfer = transfers_[post.transfer];
+  if (!attacker) {
+    if (data.from < entities_)
+      routing_->overhear(EntityId{receiver}, EntityId{data.from}, EntityId{data.to},
+                         routed(transfer, post.hop), now);
+    return;
+  }
+  if (!attackers_.listen() || post.parts > 1) return;
   overheard_.clear();
   for (const Transfer::Copy& copy : transfer.copies) overheard_.push_back(copy.message);
   attackers_.overhear(receiver, overheard_, transfer.sealed, now);
@@ -423,6 +490,7 @@ void MediumRadio::on_finished(const Packet& packet, PacketEnd end, Time now) {
       meter_.queue(packet.order.from, medium_.waiting(packet.order.from) + 1);
   }
   if (packet.order.tag >= kFlood) return;
+  if (end == PacketEnd::kRetryLimit) try_again(packet, now);
   end_part(static_cast<std::uint32_t>(packet.order.tag), cause_of_end(end), now);
 }
 

@@ -18,23 +18,15 @@
 #include "skein/layer/communication/security/authenticity.h"
 #include "skein/role/propagation.h"
 #include "skein/role/radio.h"
+#include "skein/role/routing.h"
 
 namespace skein::communication {
-
-/// Who passes on what was not for him.
-enum class Routing {
-  kNone,      ///< nobody: messages go to who hears their sender
-  kFlooding,  ///< all, once, whoever has not got the message yet
-};
 
 struct MediumRadioOptions {
   RadioProfile profile;
   /// Agents of a run think at the same moments, radios of a team do not send at the same
   /// one: a message reaches its radio later, by up to this, uniform [s].
   double spread = 0.1;
-  Routing routing = Routing::kNone;
-  std::uint32_t hops = 3;     ///< of flooding: radios that may pass a message on
-  double relay_delay = 0.05;  ///< of these: each waits up to this, uniform [s]
   /// Of a node's word that it is there, 10 % earlier or later [s]; 0: it says nothing.
   double advertisement_period = 0;
   std::vector<Attack> attacks;
@@ -61,9 +53,9 @@ struct RadioNodes {
 /// ones go first (urgency_of). What happens between two calls of deliver() happens where
 /// nodes are at the second.
 ///
-/// With flooding a message to one whom its sender has not heard lately goes to all, with
-/// 8 bytes more, and whoever gets it and is not its receiver passes it on, once: to the
-/// receiver if that was heard lately, else to all. Messages to all are passed on so too.
+/// Whoever gets a message that is not for him alone passes it on once, if the routing
+/// (role/routing.h) says so and to whom. What a radio on the way does not acknowledge
+/// goes to all instead, once.
 ///
 /// A node that has heard another knows it as its neighbour until it was silent for three
 /// periods of advertisements (three seconds without these): events "neighbour-found" and
@@ -75,11 +67,15 @@ struct RadioNodes {
 /// who pass it on too, refuse what is not authentic: its end is LossCause::kRefused.
 class MediumRadio final : public Radio, private MediumListener {
  public:
+  /// @param routing  null: NoRouting
   MediumRadio(const MediumRadioOptions& options, std::unique_ptr<Propagation> propagation,
-              RadioNodes nodes, std::uint64_t seed);
+              RadioNodes nodes, std::uint64_t seed,
+              std::unique_ptr<Routing> routing = nullptr);
 
   void send(const Message& message) override;
   void deliver(Time now, RadioNews& news) override;
+  void turn(EntityId id, bool on) override;
+  void end(RadioNews& news) override;
   RadioStatus status(EntityId id) const override;
   RadioStatistics take_statistics() override { return meter_.take(); }
 
@@ -101,7 +97,7 @@ class MediumRadio final : public Radio, private MediumListener {
     };
     std::vector<Copy> copies;
     std::vector<std::byte> sealed;  // with authentication: its wire form and its seal
-    std::vector<bool> reached;      // of flooding: nodes that have it
+    std::vector<bool> reached;      // of routing: nodes that have it
     std::vector<std::uint32_t> carried;  // posts, to be used again in the end
     bool leaves = false;                 // stands in leaving_
   };
@@ -110,6 +106,7 @@ class MediumRadio final : public Radio, private MediumListener {
     std::uint32_t transfer = 0;
     NodeIndex from = 0;
     std::uint32_t hop = 0;  // radios that passed it on before
+    bool again = false;     // it goes to all because one has not acknowledged it
     std::uint32_t parts = 1, parts_ended = 0;
     std::vector<std::pair<NodeIndex, std::uint32_t>> received;  // parts, by receiver
   };
@@ -119,13 +116,18 @@ class MediumRadio final : public Radio, private MediumListener {
   std::uint32_t new_transfer(NodeIndex from, std::span<Message> copies);
   void seal(Transfer& transfer);
   void launch(std::uint32_t transfer, Time time);
-  void post(std::uint32_t transfer, NodeIndex from, std::uint32_t hop, Time time);
+  static RoutedMessage routed(const Transfer& transfer, std::uint32_t hop);
+  std::optional<std::uint32_t> way_from(const Transfer& transfer, NodeIndex node,
+                                        std::uint32_t hop);
+  void post(std::uint32_t transfer, NodeIndex from, std::uint32_t to, std::uint32_t hop,
+            Time time);
   bool has_all(Post& post, NodeIndex receiver);
   void arrive(Transfer& transfer, NodeIndex receiver, std::uint32_t hop, LossCause cause,
               Time now);
   bool refuses(Transfer& transfer, NodeIndex receiver, Time now);
   void attack(Time now);
   void pass_on(std::uint32_t transfer, NodeIndex node, std::uint32_t hop, Time now);
+  void try_again(const Packet& packet, Time now);
   void leave(std::uint32_t transfer, Time now);
   void end_part(std::uint32_t index, LossCause cause, Time now);
   void settle(Time now);
@@ -146,13 +148,14 @@ class MediumRadio final : public Radio, private MediumListener {
   NameLookup name_;
   std::uint64_t seed_;
   Attackers attackers_;
+  std::unique_ptr<Routing> routing_;
+  std::vector<bool> on_;  // entities whose radios are
   Medium medium_;
   RadioMeter meter_;
-  bool knows_neighbours_;
   Neighbours neighbours_;
   Time next_check_;                          // for lost ones
   std::vector<Neighbours::Change> changes_;  // since the last deliver()
-  std::vector<RandomStream> relay_delays_, advertisement_times_;
+  std::vector<RandomStream> advertisement_times_;
   std::vector<Time> next_advertisements_;
   std::vector<Message> written_;  // since the last deliver()
   std::vector<Transfer> transfers_;

@@ -57,6 +57,11 @@ void ModemRadio::deliver(Time now, RadioNews& news) {
   if (parts_.by_range) parts_.by_range->deliver(now, news);
 }
 
+void ModemRadio::end(RadioNews& news) {
+  parts_.medium->end(news);
+  if (parts_.by_range) parts_.by_range->end(news);
+}
+
 void AgentModemRadio::deliver(Time now, RadioNews& news) {
   for (Heard& heard : link_.take(now)) {
     if (auto* message = std::get_if<Message>(&heard)) {

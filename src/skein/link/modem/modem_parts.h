@@ -47,6 +47,8 @@ class ModemRadio final : public Radio {
 
   void send(const Message& message) override;
   void deliver(Time now, RadioNews& news) override;
+  void turn(EntityId id, bool on) override { parts_.medium->turn(id, on); }
+  void end(RadioNews& news) override;
   RadioStatus status(EntityId id) const override { return parts_.medium->status(id); }
   RadioStatistics take_statistics() override { return parts_.medium->take_statistics(); }
 

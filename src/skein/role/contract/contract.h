@@ -21,6 +21,7 @@ class PerimeterEstimator;
 class Phenomenon;
 class Plant;
 class Radio;
+class Routing;
 class Sensor;
 class Terrain;
 class TrafficAircraft;
@@ -92,6 +93,14 @@ Violations planner_violations(const Make<PathPlanner>& make);
 /// treat the same messages alike.
 /// @param entities  that have a place, two at least.
 Violations radio_violations(const Make<Radio>& make, std::span<const EntityId> entities);
+
+inline constexpr std::size_t kRoutingEntities = 7;
+
+/// Between radios in a row, in a ring and where all hear all: messages are sent to their
+/// receiver, to all, or by way of somebody whom the sender hears; a receiver that its
+/// sender hears is reached; waits are finite; equal ones decide alike.
+/// @param make  of kRoutingEntities.
+Violations routing_violations(const Make<Routing>& make);
 
 /// Only appends; commands and messages are finite, whatever is received; equal ones act
 /// alike.

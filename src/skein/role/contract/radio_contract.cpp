@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -71,7 +72,31 @@ Outcome pass(Radio& radio, const std::vector<Message>& messages, Checks& checks)
   }
   checks.expect(in_transit.empty(),
                 "after two minutes a message is neither delivered nor lost");
+  RadioNews last;
+  radio.end(last);
+  checks.expect(last.ended.empty(), "what has ended is pending in the end");
   return outcome;
+}
+
+// A run that ends while messages are on their way.
+void cut_short(Radio& radio, const std::vector<Message>& messages, Checks& checks) {
+  constexpr int kSteps = 60;
+  std::map<Name, int> sent;
+  RadioNews news;
+  std::size_t next = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    const Time now = Time::from_seconds(0.1 * step);
+    for (; next < messages.size() && messages[next].sent <= now; ++next) {
+      radio.send(messages[next]);
+      ++sent[name_of(messages[next])];
+    }
+    radio.deliver(now, news);
+  }
+  radio.end(news);
+  for (const MessageOutcome& end : news.ended) --sent[name_of(end.message)];
+  checks.expect(std::all_of(sent.begin(), sent.end(),
+                            [](const auto& each) { return each.second == 0; }),
+                "when a run ends a message is not delivered, lost or pending, once");
 }
 
 }  // namespace
@@ -84,6 +109,7 @@ Violations radio_violations(const Make<Radio>& make, std::span<const EntityId> e
   const Outcome other = pass(*twin, messages, checks);
   checks.expect(one.arrived == other.arrived && one.lost == other.lost,
                 "two equal ones treat the same messages differently");
+  cut_short(*make(), messages, checks);
   return checks.take();
 }
 

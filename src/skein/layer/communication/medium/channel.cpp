@@ -68,7 +68,8 @@ void Channel::transmit(const Frame& frame, Time now) {
   }
   const Time first = now + on_air.links.front().delay;
   schedule_.add(first, EventKind::kArrival, index);
-  schedule_.add(first + phy_.lock_window, EventKind::kDetection, index);
+  // A piece of noise may be shorter than the window, and nobody detects it.
+  if (!frame.noise) schedule_.add(first + phy_.lock_window, EventKind::kDetection, index);
   schedule_.add(first + frame.duration, EventKind::kEnd, index);
 }
 

@@ -110,10 +110,6 @@ void Dcf::on_access(NodeIndex node, Time now) {
   count_slots(station, now);
   if (access_start(station, now) + mac_.slot * station.backoff_slots > now)
     return expect_access(node, now);
-  if (mac_.queue_lifetime) {
-    drop_expired(node, now);
-    if (station.queue.empty()) return;
-  }
   station.in_service = true;
   station.queue.serve_front();
   Packet& packet = packets_[station.queue.front()];
@@ -345,18 +341,6 @@ void Dcf::release(NodeIndex node, Time now) {
   station.waiting = Waiting::kNothing;
   draw_backoff(node, now);
   expect_access(node, now);
-}
-
-void Dcf::drop_expired(NodeIndex node, Time now) {
-  Station& station = stations_[node];
-  while (!station.queue.empty() &&
-         now - packets_[station.queue.front()].created > *mac_.queue_lifetime) {
-    const std::uint32_t place = station.queue.front();
-    station.queue.pop_front();
-    const Packet packet = packets_[place];
-    packets_.remove(place);
-    listener_.on_finished(packet, PacketEnd::kExpired, now);
-  }
 }
 
 }  // namespace skein::communication

@@ -80,7 +80,6 @@ class Dcf final : public Access {
   void finish(NodeIndex node, PacketEnd end, Time now);
   void release(NodeIndex node, Time now);
   void reserve(NodeIndex node, const Frame& frame, Time now);
-  void drop_expired(NodeIndex node, Time now);
 
   const MacProfile& mac_;
   const PhyProfile& phy_;

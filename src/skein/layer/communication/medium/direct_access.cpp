@@ -34,9 +34,6 @@ void DirectAccess::enqueue(std::uint32_t packet, Time now) {
 
 void DirectAccess::begin(NodeIndex node, Time now) {
   Station& station = stations_[node];
-  while (!station.queue.empty() && mac_.queue_lifetime &&
-         now - packets_[station.queue.front()].created > *mac_.queue_lifetime)
-    finish(node, PacketEnd::kExpired, now);
   if (station.queue.empty()) return;
   const std::uint32_t place = station.queue.front();
   Packet& packet = packets_[place];
@@ -80,16 +77,6 @@ void DirectAccess::arrive(NodeIndex node, Time now) {
   const Packet packet = packets_[data.packet];
   packets_.remove(data.packet);
   listener_.on_finished(packet, PacketEnd::kDone, now);
-}
-
-// Ends the service of the first packet of a queue before it was sent.
-void DirectAccess::finish(NodeIndex node, PacketEnd end, Time now) {
-  Station& station = stations_[node];
-  const std::uint32_t place = station.queue.front();
-  station.queue.pop_front();
-  const Packet packet = packets_[place];
-  packets_.remove(place);
-  listener_.on_finished(packet, end, now);
 }
 
 }  // namespace skein::communication

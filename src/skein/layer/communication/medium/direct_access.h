@@ -41,7 +41,6 @@ class DirectAccess final : public Access {
   };
 
   void begin(NodeIndex node, Time now);
-  void finish(NodeIndex node, PacketEnd end, Time now);
   void arrive(NodeIndex node, Time now);
 
   const MacProfile& mac_;

@@ -88,10 +88,14 @@ void Links::make(NodeIndex from, Time now, Table& table) {
   table.made = places_at_;
   table.there = true;
   table.links.clear();
+  const auto is_off = [this](NodeIndex node) {
+    return nodes_.is_on && !nodes_.is_on(node);
+  };
+  if (is_off(from)) return;
   const double radiated = full_power_[from] * antennas_;
   const Vec3& here = places_[from];
   for (NodeIndex node = 0; node < places_.size(); ++node) {
-    if (node == from) continue;
+    if (node == from || is_off(node)) continue;
     double power = radiated;
     if (!nodes_.antennas.of.empty()) power *= gains(from, node);
     power = propagation_.received(power, here, places_[node]);
@@ -101,6 +105,8 @@ void Links::make(NodeIndex from, Time now, Table& table) {
   }
   std::stable_sort(table.links.begin(), table.links.end(),
                    [](const Link& a, const Link& b) { return a.delay < b.delay; });
+  if (!table.links.empty())
+    longest_delay_ = std::max(longest_delay_, table.links.back().delay);
 }
 
 }  // namespace skein::communication

@@ -40,6 +40,8 @@ class Links {
     bool move = true;  ///< false: they stay where they are at the beginning
     NodeAntennas antennas = {};
     std::size_t outsiders = 0;  ///< the last ones, which share slots with others
+    /// Whether a node is there and its radio on; none: all are.
+    std::function<bool(NodeIndex)> is_on = {};
   };
 
   /// @param propagation  outlives this
@@ -55,6 +57,9 @@ class Links {
   /// Those that a signal of `from` reaches with at least the interference floor, nearest
   /// first. Cost: of nodes that move, N log N each time.
   const std::vector<Link>& of(NodeIndex from, Time now);
+
+  /// The longest delay of all links so far.
+  Time longest_delay() const { return longest_delay_; }
 
   /// All is looked at anew when it is asked for next.
   void renew();
@@ -81,6 +86,7 @@ class Links {
   std::vector<Mat3> attitudes_;  // the same; empty: none is needed
   Time places_at_;
   bool places_known_ = false;
+  Time longest_delay_;
 };
 
 /// Watts of a level in dBm.

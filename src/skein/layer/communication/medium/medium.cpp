@@ -33,6 +33,7 @@ Medium::Medium(const RadioProfile& profile, const Propagation& propagation,
                Links::Nodes nodes, std::uint64_t seed, MediumListener& listener)
     : profile_(profile),
       links_(profile_.phy, propagation, std::move(nodes)),
+      expiry_expected_(links_.size()),
       access_(make_access(profile_, links_, schedule_, packets_, listener, seed)),
       channel_(profile_.phy, links_, schedule_, *access_, seed),
       listener_(listener) {
@@ -50,6 +51,8 @@ void Medium::advance(Time until) {
       access_->handle(event);
     else if (event.kind == EventKind::kOrder)
       hand_over(event.index);
+    else if (event.kind == EventKind::kExpiry)
+      drop_expired(event.index);
     else
       channel_.transmit({.from = event.index,
                          .to = kAllNodes,
@@ -98,7 +101,38 @@ bool Medium::send(const PacketOrder& order) {
     listener_.on_finished(packet, PacketEnd::kQueueFull, now_);
   }
   access_->enqueue(packets_.add(order, now_), now_);
+  expect_expiry(order.from);
   return true;
+}
+
+// Sees to it that packets do not wait longer than they live, whether their node ever gets
+// to send or not.
+void Medium::expect_expiry(NodeIndex node) {
+  if (!profile_.mac.queue_lifetime || expiry_expected_[node]) return;
+  std::optional<Time> oldest;
+  access_->queue(node).look_at_waiting([&](std::uint32_t place) {
+    oldest = std::min(oldest.value_or(now_), packets_[place].created);
+  });
+  if (!oldest) return;
+  expiry_expected_[node] = true;
+  schedule_.add(std::max(now_, *oldest + *profile_.mac.queue_lifetime) + Time::from_ns(1),
+                EventKind::kExpiry, node);
+}
+
+void Medium::drop_expired(NodeIndex node) {
+  expired_.clear();
+  access_->queue(node).take_old(
+      [&](std::uint32_t place) {
+        return now_ - packets_[place].created > *profile_.mac.queue_lifetime;
+      },
+      expired_);
+  for (const std::uint32_t place : expired_) {
+    const Packet packet = packets_[place];
+    packets_.remove(place);
+    listener_.on_finished(packet, PacketEnd::kExpired, now_);
+  }
+  expiry_expected_[node] = false;
+  expect_expiry(node);
 }
 
 bool Medium::reaches(NodeIndex from, NodeIndex to) {

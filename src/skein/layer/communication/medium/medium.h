@@ -50,6 +50,9 @@ class Medium {
   /// Those of one node.
   std::size_t waiting(NodeIndex node) { return access_->queue(node).size(); }
 
+  /// How long signals have been on their way at most.
+  Time longest_delay() const { return links_.longest_delay(); }
+
   /// How long a node has heard that others send. Of lines that share nothing: 0.
   Time heard(NodeIndex node) const { return channel_.heard(node, now_); }
 
@@ -60,6 +63,8 @@ class Medium {
 
  private:
   void hand_over(std::uint32_t place);
+  void expect_expiry(NodeIndex node);
+  void drop_expired(NodeIndex node);
 
   const RadioProfile profile_;
   Time now_;
@@ -68,6 +73,8 @@ class Medium {
   Links links_;
   std::vector<PacketOrder> orders_;  // for later, by small numbers
   std::vector<std::uint32_t> free_orders_;
+  std::vector<bool> expiry_expected_;  // by node
+  std::vector<std::uint32_t> expired_;
   std::unique_ptr<Access> access_;
   Channel channel_;
   MediumListener& listener_;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <vector>
 
 namespace skein::communication {
 
@@ -36,6 +38,23 @@ class PacketQueue {
     if (last.urgency >= urgency) return std::nullopt;
     waiting_.pop_back();
     return last.packet;
+  }
+
+  /// Moves those that are not in service and of which `is_old` is true to `out`.
+  template <class IsOld>
+  void take_old(IsOld is_old, std::vector<std::uint32_t>& out) {
+    const auto first = waiting_.begin() + (in_service_ ? 1 : 0);
+    const auto rest = std::stable_partition(
+        first, waiting_.end(), [&](const Waiting& each) { return !is_old(each.packet); });
+    for (auto each = rest; each != waiting_.end(); ++each) out.push_back(each->packet);
+    waiting_.erase(rest, waiting_.end());
+  }
+
+  /// Calls `look` with each that is not in service.
+  template <class Look>
+  void look_at_waiting(Look look) const {
+    for (std::size_t k = in_service_ ? 1 : 0; k < waiting_.size(); ++k)
+      look(waiting_[k].packet);
   }
 
  private:

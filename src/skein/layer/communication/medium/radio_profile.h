@@ -60,10 +60,10 @@ struct MacProfile {
   std::optional<std::uint32_t> backoff_slots;
   /// Unicasts whose frame is larger are announced by RTS and CTS; 65535 = never.
   std::uint32_t rts_threshold_bytes = 65535;
-  std::uint32_t short_retry_limit = 7;     ///< transmissions without RTS; RTS in a row
-  std::uint32_t long_retry_limit = 4;      ///< transmissions announced by RTS
-  std::uint32_t queue_packets = 10;        ///< with the one in service; more are refused
-  std::optional<Time> queue_lifetime;      ///< older ones are dropped; none: never
+  std::uint32_t short_retry_limit = 7;  ///< transmissions without RTS; RTS in a row
+  std::uint32_t long_retry_limit = 4;   ///< transmissions announced by RTS
+  std::uint32_t queue_packets = 10;     ///< with the one in service; more are refused
+  std::optional<Time> queue_lifetime;   ///< older ones that wait are dropped; none: never
   std::uint32_t data_overhead_bytes = 36;  ///< around the payload of a data frame
   /// Longer messages of a run go in parts of so much (MediumRadio).
   std::uint32_t part_bytes = 1500;

@@ -22,8 +22,9 @@ enum class EventKind : std::uint8_t {
   kSent,      ///< a frame without an answer has been sent
   kNavReset,  ///< nothing has followed an RTS of others
   // Of whoever sends.
-  kOrder,  ///< a packet is handed to its radio
-  kNoise,  ///< a node begins to send noise, of as many nanoseconds as the stamp says
+  kOrder,   ///< a packet is handed to its radio
+  kNoise,   ///< a node begins to send noise, of as many nanoseconds as the stamp says
+  kExpiry,  ///< a packet of a node may be too old
 };
 
 /// Events in order of time; those of one moment in the order in which they were made.

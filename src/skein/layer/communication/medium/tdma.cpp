@@ -50,10 +50,8 @@ void Tdma::use_slot(NodeIndex node, Time now) {
   while (!station.queue.empty()) {
     Packet& packet = packets_[station.queue.front()];
     const Time duration = airtime(packet.order.bytes);
-    const bool too_old =
-        mac_.queue_lifetime && now - packet.created > *mac_.queue_lifetime;
-    if (too_old || duration > mac_.slot) {
-      finish(node, too_old ? PacketEnd::kExpired : PacketEnd::kRetryLimit, now);
+    if (duration > mac_.slot) {
+      finish(node, PacketEnd::kRetryLimit, now);
       continue;
     }
     const Time slot = next_slot(node, now);

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string_view>
 #include <utility>
 
 #include "skein/layer/communication/medium_radio.h"
 #include "skein/layer/communication/propagation/path_loss.h"
+#include "skein/layer/communication/routing/flooding.h"
 
 namespace skein::communication {
 namespace {
@@ -14,7 +16,8 @@ namespace {
 // Three entities in a row, half a kilometre apart.
 class Team {
  public:
-  explicit Team(const MediumRadioOptions& options)
+  explicit Team(const MediumRadioOptions& options,
+                std::unique_ptr<Routing> routing = nullptr)
       : radio_(options, std::make_unique<FreeSpace>(2.4e9),
                RadioNodes{3,
                           [](EntityId id) -> std::optional<Vec3> {
@@ -22,7 +25,7 @@ class Team {
                           },
                           [](EntityId id) { return "node " + std::to_string(id.value); },
                           {}},
-               7) {}
+               7, std::move(routing)) {}
 
   void send(std::uint32_t from, std::uint32_t to, bool copy = false) {
     Message message;
@@ -207,27 +210,50 @@ TEST(MediumRadioSecurity, TagsTakeBytesOnTheAir) {
               10 * 24 * 8 / 2e6 * 0.03);
 }
 
+std::unique_ptr<Routing> flooding() {
+  return std::make_unique<Flooding>(FloodingOptions{}, 3, 7);
+}
+
 TEST(MediumRadioSecurity, FloodingPassesNothingForgedOn) {
   MediumRadioOptions options;
-  options.routing = Routing::kFlooding;
   // Out of the reach of 1; 0 would pass it on.
   Attack attack = attack_of(order_home(), 0);
   attack.place = Vec3(-900, 0, -100);
   options.attacks.push_back(attack);
   options.profile.phy.decode_threshold_dbm = -90;
-  Team open(options);
+  Team open(options, flooding());
   open.steps(50);
   EXPECT_EQ(open.count(LossCause::kNone, true), 0) << "0 dBm over 900 m are -99 dBm";
   options.attacks[0].power_dbm = 10;
-  Team passed(options);
+  Team passed(options, flooding());
   passed.steps(50);
   EXPECT_GE(passed.count(LossCause::kNone, true), 4);
   options.authentication = key();
-  Team closed(options);
+  Team closed(options, flooding());
   closed.steps(50);
   EXPECT_EQ(closed.count(LossCause::kNone, true), 0);
   EXPECT_EQ(closed.count(LossCause::kRefused, true), 0) << "it never reaches 1";
   EXPECT_EQ(closed.events("message-refused"), 1) << "0 refuses to pass it on";
+}
+
+// The last piece of noise before its end, and each of a quick one, are shorter than it
+// takes to detect a frame.
+TEST(MediumRadioSecurity, ShortNoiseDisturbsAndHarmsNothingElse) {
+  for (const double duty : {0.0005, 0.5}) {
+    Jammer jammer;
+    jammer.duty = duty;
+    jammer.period = Time::from_seconds(0.001);
+    MediumRadioOptions options = attacked_by(attack_of(jammer));
+    options.profile.phy.lock_window = Time::from_ns(150'000);
+    Team team(options);
+    team.talk(20);
+    EXPECT_EQ(team.count(LossCause::kNone, false) +
+                  team.count(LossCause::kNotReceived, false) +
+                  team.count(LossCause::kRetryLimit, false) +
+                  team.count(LossCause::kQueueFull, false),
+              static_cast<long>(team.news.ended.size()));
+    EXPECT_GT(team.news.ended.size(), 20u) << duty;
+  }
 }
 
 // Outsiders send in slots of members: they collide and do not slow the others down.

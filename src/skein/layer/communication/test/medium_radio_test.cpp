@@ -52,6 +52,18 @@ class Row {
   void send(std::uint32_t from, std::uint32_t to, std::size_t bytes = 0) {
     radio_.send(message_of(from, to, number_++, now_, bytes));
   }
+  // Messages of anybody to anybody or all, whatever happens.
+  void talk(RandomStream& random, int messages) {
+    for (int k = 0; k < messages; ++k) {
+      const auto from = static_cast<std::uint32_t>(random.uniform(0, 4));
+      const auto to = static_cast<std::uint32_t>(random.uniform(0, 5));
+      const auto bytes = static_cast<std::size_t>(random.uniform(0, 6000));
+      if (to == 4)
+        send_to_all(from, bytes);
+      else if (to != from)
+        send(from, to, bytes);
+    }
+  }
   void step() {
     RadioNews news;
     radio_.deliver(now_, news);
@@ -122,27 +134,13 @@ TEST(MediumRadio, ALostPartLosesTheMessage) {
   EXPECT_EQ(row.lost.size(), 1u);
 }
 
-TEST(MediumRadio, LosesUnderLoadAndForgetsNothing) {
+TEST(MediumRadio, LosesUnderLoad) {
   Row row;
   RandomStream random(3, 0, Purpose::kTest);
   for (int step = 0; step < 300; ++step) {
-    for (int k = 0; k < 8; ++k) {
-      const auto from = static_cast<std::uint32_t>(random.uniform(0, 4));
-      const auto to = static_cast<std::uint32_t>(random.uniform(0, 5));
-      const auto bytes = static_cast<std::size_t>(random.uniform(0, 6000));
-      if (to == 4)
-        row.send_to_all(from, bytes);
-      else if (to != from)
-        row.send(from, to, bytes);
-    }
+    row.talk(random, 8);
     row.step();
   }
-  for (int i = 0; i < 100; ++i) row.step();
-  std::set<std::uint64_t> seen;
-  for (const auto* list : {&row.arrived, &row.lost})
-    for (const Message& message : *list)
-      EXPECT_TRUE(seen.insert(message.number).second) << "twice";
-  EXPECT_EQ(seen.size(), row.sent());
   EXPECT_GT(row.arrived.size(), 200u);
   EXPECT_GT(row.lost.size(), 500u);
 }
@@ -225,154 +223,70 @@ TEST(MediumRadio, UrgentMessagesGoFirstAndTakeTheLastPlace) {
   EXPECT_EQ(row.lost.size(), 3u);
 }
 
-// Six in a chain, each in reach of its neighbours only, or as many as `nodes`.
-class Chain {
- public:
-  explicit Chain(MediumRadioOptions options, std::uint32_t nodes = 6)
-      : nodes_(nodes),
-        gone_(nodes, false),
-        radio_(
-            [&options] {
-              // 15 dBm and -90 dBm: 1.77 km at 2.4 GHz.
-              options.profile.phy.decode_threshold_dbm = -90;
-              options.profile.phy.carrier_sense_threshold_dbm = -95;
-              return options;
-            }(),
-            std::make_unique<FreeSpace>(2.4e9),
-            {nodes,
-             [this](EntityId id) -> std::optional<Vec3> {
-               if (gone_[id.value]) return std::nullopt;
-               return Vec3(1200.0 * id.value, 0, -100);
-             },
-             [](EntityId id) { return "node " + std::to_string(id.value); }},
-            7) {}
+TEST(MediumRadio, WhoIsOffSendsAndHearsNothing) {
+  MediumRadioOptions options;
+  options.advertisement_period = 1;
+  Row row(options);
+  row.radio().turn(EntityId{1}, false);
+  for (int i = 0; i < 30; ++i) {
+    if (i % 5 == 0) row.send(0, 1), row.send_to_all(2);
+    row.step();
+  }
+  EXPECT_TRUE(row.arrived.empty()) << "0 and 2 hear 1 only";
+  EXPECT_EQ(row.lost.size(), row.sent());
+  for (const Event& event : row.events) {
+    EXPECT_NE(event.entity, EntityId{1});
+    EXPECT_NE(event.text, "node 1");
+  }
+  row.radio().turn(EntityId{1}, true);
+  row.send(0, 1);
+  for (int i = 0; i < 30; ++i) row.step();
+  EXPECT_EQ(row.arrived.size(), 1u);
+  EXPECT_TRUE(std::any_of(row.events.begin(), row.events.end(),
+                          [](const Event& event) { return event.text == "node 1"; }));
+}
 
-  void send(std::uint32_t from, std::uint32_t to) {
-    radio_.send(message_of(from, to, number_++, now_));
-  }
-  void send_to_all(std::uint32_t from) {
-    bool copy = false;
-    for (std::uint32_t to = 0; to < nodes_; ++to) {
-      if (to == from) continue;
-      Message message = message_of(from, to, number_++, now_);
-      message.copy = std::exchange(copy, true);
-      radio_.send(message);
-    }
-  }
-  void steps(int count) {
-    for (int i = 0; i < count; ++i) {
-      radio_.deliver(now_, news);
-      now_ += Time::from_seconds(0.1);
-    }
-  }
-  void remove(std::uint32_t node) { gone_[node] = true; }
-  std::size_t arrived() const {
-    return static_cast<std::size_t>(
-        std::count_if(news.ended.begin(), news.ended.end(),
-                      [](const auto& each) { return each.cause == LossCause::kNone; }));
-  }
-  std::uint64_t sent() const { return number_; }
-
+TEST(MediumRadio, WhatIsOnItsWayInTheEndIsPending) {
+  MediumRadioOptions options;
+  options.profile.phy.rate = 1000;
+  options.profile.mac.queue_packets = 100;
+  Row row(options);
+  for (int i = 0; i < 20; ++i) row.send(0, 1, 100);
+  row.send_to_all(2);
+  for (int i = 0; i < 20; ++i) row.step();
+  row.send(1, 2);  // not even handed to the radio
   RadioNews news;
-
- private:
-  std::uint32_t nodes_;
-  std::vector<bool> gone_;
-  MediumRadio radio_;
-  Time now_;
-  std::uint64_t number_ = 0;
-};
-
-MediumRadioOptions flooding(std::uint32_t hops) {
-  MediumRadioOptions options;
-  options.routing = Routing::kFlooding;
-  options.hops = hops;
-  return options;
-}
-
-TEST(MediumRadio, FloodingReachesWhoIsSeveralHopsAway) {
-  Chain chain(flooding(4));
-  chain.send(0, 5);
-  chain.steps(30);
-  ASSERT_EQ(chain.news.ended.size(), 1u);
-  EXPECT_EQ(chain.news.ended[0].cause, LossCause::kNone);
-  EXPECT_EQ(chain.news.ended[0].way.hops, 4u);
-  EXPECT_EQ(chain.news.ended[0].way.transmissions, 5u) << "each sends it once";
-}
-
-TEST(MediumRadio, FloodingEndsAfterItsHops) {
-  Chain chain(flooding(3));
-  chain.send(0, 5);
-  chain.steps(30);
-  ASSERT_EQ(chain.news.ended.size(), 1u);
-  EXPECT_EQ(chain.news.ended[0].cause, LossCause::kOutOfRange);
-}
-
-TEST(MediumRadio, WithoutRoutingNobodyPassesOn) {
-  Chain chain({});
-  chain.send(0, 2);
-  chain.steps(30);
-  ASSERT_EQ(chain.news.ended.size(), 1u);
-  EXPECT_EQ(chain.news.ended[0].cause, LossCause::kRetryLimit);
-}
-
-TEST(MediumRadio, FloodingCarriesWhatIsForAll) {
-  Chain chain(flooding(5));
-  chain.send_to_all(2);
-  chain.steps(30);
-  EXPECT_EQ(chain.arrived(), 5u);
-  EXPECT_EQ(chain.news.ended.size(), 5u) << "each once";
-}
-
-TEST(MediumRadio, WhoWasHeardLatelyIsToldDirectly) {
-  MediumRadioOptions options = flooding(5);
-  options.advertisement_period = 1;
-  Chain chain(options);
-  chain.steps(30);
-  chain.send(0, 1);
-  chain.steps(10);
-  ASSERT_EQ(chain.news.ended.size(), 1u);
-  EXPECT_EQ(chain.news.ended[0].way.transmissions, 1u) << "nobody else has passed it on";
-}
-
-TEST(MediumRadio, FindsNeighboursAndLosesThem) {
-  MediumRadioOptions options;
-  options.advertisement_period = 1;
-  Chain chain(options, 3);
-  chain.steps(40);
-  const auto count = [&](const char* kind) {
-    return std::count_if(chain.news.events.begin(), chain.news.events.end(),
-                         [&](const Event& event) { return event.kind == kind; });
-  };
-  EXPECT_EQ(count("neighbour-found"), 4) << "0-1 and 1-2, each of the other";
-  EXPECT_EQ(count("neighbour-lost"), 0);
-  chain.remove(2);
-  chain.steps(60);
-  EXPECT_EQ(count("neighbour-lost"), 2);
-  EXPECT_EQ(chain.news.events.back().time.seconds() > 6, true)
-      << "not before three periods of silence";
-}
-
-TEST(MediumRadio, FloodingUnderLoadForgetsNothing) {
-  Chain chain(flooding(3), 12);
-  RandomStream random(3, 0, Purpose::kTest);
-  for (int step = 0; step < 200; ++step) {
-    for (int k = 0; k < 6; ++k) {
-      const auto from = static_cast<std::uint32_t>(random.uniform(0, 12));
-      const auto to = static_cast<std::uint32_t>(random.uniform(0, 13));
-      if (to == 12)
-        chain.send_to_all(from);
-      else if (to != from)
-        chain.send(from, to);
-    }
-    chain.steps(1);
+  row.radio().end(news);
+  EXPECT_GT(news.ended.size(), 15u);
+  std::set<std::uint64_t> numbers;
+  for (const MessageOutcome& each : news.ended) {
+    EXPECT_EQ(each.cause, LossCause::kPending);
+    EXPECT_TRUE(numbers.insert(each.message.number).second);
   }
-  chain.steps(100);
-  std::set<std::uint64_t> seen;
-  for (const MessageOutcome& each : chain.news.ended)
-    EXPECT_TRUE(seen.insert(each.message.number).second) << "twice";
-  EXPECT_EQ(seen.size(), chain.sent());
-  EXPECT_GT(chain.arrived(), chain.sent() / 4);
+  EXPECT_EQ(news.ended.size() + row.outcomes.size(), row.sent());
+}
+
+TEST(MediumRadio, MessagesGrowTooOldWhereNobodyEverSends) {
+  MediumRadioOptions options;
+  options.profile.mac.queue_lifetime = Time::from_seconds(2);
+  options.profile.mac.queue_packets = 100;
+  Attack attack;
+  attack.name = "eve";
+  attack.place = Vec3(500, 0, -100);
+  attack.power_dbm = 30;
+  attack.what = Jammer{};
+  options.attacks.push_back(attack);
+  Row row(options);
+  for (int i = 0; i < 50; ++i) {
+    if (i < 10) row.send(0, 1);
+    row.step();
+  }
+  EXPECT_EQ(row.outcomes.size(), 10u);
+  for (const MessageOutcome& each : row.outcomes)
+    EXPECT_EQ(each.cause, LossCause::kExpired);
+  const RadioUse use = row.radio().take_statistics().radios[0];
+  EXPECT_EQ(use.expired, 10u);
+  EXPECT_GE(use.waiting, 9u) << "it is counted while nothing ends";
 }
 
 }  // namespace

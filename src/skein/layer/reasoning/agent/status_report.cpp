@@ -7,7 +7,8 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr std::uint32_t kLimitsEvery = 20;  // reports
+// Reports with limits: those until an order shows that they have arrived, and later.
+constexpr std::uint32_t kLimitsAtFirst = 3, kLimitsWithoutOrder = 2, kLimitsEvery = 20;
 
 }  // namespace
 
@@ -32,8 +33,9 @@ bool StatusReport::step(const AgentInput& in, const FlightLimits& limits,
   const TaskProgress progress = tasks.progress(in);
   AircraftReport content;
   content.nav = *in.nav;
-  // They do not change, but a report may be lost.
-  if (reports_ < 3 || reports_ % kLimitsEvery == 0) content.limits = limits;
+  // They do not change, but a report may be lost; nobody counts on it without them.
+  const std::uint32_t every = tasks.order() == 0 ? kLimitsWithoutOrder : kLimitsEvery;
+  if (reports_ < kLimitsAtFirst || reports_ % every == 0) content.limits = limits;
   ++reports_;
   content.task_number = tasks.order();
   content.task_state = tasks.order() > 0 ? tasks.state() : TaskState::kNone;

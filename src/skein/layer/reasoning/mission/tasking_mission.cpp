@@ -32,9 +32,9 @@ void TaskingMission::listen(const AgentInput& in) {
     if (from == team_.end()) continue;
     if (const auto* report = std::get_if<AircraftReport>(&message.content)) {
       from->nav = report->nav;
-      if (report->limits) from->limits = *report->limits;
+      if (report->limits) from->limits = report->limits;
       from->silence_allowed = silence_allowed(*report, kSilent);
-      from->mine = report->obeys;
+      from->mine = report->obeys && from->limits;
       from->heard = in.now;
       from->confirmed = report->task_number;
       from->state = report->task_state;

@@ -19,8 +19,9 @@ class TaskingMission : public Mission {
   struct Aircraft {
     EntityId id;
     NavEstimate nav;
-    FlightLimits limits;
-    bool mine = false;  ///< allocated to this mission, in contact, and it obeys
+    std::optional<FlightLimits> limits;  ///< none: it has not said them yet
+    bool mine =
+        false;  ///< allocated to this mission, in contact, it obeys and has limits
     Time heard;
     double silence_allowed = 0;  ///< from there on [s]
     Task task;                   ///< the last that was ordered; number 0: none

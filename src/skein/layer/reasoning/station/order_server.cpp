@@ -61,6 +61,7 @@ void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
     if (const auto* report = std::get_if<AircraftReport>(&message.content)) {
       member->place = geo::horizontal(report->nav.p_N);
       member->heard = in.now;
+      if (report->limits) member->limits = report->limits;
       member->silence_allowed = silence_allowed(*report, kSilent);
       member->obeys = report->obeys;
       member->state = report->task_state;
@@ -214,6 +215,7 @@ Message OrderServer::renumbered(const Message& message, std::size_t mission) {
     return own_order ? number - numbers.offset : 0;
   };
   if (auto* report = std::get_if<AircraftReport>(&own.content)) {
+    report->limits = member->limits;
     if (!has(*member, mission)) report->obeys = false;
     report->task_number = to_own(report->task_number);
     if (report->task_number == 0) report->task_state = TaskState::kNone;

@@ -39,8 +39,9 @@ class OrderServer {
         {};                          ///< that has it, or had it before the operator
     Vec2 place = Vec2::Zero();       ///< as last reported [m]
     std::optional<Time> heard = {};  ///< last
-    double silence_allowed = 0;      ///< from there on [s]
-    bool obeys = false;              ///< neither a pilot nor a failsafe flies
+    std::optional<FlightLimits> limits = {};  ///< as last said: not each report has them
+    double silence_allowed = 0;               ///< from there on [s]
+    bool obeys = false;                       ///< neither a pilot nor a failsafe flies
     TaskState state = TaskState::kNone;
 
     // How its orders are numbered.

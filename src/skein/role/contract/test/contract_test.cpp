@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "skein/base/random.h"
 #include "skein/role/agent.h"
@@ -15,6 +17,7 @@
 #include "skein/role/phenomenon.h"
 #include "skein/role/plant.h"
 #include "skein/role/radio.h"
+#include "skein/role/routing.h"
 #include "skein/role/sensor.h"
 #include "skein/role/terrain.h"
 #include "skein/role/turbulence.h"
@@ -155,7 +158,7 @@ TEST(SensorContract, FindsEachBreach) {
 
 // --- radio ---------------------------------------------------------------------------
 
-// Delivers what was sent `copies` times.
+// Delivers what was sent `copies` times, a step later.
 class Copier final : public Radio {
  public:
   explicit Copier(int copies) : copies_(copies) {}
@@ -179,9 +182,47 @@ TEST(RadioContract, FindsMessagesThatVanishOrDouble) {
   };
   EXPECT_EQ(radio_violations(copier(1), entities), One{});
   EXPECT_EQ(radio_violations(copier(2), entities),
-            One{"a message comes out twice, or was never sent"});
+            (Violations{"a message comes out twice, or was never sent",
+                        "when a run ends a message is not delivered, lost or pending, "
+                        "once"}));
   EXPECT_EQ(radio_violations(copier(0), entities),
-            One{"after two minutes a message is neither delivered nor lost"});
+            (Violations{"after two minutes a message is neither delivered nor lost",
+                        "when a run ends a message is not delivered, lost or pending, "
+                        "once"}));
+}
+
+// --- routing -------------------------------------------------------------------------
+
+// Sends everything to one entity.
+class OneWay final : public Routing {
+ public:
+  explicit OneWay(EntityId way) : way_(way) {}
+  std::uint32_t head_bytes() const override { return 0; }
+  void learn(EntityId, EntityId, const RoutedMessage&, Time) override {}
+  std::optional<EntityId> next(EntityId, const RoutedMessage&, const HeardLately&,
+                               Time) override {
+    return way_;
+  }
+  bool failed(EntityId, EntityId) override { return false; }
+  double delay(EntityId) override { return 0; }
+
+ private:
+  EntityId way_;
+};
+
+TEST(RoutingContract, FindsWaysThatThereAreNot) {
+  const auto one_way = [](EntityId way) -> Make<Routing> {
+    return [way] { return std::make_unique<OneWay>(way); };
+  };
+  EXPECT_EQ(routing_violations(one_way(kEveryone)), One{});
+  const Violations found = routing_violations(one_way(EntityId{2}));
+  EXPECT_EQ(
+      std::set<std::string>(found.begin(), found.end()),
+      (std::set<std::string>{"it sends to itself",
+                             "it sends by way of somebody whom the sender does not hear",
+                             "a receiver that its sender hears is not reached"}));
+  EXPECT_EQ(routing_violations(one_way(EntityId{1000})).front(),
+            "it sends to nobody who takes part");
 }
 
 // --- strategies and estimators -------------------------------------------------------

@@ -34,7 +34,7 @@ double PatrolMission::round_time(const Aircraft& aircraft) const {
   query.offset = patrol_.offset;
   query.altitude_msl = -aircraft.nav.p_N.z();
   query.starts = {{aircraft.nav.p_N, aircraft.nav.heading}};
-  query.limits = aircraft.limits;
+  query.limits = *aircraft.limits;
   query.wind = aircraft.nav.wind_N;
   return planning::plan_patrol(query).round_time;
 }

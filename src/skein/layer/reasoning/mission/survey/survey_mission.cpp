@@ -77,8 +77,8 @@ FlightLimits SurveyMission::limits() const {
   for (const Aircraft& each : team()) {
     if (!each.mine) continue;
     if (!all) all = each.limits;
-    all->airspeed = std::min(all->airspeed, each.limits.airspeed);
-    all->turn_radius = std::max(all->turn_radius, each.limits.turn_radius);
+    all->airspeed = std::min(all->airspeed, each.limits->airspeed);
+    all->turn_radius = std::max(all->turn_radius, each.limits->turn_radius);
   }
   return planning_limits(all.value_or(FlightLimits()), kRadiusFactor);
 }
@@ -127,7 +127,7 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
   query.planner = options_.planner.get();
   query.aircraft.clear();
   for (const Aircraft* each : who) {
-    FlightState start = begin_of(each->nav, each->limits, now);
+    FlightState start = begin_of(each->nav, *each->limits, now);
     start.p_N.z() = who.front()->nav.p_N.z();
     query.aircraft.push_back({start, std::nullopt});
   }
@@ -198,7 +198,7 @@ void SurveyMission::share_anew(Time now, AgentOutput& out) {
   for (std::size_t a = 0; a < who.size(); ++a) {
     const Aircraft& each = *who[a];
     const auto k = static_cast<std::size_t>(&each - team().data());
-    starts.push_back(begin_of(each.nav, each.limits, now));
+    starts.push_back(begin_of(each.nav, *each.limits, now));
     if (!has_lines_[k]) continue;
     OwnLine own_line = line_of(each);
     if (own_line.too_short) return;  // soon

@@ -20,8 +20,10 @@ struct Team {
     bool silent = false, mine = true;
   };
   explicit Team(std::size_t count) : aircraft(count) {
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = 0; k < count; ++k) {
       aircraft[k].report.nav.p_N = {100.0 * static_cast<double>(k), 0, -100};
+      aircraft[k].report.limits = FlightLimits();
+    }
   }
   static std::vector<EntityId> ids(std::uint32_t count) {
     std::vector<EntityId> all;

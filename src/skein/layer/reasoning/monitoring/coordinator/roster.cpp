@@ -22,15 +22,19 @@ bool Roster::take(const AircraftReport& report, EntityId from, Time now) {
   if (!member) return false;
   if (member->heard && report.nav.time < member->status.nav.time)
     return true;  // overtaken
-  if (!member->available && report.obeys)
+  if (report.limits) {
+    member->status.limits = *report.limits;
+    member->has_limits = true;
+  }
+  const bool available = report.obeys && member->has_limits;
+  if (!member->available && available)
     member->deployed = now;  // (re)joins: its clocks start anew
-  if (member->available && !report.obeys) member->forced = false;
+  if (member->available && !available) member->forced = false;
   member->heard = true;
-  member->available = report.obeys;
+  member->available = available;
   member->last_report = now;
   member->status.nav = report.nav;
   member->silence_allowed = silence_allowed(report, lost_after_);
-  if (report.limits) member->status.limits = *report.limits;
   member->reported_task = report.task_number;
   member->status.task_done = report.task_state == TaskState::kDone &&
                              report.task_number == member->status.task.number;

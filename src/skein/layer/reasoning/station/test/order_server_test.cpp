@@ -62,6 +62,7 @@ class Orders : public testing::Test {
     for (const EntityId id : {kFirst, kSecond}) {
       AircraftReport report;
       report.task_number = aircraft_[id.value - 1].task.number;
+      if (now_ == Time()) report.limits = FlightLimits{.airspeed = 17};
       inbox.push_back({id, {}, 0, Time(), report});
     }
     AgentInput in;
@@ -105,6 +106,15 @@ TEST_F(Orders, ATaskedAircraftIsTheOperatorsUntilTheMissionResumes) {
   EXPECT_TRUE(aircraft_[0].flies_to());
   EXPECT_EQ(reports_[0].task_number, 2u);
   EXPECT_TRUE(reports_[0].obeys);
+}
+
+TEST_F(Orders, MissionsKnowLimitsThatWereSaidOnce) {
+  for (int k = 0; k < 5; ++k) second();
+  ASSERT_EQ(reports_.size(), 2u);
+  for (const AircraftReport& each : reports_) {
+    ASSERT_TRUE(each.limits);
+    EXPECT_EQ(each.limits->airspeed, 17);
+  }
 }
 
 TEST_F(Orders, APausedMissionCirclesAndGoesOnWithTheSameOrder) {

@@ -37,7 +37,7 @@ FormationOptions three(bool direct) {
 Message report(EntityId from, std::uint32_t task, const NavEstimate& at) {
   Message message;
   message.from = from;
-  message.content = AircraftReport{at, {}, task};
+  message.content = AircraftReport{at, FlightLimits(), task};
   return message;
 }
 

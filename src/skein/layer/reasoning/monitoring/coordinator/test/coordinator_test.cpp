@@ -165,6 +165,7 @@ Message report(std::uint32_t from, double t, std::uint32_t task) {
   AircraftReport content;
   content.nav.time = Time::from_seconds(t);
   content.nav.p_N = {0, 900, -100};
+  content.limits = FlightLimits();
   content.task_number = task;
   message.content = content;
   return message;

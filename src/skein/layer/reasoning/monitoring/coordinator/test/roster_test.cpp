@@ -11,7 +11,26 @@ AircraftReport report(double time, bool obeys = true) {
   AircraftReport report;
   report.nav.time = Time::from_seconds(time);
   report.obeys = obeys;
+  report.limits = FlightLimits();
   return report;
+}
+
+TEST(Roster, CountsOnNobodyOfWhomItDoesNotKnowHowHeFlies) {
+  const std::array team = {EntityId{1}};
+  Roster roster(team, 5);
+  AircraftReport first = report(1);
+  first.limits.reset();
+  roster.take(first, EntityId{1}, Time::from_seconds(1));
+  EXPECT_FALSE(roster.members()[0].available);
+  AircraftReport second = report(2);
+  second.limits->turn_radius = 123;
+  roster.take(second, EntityId{1}, Time::from_seconds(2));
+  EXPECT_TRUE(roster.members()[0].available);
+  AircraftReport third = report(3);
+  third.limits.reset();
+  roster.take(third, EntityId{1}, Time::from_seconds(3));
+  EXPECT_TRUE(roster.members()[0].available);
+  EXPECT_EQ(roster.members()[0].status.limits.turn_radius, 123);
 }
 
 TEST(Roster, DoesNotCountOnAnAircraftThatAFailsafeOrAPilotFlies) {
