@@ -24,7 +24,7 @@ void FireReadings::step(const AgentInput& in, double share, AgentOutput& out) {
     const bool changed = last_ && last_->inside != reading.inside;
     if (changed && !last_sent_) to_send_.push_back(*last_);
     credit_ = std::min(credit_ + share, 1.0);
-    last_sent_ = changed || credit_ >= 1;
+    last_sent_ = changed || share >= 1 || credit_ >= 1;
     if (last_sent_) {
       to_send_.push_back(reading);
       credit_ = std::max(credit_ - 1, -1.0);

@@ -14,11 +14,12 @@ namespace skein::reasoning {
 /// and records it.
 ///
 /// Where the air has no room for all readings, those on both sides of a change are sent,
-/// as they say where the fire's edge is, and a share of the others, evenly.
+/// as they say where the fire's edge is, and a share of the others, evenly; the first
+/// ones, when all have more to say, later.
 class FireReadings {
  public:
   FireReadings(EntityId self, EntityId station)
-      : self_(self), station_(station), credit_(ReportRate::phase(self)) {}
+      : self_(self), station_(station), credit_(ReportRate::phase(self) - 1) {}
 
   /// To be called at each step; needs in.nav.
   /// @param share  of the readings that the air has room for, above 0, at most 1.

@@ -12,9 +12,19 @@ constexpr std::uint32_t kLimitsAtFirst = 3, kLimitsWithoutOrder = 2, kLimitsEver
 
 }  // namespace
 
-bool StatusReport::is_due(const AgentInput& in, const TaskPlanner& tasks,
-                          double share) const {
-  if (!next_ || in.now >= *next_) return true;
+// The more room there is for reports, the sooner the next one.
+void StatusReport::pass(Time now, double share) {
+  if (!last_) {
+    if (share < 1) left_ = Time::from_seconds(period_ * ReportRate::phase(self_));
+  } else {
+    const Time step = now - *last_;
+    left_ = left_ - (share < 1 ? Time::from_seconds(step.seconds() * share) : step);
+  }
+  last_ = now;
+}
+
+bool StatusReport::is_due(const TaskPlanner& tasks, double share) const {
+  if (left_ <= Time()) return true;
   if (share >= 1) return false;
   return tasks.order() != said_order_ ||
          (tasks.order() > 0 && tasks.state() != said_state_);
@@ -23,13 +33,11 @@ bool StatusReport::is_due(const AgentInput& in, const TaskPlanner& tasks,
 bool StatusReport::step(const AgentInput& in, const FlightLimits& limits,
                         const TaskPlanner& tasks, std::uint32_t zone_changes,
                         double share, AgentOutput& out) {
-  if (!next_ && share < 1)
-    next_ = in.now + Time::from_seconds(period_ / share * ReportRate::phase(self_));
-  if (!is_due(in, tasks, share)) return false;
+  pass(in.now, share);
+  if (!is_due(tasks, share)) return false;
   // Even spacing, also when steps do not fall on the period.
-  const bool early = next_ && in.now < *next_;
-  const Time period = Time::from_seconds(period_ / share);
-  next_ = std::max((early ? in.now : next_.value_or(in.now)) + period, in.now);
+  const Time period = Time::from_seconds(period_);
+  left_ = std::max(left_ > Time() ? period : left_ + period, Time());
   const TaskProgress progress = tasks.progress(in);
   AircraftReport content;
   content.nav = *in.nav;
@@ -43,7 +51,7 @@ bool StatusReport::step(const AgentInput& in, const FlightLimits& limits,
   content.zone_changes = zone_changes;
   content.task_share = progress.share;
   content.task_time_to_go = progress.time_to_go;
-  if (share < 1) content.next_in = period.seconds();
+  if (share < 1) content.next_in = period_ / share;
   said_order_ = content.task_number;
   said_state_ = content.task_state;
   Message report;

@@ -11,7 +11,7 @@ namespace skein::reasoning {
 /// Reports to the ground station where an aircraft is and what it does, evenly in time.
 ///
 /// Where the air has no room for all reports, they are rarer and say when the next one
-/// comes; a new order or the end of one is reported at once.
+/// comes, as far as is known then; a new order or the end of one is reported at once.
 class StatusReport {
  public:
   /// @param period  between two reports [s].
@@ -26,14 +26,16 @@ class StatusReport {
             std::uint32_t zone_changes, double share, AgentOutput& out);
 
  private:
-  bool is_due(const AgentInput& in, const TaskPlanner& tasks, double share) const;
+  bool is_due(const TaskPlanner& tasks, double share) const;
+  void pass(Time now, double share);
 
   EntityId self_, station_;
   double period_;
   std::uint32_t reports_ = 0;
   std::uint32_t said_order_ = 0;  // in the last report
   TaskState said_state_ = TaskState::kNone;
-  std::optional<Time> next_;
+  std::optional<Time> last_;  // step
+  Time left_;                 // until the next report, if there were room for all
 };
 
 }  // namespace skein::reasoning
