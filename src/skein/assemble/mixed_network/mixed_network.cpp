@@ -121,6 +121,7 @@ void MixedNetwork::step(std::vector<Arrival>& arrivals) {
         modems_.back()->send(time, each.message);
     }
   }
+  for (const auto& modem : modems_) modem->flush();
   std::this_thread::sleep_for(kMixedTurn);
 }
 

@@ -7,8 +7,14 @@
 namespace skein::modem {
 namespace {
 
+constexpr const char* kClashEvent = "modem-clash";
+
 const char* event_of(const NeighbourChange& change) {
   return change.found ? "neighbour-found" : "neighbour-lost";
+}
+
+std::string clash_text(const ModemClash& clash, const char* whose) {
+  return fmt::format("another modem has the address of {}, hw {}", whose, clash.hw);
 }
 
 }  // namespace
@@ -18,6 +24,11 @@ void ModemPort::receive(Time now, std::vector<VehicleReport>& out) {
   for (Heard& heard : link_.take(now, self_)) {
     if (auto* message = std::get_if<Message>(&heard)) {
       out.emplace_back(EntityReport{std::move(*message)});
+      continue;
+    }
+    if (const auto* clash = std::get_if<ModemClash>(&heard)) {
+      out.emplace_back(
+          OutsideEvent{kClashEvent, clash_text(*clash, "the ground station's")});
       continue;
     }
     const auto& change = std::get<NeighbourChange>(heard);
@@ -47,20 +58,26 @@ void ModemRadio::send(const Message& message) {
 
 void ModemRadio::inject(Time now) {
   for (const Candidate& each : candidates_)
-    if (!each.goes_out) parts_.inject->inject(now, each.message);
+    if (!each.goes_out) link_.inject(now, each.message);
   candidates_.clear();
 }
 
 void ModemRadio::deliver(Time now, RadioNews& news) {
   if (parts_.inject) inject(now);
+  link_.flush();
   parts_.medium->deliver(now, news);
   if (parts_.by_range) parts_.by_range->deliver(now, news);
 }
 
 void AgentModemRadio::deliver(Time now, RadioNews& news) {
+  link_.flush();
   for (Heard& heard : link_.take(now)) {
     if (auto* message = std::get_if<Message>(&heard)) {
       news.ended.push_back({std::move(*message)});
+      continue;
+    }
+    if (const auto* clash = std::get_if<ModemClash>(&heard)) {
+      news.events.push_back({now, self_, kClashEvent, clash_text(*clash, "its own")});
       continue;
     }
     const auto& change = std::get<NeighbourChange>(heard);
@@ -69,7 +86,8 @@ void AgentModemRadio::deliver(Time now, RadioNews& news) {
 }
 
 RadioStatus AgentModemRadio::status(EntityId) const {
-  return {0, static_cast<std::uint32_t>(link_.statistics().waiting)};
+  const ModemStatistics modem = link_.statistics();
+  return {modem.load, static_cast<std::uint32_t>(modem.waiting), link_.rate() > 0};
 }
 
 }  // namespace skein::modem
