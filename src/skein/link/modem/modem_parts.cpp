@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace skein::modem {
 namespace {
+
+bool is_message(const VehicleReport& report) {
+  const auto* said = std::get_if<EntityReport>(&report);
+  return said && std::holds_alternative<Message>(said->said);
+}
 
 constexpr const char* kClashEvent = "modem-clash";
 
@@ -20,7 +26,9 @@ std::string clash_text(const ModemClash& clash, const char* whose) {
 }  // namespace
 
 void ModemPort::receive(Time now, std::vector<VehicleReport>& out) {
+  const auto begin = static_cast<std::ptrdiff_t>(out.size());
   port_->receive(now, out);
+  out.erase(std::remove_if(out.begin() + begin, out.end(), is_message), out.end());
   for (Heard& heard : link_.take(now, self_)) {
     if (auto* message = std::get_if<Message>(&heard)) {
       out.emplace_back(EntityReport{std::move(*message)});

@@ -15,6 +15,7 @@
 namespace skein::modem {
 
 /// The port of an entity whose messages go over the modem; all else goes over its port.
+/// A message that comes by the port does not count: nobody has judged it.
 /// What comes by the modem is given out as what the entity says, so it is recorded with
 /// all other reports: events "neighbour-found" and "neighbour-lost" among it.
 class ModemPort final : public EntityPort {

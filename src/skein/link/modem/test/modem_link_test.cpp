@@ -235,6 +235,13 @@ TEST(ModemLink, HoldsNoMoreMessagesThanItSays) {
   EXPECT_TRUE(std::holds_alternative<NeighbourChange>(taken[0]));
 }
 
+TEST(ModemLink, HasSentNothingWhereNobodyIs) {
+  ModemLink station(options_of("udpin:0", 1, {kStation, kSimulated}));
+  ASSERT_TRUE(station.start().ok());
+  EXPECT_TRUE(comes([&] { return station.statistics().unsent > 1; }));
+  EXPECT_EQ(station.statistics().sent, 0u);
+}
+
 TEST(ModemLink, CountsDamagedFramesOfLinesThatAreGoneToo) {
   ModemLink station(options_of("tcpin:0", 1, {kStation, kSimulated}));
   const std::string place = place_of(station, "tcp");

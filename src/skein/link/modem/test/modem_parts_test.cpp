@@ -29,6 +29,8 @@ struct Desk final : EntityPort {
   explicit Desk(Said& into) : said(into) {}
   void receive(Time, std::vector<VehicleReport>& out) override {
     out.emplace_back(LinkChange{LinkChange::Kind::kUp, ""});
+    out.emplace_back(
+        EntityReport{Message{EntityId{1}, EntityId{0}, 0, Time(), Heartbeat{}}});
   }
   void send(Time, EntityInput input) override { said.inputs.push_back(std::move(input)); }
   Said& said;
@@ -78,7 +80,8 @@ TEST(ModemPort, SendsMessagesByTheModemAndTheRestByTheLink) {
   EXPECT_EQ(link_said.inputs.size(), 1u);
   std::vector<VehicleReport> reports;
   port.receive(Time(), reports);
-  EXPECT_EQ(reports.size(), 1u);
+  ASSERT_EQ(reports.size(), 1u) << "a message that the modem has not heard is none";
+  EXPECT_TRUE(std::holds_alternative<LinkChange>(reports[0]));
 }
 
 TEST(AgentModemRadio, HasALoadWhereItsRateIsKnown) {
