@@ -51,7 +51,8 @@ Result<assemble::AgentOrder> agent_order(const AgentArguments& arguments) {
   if (!arguments.modem.empty()) {
     auto modem = transport::parse_endpoint(arguments.modem);
     if (!modem) return modem.error();
-    order.modem = {std::move(modem).value(), arguments.hw, arguments.modem_rate};
+    order.modem = {std::move(modem).value(), arguments.hw, arguments.modem_rate,
+                   arguments.key_file};
   }
   return order;
 }

@@ -181,7 +181,14 @@ void set_figures(const modem::ModemStatistics& modem, record::RunRecorder& recor
   set("modem_heard_bytes", modem.heard_bytes);
   set("modem_duplicates", modem.duplicates);
   set("modem_unknown", modem.unknown);
+  set("modem_unauthentic", modem.unauthentic);
+  set("modem_clashes", modem.clashes);
+  set("modem_damaged", modem.damaged);
   set("modem_unreachable", modem.unreachable);
+  set("modem_unsent", modem.unsent);
+  set("modem_too_long", modem.too_long);
+  set("modem_put_full", modem.put_full);
+  set("modem_take_full", modem.take_full);
   set("modem_queue_full", modem.dropped.full);
   set("modem_expired", modem.dropped.expired);
   set("modem_delay_mean_s", modem.mean_delay());

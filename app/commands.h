@@ -114,7 +114,8 @@ struct AgentArguments {
   int system = 1;         ///< MAVLink system id there
   std::string modem;      ///< where its modem is; empty: its messages go by the world
   std::uint32_t hw = 0;   ///< address of its modem; 0: by its number
-  double modem_rate = 0;  ///< that its modem can carry [bit/s]; 0: no limit
+  double modem_rate = 0;  ///< that its modem can carry [bit/s]; 0: see AgentModem
+  std::string key_file;   ///< of its team, for the modem; empty: that of the scenario
   double duration = 0;    ///< [s]; 0: until it is interrupted
   std::vector<std::string> overrides, plugins;
   std::filesystem::path out;  ///< folder for records; empty: none

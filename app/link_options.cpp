@@ -145,8 +145,14 @@ Command add_agent(CLI::App& program, const std::atomic<bool>& stop) {
       ->needs(modem);
   command
       ->add_option("--modem-rate", given->modem_rate,
-                   "What the modem can carry [bit/s]; default: no limit.")
+                   "What the modem can carry [bit/s]; default: what a serial line does "
+                   "(8 of 10 bits), and of others no limit: then its load is not known.")
       ->check(CLI::Range(100.0, 1e9))
+      ->needs(modem);
+  command
+      ->add_option("--key", given->key_file,
+                   "File with the team's key, by which what goes over the modem is known "
+                   "to be authentic; default: that of the scenario's radio.")
       ->needs(modem);
   auto* autopilot =
       command->add_option("--autopilot", given->autopilot,

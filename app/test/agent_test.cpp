@@ -151,12 +151,13 @@ TEST_F(Agents, GoOnAloneAndJoinTheNextWorld) {
 class ModemAgents : public Agents {
  protected:
   // Starts the world, with a modem at any free port.
-  pid_t start_modem_world(const std::string& out, const std::string& more) {
+  pid_t start_modem_world(const std::string& out, const std::string& more,
+                          const std::string& of_radio = "") {
     const pid_t world =
         start_world(out, {"--set", "stations=[{heartbeat_s: 1}]", "--set",
                           "radio={kind: medium, profile: wifi-dsss-2, modem: {endpoint: "
                           "'udpin:0', entities: [far-1]" +
-                              more + "}}"});
+                              more + "}" + of_radio + "}"});
     const std::string place = "waiting at udpin:127.0.0.1:";
     for (int k = 0; k < 1000 && modem_port_ == 0; ++k) {
       const std::string said = read_file(folder_ / "world-err.txt");
@@ -168,8 +169,11 @@ class ModemAgents : public Agents {
     EXPECT_NE(modem_port_, 0) << "its modem's place comes after that of its agents";
     return world;
   }
-  pid_t start_modem_agent() {
-    return start_agent({"--modem", "udpout:127.0.0.1:" + std::to_string(modem_port_)});
+  pid_t start_modem_agent(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> all = {"--modem",
+                                    "udpout:127.0.0.1:" + std::to_string(modem_port_)};
+    all.insert(all.end(), more.begin(), more.end());
+    return start_agent(all);
   }
   double figure(const std::string& run, const std::string& name) {
     return nlohmann::json::parse(read_file(folder_ / run / "summary.json"))[name];
@@ -228,6 +232,30 @@ TEST_F(ModemAgents, AreHeardByRangeAloneWhereTheMediumDoesNotHearThem) {
       query(folder_ / "world/run.sqlite",
             "SELECT count(*) FROM messages WHERE from_id = 1 AND transmissions > 0"),
       0);
+}
+
+TEST_F(ModemAgents, AreHeardByTheirKeyWhereMessagesAreAuthenticated) {
+  for (const char* name : {"team.key", "other.key"}) {
+    const fs::path key = write(name, std::string(32, name[0]));
+    fs::permissions(key, fs::perms::owner_read | fs::perms::owner_write);
+  }
+  const pid_t world =
+      start_modem_world("world", "", ", authentication: {key_file: team.key}");
+  for (const char* key : {"", "other.key"}) {
+    const pid_t agent =
+        start_modem_agent(*key ? std::vector<std::string>{"--key", key, "--for", "3"}
+                               : std::vector<std::string>{"--for", "3"});
+    prefix_ = "agent-";
+    EXPECT_EQ(finish(agent).status, 0);
+    EXPECT_EQ(query(folder_ / "world/run.sqlite", by_modem("neighbour-found")), 0);
+  }
+  const pid_t agent = start_modem_agent({"--key", "team.key"});
+  EXPECT_TRUE(comes_to("world", by_modem("neighbour-found"), 1));
+  EXPECT_TRUE(comes_to(
+      "world", "SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0", 3));
+  EXPECT_EQ(stop(agent, "agent-").status, 0);
+  EXPECT_EQ(stop(world, "world-").status, 130);
+  EXPECT_GT(figure("world", "modem_unauthentic"), 5) << "their advertisements";
 }
 
 TEST_F(Agents, SayWhatIsWrong) {

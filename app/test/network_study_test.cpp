@@ -115,7 +115,9 @@ TEST_F(Program, StudyNetworkSaysWhatIsWrong) {
     EXPECT_EQ(finished.status, 2) << finished.out;
     EXPECT_NE(finished.err.find(part), std::string::npos) << finished.err;
   };
-  expect({}, "the study network needs an experiment. There are: grid cell hidden mixed.");
+  expect({},
+         "the study network needs an experiment. There are: grid cell hidden mixed "
+         "obstacle.");
   expect({"gird"}, "there is no experiment \"gird\"");
   expect({"grid", "--nodes", "1"}, "--nodes: 1 is no number of nodes from 2 to 2500.");
   expect({"grid", "--nodes", "4,x"}, "--nodes");

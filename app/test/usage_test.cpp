@@ -2,6 +2,7 @@
 #include <fcntl.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "app/test/program.h"
 #include "skein/base/random.h"
@@ -27,6 +28,24 @@ TEST_F(Program, SaysHowItIsUsed) {
   EXPECT_EQ(run({"fly"}).status, 2);
   EXPECT_EQ(run({"run"}).status, 2);
   EXPECT_EQ(run({"--version"}).status, 0);
+}
+
+TEST_F(Program, CompletesAllItsCommands) {
+  std::istringstream help(run({"--help"}).out);
+  const std::string completion = run({"completion"}).out;
+  const std::string begin = "commands=\"";
+  const std::size_t at = completion.find(begin) + begin.size();
+  const std::string completed =
+      " " + completion.substr(at, completion.find('"', at) - at) + " ";
+  std::string line;
+  while (std::getline(help, line) && line != "Subcommands:") {
+  }
+  int commands = 0;
+  for (std::string name; std::getline(help, line) && !line.empty(); ++commands) {
+    ASSERT_TRUE(std::istringstream(line) >> name) << line;
+    EXPECT_NE(completed.find(" " + name + " "), std::string::npos) << name;
+  }
+  EXPECT_GE(commands, 20);
 }
 
 TEST_F(Program, ListsKindsAndTheirKeys) {

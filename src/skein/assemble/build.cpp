@@ -171,7 +171,9 @@ class Builder {
       build_.world.radio = std::make_unique<world_link::WorldRadio>(*build_.world_client);
       return;
     }
-    build_.modem = make_agent_modem(scenario_, self_, *order.modem);
+    auto made = make_agent_modem(scenario_, self_, *order.modem);
+    if (!note(made)) return;
+    build_.modem = std::move(made).value();
     std::vector<std::string> names;
     for (const simulation::Entity& entity : build_.world.entities)
       names.push_back(entity.name);

@@ -17,7 +17,6 @@ struct ModemChoice {
   std::string endpoint = "udpin:14900";
   std::uint32_t hw = 1;
   std::vector<std::string> entities;  ///< who is reached through others
-  modem::GatewayMethod gateway = modem::GatewayMethod::kFixed;
   Time advertisement_period = Time::from_seconds(1);
   bool pacing = true;
   double rate = 100'000;  ///< [bit/s]
@@ -34,8 +33,9 @@ scenario::Fields<ModemChoice> modem_fields();
 const ModemChoice* modem_of(const scenario::Choice& radio);
 
 /// The ground station's modem, through which all that is simulated is reached. The
-/// scenario's radio has one.
-/// Fails: kBadInput for entities that are no aircraft of the kind `remote`.
+/// scenario's radio has one. Where the radio authenticates messages it does so too.
+/// Fails: kBadInput for entities that are no aircraft of the kind `remote`, or whose
+/// modem has the address of this one; for the key, as make_authentication() does.
 Result<std::unique_ptr<modem::ModemLink>> make_world_modem(
     const scenario::Scenario& scenario);
 
@@ -43,12 +43,15 @@ Result<std::unique_ptr<modem::ModemLink>> make_world_modem(
 struct AgentModem {
   transport::EndpointAddress endpoint;
   std::uint32_t hw = 0;  ///< 0: the number of the entity, and 1
-  double rate = 0;       ///< that it can carry [bit/s]; 0: no limit
+  double rate = 0;  ///< that it can carry [bit/s]; 0: what a serial line carries, and
+                    ///< of others no limit
+  std::string key_file = {};  ///< of the team; empty: that of the scenario, if it has one
 };
 
 /// The modem of an entity in a program of its own.
-std::unique_ptr<modem::ModemLink> make_agent_modem(const scenario::Scenario& scenario,
-                                                   EntityId self,
-                                                   const AgentModem& modem);
+/// Fails: kBadInput for the address of the ground station's modem, and a rate that the
+/// line does not carry; for the key, as make_authentication() does.
+Result<std::unique_ptr<modem::ModemLink>> make_agent_modem(
+    const scenario::Scenario& scenario, EntityId self, const AgentModem& modem);
 
 }  // namespace skein::assemble

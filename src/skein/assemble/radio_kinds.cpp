@@ -94,7 +94,8 @@ Fields<MediumChoice> medium_fields() {
               "Who disturbs the radio, or lies by it.")
       .items({.at_most = 100})
       .object("authentication", &T::authentication, authentication_fields(),
-              "Messages carry a tag of the team's key; null: none.")
+              "Messages carry a tag of the team's key, and so does what goes over the "
+              "modem; null: none.")
       .object(
           "modem", &T::modem, modem_fields(),
           "A real modem in the same medium: the messages of some entities go over it.");
@@ -180,6 +181,11 @@ const ModemChoice* modem_of(const scenario::Choice& radio) {
   return medium && medium->modem ? &*medium->modem : nullptr;
 }
 
+const AuthenticationChoice* authentication_of(const scenario::Choice& radio) {
+  const auto* medium = std::any_cast<MediumChoice>(&radio.options);
+  return medium && medium->authentication ? &*medium->authentication : nullptr;
+}
+
 double radio_range(const scenario::Choice& radio) {
   if (const auto* medium = std::any_cast<MediumChoice>(&radio.options)) {
     const auto file = load(*medium);
@@ -224,7 +230,7 @@ Kinds<Radio, RadioContext> radio_kinds() {
         if (!o.modem || !c.modem) return medium;
         return std::unique_ptr<Radio>(std::make_unique<modem::ModemRadio>(
             modem::ModemRadioParts{std::move(medium), by_range(o, file.value(), c),
-                                   o.modem->inject ? c.modem : nullptr},
+                                   o.modem->inject},
             *c.modem));
       });
   return kinds;

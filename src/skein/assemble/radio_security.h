@@ -49,6 +49,9 @@ struct AuthenticationChoice {
   bool required = true;
 };
 
+/// The authentication that a radio has; null: none.
+const AuthenticationChoice* authentication_of(const scenario::Choice& radio);
+
 scenario::Fields<AttackChoice> attack_fields();
 scenario::Fields<AuthenticationChoice> authentication_fields();
 

@@ -56,9 +56,9 @@ Result<void> MixedNetwork::open(const transport::EndpointAddress& air,
 
 // How many modems find how many identities.
 std::size_t MixedNetwork::meetings() const {
-  const std::size_t apart = std::count_if(
+  const auto apart = static_cast<std::size_t>(std::count_if(
       options_.apart.begin(), options_.apart.end(),
-      [this](const auto& pair) { return is_real(pair.first) && is_real(pair.second); });
+      [this](const auto& pair) { return is_real(pair.first) && is_real(pair.second); }));
   const std::size_t among_real = real_.size() * (real_.size() - 1) - 2 * apart;
   if (simulated_.empty()) return among_real;
   // The station finds each of them, and each of them all behind the station.
@@ -121,6 +121,7 @@ void MixedNetwork::step(std::vector<Arrival>& arrivals) {
         modems_.back()->send(time, each.message);
     }
   }
+  for (const auto& modem : modems_) modem->flush();
   std::this_thread::sleep_for(kMixedTurn);
 }
 

@@ -27,7 +27,6 @@ Result<Datagram> decode_datagram(std::span<const std::byte> bytes) {
   Datagram& datagram = read.value();
   if (datagram.protocol != kProtocol)
     return no_datagram("it is of another version of the protocol.");
-  if (datagram.hops > kMaxHops) return no_datagram("it has gone too many hops.");
   if (datagram.sent.ns() > kMaxClock || datagram.sent.ns() < -kMaxClock)
     return no_datagram("its time is none.");
   if (!walk::has_sound_numbers(datagram))

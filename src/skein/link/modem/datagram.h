@@ -74,7 +74,7 @@ constexpr auto describe(const Carried*) {
 /// New kinds go to the end: the place in this list is part of the wire form.
 using Payload = std::variant<Advertisement, Carried>;
 
-inline constexpr std::uint32_t kProtocol = 0x31444B53;  // "SKD1"
+inline constexpr std::uint32_t kProtocol = 0x32444B53;  // "SKD2"
 
 /// What a modem sends at once.
 struct Datagram {
@@ -83,7 +83,6 @@ struct Datagram {
   Address origin;             ///< who made it
   Address to;
   std::uint64_t number = 0;  ///< counts those of the origin's modem in a session, from 1
-  std::uint32_t hops = 0;    ///< modems that passed it on
   Urgency urgency = Urgency::kReport;
   Time sent;  ///< when it was handed to the modem
   Payload payload;
@@ -98,16 +97,14 @@ constexpr auto describe(const Datagram*) {
       field("", &T::origin, "who made it"),
       field("to", &T::to, Storage::kJson, "for whom"),
       field("number", &T::number, "counts those of the origin's modem"),
-      field("hops", &T::hops, "modems that passed it on"),
       field("urgency", &T::urgency, "more urgent ones go first"),
       field("sent", &T::sent, "when it was handed to the modem"),
       field("payload", &T::payload, Storage::kJson, "what it brings"));
 }
 
-/// Largest datagram [bytes]: what UDP carries.
-inline constexpr std::size_t kMaxDatagram = 60'000;
-/// More hops are an error.
-inline constexpr std::uint32_t kMaxHops = 16;
+/// Largest datagram [bytes], its seal included. UDP carries twice that; a serial line of
+/// 57,600 baud is busy with it for 5.6 s.
+inline constexpr std::size_t kMaxDatagram = 32'000;
 
 /// Appends a datagram in its wire form.
 void encode(const Datagram& datagram, std::vector<std::byte>& out);

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "skein/base/log.h"
 #include "skein/data/walk.h"
 
 namespace skein::modem {
@@ -29,11 +30,8 @@ EntityId whose(const Heard& heard) {
       heard);
 }
 
-// Messages give way before changes, for the simulation acts on them.
-void drop_one(std::vector<Heard>& waiting) {
-  const auto oldest = std::ranges::find_if(
-      waiting, [](const Heard& each) { return std::holds_alternative<Message>(each); });
-  waiting.erase(oldest == waiting.end() ? waiting.begin() : oldest);
+bool is_message(const Heard& heard) {
+  return std::holds_alternative<Message>(heard);
 }
 
 }  // namespace
@@ -73,13 +71,32 @@ Result<std::vector<std::string>> ModemLink::start() {
 
 void ModemLink::put(Time at, const Message& message, bool injected) {
   if (!running_) return;
-  Outgoing outgoing{message, injected};
-  walk::shift_times(outgoing.message, now() - at);
+  const std::lock_guard lock(mutex_);
+  if (said_.size() + out_.size() < kMaxWaiting)
+    said_.push_back({message, injected, at});
+  else
+    ++put_full_;
+}
+
+void ModemLink::flush() {
+  if (!running_) return;
   {
     const std::lock_guard lock(mutex_);
-    if (out_.size() < kMaxWaiting) out_.push_back(std::move(outgoing));
+    if (said_.empty()) return;
+    const Time here = now();  // the same for all: copies stay alike
+    for (Outgoing& each : said_) {
+      walk::shift_times(each.message, here - each.at);
+      out_.push_back(std::move(each));
+    }
+    said_.clear();
   }
   endpoints_.wake();
+}
+
+void ModemLink::to_clock(Time at, std::vector<Heard>& taken) const {
+  const Time shift = at - now();
+  for (Heard& each : taken)
+    if (auto* message = std::get_if<Message>(&each)) walk::shift_times(*message, shift);
 }
 
 std::vector<Heard> ModemLink::take(Time at, EntityId who) {
@@ -91,9 +108,7 @@ std::vector<Heard> ModemLink::take(Time at, EntityId who) {
     taken.assign(std::move_iterator(first), std::move_iterator(in_.end()));
     in_.erase(first, in_.end());
   }
-  const Time shift = at - now();
-  for (Heard& each : taken)
-    if (auto* message = std::get_if<Message>(&each)) walk::shift_times(*message, shift);
+  to_clock(at, taken);
   return taken;
 }
 
@@ -103,15 +118,16 @@ std::vector<Heard> ModemLink::take(Time at) {
     const std::lock_guard lock(mutex_);
     taken = std::exchange(in_, {});
   }
-  const Time shift = at - now();
-  for (Heard& each : taken)
-    if (auto* message = std::get_if<Message>(&each)) walk::shift_times(*message, shift);
+  to_clock(at, taken);
   return taken;
 }
 
 ModemStatistics ModemLink::statistics() const {
   const std::lock_guard lock(mutex_);
-  return statistics_;
+  ModemStatistics all = statistics_;
+  all.put_full = put_full_;
+  all.take_full = take_full_;
+  return all;
 }
 
 void ModemLink::run() {
@@ -135,18 +151,17 @@ void ModemLink::step() {
     else
       peer_.send(each.message, now());
   }
-  peer_.step(now(), [this](auto bytes) { send_to_all(bytes); });
-  std::vector<NeighbourChange> changes = peer_.take_changes();
-  const std::lock_guard lock(mutex_);
-  statistics_ = peer_.statistics();
-  for (const NeighbourChange& change : changes) in_.emplace_back(change);
+  peer_.step(now(), [this](auto bytes) { return send_to_all(bytes); });
+  hand_in();
 }
 
-void ModemLink::send_to_all(std::span<const std::byte> bytes) {
+bool ModemLink::send_to_all(std::span<const std::byte> bytes) {
   std::vector<std::byte> frame;
   if (stream_) frame = in_frame(bytes);
+  bool sent = false;
   for (const auto& [channel, ignored] : channels_)
-    endpoints_.send(channel, stream_ ? std::span<const std::byte>(frame) : bytes);
+    sent |= endpoints_.send(channel, stream_ ? std::span<const std::byte>(frame) : bytes);
+  return sent;
 }
 
 void ModemLink::opened(transport::ChannelId channel, transport::EndpointId,
@@ -162,19 +177,75 @@ void ModemLink::received(transport::ChannelId channel, std::span<const std::byte
   const auto take = [this](std::span<const std::byte> datagram) {
     peer_.receive(datagram, now(), arrived_);
   };
-  if (stream_)
-    channels_[channel].frames.read(bytes, take);
-  else
+  if (stream_) {
+    StreamFrames& frames = channels_[channel].frames;
+    const std::uint64_t before = frames.damaged();
+    frames.read(bytes, take);
+    damaged_ += frames.damaged() - before;
+  } else {
     take(bytes);
-  std::vector<NeighbourChange> changes = peer_.take_changes();
+  }
+  hand_in();
+}
+
+// Gives what the peer has found and heard to the simulation.
+void ModemLink::hand_in() {
+  const std::vector<NeighbourChange> changes = peer_.take_changes();
+  const auto clash = peer_.take_clash();
   const std::lock_guard lock(mutex_);
+  statistics_ = peer_.statistics(now());
+  statistics_.damaged = damaged_;
   // Who speaks was found before.
-  for (const NeighbourChange& change : changes) in_.emplace_back(change);
+  for (const NeighbourChange& change : changes) hand_in(change);
+  if (clash) hand_in(*clash);
+  if (arrived_.empty()) return;
+  auto waiting = static_cast<std::size_t>(std::ranges::count_if(in_, is_message));
   for (Message& message : arrived_) {
-    if (in_.size() >= kMaxWaiting) drop_one(in_);
+    if (waiting < kMaxWaiting) {
+      ++waiting;
+    } else {
+      in_.erase(std::ranges::find_if(in_, is_message));
+      ++take_full_;
+    }
     in_.emplace_back(std::move(message));
   }
   arrived_.clear();
+}
+
+// A change takes one away that it undoes: of a simulation that stands still it is enough
+// to know what is.
+void ModemLink::hand_in(const NeighbourChange& change) {
+  const auto undone = std::ranges::find_if(in_, [&](const Heard& each) {
+    const auto* other = std::get_if<NeighbourChange>(&each);
+    return other && other->who == change.who;
+  });
+  if (undone == in_.end())
+    in_.emplace_back(change);
+  else
+    in_.erase(undone);
+}
+
+// Who says so, or else the first of those beyond: none of them knows which of the two
+// modems is meant.
+EntityId ModemLink::whom_it_concerns(const AddressClash& clash) const {
+  const auto beyond = [this](EntityId who) { return is_beyond(who); };
+  const auto who = std::ranges::find_if(clash.identities, beyond);
+  if (who != clash.identities.end()) return *who;
+  const auto first = std::ranges::find(here_, false);
+  return EntityId{static_cast<std::uint32_t>(first - here_.begin())};
+}
+
+void ModemLink::hand_in(const AddressClash& clash) {
+  log_warning(
+      "another modem has the address of this one, hw {}: neither hears what the other "
+      "says.",
+      hw());
+  const EntityId who = whom_it_concerns(clash);
+  const bool waits = std::ranges::any_of(in_, [&](const Heard& each) {
+    const auto* other = std::get_if<ModemClash>(&each);
+    return other && other->who == who;
+  });
+  if (is_beyond(who) && !waits) in_.emplace_back(ModemClash{who, hw()});
 }
 
 }  // namespace skein::modem

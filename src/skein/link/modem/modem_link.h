@@ -20,8 +20,14 @@
 
 namespace skein::modem {
 
+/// Another modem has the address of this one.
+struct ModemClash {
+  EntityId who;  ///< an entity beyond this modem: the one that says so, if it is one
+  std::uint32_t hw = 0;
+};
+
 /// Something that came by a modem.
-using Heard = std::variant<Message, NeighbourChange>;
+using Heard = std::variant<Message, NeighbourChange, ModemClash>;
 
 struct ModemLinkOptions {
   transport::EndpointAddress endpoint;  ///< of the modem; a server may have several peers
@@ -30,7 +36,11 @@ struct ModemLinkOptions {
 
 /// A modem at an endpoint, in a thread of its own.
 ///
-/// Threads: the simulation's calls everything. Times that go in and out are of its clock.
+/// It holds 5000 messages that wait each way, and of what else has come something for
+/// each entity: what is more is dropped, and counted.
+///
+/// Threads: those of the simulation call everything; send() and take() of one entity may
+/// be called beside those of others. Times that go in and out are of its clock.
 class ModemLink final : public transport::ChannelListener {
  public:
   explicit ModemLink(ModemLinkOptions options);
@@ -49,9 +59,17 @@ class ModemLink final : public transport::ChannelListener {
   /// Whether it was started.
   bool is_open() const { return running_; }
 
-  /// As ModemPeer has it.
+  /// As ModemPeer has it, once flush() is called.
   void send(Time now, const Message& message) { put(now, message, false); }
   void inject(Time now, const Message& message) { put(now, message, true); }
+
+  /// Hands over what was said since the last call, at the end of a step: copies of a
+  /// message go out as one, however the threads run.
+  void flush();
+
+  /// That the modem can carry [bit/s]; 0: not known.
+  double rate() const { return options_.peer.queue.rate; }
+  std::uint32_t hw() const { return options_.peer.hw; }
 
   /// Takes what has come of one entity, in order.
   std::vector<Heard> take(Time now, EntityId who);
@@ -68,6 +86,7 @@ class ModemLink final : public transport::ChannelListener {
   struct Outgoing {
     Message message;
     bool injected = false;
+    Time at;  // of the simulation's clock, when it was said
   };
 
   void opened(transport::ChannelId channel, transport::EndpointId endpoint,
@@ -75,7 +94,12 @@ class ModemLink final : public transport::ChannelListener {
   void received(transport::ChannelId channel, std::span<const std::byte> bytes) override;
   void closed(transport::ChannelId channel, const std::string& why) override;
   void put(Time now, const Message& message, bool injected);
-  void send_to_all(std::span<const std::byte> bytes);
+  bool send_to_all(std::span<const std::byte> bytes);
+  void hand_in();
+  void hand_in(const NeighbourChange& change);
+  void hand_in(const AddressClash& clash);
+  EntityId whom_it_concerns(const AddressClash& clash) const;
+  void to_clock(Time at, std::vector<Heard>& taken) const;
   void step();
   void run();
   Time now() const;
@@ -87,11 +111,14 @@ class ModemLink final : public transport::ChannelListener {
   ModemPeer peer_;
   std::map<transport::ChannelId, Channel> channels_;
   std::vector<Message> arrived_;  // while bytes are taken in
+  std::uint64_t damaged_ = 0;     // frames, of all channels that there were
 
-  mutable std::mutex mutex_;  // of what follows; times in it are of the link's clock
+  mutable std::mutex mutex_;    // of what follows; times in it are of the link's clock
+  std::vector<Outgoing> said_;  // since the last flush(), by the simulation's clock
   std::vector<Outgoing> out_;
   std::vector<Heard> in_;
-  ModemStatistics statistics_;
+  ModemStatistics statistics_;  // of peer_
+  std::uint64_t put_full_ = 0, take_full_ = 0;
 
   transport::Endpoints endpoints_;
   std::atomic<bool> stop_ = false, running_ = false;

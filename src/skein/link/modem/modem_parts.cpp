@@ -2,22 +2,41 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace skein::modem {
 namespace {
 
+bool is_message(const VehicleReport& report) {
+  const auto* said = std::get_if<EntityReport>(&report);
+  return said && std::holds_alternative<Message>(said->said);
+}
+
+constexpr const char* kClashEvent = "modem-clash";
+
 const char* event_of(const NeighbourChange& change) {
   return change.found ? "neighbour-found" : "neighbour-lost";
+}
+
+std::string clash_text(const ModemClash& clash, const char* whose) {
+  return fmt::format("another modem has the address of {}, hw {}", whose, clash.hw);
 }
 
 }  // namespace
 
 void ModemPort::receive(Time now, std::vector<VehicleReport>& out) {
+  const auto begin = static_cast<std::ptrdiff_t>(out.size());
   port_->receive(now, out);
+  out.erase(std::remove_if(out.begin() + begin, out.end(), is_message), out.end());
   for (Heard& heard : link_.take(now, self_)) {
     if (auto* message = std::get_if<Message>(&heard)) {
       out.emplace_back(EntityReport{std::move(*message)});
+      continue;
+    }
+    if (const auto* clash = std::get_if<ModemClash>(&heard)) {
+      out.emplace_back(
+          OutsideEvent{kClashEvent, clash_text(*clash, "the ground station's")});
       continue;
     }
     const auto& change = std::get<NeighbourChange>(heard);
@@ -47,12 +66,13 @@ void ModemRadio::send(const Message& message) {
 
 void ModemRadio::inject(Time now) {
   for (const Candidate& each : candidates_)
-    if (!each.goes_out) parts_.inject->inject(now, each.message);
+    if (!each.goes_out) link_.inject(now, each.message);
   candidates_.clear();
 }
 
 void ModemRadio::deliver(Time now, RadioNews& news) {
   if (parts_.inject) inject(now);
+  link_.flush();
   parts_.medium->deliver(now, news);
   if (parts_.by_range) parts_.by_range->deliver(now, news);
 }
@@ -63,9 +83,14 @@ void ModemRadio::end(RadioNews& news) {
 }
 
 void AgentModemRadio::deliver(Time now, RadioNews& news) {
+  link_.flush();
   for (Heard& heard : link_.take(now)) {
     if (auto* message = std::get_if<Message>(&heard)) {
       news.ended.push_back({std::move(*message)});
+      continue;
+    }
+    if (const auto* clash = std::get_if<ModemClash>(&heard)) {
+      news.events.push_back({now, self_, kClashEvent, clash_text(*clash, "its own")});
       continue;
     }
     const auto& change = std::get<NeighbourChange>(heard);
@@ -74,7 +99,8 @@ void AgentModemRadio::deliver(Time now, RadioNews& news) {
 }
 
 RadioStatus AgentModemRadio::status(EntityId) const {
-  return {0, static_cast<std::uint32_t>(link_.statistics().waiting)};
+  const ModemStatistics modem = link_.statistics();
+  return {modem.load, static_cast<std::uint32_t>(modem.waiting), link_.rate() > 0};
 }
 
 }  // namespace skein::modem

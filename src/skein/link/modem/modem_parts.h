@@ -15,6 +15,7 @@
 namespace skein::modem {
 
 /// The port of an entity whose messages go over the modem; all else goes over its port.
+/// A message that comes by the port does not count: nobody has judged it.
 /// What comes by the modem is given out as what the entity says, so it is recorded with
 /// all other reports: events "neighbour-found" and "neighbour-lost" among it.
 class ModemPort final : public EntityPort {
@@ -35,14 +36,15 @@ class ModemPort final : public EntityPort {
 struct ModemRadioParts {
   std::unique_ptr<Radio> medium;    ///< of all that is simulated
   std::unique_ptr<Radio> by_range;  ///< of what real entities say; null: the medium too
-  ModemLink* inject = nullptr;      ///< what is said here is sent there; null: it is not
+  bool inject = false;              ///< what is said here is sent by the modem too
 };
 
 /// The radio of a world of which some entities are beyond a modem: the medium carries
 /// what is simulated, and what the modem hears, unless that is carried by range alone.
+/// The end of a step for the modem is deliver().
 class ModemRadio final : public Radio {
  public:
-  ModemRadio(ModemRadioParts parts, const ModemLink& link)
+  ModemRadio(ModemRadioParts parts, ModemLink& link)
       : parts_(std::move(parts)), link_(link) {}
 
   void send(const Message& message) override;
@@ -56,7 +58,7 @@ class ModemRadio final : public Radio {
   void inject(Time now);
 
   ModemRadioParts parts_;
-  const ModemLink& link_;
+  ModemLink& link_;
   // A message that may be sent on the modem too, once it is known that no copy of it goes
   // there anyway.
   struct Candidate {
@@ -66,7 +68,8 @@ class ModemRadio final : public Radio {
   std::vector<Candidate> candidates_;
 };
 
-/// The radio of an agent that has a modem.
+/// The radio of an agent that has a modem. Its load is that of the modem's air, where it
+/// is known what the modem can carry.
 class AgentModemRadio final : public Radio {
  public:
   /// @param names  of all entities, for events

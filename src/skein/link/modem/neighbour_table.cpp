@@ -1,15 +1,21 @@
 #include "skein/link/modem/neighbour_table.h"
 
+#include <algorithm>
+
 namespace skein::modem {
 
 NeighbourTable::NeighbourTable(std::size_t entities, Time patience)
     : patience_(patience), entries_(entities) {}
 
+bool NeighbourTable::takes(Address who) const {
+  return who.sw < entries_.size() && who.hw != kAll &&
+         entries_[who.sw].hw.value_or(who.hw) == who.hw;
+}
+
 void NeighbourTable::advertised(Address who, Time now,
                                 std::vector<NeighbourChange>& changes) {
-  if (who.sw >= entries_.size() || who.hw == kAll) return;
+  if (!takes(who)) return;
   Entry& entry = entries_[who.sw];
-  if (entry.hw && *entry.hw != who.hw) return;
   entry.heard = now;
   if (entry.hw) return;
   entry.hw = who.hw;
@@ -36,6 +42,10 @@ void NeighbourTable::step(Time now, std::vector<NeighbourChange>& changes) {
 std::optional<Address> NeighbourTable::find(EntityId who) const {
   if (who.value >= entries_.size() || !entries_[who.value].hw) return std::nullopt;
   return Address{*entries_[who.value].hw, who.value};
+}
+
+bool NeighbourTable::reaches_through(std::uint32_t hw) const {
+  return std::ranges::any_of(entries_, [hw](const Entry& each) { return each.hw == hw; });
 }
 
 }  // namespace skein::modem

@@ -25,6 +25,10 @@ class NeighbourTable {
   /// @param patience  after so long without a word a neighbour is lost
   NeighbourTable(std::size_t entities, Time patience);
 
+  /// Whether an identity may be reached so: it is one, and not heard through another
+  /// modem.
+  bool takes(Address who) const;
+
   /// An identity is advertised. While it is heard through one modem another one does not
   /// count.
   void advertised(Address who, Time now, std::vector<NeighbourChange>& changes);
@@ -38,6 +42,9 @@ class NeighbourTable {
 
   /// Where an identity is reached; none: it is no neighbour.
   std::optional<Address> find(EntityId who) const;
+
+  /// Whether anybody is reached through a modem.
+  bool reaches_through(std::uint32_t hw) const;
 
   bool empty() const { return count_ == 0; }
 

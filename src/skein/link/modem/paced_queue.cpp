@@ -40,8 +40,17 @@ bool PacedQueue::merge(const Waiting& waiting) {
   return false;
 }
 
+void PacedQueue::drop_expired(Time now) {
+  for (auto& waiting : ranks_)
+    losses_.expired += std::erase_if(waiting, [&](const Waiting& each) {
+      return now - each.since > options_.lifetime;
+    });
+}
+
 // The youngest of the least urgent gives way to something more urgent.
-bool PacedQueue::make_room(std::size_t rank) {
+bool PacedQueue::make_room(std::size_t rank, Time now) {
+  if (size() < options_.capacity) return true;
+  drop_expired(now);
   if (size() < options_.capacity) return true;
   ++losses_.full;
   for (std::size_t k = 0; k < rank; ++k) {
@@ -55,7 +64,7 @@ bool PacedQueue::make_room(std::size_t rank) {
 void PacedQueue::put(Waiting waiting) {
   if (merge(waiting)) return;
   const std::size_t at = rank(waiting);
-  if (make_room(at)) ranks_[at].push_back(std::move(waiting));
+  if (make_room(at, waiting.since)) ranks_[at].push_back(std::move(waiting));
 }
 
 std::optional<Waiting> PacedQueue::take(Time now) {

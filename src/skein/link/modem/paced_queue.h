@@ -47,8 +47,9 @@ class PacedQueue {
   explicit PacedQueue(const PacedQueueOptions& options);
 
   /// Adds a datagram. One that says the same, from the same sender and moment, goes to
-  /// the receivers of both. In a full queue it takes the place of the youngest of those
-  /// that are less urgent, if there are any.
+  /// the receivers of both. In a full queue those that have waited too long go first;
+  /// then it takes the place of the youngest of those that are less urgent, if there are
+  /// any.
   void put(Waiting waiting);
 
   /// When something may go out; it need not wait.
@@ -68,7 +69,8 @@ class PacedQueue {
   static constexpr std::size_t kRanks = 4;  // injected, then by urgency
   static std::size_t rank(const Waiting& waiting);
   bool merge(const Waiting& waiting);
-  bool make_room(std::size_t rank);
+  void drop_expired(Time now);
+  bool make_room(std::size_t rank, Time now);
 
   PacedQueueOptions options_;
   std::array<std::deque<Waiting>, kRanks> ranks_;

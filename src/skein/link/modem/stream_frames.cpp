@@ -36,22 +36,31 @@ std::vector<std::byte> in_frame(std::span<const std::byte> datagram) {
   SKEIN_CHECK(datagram.size() <= kMaxDatagram, datagram.size());
   std::vector<std::byte> frame = {kFirst, kSecond};
   put_number(datagram.size(), frame);
+  put_number(check_sequence(std::span<const std::byte>(frame).subspan(2)), frame);
   frame.insert(frame.end(), datagram.begin(), datagram.end());
   put_number(check_sequence(std::span<const std::byte>(frame).subspan(2)), frame);
   return frame;
 }
 
+// What is taken for the beginning of a frame is none: the next one may be inside.
+StreamFrames::Found StreamFrames::damaged_frame() {
+  ++damaged_;
+  return {1, 0};
+}
+
 StreamFrames::Found StreamFrames::look(std::span<const std::byte> bytes) {
   const auto begin = std::find(bytes.begin(), bytes.end(), kFirst);
   if (begin != bytes.begin()) return {static_cast<std::size_t>(begin - bytes.begin()), 0};
+  if (bytes.size() > 1 && bytes[1] != kSecond) return {1, 0};
   if (bytes.size() < kHead) return {};
   const std::size_t length = number_at(bytes, 2);
-  if (bytes[1] != kSecond || length == 0 || length > kMaxDatagram) return {1, 0};
+  if (number_at(bytes, 4) != check_sequence(bytes.subspan(2, 2)) || length == 0 ||
+      length > kMaxDatagram)
+    return damaged_frame();
   if (bytes.size() < kHead + length + kTail) return {};
-  if (number_at(bytes, kHead + length) != check_sequence(bytes.subspan(2, length + 2))) {
-    ++damaged_;
-    return {1, 0};
-  }
+  if (number_at(bytes, kHead + length) !=
+      check_sequence(bytes.subspan(2, kHead - 2 + length)))
+    return damaged_frame();
   return {kHead + length + kTail, length};
 }
 

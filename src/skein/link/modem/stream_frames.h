@@ -13,15 +13,16 @@ std::uint16_t check_sequence(std::span<const std::byte> bytes);
 
 /// A datagram as it goes over a serial line or a connection:
 ///
-///   "SK"  length, 2 bytes  datagram  check sequence of length and datagram, 2 bytes
+///   "SK"  length  check sequence of the length  datagram  check sequence of all but "SK"
 ///
-/// Numbers are little-endian.
+/// Numbers are little-endian, of 2 bytes. The head has a check of its own, so that a
+/// damaged length is known at once, not after as many bytes as it says.
 /// Fails: Bug for more than kMaxDatagram bytes.
 std::vector<std::byte> in_frame(std::span<const std::byte> datagram);
 
 /// Takes datagrams out of what comes over a serial line or a connection. Where bytes are
-/// missing or damaged it goes on at the next frame. Holds no more than one frame and what
-/// came at once.
+/// damaged it goes on at the next frame; where some are missing, when as many have come.
+/// Holds no more than one frame and what came at once.
 class StreamFrames {
  public:
   /// Calls handle(bytes) for each datagram that is complete and sound.
@@ -40,16 +41,17 @@ class StreamFrames {
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(at));
   }
 
-  /// Frames whose check sequence was wrong.
+  /// Heads and datagrams whose check sequence was wrong.
   std::uint64_t damaged() const { return damaged_; }
 
  private:
-  static constexpr std::size_t kHead = 4, kTail = 2;
+  static constexpr std::size_t kHead = 6, kTail = 2;
   struct Found {
     std::size_t skip = 0;    // bytes that are done with; 0: more are needed
     std::size_t length = 0;  // of a datagram at the beginning; 0: there is none
   };
   Found look(std::span<const std::byte> bytes);
+  Found damaged_frame();
 
   std::vector<std::byte> waiting_;
   std::uint64_t damaged_ = 0;

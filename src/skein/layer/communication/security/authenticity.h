@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "skein/base/id.h"
+#include "skein/base/replay_window.h"
 #include "skein/base/time.h"
 #include "skein/data/event.h"
-#include "skein/layer/communication/security/replay_window.h"
 #include "skein/layer/communication/security/seal.h"
 
 namespace skein::communication {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 namespace skein::modem {
 namespace {
 
@@ -25,6 +29,8 @@ struct Desk final : EntityPort {
   explicit Desk(Said& into) : said(into) {}
   void receive(Time, std::vector<VehicleReport>& out) override {
     out.emplace_back(LinkChange{LinkChange::Kind::kUp, ""});
+    out.emplace_back(
+        EntityReport{Message{EntityId{1}, EntityId{0}, 0, Time(), Heartbeat{}}});
   }
   void send(Time, EntityInput input) override { said.inputs.push_back(std::move(input)); }
   Said& said;
@@ -45,7 +51,7 @@ Message from(EntityId who) {
 TEST(ModemRadio, PutsWhatIsHeardOnTheMedium) {
   Said medium;
   ModemLink link(options_of());
-  ModemRadio radio({std::make_unique<Notes>(medium), nullptr, nullptr}, link);
+  ModemRadio radio({std::make_unique<Notes>(medium), nullptr, false}, link);
   radio.send(from(kReal));
   radio.send(from(kSimulated));
   EXPECT_EQ(medium.sent.size(), 2u);
@@ -55,7 +61,7 @@ TEST(ModemRadio, CarriesRealOnesByRangeWhereItDoesNotHear) {
   Said medium, range;
   ModemLink link(options_of());
   ModemRadio radio(
-      {std::make_unique<Notes>(medium), std::make_unique<Notes>(range), nullptr}, link);
+      {std::make_unique<Notes>(medium), std::make_unique<Notes>(range), false}, link);
   radio.send(from(kReal));
   radio.send(from(kSimulated));
   ASSERT_TRUE(medium.sent.size() == 1 && range.sent.size() == 1);
@@ -74,7 +80,65 @@ TEST(ModemPort, SendsMessagesByTheModemAndTheRestByTheLink) {
   EXPECT_EQ(link_said.inputs.size(), 1u);
   std::vector<VehicleReport> reports;
   port.receive(Time(), reports);
-  EXPECT_EQ(reports.size(), 1u);
+  ASSERT_EQ(reports.size(), 1u) << "a message that the modem has not heard is none";
+  EXPECT_TRUE(std::holds_alternative<LinkChange>(reports[0]));
+}
+
+TEST(AgentModemRadio, HasALoadWhereItsRateIsKnown) {
+  for (const double rate : {0.0, 5000.0}) {
+    auto options = options_of();
+    ModemLink station(options);
+    const auto places = station.start();
+    ASSERT_TRUE(places.ok());
+    options.endpoint =
+        *transport::counterpart(transport::parse_endpoint(places.value().at(0)).value());
+    options.peer.hw = 2;
+    options.peer.identities = {kReal};
+    options.peer.advertisement_period = Time::from_seconds(0.1);
+    options.peer.queue.rate = rate;
+    ModemLink link(options);
+    AgentModemRadio radio(link, kReal, {"station", "real", "simulated"});
+    ASSERT_TRUE(link.start().ok());
+    EXPECT_EQ(radio.status(kReal).shared, rate > 0);
+    double load = 0;
+    for (int k = 0; k < 200 && load == 0; ++k) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      load = radio.status(kReal).load;
+    }
+    EXPECT_EQ(load > 0, rate > 0) << "its own advertisements are a load";
+  }
+}
+
+TEST(ModemParts, SayThatTwoModemsHaveOneAddress) {
+  Said said;
+  auto options = options_of();
+  ModemLink station(options);
+  const auto places = station.start();
+  ASSERT_TRUE(places.ok());
+  options.endpoint =
+      *transport::counterpart(transport::parse_endpoint(places.value().at(0)).value());
+  options.peer.session = 2;
+  options.peer.identities = {kReal};
+  ModemLink link(options);
+  ModemPort port(std::make_unique<Desk>(said), station, kReal);
+  AgentModemRadio radio(link, kReal, {"station", "real", "simulated"});
+  ASSERT_TRUE(link.start().ok());
+  std::vector<VehicleReport> reports;
+  RadioNews news;
+  const auto clashes = [](const VehicleReport& report) {
+    const auto* event = std::get_if<OutsideEvent>(&report);
+    return event && event->kind == "modem-clash";
+  };
+  for (int k = 0; k < 500; ++k) {
+    port.receive(Time(), reports);
+    radio.deliver(Time(), news);
+    if (std::ranges::any_of(reports, clashes) && !news.events.empty()) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(std::ranges::count_if(reports, clashes), 1);
+  ASSERT_EQ(news.events.size(), 1u);
+  EXPECT_EQ(news.events[0].kind, "modem-clash");
+  EXPECT_EQ(news.events[0].text, "another modem has the address of its own, hw 1");
 }
 
 }  // namespace

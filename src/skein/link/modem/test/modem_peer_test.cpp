@@ -24,12 +24,10 @@ Message message_of(EntityId from, EntityId to, std::uint64_t number, Time sent,
 // the air: everybody in range hears all, itself too.
 class Air {
  public:
-  explicit Air(GatewayMethod method = GatewayMethod::kFixed,
-               PacedQueueOptions queue = {}) {
+  explicit Air(PacedQueueOptions queue = {}) {
     ModemPeerOptions options;
     options.session = 10;
     options.entities = 5;
-    options.method = method;
     options.overhears = true;
     options.queue = queue;
     options.identities = {kStation, kSimulated, kOther};
@@ -48,6 +46,7 @@ class Air {
   ModemPeer& station() { return *peers[0]; }
   ModemPeer& first() { return *peers[1]; }
   ModemPeer& second() { return *peers[2]; }
+  ModemStatistics station_statistics() { return station().statistics(clock(0)); }
   Time clock(std::size_t peer) const { return now + shifts[peer]; }
 
   void run(double duration) {
@@ -56,6 +55,7 @@ class Air {
       for (std::size_t k = 0; k < peers.size(); ++k) {
         peers[k]->step(clock(k), [&](std::span<const std::byte> bytes) {
           if (on_air[k]) said.emplace_back(bytes.begin(), bytes.end());
+          return true;
         });
         const auto found = peers[k]->take_changes();
         changes[k].insert(changes[k].end(), found.begin(), found.end());
@@ -92,10 +92,8 @@ class Air {
   }
 };
 
-class Methods : public testing::TestWithParam<GatewayMethod> {};
-
-TEST_P(Methods, BringMessagesToBothSides) {
-  Air air(GetParam());
+TEST(ModemPeer, BringsMessagesToBothSides) {
+  Air air;
   air.station().send(message_of(kSimulated, kFirst, 1, air.clock(0)), air.clock(0));
   air.first().send(message_of(kFirst, kOther, 2, air.clock(1)), air.clock(1));
   air.run(0.05);
@@ -109,10 +107,6 @@ TEST_P(Methods, BringMessagesToBothSides) {
   // Sent 10 ms before it came at most, by the receiver's clock.
   EXPECT_NEAR(air.came[0][0].sent.seconds(), air.clock(0).seconds() - 0.05, 0.011);
 }
-
-INSTANTIATE_TEST_SUITE_P(Gateways, Methods,
-                         testing::Values(GatewayMethod::kFixed,
-                                         GatewayMethod::kAltering));
 
 TEST(ModemPeer, FindsAllWhoAreReachedThroughOthers) {
   Air air;
@@ -139,7 +133,7 @@ TEST(ModemPeer, KeepsItsOwnKnowledgeWhileItIsAwayAndIsReachedAgain) {
   EXPECT_TRUE(air.station().hears(kSecond));
   air.clear();
   air.station().send(message_of(kSimulated, kFirst, 1, air.clock(0)), air.clock(0));
-  EXPECT_EQ(air.station().statistics().unreachable, 1u);
+  EXPECT_EQ(air.station_statistics().unreachable, 1u);
   air.on_air[1] = true;
   // An advertisement comes each 1.1 s at most.
   air.run(1.2);
@@ -162,7 +156,7 @@ TEST(ModemPeer, TakesWhatComesTwiceOnce) {
   air.first().send(message_of(kFirst, kSimulated, 1, air.clock(1)), air.clock(1));
   air.run(0.05);
   EXPECT_EQ(air.came[0].size(), 1u);
-  EXPECT_GE(air.station().statistics().duplicates, 2u);
+  EXPECT_GE(air.station_statistics().duplicates, 2u);
 }
 
 TEST(ModemPeer, NeverSendsWhatCameByTheModem) {
@@ -186,38 +180,40 @@ TEST(ModemPeer, SendsAMessageToSeveralOnce) {
   Air air;
   air.run(0.5);
   air.clear();
-  const std::uint64_t before = air.station().statistics().sent;
+  const std::uint64_t before = air.station_statistics().sent;
   const Time sent = air.clock(0);
   air.station().send(message_of(kSimulated, kFirst, 1, sent, 7), sent);
   air.station().send(message_of(kSimulated, kSecond, 2, sent, 7), sent);
   air.station().step(sent, [&](std::span<const std::byte> bytes) {
     air.first().receive(bytes, air.clock(1), air.came[1]);
     air.second().receive(bytes, air.clock(2), air.came[2]);
+    return true;
   });
-  EXPECT_LE(air.station().statistics().sent - before, 2u) << "and an advertisement";
+  EXPECT_LE(air.station_statistics().sent - before, 2u) << "and an advertisement";
   ASSERT_TRUE(air.came[1].size() == 1 && air.came[2].size() == 1);
   EXPECT_EQ(air.came[2][0].to, kSecond);
 }
 
 TEST(ModemPeer, InjectsWhatNobodyTakes) {
   Air air;
-  const std::uint64_t heard = air.first().statistics().heard_bytes;
+  const std::uint64_t heard = air.first().statistics(air.clock(1)).heard_bytes;
   air.station().inject(message_of(kSimulated, kOther, 1, air.clock(0)), air.clock(0));
   air.station().inject(message_of(kSimulated, kEveryone, 2, air.clock(0)), air.clock(0));
   air.run(0.02);
-  EXPECT_EQ(air.station().statistics().injected, 2u);
-  EXPECT_GT(air.first().statistics().heard_bytes, heard) << "it feels the load";
+  EXPECT_EQ(air.station_statistics().injected, 2u);
+  EXPECT_GT(air.first().statistics(air.clock(1)).heard_bytes, heard)
+      << "it feels the load";
   EXPECT_TRUE(air.came[1].empty());
 }
 
 TEST(ModemPeer, PacesAdvertisementsToo) {
   // Ten messages of 60 B at least want more than 2 kbit/s in a second.
-  Air air(GatewayMethod::kFixed, {2000, 10, seconds(60)});
-  const ModemStatistics before = air.station().statistics();
+  Air air({2000, 10, seconds(60)});
+  const ModemStatistics before = air.station_statistics();
   for (std::uint8_t k = 0; k < 20; ++k)
     air.station().send(message_of(kSimulated, kFirst, k, air.clock(0), k), air.clock(0));
   air.run(1);
-  const ModemStatistics after = air.station().statistics();
+  const ModemStatistics after = air.station_statistics();
   const double bits = 8 * static_cast<double>(after.sent_bytes - before.sent_bytes);
   // One datagram more than the rate allows, of at most 120 B.
   EXPECT_LE(bits, 2000 * (1 + 0.02) + 8 * 120);
@@ -242,9 +238,176 @@ TEST(ModemPeer, DoesNotBelieveWhomItDoesNotKnow) {
   forged.payload = Advertisement{12345, {kSecond.value}};
   bytes.clear();
   encode(forged, bytes);
-  const std::uint64_t unknown = air.station().statistics().unknown;
+  const std::uint64_t unknown = air.station_statistics().unknown;
   air.station().receive(bytes, air.clock(0), air.came[0]);
-  EXPECT_EQ(air.station().statistics().unknown, unknown + 1) << "of another scenario";
+  EXPECT_EQ(air.station_statistics().unknown, unknown + 1) << "of another scenario";
+}
+
+std::vector<std::byte> coded(const Datagram& datagram) {
+  std::vector<std::byte> bytes;
+  encode(datagram, bytes);
+  return bytes;
+}
+
+Datagram advertisement_of(std::uint32_t hw, std::uint64_t session, EntityId who) {
+  Datagram datagram;
+  datagram.session = session;
+  datagram.origin = {hw, who.value};
+  datagram.to = {kAll, kAll};
+  datagram.number = 1;
+  datagram.payload = Advertisement{0, {who.value}};
+  return datagram;
+}
+
+TEST(ModemPeer, IsNotFilledOrShutOutByWhomItDoesNotKnow) {
+  Air air;
+  // Of nobody, and of the first real one in a session that never ends.
+  Datagram invented;
+  invented.origin = {0, kSecond.value};
+  invented.to = {1, kSimulated.value};
+  invented.number = 1;
+  invented.payload = Carried{message_of(kSecond, kSimulated, 1, air.now), {}};
+  for (std::uint32_t hw = 1000; hw < 3000; ++hw) {
+    invented.origin.hw = hw;
+    air.station().receive(coded(invented), air.clock(0), air.came[0]);
+  }
+  const Datagram false_session = advertisement_of(11, ~std::uint64_t{0}, kFirst);
+  air.station().receive(coded(false_session), air.clock(0), air.came[0]);
+  EXPECT_TRUE(air.came[0].empty());
+  air.first().send(message_of(kFirst, kSimulated, 1, air.clock(1)), air.clock(1));
+  air.run(0.05);
+  EXPECT_EQ(air.came[0].size(), 1u) << "its session goes on";
+  EXPECT_EQ(air.station_statistics().unknown, 2000u);
+}
+
+TEST(ModemPeer, GivesWhatIsForSeveralToEachOfThem) {
+  Air air;
+  air.clear();
+  const Time sent = air.clock(1);
+  air.first().send(message_of(kFirst, kSimulated, 1, sent, 7), sent);
+  air.first().send(message_of(kFirst, kStation, 2, sent, 7), sent);
+  air.run(0.05);
+  ASSERT_EQ(air.came[0].size(), 2u) << "and not to all";
+  EXPECT_EQ(air.came[0][0].to, kStation);
+  EXPECT_EQ(air.came[0][1].to, kSimulated);
+  EXPECT_TRUE(air.came[2].empty());
+}
+
+TEST(ModemPeer, FindsThatAnotherModemHasItsAddress) {
+  Air air;
+  const auto other = coded(advertisement_of(1, 77, kFirst));
+  air.station().receive(other, air.clock(0), air.came[0]);
+  const auto clash = air.station().take_clash();
+  ASSERT_TRUE(clash);
+  EXPECT_EQ(clash->identities, std::vector<EntityId>{kFirst});
+  air.station().receive(other, air.clock(0), air.came[0]);
+  EXPECT_FALSE(air.station().take_clash()) << "said once a minute";
+  EXPECT_EQ(air.station_statistics().clashes, 2u);
+  air.run(2);
+  EXPECT_EQ(air.station_statistics().clashes, 2u) << "its own echo is none";
+}
+
+TEST(ModemPeer, CountsWhatNobodyTakesAsUnsent) {
+  Air air;
+  const ModemStatistics before = air.station_statistics();
+  air.station().send(message_of(kSimulated, kFirst, 1, air.clock(0)), air.clock(0));
+  air.station().step(air.clock(0), [](auto) { return false; });
+  const ModemStatistics after = air.station_statistics();
+  EXPECT_EQ(after.sent, before.sent);
+  EXPECT_GE(after.unsent, 1u);
+  Message long_one = message_of(kSimulated, kFirst, 2, air.clock(0));
+  long_one.content = PluginPayload{"test", std::vector<std::uint8_t>(kMaxDatagram)};
+  air.station().send(long_one, air.clock(0));
+  air.run(0.02);
+  EXPECT_EQ(air.station_statistics().too_long, 1u);
+}
+
+TEST(ModemPeer, KnowsTheLoadByWhatItHearsAndSays) {
+  ModemPeerOptions options;
+  options.identities = {kFirst};
+  options.entities = 2;
+  options.queue.rate = 10'000;
+  ModemPeer peer(options);
+  std::vector<Message> came;
+  // 10 x 62.5 bytes in a second are half of it.
+  for (int k = 0; k < 10; ++k)
+    peer.receive(std::vector<std::byte>(k % 2 == 0 ? 62 : 63), seconds(0.1 * k), came);
+  EXPECT_NEAR(peer.statistics(seconds(1)).load, 0.5, 1e-9);
+}
+
+// A seal that a test understands: the number of the key, and a sum.
+DatagramSeal seal_of(std::uint8_t key, bool required = true) {
+  const auto sum = [key](std::span<const std::byte> bytes) {
+    unsigned all = key;
+    for (const std::byte each : bytes) all += std::to_integer<unsigned>(each) + 1;
+    return static_cast<std::byte>(all & 0xFF);
+  };
+  return {1,
+          [sum](std::vector<std::byte>& datagram, std::uint64_t) {
+            datagram.push_back(sum(datagram));
+          },
+          [sum](std::span<const std::byte> sealed) {
+            return sealed.back() == sum(sealed.first(sealed.size() - 1));
+          },
+          required};
+}
+
+ModemPeerOptions sealed_options(std::uint32_t hw, EntityId self, DatagramSeal seal) {
+  ModemPeerOptions options;
+  options.hw = hw;
+  options.identities = {self};
+  options.entities = 2;
+  options.seal = std::move(seal);
+  return options;
+}
+
+std::vector<std::byte> advertisement_by(ModemPeer& peer) {
+  std::vector<std::byte> said;
+  peer.step(Time(), [&](std::span<const std::byte> bytes) {
+    said.assign(bytes.begin(), bytes.end());
+    return true;
+  });
+  return said;
+}
+
+TEST(SealedModemPeer, HearsWhoHasTheKeyAndNobodyElse) {
+  std::vector<Message> came;
+  ModemPeer station(sealed_options(1, kStation, seal_of(1)));
+  ModemPeer real(sealed_options(2, kFirst, seal_of(1)));
+  ModemPeer stranger(sealed_options(3, kFirst, seal_of(2)));
+  station.receive(coded(advertisement_of(4, 1, kFirst)), Time(), came);
+  station.receive(advertisement_by(stranger), Time(), came);
+  station.receive({}, Time(), came);
+  EXPECT_FALSE(station.hears(kFirst));
+  EXPECT_EQ(station.statistics(Time()).unauthentic, 3u);
+  EXPECT_EQ(station.statistics(Time()).heard, 0u);
+  const auto said = advertisement_by(real);
+  station.receive(said, Time(), came);
+  EXPECT_TRUE(station.hears(kFirst));
+  auto altered = said;
+  altered[10] ^= std::byte{1};
+  station.receive(altered, Time(), came);
+  EXPECT_EQ(station.statistics(Time()).unauthentic, 4u);
+  station.receive(said, Time(), came);
+  EXPECT_EQ(station.statistics(Time()).duplicates, 1u);
+  // Long after: nothing of a session that is over counts again.
+  station.step(seconds(100), [](auto) { return true; });
+  EXPECT_FALSE(station.hears(kFirst));
+  station.receive(said, seconds(100), came);
+  EXPECT_FALSE(station.hears(kFirst));
+}
+
+TEST(SealedModemPeer, OnlyCountsWhereItIsNotRequired) {
+  std::vector<Message> came;
+  for (const bool sealed : {false, true}) {
+    ModemPeer station(sealed_options(1, kStation, seal_of(1, false)));
+    ModemPeer stranger(sealed_options(3, kFirst, seal_of(2)));
+    station.receive(
+        sealed ? advertisement_by(stranger) : coded(advertisement_of(4, 1, kFirst)),
+        Time(), came);
+    EXPECT_TRUE(station.hears(kFirst)) << sealed;
+    EXPECT_EQ(station.statistics(Time()).unauthentic, 1u);
+  }
 }
 
 }  // namespace

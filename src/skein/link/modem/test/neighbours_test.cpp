@@ -45,23 +45,53 @@ TEST(NeighbourTable, KeepsTheFirstOfTwoAndKnowsNobodyElse) {
   EXPECT_EQ(changes.size(), 1u);
 }
 
-TEST(Duplicates, AreToldFromWhatIsNew) {
-  Duplicates seen;
-  for (const std::uint64_t number : {1u, 3u, 2u, 70u, 6u, 100u})
-    EXPECT_TRUE(seen.is_new(1, 5, number, seconds(0))) << number;
-  for (const std::uint64_t number : {3u, 70u, 100u, 6u, 1u, 30u})
-    EXPECT_FALSE(seen.is_new(1, 5, number, seconds(0))) << number;
-  EXPECT_TRUE(seen.is_new(2, 5, 3, seconds(0))) << "another origin";
-  EXPECT_TRUE(seen.is_new(1, 6, 3, seconds(1))) << "it began anew";
-  EXPECT_FALSE(seen.is_new(1, 5, 200, seconds(2))) << "of before";
+TEST(NeighbourTable, SaysWhomItTakesAndWhichModemsItNeeds) {
+  NeighbourTable table(3, seconds(3));
+  std::vector<NeighbourChange> changes;
+  EXPECT_TRUE(table.takes({7, 1}));
+  EXPECT_FALSE(table.takes({7, 3}) || table.takes({kAll, 1}));
+  table.advertised({7, 1}, seconds(0), changes);
+  EXPECT_TRUE(table.takes({7, 1}) && table.reaches_through(7));
+  EXPECT_FALSE(table.takes({8, 1}) || table.reaches_through(8));
 }
 
-TEST(Duplicates, HoldsNoMoreThanItSays) {
-  Duplicates seen;
-  std::size_t taken = 0;
-  for (std::uint32_t origin = 0; origin < 5000; ++origin)
-    taken += seen.is_new(origin, 1, 1, seconds(0)) ? 1 : 0;
-  EXPECT_EQ(taken, 1000u);
+constexpr Time kPatience = Time::from_ns(3'000'000'000);
+
+TEST(Duplicates, AreToldFromWhatIsNew) {
+  Duplicates seen(SessionRule::kFirst, kPatience);
+  for (const std::uint64_t number : {1u, 3u, 2u, 70u, 7u, 100u})
+    EXPECT_TRUE(seen.is_new(1, 5, number, seconds(0))) << number;
+  for (const std::uint64_t number : {3u, 70u, 100u, 7u, 1u, 30u})
+    EXPECT_FALSE(seen.is_new(1, 5, number, seconds(0))) << number;
+  EXPECT_TRUE(seen.is_new(2, 5, 3, seconds(0))) << "another origin";
+}
+
+TEST(Duplicates, AreFoundAtTheEdgeOfTheWindow) {
+  for (std::uint64_t ahead = 1; ahead < 70; ++ahead) {
+    Duplicates seen(SessionRule::kFirst, kPatience);
+    EXPECT_TRUE(seen.is_new(1, 5, 10, seconds(0)));
+    EXPECT_TRUE(seen.is_new(1, 5, 10 + ahead, seconds(0)));
+    EXPECT_FALSE(seen.is_new(1, 5, 10, seconds(0))) << ahead;
+  }
+}
+
+TEST(Duplicates, KeepToTheFirstSessionWhileItIsHeard) {
+  Duplicates seen(SessionRule::kFirst, kPatience);
+  EXPECT_TRUE(seen.is_new(1, 5, 1, seconds(0)));
+  EXPECT_FALSE(seen.is_new(1, ~std::uint64_t{0}, 1, seconds(1))) << "made up";
+  EXPECT_TRUE(seen.is_new(1, 5, 2, seconds(2)));
+  EXPECT_TRUE(seen.is_new(1, 4, 1, seconds(5.5))) << "the other is silent";
+  seen.lost(1);
+  EXPECT_TRUE(seen.is_new(1, 3, 1, seconds(5.6)));
+}
+
+TEST(Duplicates, KeepToTheNewestSessionWhereNoneCanBeMadeUp) {
+  Duplicates seen(SessionRule::kNewest, kPatience);
+  EXPECT_TRUE(seen.is_new(1, 5, 9, seconds(0)));
+  EXPECT_TRUE(seen.is_new(1, 6, 3, seconds(1))) << "it began anew";
+  seen.lost(1);
+  EXPECT_FALSE(seen.is_new(1, 5, 10, seconds(100))) << "of before";
+  EXPECT_FALSE(seen.is_new(1, 6, 3, seconds(100)));
 }
 
 }  // namespace

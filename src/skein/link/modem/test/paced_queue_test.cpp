@@ -90,5 +90,15 @@ TEST(PacedQueue, SendsCopiesOfAMessageOnce) {
   EXPECT_EQ(second->to, (Address{6, 5}));
 }
 
+TEST(PacedQueue, DropsTheDeadBeforeItRefusesTheLiving) {
+  PacedQueue queue({0, 2, seconds(1)});
+  queue.put(waiting_of(1, Urgency::kSafety, seconds(0)));
+  queue.put(waiting_of(2, Urgency::kSafety, seconds(2)));
+  queue.put(waiting_of(3, Urgency::kReport, seconds(2)));
+  EXPECT_EQ(queue.losses().expired, 1u);
+  EXPECT_EQ(queue.losses().full, 0u);
+  EXPECT_EQ(all_of(queue, seconds(2)), (std::vector<std::uint64_t>{2, 3}));
+}
+
 }  // namespace
 }  // namespace skein::modem

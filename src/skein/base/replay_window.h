@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace skein::communication {
+namespace skein {
 
 /// Which counters of a sender a receiver has seen: each is accepted once, in any order
 /// within the last 64, none before these.
@@ -30,4 +30,4 @@ class ReplayWindow {
   std::uint64_t seen_ = 0;  // bit k: highest_ - k
 };
 
-}  // namespace skein::communication
+}  // namespace skein
