@@ -12,6 +12,7 @@
 #include "skein/base/time.h"
 #include "skein/data/describe.h"
 #include "skein/data/fire.h"
+#include "skein/data/fire_report.h"
 #include "skein/data/landing_message.h"
 #include "skein/data/object.h"
 #include "skein/data/separation_message.h"
@@ -62,18 +63,6 @@ constexpr auto describe(const AircraftReport*) {
 ///
 /// @param least  where reports come as often as is wanted [s]
 double silence_allowed(const AircraftReport& report, double least);
-
-/// Readings of a fire sensor in order of time, in one message.
-struct FireReport {
-  std::vector<FireReading> readings;
-};
-
-constexpr auto describe(const FireReport*) {
-  using T = FireReport;
-  return described<T>(
-      {"readings"}, "Readings of a fire sensor.",
-      field("readings", &T::readings, Storage::kJson, "in order of time"));
-}
 
 /// Where an aircraft of the team is, reported by the ground station or by itself.
 struct TeamPosition {

@@ -6,6 +6,7 @@
 
 #include "skein/data/agent_step.h"
 #include "skein/data/fire.h"
+#include "skein/data/fire_report.h"
 #include "skein/layer/reasoning/agent/report_rate.h"
 
 namespace skein::reasoning {
@@ -14,8 +15,8 @@ namespace skein::reasoning {
 /// and records it.
 ///
 /// Where the air has no room for all readings, those on both sides of a change are sent,
-/// as they say where the fire's edge is, and a share of the others, evenly; the first
-/// ones, when all have more to say, later.
+/// as they say where the fire's edge is, and a share of the others, evenly; with them
+/// some places that were seen to burn since the last report, as what has burnt stays so.
 class FireReadings {
  public:
   FireReadings(EntityId self, EntityId station)
@@ -29,12 +30,22 @@ class FireReadings {
   std::span<const FireReading> latest() const { return latest_; }
 
  private:
+  void take(const FireReading& reading, double share);
+  void remember(const FireReading& reading);
+  Message report();
+
   EntityId self_, station_;
   std::optional<FireReading> last_;
   bool last_sent_ = false;
-  std::vector<FireReading> to_send_;
   double credit_;  // of readings that may be sent
   std::vector<FireReading> latest_;
+  struct Selected {
+    FireReading reading;
+    bool adjacent = false;
+  };
+  std::vector<Selected> selected_;  // to be sent now
+  std::vector<Vec2> burning_;       // seen since the last report and not sent
+  double burning_apart_ = 0;        // these are at least so far from each other [m]
 };
 
 }  // namespace skein::reasoning

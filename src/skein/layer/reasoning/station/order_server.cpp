@@ -179,10 +179,12 @@ bool OrderServer::has(const Member& member, std::size_t mission) const {
 bool OrderServer::concerns(const Message& message, std::size_t mission,
                            const ReadingRouter& readings) {
   if (!readings.divides()) return true;
-  const auto* reading = std::get_if<FireReading>(&message.content);
+  std::optional<FireReading> reading;
+  if (const auto* one = std::get_if<FireReading>(&message.content)) reading = *one;
   // Those of one message are of one sensor and nearly one place.
   const auto* several = std::get_if<FireReport>(&message.content);
-  if (several && !several->readings.empty()) reading = &several->readings.back();
+  if (several && !several->readings.empty())
+    reading = reading_of(*several, several->readings.back(), message.from);
   if (!reading) return true;
   const Member* member = find(reading->aircraft);
   return readings.belongs(*reading, member ? member->mission : std::nullopt, mission);

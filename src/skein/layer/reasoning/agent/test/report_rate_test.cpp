@@ -103,8 +103,9 @@ std::vector<FireReading> sent(double share) {
       if (const auto* one = std::get_if<FireReading>(&message.content))
         all.push_back(*one);
       else
-        for (const FireReading& each : std::get<FireReport>(message.content).readings)
-          all.push_back(each);
+        for (const FireReport& report = std::get<FireReport>(message.content);
+             const BriefReading& each : report.readings)
+          all.push_back(reading_of(report, each, EntityId{1}));
     }
   }
   return all;
@@ -123,6 +124,41 @@ TEST(FireReadings, SendsBothSidesOfAChangeWhereThereIsNot) {
   ASSERT_NE(change, few.end());
   EXPECT_EQ(change->time, Time::from_seconds(49));
   EXPECT_EQ((change + 1)->time, Time::from_seconds(50));
+}
+
+TEST(FireReadings, SaysWhereItHasSeenFireOnItsWay) {
+  FireReadings readings(EntityId{1}, EntityId{0});
+  std::vector<FireReport> reports;
+  // 20 m a second to the north, over fire from 1 to 3 km.
+  for (int t = 0; t < 200; ++t) {
+    NavEstimate nav;
+    nav.time = Time::from_seconds(t);
+    nav.p_N = {20.0 * t, 0, -100};
+    const std::vector<SensorSample> samples = {
+        FireSample{nav.time, 0, t >= 50 && t < 150}};
+    AgentInput in;
+    in.now = nav.time;
+    in.nav = &nav;
+    in.samples = samples;
+    AgentOutput out;
+    readings.step(in, 1e-4, out);
+    for (const Message& message : out.outbox)
+      reports.push_back(std::get<FireReport>(message.content));
+  }
+  ASSERT_EQ(reports.size(), 2u) << "into the fire and out of it";
+  EXPECT_TRUE(reports[0].burning.empty());
+  ASSERT_EQ(reports[0].readings.size(), 2u);
+  EXPECT_FALSE(reports[0].readings[0].adjacent);
+  EXPECT_TRUE(reports[0].readings[1].adjacent);
+  const auto& burning = reports[1].burning;
+  ASSERT_GE(burning.size(), 4u);
+  EXPECT_LE(burning.size(), 8u);
+  for (const BriefPlace& place : burning) {
+    EXPECT_GE(place.north_dm, 10'000);
+    EXPECT_LT(place.north_dm, 30'000);
+  }
+  EXPECT_LT(burning.front().north_dm, 14'000);
+  EXPECT_GT(burning.back().north_dm, 24'000);
 }
 
 }  // namespace

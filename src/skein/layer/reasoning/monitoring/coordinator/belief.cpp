@@ -6,7 +6,8 @@
 namespace skein::monitoring {
 namespace {
 
-bool earlier(const FireReading& a, const FireReading& b) {
+bool earlier(const HeardReading& one, const HeardReading& other) {
+  const FireReading &a = one.reading, &b = other.reading;
   return std::tie(a.time, a.aircraft) < std::tie(b.time, b.aircraft);
 }
 
@@ -17,11 +18,12 @@ Belief::Belief(std::unique_ptr<PerimeterEstimator> estimator, double window)
   checkpoints_.push_back(now_.copy());
 }
 
-std::vector<Crossing> Belief::use(const FireReading& reading) {
+std::vector<Crossing> Belief::use(const HeardReading& heard) {
+  const FireReading& reading = heard.reading;
   now_.estimator->predict(reading.time);
   now_.time = reading.time;
   std::vector<Crossing> crossings;
-  if (const auto crossing = now_.detector.take(reading)) {
+  if (const auto crossing = now_.detector.take(heard)) {
     now_.estimator->observe(*crossing);
     crossings.push_back(*crossing);
   } else {
@@ -30,38 +32,42 @@ std::vector<Crossing> Belief::use(const FireReading& reading) {
   return crossings;
 }
 
-std::vector<Crossing> Belief::take(std::vector<FireReading> readings) {
+std::vector<Crossing> Belief::take(std::vector<HeardReading> readings) {
   std::vector<Crossing> crossings;
   if (readings.empty()) return crossings;
-  std::sort(readings.begin(), readings.end(), earlier);
+  std::stable_sort(readings.begin(), readings.end(), earlier);
   const Time oldest = checkpoints_.front().time;
-  const auto kept = std::find_if(readings.begin(), readings.end(),
-                                 [&](const FireReading& r) { return r.time > oldest; });
+  const auto kept =
+      std::find_if(readings.begin(), readings.end(),
+                   [&](const HeardReading& r) { return r.reading.time > oldest; });
   dropped_ += static_cast<int>(kept - readings.begin());
   readings.erase(readings.begin(), kept);
   if (readings.empty()) return crossings;
 
-  std::vector<FireReading> to_use = readings;
-  if (readings.front().time < now_.time) {
+  std::vector<HeardReading> to_use = readings;
+  const Time first = readings.front().reading.time;
+  if (first < now_.time) {
     // Go back to the last checkpoint before the earliest late reading.
-    while (checkpoints_.size() > 1 && checkpoints_.back().time >= readings.front().time)
+    while (checkpoints_.size() > 1 && checkpoints_.back().time >= first)
       checkpoints_.pop_back();
     now_ = checkpoints_.back().copy();
-    const auto since = std::find_if(history_.begin(), history_.end(),
-                                    [&](const auto& r) { return r.time > now_.time; });
+    const auto since = std::find_if(history_.begin(), history_.end(), [&](const auto& r) {
+      return r.reading.time > now_.time;
+    });
     to_use.clear();
     std::merge(since, history_.end(), readings.begin(), readings.end(),
                std::back_inserter(to_use), earlier);
     history_.erase(since, history_.end());
   }
-  for (const FireReading& reading : to_use) {
+  for (const HeardReading& heard : to_use) {
+    const FireReading& reading = heard.reading;
     const bool fresh = std::any_of(readings.begin(), readings.end(), [&](const auto& r) {
-      return r.time == reading.time && r.aircraft == reading.aircraft;
+      return r.reading.time == reading.time && r.reading.aircraft == reading.aircraft;
     });
     if (reading.time > now_.time) keep_checkpoint();
-    for (const Crossing& crossing : use(reading))
+    for (const Crossing& crossing : use(heard))
       if (fresh) crossings.push_back(crossing);
-    history_.push_back(reading);
+    history_.push_back(heard);
   }
   return crossings;
 }
@@ -73,8 +79,8 @@ void Belief::keep_checkpoint() {
   while (checkpoints_.size() > 1 &&
          (now_.time - checkpoints_[1].time).seconds() >= window_)
     checkpoints_.pop_front();
-  std::erase_if(history_, [&](const FireReading& r) {
-    return r.time <= checkpoints_.front().time;
+  std::erase_if(history_, [&](const HeardReading& r) {
+    return r.reading.time <= checkpoints_.front().time;
   });
 }
 

@@ -23,7 +23,7 @@ class Belief {
 
   /// Uses `readings` (any order). Returns the crossings among them that had not been seen
   /// before, in order of time.
-  std::vector<Crossing> take(std::vector<FireReading> readings);
+  std::vector<Crossing> take(std::vector<HeardReading> readings);
 
   /// Carries the belief on to `time`, if it is not there already; readings from before
   /// that are late from then on.
@@ -51,13 +51,13 @@ class Belief {
     Checkpoint copy() const { return {time, estimator->clone(), detector}; }
   };
 
-  std::vector<Crossing> use(const FireReading& reading);
+  std::vector<Crossing> use(const HeardReading& heard);
   void keep_checkpoint();
 
   double window_;
   Checkpoint now_;
   std::deque<Checkpoint> checkpoints_;  // oldest first
-  std::vector<FireReading> history_;    // since the oldest checkpoint, in order of time
+  std::vector<HeardReading> history_;   // since the oldest checkpoint, in order of time
   int dropped_ = 0;
 };
 

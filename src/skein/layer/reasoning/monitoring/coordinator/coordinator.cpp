@@ -18,6 +18,8 @@ constexpr double kNewsEvery = 60;   // of one kind of warning [s]
 constexpr double kAssembly = 3;     // for all to report before they are deployed [s]
 constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
 constexpr int kResentAtOnce = 5;    // where others use the same medium
+constexpr double kSurelyOut = 3;  // standard deviations of the boundary
+constexpr double kFurtherOut = 200;     // further out than these nothing is expected [m]
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
 // outside at the fire's origin, from inside beyond the nearest believed boundary.
@@ -33,6 +35,32 @@ Vec2 sure_crossing(const AircraftStatus& aircraft, const BoundaryEstimate& bound
         nearest = &point;
   if (!nearest) return here + 1000 * geo::unit(aircraft.nav.heading);
   return nearest->position + (3 * nearest->sigma + 200) * nearest->normal;
+}
+
+// Whether an aircraft has crossed all that may burn by what is believed.
+bool has_passed(const AircraftStatus& aircraft, const BoundaryEstimate& boundary,
+                const Vec2& origin) {
+  const Vec2 here = geo::horizontal(aircraft.nav.p_N);
+  const Vec2 out = here - origin;
+  const auto* transect = std::get_if<FlyCourse>(&aircraft.task.what);
+  if (!transect || out.dot(geo::unit(transect->course)) <= 0 ||
+      aircraft.inside.value_or(false))
+    return false;
+  for (const auto& ring : boundary.rings)
+    for (const BoundaryPoint& point : ring)
+      if ((point.position - origin).norm() + kSurelyOut * point.sigma + kFurtherOut >
+          out.norm())
+        return false;
+  return !boundary.rings.empty();
+}
+
+// What an aircraft says where the air has no room for all of its readings.
+void hear(const FireReport& report, EntityId aircraft, std::vector<HeardReading>& out) {
+  for (const BriefPlace& place : report.burning)
+    out.push_back({reading_of(report, place, aircraft), Follows::kNothing});
+  for (const BriefReading& each : report.readings)
+    out.push_back({reading_of(report, each, aircraft),
+                   each.adjacent ? Follows::kDirectly : Follows::kPerhaps});
 }
 
 void send_order(const Member& member, AgentOutput& out) {
@@ -104,20 +132,21 @@ void Coordinator::record_forecast(Forecast ahead, AgentOutput& out) const {
 }
 
 void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
-  std::vector<FireReading> readings;
+  std::vector<HeardReading> readings;
   for (const Message& message : in.inbox) {
     if (const auto* report = std::get_if<AircraftReport>(&message.content))
       roster_.take(*report, message.from, in.now);
     else if (const auto* reading = std::get_if<FireReading>(&message.content))
-      readings.push_back(*reading);
+      readings.push_back({*reading});
     else if (const auto* several = std::get_if<FireReport>(&message.content))
-      readings.insert(readings.end(), several->readings.begin(), several->readings.end());
+      hear(*several, message.from, readings);
     else if (const auto* change = std::get_if<ZoneChange>(&message.content))
       zones_.take(*change);
   }
   if (!readings.empty()) last_heard_ = in.now;
-  for (const FireReading& reading : readings)
-    if (Member* member = roster_.find(reading.aircraft))
+  for (const auto& [reading, follows] : readings)
+    if (Member* member = roster_.find(reading.aircraft);
+        member && follows != Follows::kNothing)
       member->status.inside = reading.inside;
   for (const Crossing& crossing : belief_.take(std::move(readings)))
     note_crossing(crossing, out);
@@ -198,7 +227,8 @@ void Coordinator::deploy(Time now, AgentOutput& out) {
     if (!member.deploying) continue;
     all = false;
     const bool flies = member.status.task.number > 0 && !member.enters;
-    if (flies && (now - member.deployed).seconds() > options_.deployment_limit) {
+    if (flies && ((now - member.deployed).seconds() > options_.deployment_limit ||
+                  has_passed(member.status, boundary_, options_.origin))) {
       member.deploying = false;  // the transect found nothing: the strategy decides
       out.events.push_back({now, member.status.id, "no-crossing",
                             "the deployment transect met no boundary"});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 
@@ -7,18 +8,32 @@
 
 namespace skein::monitoring {
 
+/// What is known of a reading and the one of its aircraft that was heard before.
+enum class Follows : std::uint8_t {
+  kByTime,    ///< directly, unless their times tell that others were lost
+  kDirectly,  ///< nothing was read between them
+  kPerhaps,   ///< others may not have been sent
+  kNothing,   ///< it is of a place passed at some time before
+};
+
+/// A reading as it is heard.
+struct HeardReading {
+  FireReading reading;
+  Follows follows = Follows::kByTime;
+};
+
 /// Finds the moments when an aircraft passed the boundary: two successive readings that
 /// differ.
 class CrossingDetector {
  public:
   /// @param longest_gap  Readings further apart in time than this make no crossing [s]:
-  /// those between them were lost. A sensor that is slower (up to one reading in 30 s) is
-  /// allowed one and a half of its own periods.
+  /// those between them were lost, or not sent. A sensor that is slower (up to one
+  /// reading in 30 s) is allowed one and a half of its own periods.
   explicit CrossingDetector(double longest_gap = 3) : longest_gap_(longest_gap) {}
 
   /// Takes the next reading of an aircraft (times do not go back for one aircraft) and
   /// gives the crossing that it completes, if any.
-  std::optional<Crossing> take(const FireReading& reading);
+  std::optional<Crossing> take(const HeardReading& heard);
 
  private:
   double longest_gap_;

@@ -66,30 +66,50 @@ FireReading reading(double t, std::uint32_t aircraft, bool inside) {
   return r;
 }
 
+HeardReading heard(double t, std::uint32_t aircraft, bool inside,
+                   Follows follows = Follows::kByTime) {
+  return {reading(t, aircraft, inside), follows};
+}
+
 TEST(CrossingDetector, FindsTheFlipBetweenTwoReadings) {
   CrossingDetector detector;
-  EXPECT_FALSE(detector.take(reading(1, 0, false)));
-  EXPECT_FALSE(detector.take(reading(1.5, 1, true)));  // another aircraft
-  const auto crossing = detector.take(reading(2, 0, true));
+  EXPECT_FALSE(detector.take(heard(1, 0, false)));
+  EXPECT_FALSE(detector.take(heard(1.5, 1, true)));  // another aircraft
+  const auto crossing = detector.take(heard(2, 0, true));
   ASSERT_TRUE(crossing);
   EXPECT_TRUE(crossing->entered);
   EXPECT_NEAR(crossing->point.x(), 15, 1e-12);
   EXPECT_NEAR(crossing->track.x(), 10, 1e-12);
-  EXPECT_FALSE(detector.take(reading(9, 0, false))) << "too long ago to be a crossing";
+  EXPECT_FALSE(detector.take(heard(9, 0, false))) << "too long ago to be a crossing";
 }
 
 TEST(CrossingDetector, PairsTheReadingsOfASlowSensor) {
   CrossingDetector detector;
-  EXPECT_FALSE(detector.take(reading(5, 0, false)));
-  EXPECT_TRUE(detector.take(reading(10, 0, true)));
-  EXPECT_FALSE(detector.take(reading(25, 0, false))) << "two readings were lost";
-  EXPECT_TRUE(detector.take(reading(30, 0, true)));
+  EXPECT_FALSE(detector.take(heard(5, 0, false)));
+  EXPECT_TRUE(detector.take(heard(10, 0, true)));
+  EXPECT_FALSE(detector.take(heard(25, 0, false))) << "two readings were lost";
+  EXPECT_TRUE(detector.take(heard(30, 0, true)));
+}
+
+// Where the air has no room for all, the two that differ come together, or not at all.
+TEST(CrossingDetector, PairsNothingAcrossReadingsThatWereNotSent) {
+  CrossingDetector detector;
+  EXPECT_FALSE(detector.take(heard(0, 0, false, Follows::kPerhaps)));
+  EXPECT_FALSE(detector.take(heard(10, 0, false, Follows::kPerhaps)));
+  EXPECT_FALSE(detector.take(heard(20, 0, true, Follows::kPerhaps)))
+      << "ten seconds, as always, but not one after the other";
+  EXPECT_FALSE(detector.take(heard(30, 0, true, Follows::kPerhaps)));
+  EXPECT_FALSE(detector.take(heard(31, 0, false, Follows::kNothing)));
+  EXPECT_TRUE(detector.take(heard(31, 0, false, Follows::kDirectly)));
+  // Those of a slow sensor that were sent together.
+  EXPECT_FALSE(detector.take(heard(60, 1, false, Follows::kPerhaps)));
+  EXPECT_TRUE(detector.take(heard(75, 1, true, Follows::kDirectly)));
 }
 
 TEST(Belief, LateReadingsGiveTheSameAsPunctualOnes) {
-  std::vector<FireReading> all;
+  std::vector<HeardReading> all;
   for (unsigned t = 0; t < 50; ++t)
-    for (unsigned a : {0u, 1u}) all.push_back(reading(t, a, (t / 7 + a) % 2 == 0));
+    for (unsigned a : {0u, 1u}) all.push_back(heard(t, a, (t / 7 + a) % 2 == 0));
   auto punctual_diary = std::make_unique<Diary>();
   Diary* punctual_view = punctual_diary.get();
   Belief punctual(std::move(punctual_diary), 60);
@@ -101,11 +121,11 @@ TEST(Belief, LateReadingsGiveTheSameAsPunctualOnes) {
   Belief late(std::make_unique<Diary>(), 60);
   std::size_t late_crossings = 0;
   for (int t = 0; t < 62; ++t) {
-    std::vector<FireReading> batch;
+    std::vector<HeardReading> batch;
     for (const auto& r : all) {
       const double delay =
-          r.aircraft.value == 1 ? 12 - std::fmod(r.time.seconds(), 3) : 0;
-      const double arrival = r.time.seconds() + delay;
+          r.reading.aircraft.value == 1 ? 12 - std::fmod(r.reading.time.seconds(), 3) : 0;
+      const double arrival = r.reading.time.seconds() + delay;
       if (arrival >= t && arrival < t + 1) batch.push_back(r);
     }
     late_crossings += late.take(batch).size();
@@ -118,14 +138,14 @@ TEST(Belief, LateReadingsGiveTheSameAsPunctualOnes) {
 
 TEST(Belief, DropsWhatIsOlderThanItsWindow) {
   Belief belief(std::make_unique<Diary>(), 20);
-  for (int t = 0; t < 100; ++t) belief.take({reading(t, 0, false)});
-  belief.take({reading(10.5, 1, true)});
+  for (int t = 0; t < 100; ++t) belief.take({heard(t, 0, false)});
+  belief.take({heard(10.5, 1, true)});
   EXPECT_EQ(belief.dropped(), 1);
 }
 
 TEST(Belief, MovesTheBoundaryOnWithItsRate) {
   Belief belief(std::make_unique<Diary>(), 60);
-  belief.take({reading(10, 0, false)});
+  belief.take({heard(10, 0, false)});
   const BoundaryEstimate boundary = belief.boundary_at(Time::from_seconds(13));
   EXPECT_NEAR(boundary.rings[0][0].position.x(), 106, 1e-9);
   EXPECT_NEAR(boundary.rings[0][0].sigma, 6.5, 1e-9);
@@ -207,6 +227,24 @@ TEST(Coordinator, DeploysOnATransectThenAllocatesAtTheFirstCrossing) {
   ASSERT_EQ(tasks.size(), 1u);
   EXPECT_EQ(tasks[0].number, 2u);
   EXPECT_TRUE(std::holds_alternative<FlyTo>(tasks[0].what));
+}
+
+// The diary believes in a boundary about 100 m from the origin; sigma is 5 m.
+TEST(Coordinator, EndsATransectThatHasMissedAllThatIsBelieved) {
+  CoordinatorOptions options;
+  options.team = {EntityId{1}};
+  options.deployment_limit = 600;
+  Station station(options);
+  const auto at = [](double t, double east) {
+    Message message = report(1, t, 1);
+    std::get<AircraftReport>(message.content).nav.p_N = {0, east, -100};
+    return message;
+  };
+  station.step(0, {at(0, 900)});
+  EXPECT_FALSE(has_event(station.step(1, {at(1, 900)}), "no-crossing")) << "on its way";
+  EXPECT_FALSE(has_event(station.step(2, {at(2, -200)}), "no-crossing"))
+      << "there may be more than is believed";
+  EXPECT_TRUE(has_event(station.step(3, {at(3, -800)}), "no-crossing"));
 }
 
 TEST(Coordinator, LooksAheadInPartsFromTheFirstAllocationOnceAPeriod) {
