@@ -13,7 +13,7 @@ struct ReportRateOptions {
   double gain = 0.3;         ///< share of the error that is taken back each second
   double increase = 0.0005;  ///< of the rate, each second, so that all get the same
   double least = 1.0 / 60;   ///< of the rate wanted
-  double start = 0.1;        ///< where others use the same medium
+  double start = 0.05;       ///< where others use the same medium
   /// More messages than these in its own queue: the air is full, whatever it hears.
   std::uint32_t most_waiting = 2;
 };
