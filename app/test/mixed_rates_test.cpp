@@ -22,6 +22,9 @@ TEST_F(Program, RatesOfMixedAndRealEntitiesAgreeAndWithoutTheMediumDoNot) {
   // Each third slot of 20 ms is its own and holds a part of 250 B; a message is five
   // parts: 3333 B/s, and a message more or less.
   EXPECT_LE(rate("all-real/60", "2_to_3"), 3333 + 250);
+  EXPECT_GE(rate("all-real/60", "2_to_3"), 1500);
+  for (const char* pair : {"2_to_3", "3_to_2"})
+    EXPECT_NEAR(rate("mixed/60", pair), rate("all-real/60", pair), 1000) << pair;
   EXPECT_GE(rate("mixed-without-model/60", "2_to_3"), 7500 * 0.9)
       << "simulated ones hear all that is said";
 }

@@ -108,6 +108,24 @@ TEST_F(SameBytes, OfAFleetWithSixDegreesOfFreedom) {
   expect_same(write("fleet.yaml", kFleet).string());
 }
 
+// Shadowing, diffraction at the ground, antennas that turn, routes that are learned,
+// noise.
+TEST_F(SameBytes, OfMessagesThatFightForTheAir) {
+  write("shadowed.yaml",
+        "phy: {transmit_power_dbm: 27, decode_threshold_dbm: -100,\n"
+        "      carrier_sense_threshold_dbm: -100, interference_floor_dbm: -115}\n"
+        "propagation: {model: log-distance, exponent: 2.4, shadowing_db: 4}\n");
+  const auto file = write("fleet.yaml", kFleet).string();
+  expect_same(
+      file,
+      {"--set",
+       "radio={kind: medium, file: shadowed.yaml, terrain: true, advertisement_period_s: "
+       "1,"
+       " routing: learned-routes, antenna: {model: dipole},"
+       " attacks: [{position_m: [500, 500], jammer: {duty: 0.1, period_s: 0.2}}]}"});
+  expect_same(file, {"--set", "radio={kind: medium, profile: n920, routing: flooding}"});
+}
+
 TEST_F(SameBytes, OfTheShippedScenarios) {
   expect_same_of("wildfire", {"--set", "duration_s=300"});
   expect_same_of("formation", {"--set", "duration_s=60"});

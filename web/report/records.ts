@@ -688,9 +688,27 @@ export interface LandingReport {
   committed: boolean; // it breaks off no more
 }
 
-/** Readings of a fire sensor. */
+/** A reading of a fire sensor among others of the same. */
+export interface BriefReading {
+  before_ms: number; // milliseconds by which it is older than the last
+  place_north_dm: number; // decimetres north
+  place_east_dm: number; // decimetres east
+  inside: boolean; // it burns
+  adjacent: boolean; // nothing was read between it and the one before
+}
+
+/** A place, to the decimetre. */
+export interface BriefPlace {
+  north_dm: number; // decimetres north
+  east_dm: number; // decimetres east
+}
+
+/** What an aircraft has seen of a fire since it said so last. */
 export interface Readings {
-  readings: Reading[]; // in order of time
+  time_s: number; // of the last reading
+  position_sd: number; // metres, of all places, per axis
+  readings: BriefReading[]; // in order of time
+  burning: BriefPlace[]; // where it burns too, seen before
 }
 
 /** A message that arrived or was lost. */
@@ -705,7 +723,7 @@ export interface MessageRecord {
   lost: boolean; // it never arrived
   said: string; // of content team: what it says
   copy: boolean; // a further receiver's copy of a message to all
-  cause: "none" | "chance" | "outage" | "out-of-range" | "queue-full" | "retry-limit" | "expired" | "not-received" | "link-down" | "nobody" | "refused"; // why it was lost
+  cause: "none" | "chance" | "outage" | "out-of-range" | "queue-full" | "retry-limit" | "expired" | "not-received" | "link-down" | "nobody" | "refused" | "pending"; // why it was lost
   on_air_s: number | null; // when its first frame began; null: never, or not known
   transmissions: number; // data frames, of all its parts
   hops: number; // radios that passed it on

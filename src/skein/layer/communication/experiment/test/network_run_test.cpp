@@ -85,6 +85,29 @@ TEST(NetworkRun, KeepsFlowsFull) {
   EXPECT_GE(pending, 4u);
 }
 
+// A packet that grows too old makes room for the next one while its line is being served.
+TEST(NetworkRun, KeepsFlowsFullThatGrowTooOld) {
+  for (const AccessMethod access :
+       {AccessMethod::kDcf, AccessMethod::kTdma, AccessMethod::kDirect}) {
+    NetworkCase network = row_of(3, 100, Time::from_seconds(5));
+    network.flows = {{0, 1, 1000, 3, Time()}, {2, 1, 1000, 3, Time()}};
+    RadioProfile radio = radio_of_tests();
+    radio.phy.rate = 100'000;
+    radio.mac.access = access;
+    radio.mac.slot =
+        access == AccessMethod::kTdma ? Time::from_seconds(0.1) : radio.mac.slot;
+    radio.mac.latency = Time::from_seconds(0.5);
+    radio.mac.queue_lifetime = Time::from_seconds(0.01);
+    const FreeSpace field(2e9);
+    NetworkRun run(network, radio, field, 3);
+    run.advance(network.duration);
+    std::map<MessageFate, int> fates;
+    for (const NetworkMessage& message : run.result().messages) ++fates[message.fate];
+    EXPECT_GT(fates[MessageFate::kDelivered], 10);
+    EXPECT_GT(fates[MessageFate::kExpired], 10);
+  }
+}
+
 TEST(NetworkRun, IsTheSameForEveryStep) {
   NetworkCase network = row_of(4, 90, Time::from_seconds(1));
   for (std::uint32_t node = 0; node < 4; ++node)

@@ -14,12 +14,12 @@ constexpr double kStaleAfter =
     5;                         // nothing received for this long: predict the belief [s]
 constexpr double kLevel = 50;  // zones this far above and below an aircraft count [m]
 constexpr double kSoon = 60;   // zones that come into force within this count [s]
-constexpr double kNewsEvery = 60;   // of one kind of warning [s]
-constexpr double kAssembly = 3;     // for all to report before they are deployed [s]
-constexpr double kResendAfter = 3;  // an order not confirmed by now is sent again [s]
-constexpr int kResentAtOnce = 5;    // where others use the same medium
-constexpr double kSurelyOut = 3;  // standard deviations of the boundary
-constexpr double kFurtherOut = 200;     // further out than these nothing is expected [m]
+constexpr double kNewsEvery = 60;    // of one kind of warning [s]
+constexpr double kAssembly = 3;      // for all to report before they are deployed [s]
+constexpr double kResendAfter = 3;   // an order not confirmed by now is sent again [s]
+constexpr int kResentAtOnce = 5;     // where others use the same medium
+constexpr double kSurelyOut = 3;     // standard deviations of the boundary
+constexpr double kFurtherOut = 200;  // further out than these nothing is expected [m]
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
 // outside at the fire's origin, from inside beyond the nearest believed boundary.
