@@ -106,7 +106,7 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
       console.show(
           {now, options.duration, now.seconds() / pace.wall_s(), stepper.headline()});
   }
-  stepper.finish(std::min(now, options.duration));
+  stepper.finish();
   outcome.simulated = std::min(now, options.duration);
   outcome.wall_s = pace.wall_s();
   outcome.deadline_misses = pace.misses();

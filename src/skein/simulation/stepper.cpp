@@ -79,6 +79,7 @@ void Stepper::introduce() {
 }
 
 Result<void> Stepper::step(Time now) {
+  last_step_ = now;
   if (due(now, options_.environment_period))
     for (const auto& each : world_.phenomena) each->advance(now);
   move_objects(now);
@@ -97,11 +98,11 @@ Result<void> Stepper::step(Time now) {
   return recorder_.step_done(now);
 }
 
-void Stepper::finish(Time now) {
+void Stepper::finish() {
   news_.clear();
   world_.radio->end(news_);
-  for (const MessageOutcome& outcome : news_.ended) record_message(outcome, now);
-  if (now > radios_recorded_) record_radios(now);
+  for (const MessageOutcome& outcome : news_.ended) record_message(outcome, last_step_);
+  if (last_step_ > radios_recorded_) record_radios(last_step_);
 }
 
 std::string Stepper::headline() const {

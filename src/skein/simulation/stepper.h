@@ -59,8 +59,8 @@ class Stepper {
   /// Moves the world from `now` to the next step.
   Result<void> step(Time now);
 
-  /// Records what is left to record after the last step, which was at `now`.
-  void finish(Time now);
+  /// Records what is left to record after the last step.
+  void finish();
 
   /// Events since the last call that an operator is to know of at once.
   std::vector<Event> take_announcements() { return std::exchange(announcements_, {}); }
@@ -125,7 +125,7 @@ class Stepper {
   std::optional<double> air_;    // load of the fullest radio in the last radio period
   std::size_t lost_ = 0;         // messages in this radio period
   std::size_t lost_before_ = 0;  // in the last one
-  Time radios_recorded_;
+  Time last_step_, radios_recorded_;
 };
 
 }  // namespace skein::simulation
