@@ -8,7 +8,7 @@ namespace skein::reasoning {
 namespace {
 
 // Reports with limits: those until an order shows that they have arrived, and later.
-constexpr std::uint32_t kLimitsAtFirst = 3, kLimitsWithoutOrder = 2, kLimitsEvery = 20;
+constexpr std::uint32_t kLimitsAtFirst = 3, kLimitsWithoutOrder = 5, kLimitsEvery = 20;
 
 }  // namespace
 
