@@ -108,8 +108,8 @@ void Stepper::finish() {
 std::string Stepper::headline() const {
   std::string line = sigma_ ? fmt::format("sigma {:.1f} m", *sigma_) : std::string();
   if (air_)
-    line += fmt::format("{}air {:.0f} % full, {} lost", line.empty() ? "" : ", ",
-                        100 * *air_, lost_before_);
+    line += fmt::format("{}air {:.0f} %, {} lost", line.empty() ? "" : ", ", 100 * *air_,
+                        lost_before_);
   return line;
 }
 
