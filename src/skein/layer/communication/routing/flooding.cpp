@@ -1,5 +1,7 @@
 #include "skein/layer/communication/routing/flooding.h"
 
+#include "skein/data/message.h"
+
 namespace skein::communication {
 namespace {
 

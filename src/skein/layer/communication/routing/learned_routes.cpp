@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "skein/data/message.h"
+
 namespace skein::communication {
 
 LearnedRoutes::LearnedRoutes(const LearnedRoutesOptions& options, std::size_t entities,
