@@ -236,16 +236,15 @@ RoutedMessage MediumRadio::routed(const Transfer& transfer, std::uint32_t hop) {
 // To whom a node sends a transfer that `hop` radios have passed on, itself among them.
 std::optional<std::uint32_t> MediumRadio::way_from(const Transfer& transfer,
                                                    NodeIndex node, std::uint32_t hop) {
-  const EntityId to = transfer.to_all ? kEveryone : transfer.copies[0].message.to;
-  if (node >= entities_) {
-    // Attackers know nobody; where messages are passed on, theirs are too.
-    return to == kEveryone || routing_->head_bytes() > 0 ? kAllNodes : to.value;
-  }
   const Time now = medium_.now();
-  const auto hears = [this, now](EntityId one, EntityId other) {
-    return neighbours_.has(one.value, other.value, now);
+  // An attacker acts as whom it pretends to be, and knows nobody.
+  const bool attacker = node >= entities_;
+  const auto hears = [this, now, attacker](EntityId one, EntityId other) {
+    return !attacker && neighbours_.has(one.value, other.value, now);
   };
-  const auto next = routing_->next(EntityId{node}, routed(transfer, hop), hears, now);
+  const RoutedMessage message = routed(transfer, hop);
+  const EntityId self = attacker ? message.origin : EntityId{node};
+  const auto next = routing_->next(self, message, hears, now);
   if (!next) return std::nullopt;
   return *next == kEveryone ? kAllNodes : next->value;
 }

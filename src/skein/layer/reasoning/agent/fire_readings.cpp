@@ -6,8 +6,8 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kBurningApart = 60;     // places of a report, at first [m]
-constexpr std::size_t kMostBurning = 8;  // more are thinned out
+constexpr double kBurningApart = 60;    // places of a report, at first [m]
+constexpr std::size_t kMaxBurning = 8;  // more are thinned out
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void FireReadings::remember(const FireReading& reading) {
   if (!burning_.empty() && (burning_.back() - reading.point).norm() < burning_apart_)
     return;
   burning_.push_back(reading.point);
-  if (burning_.size() <= kMostBurning) return;
+  if (burning_.size() <= kMaxBurning) return;
   std::vector<Vec2> fewer;
   for (std::size_t k = 0; k < burning_.size(); k += 2) fewer.push_back(burning_[k]);
   burning_ = std::move(fewer);
