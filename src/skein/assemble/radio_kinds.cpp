@@ -1,5 +1,7 @@
 // Radios: one row each.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -222,6 +224,15 @@ Kinds<Radio, RadioContext> radio_kinds() {
         }
         auto routing = c.kinds->routing.make(o.routing, {c.seed, c.entities});
         if (!routing) return routing.error();
+        const std::uint32_t head =
+            communication::MediumRadio::part_head(*routing.value());
+        if (options.profile.mac.part_bytes <= head)
+          return Error{
+              ErrorCode::kBadInput, "routing",
+              fmt::format("adds {} bytes to each part of a message, of which the "
+                          "radio's mac.part_bytes allows {}.",
+                          head, options.profile.mac.part_bytes),
+              "Take a radio with longer parts."};
         std::unique_ptr<Radio> medium = std::make_unique<communication::MediumRadio>(
             options, std::move(propagation).value(),
             communication::RadioNodes{c.entities, c.position, c.name,

@@ -1,5 +1,6 @@
 #include "skein/assemble/kind_registry.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include "skein/assemble/interface_version.h"
 #include "skein/assemble/load_plugin.h"
 #include "skein/role/radio.h"
+#include "skein/role/routing.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {
@@ -68,6 +70,48 @@ TEST(KindRegistry, PluginsKindsAreChosenAndCheckedLikeOurs) {
       << wrong;
   const std::string unknown = read(kinds, "radio: patent").report();
   EXPECT_NE(unknown.find("Did you mean \"patient\"?"), std::string::npos) << unknown;
+}
+
+// A protocol that adds so many bytes to each message.
+struct HeavyOptions {
+  int bytes = 10;
+};
+class HeavyRouting final : public Routing {
+ public:
+  explicit HeavyRouting(int bytes) : bytes_(static_cast<std::uint32_t>(bytes)) {}
+  std::uint32_t head_bytes() const override { return bytes_; }
+  void learn(EntityId, EntityId, const RoutedMessage&, Time) override {}
+  std::optional<EntityId> next(EntityId, const RoutedMessage& message, const HeardLately&,
+                               Time) override {
+    return message.to;
+  }
+  bool failed(EntityId, EntityId) override { return false; }
+  double delay(EntityId) override { return 0; }
+
+ private:
+  std::uint32_t bytes_;
+};
+
+TEST(KindRegistry, APluginsRoutingMustFitIntoTheRadiosParts) {
+  KindsByRole more;
+  more.routing.add("heavy", "Heavy.",
+                   scenario::Fields<HeavyOptions>().integer(
+                       "bytes", &HeavyOptions::bytes, "Of its head.", {.at_least = 0}),
+                   [](const HeavyOptions& o, const RoutingContext&) {
+                     return std::make_unique<HeavyRouting>(o.bytes);
+                   });
+  const KindRegistry kinds = registry_with(more);
+  const auto built = [&](int bytes) {
+    const auto outcome =
+        read(kinds, fmt::format("radio: {{kind: medium, profile: xbee-digimesh, routing: "
+                                "{{kind: heavy, bytes: {}}}}}",
+                                bytes));
+    EXPECT_TRUE(outcome.ok()) << outcome.report();
+    const auto made = build(*outcome.scenario, kinds);
+    return made.ok() ? std::string() : made.error().text();
+  };
+  EXPECT_EQ(built(100), "");
+  EXPECT_NE(built(246).find("250"), std::string::npos) << built(246);
 }
 
 TEST(KindRegistry, RefusesNamesThatAreTakenOrNoNames) {

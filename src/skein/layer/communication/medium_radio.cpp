@@ -95,7 +95,7 @@ MediumRadio::MediumRadio(const MediumRadioOptions& options,
       meter_(options.profile.mac.access, entities_),
       neighbours_(entities_, patience_of(options.advertisement_period)),
       waiting_(entities_, 0) {
-  SKEIN_CHECK(options.profile.mac.part_bytes > kPartBytes + routing_->head_bytes());
+  SKEIN_CHECK(options.profile.mac.part_bytes > part_head(*routing_));
   if (options.authentication) authenticity_.emplace(*options.authentication, entities_);
   for (std::uint32_t node = 0; node < entities_; ++node) {
     advertisement_times_.emplace_back(seed, node, Purpose::kRadio, kAdvertisementTimes);
@@ -103,6 +103,10 @@ MediumRadio::MediumRadio(const MediumRadioOptions& options,
       next_advertisements_.push_back(Time::from_seconds(
           options.advertisement_period * advertisement_times_[node].uniform()));
   }
+}
+
+std::uint32_t MediumRadio::part_head(const Routing& routing) {
+  return kPartBytes + routing.head_bytes();
 }
 
 void MediumRadio::send(const Message& message) {

@@ -67,6 +67,10 @@ struct RadioNodes {
 /// who pass it on too, refuse what is not authentic: its end is LossCause::kRefused.
 class MediumRadio final : public Radio, private MediumListener {
  public:
+  /// What a part of a message has to hold at least besides its content: the routing's
+  /// head and which part it is [byte]. MacProfile::part_bytes is above that.
+  static std::uint32_t part_head(const Routing& routing);
+
   /// @param routing  null: NoRouting
   MediumRadio(const MediumRadioOptions& options, std::unique_ptr<Propagation> propagation,
               RadioNodes nodes, std::uint64_t seed,
