@@ -10,7 +10,6 @@
 #include "skein/base/log.h"
 #include "skein/role/agent.h"
 #include "skein/role/phenomenon.h"
-#include "skein/role/radio.h"
 #include "skein/role/terrain.h"
 #include "skein/role/world_memory.h"
 #include "skein/simulation/commanded_wind.h"

@@ -10,6 +10,7 @@
 
 #include "skein/base/result.h"
 #include "skein/data/agent_step.h"
+#include "skein/role/radio.h"
 #include "skein/role/recorder.h"
 #include "skein/role/vehicle.h"
 #include "skein/simulation/object_motions.h"
