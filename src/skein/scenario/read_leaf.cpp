@@ -188,7 +188,7 @@ void Reader::read_leaf(const FileType& type, const Node& node, void* target) {
       std::filesystem::absolute(folder / node.text, failure).lexically_normal();
   const std::string reason = failure ? failure.message() : file_error(path, type.folder);
   if (!reason.empty()) {
-    return error(node.place, fmt::format("{} {}.", quote(path.string()), reason));
+    return error(node.place, fmt::format("{} {}.", quote_path(path.string()), reason));
   }
   member = path.string();
 }

@@ -8,6 +8,25 @@
 #include "skein/base/shown_text.h"
 
 namespace skein::scenario {
+namespace {
+
+// The character at `i` as a message may hold it; `i` goes on to the next one.
+std::string next_shown(std::string_view text, std::size_t& i) {
+  const std::size_t begin = i;
+  i += std::max<std::size_t>(1, utf8_length(text.substr(i)));
+  const auto c = static_cast<unsigned char>(text[begin]);
+  if (c == '\n') return "\\n";
+  if (c < 0x20 || c == 0x7F) return fmt::format("\\x{:02x}", c);
+  return std::string(text.substr(begin, i - begin));
+}
+
+// Of a byte of UTF-8: it does not begin a character.
+bool is_continuation(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+}  // namespace
+
 std::optional<std::size_t> first_bad_byte(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto c = static_cast<unsigned char>(text[i]);
@@ -55,16 +74,19 @@ std::string quote(std::string_view text) {
   constexpr std::size_t kMax = 60;
   std::string shown;
   for (std::size_t i = 0; i < text.size() && shown.size() < kMax;) {
-    const std::size_t length = std::max<std::size_t>(1, utf8_length(text.substr(i)));
-    const auto c = static_cast<unsigned char>(text[i]);
-    if (c < 0x20 || c == 0x7F) {
-      shown += c == '\n' ? "\\n" : fmt::format("\\x{:02x}", c);
-    } else {
-      shown += text.substr(i, length);
-    }
-    i += length;
+    shown += next_shown(text, i);
     if (shown.size() >= kMax && i < text.size()) shown += "...";
   }
+  return '"' + shown + '"';
+}
+
+std::string quote_path(std::string_view path) {
+  constexpr std::size_t kMax = 300;
+  const bool whole = path.size() <= kMax;
+  std::size_t i = whole ? 0 : path.size() - kMax;
+  while (i < path.size() && is_continuation(path[i])) ++i;
+  std::string shown = whole ? "" : "...";
+  while (i < path.size()) shown += next_shown(path, i);
   return '"' + shown + '"';
 }
 

@@ -23,6 +23,9 @@ std::string nearest_name(std::string_view word, std::span<const std::string> nam
 /// `text` in quotation marks, shortened to be read in a message.
 std::string quote(std::string_view text);
 
+/// A file's path in quotation marks; of a very long one the end, which names the file.
+std::string quote_path(std::string_view path);
+
 /// "a, b or c".
 std::string any_of(std::span<const std::string> names);
 

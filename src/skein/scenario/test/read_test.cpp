@@ -323,6 +323,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"name: &a [*a]",
              "test.yaml:1:11: the alias stands inside the value that it refers to."}));
 
+TEST(Read, NamesTheFileHoweverDeepItLies) {
+  const std::string folder(70, 'f');
+  const std::string deep = folder + "/" + folder + "/" + folder + "/no-such.tif";
+  EXPECT_NE(problems_of("radio: {kind: joint, map: " + deep + "}").find(deep),
+            std::string::npos);
+  std::string deeper;
+  for (int i = 0; i < 300; ++i) deeper += "\u00e4/";
+  EXPECT_NE(problems_of("radio: {kind: joint, map: " + deeper + "no-such.tif}")
+                .find("\".../\u00e4/\u00e4/"),
+            std::string::npos);
+}
+
 TEST(Read, SurvivesHostileFiles) {
   std::string bomb = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
   for (int i = 1; i < 12; ++i) {
