@@ -1,6 +1,7 @@
 // A world and an agent of it in another program, as users start them.
 #include <csignal>
 
+#include "app/test/null_modem.h"
 #include "app/test/program.h"
 
 namespace skein::app {
@@ -234,6 +235,47 @@ TEST_F(ModemAgents, AreHeardByRangeAloneWhereTheMediumDoesNotHearThem) {
       0);
 }
 
+TEST_F(ModemAgents, AreWhereTheGroundStationIsWhenItGivesItsAddress) {
+  const pid_t world = start_modem_world("world", ", gateway: altering");
+  const pid_t agent = start_modem_agent();
+  ASSERT_TRUE(comes_to("world", by_modem("neighbour-found"), 1));
+  // What it says to the station has come by the modem alone; the other aircraft hears it
+  // from the station. The order needs no medium.
+  EXPECT_TRUE(comes_to("world",
+                       "SELECT count(*) FROM messages WHERE from_id = 1 AND to_id = 0 "
+                       "AND lost = 0 AND transmissions = 0",
+                       3));
+  EXPECT_TRUE(
+      comes_to("world", "SELECT max(north_m) FROM truth WHERE entity_id = 1", 200, 25));
+  EXPECT_EQ(stop(agent, "agent-").status, 0) << read_file(folder_ / "agent-err.txt");
+  EXPECT_EQ(stop(world, "world-").status, 130);
+  const fs::path database = folder_ / "world/run.sqlite";
+  EXPECT_EQ(query(database, "SELECT sum(frames) FROM radios WHERE entity_id = 1"), 0);
+  EXPECT_GT(query(database, "SELECT sum(frames) FROM radios WHERE entity_id = 0"), 3);
+  const Finished again = run({"run", "--replay", "world", "--out", "again"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("The same content hash"), std::string::npos) << again.err;
+}
+
+TEST_F(ModemAgents, AreReachedOverSerialLinesThatLoseBytes) {
+  NullModem line;
+  if (line.name(1).empty()) GTEST_SKIP() << "this machine has no pseudo-terminals";
+  line.spoil_each(2000);
+  const pid_t world = start_world(
+      "world", {"--set", "stations=[{heartbeat_s: 1}]", "--set",
+                "radio={kind: medium, profile: n920, modem: {endpoint: 'serial:" +
+                    line.name(0) + ":57600', entities: [far-1], rate_bps: 40000}}"});
+  const pid_t agent = start_agent({"--modem", "serial:" + line.name(1) + ":57600"});
+  ASSERT_TRUE(comes_to("world", by_modem("neighbour-found"), 1));
+  EXPECT_TRUE(
+      comes_to("world", "SELECT max(north_m) FROM truth WHERE entity_id = 1", 200, 30))
+      << "its order came by the line";
+  EXPECT_EQ(stop(agent, "agent-").status, 0) << read_file(folder_ / "agent-err.txt");
+  EXPECT_EQ(stop(world, "world-").status, 130);
+  EXPECT_GT(figure("world", "modem_damaged"), 0);
+  EXPECT_GT(figure("world", "modem_heard"), 10);
+}
+
 TEST_F(ModemAgents, AreHeardByTheirKeyWhereMessagesAreAuthenticated) {
   for (const char* name : {"team.key", "other.key"}) {
     const fs::path key = write(name, std::string(32, name[0]));
@@ -256,6 +298,10 @@ TEST_F(ModemAgents, AreHeardByTheirKeyWhereMessagesAreAuthenticated) {
   EXPECT_EQ(stop(agent, "agent-").status, 0);
   EXPECT_EQ(stop(world, "world-").status, 130);
   EXPECT_GT(figure("world", "modem_unauthentic"), 5) << "their advertisements";
+  EXPECT_EQ(query(folder_ / "world/run.sqlite",
+                  "SELECT entity_id FROM events WHERE kind = 'modem-refused'"),
+            1)
+      << "at most once a minute";
 }
 
 TEST_F(Agents, SayWhatIsWrong) {

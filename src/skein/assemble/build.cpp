@@ -13,6 +13,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
 #include "skein/assemble/remote_kind.h"
+#include "skein/assemble/run_radio.h"
 #include "skein/assemble/sampling.h"
 #include "skein/assemble/server_memory.h"
 #include "skein/assemble/team_setup.h"
@@ -502,36 +503,11 @@ class Builder {
   }
 
   Result<void> radio() {
-    // The radio outlives no entity: both are the world's.
-    RadioContext context;
-    context.seed = scenario_.seed;
-    context.entities = build_.world.entities.size();
-    std::vector<const Vehicle*> vehicles;
-    for (const simulation::Entity& entity : build_.world.entities)
-      vehicles.push_back(entity.vehicle.get());
-    std::vector<Vec3> antennas;
+    std::vector<Vec3> stations;
     for (const scenario::Station& station : scenario_.stations)
-      antennas.push_back(place_of(station));
-    context.position = [vehicles, antennas](EntityId id) -> std::optional<Vec3> {
-      if (id.value < antennas.size()) return antennas[id.value];
-      if (id.value >= vehicles.size() || !vehicles[id.value]) return std::nullopt;
-      // Radio waves leave from where it is, known or not.
-      const VehicleState* truth = vehicles[id.value]->truth();
-      return truth ? truth->p_N : vehicles[id.value]->estimate().p_N;
-    };
-    std::vector<std::string> names;
-    for (const simulation::Entity& entity : build_.world.entities)
-      names.push_back(entity.name);
-    context.name = [names](EntityId id) { return names.at(id.value); };
-    context.attitude = [vehicles](EntityId id) -> Mat3 {
-      if (id.value >= vehicles.size() || !vehicles[id.value]) return Mat3::Identity();
-      if (const VehicleState* truth = vehicles[id.value]->truth())
-        return truth->q_NB.toRotationMatrix();
-      const NavEstimate& nav = vehicles[id.value]->estimate();
-      return geo::from_euler({nav.roll, nav.pitch, nav.heading}).toRotationMatrix();
-    };
-    context.stations = antennas.size();
-    context.terrain = build_.world.terrain.get();
+      stations.push_back(place_of(station));
+    RadioContext context = radio_context(build_.world, std::move(stations));
+    context.seed = scenario_.seed;
     context.modem = build_.modem.get();
     context.kinds = &kinds_.kinds();
     auto made = kinds_.kinds().radio.make(scenario_.radio, context);

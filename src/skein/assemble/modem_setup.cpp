@@ -155,6 +155,12 @@ scenario::Fields<ModemChoice> modem_fields() {
       .text(
           "entities", &T::entities,
           "Aircraft of the vehicle `remote` whose messages go over modems of their own.")
+      .word("gateway", &T::gateway, "How simulated entities reach these.",
+            {{"fixed", GatewayMethod::kFixed,
+              "by their own addresses: in the medium they are where they are"},
+             {"altering", GatewayMethod::kAltering,
+              "by the address of the first ground station, which puts it into what they "
+              "say: in the medium they are where it is"}})
       .duration_s("advertisement_period_s", &T::advertisement_period,
                   "Between its words who is reached through it, 10 % earlier or later; "
                   "after three without a word a neighbour is lost.",

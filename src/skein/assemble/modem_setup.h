@@ -12,11 +12,18 @@
 
 namespace skein::assemble {
 
+/// How simulated entities reach those beyond the ground station's modem.
+enum class GatewayMethod {
+  kFixed,    ///< by their own addresses: they have places of their own in the medium
+  kAltering  ///< by that of the ground station, which says that it is them
+};
+
 /// A real modem in the radio medium of a scenario.
 struct ModemChoice {
   std::string endpoint = "udpin:14900";
   std::uint32_t hw = 1;
   std::vector<std::string> entities;  ///< who is reached through others
+  GatewayMethod gateway = GatewayMethod::kFixed;
   Time advertisement_period = Time::from_seconds(1);
   bool pacing = true;
   double rate = 100'000;  ///< [bit/s]

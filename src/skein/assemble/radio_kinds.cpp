@@ -176,6 +176,20 @@ std::unique_ptr<Radio> by_range(const MediumChoice& choice, const RadioFile& fil
                                                      context.position);
 }
 
+// At whose node of the medium entities are reached: of those beyond the modem the first
+// station. Empty: each at its own.
+std::vector<EntityId> reached_at(const MediumChoice& choice,
+                                 const RadioContext& context) {
+  std::vector<EntityId> nodes;
+  const bool altering = choice.modem && choice.modem->gateway == GatewayMethod::kAltering;
+  if (!altering || !context.modem) return nodes;
+  for (std::uint32_t k = 0; k < context.entities; ++k) {
+    const bool beyond = context.modem->is_beyond(EntityId{k});
+    nodes.push_back(beyond ? EntityId{0} : EntityId{k});
+  }
+  return nodes;
+}
+
 }  // namespace
 
 const ModemChoice* modem_of(const scenario::Choice& radio) {
@@ -236,7 +250,8 @@ Kinds<Radio, RadioContext> radio_kinds() {
         std::unique_ptr<Radio> medium = std::make_unique<communication::MediumRadio>(
             options, std::move(propagation).value(),
             communication::RadioNodes{c.entities, c.position, c.name,
-                                      antennas_in_run(o, file.value(), c)},
+                                      antennas_in_run(o, file.value(), c),
+                                      reached_at(o, c)},
             c.seed, std::move(routing).value());
         if (!o.modem || !c.modem) return medium;
         return std::unique_ptr<Radio>(std::make_unique<modem::ModemRadio>(

@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 
-#include "skein/record/radio_sums.h"
+#include "skein/record/read_radio.h"
 #include "skein/record/record_table.h"
 #include "skein/record/run_database.h"
 #include "skein/record/statistics.h"
@@ -54,14 +54,6 @@ PerimeterMetrics metrics_from(const Statement& row, int column) {
   return metrics;
 }
 
-std::optional<LossCause> loss_cause(const std::string& name) {
-  constexpr auto kNames = names_of(static_cast<const LossCause*>(nullptr));
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<LossCause>(found - kNames.begin());
-}
-
-// Bands as their column has them: from and to have units in their names.
 std::vector<StoredBand> stored_bands(const std::string& text) {
   std::vector<StoredBand> all;
   const auto list = nlohmann::json::parse(text, nullptr, false);
@@ -89,18 +81,15 @@ class Reader {
 
   Result<StoredRun> read() {
     using Part = Result<void> (Reader::*)();
-    for (const Part part : {&Reader::schema,     &Reader::meta,
-                            &Reader::entities,   &Reader::duration,
-                            &Reader::events,     &Reader::metrics,
-                            &Reader::forecasts,  &Reader::tracks,
-                            &Reader::estimates,  &Reader::readings,
-                            &Reader::messages,   &Reader::radios,
-                            &Reader::perimeters, &Reader::crossings,
-                            &Reader::payload,    &Reader::memory,
-                            &Reader::traffic,    &Reader::alerts,
-                            &Reader::bands,      &Reader::recommendations,
-                            &Reader::zones,      &Reader::missions,
-                            &Reader::terrain,    &Reader::summary})
+    for (const Part part :
+         {&Reader::schema,          &Reader::meta,    &Reader::entities,
+          &Reader::duration,        &Reader::events,  &Reader::metrics,
+          &Reader::forecasts,       &Reader::tracks,  &Reader::estimates,
+          &Reader::readings,        &Reader::radio,   &Reader::perimeters,
+          &Reader::crossings,       &Reader::payload, &Reader::memory,
+          &Reader::traffic,         &Reader::alerts,  &Reader::bands,
+          &Reader::recommendations, &Reader::zones,   &Reader::missions,
+          &Reader::terrain,         &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -252,46 +241,7 @@ class Reader {
                 [this](const Statement&) { statistics_.reading(); });
   }
 
-  Result<void> radios() {
-    RadioSums sums;
-    auto done = records<RadioUseRecord>("ORDER BY time_s, entity_id",
-                                        [&](const RadioUseRecord& record) {
-                                          statistics_.radio().radio(record);
-                                          sums.add(record);
-                                        });
-    if (!done) return done;
-    done = records<LinkUseRecord>(
-        "", [&](const LinkUseRecord& record) { sums.add(record.use); });
-    if (done) sums.finish(run_);
-    return done;
-  }
-
-  Result<void> messages() {
-    run_.message_bin = std::max(10.0, std::ceil(run_.duration / 120 / 10) * 10);
-    const double needed = std::max(1.0, std::ceil(run_.duration / run_.message_bin));
-    const auto bins = static_cast<std::size_t>(needed);
-    run_.messages_sent.assign(bins, 0);
-    run_.messages_lost.assign(bins, 0);
-    std::string unknown;
-    auto done = rows(
-        "SELECT sent_s, cause, hops, forged FROM messages", [&](const Statement& row) {
-          const double bin = std::max(0.0, row.real(0) / run_.message_bin);
-          const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
-          ++run_.messages_sent[k];
-          const auto cause = loss_cause(row.text(1));
-          if (!cause) {
-            unknown = row.text(1);
-            return;
-          }
-          const bool lost = *cause != LossCause::kNone && *cause != LossCause::kPending;
-          if (lost) ++run_.messages_lost[k];
-          statistics_.radio().message(*cause, static_cast<std::uint32_t>(row.integer(2)),
-                                      row.integer(3) != 0);
-        });
-    if (!done || unknown.empty()) return done;
-    return Error{ErrorCode::kBadInput, "messages",
-                 fmt::format("\"{}\" is no cause of a loss.", unknown), ""};
-  }
+  Result<void> radio() { return read_radio(database_, statistics_.radio(), run_); }
 
   Result<void> forecasts() {
     auto done = records<ArrivalRecord>("ORDER BY made_s", [this](ArrivalRecord record) {

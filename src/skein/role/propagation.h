@@ -4,6 +4,8 @@
 
 namespace skein {
 
+inline constexpr double kSpeedOfLight = 299'792'458;  ///< [m/s]
+
 /// What is left of a radio signal at another place. Immutable during a run.
 class Propagation {
  public:

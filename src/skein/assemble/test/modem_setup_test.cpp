@@ -150,7 +150,9 @@ TEST_F(SealedModem, RefusesAnAgentWithAnotherKeyAndOneWithout) {
   const auto before = world_->statistics().unauthentic;
   EXPECT_TRUE(comes([&] { return world_->statistics().unauthentic >= before + 5; }));
   EXPECT_EQ(world_->statistics().heard, 0u);
-  EXPECT_TRUE(world_->take(Time()).empty());
+  const auto taken = world_->take(Time());
+  ASSERT_EQ(taken.size(), 1u) << "that somebody was refused, once";
+  EXPECT_EQ(std::get<modem::ModemAlert>(taken[0]).kind, modem::AlertKind::kUnauthentic);
 }
 
 TEST_F(SealedModem, NeedsAKeyThatCanBeRead) {

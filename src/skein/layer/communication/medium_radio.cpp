@@ -33,7 +33,8 @@ LossCause cause_of_end(PacketEnd end) {
 
 Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
                       const PositionLookup& position, const std::vector<bool>& on,
-                      NodeAntennas antennas, const Attackers& attackers) {
+                      const std::vector<EntityId>& reached_at, NodeAntennas antennas,
+                      const Attackers& attackers) {
   Links::Nodes nodes;
   nodes.move = false;  // but when places_changed() says so
   nodes.transmit_power_dbm.assign(entities, transmit_power_dbm);
@@ -47,8 +48,10 @@ Links::Nodes nodes_of(std::size_t entities, double transmit_power_dbm,
     if (node >= entities) return places[node - entities];
     return position(EntityId{node}).value_or(Vec3::Zero());
   };
-  nodes.is_on = [position, entities, &on](NodeIndex node) {
-    return node >= entities || (on[node] && position(EntityId{node}));
+  nodes.is_on = [position, entities, &on, &reached_at](NodeIndex node) {
+    if (node >= entities) return true;
+    const bool has_one = reached_at.empty() || reached_at[node].value == node;
+    return has_one && on[node] && position(EntityId{node});
   };
   nodes.antennas = std::move(antennas);
   // Those of attackers are alike in all directions.
@@ -88,14 +91,16 @@ MediumRadio::MediumRadio(const MediumRadioOptions& options,
                  options.authentication.has_value(), seed),
       routing_(routing ? std::move(routing) : std::make_unique<NoRouting>()),
       on_(entities_, true),
+      reached_at_(std::move(nodes.reached_at)),
       medium_(options.profile, *propagation_,
               nodes_of(entities_, options.profile.phy.transmit_power_dbm, position_, on_,
-                       std::move(nodes.antennas), attackers_),
+                       reached_at_, std::move(nodes.antennas), attackers_),
               seed, *this),
       meter_(options.profile.mac.access, entities_),
       neighbours_(entities_, patience_of(options.advertisement_period)),
       waiting_(entities_, 0) {
   SKEIN_CHECK(options.profile.mac.part_bytes > part_head(*routing_));
+  SKEIN_CHECK(reached_at_.empty() || reached_at_.size() == entities_, entities_);
   if (options.authentication) authenticity_.emplace(*options.authentication, entities_);
   for (std::uint32_t node = 0; node < entities_; ++node) {
     advertisement_times_.emplace_back(seed, node, Purpose::kRadio, kAdvertisementTimes);
@@ -115,12 +120,23 @@ void MediumRadio::send(const Message& message) {
 
 RadioStatus MediumRadio::status(EntityId id) const {
   if (id.value >= entities_) return {};
-  return {meter_.load(id.value), waiting_[id.value],
+  const NodeIndex node = node_of(id);
+  return {meter_.load(node), waiting_[node],
           options_.profile.mac.access != AccessMethod::kDirect};
 }
 
 void MediumRadio::turn(EntityId id, bool on) {
   on_.at(id.value) = on;
+}
+
+bool MediumRadio::has_node(EntityId id) const {
+  return reached_at_.empty() || reached_at_[id.value] == id;
+}
+
+// Of an entity, or of an attacker.
+NodeIndex MediumRadio::node_of(EntityId id) const {
+  const bool own = reached_at_.empty() || id.value >= entities_;
+  return own ? id.value : reached_at_[id.value].value;
 }
 
 void MediumRadio::deliver(Time now, RadioNews& news) {
@@ -172,10 +188,13 @@ void MediumRadio::begin(std::size_t first, std::size_t end) {
   RandomStream random(seed_, message.from.value, Purpose::kRadio, kSpreads);
   random.seek(message.number);
   const Time time = message.sent + Time::from_seconds(options_.spread * random.uniform());
-  const NodeIndex from = message.from.value;
+  const NodeIndex from = node_of(message.from);
   const std::uint32_t index =
       new_transfer(from, std::span(written_).subspan(first, end - first));
   if (from < entities_) seal(transfers_[index]);
+  // What is for somebody at the same node is there at once.
+  if (!reached_at_.empty() && from < entities_)
+    arrive(transfers_[index], from, 0, LossCause::kNone, time);
   launch(index, time);
 }
 
@@ -211,17 +230,23 @@ void MediumRadio::seal(Transfer& transfer) {
 // Hands a transfer to the radio of its sender.
 void MediumRadio::launch(std::uint32_t index, Time time) {
   Transfer& transfer = transfers_[index];
-  const bool known =
-      transfer.from < entities_ + attackers_.size() &&
-      (transfer.to_all || (transfer.copies[0].message.to.value < entities_ &&
-                           transfer.copies[0].message.to.value != transfer.from));
+  const EntityId from = transfer.copies[0].message.from;
+  const EntityId to_one = transfer.copies[0].message.to;
+  const bool to_itself = to_one == from && node_of(from) == transfer.from;
+  const bool known = transfer.from < entities_ + attackers_.size() &&
+                     (transfer.to_all || (to_one.value < entities_ && !to_itself));
   if (!known) {
     transfer.cause = LossCause::kNobody;
     leave(index, time);
     return;
   }
-  transfer.reached.assign(entities_ + attackers_.size(), false);
+  const bool is_there = !transfer.to_all && node_of(to_one) == transfer.from;
+  transfer.reached.assign(entities_ + attackers_.size(), is_there);
   transfer.reached[transfer.from] = true;
+  if (is_there) {  // nobody takes it, but one of the two has a radio elsewhere
+    post(index, transfer.from, kAllNodes, 0, time);
+    return;
+  }
   const auto to = way_from(transfer, transfer.from, 0);
   if (!to) {
     transfer.cause = LossCause::kNobody;
@@ -232,9 +257,10 @@ void MediumRadio::launch(std::uint32_t index, Time time) {
 }
 
 // What a routing knows of a transfer.
-RoutedMessage MediumRadio::routed(const Transfer& transfer, std::uint32_t hop) {
+RoutedMessage MediumRadio::routed(const Transfer& transfer, std::uint32_t hop) const {
   const Message& said = transfer.copies[0].message;
-  return {said.from, transfer.to_all ? kEveryone : said.to, hop};
+  return {EntityId{node_of(said.from)},
+          transfer.to_all ? kEveryone : EntityId{node_of(said.to)}, hop};
 }
 
 // To whom a node sends a transfer that `hop` radios have passed on, itself among them.
@@ -322,8 +348,8 @@ void MediumRadio::settle(Time now) {
 LossCause MediumRadio::cause_of(const Transfer& transfer, EntityId to) {
   if (transfer.cause != LossCause::kNone) return transfer.cause;
   if (to.value >= entities_) return LossCause::kNobody;
-  return medium_.reaches(transfer.from, to.value) ? LossCause::kNotReceived
-                                                  : LossCause::kOutOfRange;
+  return medium_.reaches(transfer.from, node_of(to)) ? LossCause::kNotReceived
+                                                     : LossCause::kOutOfRange;
 }
 
 // Orders the advertisements up to `now`.
@@ -331,7 +357,7 @@ void MediumRadio::advertise(Time now) {
   for (NodeIndex node = 0; node < next_advertisements_.size(); ++node) {
     Time& next = next_advertisements_[node];
     while (next <= now) {
-      if (on_[node])
+      if (on_[node] && has_node(EntityId{node}))
         medium_.send_at(next, {node, kAllNodes, kAdvertisementBytes, kAdvertisement,
                                static_cast<std::uint8_t>(Urgency::kCommand)});
       next += Time::from_seconds(options_.advertisement_period *
@@ -396,7 +422,7 @@ void MediumRadio::pass_on(std::uint32_t index, NodeIndex node, std::uint32_t hop
   Transfer& transfer = transfers_[index];
   if (transfer.reached[node]) return;
   transfer.reached[node] = true;
-  const bool is_end = !transfer.to_all && transfer.copies[0].message.to.value == node;
+  const bool is_end = !transfer.to_all && node_of(transfer.copies[0].message.to) == node;
   if (is_end) return;
   if (const auto to = way_from(transfer, node, hop + 1)) {
     const double wait = routing_->delay(EntityId{node});
@@ -469,7 +495,8 @@ void MediumRadio::on_overheard(const Frame& data, NodeIndex receiver, Time now) 
 void MediumRadio::arrive(Transfer& transfer, NodeIndex receiver, std::uint32_t hop,
                          LossCause cause, Time now) {
   for (Transfer::Copy& copy : transfer.copies) {
-    if (copy.arrived || copy.message.to.value != receiver) continue;
+    const EntityId to = copy.message.to;
+    if (copy.arrived || node_of(to) != receiver || !on_[to.value]) continue;
     copy.arrived = true;
     transfer.way.hops = hop;
     if (!copy.message.forged && cause == LossCause::kNone)
@@ -482,7 +509,7 @@ void MediumRadio::arrive(Transfer& transfer, NodeIndex receiver, std::uint32_t h
     copy.message.from = arrived.from;
     copy.message.to = arrived.to;
     news_->ended.push_back({std::move(arrived), cause, transfer.way});
-    return;
+    if (reached_at_.empty()) return;
   }
 }
 

@@ -42,6 +42,9 @@ struct RadioNodes {
   PositionLookup position;  ///< who is without a place hears and says nothing
   NameLookup name;
   NodeAntennas antennas = {};
+  /// By entity, at whose node it is reached, and from where its messages are sent; the
+  /// others have no node of their own. Empty: each is reached at its own.
+  std::vector<EntityId> reached_at = {};
 };
 
 /// A radio whose messages fight for a medium: airtime, carrier sense, collisions, queues,
@@ -60,6 +63,10 @@ struct RadioNodes {
 /// A node that has heard another knows it as its neighbour until it was silent for three
 /// periods of advertisements (three seconds without these): events "neighbour-found" and
 /// "neighbour-lost", where there are advertisements.
+///
+/// Entities that are reached at the node of another one (RadioNodes::reached_at) hear
+/// what that hears. What is said between two at one node has arrived at once, and is on
+/// the air all the same.
 ///
 /// Attackers are further nodes of the medium (security/attackers.h). What they send in
 /// the name of entities are messages that are `forged`. With authentication every message
@@ -115,12 +122,14 @@ class MediumRadio final : public Radio, private MediumListener {
     std::vector<std::pair<NodeIndex, std::uint32_t>> received;  // parts, by receiver
   };
 
+  bool has_node(EntityId id) const;
+  NodeIndex node_of(EntityId id) const;
   void collect();
   void begin(std::size_t first, std::size_t end);
   std::uint32_t new_transfer(NodeIndex from, std::span<Message> copies);
   void seal(Transfer& transfer);
   void launch(std::uint32_t transfer, Time time);
-  static RoutedMessage routed(const Transfer& transfer, std::uint32_t hop);
+  RoutedMessage routed(const Transfer& transfer, std::uint32_t hop) const;
   std::optional<std::uint32_t> way_from(const Transfer& transfer, NodeIndex node,
                                         std::uint32_t hop);
   void post(std::uint32_t transfer, NodeIndex from, std::uint32_t to, std::uint32_t hop,
@@ -153,7 +162,8 @@ class MediumRadio final : public Radio, private MediumListener {
   std::uint64_t seed_;
   Attackers attackers_;
   std::unique_ptr<Routing> routing_;
-  std::vector<bool> on_;  // entities whose radios are
+  std::vector<bool> on_;              // entities whose radios are
+  std::vector<EntityId> reached_at_;  // RadioNodes
   Medium medium_;
   RadioMeter meter_;
   Neighbours neighbours_;

@@ -191,13 +191,13 @@ void ModemLink::received(transport::ChannelId channel, std::span<const std::byte
 // Gives what the peer has found and heard to the simulation.
 void ModemLink::hand_in() {
   const std::vector<NeighbourChange> changes = peer_.take_changes();
-  const auto clash = peer_.take_clash();
+  const std::vector<Alert> alerts = peer_.take_alerts();
   const std::lock_guard lock(mutex_);
   statistics_ = peer_.statistics(now());
   statistics_.damaged = damaged_;
   // Who speaks was found before.
   for (const NeighbourChange& change : changes) hand_in(change);
-  if (clash) hand_in(*clash);
+  for (const Alert& alert : alerts) hand_in(alert);
   if (arrived_.empty()) return;
   auto waiting = static_cast<std::size_t>(std::ranges::count_if(in_, is_message));
   for (Message& message : arrived_) {
@@ -225,27 +225,28 @@ void ModemLink::hand_in(const NeighbourChange& change) {
     in_.erase(undone);
 }
 
-// Who says so, or else the first of those beyond: none of them knows which of the two
-// modems is meant.
-EntityId ModemLink::whom_it_concerns(const AddressClash& clash) const {
+// Who is named, or else the first of those beyond: nobody knows who it is.
+EntityId ModemLink::whom_it_concerns(const Alert& alert) const {
   const auto beyond = [this](EntityId who) { return is_beyond(who); };
-  const auto who = std::ranges::find_if(clash.identities, beyond);
-  if (who != clash.identities.end()) return *who;
+  const auto who = std::ranges::find_if(alert.identities, beyond);
+  if (who != alert.identities.end()) return *who;
   const auto first = std::ranges::find(here_, false);
   return EntityId{static_cast<std::uint32_t>(first - here_.begin())};
 }
 
-void ModemLink::hand_in(const AddressClash& clash) {
-  log_warning(
-      "another modem has the address of this one, hw {}: neither hears what the other "
-      "says.",
-      hw());
-  const EntityId who = whom_it_concerns(clash);
+void ModemLink::hand_in(const Alert& alert) {
+  if (alert.kind == AlertKind::kSameAddress)
+    log_warning(
+        "another modem has the address of this one, hw {}: neither hears what the other "
+        "says.",
+        hw());
+  const EntityId who = whom_it_concerns(alert);
   const bool waits = std::ranges::any_of(in_, [&](const Heard& each) {
-    const auto* other = std::get_if<ModemClash>(&each);
-    return other && other->who == who;
+    const auto* other = std::get_if<ModemAlert>(&each);
+    return other && other->who == who && other->kind == alert.kind;
   });
-  if (is_beyond(who) && !waits) in_.emplace_back(ModemClash{who, hw()});
+  if (is_beyond(who) && !waits)
+    in_.emplace_back(ModemAlert{who, hw(), alert.kind, alert.count});
 }
 
 }  // namespace skein::modem

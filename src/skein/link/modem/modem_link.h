@@ -14,20 +14,23 @@
 #include "skein/base/result.h"
 #include "skein/base/time.h"
 #include "skein/data/message.h"
+#include "skein/link/modem/alerts.h"
 #include "skein/link/modem/modem_peer.h"
 #include "skein/link/modem/stream_frames.h"
 #include "skein/link/transport/endpoints.h"
 
 namespace skein::modem {
 
-/// Another modem has the address of this one.
-struct ModemClash {
-  EntityId who;  ///< an entity beyond this modem: the one that says so, if it is one
-  std::uint32_t hw = 0;
+/// Something is wrong on the air of a modem.
+struct ModemAlert {
+  EntityId who;  ///< an entity beyond this modem: the one that is named, if it is one
+  std::uint32_t hw = 0;  ///< of this modem
+  AlertKind kind = AlertKind::kSameAddress;
+  std::uint64_t count = 1;  ///< of these since the last alert of the kind
 };
 
 /// Something that came by a modem.
-using Heard = std::variant<Message, NeighbourChange, ModemClash>;
+using Heard = std::variant<Message, NeighbourChange, ModemAlert>;
 
 struct ModemLinkOptions {
   transport::EndpointAddress endpoint;  ///< of the modem; a server may have several peers
@@ -97,8 +100,8 @@ class ModemLink final : public transport::ChannelListener {
   bool send_to_all(std::span<const std::byte> bytes);
   void hand_in();
   void hand_in(const NeighbourChange& change);
-  void hand_in(const AddressClash& clash);
-  EntityId whom_it_concerns(const AddressClash& clash) const;
+  void hand_in(const Alert& alert);
+  EntityId whom_it_concerns(const Alert& alert) const;
   void to_clock(Time at, std::vector<Heard>& taken) const;
   void step();
   void run();

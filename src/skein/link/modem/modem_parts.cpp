@@ -8,19 +8,33 @@
 namespace skein::modem {
 namespace {
 
-bool is_message(const VehicleReport& report) {
+bool is_message_report(const VehicleReport& report) {
   const auto* said = std::get_if<EntityReport>(&report);
   return said && std::holds_alternative<Message>(said->said);
 }
-
-constexpr const char* kClashEvent = "modem-clash";
 
 const char* event_of(const NeighbourChange& change) {
   return change.found ? "neighbour-found" : "neighbour-lost";
 }
 
-std::string clash_text(const ModemClash& clash, const char* whose) {
-  return fmt::format("another modem has the address of {}, hw {}", whose, clash.hw);
+const char* event_of(AlertKind kind) {
+  switch (kind) {
+    case AlertKind::kSameAddress:
+      return "modem-clash";
+    case AlertKind::kUnauthentic:
+      return "modem-refused";
+    case AlertKind::kUnauthenticIn:
+      return "modem-doubted";
+  }
+  return "";
+}
+
+// Of an alert; `whose` modem it is.
+std::string text_of(const ModemAlert& alert, const char* whose) {
+  if (alert.kind == AlertKind::kSameAddress)
+    return fmt::format("another modem has the address of {}, hw {}", whose, alert.hw);
+  return fmt::format("without a valid seal of the team's key, at {}; {} since the last",
+                     whose, alert.count);
 }
 
 }  // namespace
@@ -28,15 +42,15 @@ std::string clash_text(const ModemClash& clash, const char* whose) {
 void ModemPort::receive(Time now, std::vector<VehicleReport>& out) {
   const auto begin = static_cast<std::ptrdiff_t>(out.size());
   port_->receive(now, out);
-  out.erase(std::remove_if(out.begin() + begin, out.end(), is_message), out.end());
+  out.erase(std::remove_if(out.begin() + begin, out.end(), is_message_report), out.end());
   for (Heard& heard : link_.take(now, self_)) {
     if (auto* message = std::get_if<Message>(&heard)) {
       out.emplace_back(EntityReport{std::move(*message)});
       continue;
     }
-    if (const auto* clash = std::get_if<ModemClash>(&heard)) {
+    if (const auto* alert = std::get_if<ModemAlert>(&heard)) {
       out.emplace_back(
-          OutsideEvent{kClashEvent, clash_text(*clash, "the ground station's")});
+          OutsideEvent{event_of(alert->kind), text_of(*alert, "the ground station's")});
       continue;
     }
     const auto& change = std::get<NeighbourChange>(heard);
@@ -89,8 +103,9 @@ void AgentModemRadio::deliver(Time now, RadioNews& news) {
       news.ended.push_back({std::move(*message)});
       continue;
     }
-    if (const auto* clash = std::get_if<ModemClash>(&heard)) {
-      news.events.push_back({now, self_, kClashEvent, clash_text(*clash, "its own")});
+    if (const auto* alert = std::get_if<ModemAlert>(&heard)) {
+      news.events.push_back(
+          {now, self_, event_of(alert->kind), text_of(*alert, "its own")});
       continue;
     }
     const auto& change = std::get<NeighbourChange>(heard);

@@ -11,8 +11,6 @@
 namespace skein::modem {
 namespace {
 
-constexpr Time kSayClashAgain = Time::from_ns(60'000'000'000);
-
 Time patience_of(Time advertisement_period) {
   return advertisement_period * 3;
 }
@@ -150,7 +148,7 @@ Time ModemPeer::next() const {
 }
 
 // What came, if it is a datagram that may count.
-std::optional<Datagram> ModemPeer::open(std::span<const std::byte> bytes) {
+std::optional<Datagram> ModemPeer::open(std::span<const std::byte> bytes, Time now) {
   const auto as_read = [this](Result<Datagram> read) {
     if (read) return std::optional(std::move(read).value());
     ++statistics_.unknown;
@@ -162,9 +160,14 @@ std::optional<Datagram> ModemPeer::open(std::span<const std::byte> bytes) {
   const auto content = may_be_sealed ? bytes.first(bytes.size() - seal.bytes) : bytes;
   if (may_be_sealed && seal.is_authentic(bytes)) return as_read(decode_datagram(content));
   ++statistics_.unauthentic;
-  if (seal.required) return std::nullopt;
   auto unsealed = decode_datagram(bytes);
-  return as_read(unsealed ? std::move(unsealed) : decode_datagram(content));
+  if (!unsealed) unsealed = decode_datagram(content);
+  std::vector<EntityId> said;
+  if (unsealed) said.push_back(EntityId{unsealed.value().origin.sw});
+  alerts_.note(seal.required ? AlertKind::kUnauthentic : AlertKind::kUnauthenticIn,
+               std::move(said), now);
+  if (seal.required) return std::nullopt;
+  return as_read(std::move(unsealed));
 }
 
 // Something with the address of this modem: its own echo, or another modem has it too.
@@ -175,11 +178,9 @@ void ModemPeer::hear_own_address(const Datagram& datagram, Time now) {
     return;
   }
   ++statistics_.clashes;
-  if (now < next_clash_) return;
-  next_clash_ = now + kSayClashAgain;
-  clash_.emplace();
-  for (const std::uint32_t sw : said->identities)
-    clash_->identities.push_back(EntityId{sw});
+  std::vector<EntityId> identities;
+  for (const std::uint32_t sw : said->identities) identities.push_back(EntityId{sw});
+  alerts_.note(AlertKind::kSameAddress, std::move(identities), now);
 }
 
 // Only who takes part is entered anywhere: an advertised entity of the same scenario, and
@@ -196,7 +197,7 @@ bool ModemPeer::is_of_team(const Datagram& datagram) const {
 void ModemPeer::receive(std::span<const std::byte> bytes, Time now,
                         std::vector<Message>& out) {
   load_.add(bytes.size(), now);
-  const auto datagram = open(bytes);
+  const auto datagram = open(bytes, now);
   if (!datagram) return;
   if (datagram->origin.hw == options_.hw) return hear_own_address(*datagram, now);
   if (!is_of_team(*datagram)) {

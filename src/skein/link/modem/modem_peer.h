@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "skein/base/id.h"
@@ -14,6 +13,7 @@
 #include "skein/base/time.h"
 #include "skein/data/message.h"
 #include "skein/link/autopilot_client/clock_alignment.h"
+#include "skein/link/modem/alerts.h"
 #include "skein/link/modem/datagram.h"
 #include "skein/link/modem/datagram_seal.h"
 #include "skein/link/modem/duplicates.h"
@@ -66,12 +66,6 @@ struct ModemStatistics {
   }
 };
 
-/// Another modem says who is reached through it, with the address of this one: neither
-/// hears what the other says.
-struct AddressClash {
-  std::vector<EntityId> identities;  ///< that it says
-};
-
 /// One end of a radio modem: the ground station's, which is the gateway of all that is
 /// simulated, or a real entity's. Without input or output of its own: bytes and times
 /// come as arguments.
@@ -118,8 +112,8 @@ class ModemPeer {
   /// Who was found and lost since the last call.
   std::vector<NeighbourChange> take_changes();
 
-  /// What else was found, at most once a minute.
-  std::optional<AddressClash> take_clash() { return std::exchange(clash_, std::nullopt); }
+  /// What else was found, of each kind at most once a minute.
+  std::vector<Alert> take_alerts() { return alerts_.take(); }
 
   /// Whether somebody on the other side is heard.
   bool hears(EntityId other) const { return neighbours_.find(other).has_value(); }
@@ -136,7 +130,7 @@ class ModemPeer {
   bool is_here(EntityId who) const {
     return who.value < here_.size() && here_[who.value];
   }
-  std::optional<Datagram> open(std::span<const std::byte> bytes);
+  std::optional<Datagram> open(std::span<const std::byte> bytes, Time now);
   bool is_of_team(const Datagram& datagram) const;
   bool is_for_us(const Datagram& datagram, const Carried& carried) const;
   std::optional<Address> address_of(const Message& message) const;
@@ -157,10 +151,10 @@ class ModemPeer {
   LoadMeter load_;
   RandomStream jitter_;
   std::map<std::uint32_t, Clock> clocks_;  // of modems
-  Time next_advertisement_, next_clash_;
+  Time next_advertisement_;
   std::uint64_t datagrams_ = 0;
   std::vector<NeighbourChange> changes_;
-  std::optional<AddressClash> clash_;
+  AlertLog alerts_;
   ModemStatistics statistics_;
   std::vector<std::byte> coded_;  // used again for each datagram
 };

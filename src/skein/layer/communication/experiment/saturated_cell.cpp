@@ -62,7 +62,7 @@ SaturatedCell saturated_cell(std::uint32_t stations, const RadioProfile& radio,
 
   const MacProfile& mac = radio.mac;
   const auto on_air = [&](std::uint32_t mac_bytes) {
-    return radio.phy.preamble_header.seconds() + mac_bytes * 8.0 / radio.phy.rate;
+    return radio.phy.airtime(mac_bytes).seconds();
   };
   const double sifs = mac.sifs.seconds(), difs = mac.difs.seconds();
   const double data = on_air(bytes + mac.data_overhead_bytes);

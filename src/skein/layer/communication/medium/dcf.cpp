@@ -18,8 +18,8 @@ Dcf::Dcf(const RadioProfile& profile, const Links& links, Schedule& schedule,
       schedule_(schedule),
       packets_(packets),
       listener_(listener),
-      ack_airtime_(airtime(kAckBytes)),
-      cts_airtime_(airtime(kCtsBytes)),
+      ack_airtime_(phy_.airtime(kAckBytes)),
+      cts_airtime_(phy_.airtime(kCtsBytes)),
       // [802.11] 10.3.2.4: what follows an RTS has begun by then.
       nav_reset_delay_(mac_.sifs * 2 + cts_airtime_ + phy_.preamble_header +
                        mac_.slot * 2),
@@ -31,10 +31,6 @@ Dcf::Dcf(const RadioProfile& profile, const Links& links, Schedule& schedule,
     stations_[node].window = mac_.cw_min;
     draw_backoff(node, Time());
   }
-}
-
-Time Dcf::airtime(std::uint32_t mac_bytes) const {
-  return phy_.preamble_header + Time::from_seconds(mac_bytes * 8.0 / phy_.rate);
 }
 
 bool Dcf::is_busy(const Station& station, Time now) const {
@@ -123,8 +119,8 @@ void Dcf::on_access(NodeIndex node, Time now) {
       .to = packet.order.to,
       .tag = packet.order.tag,
       .mac_bytes = kRtsBytes,
-      .duration = airtime(kRtsBytes),
-      .reserved = mac_.sifs * 3 + cts_airtime_ + airtime(bytes) + ack_airtime_};
+      .duration = phy_.airtime(kRtsBytes),
+      .reserved = mac_.sifs * 3 + cts_airtime_ + phy_.airtime(bytes) + ack_airtime_};
   send(rts, now);
   await(node, Waiting::kCts, now + rts.duration + mac_.ack_timeout);
 }
@@ -146,7 +142,7 @@ void Dcf::send_data(NodeIndex node, Time now) {
                    .packet = place,
                    .tag = packet.order.tag,
                    .mac_bytes = bytes,
-                   .duration = airtime(bytes),
+                   .duration = phy_.airtime(bytes),
                    .reserved = to_all ? Time() : mac_.sifs + ack_airtime_,
                    .power = power_to(node, packet.order.to)};
   send(data, now);

@@ -31,9 +31,6 @@ class Dcf final : public Access {
   void enqueue(std::uint32_t packet, Time now) override;
   void handle(const Schedule::Event& event) override;
 
-  /// Time on the air of a frame of so many bytes.
-  Time airtime(std::uint32_t mac_bytes) const;
-
   void on_busy(NodeIndex node, Time now, Time until) override;
   void on_payload(NodeIndex node, Time now, Time until) override;
   void on_payload_lost(NodeIndex node, Time now) override;

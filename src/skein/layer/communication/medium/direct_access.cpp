@@ -40,14 +40,13 @@ void DirectAccess::begin(NodeIndex node, Time now) {
   ++packet.transmissions;
   station.queue.serve_front();
   const std::uint32_t bytes = packet.order.bytes + mac_.data_overhead_bytes;
-  const Frame data{
-      .kind = FrameKind::kData,
-      .from = node,
-      .to = packet.order.to,
-      .packet = place,
-      .tag = packet.order.tag,
-      .mac_bytes = bytes,
-      .duration = phy_.preamble_header + Time::from_seconds(bytes * 8.0 / phy_.rate)};
+  const Frame data{.kind = FrameKind::kData,
+                   .from = node,
+                   .to = packet.order.to,
+                   .packet = place,
+                   .tag = packet.order.tag,
+                   .mac_bytes = bytes,
+                   .duration = phy_.airtime(bytes)};
   station.on_the_way.push_back(data);
   listener_.on_frame(data, now);
   schedule_.add(now + data.duration, EventKind::kSent, node);

@@ -10,8 +10,7 @@
 namespace skein::communication {
 namespace {
 
-constexpr double kSpeedOfLight = 299'792'458;  // [m/s]
-constexpr double kBoltzmann = 1.380649e-23;    // [J/K]
+constexpr double kBoltzmann = 1.380649e-23;  // [J/K]
 
 }  // namespace
 

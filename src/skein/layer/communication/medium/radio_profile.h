@@ -37,6 +37,11 @@ struct PhyProfile {
   double lock_sinr_db = 4;                  ///< least ratio at that moment
   ErrorModel error_model = ErrorModel::kDsss2;
   PacketError packet_error = PacketError::kRandom;
+
+  /// How long a frame of so many bytes is on the air.
+  Time airtime(std::uint32_t bytes) const {
+    return preamble_header + Time::from_seconds(bytes * 8.0 / rate);
+  }
 };
 
 /// How nodes share the medium.

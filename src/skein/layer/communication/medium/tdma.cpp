@@ -15,8 +15,7 @@ Tdma::Tdma(const RadioProfile& profile, std::size_t nodes, std::size_t members,
       stations_(nodes) {}
 
 Time Tdma::airtime(std::uint32_t bytes) const {
-  return phy_.preamble_header +
-         Time::from_seconds((bytes + mac_.data_overhead_bytes) * 8.0 / phy_.rate);
+  return phy_.airtime(bytes + mac_.data_overhead_bytes);
 }
 
 // The next beginning of the node's slot that is not before `now`.

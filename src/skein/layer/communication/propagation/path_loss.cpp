@@ -12,14 +12,13 @@
 namespace skein::communication {
 namespace {
 
-constexpr double kPathSpeedOfLight = 299'792'458;  // [m/s]
-constexpr std::uint32_t kShadowing = 3;            // of the random streams for radio
+constexpr std::uint32_t kShadowing = 3;  // of the random streams for radio
 constexpr int kWaves = 64;
 
 }  // namespace
 
 FreeSpace::FreeSpace(double frequency)
-    : factor_(kPathSpeedOfLight / frequency / (4 * geo::kPi)) {
+    : factor_(kSpeedOfLight / frequency / (4 * geo::kPi)) {
   SKEIN_CHECK(frequency > 0);
 }
 
@@ -37,7 +36,7 @@ double FixedPower::received(double, const Vec3&, const Vec3&) const {
 
 TwoRay::TwoRay(double frequency, double antenna_height)
     : near_(frequency),
-      wavelength_(kPathSpeedOfLight / frequency),
+      wavelength_(kSpeedOfLight / frequency),
       antenna_height_(antenna_height) {}
 
 double TwoRay::received(double radiated, const Vec3& from, const Vec3& to) const {

@@ -13,7 +13,6 @@
 namespace skein::communication {
 namespace {
 
-constexpr double kSpeedOfLightInAir = 299'792'458;  // [m/s]
 constexpr double kEarthRadius = 4.0 / 3 * 6'371e3;  // that rays see [m]
 constexpr double kNoLoss = -0.78;                   // Fresnel parameters up to there
 
@@ -53,7 +52,7 @@ TerrainDiffraction::TerrainDiffraction(std::unique_ptr<Propagation> open,
                                        double step)
     : open_(std::move(open)),
       terrain_(terrain),
-      wavelength_(kSpeedOfLightInAir / frequency),
+      wavelength_(kSpeedOfLight / frequency),
       step_(step),
       highest_(terrain.highest_msl()) {
   SKEIN_CHECK(frequency > 0 && step > 0, frequency, step);

@@ -145,7 +145,8 @@ TEST(ModemLink, SaysWhoseModemHasItsAddressToo) {
   ASSERT_TRUE(real.start().ok());
   const auto clashes = [](ModemLink& link, EntityId who) {
     for (const Heard& heard : link.take(Time(), who))
-      if (const auto* clash = std::get_if<ModemClash>(&heard)) return clash->hw == 1;
+      if (const auto* alert = std::get_if<ModemAlert>(&heard))
+        return alert->kind == AlertKind::kSameAddress && alert->hw == 1;
     return false;
   };
   EXPECT_TRUE(comes([&] { return clashes(station, kReal); }));

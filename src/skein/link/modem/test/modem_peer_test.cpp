@@ -297,14 +297,33 @@ TEST(ModemPeer, FindsThatAnotherModemHasItsAddress) {
   Air air;
   const auto other = coded(advertisement_of(1, 77, kFirst));
   air.station().receive(other, air.clock(0), air.came[0]);
-  const auto clash = air.station().take_clash();
-  ASSERT_TRUE(clash);
-  EXPECT_EQ(clash->identities, std::vector<EntityId>{kFirst});
+  const auto alerts = air.station().take_alerts();
+  ASSERT_EQ(alerts.size(), 1u);
+  EXPECT_EQ(alerts[0].kind, AlertKind::kSameAddress);
+  EXPECT_EQ(alerts[0].identities, std::vector<EntityId>{kFirst});
   air.station().receive(other, air.clock(0), air.came[0]);
-  EXPECT_FALSE(air.station().take_clash()) << "said once a minute";
+  EXPECT_TRUE(air.station().take_alerts().empty()) << "said once a minute";
   EXPECT_EQ(air.station_statistics().clashes, 2u);
   air.run(2);
   EXPECT_EQ(air.station_statistics().clashes, 2u) << "its own echo is none";
+}
+
+TEST(AlertLog, SaysEachKindOnceAMinuteAndHowMany) {
+  AlertLog log;
+  const auto at = [](double seconds) { return Time::from_seconds(seconds); };
+  log.note(AlertKind::kUnauthentic, {kFirst}, at(5));
+  log.note(AlertKind::kSameAddress, {}, at(6));
+  for (int k = 0; k < 10; ++k) log.note(AlertKind::kUnauthentic, {kFirst}, at(7 + k));
+  const auto first = log.take();
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[0].kind, AlertKind::kUnauthentic);
+  EXPECT_EQ(first[0].count, 1u);
+  EXPECT_EQ(first[1].kind, AlertKind::kSameAddress);
+  log.note(AlertKind::kUnauthentic, {}, at(65));
+  const auto second = log.take();
+  ASSERT_EQ(second.size(), 1u);
+  EXPECT_EQ(second[0].count, 11u);
+  EXPECT_TRUE(log.take().empty());
 }
 
 TEST(ModemPeer, CountsWhatNobodyTakesAsUnsent) {
@@ -388,6 +407,10 @@ TEST(SealedModemPeer, HearsWhoHasTheKeyAndNobodyElse) {
   altered[10] ^= std::byte{1};
   station.receive(altered, Time(), came);
   EXPECT_EQ(station.statistics(Time()).unauthentic, 4u);
+  const auto alerts = station.take_alerts();
+  ASSERT_EQ(alerts.size(), 1u) << "four within a minute";
+  EXPECT_EQ(alerts[0].kind, AlertKind::kUnauthentic);
+  EXPECT_EQ(alerts[0].identities, std::vector<EntityId>{kFirst}) << "whom it names";
   station.receive(said, Time(), came);
   EXPECT_EQ(station.statistics(Time()).duplicates, 1u);
   // Long after: nothing of a session that is over counts again.
@@ -407,6 +430,7 @@ TEST(SealedModemPeer, OnlyCountsWhereItIsNotRequired) {
         Time(), came);
     EXPECT_TRUE(station.hears(kFirst)) << sealed;
     EXPECT_EQ(station.statistics(Time()).unauthentic, 1u);
+    EXPECT_EQ(station.take_alerts().at(0).kind, AlertKind::kUnauthenticIn);
   }
 }
 

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "skein/base/id.h"
+#include "skein/base/time.h"
+
+namespace skein::modem {
+
+/// What may be wrong on the air of a modem.
+enum class AlertKind : std::uint8_t {
+  kSameAddress,   ///< another modem says who is reached through it, with this address
+  kUnauthentic,   ///< a datagram without a valid seal was refused
+  kUnauthenticIn  ///< a datagram without a valid seal counts all the same
+};
+
+/// Something is wrong on the air of a modem.
+struct Alert {
+  AlertKind kind = AlertKind::kSameAddress;
+  std::vector<EntityId> identities;  ///< that the datagram says; it may lie
+  std::uint64_t count = 1;           ///< of these since the last alert of the kind
+};
+
+/// Alerts, of each kind the first at once and then one a minute at most.
+class AlertLog {
+ public:
+  void note(AlertKind kind, std::vector<EntityId> identities, Time now);
+
+  /// What is due since the last call.
+  std::vector<Alert> take();
+
+ private:
+  struct OfKind {
+    std::uint64_t count = 0;  // since the last one
+    std::optional<Time> next;
+  };
+
+  std::array<OfKind, 3> kinds_;
+  std::vector<Alert> due_;
+};
+
+}  // namespace skein::modem

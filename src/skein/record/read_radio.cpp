@@ -1,0 +1,70 @@
+#include "skein/record/read_radio.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "skein/record/radio_sums.h"
+#include "skein/record/record_table.h"
+
+namespace skein::record {
+namespace {
+
+std::optional<LossCause> loss_cause(const std::string& name) {
+  constexpr auto kNames = names_of(static_cast<const LossCause*>(nullptr));
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<LossCause>(found - kNames.begin());
+}
+
+// Bands as their column has them: from and to have units in their names.
+Result<void> read_messages(Sqlite& database, RadioStatistics& statistics,
+                           StoredRun& run) {
+  run.message_bin = std::max(10.0, std::ceil(run.duration / 120 / 10) * 10);
+  const double needed = std::max(1.0, std::ceil(run.duration / run.message_bin));
+  const auto bins = static_cast<std::size_t>(needed);
+  run.messages_sent.assign(bins, 0);
+  run.messages_lost.assign(bins, 0);
+  std::string unknown;
+  auto done = for_each_row(
+      database, "SELECT sent_s, cause, hops, forged FROM messages",
+      [&](const Statement& row) {
+        const double bin = std::max(0.0, row.real(0) / run.message_bin);
+        const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
+        ++run.messages_sent[k];
+        const auto cause = loss_cause(row.text(1));
+        if (!cause) {
+          unknown = row.text(1);
+          return;
+        }
+        const bool lost = *cause != LossCause::kNone && *cause != LossCause::kPending;
+        if (lost) ++run.messages_lost[k];
+        statistics.message(*cause, static_cast<std::uint32_t>(row.integer(2)),
+                           row.integer(3) != 0);
+      });
+  if (!done || unknown.empty()) return done;
+  return Error{ErrorCode::kBadInput, "messages",
+               fmt::format("\"{}\" is no cause of a loss.", unknown), ""};
+}
+
+}  // namespace
+
+Result<void> read_radio(Sqlite& database, RadioStatistics& statistics, StoredRun& run) {
+  if (auto done = read_messages(database, statistics, run); !done) return done;
+  RadioSums sums;
+  auto done = for_each_record<RadioUseRecord>(database, "ORDER BY time_s, entity_id",
+                                              [&](const RadioUseRecord& record) {
+                                                statistics.radio(record);
+                                                sums.add(record);
+                                              });
+  if (!done) return done;
+  done = for_each_record<LinkUseRecord>(
+      database, "", [&](const LinkUseRecord& record) { sums.add(record.use); });
+  if (done) sums.finish(run);
+  return done;
+}
+
+}  // namespace skein::record
