@@ -313,6 +313,7 @@ Result<std::unique_ptr<Agent>> make_agent(const AgentChoice& choice,
   auto separation = separation_of(choice.avoidance);
   if (!separation) return separation.error();
   options.separation = std::move(separation).value();
+  options.separation.place_period = c.place_period;
   if (const auto& pilot = choice.avoidance.pilot)
     options.pilot = reasoning::AdvisedPilotOptions{pilot->reaction[0], pilot->reaction[1],
                                                    pilot->obeys, c.seed};

@@ -7,6 +7,7 @@
 
 #include "skein/assemble/contexts.h"
 #include "skein/assemble/kind_registry.h"
+#include "skein/assemble/routine_periods.h"
 #include "skein/assemble/vehicle_faults.h"
 #include "skein/base/result.h"
 #include "skein/data/zone.h"
@@ -65,7 +66,8 @@ class AircraftBuilder {
         links_(links),
         recorded_(recorded),
         planner_(std::make_shared<planning::AaStar>()),
-        names_(aircraft_names(scenario)) {}
+        names_(aircraft_names(scenario)),
+        place_period_(routine_periods(scenario).place) {}
 
   /// Aircraft `index` of `group`, which becomes entity `self` and reports to `station`.
   /// Fails: what a part cannot be made from; a start inside terrain or a no-fly zone;
@@ -105,6 +107,7 @@ class AircraftBuilder {
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
   std::vector<std::vector<std::string>> names_;                // of each group
+  double place_period_;
   // All that were made, for those who look at others when the run goes.
   std::shared_ptr<std::map<std::string, const Vehicle*>> made_ =
       std::make_shared<std::map<std::string, const Vehicle*>>();

@@ -108,6 +108,7 @@ struct AircraftContext {
   std::uint8_t fitted = 0;      ///< bit k: FlightSensor k is on board
   std::any* shared = nullptr;   ///< what the autopilots of a group have in common
   double parameter_spread = 0;  ///< of the plant's parameters, at most
+  double place_period = 1;      ///< SeparationOptions [s]
 };
 
 /// An aircraft of a ground station, as missions choose theirs.

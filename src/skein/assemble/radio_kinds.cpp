@@ -16,6 +16,7 @@
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/radio_security.h"
 #include "skein/assemble/ranges.h"
+#include "skein/assemble/routine_periods.h"
 #include "skein/assemble/team_setup.h"
 #include "skein/layer/communication/antenna/antenna_pattern.h"
 #include "skein/layer/communication/ideal_radio.h"
@@ -209,6 +210,16 @@ double radio_range(const scenario::Choice& radio) {
   }
   const auto* ideal = std::any_cast<communication::IdealRadioOptions>(&radio.options);
   return ideal ? ideal->range : 0;
+}
+
+double shared_rate(const scenario::Choice& radio) {
+  const auto* medium = std::any_cast<MediumChoice>(&radio.options);
+  if (!medium) return 0;
+  const auto file = load(*medium);
+  if (!file) return 0;
+  const auto& profile = file.value().radio;
+  const bool shared = profile.mac.access != communication::AccessMethod::kDirect;
+  return shared ? profile.phy.rate : 0;
 }
 
 Kinds<Radio, RadioContext> radio_kinds() {

@@ -6,6 +6,7 @@
 #include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/aircraft_fit.h"
 #include "skein/assemble/contexts.h"
+#include "skein/assemble/routine_periods.h"
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
 namespace skein::assemble {
@@ -46,7 +47,8 @@ TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station) 
   const TeamSetup& setup = scenario.stations[station].team;
   const EntityId id{static_cast<std::uint32_t>(station)};
   TeamConfig config;
-  config.times.query_period = setup.query_period.seconds();
+  config.times.query_period = setup.query_period ? setup.query_period->seconds()
+                                                 : routine_periods(scenario).query;
   config.times.mission_diameter = setup.diameter.value_or(0);
   config.times.radio_range = radio_range(scenario.radio);
   config.seed = scenario.seed;

@@ -178,9 +178,9 @@ struct TeamSetup {
   };
   Structure structure = Structure::kNone;
   Allocation allocation = Allocation::kCoalitions;
-  Time query_period = Time::from_seconds(1);
-  std::optional<double> diameter;  ///< of its mission [m]; none: of the tasks known
-  bool approval = false;           ///< allocations wait for the operator
+  std::optional<Time> query_period;  ///< none: as the radio has room for
+  std::optional<double> diameter;    ///< of its mission [m]; none: of the tasks known
+  bool approval = false;             ///< allocations wait for the operator
 };
 
 /// A ground station, which pursues missions and gives orders.

@@ -242,7 +242,8 @@ Fields<TeamSetup> team_fields() {
               "each keeps its task, others get the nearest"}})
       .duration_s("query_period_s", &T::query_period,
                   "Between two queries of a master. Who is silent for four of them, more "
-                  "where messages are lost, counts as lost.",
+                  "where messages are lost, counts as lost. Null: 1 s, more where the "
+                  "radio is narrow (docs/team.md).",
                   {.at_least = 0.5, .at_most = 60})
       .number("mission_diameter_m", &T::diameter,
               "Beyond the range of the radio it takes longer until somebody counts as "

@@ -15,14 +15,14 @@ namespace {
 constexpr double kErrors = 3;
 constexpr double kAcross = 30, kHeight = 12;  // [m]
 
-constexpr double kCourseFor = 10;               // that a place is of use [s]
+constexpr double kPlaceHolds = 10;              // that a place is of use at least [s]
+constexpr double kPlacesHeld = 3;               // the same, in periods of PlaceReports
 constexpr double kClimbsOn = 6;                 // of who has no plan [s]
 constexpr double kCourseError = 10;             // of a course that is no plan [m]
 constexpr std::uint32_t kCourses = 0x80000000;  // numbers of courses begin there
 constexpr double kLargestError = 1000;          // that can be meant [m]
 constexpr double kLargestSeparation = 20e3;
-constexpr double kPeriod = 1;        // of PlaceReports [s]
-constexpr double kLongestGap = 20;   // between them
+constexpr double kLongestGap = 20;   // between PlaceReports, in their periods
 constexpr double kForgets = 0.99;    // of PlaceReports, at each
 constexpr double kMinExpected = 10;  // of them, to know what is lost
 constexpr double kFades = 0.9;       // of the longest delay, at each message
@@ -37,7 +37,7 @@ bool is_separation(float distance) {
 }  // namespace
 
 bool TeamFlight::conforms(Time now) const {
-  if (plan.empty() || (now - sent).seconds() > TeamFlights::kStale + delay) return false;
+  if (plan.empty() || (now - sent).seconds() > plan_holds + delay) return false;
   if (!place || place->plan != number) return true;
   const Vec3 off = model::moment_at(plan, place->sent.seconds()).p_N - place->p_N;
   return off.head<2>().norm() <= std::max(kAcross, kErrors * across_error) &&
@@ -46,7 +46,7 @@ bool TeamFlight::conforms(Time now) const {
 
 TeamFlight::Expected TeamFlight::expected(Time now) const {
   if (conforms(now)) return {&plan, number, 0};
-  if (course.empty() || (now - place->sent).seconds() > kCourseFor) return {};
+  if (course.empty() || (now - place->sent).seconds() > place_holds) return {};
   return {&course, course_number, kCourseError};
 }
 
@@ -55,6 +55,8 @@ TeamFlight& TeamFlights::at(EntityId who) {
   if (found != flights_.end() && found->who == who) return *found;
   TeamFlight fresh;
   fresh.who = who;
+  fresh.plan_holds = kPlanHolds * place_period_;
+  fresh.place_holds = std::max(kPlaceHolds, kPlacesHeld * place_period_);
   return *flights_.insert(found, std::move(fresh));
 }
 
@@ -70,7 +72,7 @@ void TeamFlights::take(const Message& message, const PlanReport& report) {
   const bool other = flight.plan.empty() || report.number != flight.number;
   // A lower number is of somebody who has begun anew, if that is not a late message.
   if (other && report.number < flight.number &&
-      (message.sent - flight.sent).seconds() < kStale)
+      (message.sent - flight.sent).seconds() < flight.plan_holds)
     return;
   if (!is_error(report.across_error) || !is_error(report.height_error) ||
       !is_separation(report.horizontal) || !is_separation(report.vertical))
@@ -99,7 +101,8 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
   if (flight.landed && place.sent <= *flight.landed) return;
   if (flight.place) {
     // Longer gaps are of somebody who was out of reach.
-    const double sent = std::round((place.sent - flight.place->sent).seconds() / kPeriod);
+    const double sent =
+        std::round((place.sent - flight.place->sent).seconds() / place_period_);
     if (sent >= 1 && sent <= kLongestGap) {
       expected_ = kForgets * expected_ + sent;
       received_ = kForgets * received_ + 1;
@@ -153,7 +156,7 @@ void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox
   std::erase_if(flights_, [&](const TeamFlight& flight) {
     const Time last = std::max({flight.sent, flight.place ? flight.place->sent : Time(),
                                 flight.landed.value_or(Time())});
-    return (now - last).seconds() > kForget;
+    return (now - last).seconds() > kForget * place_period_;
   });
   expect_courses(now);
 }

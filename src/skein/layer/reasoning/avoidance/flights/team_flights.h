@@ -36,6 +36,7 @@ struct TeamFlight {
                       ///< conform; else empty
   std::uint32_t course_number = 0;  ///< of `course`; no plan has such a number
   double delay = 0;  ///< of what it sends, smoothed; the longest of late [s]
+  double plan_holds = 15, place_holds = 10;  ///< so long after they were sent [s]
 
   /// Its plan says where it will be: heard of lately, and it is where the plan has it.
   bool conforms(Time now) const;
@@ -57,13 +58,16 @@ struct TeamFlight {
 /// another order changes nothing; what makes no sense is left out.
 class TeamFlights {
  public:
-  /// A plan that has not been heard of for longer protects its owner no more [s].
-  static constexpr double kStale = 15;
-  /// What has not been heard of for longer is forgotten [s].
+  /// In periods of PlaceReports: a plan that has not been heard of for longer protects
+  /// its owner no more.
+  static constexpr double kPlanHolds = 15;
+  /// The same: what has not been heard of for longer is forgotten.
   static constexpr double kForget = 60;
 
-  /// @param horizon  how long courses are expected to be kept [s].
-  explicit TeamFlights(double horizon = 90) : horizon_(horizon) {}
+  /// @param horizon       how long courses are expected to be kept [s].
+  /// @param place_period  of PlaceReports of all [s].
+  explicit TeamFlights(double horizon = 90, double place_period = 1)
+      : horizon_(horizon), place_period_(place_period) {}
 
   /// Takes in what was received and forgets who has been silent for long.
   void listen(EntityId self, Time now, std::span<const Message> inbox);
@@ -81,7 +85,7 @@ class TeamFlights {
   void take(const Message& message, const PlaceReport& report);
   void take(const Message& message, const LandingReport& report);
 
-  double horizon_;
+  double horizon_, place_period_;
   std::vector<TeamFlight> flights_;
   double received_ = 0, expected_ = 0;  // PlaceReports of late
   std::uint32_t courses_ = 0;

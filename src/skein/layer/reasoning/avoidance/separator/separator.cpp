@@ -11,9 +11,9 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookPeriod = 1;   // [s]
-constexpr double kPlacePeriod = 1;  // [s]
-constexpr double kPlanPeriod = 5;   // [s]
+constexpr double kLookPeriod = 1;     // [s]
+constexpr double kMeasurePeriod = 1;  // [s]
+constexpr double kPlanPeriod = 5;     // of plans, in those of places
 // Of where an aircraft believes to be: three of what both of a pair believe together.
 constexpr double kSigmas = 2.2;
 constexpr double kVerticalSd = 1.5;    // over the horizontal one
@@ -90,7 +90,7 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
 // How well the plan is kept.
 void Separator::measure(const SeparationStep& step) {
   const double now = step.now.seconds();
-  if ((step.now - measured_).seconds() < kPlacePeriod) return;
+  if ((step.now - measured_).seconds() < kMeasurePeriod) return;
   measured_ = step.now;
   if (flies_plan() && (is_plan_ || changed_) && now >= model::start_of(own_.plan) &&
       now <= model::end_time_of(own_.plan))
@@ -185,7 +185,8 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
     out.push_back(std::move(message));
   }
   answers_.clear();
-  if ((step.now - said_place_).seconds() >= kPlacePeriod || said_place_ == Time()) {
+  const double place_period = options_.place_period;
+  if ((step.now - said_place_).seconds() >= place_period || said_place_ == Time()) {
     said_place_ = step.now;
     PlaceReport place;
     place.north = static_cast<float>(step.p_N.x());
@@ -200,7 +201,8 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
   if (!flies_plan()) return;
   const bool again =
       said_again_ > 0 && (step.now - said_plan_).seconds() >= kRepeatPeriod;
-  if (!plan_is_new_ && !again && (step.now - said_plan_).seconds() < kPlanPeriod) return;
+  const double said_ago = (step.now - said_plan_).seconds();
+  if (!plan_is_new_ && !again && said_ago < kPlanPeriod * place_period) return;
   const double from = std::max(step.now.seconds(), model::start_of(own_.plan));
   if (from >= model::end_time_of(own_.plan)) return;
   auto coded = model::coded_flight(own_.plan);

@@ -31,6 +31,9 @@ struct SeparationOptions {
   double reaction = 2;     ///< own action begins so long after a decision [s]
   double emergency = 15;   ///< from so short a time on each acts alone [s]
   double last_moment = 5;  ///< from so short a time on only heights count [s]
+  /// Between two words of where it is; its plan is said again after five of them [s]. The
+  /// same for all of a team.
+  double place_period = 1;
   /// How far it is off its plans, and from where it believes to be, is kept on top of
   /// `separation`; else that is all that is kept.
   bool widens = true;
@@ -86,7 +89,7 @@ class Separator {
   Separator(EntityId self, const SeparationOptions& options)
       : self_(self),
         options_(options),
-        team_(options.horizon),
+        team_(options.horizon, options.place_period),
         strangers_(options.reaction, options.well_clear.get()) {}
 
   /// Takes in what was received. At each step, on the ground too.

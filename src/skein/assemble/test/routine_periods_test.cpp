@@ -1,0 +1,47 @@
+#include "skein/assemble/routine_periods.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "skein/assemble/kinds_of.h"
+#include "skein/scenario/scenario_file.h"
+
+namespace skein::assemble {
+namespace {
+
+scenario::Scenario scenario_with(const std::string& radio, int aircraft,
+                                 const std::string& more = "") {
+  auto read = scenario::read_scenario_text(
+      "duration_s: 120\nenvironment: {phenomena: []}\nmissions: []\nradio: " + radio +
+          "\naircraft: [{count: " + std::to_string(aircraft) +
+          ", agent: {kind: scout, avoidance: {method: auto}}}]\n" + more,
+      "test", ".", kind_table());
+  EXPECT_TRUE(read.ok()) << read.report();
+  return *read.scenario;
+}
+
+TEST(RoutinePeriods, AreASecondWhereTheRadioHasRoom) {
+  for (const char* radio :
+       {"ideal", "{kind: medium, profile: wifi-dsss-2}", "{kind: medium, profile: n920}",
+        "{kind: medium, profile: satcom}"}) {
+    const RoutinePeriods periods = routine_periods(scenario_with(radio, 10));
+    EXPECT_EQ(periods.query, 1) << radio;
+    EXPECT_EQ(periods.place, 1) << radio;
+  }
+}
+
+TEST(RoutinePeriods, GrowWithTheAircraftOfANarrowRadio) {
+  const char* narrow = "{kind: medium, profile: xbee-digimesh}";
+  EXPECT_EQ(routine_periods(scenario_with(narrow, 2)).place, 1);
+  const RoutinePeriods ten = routine_periods(scenario_with(narrow, 10));
+  // 8 * 223 * 10 bit/s in 0.4 of 10 kbit/s.
+  EXPECT_NEAR(ten.place, 4.46, 1e-9);
+  EXPECT_NEAR(ten.query, 4.46, 1e-9);
+  const RoutinePeriods many = routine_periods(scenario_with(narrow, 100));
+  EXPECT_EQ(many.place, 5);
+  EXPECT_EQ(many.query, 20);
+}
+
+}  // namespace
+}  // namespace skein::assemble
