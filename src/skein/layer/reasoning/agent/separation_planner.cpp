@@ -212,6 +212,8 @@ const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
   if (separator_.changed() || expected_) {
     own.plan = separator_.plan();
     own.milestones = separator_.milestones();
+    // Shorter ones to where it leads, planned elsewhere, would lead through the others.
+    own.rejoins = false;
   }
   own.in_time = true;
   own_ = {step.intents.next(), std::move(own)};

@@ -16,9 +16,9 @@ void Separator::avoid_strangers(const SeparationStep& step) {
   if (step.strangers.empty() && !turn_) return;
   const double until = rejoins(step.now.seconds());
   const std::vector<PlannedFlight> others = rooms(step, false);
-  const auto action =
-      strangers_.step({step.now.seconds(), step.p_N, step.v_N, own_.plan, until,
-                       step.strangers, step.query, step.zones, others});
+  const auto action = strangers_.step({step.now.seconds(), step.p_N, step.v_N, own_.plan,
+                                       until, step.strangers, step.query, step.zones,
+                                       others, options_.stranger_room});
   if (action == StrangerAvoidance::Action::kPlan) {
     turn_.reset();
     adopt(strangers_.flight(),

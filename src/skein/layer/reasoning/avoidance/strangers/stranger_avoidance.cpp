@@ -39,11 +39,12 @@ StrangerAvoidance::StrangerAvoidance(double reaction,
 
 bool StrangerAvoidance::plan_around(const StrangerView& view) {
   Airspace airspace;
-  airspace.zones.assign(view.zones.begin(), view.zones.end());
   airspace.flights.assign(view.rooms.begin(), view.rooms.end());
-  const std::vector<PredictedIntersection> meetings = meetings_with(view);
+  const std::vector<StrangerMeeting> meetings = meetings_with(view);
+  airspace.zones = zones_with_rooms(view, meetings);
   for (std::size_t k = 0; k < meetings.size(); ++k)
-    airspace.movers.push_back(room_of(view.strangers[k], meetings[k]));
+    if (moves(view, meetings[k]))
+      airspace.movers.push_back(room_of(view.strangers[k], meetings[k].where));
   auto flight = replanned(view.plan, begin_, view.rejoins, view.query, airspace);
   if (!flight) return false;
   flight_ = *std::move(flight);
@@ -128,8 +129,8 @@ StrangerAvoidance::Action StrangerAvoidance::turn_on(const StrangerView& view,
   FlightPlan here = plan_from_here(view);
   if (here.empty()) return Action::kTrack;
   const StrangerView from_here{
-      view.now,       view.p_N,   view.v_N,   here,      model::end_time_of(here),
-      view.strangers, view.query, view.zones, view.rooms};
+      view.now,       view.p_N,   view.v_N,   here,       model::end_time_of(here),
+      view.strangers, view.query, view.zones, view.rooms, view.kind};
   if (const auto first = first_of(from_here)) {
     auto flight = flight_around(from_here, *first, view.now);
     if (!flight) return Action::kTrack;
