@@ -172,6 +172,7 @@ class Separator {
   // Of the order of two (separator_yielding.cpp).
   const Conflict* lowest_in_the_way(Time now) const;
   void ask_to_yield(const SeparationStep& step);
+  void hear_answer(Time now, EntityId from, const YieldAnswer& answer);
   void answer(const SeparationStep& step, EntityId from, const YieldRequest& request);
   bool gives_way_to(const SeparationStep& step, const TeamFlight& other,
                     const YieldRequest& request);

@@ -61,7 +61,7 @@ void Separator::hear(const SeparationStep& step) {
     } else if (const auto* request = std::get_if<YieldRequest>(&message.content)) {
       answer(step, message.from, *request);
     } else if (const auto* yields = std::get_if<YieldAnswer>(&message.content)) {
-      yielding_.take(step.now, message.from, *yields);
+      hear_answer(step.now, message.from, *yields);
     } else {
       hear_of_groups(step, message);
     }

@@ -32,7 +32,8 @@ void Separator::avoid_strangers(const SeparationStep& step) {
           step.now);
   } else if (action == StrangerAvoidance::Action::kTrack) {
     const double course = strangers_.track();
-    turn_ = Heading{course, safe_altitude(step, course, -step.p_N.z())};
+    turn_ =
+        Heading{course, safe_altitude(step, course, -step.p_N.z() + strangers_.climb())};
     reason_ = "turns away from a stranger";
   } else if (turn_) {
     begun_ = false;  // what it wants is planned from here

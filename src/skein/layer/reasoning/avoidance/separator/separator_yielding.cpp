@@ -54,6 +54,13 @@ void Separator::ask_to_yield(const SeparationStep& step) {
   yielding_.ask(step.now, other->who, request, 2 * other->delay + kAgentStep);
 }
 
+void Separator::hear_answer(Time now, EntityId from, const YieldAnswer& answer) {
+  const bool before = yielding_.other_yields(from, now);
+  yielding_.take(now, from, answer);
+  if (!before && yielding_.other_yields(from, now))
+    log_.solved(from, now, SeparationMethod::kPriority, "the other gives way as asked");
+}
+
 void Separator::answer(const SeparationStep& step, EntityId from,
                        const YieldRequest& request) {
   const TeamFlight* other = team_.find(from);

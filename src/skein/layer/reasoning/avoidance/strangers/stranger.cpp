@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "skein/base/math.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -90,7 +91,7 @@ Zone static_room_of(const Stranger& stranger, const PredictedIntersection& meeti
   const Vec2 along = v.norm() > 0 ? Vec2(v.normalized()) : Vec2(1, 0);
   const Vec2 across = geo::turned_right(along);
   // The corners are so far out that the sides touch the ellipse.
-  const double out = 1 / std::cos(geo::kPi / kCorners);
+  const double out = 1 / math::cos(geo::kPi / kCorners);
   const double b = out * meeting.kept.horizontal;
   const double a = b + out * v.norm() * half;
   geo::Ring ring;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
+#include "skein/layer/reasoning/avoidance/strangers/escape.h"
 #include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
 #include "skein/layer/reasoning/planning/search/link.h"
 #include "skein/model/path/flight_plan.h"
@@ -69,8 +70,29 @@ bool StrangerAvoidance::must_turn(const StrangerView& view) {
   const auto& advice = advisor_.advise(view.now, {view.p_N, view.v_N}, intruders_,
                                        {goal, view.v_N.head<2>().norm(), -view.v_N.z()});
   alert_ = advice.alert;
-  track_ = advice.track ? advice.track->value : geo::bearing(view.v_N.head<2>());
+  climb_ = 0;
+  if (advice.track) {
+    track_ = advice.track->value;
+    escapes_up_.reset();
+  } else {
+    escape(view);
+  }
   return std::abs(geo::wrap_pi(track_ - goal)) > 1e-3 || alert_ >= kWarning;
+}
+
+// No track leads out. Up or down is kept as it was begun: the noise of a track would have
+// it now this way, now that.
+void StrangerAvoidance::escape(const StrangerView& view) {
+  track_ = geo::bearing(view.v_N.head<2>());
+  if (view.strangers.empty()) return;
+  const Escape escape =
+      escape_from(view.p_N, view.v_N, view.query.limits, view.strangers, view.now);
+  track_ = escape.course;
+  if (!escapes_up_) escapes_up_ = escape.up;
+  double height = 0;
+  for (const Stranger& each : view.strangers)
+    height = std::max(height, each.kept.vertical);
+  climb_ = *escapes_up_ ? height : -height;
 }
 
 // The first intersection that is worth another plan.
