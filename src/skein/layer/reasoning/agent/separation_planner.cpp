@@ -171,7 +171,7 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
   modifies_ = asked != given;
   reason_ = landing_.reason();
   if (wanted_.plan.empty()) return asked;
-  separate(step, !obeys || landing_.approaches() || is_ignored(step, flight));
+  separate(step, !obeys || landing_.approaches(), is_ignored(step, flight));
   say(out);
   if (!obeys) return asked;
   if (const std::string_view why = separator_.reason(); !why.empty()) reason_ = why;
@@ -205,7 +205,7 @@ bool SeparationPlanner::is_ignored(const TaskStep& step, const FlightProgress& f
 }
 
 // Changes the flight that is wanted, if it has to be.
-void SeparationPlanner::separate(const TaskStep& step, bool keeps_on) {
+void SeparationPlanner::separate(const TaskStep& step, bool keeps_on, bool is_ignored) {
   messages_.clear();
   if (lowest_of_ != wanted_.number) {
     lowest_of_ = wanted_.number;
@@ -219,7 +219,7 @@ void SeparationPlanner::separate(const TaskStep& step, bool keeps_on) {
   const PathQuery query = query_of(step);
   separator_.step(
       {step.in.now, step.in.nav->p_N, step.in.nav->v_N, step.in.nav->position_sd,
-       priority, query, step.safety.zones().zones(), strangers_, keeps_on},
+       priority, query, step.safety.zones().zones(), strangers_, keeps_on, is_ignored},
       wanted_, messages_);
 }
 

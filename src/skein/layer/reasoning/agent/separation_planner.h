@@ -53,7 +53,7 @@ class SeparationPlanner {
   bool expects_other(const FlightIntent& given, const TaskStep& step) const;
   PathQuery query_of(const TaskStep& step) const;
   bool is_ignored(const TaskStep& step, const FlightProgress& flight);
-  void separate(const TaskStep& step, bool keeps_on);
+  void separate(const TaskStep& step, bool keeps_on, bool is_ignored);
   const FlightIntent* own_flight(const FlightIntent& given, const TaskStep& step);
   void say(AgentOutput& out);
   void list_strangers(const TaskStep& step);

@@ -75,7 +75,7 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
                      std::vector<Message>& out) {
   want(wanted);
   priority_ = step.priority;
-  keeps_on_ = step.keeps_on;
+  keeps_on_ = step.keeps_on || step.is_ignored;
   own_.separation = options_.separation;
   measure(step);
   hear(step);

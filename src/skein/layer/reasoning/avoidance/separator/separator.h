@@ -69,6 +69,9 @@ struct SeparationStep {
   std::span<const Stranger> strangers = {};
   /// Another flight would not be flown: a pilot or a failsafe flies, or it lands.
   bool keeps_on = false;
+  /// A pilot has not flown what kept apart from the team: nothing else is tried for now,
+  /// but to keep out of the way of strangers, who do not hear of it.
+  bool is_ignored = false;
 };
 
 /// To fly now instead of any plan.

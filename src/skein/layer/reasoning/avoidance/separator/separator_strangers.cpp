@@ -10,7 +10,7 @@ constexpr double kAvoidPeriod = 1;  // [s]
 }  // namespace
 
 void Separator::avoid_strangers(const SeparationStep& step) {
-  if (options_.method != SeparationMethod::kAuto || keeps_on_) return;
+  if (options_.method != SeparationMethod::kAuto || step.keeps_on) return;
   if ((step.now - avoided_).seconds() < kAvoidPeriod && avoided_ != Time()) return;
   avoided_ = step.now;
   if (step.strangers.empty() && !turn_) return;
