@@ -89,6 +89,8 @@ Result<campaign::AvoidanceStudy> study_of(const StudyArguments& arguments) {
   study.delay = how.delay;
   study.range = how.range;
   study.tracks = how.tracks;
+  study.room = how.room;
+  study.deal = how.deal;
   study.turbulence = how.turbulence;
   study.seed = arguments.first_seed;
   if (const auto named = separation_named(how.separation)) {

@@ -199,8 +199,8 @@ const std::vector<StudyKind>& study_kinds() {
        "aircraft that will meet, flown to the end: how near they come and what that "
        "costs",
        {"--out", "--log", "--cases", "--only-cases", "--first-seed", "--threads",
-        "--method", "--plant", "--loss", "--delay", "--range", "--tracks", "--turbulence",
-        "--separation", "--wind-from"},
+        "--method", "--deal", "--plant", "--loss", "--delay", "--range", "--tracks",
+        "--stranger-room", "--turbulence", "--separation", "--wind-from"},
        avoidance_study},
       {"network",
        "the radio medium beside ns-3 and Bianchi: network grid, network cell, network "

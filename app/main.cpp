@@ -400,6 +400,15 @@ Command add_study(CLI::App& program) {
           "radar.")
       ->check(CLI::IsMember({"perfect", "adsb", "passive", "radar"}));
   command
+      ->add_option("--stranger-room", avoidance.room,
+                   "avoidance: what is kept free where a stranger is met: moving "
+                   "(default) or static.")
+      ->check(CLI::IsMember({"moving", "static"}));
+  command
+      ->add_option("--deal", avoidance.deal,
+                   "avoidance: what two agree on: sum (default), product or zeuthen.")
+      ->check(CLI::IsMember({"sum", "product", "zeuthen"}));
+  command
       ->add_option("--turbulence", avoidance.turbulence,
                    "avoidance: none (default), light, moderate or severe.")
       ->check(CLI::IsMember({"none", "light", "moderate", "severe"}));

@@ -70,6 +70,28 @@ TEST_F(AvoidanceStudy, StrangersAreKeptWellClearOf) {
   }
 }
 
+TEST_F(AvoidanceStudy, EveryDealPartsAPair) {
+  write("pair.csv", kPair);
+  for (const char* deal : {"sum", "product", "zeuthen"}) {
+    const std::string csv = study("pair.csv", {"--method", "negotiated", "--deal", deal});
+    EXPECT_EQ(cell(csv, "violations"), 0) << deal;
+    EXPECT_EQ(cell(csv, "arrived"), 2) << deal;
+    EXPECT_GE(cell(csv, "deals"), 1) << deal;
+  }
+}
+
+// Both rooms keep well clear; the standing one is flown around by another way.
+TEST_F(AvoidanceStudy, StrangersAreKeptWellClearOfByEitherRoom) {
+  write("e.csv", kEncounter);
+  const std::string moving = study("e.csv", {"--stranger-room", "moving"});
+  const std::string standing = study("e.csv", {"--stranger-room", "static"});
+  for (const std::string& csv : {moving, standing}) {
+    EXPECT_EQ(cell(csv, "lowc"), 0);
+    EXPECT_EQ(cell(csv, "arrived"), 1);
+  }
+  EXPECT_NE(cell(moving, "extra_time_s"), cell(standing, "extra_time_s"));
+}
+
 TEST_F(AvoidanceStudy, SaysWhatIsWrong) {
   write("pair.csv", kPair);
   write("bad.csv", std::string(kEncounter) + "e1,0,0\n");
@@ -86,6 +108,8 @@ TEST_F(AvoidanceStudy, SaysWhatIsWrong) {
   expect({"--cases", "bad.csv"}, "bad.csv:3");
   expect({"--cases", "pair.csv", "--tracks", "eyes"}, "--tracks");
   expect({"--cases", "pair.csv", "--method", "luck"}, "--method");
+  expect({"--cases", "pair.csv", "--deal", "luck"}, "--deal");
+  expect({"--cases", "pair.csv", "--stranger-room", "bed"}, "--stranger-room");
 }
 
 }  // namespace

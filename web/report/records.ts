@@ -397,6 +397,7 @@ export interface OfferedManoeuvre {
 export interface Offers {
   opener: number; // who has opened the negotiation
   negotiation: number; // its number
+  deal: number; // by which rule the sender agrees
   strength: number; // of the manoeuvres
   rejoins_s: number; // where its plan must be met again
   airspeed_mps: number; // cruise
@@ -711,13 +712,28 @@ export interface Readings {
   burning: BriefPlace[]; // where it burns too, seen before
 }
 
+/** The sender asks the receiver to give way in a conflict. */
+export interface YieldRequest {
+  request: number; // counts those of the sender
+  own_plan: number; // number of the sender's plan
+  other_plan: number; // number of the receiver's plan
+  meets_s: number; // when they come too near
+  apart_s: number; // when they are apart again
+}
+
+/** Whether the sender gives way in a conflict. */
+export interface YieldAnswer {
+  request: number; // of the receiver
+  granted: boolean; // it gives way
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport) | ({ kind: "readings" } & Readings); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport) | ({ kind: "readings" } & Readings) | ({ kind: "yield_request" } & YieldRequest) | ({ kind: "yield_answer" } & YieldAnswer); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived

@@ -77,6 +77,20 @@ Fields<AvoidanceChoice> avoidance_fields() {
             "all whose conflicts hang together agree, up to twelve"},
            {"auto", SeparationMethod::kAuto,
             "negotiated, in groups, by priority, by rule or by height, as time is left"}})
+      .word("deal", &T::deal,
+            "Which deal two agree on; where both differ, the one further down.",
+            {{"sum", reasoning::DealRule::kSum,
+              "the least sum of costs: among aircraft of one owner"},
+             {"product", reasoning::DealRule::kProduct,
+              "the largest product of utilities, 1 - cost / 120 s"},
+             {"zeuthen", reasoning::DealRule::kZeuthen,
+              "by concessions over these utilities: of different owners"}})
+      .word("stranger_room", &T::stranger_room,
+            "What is kept free of the own flight where it meets a stranger.",
+            {{"moving", reasoning::StrangerRoom::kMoving,
+              "a cylinder around the stranger, wherever it is"},
+             {"static", reasoning::StrangerRoom::kStatic,
+              "an ellipse along its course around where the two would meet"}})
       .number("horizontal_m", [](T & t) -> auto& { return t.separation.horizontal; },
               "Kept from others, unless the vertical distance is kept. Of a pair the "
               "larger counts, and how far both are off their plans on top.",

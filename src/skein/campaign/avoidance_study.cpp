@@ -104,13 +104,13 @@ std::string scenario_of(const AvoidanceStudy& study, const AvoidanceCase& flown)
         "  - name: a{}\n    {}\n    altitude_agl_m: {:.17g}\n"
         "    agent: {{kind: direct, point_m: [{:.17g}, {:.17g}], altitude_msl_m: "
         "{:.17g}, airspeed_mps: {:.17g}, "
-        "avoidance: {{method: {}, horizontal_m: {:.17g}, vertical_m: {:.17g}, horizon_s: "
-        "{:.17g}}}}}\n"
+        "avoidance: {{method: {}, deal: {}, stranger_room: {}, horizontal_m: {:.17g}, "
+        "vertical_m: {:.17g}, horizon_s: {:.17g}}}}}\n"
         "    start: {{placement: list, positions_m: [[{:.17g}, {:.17g}]], "
         "altitude_msl_m: {:.17g}, heading_deg: {:.17g}}}\n",
         k + 1, plant_of(study, each, sensor), -each.start.z(), each.goal.x(),
-        each.goal.y(), -each.goal.z(), each.airspeed, study.method,
-        study.separation.horizontal, study.separation.vertical, study.horizon,
+        each.goal.y(), -each.goal.z(), each.airspeed, study.method, study.deal,
+        study.room, study.separation.horizontal, study.separation.vertical, study.horizon,
         each.start.x(), each.start.y(), -each.start.z(),
         degrees(geo::wrap_pi(heading_of(each, wind))));
   }

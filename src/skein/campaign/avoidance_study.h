@@ -23,7 +23,9 @@ struct AvoidanceStudy {
   double range = 0;            ///< of radio and sensors for traffic [m]; 0: their own
   /// What finds strangers: "perfect", "adsb", "passive", "radar".
   std::string tracks = "perfect";
-  std::optional<Vec2> wind;  ///< instead of that of the cases [m/s]
+  std::string room = "moving";  ///< of strangers, kept free: "moving" or "static"
+  std::string deal = "sum";     ///< "sum", "product" or "zeuthen"
+  std::optional<Vec2> wind;     ///< instead of that of the cases [m/s]
   std::string turbulence = "none";
   Separation separation;
   double horizon = 90;  ///< [s]

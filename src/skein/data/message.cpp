@@ -39,6 +39,8 @@ Urgency urgency_of(const MessageContent& content) {
     Urgency operator()(const GroupJoining&) { return Urgency::kSafety; }
     Urgency operator()(const GroupPlan&) { return Urgency::kSafety; }
     Urgency operator()(const GroupAcceptance&) { return Urgency::kSafety; }
+    Urgency operator()(const YieldRequest&) { return Urgency::kSafety; }
+    Urgency operator()(const YieldAnswer&) { return Urgency::kSafety; }
     Urgency operator()(const LandingReport&) { return Urgency::kSafety; }
   };
   return std::visit(Judge(), content);

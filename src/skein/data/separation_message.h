@@ -151,6 +151,7 @@ constexpr auto describe(const FlownLimits*) {
 struct Offers {
   EntityId opener;                ///< who has opened the negotiation
   std::uint32_t negotiation = 0;  ///< its number
+  std::uint8_t deal = 0;          ///< reasoning::DealRule by which the sender agrees
   float strength = 1;
   float rejoins = 0;  ///< where its plan must be met again, by the time of the plan [s]
   FlownLimits limits;
@@ -163,6 +164,7 @@ constexpr auto describe(const Offers*) {
       {"offers"}, "All that the sender can do about a conflict.",
       field("opener", &T::opener, "who has opened the negotiation"),
       field("negotiation", &T::negotiation, "its number"),
+      field("deal", &T::deal, "by which rule the sender agrees"),
       field("strength", &T::strength, "of the manoeuvres"),
       field("rejoins", &T::rejoins, unit::kSecond, "where its plan must be met again"),
       field("", &T::limits, "what it can fly"),
@@ -304,6 +306,39 @@ constexpr auto describe(const GroupAcceptance*) {
                       field("coordinator_id", &T::coordinator, "of the group"),
                       field("group", &T::group, "of the coordinator"),
                       field("accepted", &T::accepted, "it flies its part"));
+}
+
+/// The sender finds no flight that keeps out of the receiver's way, and asks it to give
+/// way in this conflict. Times are seconds on the run's clock.
+struct YieldRequest {
+  std::uint32_t request = 0;     ///< counts those of the sender, from 1
+  std::uint32_t own_plan = 0;    ///< number of the sender's plan
+  std::uint32_t other_plan = 0;  ///< number of the receiver's plan
+  float meets = 0, apart = 0;    ///< of the conflict
+};
+
+constexpr auto describe(const YieldRequest*) {
+  using T = YieldRequest;
+  return described<T>(
+      {"yield_request"}, "The sender asks the receiver to give way in a conflict.",
+      field("request", &T::request, "counts those of the sender"),
+      field("own_plan", &T::own_plan, "number of the sender's plan"),
+      field("other_plan", &T::other_plan, "number of the receiver's plan"),
+      field("meets", &T::meets, unit::kSecond, "when they come too near"),
+      field("apart", &T::apart, unit::kSecond, "when they are apart again"));
+}
+
+/// Whether the sender gives way in the conflict of a request.
+struct YieldAnswer {
+  std::uint32_t request = 0;  ///< of the receiver
+  bool granted = false;
+};
+
+constexpr auto describe(const YieldAnswer*) {
+  using T = YieldAnswer;
+  return described<T>({"yield_answer"}, "Whether the sender gives way in a conflict.",
+                      field("request", &T::request, "of the receiver"),
+                      field("granted", &T::granted, "it gives way"));
 }
 
 /// A conflict that is over, as one of the aircraft saw it.

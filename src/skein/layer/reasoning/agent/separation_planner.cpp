@@ -24,6 +24,8 @@ constexpr double kCourseAgain = 5;      // of who does not obey, at least so oft
 constexpr double kMinCourse = 1;        // and not more often than that [s]
 constexpr double kCourseError = 10;     // of a course that is no plan [m]
 constexpr double kClimbsFor = 6;        // it may climb and sink on [s]
+constexpr double kIgnored = 60;         // that a pilot counts as flying on [s]
+constexpr double kMarginOfPilot = 1;    // after the slowest reaction [s]
 constexpr double kPlannedRadius = 1.1;  // of the turn radius: room to correct
 constexpr double kPlannedClimb = 0.95;  // of the climb rate, likewise
 
@@ -169,7 +171,7 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
   modifies_ = asked != given;
   reason_ = landing_.reason();
   if (wanted_.plan.empty()) return asked;
-  separate(step, !obeys || landing_.approaches());
+  separate(step, !obeys || landing_.approaches(), is_ignored(step, flight));
   say(out);
   if (!obeys) return asked;
   if (const std::string_view why = separator_.reason(); !why.empty()) reason_ = why;
@@ -183,8 +185,27 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
   return own_flight(*asked, step);
 }
 
+// Whether a pilot has not flown what was shown. Nobody may count with that flight then:
+// the task's is flown.
+bool SeparationPlanner::is_ignored(const TaskStep& step, const FlightProgress& flight) {
+  const Time now = step.in.now;
+  const bool unflown = separator_.changed() && own_number_ != 0 &&
+                       flight.number != own_number_ && now >= ignored_until_;
+  if (!unflown) {
+    unflown_since_.reset();
+    return now < ignored_until_;
+  }
+  if (!unflown_since_) unflown_since_ = now;
+  if ((now - *unflown_since_).seconds() <= options_.reaction + kMarginOfPilot)
+    return false;
+  unflown_since_.reset();
+  ignored_until_ = now + Time::from_seconds(kIgnored);
+  separator_.refuse_plan();
+  return true;
+}
+
 // Changes the flight that is wanted, if it has to be.
-void SeparationPlanner::separate(const TaskStep& step, bool keeps_on) {
+void SeparationPlanner::separate(const TaskStep& step, bool keeps_on, bool is_ignored) {
   messages_.clear();
   if (lowest_of_ != wanted_.number) {
     lowest_of_ = wanted_.number;
@@ -193,10 +214,12 @@ void SeparationPlanner::separate(const TaskStep& step, bool keeps_on) {
   list_strangers(step);
   FlightPriority priority = priority_of(step.in.autopilot);
   if (landing_.approaches()) priority = std::max(priority, FlightPriority::kLanding);
+  if (step.in.now < ignored_until_)
+    priority = std::max(priority, FlightPriority::kPilotFlies);
   const PathQuery query = query_of(step);
   separator_.step(
       {step.in.now, step.in.nav->p_N, step.in.nav->v_N, step.in.nav->position_sd,
-       priority, query, step.safety.zones().zones(), strangers_, keeps_on},
+       priority, query, step.safety.zones().zones(), strangers_, keeps_on, is_ignored},
       wanted_, messages_);
 }
 
@@ -212,6 +235,8 @@ const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
   if (separator_.changed() || expected_) {
     own.plan = separator_.plan();
     own.milestones = separator_.milestones();
+    // Shorter ones to where it leads, planned elsewhere, would lead through the others.
+    own.rejoins = false;
   }
   own.in_time = true;
   own_ = {step.intents.next(), std::move(own)};

@@ -16,7 +16,9 @@ namespace skein::reasoning {
 /// others as far as it can be expected, and interrupted by a plan while something has to
 /// be passed. Landings are flown one after the other with others (LandingPlanner). While
 /// a pilot or a failsafe flies it says that the aircraft flies straight on, and changes
-/// nothing: others keep out of its way. On the ground it says nothing.
+/// nothing: others keep out of its way. Where a pilot was shown a flight and does not fly
+/// it in time, it says for a minute that the task's flight is flown, with the right of
+/// way of a pilot who flies. On the ground it says nothing.
 class SeparationPlanner {
  public:
   SeparationPlanner(const FlightContext& context, const SeparationOptions& options)
@@ -50,7 +52,8 @@ class SeparationPlanner {
                       const TaskStep& step);
   bool expects_other(const FlightIntent& given, const TaskStep& step) const;
   PathQuery query_of(const TaskStep& step) const;
-  void separate(const TaskStep& step, bool keeps_on);
+  bool is_ignored(const TaskStep& step, const FlightProgress& flight);
+  void separate(const TaskStep& step, bool keeps_on, bool is_ignored);
   const FlightIntent* own_flight(const FlightIntent& given, const TaskStep& step);
   void say(AgentOutput& out);
   void list_strangers(const TaskStep& step);
@@ -65,6 +68,8 @@ class SeparationPlanner {
   std::size_t kind_ = 0;       // of the intent
   bool expected_ = false;      // it has no plan
   bool by_others_ = false;     // what is wanted is the flight of a pilot or failsafe
+  std::optional<Time> unflown_since_;  // its last flight
+  Time ignored_until_;                 // by a pilot who was shown it
   Time expected_at_;
   double lowest_ = 0;  // height above the ground of what is wanted [m]
   std::uint32_t lowest_of_ = 0;

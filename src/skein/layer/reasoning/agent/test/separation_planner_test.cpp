@@ -140,5 +140,75 @@ TEST(SeparationPlanner, WhatAPilotFliesIsSaidAsItsCourse) {
   EXPECT_LT((later - Vec3(-400, 900, -260)).norm(), 1);
 }
 
+// A pilot of 1 to 20 s who is shown how to keep apart from one that comes head-on, and
+// has the way.
+struct ShownAircraft : Aircraft {
+  ShownAircraft() {
+    options.method = SeparationMethod::kPriority;
+    options.reaction = 21;
+    planner.emplace(context, options);
+    nav.wind_N = Vec2::Zero();
+    FlightElement e;
+    e.p_N = nav.p_N;
+    e.airspeed = 15;
+    e.duration = 400;
+    Itinerary itinerary;
+    itinerary.plan = {e};
+    given = {2, itinerary};
+    e.p_N = Vec3(2000, 0, -260);
+    e.heading = geo::kPi;
+    head_on.number = 1;
+    head_on.flight = *model::coded_flight({e});
+  }
+
+  // Flies the task's flight, and from `follows_at` on what is shown.
+  // @returns  what it says of its plan then.
+  std::vector<PlanReport> fly(int seconds, int follows_at) {
+    std::vector<PlanReport> all;
+    for (int k = 0; k < seconds; ++k) {
+      const FlightIntent* shown = second({{kOther, kEveryone, 0, now, head_on}});
+      if (k == 0) first = *shown;
+      progress.number = k < follows_at ? given.number : shown->number;
+      nav.p_N += nav.v_N;
+      if (const auto plan = said<PlanReport>()) all.push_back(*plan);
+    }
+    return all;
+  }
+
+  PlanReport head_on;
+  FlightIntent first;
+};
+
+TEST(SeparationPlanner, APilotWhoFliesOnHasTheWayForAMinute) {
+  ShownAircraft aircraft;
+  const std::vector<PlanReport> early = aircraft.fly(20, 1000);
+  ASSERT_FALSE(early.empty());
+  EXPECT_EQ(early.back().priority, FlightPriority::kNormal) << "it may still follow";
+  const std::vector<PlanReport> late = aircraft.fly(10, 1000);
+  ASSERT_FALSE(late.empty());
+  EXPECT_EQ(late.back().priority, FlightPriority::kPilotFlies);
+  const auto flight = model::decoded_flight(late.back().flight);
+  ASSERT_TRUE(flight);
+  const Vec3 there = model::moment_at(*flight, 100).p_N;
+  EXPECT_LT((there - Vec3(1100, 0, -260)).norm(), 1) << "the task's flight";
+  EXPECT_EQ(aircraft.fly(60, 1000).back().priority, FlightPriority::kNormal);
+}
+
+TEST(SeparationPlanner, APilotWhoFollowsInTimeIsOneOfAll) {
+  ShownAircraft aircraft;
+  for (const PlanReport& plan : aircraft.fly(60, 20))
+    EXPECT_EQ(plan.priority, FlightPriority::kNormal);
+}
+
+// Others count with it: a shorter one to where it ends would lead through them.
+TEST(SeparationPlanner, AFlightThatKeepsApartIsNotJoinedAgainByAnotherWay) {
+  ShownAircraft aircraft;
+  aircraft.fly(1, 0);
+  const auto* itinerary = std::get_if<Itinerary>(&aircraft.first.what);
+  ASSERT_TRUE(itinerary);
+  EXPECT_TRUE(aircraft.planner->modifies());
+  EXPECT_FALSE(itinerary->rejoins);
+}
+
 }  // namespace
 }  // namespace skein::reasoning

@@ -17,6 +17,7 @@ namespace {
 constexpr double kStep = 1;    // both answer so late at most [s]
 constexpr double kBudget = 3;  // of time, besides that of messages [s]
 constexpr std::size_t kMaxOffers = 200;
+constexpr double kWorthless = 120;  // cost of an option without utility [s]
 
 ConflictOfFlight about(const FlightPlan& plan, const FlightLimits& limits,
                        const NegotiatedConflict& c) {
@@ -38,10 +39,15 @@ bool makes_sense(const Offers& offers) {
         !std::isfinite(each.amount) || !std::isfinite(each.lead) ||
         !std::isfinite(each.cost))
       return false;
+  if (offers.deal > static_cast<std::uint8_t>(DealRule::kZeuthen)) return false;
   return are_possible(offers.limits) && std::isfinite(offers.rejoins);
 }
 
 }  // namespace
+
+double utility_of(double cost) {
+  return std::clamp(1 - cost / kWorthless, 0.0, 1.0);
+}
 
 std::optional<FlightPlan> flight_with(const Manoeuvre& manoeuvre,
                                       const NegotiatingFlight& flight,
@@ -96,6 +102,7 @@ void PairNegotiation::make_offers(const NegotiationView& view) {
   Offers offers;
   offers.opener = conflict_.name.opener;
   offers.negotiation = conflict_.name.number;
+  offers.deal = static_cast<std::uint8_t>(conflict_.deal);
   offers.strength = static_cast<float>(kStrengths[strength_]);
   offers.rejoins = static_cast<float>(own_.rejoins);
   offers.limits = said_limits(limits);
@@ -123,8 +130,22 @@ void PairNegotiation::make_flights() {
     side.flights.push_back(flight_with(manoeuvre_of(each), other_, conflict_));
 }
 
-// The pair with the least sum of costs that is apart.
+bool PairNegotiation::are_apart(const Pair& pair) const {
+  const auto& one = mine_[strength_].flights[pair.own];
+  const auto& other = theirs_[strength_].flights[pair.other];
+  return one && other &&
+         !first_meeting(*one, *other, conflict_.separation, conflict_.begin,
+                        conflict_.look_until);
+}
+
 std::optional<PairNegotiation::Pair> PairNegotiation::deal() const {
+  const auto theirs = static_cast<DealRule>(theirs_[strength_].offers->deal);
+  const DealRule rule = deal_rule_of(conflict_.deal, theirs);
+  return rule == DealRule::kSum ? cheapest() : fairest(rule);
+}
+
+// The pair with the least sum of costs that is apart.
+std::optional<PairNegotiation::Pair> PairNegotiation::cheapest() const {
   const Side& mine = mine_[strength_];
   const Side& theirs = theirs_[strength_];
   struct Ranked {
@@ -144,14 +165,30 @@ std::optional<PairNegotiation::Pair> PairNegotiation::deal() const {
   for (const Ranked& pair : pairs) {
     const Pair found{opened() ? pair.of_opener : pair.of_other,
                      opened() ? pair.of_other : pair.of_opener};
-    const auto& one = mine.flights[found.own];
-    const auto& other = theirs.flights[found.other];
-    if (one && other &&
-        !first_meeting(*one, *other, conflict_.separation, conflict_.begin,
-                       conflict_.look_until))
-      return found;
+    if (are_apart(found)) return found;
   }
   return std::nullopt;
+}
+
+// The deal of utilities, the opener being aircraft 1.
+std::optional<PairNegotiation::Pair> PairNegotiation::fairest(DealRule rule) const {
+  const Side& of_opener = opened() ? mine_[strength_] : theirs_[strength_];
+  const Side& of_other = opened() ? theirs_[strength_] : mine_[strength_];
+  Bargain bargain;
+  for (const OfferedManoeuvre& each : of_opener.offers->manoeuvres)
+    bargain.u1.push_back(utility_of(each.cost));
+  for (const OfferedManoeuvre& each : of_other.offers->manoeuvres)
+    bargain.u2.push_back(utility_of(each.cost));
+  const auto pair_of = [&](std::size_t k, std::size_t l) {
+    return opened() ? Pair{k, l} : Pair{l, k};
+  };
+  for (std::size_t k = 0; k < bargain.u1.size(); ++k)
+    for (std::size_t l = 0; l < bargain.u2.size(); ++l)
+      bargain.free.push_back(bargain.u1[k] > 0 && bargain.u2[l] > 0 &&
+                             are_apart(pair_of(k, l)));
+  const auto agreed = agree(rule, bargain);
+  if (!agreed) return std::nullopt;
+  return pair_of(agreed->deal.k, agreed->deal.l);
 }
 
 // One step on. @returns whether something was done.

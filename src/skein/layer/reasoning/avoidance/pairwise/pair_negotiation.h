@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "skein/data/message.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/candidates.h"
+#include "skein/layer/reasoning/avoidance/negotiation/deal.h"
 
 namespace skein::reasoning {
 
@@ -31,9 +33,19 @@ struct NegotiatedConflict {
   NegotiationName name;
   double begin = 0, meets = 0, closest = 0, apart = 0;  ///< [s]
   Separation separation;                                ///< that the two have to keep
-  double look_until = 0;  ///< meetings after it do not count [s]
-  double delay = 0;       ///< of messages between the two, one way [s]
+  double look_until = 0;           ///< meetings after it do not count [s]
+  double delay = 0;                ///< of messages between the two, one way [s]
+  DealRule deal = DealRule::kSum;  ///< by which the own aircraft agrees
 };
+
+/// The rule by which two agree that prefer these: of different ones the one that trusts
+/// the other less, kSum before kProduct before kZeuthen.
+constexpr DealRule deal_rule_of(DealRule a, DealRule b) {
+  return std::max(a, b);
+}
+
+/// What an option of this cost is worth in a deal: 1 - cost / 120 s, never below 0.
+double utility_of(double cost);
 
 /// What the own aircraft counts with while it makes its offers.
 struct NegotiationView {
@@ -45,10 +57,15 @@ struct NegotiationView {
 /// The negotiation of two about one conflict: iterative peer-to-peer.
 ///
 /// Each offers all that it can do and what that costs it. Both make the same flights of
-/// both offers, find the pair that is apart and whose costs have the least sum (ties: the
-/// first of the opener's, then of the other's), and say so. Where no pair is apart, both
-/// offer stronger manoeuvres: 1, 1.7, 3 times. It is agreed when both have said the same
-/// pair, or when the other says that it flies it already.
+/// both offers, find the same deal among the pairs that are apart, and say so. Where no
+/// pair is apart, both offer stronger manoeuvres: 1, 1.7, 3 times. It is agreed when both
+/// have said the same pair, or when the other says that it flies it already.
+///
+/// The deal is the one of deal_rule_of() of what both prefer, each saying so with its
+/// offers. By kSum it is the pair with the least sum of costs (ties: the first of the
+/// opener's, then of the other's). By the others it is that of agree() over the
+/// utilities, the opener being aircraft 1; options without utility to their own aircraft
+/// are none. Concessions need no messages of their own: each works them out for both.
 ///
 /// Whatever is lost is said again, whatever comes twice changes nothing; it ends by
 /// itself when its time is over.
@@ -100,6 +117,9 @@ class PairNegotiation {
   void make_offers(const NegotiationView& view);
   void make_flights();
   std::optional<Pair> deal() const;
+  std::optional<Pair> cheapest() const;
+  std::optional<Pair> fairest(DealRule rule) const;
+  bool are_apart(const Pair& pair) const;
   bool work(const NegotiationView& view);
   void fail(std::string_view why);
   void send(decltype(Message::content) content, std::vector<Message>& out) const;

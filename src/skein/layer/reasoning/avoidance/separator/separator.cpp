@@ -46,7 +46,9 @@ void Separator::listen(Time now, std::span<const Message> inbox) {
         std::holds_alternative<GroupInvitation>(message.content) ||
         std::holds_alternative<GroupJoining>(message.content) ||
         std::holds_alternative<GroupPlan>(message.content) ||
-        std::holds_alternative<GroupAcceptance>(message.content))
+        std::holds_alternative<GroupAcceptance>(message.content) ||
+        std::holds_alternative<YieldRequest>(message.content) ||
+        std::holds_alternative<YieldAnswer>(message.content))
       inbox_.push_back(message);
 }
 
@@ -73,7 +75,7 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
                      std::vector<Message>& out) {
   want(wanted);
   priority_ = step.priority;
-  keeps_on_ = step.keeps_on;
+  keeps_on_ = step.keeps_on || step.is_ignored;
   own_.separation = options_.separation;
   measure(step);
   hear(step);
@@ -82,6 +84,7 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
   open_earliest(step);
   open_group(step);
   negotiate(step);
+  yielding_.step(step.now, answers_);
   avoid_strangers(step);
   inbox_.clear();
   say(step, out);

@@ -19,6 +19,7 @@
 #include "skein/layer/reasoning/avoidance/rules/right_of_way.h"
 #include "skein/layer/reasoning/avoidance/separator/conflict_log.h"
 #include "skein/layer/reasoning/avoidance/strangers/stranger_avoidance.h"
+#include "skein/layer/reasoning/avoidance/yielding/yielding.h"
 #include "skein/role/path_planner.h"
 
 namespace skein::reasoning {
@@ -37,7 +38,10 @@ struct SeparationOptions {
   /// How far it is off its plans, and from where it believes to be, is kept on top of
   /// `separation`; else that is all that is kept.
   bool widens = true;
+  /// Which deal it asks for where two agree (deal_rule_of()).
+  DealRule deal = DealRule::kSum;
   double holding_step = 60;  ///< between the heights of two that wait to land [m]
+  StrangerRoom stranger_room = StrangerRoom::kMoving;  ///< kept free of the own flight
   /// By which alerts about strangers are given and bands made; null: skein_suas.
   std::shared_ptr<const model::WellClearConfiguration> well_clear = {};
 };
@@ -68,6 +72,9 @@ struct SeparationStep {
   std::span<const Stranger> strangers = {};
   /// Another flight would not be flown: a pilot or a failsafe flies, or it lands.
   bool keeps_on = false;
+  /// A pilot has not flown what kept apart from the team: nothing else is tried for now,
+  /// but to keep out of the way of strangers, who do not hear of it.
+  bool is_ignored = false;
 };
 
 /// To fly now instead of any plan.
@@ -90,6 +97,7 @@ class Separator {
       : self_(self),
         options_(options),
         team_(options.horizon, options.place_period),
+        yielding_(self),
         strangers_(options.reaction, options.well_clear.get()) {}
 
   /// Takes in what was received. At each step, on the ground too.
@@ -167,6 +175,14 @@ class Separator {
   void fly_with_group(const GroupNegotiation& agreed, Time now);
   void leave_group();
 
+  // Of the order of two (separator_yielding.cpp).
+  const Conflict* lowest_in_the_way(Time now) const;
+  void ask_to_yield(const SeparationStep& step);
+  void hear_answer(Time now, EntityId from, const YieldAnswer& answer);
+  void answer(const SeparationStep& step, EntityId from, const YieldRequest& request);
+  bool gives_way_to(const SeparationStep& step, const TeamFlight& other,
+                    const YieldRequest& request);
+
   // Of those who say nothing (separator_strangers.cpp).
   void avoid_strangers(const SeparationStep& step);
 
@@ -177,9 +193,9 @@ class Separator {
   bool by_rule(const SeparationStep& step, const Conflict& conflict);
   bool by_priority(const SeparationStep& step, const Conflict& conflict);
   bool around_others(const SeparationStep& step, const Conflict& conflict,
-                     bool higher_only);
+                     bool higher_only, std::string_view what);
   bool apart_from_others(const SeparationStep& step, const Conflict& conflict,
-                         bool higher_only);
+                         bool higher_only, std::string_view what);
   bool by_evasion(const SeparationStep& step, const Conflict& conflict);
   bool at_the_last_moment(const SeparationStep& step, const Conflict& conflict);
   std::optional<FlightPlan> flight_at_height(const SeparationStep& step,
@@ -209,6 +225,7 @@ class Separator {
   EntityId self_;
   SeparationOptions options_;
   TeamFlights team_;
+  Yielding yielding_;
   ConflictFinder finder_;
   ExecutionErrors errors_;
   ConflictLog log_;

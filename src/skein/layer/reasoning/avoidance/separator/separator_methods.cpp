@@ -26,6 +26,7 @@ constexpr double kLittleDelay = 1;     // of messages [s]
 constexpr double kMinTimeToAct = 3;    // between an agreement and the conflict [s]
 constexpr std::size_t kGroupFrom = 2;  // conflicts of one aircraft
 constexpr double kApartFor = 150;      // after a manoeuvre's begin [s]
+constexpr double kApartMore = 60;      // after the conflict that it is about [s]
 constexpr double kRoom = 0.5;        // around others, so that none is met by rounding [m]
 constexpr double kHeightRoom = 0.3;  // the same, up and down [m]
 constexpr double kRoomTime = 0.1;    // the same, along [s]
@@ -37,6 +38,12 @@ constexpr double kNear = 3000;             // others that plans are made around 
 constexpr double kEvades = 15, kBothEvade = 9;  // before a conflict [s]
 constexpr std::size_t kFew = 3;                 // conflicts that are solved one by one
 constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
+
+// Until when a flight because of a conflict has to be apart from others: the conflict
+// itself may come long after its begin.
+double apart_until(const Conflict& conflict, double begin) {
+  return std::max(begin + kApartFor, conflict.meeting.end + kApartMore);
+}
 
 }  // namespace
 
@@ -70,10 +77,13 @@ Standing Separator::standing_to(const TeamFlight& other, Time now) const {
   return priority_ > other.priority ? Standing::kOwnHigher : Standing::kOtherHigher;
 }
 
-// Who is not where its plan has it flies on, whatever others do.
+// Who is not where its plan has it flies on, whatever others do. In a class of priority
+// it is the lower number, unless that has granted it to the other.
 bool Separator::has_way_over(const TeamFlight& other, Time now) const {
   if (!other.conforms(now)) return false;
-  return priority_ != other.priority ? priority_ > other.priority : self_ < other.who;
+  if (priority_ != other.priority) return priority_ > other.priority;
+  if (yielding_.yields_to(other.who, now)) return false;
+  return self_ < other.who || yielding_.other_yields(other.who, now);
 }
 
 NegotiatedConflict Separator::about(const Conflict& conflict, double begin) const {
@@ -131,13 +141,14 @@ bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
   const ConflictOfFlight of_flight{own_.plan, own.limits, c.begin,     c.meets,
                                    c.closest, c.apart,    c.separation};
   FlightCheck check(step.query, step.zones);
+  const double until = apart_until(conflict, begin);
   const std::vector<KnownFlight> thirds = known_but(conflict.other, step.now);
   const auto fly = [&](bool among_others) {
     return flight_by_rule(
         rule, of_flight, [&](const Manoeuvre& m) { return flight_with(m, own, c); },
         [&](const FlightPlan& plan) {
           const auto meets = [&](const FlightPlan& flown, const Separation& kept) {
-            return first_meeting(plan, flown, kept, begin, begin + kApartFor).has_value();
+            return first_meeting(plan, flown, kept, begin, until).has_value();
           };
           if (meets(*expected.plan, c.separation)) return false;
           if (among_others && std::ranges::any_of(thirds, [&](const KnownFlight& third) {
@@ -167,9 +178,13 @@ bool Separator::by_priority(const SeparationStep& step, const Conflict& conflict
   const double now = step.now.seconds();
   if (now < waiting.until) return false;
   for (const bool higher_only : {false, true})
-    if (around_others(step, conflict, higher_only)) return true;
+    if (around_others(step, conflict, higher_only,
+                      higher_only ? "gives way to higher ones" : "gives way"))
+      return true;
   // A pair that no search parts: alone, one of the manoeuvres of negotiations.
-  if (conflicts_.size() <= kFew && apart_from_others(step, conflict, true)) return true;
+  if (conflicts_.size() <= kFew && apart_from_others(step, conflict, true, {}))
+    return true;
+  ask_to_yield(step);
   waiting.until = now + 1;
   return false;
 }
@@ -195,7 +210,7 @@ std::vector<PlannedFlight> Separator::rooms(const SeparationStep& step,
 }
 
 bool Separator::around_others(const SeparationStep& step, const Conflict& conflict,
-                              bool higher_only) {
+                              bool higher_only, std::string_view what) {
   const double begin = begin_of_action(conflict, step.now);
   const double until = rejoins(conflict.meeting.end + kRejoinsAfter);
   Airspace airspace;
@@ -205,14 +220,15 @@ bool Separator::around_others(const SeparationStep& step, const Conflict& confli
   if (!flight) return false;
   adopt(*flight,
         {begin, until, conflict.meeting.end, SeparationMethod::kPriority, conflict.other,
-         0, higher_only ? "gives way to higher ones" : "gives way"},
+         0, what},
         step.now);
   return true;
 }
 
 // The cheapest of the manoeuvres of a negotiation that needs nobody else to change.
+// @param what  for the records; empty: the kind of the manoeuvre.
 bool Separator::apart_from_others(const SeparationStep& step, const Conflict& conflict,
-                                  bool higher_only) {
+                                  bool higher_only, std::string_view what) {
   const double begin = begin_of_action(conflict, step.now);
   const NegotiatingFlight own = leaving_for(conflict, step.query);
   const NegotiatedConflict c = about(conflict, begin);
@@ -226,22 +242,22 @@ bool Separator::apart_from_others(const SeparationStep& step, const Conflict& co
   FlightCheck check(step.query, step.zones);
   const ConflictOfFlight of_flight{part,      own.limits, c.begin,     c.meets,
                                    c.closest, c.apart,    c.separation};
+  const double until = apart_until(conflict, begin);
   for (const double strength : kOwnStrengths) {
-    std::vector<Candidate> all = candidates(of_flight, strength, {}, begin + kApartFor);
+    std::vector<Candidate> all = candidates(of_flight, strength, {}, until);
     std::ranges::stable_sort(all, {}, &Candidate::cost);
     for (const Candidate& each : all) {
       if (each.manoeuvre.kind == ManoeuvreKind::kGoOn) continue;
       const auto flight = flight_with(each.manoeuvre, own, c);
       if (!flight || std::ranges::any_of(others, [&](const KnownFlight& other) {
-            return first_meeting(*flight, *other.plan, other.separation, begin,
-                                 begin + kApartFor)
+            return first_meeting(*flight, *other.plan, other.separation, begin, until)
                 .has_value();
           }))
         continue;
       if (!check.is_free(*flight)) continue;
       adopt(*flight,
             {begin, own.rejoins, conflict.meeting.end, SeparationMethod::kPriority,
-             conflict.other, 0, name_of(each.manoeuvre.kind)},
+             conflict.other, 0, what.empty() ? name_of(each.manoeuvre.kind) : what},
             step.now);
       return true;
     }

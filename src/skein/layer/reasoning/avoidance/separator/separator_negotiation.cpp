@@ -58,6 +58,10 @@ void Separator::hear(const SeparationStep& step) {
           negotiation_of(busy->opener, busy->negotiation, message.from);
       if (about) about->refuse(busy->other_plan ? "plans have changed" : "busy");
       plan_is_new_ = plan_is_new_ || (about && busy->other_plan);
+    } else if (const auto* request = std::get_if<YieldRequest>(&message.content)) {
+      answer(step, message.from, *request);
+    } else if (const auto* yields = std::get_if<YieldAnswer>(&message.content)) {
+      hear_answer(step.now, message.from, *yields);
     } else {
       hear_of_groups(step, message);
     }
@@ -106,6 +110,7 @@ void Separator::begin_negotiation(const SeparationStep& step,
   conflict.separation = {notice.horizontal, notice.vertical};
   conflict.look_until = notice.begin + options_.horizon + kLookOn;
   conflict.delay = other.delay;
+  conflict.deal = options_.deal;
   const NegotiatingFlight own{own_.plan, rejoins(notice.apart + kRejoinsAfter),
                               step.query.limits};
   const NegotiatingFlight theirs{other.plan, model::end_time_of(other.plan), {}};

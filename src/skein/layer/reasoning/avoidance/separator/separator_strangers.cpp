@@ -10,15 +10,15 @@ constexpr double kAvoidPeriod = 1;  // [s]
 }  // namespace
 
 void Separator::avoid_strangers(const SeparationStep& step) {
-  if (options_.method != SeparationMethod::kAuto || keeps_on_) return;
+  if (options_.method != SeparationMethod::kAuto || step.keeps_on) return;
   if ((step.now - avoided_).seconds() < kAvoidPeriod && avoided_ != Time()) return;
   avoided_ = step.now;
   if (step.strangers.empty() && !turn_) return;
   const double until = rejoins(step.now.seconds());
   const std::vector<PlannedFlight> others = rooms(step, false);
-  const auto action =
-      strangers_.step({step.now.seconds(), step.p_N, step.v_N, own_.plan, until,
-                       step.strangers, step.query, step.zones, others});
+  const auto action = strangers_.step({step.now.seconds(), step.p_N, step.v_N, own_.plan,
+                                       until, step.strangers, step.query, step.zones,
+                                       others, options_.stranger_room});
   if (action == StrangerAvoidance::Action::kPlan) {
     turn_.reset();
     adopt(strangers_.flight(),
@@ -32,7 +32,8 @@ void Separator::avoid_strangers(const SeparationStep& step) {
           step.now);
   } else if (action == StrangerAvoidance::Action::kTrack) {
     const double course = strangers_.track();
-    turn_ = Heading{course, safe_altitude(step, course, -step.p_N.z())};
+    turn_ =
+        Heading{course, safe_altitude(step, course, -step.p_N.z() + strangers_.climb())};
     reason_ = "turns away from a stranger";
   } else if (turn_) {
     begun_ = false;  // what it wants is planned from here

@@ -37,12 +37,15 @@ class Around {
       : view_(view),
         part_(planning::part_of(view.plan, begin, view.rejoins)),
         begin_(begin),
-        check_(view.query, view.zones) {
-    const std::vector<PredictedIntersection> meetings = meetings_with(view);
+        meetings_(meetings_with(view)),
+        zones_(zones_with_rooms(view, meetings_)),
+        check_(view.query, zones_) {
     for (const Stranger& stranger : view.strangers)
       flights_.push_back(flight_of(stranger, view.now, view.now + kLookFar));
-    for (std::size_t k = 0; k < flights_.size(); ++k)
-      others_.push_back({&flights_[k], meetings[k].kept});
+    for (std::size_t k = 0; k < flights_.size(); ++k) {
+      strangers_.push_back({&flights_[k], meetings_[k].where.kept});
+      if (moves(view, meetings_[k])) others_.push_back(strangers_.back());
+    }
     for (const PlannedFlight& room : view.rooms)
       others_.push_back({&room.plan, {room.zone.across, room.height}});
     if (part_.empty()) return;
@@ -130,9 +133,12 @@ class Around {
   const StrangerView& view_;
   FlightPlan part_;
   double begin_, arrival_ = 0, dearest_ = 0;
+  std::vector<StrangerMeeting> meetings_;
+  std::vector<Zone> zones_;  // and static rooms
   FlightCheck check_;
-  std::vector<FlightPlan> flights_;
-  std::vector<KnownFlight> others_;
+  std::vector<FlightPlan> flights_;     // of strangers
+  std::vector<KnownFlight> strangers_;  // all
+  std::vector<KnownFlight> others_;     // that are met where they are at the moment
   std::vector<Flight> found_;
 };
 
@@ -200,10 +206,10 @@ void Around::climb_or_sink(const KnownFlight& stranger, const Separation& kept) 
 }
 
 void Around::make(const PredictedIntersection& first) {
-  const auto stranger = std::ranges::find_if(others_, [&](const KnownFlight& other) {
+  const auto stranger = std::ranges::find_if(strangers_, [&](const KnownFlight& other) {
     return first_meeting(part_, *other.plan, first.kept, begin_, first.end).has_value();
   });
-  if (stranger == others_.end()) return;
+  if (stranger == strangers_.end()) return;
   // All of the conflict, however long the two fly beside each other.
   const PlanMeeting meeting =
       *first_meeting(part_, *stranger->plan, first.kept, begin_, begin_ + kLookFar);
@@ -218,21 +224,34 @@ void Around::make(const PredictedIntersection& first) {
 
 }  // namespace
 
-std::vector<PredictedIntersection> meetings_with(const StrangerView& view) {
-  std::vector<PredictedIntersection> all;
+std::vector<StrangerMeeting> meetings_with(const StrangerView& view) {
+  std::vector<StrangerMeeting> all;
   for (const Stranger& stranger : view.strangers) {
-    auto meeting = predicted_intersection(view.plan, stranger, view.now);
-    if (!meeting) {
-      meeting.emplace();
-      meeting->begin = view.now;
-      meeting->end = view.now + kAhead;
-      meeting->kept = {
-          stranger.kept.horizontal + 2 * horizontal_sd_after(stranger, kSpread),
-          stranger.kept.vertical + 2 * vertical_sd_after(stranger, kSpread)};
+    if (const auto meeting = predicted_intersection(view.plan, stranger, view.now)) {
+      all.push_back({*meeting, true});
+      continue;
     }
-    all.push_back(*meeting);
+    PredictedIntersection meeting;
+    meeting.begin = view.now;
+    meeting.end = view.now + kAhead;
+    meeting.kept = {stranger.kept.horizontal + 2 * horizontal_sd_after(stranger, kSpread),
+                    stranger.kept.vertical + 2 * vertical_sd_after(stranger, kSpread)};
+    all.push_back({meeting, false});
   }
   return all;
+}
+
+bool moves(const StrangerView& view, const StrangerMeeting& meeting) {
+  return view.kind == StrangerRoom::kMoving || !meeting.of_plan;
+}
+
+std::vector<Zone> zones_with_rooms(const StrangerView& view,
+                                   std::span<const StrangerMeeting> meetings) {
+  std::vector<Zone> zones(view.zones.begin(), view.zones.end());
+  for (std::size_t k = 0; k < meetings.size(); ++k)
+    if (!moves(view, meetings[k]))
+      zones.push_back(static_room_of(view.strangers[k], meetings[k].where));
+  return zones;
 }
 
 std::optional<FlightPlan> flight_around(const StrangerView& view,

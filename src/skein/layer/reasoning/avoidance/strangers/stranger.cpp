@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "skein/base/math.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -13,6 +15,7 @@ constexpr double kStep = 0.5;               // [s]
 constexpr double kForesight = 10;           // for which room is kept [s]
 constexpr double kAcross = 1.5, kUp = 0.7;  // accelerations [m/s^2 / sqrt(Hz)]
 constexpr double kMargin = 5;               // before and after an intersection [s]
+constexpr int kCorners = 24;                // of a static room
 
 double sd_after(double place, double speed, double acceleration, double t) {
   t = std::min(t, kForesight);
@@ -75,6 +78,32 @@ MovingObstacle room_of(const Stranger& stranger, const PredictedIntersection& me
   room.v_N = stranger.v_N;
   room.radius = meeting.kept.horizontal;
   room.height = meeting.kept.vertical;
+  room.from = meeting.begin - kMargin;
+  room.until = meeting.end + kMargin;
+  return room;
+}
+
+Zone static_room_of(const Stranger& stranger, const PredictedIntersection& meeting) {
+  const double half = (meeting.end - meeting.begin) / 2;
+  const Vec3 middle =
+      stranger.p_N + (meeting.begin + half - stranger.time) * stranger.v_N;
+  const Vec2 v = stranger.v_N.head<2>();
+  const Vec2 along = v.norm() > 0 ? Vec2(v.normalized()) : Vec2(1, 0);
+  const Vec2 across = geo::turned_right(along);
+  // The corners are so far out that the sides touch the ellipse.
+  const double out = 1 / math::cos(geo::kPi / kCorners);
+  const double b = out * meeting.kept.horizontal;
+  const double a = b + out * v.norm() * half;
+  geo::Ring ring;
+  for (int k = 0; k < kCorners; ++k) {
+    const Vec2 corner = geo::unit(2 * geo::kPi * k / kCorners);
+    ring.push_back(middle.head<2>() + a * corner.x() * along + b * corner.y() * across);
+  }
+  Zone room;
+  room.area = made_positive(std::move(ring));
+  const double sweeps = std::abs(stranger.v_N.z()) * half;
+  room.floor_msl = -middle.z() - meeting.kept.vertical - sweeps;
+  room.ceiling_msl = -middle.z() + meeting.kept.vertical + sweeps;
   room.from = meeting.begin - kMargin;
   room.until = meeting.end + kMargin;
   return room;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "skein/data/airspace.h"
 #include "skein/data/flight_plan.h"
@@ -24,6 +26,15 @@ struct Stranger {
   /// What is kept to it.
   Separation kept = {609.6, 76.2};
 };
+
+/// Which room of a stranger that comes near the own plan is kept free.
+enum class StrangerRoom : std::uint8_t {
+  kMoving,  ///< what is around it, wherever it is: room_of()
+  kStatic,  ///< where it is while it is too near: static_room_of()
+};
+constexpr auto names_of(const StrangerRoom*) {
+  return std::to_array<std::string_view>({"moving", "static"});
+}
 
 /// How well a stranger's place is known some seconds later, when it may accelerate:
 ///
@@ -63,5 +74,20 @@ FlightPlan flight_of(const Stranger& stranger, double from, double until);
 /// The room that is kept free of the own flight: a cylinder that moves with the stranger,
 /// from five seconds before the intersection to five after.
 MovingObstacle room_of(const Stranger& stranger, const PredictedIntersection& meeting);
+
+/// The room that is kept free instead of the one that moves: all that the stranger's
+/// surroundings sweep from when the two come too near until they are apart, as an ellipse
+/// along its course,
+///
+///   a = D + k s_h + V (t_2 - t_1) / 2,  b = D + k s_h,
+///
+/// around where it is in the middle of that time, and Z + k s_z above the highest and
+/// below the lowest place of it. It is there from five seconds before the intersection to
+/// five after: one that were there from the first would already be around an aircraft
+/// that meets a faster one head-on.
+///
+/// @returns  a ring of 24 corners around the ellipse, nowhere more than 1 % outside.
+/// Reference: spec/team.md section 8; [Sislak11].
+Zone static_room_of(const Stranger& stranger, const PredictedIntersection& meeting);
 
 }  // namespace skein::reasoning

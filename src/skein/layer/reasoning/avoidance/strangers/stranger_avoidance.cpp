@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
+#include "skein/layer/reasoning/avoidance/strangers/escape.h"
 #include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
 #include "skein/layer/reasoning/planning/search/link.h"
 #include "skein/model/path/flight_plan.h"
@@ -39,11 +40,12 @@ StrangerAvoidance::StrangerAvoidance(double reaction,
 
 bool StrangerAvoidance::plan_around(const StrangerView& view) {
   Airspace airspace;
-  airspace.zones.assign(view.zones.begin(), view.zones.end());
   airspace.flights.assign(view.rooms.begin(), view.rooms.end());
-  const std::vector<PredictedIntersection> meetings = meetings_with(view);
+  const std::vector<StrangerMeeting> meetings = meetings_with(view);
+  airspace.zones = zones_with_rooms(view, meetings);
   for (std::size_t k = 0; k < meetings.size(); ++k)
-    airspace.movers.push_back(room_of(view.strangers[k], meetings[k]));
+    if (moves(view, meetings[k]))
+      airspace.movers.push_back(room_of(view.strangers[k], meetings[k].where));
   auto flight = replanned(view.plan, begin_, view.rejoins, view.query, airspace);
   if (!flight) return false;
   flight_ = *std::move(flight);
@@ -68,8 +70,29 @@ bool StrangerAvoidance::must_turn(const StrangerView& view) {
   const auto& advice = advisor_.advise(view.now, {view.p_N, view.v_N}, intruders_,
                                        {goal, view.v_N.head<2>().norm(), -view.v_N.z()});
   alert_ = advice.alert;
-  track_ = advice.track ? advice.track->value : geo::bearing(view.v_N.head<2>());
+  climb_ = 0;
+  if (advice.track) {
+    track_ = advice.track->value;
+    escapes_up_.reset();
+  } else {
+    escape(view);
+  }
   return std::abs(geo::wrap_pi(track_ - goal)) > 1e-3 || alert_ >= kWarning;
+}
+
+// No track leads out. Up or down is kept as it was begun: the noise of a track would have
+// it now this way, now that.
+void StrangerAvoidance::escape(const StrangerView& view) {
+  track_ = geo::bearing(view.v_N.head<2>());
+  if (view.strangers.empty()) return;
+  const Escape escape =
+      escape_from(view.p_N, view.v_N, view.query.limits, view.strangers, view.now);
+  track_ = escape.course;
+  if (!escapes_up_) escapes_up_ = escape.up;
+  double height = 0;
+  for (const Stranger& each : view.strangers)
+    height = std::max(height, each.kept.vertical);
+  climb_ = *escapes_up_ ? height : -height;
 }
 
 // The first intersection that is worth another plan.
@@ -128,8 +151,8 @@ StrangerAvoidance::Action StrangerAvoidance::turn_on(const StrangerView& view,
   FlightPlan here = plan_from_here(view);
   if (here.empty()) return Action::kTrack;
   const StrangerView from_here{
-      view.now,       view.p_N,   view.v_N,   here,      model::end_time_of(here),
-      view.strangers, view.query, view.zones, view.rooms};
+      view.now,       view.p_N,   view.v_N,   here,       model::end_time_of(here),
+      view.strangers, view.query, view.zones, view.rooms, view.kind};
   if (const auto first = first_of(from_here)) {
     auto flight = flight_around(from_here, *first, view.now);
     if (!flight) return Action::kTrack;

@@ -15,8 +15,9 @@ namespace skein::reasoning {
 /// the cheapest way around that stays clear of all (flight_around), or another plan
 /// around all of these rooms, which move. Where there is neither, it flies by bands: the
 /// track nearest to where it wants to go that leads into no well-clear conflict, or out
-/// of one soonest, until there is a plan again or the way to its goal is free. Reference:
-/// spec/team.md section 8.
+/// of one soonest, until there is a plan again or the way to its goal is free. Where no
+/// track is left it turns away from all and climbs or sinks (escape_from()).
+/// Reference: spec/team.md sections 3 and 8.
 class StrangerAvoidance {
  public:
   /// @param reaction  own action begins so long after a decision [s].
@@ -34,6 +35,8 @@ class StrangerAvoidance {
   const FlightPlan& flight() const { return flight_; }
   double begin() const { return begin_; }  ///< [s]
   double track() const { return track_; }  ///< over ground [rad]
+  /// How much higher to fly meanwhile; negative: lower [m].
+  double climb() const { return climb_; }
   /// The stranger that was nearest in time at the last action, and when.
   std::uint32_t stranger() const { return stranger_; }
   const PredictedIntersection& meeting() const { return meeting_; }
@@ -42,6 +45,7 @@ class StrangerAvoidance {
  private:
   bool plan_around(const StrangerView& view);
   bool must_turn(const StrangerView& view);
+  void escape(const StrangerView& view);
   std::optional<PredictedIntersection> first_of(const StrangerView& view);
   Action turn_on(const StrangerView& view, bool turn);
 
@@ -49,7 +53,8 @@ class StrangerAvoidance {
   model::BandAdvisor advisor_;
   std::vector<model::TrackedIntruder> intruders_;
   FlightPlan flight_;
-  double begin_ = 0, track_ = 0, clear_since_ = 0, plan_again_ = 0;
+  double begin_ = 0, track_ = 0, climb_ = 0, clear_since_ = 0, plan_again_ = 0;
+  std::optional<bool> escapes_up_;         // while it escapes
   bool turning_ = false, around_ = false;  // the plan is another because of a stranger
   std::uint32_t stranger_ = 0;
   PredictedIntersection meeting_;

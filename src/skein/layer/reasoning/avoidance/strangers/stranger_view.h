@@ -19,6 +19,7 @@ struct StrangerView {
   const PathQuery& query;                ///< limits, wind, ground
   std::span<const Zone> zones;           ///< no-fly
   std::span<const PlannedFlight> rooms;  ///< of planned flights of the team
+  StrangerRoom kind = StrangerRoom::kMoving;
 };
 
 }  // namespace skein::reasoning

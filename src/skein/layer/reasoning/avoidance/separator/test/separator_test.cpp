@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "skein/base/math.h"
 #include "skein/base/random.h"
@@ -64,6 +65,13 @@ class Sky {
     return model::end_time_of(all_[k]->separator.plan()) -
            model::end_time_of(all_[k]->wanted.plan);
   }
+  // Zones that only this one has to keep out of, and it can neither climb nor be faster.
+  void confine(std::size_t k, std::vector<Zone> zones) {
+    all_[k]->zones = std::move(zones);
+    FlightLimits& limits = all_[k]->limits;
+    limits.slowest = limits.fastest = limits.airspeed;
+    limits.climb_rate = limits.sink_rate = 0.01;
+  }
   const Separator& separator(std::size_t k) const { return all_[k]->separator; }
   void give(std::size_t k, FlightPriority priority) { all_[k]->priority = priority; }
   int messages() const { return messages_; }
@@ -79,6 +87,8 @@ class Sky {
     Separator separator;
     WantedFlight wanted;
     FlightPriority priority = FlightPriority::kNormal;
+    FlightLimits limits;
+    std::vector<Zone> zones;
     Moving now;
     std::vector<Message> inbox;
   };
@@ -104,13 +114,14 @@ class Sky {
     for (auto& one : all_) {
       std::vector<Message> out;
       PathQuery query;
+      query.limits = one->limits;
       one->separator.step({Time::from_seconds(t),
                            one->now.p_N,
                            one->now.v_N,
                            0,
                            one->priority,
                            query,
-                           {},
+                           one->zones,
                            {},
                            flies_on(one->priority)},
                           one->wanted, out);
@@ -298,6 +309,166 @@ TEST(Separator, AMemberOffItsPlanIsAnObstacle) {
         std::min(least, Separation{}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
   }
   EXPECT_GE(least, 1);
+}
+
+// What lies left and right of the way north from the origin.
+std::vector<Zone> corridor() {
+  const auto box = [](double west, double east) {
+    Zone zone;
+    zone.area = made_positive(
+        {Vec2(-500, west), Vec2(-500, east), Vec2(2500, east), Vec2(2500, west)});
+    return zone;
+  };
+  return {box(-2000, -40), box(40, 2000)};
+}
+
+// The lower one flies in a corridor and cannot get out of the way.
+Sky crossing_a_corridor(double loss = 0, double delay = 0) {
+  Sky sky(SeparationMethod::kPriority, loss, delay);
+  sky.add(Vec3(1600, 1600, -100), Vec3(1600, -1600, -100));
+  sky.add(Vec3(0, 0, -100), Vec3(4000, 0, -100));
+  sky.confine(1, corridor());
+  return sky;
+}
+
+TEST(Separator, WhoFindsNoFlightAsksTheHigherOneToGiveWay) {
+  for (const double loss : {0.0, 0.3, 0.5}) {
+    Sky sky = crossing_a_corridor(loss, loss > 0 ? 1 : 0);
+    EXPECT_GE(sky.fly(), 1) << loss;
+    EXPECT_TRUE(sky.separator(0).reason().starts_with("gives way")) << loss;
+    EXPECT_FALSE(sky.separator(1).changed()) << loss;
+  }
+}
+
+TEST(Separator, WhoIsOfAHigherClassIsNotAskedToGiveWay) {
+  Sky sky = crossing_a_corridor();
+  sky.give(0, FlightPriority::kManned);
+  sky.fly();
+  EXPECT_NE(sky.separator(0).reason(), "gives way as asked");
+}
+
+// One that has the way, and what it answers to a lower one that comes head-on.
+class Asked {
+ public:
+  explicit Asked(SeparationMethod method) {
+    SeparationOptions options;
+    options.method = method;
+    separator_.emplace(EntityId{1}, options);
+    FlightElement back = north();
+    back.p_N = Vec3(2400, 0, -100);
+    back.heading = geo::kPi;
+    report_.number = 3;
+    report_.flight = *model::coded_flight({back});
+  }
+
+  // @returns  the answer to a request; none: there is none.
+  std::optional<YieldAnswer> ask(const YieldRequest& request, double t,
+                                 std::vector<Zone> zones = {}) {
+    const EntityId self{1}, other{2};
+    const Time now = Time::from_seconds(t);
+    const std::vector<Message> heard = {{other, self, 0, now, report_},
+                                        {other, self, 0, now, request}};
+    separator_->listen(now, heard);
+    std::vector<Message> out;
+    PathQuery query;
+    const FlightElement to = north();
+    separator_->step({now, to.p_N + Vec3(20 * t, 0, 0), Vec3(20, 0, 0), 0,
+                      FlightPriority::kNormal, query, zones},
+                     {1, {to}, {200}}, out);
+    for (const Message& message : out)
+      if (const auto* answer = std::get_if<YieldAnswer>(&message.content)) return *answer;
+    return std::nullopt;
+  }
+  const Separator& separator() const { return *separator_; }
+
+ private:
+  std::optional<Separator> separator_;
+  PlanReport report_;
+};
+
+TEST(Separator, GivesWayOnceWhenAsked) {
+  Asked one(SeparationMethod::kPriority);
+  EXPECT_FALSE(one.ask({1, 2, 1, 59, 61}, 0)) << "of a plan that it does not know yet";
+  EXPECT_FALSE(one.separator().changed());
+  const auto answer = one.ask({1, 3, 1, 59, 61}, 1);
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->granted);
+  EXPECT_EQ(one.separator().number(), 2u) << "it flies another plan";
+  const auto again = one.ask({1, 3, 1, 59, 61}, 2);
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(again->granted) << "the same request, the same answer";
+  const auto other = one.ask({2, 3, 2, 59, 61}, 3);
+  ASSERT_TRUE(other);
+  EXPECT_FALSE(other->granted);
+  EXPECT_EQ(one.separator().number(), 2u);
+}
+
+TEST(Separator, RefusesToGiveWayWhereItCannot) {
+  Asked between(SeparationMethod::kPriority);
+  std::vector<Zone> all_around = corridor();
+  all_around.push_back(all_around.front());
+  all_around.back().area = made_positive(
+      {Vec2(-500, -2000), Vec2(-500, 2000), Vec2(2500, 2000), Vec2(2500, -2000)});
+  all_around.back().floor_msl = 101;
+  all_around.push_back(all_around.back());
+  all_around.back().floor_msl = -1000;
+  all_around.back().ceiling_msl = 99;
+  const auto answer = between.ask({1, 3, 1, 59, 61}, 0, all_around);
+  ASSERT_TRUE(answer);
+  EXPECT_FALSE(answer->granted);
+  EXPECT_FALSE(between.separator().changed());
+
+  Asked by_rule(SeparationMethod::kRule);
+  const auto none = by_rule.ask({1, 3, 1, 59, 61}, 0);
+  ASSERT_TRUE(none);
+  EXPECT_FALSE(none->granted) << "it does not fly by priorities";
+
+  Asked other_plan(SeparationMethod::kPriority);
+  const auto late = other_plan.ask({1, 3, 7, 59, 61}, 0);
+  ASSERT_TRUE(late);
+  EXPECT_FALSE(late->granted) << "that is not what it flies";
+}
+
+TEST(Separator, ARequestThatMakesNoSenseChangesNothing) {
+  for (const float apart : {std::nanf(""), -5.0F, 1e9F}) {
+    Asked one(SeparationMethod::kPriority);
+    const auto answer = one.ask({1, 3, 1, apart, apart}, 0);
+    ASSERT_TRUE(answer) << apart;
+    EXPECT_FALSE(answer->granted) << apart;
+    EXPECT_FALSE(one.separator().changed()) << apart;
+  }
+}
+
+// A conflict that comes later than flights are looked at is not taken for solved.
+TEST(Separator, AFlightIsApartUntilAfterTheConflict) {
+  SeparationOptions options;
+  options.method = SeparationMethod::kPriority;
+  options.horizon = 300;
+  FlightElement to = north();
+  to.duration = 400;
+  FlightElement back = to;
+  back.p_N = Vec3(8000, 20, -100);
+  back.heading = geo::kPi;
+  PlanReport report;
+  report.number = 1;
+  report.flight = *model::coded_flight({back});
+  const Message message{EntityId{1}, EntityId{2}, 0, Time(), report};
+  Separator separator(EntityId{2}, options);
+  separator.listen(Time(), {&message, 1});
+  std::vector<Message> out;
+  const PathQuery query;
+  separator.step({Time(), to.p_N, Vec3(20, 0, 0), 0, FlightPriority::kNormal, query, {}},
+                 {1, {to}, {400}}, out);
+  ASSERT_TRUE(separator.changed());
+  double least = 1e9;
+  for (double t = 0; t < 400; t += 0.5) {
+    const Vec3 apart =
+        model::moment_at(separator.plan(), t).p_N - model::moment_at({back}, t).p_N;
+    least =
+        std::min(least, Separation{}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
+  }
+  EXPECT_GE(least, 1);
+  EXPECT_EQ(separator.number(), 2u) << "it is changed once";
 }
 
 TEST(Separator, ManyOnACircleAreKeptApart) {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
 #include "skein/layer/reasoning/planning/search/airspace_map.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 namespace {
@@ -65,6 +67,67 @@ TEST(Stranger, TheRoomMovesWithIt) {
   EXPECT_FALSE(map.is_free(north()));
   EXPECT_TRUE(map.conflict_at(Vec3(2400 - 40 * 35, 0, -100), 35));
   EXPECT_FALSE(map.conflict_at(Vec3(2400 - 40 * 35, 2000, -100), 35));
+}
+
+// Whatever is around the stranger while the two are too near lies in the static room, and
+// it is no wider than that.
+TEST(Stranger, TheStaticRoomHoldsAllThatTheMovingOneSweeps) {
+  Stranger stranger = head_on();
+  stranger.v_N = Vec3(-30, 20, 1);
+  stranger.p_N = Vec3(2000, -800, -130);
+  const auto meeting = predicted_intersection(north(), stranger, 0);
+  ASSERT_TRUE(meeting);
+  const Zone room = static_room_of(stranger, *meeting);
+  for (const double time : {meeting->begin, meeting->closest_time,
+                            (meeting->begin + meeting->end) / 2, meeting->end}) {
+    const Vec3 place = stranger.p_N + time * stranger.v_N;
+    EXPECT_TRUE(covers(room, place.head<2>())) << time;
+    EXPECT_LE(room.floor_msl, -place.z() - meeting->kept.vertical + 1e-9);
+    EXPECT_GE(room.ceiling_msl, -place.z() + meeting->kept.vertical - 1e-9);
+  }
+  const Vec2 along = stranger.v_N.head<2>().normalized();
+  const double half = (meeting->end - meeting->begin) / 2;
+  const Vec2 middle = (stranger.p_N + (meeting->begin + half) * stranger.v_N).head<2>();
+  const double b = meeting->kept.horizontal;
+  const double a = b + half * stranger.v_N.head<2>().norm();
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(covers(room, middle + side * 0.999 * a * along));
+    EXPECT_FALSE(covers(room, middle + side * 1.02 * a * along));
+    const Vec2 across = geo::turned_right(along);
+    EXPECT_TRUE(covers(room, middle + side * 0.999 * b * across));
+    EXPECT_FALSE(covers(room, middle + side * 1.02 * b * across));
+  }
+  EXPECT_EQ(room.from, meeting->begin - 5);
+  EXPECT_EQ(room.until, meeting->end + 5);
+}
+
+// The flight around keeps out of the room of the kind that is asked for.
+TEST(Stranger, TheFlightAroundKeepsOutOfTheRoomThatIsChosen) {
+  const FlightPlan plan = north();
+  std::vector<Stranger> strangers = {head_on()};
+  strangers[0].p_N.x() = 3400;
+  PathQuery query;
+  const auto flight = [&](StrangerRoom kind) {
+    const StrangerView view{
+        0, Vec3(0, 0, -100), Vec3(20, 0, 0), plan, 200, strangers, query, {}, {}, kind};
+    return flight_around(view, *predicted_intersection(plan, strangers[0], 0), 2);
+  };
+  const auto standing = flight(StrangerRoom::kStatic);
+  ASSERT_TRUE(standing);
+  Airspace airspace;
+  airspace.zones = {
+      static_room_of(strangers[0], *predicted_intersection(plan, strangers[0], 0))};
+  query.airspace = &airspace;
+  const planning::AirspaceMap map(query);
+  EXPECT_TRUE(map.is_free(*standing));
+  // Of one that crosses slowly from the right the moving room leaves more way.
+  strangers[0].p_N = Vec3(1100, 1000, -100);
+  strangers[0].v_N = Vec3(0, -18, 0);
+  const auto behind = flight(StrangerRoom::kMoving);
+  const auto beside = flight(StrangerRoom::kStatic);
+  ASSERT_TRUE(behind);
+  ASSERT_TRUE(beside);
+  EXPECT_GT(model::end_time_of(*beside), model::end_time_of(*behind) + 1);
 }
 
 }  // namespace
