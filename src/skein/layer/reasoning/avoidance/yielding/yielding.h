@@ -9,6 +9,16 @@
 
 namespace skein::reasoning {
 
+/// A request that was sent, to whom, and what came of it.
+struct SentRequest {
+  EntityId whom;
+  YieldRequest request;
+  double repeat = 1;  // [s]
+  Time said;
+  int times = 0;
+  bool answered = false, given_up = false;
+};
+
 /// Swaps the order of two aircraft for one conflict: the lower one, which finds no flight
 /// around the higher one, asks it to give way; the higher one does so once, or refuses.
 ///
@@ -51,14 +61,6 @@ class Yielding {
   bool yields_to(EntityId other, Time now) const;
 
  private:
-  struct Asked {
-    EntityId whom;
-    YieldRequest request;
-    double repeat = 1;  // [s]
-    Time said;
-    int times = 0;
-    bool answered = false, given_up = false;
-  };
   struct Decided {
     YieldRequest request;
     bool granted = false;
@@ -66,7 +68,7 @@ class Yielding {
 
   EntityId self_;
   std::uint32_t requests_ = 0;
-  std::optional<Asked> asked_;           // the last one
+  std::optional<SentRequest> asked_;     // the last one
   std::map<EntityId, double> yielded_;   // by others, until then [s]
   std::map<EntityId, Decided> decided_;  // what others asked for last
 };

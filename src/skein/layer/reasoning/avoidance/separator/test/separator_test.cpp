@@ -177,7 +177,7 @@ TEST(Separator, ANegotiationChangesOneOrBothByLittle) {
 TEST(Separator, AllOthersGiveWayToWhoFliesOn) {
   for (const auto priority : {FlightPriority::kLanding, FlightPriority::kPilotFlies,
                               FlightPriority::kEmergency})
-    for (const std::size_t first : {0, 1}) {
+    for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
       Sky sky = head_on(SeparationMethod::kAuto);
       sky.give(first, priority);
       EXPECT_GE(sky.fly(), 1) << name_of(priority);
