@@ -191,11 +191,12 @@ std::string avoidance_csv(const AvoidanceStudy& study, const StudyPlan& plan,
                                  "worst_extra_percent",
                                  "worst_extra_time_s",
                                  "conflicts",
-                                 "deals"};
+                                 "deals",
+                                 "decision_ms_per_s"};
   std::string text =
       "case,method,min_ratio,min_horizontal_m,violations,nmac,lowc,extra_time_s,"
       "extra_percent,arrived,messages,bytes,worst_decision_ms,least_fixed_before_s,"
-      "worst_extra_percent,worst_extra_time_s,conflicts,deals\n";
+      "worst_extra_percent,worst_extra_time_s,conflicts,deals,decision_ms_per_s\n";
   for (std::size_t k = 0; k < plan.items.size(); ++k) {
     if (!outcomes[k].summary) continue;
     text += plan.items[k].name + "," + study.method;

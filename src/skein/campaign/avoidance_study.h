@@ -46,8 +46,9 @@ Separation separation_of(const AvoidanceStudy& study, const AvoidanceCase& flown
 
 /// The figures of the runs as CSV: case, method, min_ratio, min_horizontal_m, violations,
 /// nmac, lowc (pairs of aircraft), extra_time_s, extra_percent (mean over those that
-/// arrived), worst_extra_percent, arrived, messages, bytes, worst_decision_ms,
-/// least_fixed_before_s, conflicts, deals.
+/// arrived), arrived, messages, bytes, worst_decision_ms,
+/// least_fixed_before_s, worst_extra_percent, worst_extra_time_s, conflicts, deals,
+/// decision_ms_per_s (of all that an aircraft thinks, for each second that it flies).
 std::string avoidance_csv(const AvoidanceStudy& study, const StudyPlan& plan,
                           const std::vector<BatchOutcome>& outcomes);
 

@@ -1,11 +1,18 @@
 #include "skein/layer/communication/ideal_radio.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "skein/base/check.h"
 
 namespace skein::communication {
+namespace {
+
+constexpr Time kEver = Time::from_ns(std::numeric_limits<std::int64_t>::max());
+
+}  // namespace
 
 IdealRadio::IdealRadio(const IdealRadioOptions& options, std::uint64_t seed,
                        PositionLookup position)
@@ -54,24 +61,43 @@ void IdealRadio::send(const Message& message) {
   // A lost message is reported when it is sent: nobody waits for it.
   const Time arrival =
       cause == LossCause::kNone ? message.sent + Time::from_seconds(delay) : message.sent;
-  in_flight_.push_back({arrival, sent_++, cause, message});
-  std::push_heap(in_flight_.begin(), in_flight_.end(), later);
-}
-
-void IdealRadio::deliver(Time now, RadioNews& news) {
-  while (!in_flight_.empty() && in_flight_.front().arrival <= now) {
-    std::pop_heap(in_flight_.begin(), in_flight_.end(), later);
-    InFlight& next = in_flight_.back();
-    news.ended.push_back({std::move(next.message), next.cause});
-    in_flight_.pop_back();
+  const std::uint64_t order = sent_++;
+  if (in_order_.empty() || in_order_.back().arrival <= arrival) {
+    in_order_.push_back({arrival, order, cause, message});
+  } else {
+    overtaking_.push_back({arrival, order, cause, message});
+    std::push_heap(overtaking_.begin(), overtaking_.end(), later);
   }
 }
 
+// The one that arrives first, if it does until then.
+std::optional<IdealRadio::InFlight> IdealRadio::take_first(Time until) {
+  const bool queued =
+      !in_order_.empty() &&
+      (overtaking_.empty() || later(overtaking_.front(), in_order_.front()));
+  if (!queued && overtaking_.empty()) return std::nullopt;
+  if ((queued ? in_order_.front() : overtaking_.front()).arrival > until)
+    return std::nullopt;
+  std::optional<InFlight> first;
+  if (queued) {
+    first = std::move(in_order_.front());
+    in_order_.pop_front();
+  } else {
+    std::pop_heap(overtaking_.begin(), overtaking_.end(), later);
+    first = std::move(overtaking_.back());
+    overtaking_.pop_back();
+  }
+  return first;
+}
+
+void IdealRadio::deliver(Time now, RadioNews& news) {
+  while (auto next = take_first(now))
+    news.ended.push_back({std::move(next->message), next->cause});
+}
+
 void IdealRadio::end(RadioNews& news) {
-  std::sort_heap(in_flight_.begin(), in_flight_.end(), later);
-  for (auto next = in_flight_.rbegin(); next != in_flight_.rend(); ++next)
+  while (auto next = take_first(kEver))
     news.ended.push_back({std::move(next->message), LossCause::kPending});
-  in_flight_.clear();
 }
 
 }  // namespace skein::communication

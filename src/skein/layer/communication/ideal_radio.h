@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -49,6 +50,7 @@ class IdealRadio final : public Radio {
     Message message;
   };
   static bool later(const InFlight& a, const InFlight& b);
+  std::optional<InFlight> take_first(Time until);
   bool out_of_range(const Message& message) const;
   bool is_out(EntityId modem, Time now);
   LossCause cause_of(const Message& message, bool by_chance);
@@ -58,7 +60,10 @@ class IdealRadio final : public Radio {
   PositionLookup position_;
   std::uint64_t sent_ = 0;
   std::map<EntityId, Outages> outages_;  // of those that have sent or received
-  std::vector<InFlight> in_flight_;      // a heap, earliest first
+  // Most arrive after all that were sent before: these are a queue; the others are a
+  // heap, earliest first.
+  std::deque<InFlight> in_order_;
+  std::vector<InFlight> overtaking_;
 };
 
 }  // namespace skein::communication

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
+#include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 namespace {
@@ -28,24 +32,38 @@ std::vector<Conflict> ConflictFinder::find(Time now, const OwnFlight& own,
                                            double until) {
   const double t = now.seconds();
   std::vector<Conflict> all;
+  std::optional<FlightEnvelope> room;  // of the own flight
+  const auto meeting = [&](const FlightPlan& other, const Separation& separation) {
+    if (own.plan.empty() || model::end_time_of(own.plan) <= t)
+      return std::optional<PlanMeeting>();
+    if (!room) room.emplace(t, model::end_time_of(own.plan)).add(own.plan);
+    if (!room->may_meet(other, separation)) return std::optional<PlanMeeting>();
+    return first_meeting(own.plan, other, separation, t,
+                         std::numeric_limits<double>::infinity());
+  };
+  std::swap(looked_, before_);
+  looked_.clear();
+  auto old = before_.begin();
   for (const TeamFlight& other : others) {
+    while (old != before_.end() && old->who < other.who) ++old;
+    const bool known = old != before_.end() && old->who == other.who;
     const TeamFlight::Expected expected = other.expected(now);
-    if (!expected.plan) continue;
+    if (!expected.plan) {
+      if (known) looked_.push_back(*old);
+      continue;
+    }
     const Separation separation = separation_of(own, other, expected.unknown);
-    Looked& looked = looked_[other.who];
-    const bool same = looked.own == own.number && looked.other == expected.number &&
-                      looked.separation.horizontal == separation.horizontal &&
-                      looked.separation.vertical == separation.vertical;
-    if (!same || (looked.meeting && looked.meeting->end <= t))
-      looked = {own.number, expected.number, separation,
-                first_meeting(own.plan, *expected.plan, separation, t,
-                              std::numeric_limits<double>::infinity())};
+    const bool same = known && old->own == own.number && old->other == expected.number &&
+                      old->separation.horizontal == separation.horizontal &&
+                      old->separation.vertical == separation.vertical &&
+                      !(old->meeting && old->meeting->end <= t);
+    looked_.push_back(same ? *old
+                           : Looked{other.who, own.number, expected.number, separation,
+                                    meeting(*expected.plan, separation)});
+    const Looked& looked = looked_.back();
     if (looked.meeting && looked.meeting->begin < until)
       all.push_back({other.who, *looked.meeting, separation});
   }
-  std::erase_if(looked_, [&](const auto& each) {
-    return !std::ranges::binary_search(others, each.first, {}, &TeamFlight::who);
-  });
   std::ranges::stable_sort(all, {}, [](const Conflict& c) { return c.meeting.begin; });
   return all;
 }

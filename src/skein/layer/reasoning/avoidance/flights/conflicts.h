@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,7 +39,8 @@ Separation separation_between(const TeamFlight& a, const TeamFlight& b);
 /// Finds the conflicts of the own flight with those of others. A pair is looked at once:
 /// again only when one of both plans, or the separation, has changed.
 ///
-/// Cost: of others whose flights are known already, a look into a table each.
+/// Cost: of others whose flights are known already, a look into a table each; of another
+/// own flight, mostly a box around each of theirs.
 class ConflictFinder {
  public:
   /// The conflicts that begin before `until` [s], the earliest first. Only those flights
@@ -50,11 +50,12 @@ class ConflictFinder {
 
  private:
   struct Looked {
+    EntityId who;
     std::uint32_t own = 0, other = 0;
     Separation separation;
     std::optional<PlanMeeting> meeting;
   };
-  std::map<EntityId, Looked> looked_;
+  std::vector<Looked> looked_, before_;  // by id
 };
 
 }  // namespace skein::reasoning

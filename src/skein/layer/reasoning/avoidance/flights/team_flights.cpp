@@ -37,11 +37,16 @@ bool is_separation(float distance) {
 }  // namespace
 
 bool TeamFlight::conforms(Time now) const {
-  if (plan.empty() || (now - sent).seconds() > plan_holds + delay) return false;
-  if (!place || place->plan != number) return true;
-  const Vec3 off = model::moment_at(plan, place->sent.seconds()).p_N - place->p_N;
-  return off.head<2>().norm() <= std::max(kAcross, kErrors * across_error) &&
-         std::abs(off.z()) <= std::max(kHeight, kErrors * height_error);
+  return !plan.empty() && !strays && (now - sent).seconds() <= plan_holds + delay;
+}
+
+// By the plan and the place that are known; each of them has to be looked at once only.
+bool TeamFlights::strays(const TeamFlight& flight) {
+  const auto& place = flight.place;
+  if (flight.plan.empty() || !place || place->plan != flight.number) return false;
+  const Vec3 off = model::moment_at(flight.plan, place->sent.seconds()).p_N - place->p_N;
+  return off.head<2>().norm() > std::max(kAcross, kErrors * flight.across_error) ||
+         std::abs(off.z()) > std::max(kHeight, kErrors * flight.height_error);
 }
 
 TeamFlight::Expected TeamFlight::expected(Time now) const {
@@ -89,6 +94,7 @@ void TeamFlights::take(const Message& message, const PlanReport& report) {
   flight.across_error = report.across_error;
   flight.height_error = report.height_error;
   flight.sent = message.sent;
+  flight.strays = strays(flight);
 }
 
 void TeamFlights::take(const Message& message, const PlaceReport& report) {
@@ -110,6 +116,7 @@ void TeamFlights::take(const Message& message, const PlaceReport& report) {
   }
   flight.place = place;
   flight.course.clear();
+  flight.strays = strays(flight);
 }
 
 void TeamFlights::take(const Message& message, const LandingReport& report) {
@@ -118,9 +125,11 @@ void TeamFlights::take(const Message& message, const LandingReport& report) {
   if (flight.landed && message.sent <= *flight.landed) return;
   flight.landed = message.sent;
   if (!flight.plan.empty() && flight.sent <= message.sent) flight.plan.clear();
-  if (!flight.place || flight.place->sent > message.sent) return;
-  flight.place.reset();
-  flight.course.clear();
+  if (flight.place && flight.place->sent <= message.sent) {
+    flight.place.reset();
+    flight.course.clear();
+  }
+  flight.strays = strays(flight);
 }
 
 // Of those whose plan says nothing.

@@ -32,6 +32,8 @@ struct TeamFlight {
   Time sent;                   ///< the newest report of the plan
   std::optional<Time> landed;  ///< it said so then; what it sent before says nothing
   std::optional<ReportedPlace> place;
+  /// It was elsewhere than its plan has it, when it said so last.
+  bool strays = false;
   FlightPlan course;  ///< straight on from the place reported last, if the plan does not
                       ///< conform; else empty
   std::uint32_t course_number = 0;  ///< of `course`; no plan has such a number
@@ -81,6 +83,7 @@ class TeamFlights {
  private:
   TeamFlight& at(EntityId who);
   void expect_courses(Time now);
+  static bool strays(const TeamFlight& flight);
   void take(const Message& message, const PlanReport& report);
   void take(const Message& message, const PlaceReport& report);
   void take(const Message& message, const LandingReport& report);

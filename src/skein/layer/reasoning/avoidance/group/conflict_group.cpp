@@ -5,6 +5,9 @@
 #include <set>
 #include <tuple>
 
+#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
+#include "skein/model/path/flight_plan.h"
+
 namespace skein::reasoning {
 
 const std::optional<PlanMeeting>& ConflictGroups::meeting(const TeamFlight& a,
@@ -42,8 +45,14 @@ ConflictGroup ConflictGroups::find(Time now, std::span<const Conflict> conflicts
     const auto member = std::ranges::lower_bound(others, who, {}, &TeamFlight::who);
     if (member == others.end() || member->who != who) continue;
     group.others.push_back(who);
+    if (member->plan.empty() || model::end_time_of(member->plan) <= now.seconds())
+      continue;
+    FlightEnvelope room(now.seconds(), model::end_time_of(member->plan));
+    room.add(member->plan);
     for (const TeamFlight& each : others) {
-      if (each.who == who || !each.conforms(now)) continue;
+      if (each.who == who || !each.conforms(now) ||
+          !room.may_meet(each.plan, separation_between(*member, each)))
+        continue;
       if (const auto& met = meeting(*member, each, now.seconds());
           met && met->begin < until)
         border.emplace(met->begin, each.who, met->end);

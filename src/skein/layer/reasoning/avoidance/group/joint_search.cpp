@@ -111,9 +111,10 @@ class JointSearch {
                                  conflict.apart,
                                  conflict.separation};
     std::vector<JointChoice>& pool = pools_[who];
-    for (Candidate& each :
-         candidates(about, strength, member.others, problem_.look_until)) {
-      left_ -= std::min(left_, member.others.size());
+    std::vector<Candidate> all = candidates(about, strength);
+    const std::size_t near = add_meetings(all, about, member.others, problem_.look_until);
+    for (Candidate& each : all) {
+      left_ -= std::min(left_, near);
       if (each.manoeuvre.kind == ManoeuvreKind::kGoOn) {
         if (pool.size() == 1) pool.front().cost = each.cost;
         continue;

@@ -41,9 +41,15 @@ double cost_of_climbs(const FlightPlan& flight) {
   return kPerMetre * climbed(flight);
 }
 
-std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength,
-                                  std::span<const KnownFlight> others,
-                                  double look_until) {
+std::vector<KnownFlight> near_flights(const FlightEnvelope& room,
+                                      std::span<const KnownFlight> flights) {
+  std::vector<KnownFlight> near;
+  for (const KnownFlight& each : flights)
+    if (room.may_meet(*each.plan, each.separation)) near.push_back(each);
+  return near;
+}
+
+std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength) {
   const auto going_on = manoeuvred({ManoeuvreKind::kGoOn}, conflict);
   if (!going_on) return {};
   std::vector<Candidate> all;
@@ -51,14 +57,33 @@ std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double stren
        manoeuvres(conflict.limits, conflict.separation, strength)) {
     auto flight = manoeuvred(manoeuvre, conflict);
     if (!flight) continue;
-    double cost = std::abs(model::end_time_of(*flight) - model::end_time_of(*going_on)) +
-                  std::max(0.0, cost_of_climbs(*flight) - cost_of_climbs(*going_on));
-    for (const KnownFlight& other : others)
-      if (const auto meeting = first_meeting(*flight, *other.plan, other.separation,
-                                             conflict.begin, look_until))
-        cost += cost_of_meeting(*meeting, conflict.meets);
+    const double cost =
+        std::abs(model::end_time_of(*flight) - model::end_time_of(*going_on)) +
+        std::max(0.0, cost_of_climbs(*flight) - cost_of_climbs(*going_on));
     all.push_back({manoeuvre, *std::move(flight), cost});
   }
+  return all;
+}
+
+std::size_t add_meetings(std::span<Candidate> all, const ConflictOfFlight& conflict,
+                         std::span<const KnownFlight> others, double look_until) {
+  if (others.empty() || look_until <= conflict.begin) return 0;
+  FlightEnvelope room(conflict.begin, look_until);
+  for (const Candidate& each : all) room.add(each.flight);
+  const std::vector<KnownFlight> near = near_flights(room, others);
+  for (Candidate& each : all)
+    for (const KnownFlight& other : near)
+      if (const auto meeting = first_meeting(each.flight, *other.plan, other.separation,
+                                             conflict.begin, look_until))
+        each.cost += cost_of_meeting(*meeting, conflict.meets);
+  return near.size();
+}
+
+std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength,
+                                  std::span<const KnownFlight> others,
+                                  double look_until) {
+  std::vector<Candidate> all = candidates(conflict, strength);
+  add_meetings(all, conflict, others, look_until);
   return all;
 }
 

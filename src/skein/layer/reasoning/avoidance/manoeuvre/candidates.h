@@ -5,6 +5,7 @@
 
 #include "skein/data/separation.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvred_flight.h"
+#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
 namespace skein::reasoning {
@@ -14,6 +15,10 @@ struct KnownFlight {
   const FlightPlan* plan = nullptr;  ///< not null
   Separation separation;             ///< to be kept between it and the own aircraft
 };
+
+/// Those of some flights that may be met within the room of others, in their order.
+std::vector<KnownFlight> near_flights(const FlightEnvelope& room,
+                                      std::span<const KnownFlight> flights);
 
 /// A manoeuvre that an aircraft can fly, and what it costs.
 struct Candidate {
@@ -35,7 +40,16 @@ double cost_of_climbs(const FlightPlan& flight);
 ///     + cost_of_meeting() for each third flight that it meets until `look_until`.
 ///
 /// @param others  flights of all but the two of the conflict.
+/// Cost: a look at each of the others; those that may be met are compared with each.
 std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength,
                                   std::span<const KnownFlight> others, double look_until);
+
+/// The same, with what meeting others costs still to come.
+std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double strength);
+
+/// Adds that to the costs of candidates.
+/// @returns  how many of the others may be met, and were compared with each.
+std::size_t add_meetings(std::span<Candidate> all, const ConflictOfFlight& conflict,
+                         std::span<const KnownFlight> others, double look_until);
 
 }  // namespace skein::reasoning

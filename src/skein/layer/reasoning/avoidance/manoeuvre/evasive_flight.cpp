@@ -28,7 +28,7 @@ struct Option {
 std::vector<Option> options_of(const ConflictOfFlight& conflict) {
   std::vector<Option> all;
   for (const double strength : kStrengths)
-    for (Candidate& each : candidates(conflict, strength, {}, conflict.begin))
+    for (Candidate& each : candidates(conflict, strength))
       if (each.manoeuvre.kind != ManoeuvreKind::kGoOn)
         all.push_back({std::move(each.flight), each.cost, 0});
   const double arrival = model::end_time_of(conflict.plan);
@@ -52,9 +52,12 @@ std::optional<EvasiveFlight> evasive_flight(
   if (conflict.plan.empty()) return std::nullopt;
   const double until = conflict.begin + kLookOn;
   std::vector<Option> all = options_of(conflict);
+  FlightEnvelope room(conflict.begin, until);
+  for (const Option& each : all) room.add(each.flight);
+  const std::vector<KnownFlight> near = near_flights(room, others);
   for (Option& each : all) {
     each.meets = math::kInfinity;
-    for (const KnownFlight& other : others)
+    for (const KnownFlight& other : near)
       if (const auto meeting = first_meeting(each.flight, *other.plan, other.separation,
                                              conflict.begin, std::min(until, each.meets)))
         each.meets = meeting->begin;

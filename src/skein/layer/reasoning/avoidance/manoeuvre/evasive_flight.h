@@ -24,7 +24,7 @@ struct EvasiveFlight {
 /// @param is_free    whether zones and ground leave a flight free.
 /// @returns  none where nothing is free of zones and ground and meets others at least two
 ///           seconds later than the plan.
-/// Cost: some hundred flights are compared with those of all others.
+/// Cost: some hundred flights are compared with those of the others that may be met.
 std::optional<EvasiveFlight> evasive_flight(
     const ConflictOfFlight& conflict, std::span<const KnownFlight> others,
     const std::function<bool(const FlightPlan&)>& is_free);

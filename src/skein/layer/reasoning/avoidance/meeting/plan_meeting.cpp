@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/meeting/plan_parts.h"
 #include "skein/layer/reasoning/avoidance/meeting/relative_motion.h"
 #include "skein/model/path/flight_plan.h"
 
@@ -95,16 +96,6 @@ bool Meeting::take(const Moment& begin, const Moment& end) {
     found_->closest_time = begin.time + nearest.after;
   }
   return true;
-}
-
-double end_of(const FlightElement& e) {
-  return e.start + e.duration;
-}
-
-// The first element that lasts beyond a time.
-FlightPlan::const_iterator from_time(const FlightPlan& plan, double time) {
-  return std::ranges::partition_point(
-      plan, [&](const FlightElement& e) { return end_of(e) <= time; });
 }
 
 }  // namespace

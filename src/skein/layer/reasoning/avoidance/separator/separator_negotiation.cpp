@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
+#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/model/path/flight_plan.h"
@@ -140,10 +141,13 @@ bool Separator::is_next_for(const TeamFlight& other, const Conflict& conflict, T
   }
   if (now.seconds() >= waiting.asks_at) return true;
   const double until = conflict.meeting.begin;
+  FlightEnvelope room(now.seconds(), until);
+  room.add(other.plan);
   for (const TeamFlight& third : team_.flights()) {
     if (third.who == other.who || !third.conforms(now)) continue;
-    if (first_meeting(other.plan, third.plan, separation_between(other, third),
-                      now.seconds(), until))
+    const Separation kept = separation_between(other, third);
+    if (room.may_meet(third.plan, kept) &&
+        first_meeting(other.plan, third.plan, kept, now.seconds(), until))
       return false;
   }
   return true;
