@@ -6,7 +6,7 @@ namespace skein::assemble {
 namespace {
 
 constexpr double kSaid = 223;                    // by an aircraft [byte/s]
-constexpr double kShare = 0.4;                   // of the air
+constexpr double kShare = 0.2;                   // of the air
 constexpr double kMaxQuery = 20, kMaxPlace = 5;  // [s]
 
 }  // namespace

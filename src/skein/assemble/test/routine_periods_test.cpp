@@ -33,11 +33,12 @@ TEST(RoutinePeriods, AreASecondWhereTheRadioHasRoom) {
 
 TEST(RoutinePeriods, GrowWithTheAircraftOfANarrowRadio) {
   const char* narrow = "{kind: medium, profile: xbee-digimesh}";
-  EXPECT_EQ(routine_periods(scenario_with(narrow, 2)).place, 1);
+  EXPECT_EQ(routine_periods(scenario_with(narrow, 1)).place, 1);
+  // 8 * 223 bit/s of each in 0.2 of 10 kbit/s.
+  EXPECT_NEAR(routine_periods(scenario_with(narrow, 5)).place, 4.46, 1e-9);
   const RoutinePeriods ten = routine_periods(scenario_with(narrow, 10));
-  // 8 * 223 * 10 bit/s in 0.4 of 10 kbit/s.
-  EXPECT_NEAR(ten.place, 4.46, 1e-9);
-  EXPECT_NEAR(ten.query, 4.46, 1e-9);
+  EXPECT_EQ(ten.place, 5);
+  EXPECT_NEAR(ten.query, 8.92, 1e-9);
   const RoutinePeriods many = routine_periods(scenario_with(narrow, 100));
   EXPECT_EQ(many.place, 5);
   EXPECT_EQ(many.query, 20);

@@ -17,15 +17,17 @@ constexpr double kPlanPeriod = 5;     // of plans, in those of places
 // Of where an aircraft believes to be: three of what both of a pair believe together.
 constexpr double kSigmas = 2.2;
 constexpr double kVerticalSd = 1.5;    // over the horizontal one
-constexpr double kRepeatPeriod = 0.5;  // of a plan that is new [s]
+constexpr double kRepeatPeriod = 0.5;  // of a plan that is new, in periods of places
 constexpr int kMaxRepeats = 14;
 constexpr double kUnheard = 0.05;  // by so many is a new plan at most
 constexpr int kMaxChanges = 3;     // of the plan in one look
 
-// How often another plan is said again, so that nearly all hear of it at once.
-int times_again(double loss) {
+// How often another plan is said again, so that nearly all hear of it at once. Where the
+// air is narrow more would only lose more.
+int times_again(double loss, double place_period) {
+  const int most = static_cast<int>(kMaxRepeats / (place_period * place_period));
   int times = 0;
-  for (double unheard = loss; unheard > kUnheard && times < kMaxRepeats; unheard *= loss)
+  for (double unheard = loss; unheard > kUnheard && times < most; unheard *= loss)
     ++times;
   return times;
 }
@@ -202,16 +204,16 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
     out.push_back({self_, kEveryone, 0, Time(), place});
   }
   if (!flies_plan()) return;
-  const bool again =
-      said_again_ > 0 && (step.now - said_plan_).seconds() >= kRepeatPeriod;
   const double said_ago = (step.now - said_plan_).seconds();
+  const bool again = said_again_ > 0 && said_ago >= kRepeatPeriod * place_period;
   if (!plan_is_new_ && !again && said_ago < kPlanPeriod * place_period) return;
   const double from = std::max(step.now.seconds(), model::start_of(own_.plan));
   if (from >= model::end_time_of(own_.plan)) return;
   auto coded = model::coded_flight(own_.plan);
   if (!coded) return;
   said_plan_ = step.now;
-  said_again_ = plan_is_new_ ? times_again(team_.loss()) : std::max(0, said_again_ - 1);
+  said_again_ = plan_is_new_ ? times_again(team_.loss(), place_period)
+                             : std::max(0, said_again_ - 1);
   plan_is_new_ = false;
   PlanReport report;
   report.number = own_.number;

@@ -7,7 +7,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kMinRepeat = 0.3;  // [s]
+constexpr double kMinRepeat = 0.3;  // query periods
 constexpr double kFirstWait = 10;   // query periods, before the first master is selected
 constexpr double kMaxDelay = 8;     // [s] that is taken for normal while none is known
 // Members that went silent together with the master were heard as long as it was, but for
@@ -129,7 +129,7 @@ void TeamMember::send_one(EntityId to, TeamContent content) {
 }
 
 double TeamMember::repeat_after() const {
-  return std::max(kMinRepeat, 2 * round_trip_);
+  return std::max(kMinRepeat * times().query_period, 2 * round_trip_);
 }
 
 // For how long an exchange stays open: until the other is lost, and there and back.
