@@ -1,8 +1,7 @@
 // The study of aircraft that keep apart.
 
-#include <time.h>
-
 #include <algorithm>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <optional>

@@ -67,7 +67,7 @@ class Agents : public Program {
 
   // The number that a query of a running program's records gives, once it is as many.
   bool comes_to(const std::string& run, const std::string& sql, double count,
-                int seconds = 15) {
+                int seconds = 40) {
     const fs::path database = folder_ / run / "run.sqlite";
     for (int k = 0; k < 10 * seconds; ++k) {
       if (fs::exists(database) && query(database, sql) >= count) return true;
@@ -260,7 +260,7 @@ TEST_F(ModemAgents, AreWhereTheGroundStationIsWhenItGivesItsAddress) {
 TEST_F(ModemAgents, AreReachedOverSerialLinesThatLoseBytes) {
   NullModem line;
   if (line.name(1).empty()) GTEST_SKIP() << "this machine has no pseudo-terminals";
-  line.spoil_each(2000);
+  line.spoil_each(700);
   const pid_t world = start_world(
       "world", {"--set", "stations=[{heartbeat_s: 1}]", "--set",
                 "radio={kind: medium, profile: n920, modem: {endpoint: 'serial:" +

@@ -506,7 +506,7 @@ class Builder {
     std::vector<Vec3> stations;
     for (const scenario::Station& station : scenario_.stations)
       stations.push_back(place_of(station));
-    RadioContext context = radio_context(build_.world, std::move(stations));
+    RadioContext context = radio_context(build_.world, stations);
     context.seed = scenario_.seed;
     context.modem = build_.modem.get();
     context.kinds = &kinds_.kinds();

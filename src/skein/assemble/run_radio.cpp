@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "skein/geo/rotation.h"
+#include "skein/role/vehicle.h"
 
 namespace skein::assemble {
 
-RadioContext radio_context(const simulation::World& world, std::vector<Vec3> stations) {
+RadioContext radio_context(const simulation::World& world,
+                           const std::vector<Vec3>& stations) {
   std::vector<const Vehicle*> vehicles;
   std::vector<std::string> names;
   for (const simulation::Entity& entity : world.entities) {

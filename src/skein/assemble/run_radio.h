@@ -12,6 +12,7 @@ namespace skein::assemble {
 /// and what they are called, and its terrain. Seed, modem and kinds are left to the
 /// caller. Refers to the world's parts, which outlive it wherever the world goes.
 /// @param stations  places of the first entities, in N [m]
-RadioContext radio_context(const simulation::World& world, std::vector<Vec3> stations);
+RadioContext radio_context(const simulation::World& world,
+                           const std::vector<Vec3>& stations);
 
 }  // namespace skein::assemble
