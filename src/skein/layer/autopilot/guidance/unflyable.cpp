@@ -20,7 +20,6 @@ constexpr double kClimbSlack = 0.1;
 constexpr double kTurnSlack = 0.01;
 constexpr double kWindow = 1;  // of a plan, whose turns and climbs count as one [s]
 constexpr double kDensitySlack = 1e-6;
-constexpr double kInstant = 0.2;    // of a plan, in which nobody is faster [s]
 constexpr int kInstants = 16;       // of a plan's segment or of a turn
 constexpr double kOnePoint = 1e-3;  // waypoints nearer than this are one [m]
 
@@ -207,31 +206,15 @@ struct Judge {
            std::max(end - begin, kWindow / 2);
   }
 
-  // The same of its airspeed: nobody is faster for some milliseconds.
-  double mean_airspeed(const model::PlanCurve& curve, double time) const {
-    const double begin = std::max(time - kInstant / 2, curve.start());
-    const double end = std::min(time + kInstant / 2, curve.end());
-    const Vec3 way = curve.at(end).p_N - curve.at(begin).p_N;
-    return airspeed_of(way / std::max(end - begin, kInstant / 2));
-  }
-
-  double airspeed_of(const Vec3& v_N) const {
-    return std::sqrt((v_N.head<2>() - wind).squaredNorm() + v_N.z() * v_N.z());
-  }
-
-  bool can_fly(double airspeed) const {
-    return airspeed <= limits.fastest * (1 + kSpeedSlack) &&
-           airspeed >= limits.slowest * (1 - kSpeedSlack);
-  }
-
   Reason judge(const model::PlanCurve::State& at, const model::PlanCurve& curve,
                double time) const {
     const Vec2 v = at.v_N.head<2>();
     const Vec2 air = v - wind;
-    const double airspeed = airspeed_of(at.v_N);
+    const double airspeed = std::sqrt(air.squaredNorm() + at.v_N.z() * at.v_N.z());
     if (!std::isfinite(airspeed) || !finite(at.a_N))
       return fmt::format("the plan at {:.1f} s is not finite", time);
-    if (!can_fly(airspeed) && !can_fly(mean_airspeed(curve, time)))
+    if (airspeed > limits.fastest * (1 + kSpeedSlack) ||
+        airspeed < limits.slowest * (1 - kSpeedSlack))
       return fmt::format(
           "the plan at {:.1f} s needs an airspeed of {:.1f} m/s in {:.1f} m/s of wind: "
           "from {:.1f} to {:.1f} m/s can be flown",

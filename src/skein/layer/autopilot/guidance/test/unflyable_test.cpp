@@ -147,17 +147,6 @@ TEST(Unflyable, PlansMustNotTurnTooTightly) {
   EXPECT_FALSE(unflyable({FollowPlan{round(40)}, 0, {}}, kWing, kCalm));
 }
 
-TEST(Unflyable, PointsOfPlansMayBeRoundedMillisecondsApart) {
-  // At 24.5 m/s, with two points 2 ms apart of which one is a centimetre further on.
-  const auto rounded = [](double speed) {
-    Plan out = plan({0, 4, 4.002, 8}, {speed, 0, 0});
-    out[2].p_N.x() += 0.01;
-    return FollowPlan{out};
-  };
-  EXPECT_FALSE(unflyable({rounded(24.5), 0, {}}, kWing, kCalm));
-  EXPECT_TRUE(says({rounded(28), 0, {}}, "airspeed of 28.0"));
-}
-
 TEST(Unflyable, CornersOfPlansAreTurnsOfASecond) {
   // Straight on, and after a millisecond on another course: flown by cutting the
   // corner where the turn could be flown in a second (a_max / V = 0.33 rad), else not.
