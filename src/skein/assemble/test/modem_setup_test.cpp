@@ -152,7 +152,7 @@ TEST_F(SealedModem, RefusesAnAgentWithAnotherKeyAndOneWithout) {
   EXPECT_EQ(world_->statistics().heard, 0u);
   const auto taken = world_->take(Time());
   ASSERT_EQ(taken.size(), 1u) << "that somebody was refused, once";
-  EXPECT_EQ(std::get<modem::ModemAlert>(taken[0]).kind, modem::AlertKind::kUnauthentic);
+  EXPECT_EQ(std::get<modem::ModemAlert>(taken[0]).kind, modem::AlertKind::kRefused);
 }
 
 TEST_F(SealedModem, NeedsAKeyThatCanBeRead) {

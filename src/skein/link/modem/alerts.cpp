@@ -9,10 +9,14 @@ constexpr Time kSayAgain = Time::from_ns(60'000'000'000);
 
 }  // namespace
 
-void AlertLog::note(AlertKind kind, std::vector<EntityId> identities, Time now) {
+bool AlertLog::note(AlertKind kind, Time now) {
   OfKind& known = kinds_.at(static_cast<std::size_t>(kind));
   ++known.count;
-  if (known.next && now < *known.next) return;
+  return !known.next || now >= *known.next;
+}
+
+void AlertLog::say(AlertKind kind, std::vector<EntityId> identities, Time now) {
+  OfKind& known = kinds_.at(static_cast<std::size_t>(kind));
   known.next = now + kSayAgain;
   due_.push_back({kind, std::move(identities), std::exchange(known.count, 0)});
 }

@@ -12,9 +12,9 @@ namespace skein::modem {
 
 /// What may be wrong on the air of a modem.
 enum class AlertKind : std::uint8_t {
-  kSameAddress,   ///< another modem says who is reached through it, with this address
-  kUnauthentic,   ///< a datagram without a valid seal was refused
-  kUnauthenticIn  ///< a datagram without a valid seal counts all the same
+  kSameAddress,  ///< another modem says who is reached through it, with this address
+  kRefused,      ///< a datagram without a valid seal was refused
+  kDoubted       ///< a datagram without a valid seal counts all the same
 };
 
 /// Something is wrong on the air of a modem.
@@ -27,7 +27,10 @@ struct Alert {
 /// Alerts, of each kind the first at once and then one a minute at most.
 class AlertLog {
  public:
-  void note(AlertKind kind, std::vector<EntityId> identities, Time now);
+  /// Counts one.
+  /// @returns  whether it is to be said: then say() who is named.
+  bool note(AlertKind kind, Time now);
+  void say(AlertKind kind, std::vector<EntityId> identities, Time now);
 
   /// What is due since the last call.
   std::vector<Alert> take();

@@ -21,9 +21,9 @@ const char* event_of(AlertKind kind) {
   switch (kind) {
     case AlertKind::kSameAddress:
       return "modem-clash";
-    case AlertKind::kUnauthentic:
+    case AlertKind::kRefused:
       return "modem-refused";
-    case AlertKind::kUnauthenticIn:
+    case AlertKind::kDoubted:
       return "modem-doubted";
   }
   return "";

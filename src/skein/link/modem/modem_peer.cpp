@@ -160,12 +160,17 @@ std::optional<Datagram> ModemPeer::open(std::span<const std::byte> bytes, Time n
   const auto content = may_be_sealed ? bytes.first(bytes.size() - seal.bytes) : bytes;
   if (may_be_sealed && seal.is_authentic(bytes)) return as_read(decode_datagram(content));
   ++statistics_.unauthentic;
+  // Nobody is to make it work by what does not count.
+  const AlertKind kind = seal.required ? AlertKind::kRefused : AlertKind::kDoubted;
+  const bool says = alerts_.note(kind, now);
+  if (seal.required && !says) return std::nullopt;
   auto unsealed = decode_datagram(bytes);
   if (!unsealed) unsealed = decode_datagram(content);
-  std::vector<EntityId> said;
-  if (unsealed) said.push_back(EntityId{unsealed.value().origin.sw});
-  alerts_.note(seal.required ? AlertKind::kUnauthentic : AlertKind::kUnauthenticIn,
-               std::move(said), now);
+  if (says) {
+    std::vector<EntityId> named;
+    if (unsealed) named.push_back(EntityId{unsealed.value().origin.sw});
+    alerts_.say(kind, std::move(named), now);
+  }
   if (seal.required) return std::nullopt;
   return as_read(std::move(unsealed));
 }
@@ -178,9 +183,10 @@ void ModemPeer::hear_own_address(const Datagram& datagram, Time now) {
     return;
   }
   ++statistics_.clashes;
+  if (!alerts_.note(AlertKind::kSameAddress, now)) return;
   std::vector<EntityId> identities;
   for (const std::uint32_t sw : said->identities) identities.push_back(EntityId{sw});
-  alerts_.note(AlertKind::kSameAddress, std::move(identities), now);
+  alerts_.say(AlertKind::kSameAddress, std::move(identities), now);
 }
 
 // Only who takes part is entered anywhere: an advertised entity of the same scenario, and

@@ -310,16 +310,21 @@ TEST(ModemPeer, FindsThatAnotherModemHasItsAddress) {
 
 TEST(AlertLog, SaysEachKindOnceAMinuteAndHowMany) {
   AlertLog log;
-  const auto at = [](double seconds) { return Time::from_seconds(seconds); };
-  log.note(AlertKind::kUnauthentic, {kFirst}, at(5));
-  log.note(AlertKind::kSameAddress, {}, at(6));
-  for (int k = 0; k < 10; ++k) log.note(AlertKind::kUnauthentic, {kFirst}, at(7 + k));
+  const auto note = [&](AlertKind kind, double seconds) {
+    const Time at = Time::from_seconds(seconds);
+    const bool says = log.note(kind, at);
+    if (says) log.say(kind, {kFirst}, at);
+    return says;
+  };
+  EXPECT_TRUE(note(AlertKind::kRefused, 5));
+  EXPECT_TRUE(note(AlertKind::kSameAddress, 6));
+  for (int k = 0; k < 10; ++k) EXPECT_FALSE(note(AlertKind::kRefused, 7 + k));
   const auto first = log.take();
   ASSERT_EQ(first.size(), 2u);
-  EXPECT_EQ(first[0].kind, AlertKind::kUnauthentic);
+  EXPECT_EQ(first[0].kind, AlertKind::kRefused);
   EXPECT_EQ(first[0].count, 1u);
   EXPECT_EQ(first[1].kind, AlertKind::kSameAddress);
-  log.note(AlertKind::kUnauthentic, {}, at(65));
+  EXPECT_TRUE(note(AlertKind::kRefused, 65));
   const auto second = log.take();
   ASSERT_EQ(second.size(), 1u);
   EXPECT_EQ(second[0].count, 11u);
@@ -409,7 +414,7 @@ TEST(SealedModemPeer, HearsWhoHasTheKeyAndNobodyElse) {
   EXPECT_EQ(station.statistics(Time()).unauthentic, 4u);
   const auto alerts = station.take_alerts();
   ASSERT_EQ(alerts.size(), 1u) << "four within a minute";
-  EXPECT_EQ(alerts[0].kind, AlertKind::kUnauthentic);
+  EXPECT_EQ(alerts[0].kind, AlertKind::kRefused);
   EXPECT_EQ(alerts[0].identities, std::vector<EntityId>{kFirst}) << "whom it names";
   station.receive(said, Time(), came);
   EXPECT_EQ(station.statistics(Time()).duplicates, 1u);
@@ -430,7 +435,7 @@ TEST(SealedModemPeer, OnlyCountsWhereItIsNotRequired) {
         Time(), came);
     EXPECT_TRUE(station.hears(kFirst)) << sealed;
     EXPECT_EQ(station.statistics(Time()).unauthentic, 1u);
-    EXPECT_EQ(station.take_alerts().at(0).kind, AlertKind::kUnauthenticIn);
+    EXPECT_EQ(station.take_alerts().at(0).kind, AlertKind::kDoubted);
   }
 }
 

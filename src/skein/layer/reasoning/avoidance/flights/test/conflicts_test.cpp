@@ -3,18 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "skein/base/math.h"
+#include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 
 namespace skein::reasoning {
 namespace {
-
-FlightPlan straight(const Vec3& from, double heading) {
-  FlightElement e;
-  e.duration = 200;
-  e.airspeed = 20;
-  e.heading = heading;
-  e.p_N = from;
-  return {e};
-}
 
 TeamFlight other_with(FlightPlan plan) {
   TeamFlight other;

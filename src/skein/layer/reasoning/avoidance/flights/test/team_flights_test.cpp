@@ -51,6 +51,24 @@ TEST(TeamFlights, TheNewestPlanCountsInWhateverOrderTheyCome) {
   EXPECT_EQ(flights.find(kOther)->number, 2u);
 }
 
+TEST(TeamFlights, PlansAndPlacesHoldLongerWhereTheyAreSaidMoreRarely) {
+  const std::vector<Message> messages = {says(report(2, north_at(20, 100)), 2)};
+  TeamFlights often(90, 1), rarely(90, 4);
+  often.listen(kSelf, Time::from_seconds(2), messages);
+  rarely.listen(kSelf, Time::from_seconds(2), messages);
+  const Time later = Time::from_seconds(40);
+  EXPECT_FALSE(often.find(kOther)->conforms(later));
+  EXPECT_TRUE(rarely.find(kOther)->conforms(later));
+  EXPECT_FALSE(rarely.find(kOther)->conforms(Time::from_seconds(63)));
+  // Places that come every fourth second are all that there are.
+  std::vector<Message> places;
+  for (int k = 0; k < 40; ++k) places.push_back(says(place(80.0 * k, 2), 4 * k));
+  rarely.listen(kSelf, Time::from_seconds(160), places);
+  often.listen(kSelf, Time::from_seconds(160), places);
+  EXPECT_EQ(rarely.loss(), 0);
+  EXPECT_NEAR(often.loss(), 0.75, 0.01);
+}
+
 TEST(TeamFlights, WhoHasLandedIsInNobodysWayUntilItFliesAgain) {
   LandingReport landed;
   landed.phase = LandingPhase::kLanded;

@@ -1,42 +1,16 @@
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include "skein/layer/reasoning/avoidance/meeting/test/any_plan.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 namespace {
 
 const Separation kApart{50, 20};
-
-double number(double low, double high) {
-  return low + *rc::gen::inRange(0, 1000) / 999.0 * (high - low);
-}
-
-// Straights, turns, climbs and vertical turns in wind, one after the other.
-FlightPlan any_plan() {
-  FlightPlan plan;
-  FlightElement e;
-  e.start = number(0, 10);
-  e.p_N = {number(-400, 400), number(-400, 400), number(-130, -90)};
-  e.heading = number(-3, 3);
-  e.wind = {number(-8, 8), number(-8, 8)};
-  for (int k = 0; k < 5; ++k) {
-    e.airspeed = number(12, 25);
-    e.duration = number(0.5, 15);
-    e.turn_rate = *rc::gen::inRange(0, 2) == 0 ? 0 : number(-0.4, 0.4);
-    e.climb_rate = number(-3, 3);
-    e.climb_acceleration = *rc::gen::inRange(0, 3) == 0 ? number(-0.5, 0.5) : 0;
-    plan.push_back(e);
-    const model::FlightMoment end = model::end_of(e);
-    e.p_N = end.p_N;
-    e.heading = end.heading;
-    e.start += e.duration;
-  }
-  return plan;
-}
+constexpr AnyPlan kNear{10, 400, 90, 130, 15};
 
 double ratio_at(const FlightPlan& a, const FlightPlan& b, double time) {
   const Vec3 apart = model::moment_at(a, time).p_N - model::moment_at(b, time).p_N;
@@ -47,7 +21,7 @@ double ratio_at(const FlightPlan& a, const FlightPlan& b, double time) {
 constexpr double kExactness = 0.06 / 20;
 
 RC_GTEST_PROP(PlanMeeting, IsWhereSamplesOfBothFlightsAreNear, ()) {
-  const FlightPlan a = any_plan(), b = any_plan();
+  const FlightPlan a = any_plan(kNear), b = any_plan(kNear);
   const double from = number(0, 20), until = from + number(5, 60);
   const auto meeting = first_meeting(a, b, kApart, from, until);
   const double begin = std::max({from, model::start_of(a), model::start_of(b)});
@@ -74,7 +48,7 @@ RC_GTEST_PROP(PlanMeeting, IsWhereSamplesOfBothFlightsAreNear, ()) {
 }
 
 RC_GTEST_PROP(PlanMeeting, IsTheSameForBoth, ()) {
-  const FlightPlan a = any_plan(), b = any_plan();
+  const FlightPlan a = any_plan(kNear), b = any_plan(kNear);
   const auto one = first_meeting(a, b, kApart, 0, 100);
   const auto other = first_meeting(b, a, kApart, 0, 100);
   RC_ASSERT(one.has_value() == other.has_value());

@@ -8,18 +8,10 @@
 
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
+#include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 
 namespace skein::reasoning {
 namespace {
-
-FlightPlan straight(const Vec3& from, double heading) {
-  FlightElement e;
-  e.duration = 200;
-  e.airspeed = 20;
-  e.heading = heading;
-  e.p_N = from;
-  return {e};
-}
 
 // Two that fly towards each other, and what each knows of a negotiation.
 struct Two {
@@ -57,11 +49,10 @@ void give(const std::vector<Message>& from, PairNegotiation& to) {
       to.take(*acceptance);
 }
 
-TEST(PairNegotiation, BothFindTheSameFlightsThatAreApart) {
-  const Two two;
-  PairNegotiation a = two.of(true), b = two.of(false);
+// Steps both, each of which gets at once what the other has said.
+void talk(PairNegotiation& a, PairNegotiation& b, int steps) {
   std::vector<Message> from_a, from_b;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < steps; ++k) {
     const Time now = Time::from_seconds(0.5 * k);
     give(from_b, a);
     from_a.clear();
@@ -70,6 +61,12 @@ TEST(PairNegotiation, BothFindTheSameFlightsThatAreApart) {
     from_b.clear();
     b.step(now, {}, from_b);
   }
+}
+
+TEST(PairNegotiation, BothFindTheSameFlightsThatAreApart) {
+  const Two two;
+  PairNegotiation a = two.of(true), b = two.of(false);
+  talk(a, b, 4);
   ASSERT_EQ(a.state(), PairNegotiation::State::kAgreed);
   ASSERT_EQ(b.state(), PairNegotiation::State::kAgreed);
   EXPECT_FALSE(first_meeting(a.flight(), b.flight(), two.separation, 0, 200));
@@ -172,16 +169,7 @@ TEST(PairNegotiation, BothFindTheSameDealByAnyRule) {
     Two two;
     two.rule_a = two.rule_b = rule;
     PairNegotiation a = two.of(true), b = two.of(false);
-    std::vector<Message> from_a, from_b;
-    for (int k = 0; k < 6; ++k) {
-      const Time now = Time::from_seconds(0.5 * k);
-      give(from_b, a);
-      from_a.clear();
-      a.step(now, {}, from_a);
-      give(from_a, b);
-      from_b.clear();
-      b.step(now, {}, from_b);
-    }
+    talk(a, b, 6);
     ASSERT_EQ(a.state(), PairNegotiation::State::kAgreed) << name_of(rule);
     ASSERT_EQ(b.state(), PairNegotiation::State::kAgreed) << name_of(rule);
     EXPECT_FALSE(first_meeting(a.flight(), b.flight(), two.separation, 0, 200));

@@ -236,6 +236,21 @@ FlightElement north() {
   return e;
 }
 
+// The same flight the other way, from somewhere else.
+FlightElement southwards(FlightElement element, const Vec3& from) {
+  element.p_N = from;
+  element.heading = geo::kPi;
+  return element;
+}
+
+// Aircraft 1 says to aircraft 2 that it flies this.
+Message plan_of_one(const FlightElement& element) {
+  PlanReport report;
+  report.number = 1;
+  report.flight = *model::coded_flight({element});
+  return {EntityId{1}, EntityId{2}, 0, Time(), report};
+}
+
 // The ground is 60 m below: who has to sink goes no lower than its clearance.
 class Plateau final : public Terrain {
  public:
@@ -251,13 +266,8 @@ TEST(Separator, TheLastMomentEndsAboveTheGround) {
   SeparationOptions options;
   options.method = SeparationMethod::kAuto;
   const FlightElement to = north();
-  FlightElement back = to;
-  back.p_N = Vec3(200, 0, -102);
-  back.heading = geo::kPi;
-  PlanReport report;
-  report.number = 1;
-  report.flight = *model::coded_flight({back});
-  const Message message{EntityId{1}, EntityId{2}, 0, Time(), report};
+  const FlightElement back = southwards(to, Vec3(200, 0, -102));
+  const Message message = plan_of_one(back);
   Separator separator(EntityId{2}, options);
   separator.listen(Time(), {&message, 1});
   std::vector<Message> out;
@@ -446,13 +456,8 @@ TEST(Separator, AFlightIsApartUntilAfterTheConflict) {
   options.horizon = 300;
   FlightElement to = north();
   to.duration = 400;
-  FlightElement back = to;
-  back.p_N = Vec3(8000, 20, -100);
-  back.heading = geo::kPi;
-  PlanReport report;
-  report.number = 1;
-  report.flight = *model::coded_flight({back});
-  const Message message{EntityId{1}, EntityId{2}, 0, Time(), report};
+  const FlightElement back = southwards(to, Vec3(8000, 20, -100));
+  const Message message = plan_of_one(back);
   Separator separator(EntityId{2}, options);
   separator.listen(Time(), {&message, 1});
   std::vector<Message> out;
