@@ -102,6 +102,7 @@ class PlannedTask : public TaskExecutor {
   Time planned_, try_again_;
   double time_to_go_ = 0;
   int refusals_ = 0;  // of plans, one after the other
+  int plans_ = 0;     // that it has made
   std::string impossible_;
 };
 

@@ -11,6 +11,19 @@
 namespace skein::reasoning {
 namespace {
 
+// By how much a pair's separation may have grown since its plans were looked at: how far
+// each is off its plan changes all the time, and what was apart must not be changed for
+// metres of it.
+constexpr double kGrows = 3, kGrowsInHeight = 1;  // [m]
+
+bool is_about(const Separation& now, const Separation& looked_at) {
+  const auto within = [](double a, double b, double grows) {
+    return a >= b - grows && a <= b + grows;
+  };
+  return within(now.horizontal, looked_at.horizontal, kGrows) &&
+         within(now.vertical, looked_at.vertical, kGrowsInHeight);
+}
+
 double half_metres(double distance) {
   return std::ceil(2 * distance) / 2;
 }
@@ -54,15 +67,14 @@ std::vector<Conflict> ConflictFinder::find(Time now, const OwnFlight& own,
     }
     const Separation separation = separation_of(own, other, expected.unknown);
     const bool same = known && old->own == own.number && old->other == expected.number &&
-                      old->separation.horizontal == separation.horizontal &&
-                      old->separation.vertical == separation.vertical &&
+                      is_about(separation, old->separation) &&
                       !(old->meeting && old->meeting->end <= t);
     looked_.push_back(same ? *old
                            : Looked{other.who, own.number, expected.number, separation,
                                     meeting(*expected.plan, separation)});
     const Looked& looked = looked_.back();
     if (looked.meeting && looked.meeting->begin < until)
-      all.push_back({other.who, *looked.meeting, separation});
+      all.push_back({other.who, *looked.meeting, looked.separation});
   }
   std::ranges::stable_sort(all, {}, [](const Conflict& c) { return c.meeting.begin; });
   return all;
