@@ -28,6 +28,7 @@ class Flight {
       : nav_(nav), air_(air), now_(now) {}
 
   double duration() const { return model::duration(plan_); }
+  double end() const { return now_ + duration(); }
   model::Pose at() const {
     if (plan_.empty()) return {geo::horizontal(nav_.p_N), nav_.heading};
     const model::FlightMoment m = model::end_of(plan_.back());
@@ -119,6 +120,7 @@ class Expectation {
         duration_(duration) {}
 
   std::optional<double> altitude_msl;
+  std::vector<double> points;
 
   void operator()(const Steering& steering) {
     altitude_msl = steering.altitude_msl;
@@ -134,8 +136,10 @@ class Expectation {
   void operator()(const Legs& legs) {
     altitude_msl = legs.altitude_msl;
     const std::size_t all = legs.points.size() * static_cast<std::size_t>(legs.laps);
-    for (std::size_t k = passed_; k < all && flight_.duration() < duration_; ++k)
+    for (std::size_t k = passed_; k < all && flight_.duration() < duration_; ++k) {
       flight_.fly_to(legs.points[k % legs.points.size()]);
+      points.push_back(flight_.end());
+    }
     if (flight_.duration() < duration_) around(legs.points.back());
   }
   void operator()(const Itinerary&) {}
@@ -173,18 +177,19 @@ class Expectation {
 
 }  // namespace
 
-FlightPlan expected_flight(const FlightIntent& intent, std::size_t passed,
-                           const NavEstimate& nav, const FlightContext& context,
-                           double now, double duration) {
+ExpectedFlight expected_flight(const FlightIntent& intent, std::size_t passed,
+                               const NavEstimate& nav, const FlightContext& context,
+                               double now, double duration) {
   model::AirMotion air{std::max(context.limits.airspeed, kMinAirspeed),
                        context.limits.turn_radius, nav.wind_N};
   Flight flight(nav, air, now);
   Expectation expectation(flight, context, nav, passed, duration);
   std::visit(expectation, intent.what);
-  const FlightPlan plan = flight.take();
-  if (expectation.altitude_msl)
-    return reaching(plan, -*expectation.altitude_msl, context.limits);
-  return at_height_over_ground(plan, context, context.altitude_agl, nav.p_N.z());
+  FlightPlan plan = flight.take();
+  plan = expectation.altitude_msl
+             ? reaching(plan, -*expectation.altitude_msl, context.limits)
+             : at_height_over_ground(plan, context, context.altitude_agl, nav.p_N.z());
+  return {std::move(plan), std::move(expectation.points)};
 }
 
 FlightPlan at_height_over_ground(const FlightPlan& plan, const FlightContext& context,

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <vector>
+
 #include "skein/data/flight_plan.h"
 #include "skein/data/vehicle.h"
 #include "skein/layer/reasoning/trajectory/flight_context.h"
 #include "skein/layer/reasoning/trajectory/flight_intent.h"
 
 namespace skein::reasoning {
+
+/// A flight that is expected, not planned.
+struct ExpectedFlight {
+  FlightPlan plan;
+  std::vector<double> points;  ///< when it passes points of legs [s]
+};
 
 /// Where an aircraft will fly that has no plan, as far as that can be said: what others
 /// have to count with.
@@ -20,9 +28,9 @@ namespace skein::reasoning {
 ///
 /// @param passed    points of legs that have been passed.
 /// @param duration  of the flight at least, where it does not end before [s].
-FlightPlan expected_flight(const FlightIntent& intent, std::size_t passed,
-                           const NavEstimate& nav, const FlightContext& context,
-                           double now, double duration);
+ExpectedFlight expected_flight(const FlightIntent& intent, std::size_t passed,
+                               const NavEstimate& nav, const FlightContext& context,
+                               double now, double duration);
 
 /// The flight with the altitudes at which it is flown so high above the ground.
 /// @param height  above the ground [m].

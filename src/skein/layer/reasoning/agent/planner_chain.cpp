@@ -25,7 +25,7 @@ void PlannerChain::fly(const TaskStep& step, AgentOutput& out) {
   if (apart != intent)
     verdict =
         separation_.modifies() ? PlannerVerdict::kModified : PlannerVerdict::kReplaced;
-  if (verdict == PlannerVerdict::kReplaced) author->replaced();
+  if (apart != intent && separation_.interrupts()) author->replaced();
   note(PlannerLink::kSeparation, {verdict, separation_.reason()}, out);
   intent =
       pilot_ ? pilot_->fly(intent, apart, separation_.reason(), step.in, out) : apart;

@@ -8,6 +8,7 @@
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/agent/expected_flight.h"
 #include "skein/layer/reasoning/avoidance/flights/course_flight.h"
+#include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -20,11 +21,13 @@ constexpr double kWorthReturning =
     40;  // of a flight that is left, to be planned anew [s]
 constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
 constexpr double kOtherWind = 1;             // than that of the plan [m/s]
-constexpr double kCourseAgain = 5;      // of who does not obey, at least so often [s]
-constexpr double kMinCourse = 1;        // and not more often than that [s]
-constexpr double kCourseError = 10;     // of a course that is no plan [m]
-constexpr double kClimbsFor = 6;        // it may climb and sink on [s]
-constexpr double kIgnored = 60;         // that a pilot counts as flying on [s]
+constexpr double kOffAgain = 10;     // of legs that are planned: anew, at the soonest [s]
+constexpr double kUnplanned = 10;    // legs are flown after a plan was refused [s]
+constexpr double kCourseAgain = 5;   // of who does not obey, at least so often [s]
+constexpr double kMinCourse = 1;     // and not more often than that [s]
+constexpr double kCourseError = 10;  // of a course that is no plan [m]
+constexpr double kClimbsFor = 6;     // it may climb and sink on [s]
+constexpr double kIgnored = 60;      // that a pilot counts as flying on [s]
 constexpr double kMarginOfPilot = 1;    // after the slowest reaction [s]
 constexpr double kPlannedRadius = 1.1;  // of the turn radius: room to correct
 constexpr double kPlannedClimb = 0.95;  // of the climb rate, likewise
@@ -39,6 +42,12 @@ double lowest(const FlightPlan& plan, const Terrain& ground) {
     least = std::min(least, -p_N.z() - ground.elevation_msl(geo::horizontal(p_N)));
   }
   return std::max(0.0, least - kLess);
+}
+
+void end_with_milestone(WantedFlight& wanted) {
+  const double end = model::end_time_of(wanted.plan);
+  if (wanted.milestones.empty() || wanted.milestones.back() < end)
+    wanted.milestones.push_back(end);
 }
 
 FlightPriority priority_of(const AutopilotStatus& status) {
@@ -80,11 +89,18 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
   if (separator_.changed()) {
     // Near its end another flight could not come down in time to where this one ends.
     const double left = model::end_time_of(separator_.plan()) - step.in.now.seconds();
-    return separator_.is_clear(step.in.now) && (left > kWorthReturning || left <= 0);
+    if (left <= 0) return true;
+    return separator_.is_clear(step.in.now) && left > kWorthReturning;
   }
   // Flights that were planned in another wind cannot be flown.
   const Vec2 wind = wanted_.plan.back().wind;
-  if ((wind - step.in.nav->wind_N).norm() > kOtherWind) return true;
+  const bool other_wind = (wind - step.in.nav->wind_N).norm() > kOtherWind;
+  if (flies_as_expected_) {
+    const double left = model::end_time_of(wanted_.plan) - step.in.now.seconds();
+    return left < options_.horizon || (other_wind && age > kMinExpected) ||
+           (step.safety.off_plan() && age > kOffAgain);
+  }
+  if (other_wind) return true;
   if (age < kMinExpected) return false;
   const Vec3 off =
       model::moment_at(wanted_.plan, step.in.now.seconds()).p_N - step.in.nav->p_N;
@@ -98,18 +114,53 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
     want_itinerary(given, *itinerary, step);
     return;
   }
+  go_on_interrupting(given);
+  if (const auto* legs = std::get_if<Legs>(&given.what))
+    points_left_ = legs->points.size() * static_cast<std::size_t>(legs->laps);
+  const bool flies = flight.number == given.number;
+  const std::size_t passed = flies ? flight.passed : 0;
+  if (flies && given.number == given_) told_ = passed - std::min(passed_before_, passed);
   if (!expects_other(given, step)) return;
-  const std::size_t passed = flight.number == given.number ? flight.passed : 0;
-  FlightPlan plan = expected_flight(given, passed, *step.in.nav, context_,
-                                    step.in.now.seconds(), options_.horizon + kExpected);
-  if (plan.empty()) return;
-  wanted_ = {++counted_, std::move(plan), {}, false};
-  wanted_.milestones = {model::end_time_of(wanted_.plan)};
+  const bool has_legs = std::holds_alternative<Legs>(given.what);
+  const PathQuery query = query_of(step);
+  FlightContext context = context_;
+  if (has_legs) context.limits = query.limits;
+  ExpectedFlight flight_ahead =
+      expected_flight(given, passed, *step.in.nav, context, step.in.now.seconds(),
+                      options_.horizon + kExpected);
+  if (flight_ahead.plan.empty() || leads_back_into_others(flight_ahead.plan, step))
+    return;
+  FlightCheck check(query, step.safety.zones().zones());
+  flies_as_expected_ =
+      has_legs && step.in.now >= unplanned_until_ && check.is_free(flight_ahead.plan);
+  wanted_ = {++counted_, std::move(flight_ahead.plan), flight_ahead.points,
+             flies_as_expected_};
+  end_with_milestone(wanted_);
+  points_ahead_ = flight_ahead.points.size();
+  told_ = 0;
+  passed_before_ = passed;
+  has_legs_ = has_legs;
   given_ = given.number;
   kind_ = given.what.index();
   expected_ = true;
   by_others_ = false;
   expected_at_ = step.in.now;
+}
+
+// Whether a flight out of the way of others, which has not ended, may not be left yet.
+bool SeparationPlanner::leads_back_into_others(const FlightPlan& plan,
+                                               const TaskStep& step) const {
+  const double now = step.in.now.seconds();
+  return expected_ && !by_others_ && separator_.changed() &&
+         now < model::end_time_of(separator_.plan()) &&
+         separator_.meets_others(plan, step.in.now);
+}
+
+// While what it flies without a plan is interrupted, a task says at each step what is
+// left of it: that is the same flight.
+void SeparationPlanner::go_on_interrupting(const FlightIntent& given) {
+  if (interrupted_ && expected_ && given_ != 0 && given.what.index() == kind_)
+    given_ = given.number;
 }
 
 // Nobody on board knows what a pilot or a failsafe flies next.
@@ -138,9 +189,7 @@ void SeparationPlanner::want_itinerary(const FlightIntent& given,
   if (itinerary.over_ground)
     wanted_.plan = at_height_over_ground(itinerary.plan, context_, context_.altitude_agl,
                                          step.in.nav->p_N.z());
-  const double end = model::end_time_of(wanted_.plan);
-  if (wanted_.milestones.empty() || wanted_.milestones.back() < end)
-    wanted_.milestones.push_back(end);
+  end_with_milestone(wanted_);
   given_ = given.number;
   kind_ = given.what.index();
   expected_ = by_others_ = false;
@@ -152,6 +201,7 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
                                             AgentOutput& out) {
   SKEIN_CHECK(given != nullptr);
   modifies_ = false;
+  interrupted_ = std::exchange(interrupts_, false);
   reason_ = {};
   if (options_.method == SeparationMethod::kNone || step.in.autopilot.on_ground)
     return given;
@@ -159,7 +209,9 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
       landing_.plan(given, step, {separator_.loss(), separator_.delay()}, out);
   // The task has no part in it when another flight than its own is refused.
   if (flight.refused && own_number_ != 0 && flight.number == own_number_ &&
-      separator_.changed()) {
+      (separator_.changed() || expected_)) {
+    if (!separator_.changed())
+      unplanned_until_ = step.in.now + Time::from_seconds(kUnplanned);
     separator_.refuse_plan();
     if (expected_) given_ = 0;  // expected anew, from here and in the wind that there is
   }
@@ -179,9 +231,10 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
     own_ = {0, Steering{HoldCourse{turn->course}, turn->course, turn->altitude_msl, {}}};
     own_number_ = 0;
     modifies_ = false;
+    interrupts_ = true;
     return &own_;
   }
-  if (expected_ && !separator_.changed()) return asked;
+  if (expected_ && !separator_.changed() && !flies_as_expected_) return asked;
   return own_flight(*asked, step);
 }
 
@@ -226,7 +279,8 @@ void SeparationPlanner::separate(const TaskStep& step, bool keeps_on, bool is_ig
 // The plan of the separator, to be flown in time.
 const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
                                                   const TaskStep& step) {
-  modifies_ = !expected_;
+  modifies_ = !expected_ || flies_as_expected_;
+  interrupts_ = expected_;
   if (own_number_ != 0 && own_plan_ == separator_.number()) return &own_;
   own_plan_ = separator_.number();
   Itinerary own;
@@ -265,9 +319,21 @@ void SeparationPlanner::list_strangers(const TaskStep& step) {
   }
 }
 
-FlightProgress SeparationPlanner::for_task(const FlightProgress& flown) const {
-  if (own_number_ == 0 || flown.number != own_number_ || expected_) return flown;
+FlightProgress SeparationPlanner::for_task(const FlightProgress& flown) {
+  if (own_number_ == 0 || flown.number != own_number_) return flown;
   FlightProgress progress = flown;
+  if (expected_) {
+    if (!interrupts_ || !has_legs_) return flown;
+    // Points of legs, and of these what has been passed since the task was last told.
+    const std::size_t passed =
+        std::min(separator_.passed() + flown.passed, points_ahead_);
+    progress = {};
+    progress.number = given_;
+    progress.passed = passed - std::min(told_, passed);
+    progress.done = progress.passed >= points_left_;
+    told_ = std::max(told_, passed);
+    return progress;
+  }
   progress.number = given_;
   if (separator_.changed()) {
     progress.passed += separator_.passed();

@@ -14,11 +14,13 @@ namespace skein::reasoning {
 /// What the task flies by a plan is flown in time, and in another way where that would
 /// not be apart; the task counts it as its own. What it flies without a plan is said to
 /// others as far as it can be expected, and interrupted by a plan while something has to
-/// be passed. Landings are flown one after the other with others (LandingPlanner). While
-/// a pilot or a failsafe flies it says that the aircraft flies straight on, and changes
-/// nothing: others keep out of its way. Where a pilot was shown a flight and does not fly
-/// it in time, it says for a minute that the task's flight is flown, with the right of
-/// way of a pilot who flies. On the ground it says nothing.
+/// be passed. Legs that lead through no zone are flown as expected, by a plan; points
+/// that such plans pass count as passed. Landings are flown one after the other with
+/// others (LandingPlanner). While a pilot or a failsafe flies it says that the aircraft
+/// flies straight on, and changes nothing: others keep out of its way. Where a pilot was
+/// shown a flight and does not fly it in time, it says for a minute that the task's
+/// flight is flown, with the right of way of a pilot who flies. On the ground it says
+/// nothing.
 class SeparationPlanner {
  public:
   SeparationPlanner(const FlightContext& context, const SeparationOptions& options)
@@ -39,14 +41,20 @@ class SeparationPlanner {
   /// What it returned last is the task's own flight, led another way.
   bool modifies() const { return modifies_; }
 
+  /// What it returned last is flown instead of what the task flies without a plan: the
+  /// task begins anew with what is left.
+  bool interrupts() const { return interrupts_; }
+
   /// The progress of what was flown, as that of what the task wanted.
-  FlightProgress for_task(const FlightProgress& flown) const;
+  FlightProgress for_task(const FlightProgress& flown);
 
   std::string_view reason() const { return reason_; }
 
  private:
   void want(const FlightIntent& given, const TaskStep& step,
             const FlightProgress& flight);
+  bool leads_back_into_others(const FlightPlan& plan, const TaskStep& step) const;
+  void go_on_interrupting(const FlightIntent& given);
   void want_course(const TaskStep& step);
   void want_itinerary(const FlightIntent& given, const Itinerary& itinerary,
                       const TaskStep& step);
@@ -63,11 +71,20 @@ class SeparationPlanner {
   LandingPlanner landing_;
   Separator separator_;
   WantedFlight wanted_;
-  std::uint32_t counted_ = 0;  // flights that were wanted
-  std::uint32_t given_ = 0;    // number of the intent that is wanted
-  std::size_t kind_ = 0;       // of the intent
-  bool expected_ = false;      // it has no plan
-  bool by_others_ = false;     // what is wanted is the flight of a pilot or failsafe
+  std::uint32_t counted_ = 0;       // flights that were wanted
+  std::uint32_t given_ = 0;         // number of the intent that is wanted
+  std::size_t kind_ = 0;            // of the intent
+  bool expected_ = false;           // it has no plan
+  bool interrupts_ = false;         // what is flown without a plan, by one of its own
+  bool interrupted_ = false;        // the same, in the step before
+  bool has_legs_ = false;           // what is expected
+  bool flies_as_expected_ = false;  // legs, by a plan
+  Time unplanned_until_;            // since the autopilot has refused such a plan
+  std::size_t points_left_ = 0;     // of the legs that are wanted
+  std::size_t points_ahead_ = 0;    // of them, in what is expected
+  std::size_t passed_before_ = 0;   // of them, when it was expected
+  std::size_t told_ = 0;    // points of legs that the task knows to be passed by it
+  bool by_others_ = false;  // what is wanted is the flight of a pilot or failsafe
   std::optional<Time> unflown_since_;  // its last flight
   Time ignored_until_;                 // by a pilot who was shown it
   Time expected_at_;

@@ -16,14 +16,14 @@ constexpr double kFlown = 5;      // a plan for so long is not refused any more 
 constexpr int kMaxRefusals = 3;
 constexpr double kPlanAhead =
     10;  // the next part is planned when this little is left [s]
-constexpr double kWindChange = 2;         // of the wind, for which it plans anew [m/s]
-constexpr double kBetweenPlans = 15;      // for another wind, at least [s]
-constexpr double kLargeWindChange = 4;    // for which it does not wait so long [m/s]
-constexpr double kSettled = 2;            // but only this long [s]
+constexpr double kWindChange = 2;       // of the wind, for which it plans anew [m/s]
+constexpr double kBetweenPlans = 15;    // for another wind, at least [s]
+constexpr double kLargeWindChange = 4;  // for which it does not wait so long [m/s]
+constexpr double kSettled = 2;          // but only this long [s]
 
-// At the start of a run the wind is not known yet, and what keeps apart from others is made
-// of the first plans: those are made anew while it is found, each twice as long after the
-// one before.
+// At the start of a run the wind is not known yet, and what keeps apart from others is
+// made of the first plans: those are made anew while it is found, each twice as long
+// after the one before.
 constexpr double kFirstWindChange = 0.15;  // [m/s]
 constexpr int kFirstPlans = 2;
 
@@ -84,12 +84,11 @@ bool PlannedTask::must_plan(const TaskStep& step) const {
   if (!last_ && step.flight.time_to_go < kPlanAhead) return true;
   const double change = (step.in.nav->wind_N - wind_).norm();
   const double since = (step.in.now - planned_).seconds();
-  const bool other_wind =
-      options_.for_wind && !step.flight.by_sight &&
-      ((change > kWindChange && since > kBetweenPlans) ||
-       (change > kLargeWindChange && since > kSettled) ||
-       (change > kFirstWindChange && plans_ <= kFirstPlans &&
-        since > kSettled * std::ldexp(1, plans_ - 1)));
+  const bool other_wind = options_.for_wind && !step.flight.by_sight &&
+                          ((change > kWindChange && since > kBetweenPlans) ||
+                           (change > kLargeWindChange && since > kSettled) ||
+                           (change > kFirstWindChange && plans_ <= kFirstPlans &&
+                            since > kSettled * std::ldexp(1, plans_ - 1)));
   const bool off =
       !options_.rejoins && !options_.stubborn && step.safety.off_plan() && !was_off_;
   return other_wind || off;

@@ -27,7 +27,7 @@ struct Aircraft {
 
   Aircraft() { nav.p_N = Vec3(0, 0, -120); }
   FlightPlan expect(decltype(FlightIntent::what) what, std::size_t passed = 0) const {
-    return expected_flight({1, std::move(what)}, passed, nav, context, 10, 150);
+    return expected_flight({1, std::move(what)}, passed, nav, context, 10, 150).plan;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_code.h"
@@ -243,6 +244,16 @@ double Separator::delay() const {
 double Separator::delay_to(EntityId other) const {
   const TeamFlight* flight = team_.find(other);
   return flight ? flight->delay : 0;
+}
+
+bool Separator::meets_others(const FlightPlan& plan, Time now) const {
+  const double from = now.seconds(), until = from + options_.horizon;
+  FlightEnvelope room(from, std::min(until, model::end_time_of(plan)));
+  room.add(plan);
+  return std::ranges::any_of(known_but(self_, now), [&](const KnownFlight& other) {
+    return room.may_meet(*other.plan, other.separation) &&
+           first_meeting(plan, *other.plan, other.separation, from, until);
+  });
 }
 
 std::vector<KnownFlight> Separator::known_but(EntityId other, Time now) const {

@@ -117,6 +117,10 @@ class Separator {
   /// Milestones of the wanted flight that are not in milestones().
   std::size_t passed() const { return passed_; }
 
+  /// Whether a flight from now on comes too near to others while conflicts are looked
+  /// for.
+  bool meets_others(const FlightPlan& plan, Time now) const;
+
   /// What the flight was changed for last is over for some time.
   bool is_clear(Time now) const { return now.seconds() >= clear_from_; }
 

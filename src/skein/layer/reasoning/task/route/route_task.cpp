@@ -34,31 +34,37 @@ RouteTask::RouteTask(const FlightContext& context, const FlyRoute& order, bool l
 
 const FlightIntent* RouteTask::plan(const TaskStep& step, AgentOutput& out) {
   report(step, out);
-  if (intent_.number == 0) begin(step.intents.next());
   const FlightProgress& flight = step.flight;
-  if (flight.number == intent_.number && !done_) {
+  const bool flies = intent_.number != 0 && flight.number == intent_.number;
+  if (flies && !done_) {
     passed_ = begun_at_ + flight.passed;
     done_ = flight.done;
     if (done_) out.events.push_back({step.in.now, self_, "route-done", flight.ending});
   }
+  if (interrupted_) begin(step.intents.next());
   if (done_ && lands_) land(step);
   return &intent_;
 }
 
 // What is left of the route: as it was ordered, or what a pause has left.
 void RouteTask::begin(std::uint32_t number) {
+  interrupted_ = false;
+  intent_.number = number;
+  if (done_) {
+    intent_.what = Circling{order_.points.back(), legs_.altitude_msl};
+    return;
+  }
   Legs legs = legs_;
   const FlyRoute left = this->left();
   legs.points = left.points;
   legs.laps = left.laps;
   begun_at_ = passed_;
-  intent_.number = number;
   intent_.what = std::move(legs);
 }
 
 void RouteTask::interrupt() {
   if (done_) landing_ = false;
-  intent_.number = 0;
+  interrupted_ = true;
 }
 
 // Point by point or, where these are many, in whole laps from the next point on.

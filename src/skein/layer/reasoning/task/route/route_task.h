@@ -37,6 +37,7 @@ class RouteTask final : public TaskExecutor {
   std::size_t passed_ = 0;
   std::optional<Time> next_report_;
   bool done_ = false, landing_ = false;
+  bool interrupted_ = true;  // its flight is to begin, with what is left
 };
 
 }  // namespace skein::reasoning
