@@ -21,6 +21,8 @@ constexpr double kWorthReturning =
     40;  // of a flight that is left, to be planned anew [s]
 constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
 constexpr double kOtherWind = 1;             // than that of the plan [m/s]
+constexpr double kWrongWind = 2;     // of a flight out of the way: it is made anew [m/s]
+constexpr double kWrongFor = 5;      // and this long after what is wanted was [s]
 constexpr double kOffAgain = 10;     // of legs that are planned: anew, at the soonest [s]
 constexpr double kUnplanned = 10;    // legs are flown after a plan was refused [s]
 constexpr double kCourseAgain = 5;   // of who does not obey, at least so often [s]
@@ -90,6 +92,8 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
     // Near its end another flight could not come down in time to where this one ends.
     const double left = model::end_time_of(separator_.plan()) - step.in.now.seconds();
     if (left <= 0) return true;
+    const Vec2 wind = separator_.plan().back().wind;
+    if ((wind - step.in.nav->wind_N).norm() > kWrongWind && age > kWrongFor) return true;
     return separator_.is_clear(step.in.now) && left > kWorthReturning;
   }
   // Flights that were planned in another wind cannot be flown.
@@ -128,7 +132,7 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   ExpectedFlight flight_ahead =
       expected_flight(given, passed, *step.in.nav, context, step.in.now.seconds(),
                       options_.horizon + kExpected);
-  if (flight_ahead.plan.empty() || leads_back_into_others(flight_ahead.plan, step))
+  if (flight_ahead.plan.empty() || leads_back_into_others(flight_ahead.plan, given, step))
     return;
   FlightCheck check(query, step.safety.zones().zones());
   flies_as_expected_ =
@@ -147,13 +151,15 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   expected_at_ = step.in.now;
 }
 
-// Whether a flight out of the way of others, which has not ended, may not be left yet.
+// Whether a flight out of the way of others, which is over, may not be left yet.
 bool SeparationPlanner::leads_back_into_others(const FlightPlan& plan,
+                                               const FlightIntent& given,
                                                const TaskStep& step) const {
-  const double now = step.in.now.seconds();
-  return expected_ && !by_others_ && separator_.changed() &&
-         now < model::end_time_of(separator_.plan()) &&
-         separator_.meets_others(plan, step.in.now);
+  const Time now = step.in.now;
+  return expected_ && !by_others_ && given.number == given_ && separator_.changed() &&
+         separator_.is_clear(now) &&
+         now.seconds() < model::end_time_of(separator_.plan()) &&
+         separator_.meets_others(plan, now);
 }
 
 // While what it flies without a plan is interrupted, a task says at each step what is

@@ -53,7 +53,8 @@ class SeparationPlanner {
  private:
   void want(const FlightIntent& given, const TaskStep& step,
             const FlightProgress& flight);
-  bool leads_back_into_others(const FlightPlan& plan, const TaskStep& step) const;
+  bool leads_back_into_others(const FlightPlan& plan, const FlightIntent& given,
+                              const TaskStep& step) const;
   void go_on_interrupting(const FlightIntent& given);
   void want_course(const TaskStep& step);
   void want_itinerary(const FlightIntent& given, const Itinerary& itinerary,
