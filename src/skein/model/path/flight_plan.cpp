@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kCorner = 0.3;      // change of velocity between two elements [m/s]
 constexpr double kCornerTime = 0.1;  // that it is flown in [s]
-// Between points: what is rounded would be another speed between nearer ones [s].
+// Between points: what is rounded would be another speed between nearer ones. The later
+// of two is taken, as the curve goes on with its velocity [s].
 constexpr double kMinBetween = 0.05;
 
 // Below this turned angle the chord's sine is its series: 1 - x^2/6, exact to rounding.
@@ -125,7 +126,14 @@ Plan sample(const FlightPlan& plan, const SamplingSteps& steps) {
   Plan points;
   const auto add = [&](double time, const FlightMoment& m) {
     const Time at = Time::from_seconds(time);
-    if (!points.empty() && (at - points.back().time).seconds() < kMinBetween) return;
+    if (!points.empty() && at <= points.back().time) return;
+    const bool near =
+        !points.empty() && (at - points.back().time).seconds() < kMinBetween;
+    if (near && points.size() == 1) {
+      points.back().v_N = m.v_N;
+      return;
+    }
+    if (near) points.pop_back();
     points.push_back({at, m.p_N, m.v_N});
   };
   for (std::size_t k = 0; k < plan.size(); ++k) {
@@ -144,12 +152,7 @@ Plan sample(const FlightPlan& plan, const SamplingSteps& steps) {
     const double before = e.duration - kCornerTime;
     if (change.norm() > kCorner) add(e.start + before, moment(e, before));
   }
-  if (plan.empty()) return points;
-  // The end itself, whatever is near to it.
-  const Time end = Time::from_seconds(end_time_of(plan));
-  if (points.size() > 1 && (end - points.back().time).seconds() < kMinBetween)
-    points.pop_back();
-  add(end_time_of(plan), end_of(plan.back()));
+  if (!plan.empty()) add(end_time_of(plan), end_of(plan.back()));
   return points;
 }
 
