@@ -189,6 +189,7 @@ class Separator {
 
   // Of those who say nothing (separator_strangers.cpp).
   void avoid_strangers(const SeparationStep& step);
+  std::optional<double> climb_from_team(const SeparationStep& step, double course) const;
 
   // Of what each does alone (separator_methods.cpp).
   std::vector<PlannedFlight> rooms(const SeparationStep& step, bool higher_only) const;
