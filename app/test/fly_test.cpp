@@ -280,7 +280,7 @@ TEST_F(Fly, FindsTrimsAndSaysWhyThereIsNone) {
 TEST_F(Fly, BuiltInAircraftAreListedAndTheirKeysDocumented) {
   const Finished list = run({"list", "aircraft"});
   EXPECT_EQ(list.status, 0) << list.err;
-  for (const char* name : {"aerosonde", "bixler", "quad", "light-sport"})
+  for (const char* name : {"aerosonde", "bixler", "quad", "light-sport", "x8"})
     EXPECT_NE(list.out.find(fmt::format("  {} ", name)), std::string::npos) << list.out;
   EXPECT_EQ(run({"keys", "aircraft"}).out,
             read_file(SKEIN_SOURCE_DIR "/docs/aircraft-keys.md"))

@@ -157,8 +157,8 @@ TEST(AircraftFile, UnknownNamesAreAnsweredWithTheNearest) {
   EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
   EXPECT_EQ(none.error().text(),
             "there is no aircraft \"aerosond\". Did you mean \"aerosonde\"? Built in: "
-            "aerosonde, aerosonde-stall, bixler, light-sport or quad. A file's name ends "
-            "in .yaml.");
+            "aerosonde, aerosonde-stall, bixler, light-sport, quad or x8. A file's name "
+            "ends in .yaml.");
 }
 
 struct Case {
