@@ -16,7 +16,8 @@ namespace skein::campaign {
 namespace {
 
 constexpr double kSlowest = 15, kFastest = 25;  // of the aircraft of the cases [m/s]
-constexpr double kFasterGlider = 18;            // are aerosondes [m/s]
+// Which airframe flies a case: with something in reserve at both ends [m/s].
+constexpr double kSlowFrom = 14, kFastFrom = 26;
 constexpr double kTurnRadius = 60;              // [m]
 constexpr double kClimb = 3;                    // [m/s]
 constexpr double kSlack = 1.6, kMoreTime = 60;  // of the time that a run may take, [s]
@@ -54,7 +55,7 @@ std::string plant_of(const AvoidanceStudy& study, const AvoidanceAircraft& aircr
     return fmt::format(
         "plant: {{kind: fixed-wing, aircraft: {}}}\n    autopilot: skein\n    "
         "sensors: [flight{}]",
-        v < kFasterGlider ? "bixler" : "aerosonde", more);
+        v < kSlowFrom ? "bixler" : (v < kFastFrom ? "x8" : "aerosonde"), more);
   const double range = std::max(0.05, std::min(v - kSlowest, kFastest - v) / v);
   return fmt::format(
       "plant: {{kind: kinematic, airspeed_mps: {:.17g}, airspeed_range: {:.17g}, "
