@@ -62,6 +62,10 @@ std::vector<std::size_t> present(std::span<const TeamTask> tasks,
   return all;
 }
 
+auto idle_of(const std::vector<std::size_t>& tasks) {
+  return std::ranges::count(tasks, CoalitionAnswer::kIdle);
+}
+
 }  // namespace
 
 CoalitionProblem CoalitionAllocation::problem_of(std::span<const TeamTask> tasks,
@@ -125,8 +129,10 @@ TeamAllocated CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
   std::vector<std::size_t> kept = present(tasks, workers);
   const CoalitionAnswer found = allocation::best_coalitions(problem, {});
   const double present_value = allocation::utility_of(problem, kept);
-  const bool better =
-      allocation::is_worth_changing(present_value, found.quality.value, changed);
+  // Who waits for an order counts as idle still: it is not to lose what it was given.
+  const bool busier = idle_of(found.task) < idle_of(kept);
+  const bool better = allocation::is_worth_changing(present_value, found.quality.value,
+                                                    changed || busier);
   const std::vector<std::size_t>& chosen = better ? found.task : kept;
   TeamAllocated all;
   all.value = better ? found.quality.value : present_value;

@@ -24,8 +24,8 @@ namespace skein::reasoning {
 /// able. Joining costs the time to where the task begins over 1.01 times the longest one.
 /// Who executes a task already has 5 % more of it, and as much more as it has done:
 /// nobody begins where it left; and it counts as near as it has been to the begin. The
-/// present allocation is kept unless another one is more than 5 % better, or a task or an
-/// aircraft came or went.
+/// present allocation is kept unless another one is more than 5 % better, or better and
+/// has fewer aircraft idle, or a task or an aircraft came or went.
 ///
 /// Reference: spec of the team, section 11; allocation/coalitions.h.
 class CoalitionAllocation {

@@ -53,7 +53,11 @@ bool Auction::bid(EntityId self, const TeamResources& resources,
 void Auction::take(EntityId self, const TeamBids& bids) {
   std::map<EntityId, Bundle> news;
   for (const TeamBid& bid : bids.bids) {
-    if (!bid.winner || *bid.winner == self) continue;
+    if (!bid.winner) continue;
+    if (*bid.winner == self) {
+      outdate(bid);
+      continue;
+    }
     Bundle& bundle = news[*bid.winner];
     bundle.round = bid.round;
     if (bid.task > 0) bundle.bids.push_back(bid);
@@ -63,6 +67,16 @@ void Auction::take(EntityId self, const TeamBids& bids) {
     if (known == bids_.end() || known->second.round <= bundle.round)
       bids_[member] = std::move(bundle);
   }
+}
+
+// What it bid before it was switched off and on: its own count goes on from there.
+void Auction::outdate(const TeamBid& said) {
+  constexpr std::uint32_t kMaxRound = 1U << 30;  // that anybody can have reached
+  if (said.round < round_ || said.round > kMaxRound) return;
+  const bool holds =
+      said.task > 0 ? std::ranges::find(own_, said.task, &TeamBid::task) != own_.end()
+                    : own_.empty();
+  if (said.round > round_ || !holds) round_ = said.round + 1;
 }
 
 std::vector<std::uint32_t> Auction::won() const {

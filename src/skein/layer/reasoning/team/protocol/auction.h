@@ -50,6 +50,8 @@ class Auction {
   };
   bool is_outbid(EntityId self, std::uint32_t task, double value) const;
 
+  void outdate(const TeamBid& said);
+
   std::vector<TeamBid> own_;
   std::uint32_t round_ = 0;
   std::map<EntityId, Bundle> bids_;  // of the others

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include "skein/layer/reasoning/team/protocol/fingerprint.h"
 
@@ -99,6 +101,18 @@ struct Sane {
   bool operator()(const TeamDecision& m) const { return m.number <= kMaxProposalNumber; }
 };
 
+// What a member says of itself, what is bid, what is proposed; none: it counts whenever
+// it comes.
+std::optional<std::size_t> kind_of_news(const TeamContent& content) {
+  if (std::holds_alternative<TeamQuery>(content) ||
+      std::holds_alternative<TeamInform>(content) ||
+      std::holds_alternative<TeamHere>(content))
+    return 0;
+  if (std::holds_alternative<TeamBids>(content)) return 1;
+  if (std::holds_alternative<TeamProposal>(content)) return 2;
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_implausible(const TeamContent& content) {
@@ -121,9 +135,7 @@ TeamVerdict TeamContacts::take(EntityId from, bool to_all, const TeamMessage& me
   if (!known_.empty() && !known_.contains(from)) return TeamVerdict::kUnknown;
   if (message.version != TeamMessage::kVersion) return TeamVerdict::kOtherVersion;
   if (is_implausible(message.content)) return TeamVerdict::kImplausible;
-  Peer& peer = peers_[from];
-  const TeamVerdict verdict =
-      judge(to_all ? peer.to_all : peer.to_self, message, to_all, now, lost);
+  const TeamVerdict verdict = judge(peers_[from], message, to_all, now, lost);
   if (verdict != TeamVerdict::kNew && verdict != TeamVerdict::kLate) return verdict;
   Contact& contact = contacts_[from];
   contact.heard = now;
@@ -149,23 +161,26 @@ TeamVerdict TeamContacts::take(EntityId from, bool to_all, const TeamMessage& me
   return verdict;
 }
 
-TeamVerdict TeamContacts::judge(Sequence& sequence, const TeamMessage& message,
-                                bool to_all, double now, double lost) {
+TeamVerdict TeamContacts::judge(Peer& peer, const TeamMessage& message, bool to_all,
+                                double now, double lost) {
+  Sequence& sequence = to_all ? peer.to_all : peer.to_self;
   if (!sequence.begun) {
     sequence.begun = true;
     sequence.highest = message.number;
     sequence.seen = 1;
     sequence.content.fill(0);
     sequence.content[message.number % kWindow] = fingerprint(message);
+    is_out_of_date(sequence, message);
     sequence.last = now;
     return TeamVerdict::kNew;
   }
-  return message.number > sequence.highest ? newer(sequence, message, to_all, now, lost)
-                                           : older(sequence, message, to_all, now, lost);
+  return message.number > sequence.highest ? newer(peer, message, to_all, now, lost)
+                                           : older(peer, message, to_all, now, lost);
 }
 
-TeamVerdict TeamContacts::newer(Sequence& sequence, const TeamMessage& message,
-                                bool to_all, double now, double lost) {
+TeamVerdict TeamContacts::newer(Peer& peer, const TeamMessage& message, bool to_all,
+                                double now, double lost) {
+  Sequence& sequence = to_all ? peer.to_all : peer.to_self;
   const std::uint32_t step = message.number - sequence.highest;
   const double silent = now - sequence.last;
   // Numbers that nobody could have used up meanwhile are made up.
@@ -174,35 +189,46 @@ TeamVerdict TeamContacts::newer(Sequence& sequence, const TeamMessage& message,
   sequence.seen = step < kWindow ? (sequence.seen << step) | 1 : 1;
   sequence.highest = message.number;
   sequence.content[message.number % kWindow] = fingerprint(message);
+  is_out_of_date(sequence, message);
   sequence.last = now;
   return TeamVerdict::kNew;
 }
 
-TeamVerdict TeamContacts::older(Sequence& sequence, const TeamMessage& message,
-                                bool to_all, double now, double lost) {
+TeamVerdict TeamContacts::older(Peer& peer, const TeamMessage& message, bool to_all,
+                                double now, double lost) {
+  Sequence& sequence = to_all ? peer.to_all : peer.to_self;
   const std::uint32_t back = sequence.highest - message.number;
-  if (back >= kWindow) {
-    if (now - sequence.last <= lost) return TeamVerdict::kDuplicateId;
-    sequence = {};  // it was switched off and on
-    restarted_ = true;
-    return judge(sequence, message, to_all, now, lost);
-  }
-  const std::uint64_t bit = std::uint64_t{1} << back;
+  const std::uint64_t bit = back < kWindow ? std::uint64_t{1} << back : 0;
   const std::uint64_t said = fingerprint(message);
   std::uint64_t& kept = sequence.content[message.number % kWindow];
-  if ((sequence.seen & bit) != 0) {
-    if (kept != said) {
-      if (now - sequence.last <= lost) return TeamVerdict::kDuplicateId;
-      sequence = {};
-      restarted_ = true;
-      return judge(sequence, message, to_all, now, lost);
-    }
-    return TeamVerdict::kRepeated;
+  const bool is_seen = (sequence.seen & bit) != 0;
+  if (is_seen && kept == said) return TeamVerdict::kRepeated;
+  // It was switched off and on: it begins to count anew after a silence. A number that
+  // was never used may be late; but not by a silence of all that it says.
+  const bool was_used = is_seen || bit == 0;
+  const double last =
+      was_used ? sequence.last : std::max(peer.to_all.last, peer.to_self.last);
+  if (now - last > lost) {
+    sequence = {};
+    if (to_all) peer.to_self = {};
+    restarted_ = true;
+    return judge(peer, message, to_all, now, lost);
   }
+  if (was_used) return TeamVerdict::kDuplicateId;
   sequence.seen |= bit;
   kept = said;
   if (to_all) loss_.arrived_late();
-  return TeamVerdict::kLate;
+  return is_out_of_date(sequence, message) ? TeamVerdict::kLate : TeamVerdict::kNew;
+}
+
+// What it says of now counts when nothing newer of the same kind is known. Else the
+// number is noted.
+bool TeamContacts::is_out_of_date(Sequence& sequence, const TeamMessage& message) {
+  const auto kind = kind_of_news(message.content);
+  if (!kind) return false;
+  if (message.number < sequence.newest[*kind]) return true;
+  sequence.newest[*kind] = message.number;
+  return false;
 }
 
 }  // namespace skein::reasoning

@@ -15,7 +15,7 @@ namespace skein::reasoning {
 /// What a received message is, before anybody looks at what it says.
 enum class TeamVerdict : std::uint8_t {
   kNew,           ///< to be looked at
-  kLate,          ///< a newer one of the sender came before it
+  kLate,          ///< out of date: what it says of now was said anew before it came
   kRepeated,      ///< it was here before
   kOtherVersion,  ///< of the protocol
   kOwnId,         ///< somebody else has the own id
@@ -74,17 +74,19 @@ class TeamContacts {
     std::uint32_t highest = 0;
     std::uint64_t seen = 0;                   // bit k: highest - k arrived
     std::array<std::uint64_t, 64> content{};  // hash of number n at n % 64
-    double last = -1e300;
+    std::array<std::uint32_t, 3> newest{};    // of each kind of news, its number
+    double last = -1e300;  // when a number arrived that was higher than all before
   };
   struct Peer {
     Sequence to_all, to_self;
   };
-  TeamVerdict judge(Sequence& sequence, const TeamMessage& message, bool to_all,
-                    double now, double lost);
-  TeamVerdict newer(Sequence& sequence, const TeamMessage& message, bool to_all,
-                    double now, double lost);
-  TeamVerdict older(Sequence& sequence, const TeamMessage& message, bool to_all,
-                    double now, double lost);
+  TeamVerdict judge(Peer& peer, const TeamMessage& message, bool to_all, double now,
+                    double lost);
+  TeamVerdict newer(Peer& peer, const TeamMessage& message, bool to_all, double now,
+                    double lost);
+  TeamVerdict older(Peer& peer, const TeamMessage& message, bool to_all, double now,
+                    double lost);
+  static bool is_out_of_date(Sequence& sequence, const TeamMessage& message);
 
   EntityId self_;
   std::set<EntityId> known_;

@@ -13,6 +13,18 @@ std::pair<EntityId, EntityId> pair_of(EntityId a, EntityId b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+bool knows_more(const TeamTask& own, const TeamTask& other) {
+  return (own.done && !other.done) || (own.released && !other.released) ||
+         (own.branch && !other.branch);
+}
+
+// What both know of a task together: nothing of it is ever undone.
+void learn(TeamTask& own, const TeamTask& other) {
+  own.done = own.done || other.done;
+  own.released = own.released || other.released;
+  if (!own.branch) own.branch = other.branch;
+}
+
 }  // namespace
 
 void TeamKnowledge::submit(std::span<const TeamTask> all) {
@@ -59,19 +71,70 @@ void TeamKnowledge::take(const TeamState& state) {
   if (incoming_.number != state.number) incoming_ = {state.number, {}};
   incoming_.parts[state.part] = state.tasks;
   if (incoming_.parts.size() < state.parts) return;
-  tasks.clear();
-  for (const auto& [part, some] : incoming_.parts) submit(some);
+  std::map<std::uint32_t, TeamTask> masters;
+  for (const auto& [part, some] : incoming_.parts)
+    for (const TeamTask& task : some) masters[task.number] = task;
+  news_.clear();
+  for (auto& [number, own] : tasks) {
+    const auto [place, is_lacking] = masters.try_emplace(number, own);
+    if (is_lacking || knows_more(own, place->second)) news_.insert(number);
+    learn(place->second, own);
+  }
+  tasks = std::move(masters);
 }
 
-bool TeamKnowledge::add(const TeamState& state) {
+void TeamKnowledge::compare(std::span<const TeamTask> masters) {
+  for (const TeamTask& task : masters)
+    if (const auto own = tasks.find(task.number);
+        own != tasks.end() && knows_more(own->second, task))
+      news_.insert(task.number);
+}
+
+TeamState TeamKnowledge::news() const {
+  TeamState state = part(0, {});
+  state.tasks.clear();
+  for (const std::uint32_t number : news_)
+    if (state.tasks.size() < kTasksInPart) state.tasks.push_back(tasks.at(number));
+  return state;
+}
+
+void TeamKnowledge::forget_master() {
+  incoming_ = {};
+  news_.clear();
+}
+
+bool TeamKnowledge::add(const TeamState& state, std::optional<EntityId> branch) {
   const std::uint32_t before = number();
   for (const TeamMeeting& meeting : state.met) note(meeting);
   for (const TeamTask& task : state.tasks) {
     const auto [place, is_new] = tasks.try_emplace(task.number, task);
-    if (!is_new && task.done) place->second.done = true;
-    if (!is_new && task.released) place->second.released = true;
+    if (!is_new) learn(place->second, task);
+    if (is_new && !task.branch) place->second.branch = branch;
   }
   return number() != before;
+}
+
+bool TeamKnowledge::add_of_branch(const TeamState& state, EntityId theirs, EntityId own) {
+  const std::uint32_t before = number();
+  for (TeamTask said : state.tasks) {
+    said.branch = said.branch.value_or(theirs);
+    const auto [place, is_new] = tasks.try_emplace(said.number, said);
+    if (is_new) continue;
+    TeamTask& known = place->second;
+    const EntityId claimed = known.branch.value_or(own);
+    learn(known, said);
+    if (said.branch == theirs)
+      known.branch = claimed == own ? std::min(own, theirs) : theirs;
+  }
+  return number() != before;
+}
+
+void TeamKnowledge::divide(std::span<const TeamTask> divided) {
+  for (const TeamTask& task : divided) {
+    TeamTask& own = tasks.try_emplace(task.number, task).first->second;
+    learn(own, task);
+    if (task.branch) own.branch = task.branch;
+  }
 }
 
 std::uint32_t hash_of_members(const std::vector<EntityId>& members) {

@@ -32,11 +32,26 @@ class TeamKnowledge {
   std::uint32_t parts() const;
 
   /// Takes in a part of the master's; what it says replaces all when the last is there.
+  /// But what is done or approved stays so, and tasks that the master lacks are kept.
   void take(const TeamState& state);
+  /// The master has said these tasks: what it does not know of them is news to it.
+  void compare(std::span<const TeamTask> masters);
+  /// What it knows and the master does not, as much as one message holds; without tasks:
+  /// nothing.
+  TeamState news() const;
+  /// Another one is the master.
+  void forget_master();
   /// Takes from a part what is new here: tasks, those that are done or approved,
   /// meetings.
+  /// @param branch  that new tasks belong to when they belong to none.
   /// @returns  whether tasks have changed.
-  bool add(const TeamState& state);
+  bool add(const TeamState& state, std::optional<EntityId> branch);
+  /// Takes from a part of another branch what is new here. A task that both claim is that
+  /// of the lower branch.
+  /// @returns  whether tasks have changed.
+  bool add_of_branch(const TeamState& state, EntityId theirs, EntityId own);
+  /// Takes in tasks as the split of the mission divides them.
+  void divide(std::span<const TeamTask> divided);
 
  private:
   std::map<std::pair<EntityId, EntityId>, std::uint32_t> met_;
@@ -45,6 +60,7 @@ class TeamKnowledge {
     std::map<std::uint32_t, std::vector<TeamTask>> parts;
   };
   Incoming incoming_;
+  std::set<std::uint32_t> news_;  // tasks of which the master knows less
 };
 
 /// The ids of members as one number.

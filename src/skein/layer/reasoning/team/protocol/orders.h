@@ -33,7 +33,10 @@ class TeamOrders {
   void set(EntityId member, std::vector<std::uint32_t> tasks);
   void remove(EntityId member) { lines_.erase(member); }
   /// Forgets all members; numbers go on.
-  void clear() { lines_.clear(); }
+  void clear() {
+    lines_.clear();
+    own_.clear();
+  }
   bool has(EntityId member) const { return lines_.contains(member); }
 
   /// A member has acknowledged an order.

@@ -13,7 +13,6 @@ constexpr double kMaxDelay = 8;     // [s] that is taken for normal while none i
 // Members that went silent together with the master were heard as long as it was, but for
 // the jitter of their messages.
 constexpr double kAfterMaster = 1.5;  // query periods
-constexpr int kInformRepeats = 3;     // in full, after a change
 constexpr int kInformEvery = 5;       // query periods, in full without one
 
 // But for where it is, how long it can fly and how far it is with its tasks.
@@ -45,6 +44,9 @@ bool TeamMember::submit(const std::string& mission, std::span<const TeamTask> ta
   if (mission_ && (mission_->name != mission || role_ == Role::kFollowing)) return false;
   now_ = now.seconds();
   knowledge_.submit(tasks);
+  for (const TeamTask& task : tasks)
+    if (mission_ && !task.branch)
+      knowledge_.tasks.at(task.number).branch = mission_->branch;
   changed_ = true;
   if (mission_) return true;
   mission_ = TeamMission{mission, std::nullopt};
@@ -219,6 +221,14 @@ void TeamMember::send_inform() {
   send_all(std::move(inform));
 }
 
+// To a master that has just begun to lead here, and knows less.
+void TeamMember::send_news() {
+  TeamState news = knowledge_.news();
+  if (news.tasks.empty()) return;
+  news.members = {self_};
+  send_one(*master_, std::move(news));
+}
+
 // Of what it executes, and of what it has done and others do not know to be done.
 std::vector<TeamProgress> TeamMember::own_progress() const {
   std::vector<TeamProgress> all;
@@ -265,6 +275,7 @@ void TeamMember::send_periodic() {
   next_inform_ = after(next_inform_);
   if (role_ == Role::kFollowing) {
     send_handed_in();
+    send_news();
     inform_stations();
   }
   if (!takes_part_in_auction() || !mission_) return;
@@ -309,6 +320,7 @@ void TeamMember::follow(EntityId master, TeamReason reason) {
   }
   std::erase_if(repeated_, [&](const Repeated& one) { return one.to != master; });
   role_ = Role::kFollowing;
+  if (master_ != master) knowledge_.forget_master();
   master_ = master;
   announced_.reset();
   chosen_.reset();
@@ -316,11 +328,12 @@ void TeamMember::follow(EntityId master, TeamReason reason) {
   evidence_ = direct_ = now_;
   if (const auto* contact = contacts_.find(master); contact && contact->leads) {
     evidence_number_ = contact->query_number;
-    if (is_of_lineage(contact->query.mission)) mission_ = contact->query.mission;
+    if (may_follow(contact->query.mission)) mission_ = contact->query.mission;
   } else {
     evidence_number_ = 0;
   }
   if (std::ranges::find(members_, master) == members_.end()) members_.push_back(master);
+  orders_from_.erase(master);  // it may count anew since it led here last
   if (order_of_ != master) order_until_ = now_ + exchange_time();
   next_inform_ = now_;
   report("following", fmt::format("{} leads ({}).", master.value, name_of(reason)));

@@ -155,6 +155,8 @@ class TeamMember {
     std::set<EntityId> rejected;
   };
 
+  static constexpr int kInformRepeats = 3;  // in full, after a change
+
   // team_member.cpp
   void report(const char* kind, std::string text);
   void send_all(TeamContent content);
@@ -172,6 +174,7 @@ class TeamMember {
   void set_status(TeamReason reason);
   TeamInform own_inform() const;
   void send_inform();
+  void send_news();
   double interval() {
     return times().query_period * (1 + times().jitter * (2 * random_.uniform() - 1));
   }
@@ -184,6 +187,10 @@ class TeamMember {
   double exchange_time() const;
   bool is_of_lineage(const std::optional<TeamMission>& other) const;
   bool is_sibling(const std::optional<TeamMission>& other) const;
+  // A station belongs to no branch: it follows whichever it receives.
+  bool may_follow(const std::optional<TeamMission>& other) const {
+    return is_of_lineage(other) || (is_operator(self_) && is_sibling(other));
+  }
   bool is_operator(EntityId id) const { return config_.operators.contains(id); }
   bool leaves() const { return leaving_ || is_operator(self_); }
   bool takes_part_in_auction() const {
@@ -191,6 +198,10 @@ class TeamMember {
   }
   void finish_own();
   bool finish(std::uint32_t task);
+  bool has_done(std::uint32_t task) const {
+    const auto share = progress_.find(task);
+    return share != progress_.end() && share->second >= 1;
+  }
   std::vector<TeamProgress> own_progress() const;
   TeamTimes known_times() const;
   TeamWorker own_worker() const;
@@ -215,7 +226,7 @@ class TeamMember {
   void on(EntityId from, const TeamProposal& proposal);
   void on(EntityId from, const TeamDecision& decision);
   void state_as_follower(EntityId from, const TeamState& state);
-  bool may_add_tasks(EntityId from) const;
+  bool may_add_tasks(EntityId from, const TeamState& state) const;
   void query_as_follower(EntityId from, const TeamQuery& query);
   void inform_as_follower(EntityId from, const TeamInform& inform);
 
@@ -229,13 +240,16 @@ class TeamMember {
   void drop_silent();
   void look_at_siblings();
   void heard_sibling(EntityId branch);
+  bool hears_sibling() const;
   bool is_ours(const TeamTask& task) const;
   void allocate();
   void give_orders();
   void hand_over();
   void send_query();
+  void send_knowledge();
   std::vector<TeamWorker> workers() const;
   std::vector<TeamTask> open_tasks() const;
+  std::vector<std::uint32_t> open_of(std::vector<std::uint32_t> tasks) const;
   std::vector<EntityId> member_ids() const;
 
   // team_member_meet.cpp

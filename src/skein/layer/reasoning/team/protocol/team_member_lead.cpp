@@ -55,12 +55,14 @@ void TeamMember::lead(TeamReason reason, std::optional<EntityId> predecessor) {
   asked_.reset();
   followers_.clear();
   orders_.clear();
+  orders_.set(self_, open_of(executing_));  // it flies on until it allocates
   siblings_.clear();
   taken_back_.clear();
   in_force_.clear();
   proposal_.reset();
-  for (const auto& [number, task] : knowledge_.tasks)
-    if (task.branch) siblings_[*task.branch] = now_;
+  for (const auto& [number, task] : handed_in_)
+    if (knowledge_.tasks.try_emplace(number, task).second)
+      knowledge_.tasks.at(number).branch = mission_->branch;
   report("selected", fmt::format("{} leads ({}).", self_.value, name_of(reason)));
   for (const auto& [id, contact] : contacts_.all()) {
     const auto& master = contact.inform.master;
@@ -146,12 +148,20 @@ void TeamMember::drop_silent() {
     if (now_ - follower.claimed > lost_ / 2) orders_.remind(id);
 }
 
+bool TeamMember::hears_sibling() const {
+  return mission_->branch && std::ranges::any_of(siblings_, [&](const auto& sibling) {
+           return sibling.first != mission_->branch && now_ - sibling.second <= lost_;
+         });
+}
+
 void TeamMember::heard_sibling(EntityId branch) {
   siblings_[branch] = now_;
 }
 
 // Tasks of branches that are lost go to the lowest branch that is there.
 void TeamMember::look_at_siblings() {
+  for (const auto& [number, task] : knowledge_.tasks)
+    if (task.branch) siblings_.try_emplace(*task.branch, now_);
   std::set<EntityId> taken;
   if (mission_->branch) {
     bool is_lowest = true;
@@ -183,6 +193,14 @@ std::vector<TeamTask> TeamMember::open_tasks() const {
   for (const auto& [number, task] : knowledge_.tasks)
     if (!task.done && is_ours(task)) open.push_back(task);
   return open;
+}
+
+std::vector<std::uint32_t> TeamMember::open_of(std::vector<std::uint32_t> tasks) const {
+  std::erase_if(tasks, [&](std::uint32_t number) {
+    const auto known = knowledge_.tasks.find(number);
+    return known == knowledge_.tasks.end() || known->second.done;
+  });
+  return tasks;
 }
 
 std::vector<TeamWorker> TeamMember::workers() const {
@@ -251,6 +269,10 @@ void TeamMember::hand_over() {
   successor_since_ = now_;
   next_query_ = now_;
   report("handover", fmt::format("{} shall lead.", successor_->value));
+  send_knowledge();
+}
+
+void TeamMember::send_knowledge() {
   for (std::uint32_t part = 0; part < knowledge_.parts(); ++part)
     send_all(knowledge_.part(part, member_ids()));
 }
@@ -293,7 +315,8 @@ void TeamMember::send_query() {
     return !contact || contact->inform.members_hash != query.members_hash ||
            contact->inform.state_number != query.state_number;
   });
-  if (followers_.empty() || (!lags && queries_++ % kStateEvery != 0)) return;
+  const bool is_heard = !followers_.empty() || hears_sibling();
+  if (!is_heard || (!lags && queries_++ % kStateEvery != 0)) return;
   for (std::uint32_t part = 0; part < std::min(2U, knowledge_.parts()); ++part)
     send_all(knowledge_.part(next_part_++, members));
 }

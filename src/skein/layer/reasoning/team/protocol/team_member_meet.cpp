@@ -61,14 +61,16 @@ void TeamMember::yield_to(EntityId other, bool counted) {
   knowledge_.note(meeting);
   const auto members = member_ids();
   report("merged", fmt::format("with the team of {}.", other.value));
-  for (std::uint32_t part = 0; part < knowledge_.parts(); ++part)
-    send_all(knowledge_.part(part, members));
+  send_knowledge();
   repeat(other, TeamMerge{*mission_, meeting, false, members}, kMergeRepeats);
   follow(other, TeamReason::kMerged);
 }
 
 void TeamMember::ask_split(EntityId other) {
-  if (!asked_) asked_ = Asked{other, now_, now_, {}};
+  if (!asked_) {
+    asked_ = Asked{other, now_, now_, {}};
+    send_knowledge();
+  }
   asked_->last = now_;
   const auto meetings = knowledge_.meetings(self_, other) + 1;
   send_one(other,
@@ -173,7 +175,13 @@ void TeamMember::on(EntityId from, const TeamSplit& split) {
   }
   asked_->parts[split.part] = split.tasks;
   if (asked_->parts.size() < split.parts) return;
-  for (const auto& [part, tasks] : asked_->parts) knowledge_.submit(tasks);
+  std::vector<TeamTask> all;
+  for (const auto& [part, tasks] : asked_->parts)
+    all.insert(all.end(), tasks.begin(), tasks.end());
+  knowledge_.divide(all);
+  // What the other one does not know stays here.
+  for (auto& [number, task] : knowledge_.tasks)
+    if (!task.done && !task.branch) task.branch = self_;
   asked_.reset();
   mission_ = split.mission;
   knowledge_.note(split.meeting);

@@ -5,27 +5,13 @@
 #include "skein/layer/reasoning/team/protocol/team_member.h"
 
 namespace skein::reasoning {
-namespace {
-
-// What a member says of now: nothing when something newer is known.
-bool is_news_only(const TeamContent& content) {
-  return std::holds_alternative<TeamQuery>(content) ||
-         std::holds_alternative<TeamInform>(content) ||
-         std::holds_alternative<TeamHere>(content) ||
-         std::holds_alternative<TeamBids>(content) ||
-         std::holds_alternative<TeamProposal>(content);
-}
-
-}  // namespace
 
 void TeamMember::receive(const TeamReceived& received) {
   const TeamVerdict verdict =
       contacts_.take(received.from, received.to_all, received.message, now_, lost_);
-  if (verdict == TeamVerdict::kRepeated) return;
-  if (verdict != TeamVerdict::kNew && verdict != TeamVerdict::kLate)
-    return refuse(received, verdict);
+  if (verdict == TeamVerdict::kRepeated || verdict == TeamVerdict::kLate) return;
+  if (verdict != TeamVerdict::kNew) return refuse(received, verdict);
   if (contacts_.restarted()) orders_from_.erase(received.from);
-  if (verdict == TeamVerdict::kLate && is_news_only(received.message.content)) return;
   std::visit([&](const auto& content) { on(received.from, content); },
              received.message.content);
 }
@@ -50,8 +36,11 @@ void TeamMember::on(EntityId from, const TeamQuery& query) {
   const bool fixed = config_.structure == TeamStructure::kFixedMaster;
   if (fixed && config_.fixed_master != from) return;
   if (role_ == Role::kFollowing) return query_as_follower(from, query);
-  if (role_ == Role::kSelecting) {
-    if (!is_of_lineage(query.mission)) return;
+  // A station without a team of its own is of no branch.
+  const bool leads_nobody =
+      role_ == Role::kLeading && followers_.empty() && is_operator(self_);
+  if (role_ == Role::kSelecting || (leads_nobody && is_sibling(query.mission))) {
+    if (!may_follow(query.mission)) return;
     follow(from, from == chosen_ ? TeamReason::kSelected : TeamReason::kFollowing);
     return query_as_follower(from, query);
   }
@@ -130,11 +119,17 @@ void TeamMember::on(EntityId from, const TeamAssign& assign) {
   last = assign.number;
   order_of_ = from;
   order_until_.reset();
+  // What is done is not flown again, though the master does not know yet.
   std::vector<std::uint32_t> tasks;
   for (const TeamTask& task : assign.tasks) {
-    tasks.push_back(task.number);
-    knowledge_.tasks.try_emplace(task.number, task);
+    const auto& known = knowledge_.tasks.try_emplace(task.number, task).first->second;
+    if (!known.done && !has_done(task.number)) tasks.push_back(task.number);
   }
+  if (tasks.size() < assign.tasks.size()) {
+    informs_ = kInformRepeats;
+    next_inform_ = now_;
+  }
+  knowledge_.compare(assign.tasks);
   set_executing(std::move(tasks));
   send_one(from, TeamAssignAck{assign.number});
 }
@@ -153,7 +148,7 @@ void TeamMember::state_as_follower(EntityId from, const TeamState& state) {
   if (!contact) return;
   // Others of its team pass on to a station what the master says.
   if (is_operator(self_) && from != master_ && is_of_lineage(contact->inform.mission))
-    knowledge_.add(state);
+    knowledge_.add(state, std::nullopt);
   if (from != master_ || !contact->leads) return;
   if (state.number == contact->query.state_number) knowledge_.take(state);
   if (hash_of_members(state.members) != contact->query.members_hash) return;
@@ -161,14 +156,16 @@ void TeamMember::state_as_follower(EntityId from, const TeamState& state) {
   set_status(TeamReason::kMembers);
 }
 
-// Another master of the mission that gives way may, and who is with an operator; of those
-// without a master all of one mission.
-bool TeamMember::may_add_tasks(EntityId from) const {
+// Another master of the mission that gives way may, who is with an operator, and
+// followers what they say to know; of those without a master all of one mission.
+bool TeamMember::may_add_tasks(EntityId from, const TeamState& state) const {
   const auto* contact = contacts_.find(from);
   if (!contact) return false;
   if (takes_part_in_auction()) return is_of_lineage(contact->inform.mission);
   if (contact->leads) return is_of_lineage(contact->query.mission);
-  return is_operator(from) && followers_.contains(from);
+  if (!followers_.contains(from)) return false;
+  return is_operator(from) || (contact->inform.master == self_ &&
+                               contact->inform.state_number == state.number);
 }
 
 void TeamMember::on(EntityId from, const TeamState& state) {
@@ -178,7 +175,21 @@ void TeamMember::on(EntityId from, const TeamState& state) {
     if (const auto* contact = contacts_.find(from); contact && contact->inform.mission)
       submit(contact->inform.mission->name, {}, time_);
   const bool adds = role_ == Role::kLeading || takes_part_in_auction();
-  if (adds && may_add_tasks(from) && knowledge_.add(state)) changed_ = true;
+  const auto* sender = contacts_.find(from);
+  if (role_ == Role::kLeading && sender && sender->leads &&
+      is_sibling(sender->query.mission)) {
+    changed_ |= knowledge_.add_of_branch(state, *sender->query.mission->branch,
+                                         *mission_->branch);
+    return;
+  }
+  if (!adds || !may_add_tasks(from, state)) return;
+  TeamState added = state;
+  // What it knew alone when the mission was split is its own.
+  if (split_with_.contains(from))
+    std::erase_if(added.tasks, [&](const TeamTask& task) {
+      return !knowledge_.tasks.contains(task.number);
+    });
+  if (knowledge_.add(added, mission_ ? mission_->branch : std::nullopt)) changed_ = true;
 }
 
 void TeamMember::on(EntityId from, const TeamBids& bids) {

@@ -41,7 +41,7 @@ bool TeamMember::is_team_gone() const {
   return now_ - evidence_ > lost_ + exchange_time() &&
          std::ranges::none_of(contacts_.all(), [&](const auto& contact) {
            return now_ - contact.second.informed <= lost_ &&
-                  is_of_lineage(contact.second.inform.mission);
+                  may_follow(contact.second.inform.mission);
          });
 }
 
@@ -49,10 +49,13 @@ bool TeamMember::is_team_gone() const {
 // to lead no more.
 void TeamMember::inform_as_station(EntityId from, const TeamInform& inform) {
   if (role_ != Role::kSelecting && role_ != Role::kLeading) return;
-  if (!is_of_lineage(inform.mission)) return;
+  const bool leads_some = role_ == Role::kLeading && !followers_.empty();
+  if (!(leads_some ? is_of_lineage(inform.mission) : may_follow(inform.mission))) return;
   const bool hears = inform.held <= 2 * times().query_period;
-  if (inform.master && *inform.master != self_ && *inform.master != from && hears)
-    follow(*inform.master, TeamReason::kFollowing);
+  if (!inform.master || *inform.master == self_ || *inform.master == from || !hears)
+    return;
+  mission_ = inform.mission;
+  follow(*inform.master, TeamReason::kFollowing);
 }
 
 }  // namespace skein::reasoning

@@ -110,5 +110,16 @@ TEST(WorthInWind, FallsWithTheTimeFromTheEndOfTheBundle) {
   EXPECT_EQ(worth_in_wind(near, self, {}, {-25, 0}), 0);
 }
 
+TEST(CoalitionAllocation, WhoWaitsForItsOrderKeepsWhatItWasGiven) {
+  CoalitionAllocation allocate([] { return Vec2(0, 0); });
+  std::vector<TeamTask> tasks = {measure(1, {0, 0}), measure(2, {0, 0})};
+  tasks[1].single = false;
+  std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {2000, 0})};
+  workers[0].tasks = {1};
+  ASSERT_EQ(allocate(tasks, workers).given.at(EntityId{2}), Numbers{2});
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{2}), Numbers{2})
+      << "worth less than 5 % of all";
+}
+
 }  // namespace
 }  // namespace skein::reasoning

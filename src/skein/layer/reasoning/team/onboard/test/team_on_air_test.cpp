@@ -191,5 +191,20 @@ TEST(TeamOnAir, AStationThatLedAloneHearsOfFollowersThatItsTeamHasAMaster) {
     EXPECT_TRUE(team.desk->is_done(task)) << task << "\n" << team.story();
 }
 
+TEST(TeamOnAir, TasksThatReachedNobodyAreThereWhenTheStationLeadsAgain) {
+  AirTeam team = three(TeamStructure::kMaster, 0);
+  team.desk->hand_in("M", measurements(1), Time());
+  team.run(60);
+  team.aircraft.clear();
+  team.desk->hand_in("M", measurements(2), Time::from_seconds(team.now));
+  team.run(90);
+  team.add(7, {0, 100});
+  OnboardTeam& newcomer = *team.aircraft.at(EntityId{7}).team;
+  team.aircraft.at(EntityId{7}).work.leaves = true;  // so that the station leads on
+  team.run(60);
+  EXPECT_EQ(team.masters(), std::set<std::uint32_t>{0}) << team.story();
+  EXPECT_EQ(newcomer.member().knowledge().tasks.size(), 3u) << team.story();
+}
+
 }  // namespace
 }  // namespace skein::reasoning

@@ -53,5 +53,19 @@ TEST(Auction, DropsWhatTheLostHaveBid) {
   EXPECT_EQ(auction.won(), std::vector<std::uint32_t>{1});
 }
 
+TEST(Auction, WhoBeganAnewOutdatesWhatItBidBefore) {
+  const std::vector<TeamTask> tasks = {{1, {0, 0, 0}}};
+  Auction other, anew;
+  other.take({5}, {{"M"}, {{9, EntityId{2}, 1, 7}}});
+  anew.bid({2}, {}, tasks, nearness, 1);
+  anew.take({2}, {{"M"}, other.known({5})});
+  other.take({5}, {{"M"}, anew.known({2})});
+  const auto known = other.known({5});
+  const auto bid = std::ranges::find(known, EntityId{2}, &TeamBid::winner);
+  ASSERT_NE(bid, known.end());
+  EXPECT_EQ(bid->task, 1u);
+  EXPECT_EQ(bid->round, 8u);
+}
+
 }  // namespace
 }  // namespace skein::reasoning

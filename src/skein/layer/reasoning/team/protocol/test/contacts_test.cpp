@@ -122,5 +122,51 @@ TEST(TeamContacts, TakesAbsenceForNoLoss) {
   EXPECT_EQ(heard.contacts.loss(), 0.05);
 }
 
+TEST(TeamContacts, AQueryThatAStateHasOvertakenIsNotOutOfDate) {
+  Heard heard;
+  TeamQuery query;
+  query.mission = TeamMission{"M"};
+  const auto said = [](std::uint32_t number, TeamContent content) {
+    return TeamMessage{TeamMessage::kVersion, number, std::move(content)};
+  };
+  heard.take(said(1, query));
+  EXPECT_EQ(heard.take(said(3, TeamState{1, 0, 1, {}, {}, {}})), TeamVerdict::kNew);
+  heard.now = 1;
+  EXPECT_EQ(heard.take(said(2, query)), TeamVerdict::kNew);
+  EXPECT_EQ(heard.contacts.find(kOther)->queried, 1);
+  EXPECT_EQ(heard.contacts.find(kOther)->query_number, 2u);
+  // What is said of now is: an inform outdates a query.
+  EXPECT_EQ(heard.take(inform(6)), TeamVerdict::kNew);
+  EXPECT_EQ(heard.take(said(5, query)), TeamVerdict::kLate);
+  EXPECT_FALSE(heard.contacts.find(kOther)->leads);
+}
+
+TEST(TeamContacts, WhoWasSwitchedOffAndOnMayUseNumbersThatWereLostBefore) {
+  Heard heard;
+  heard.take(inform(10));
+  heard.take(inform(30));
+  const TeamMessage ack{TeamMessage::kVersion, 4, TeamAssignAck{3}};
+  heard.take(ack, false);
+  heard.now = kLost + 0.1;
+  EXPECT_EQ(heard.take(inform(11, 33)), TeamVerdict::kNew);
+  EXPECT_TRUE(heard.contacts.restarted());
+  EXPECT_EQ(heard.contacts.find(kOther)->inform.resources.speed, 33);
+  EXPECT_EQ(heard.take(inform(12)), TeamVerdict::kNew);
+  EXPECT_EQ(heard.take(ack, false), TeamVerdict::kNew) << "what it says to one, too";
+}
+
+TEST(TeamContacts, WhatIsSaidToOneIsLateAlthoughNothingWasSaidToItForLong) {
+  Heard heard;
+  const auto ack = [](std::uint32_t number) {
+    return TeamMessage{TeamMessage::kVersion, number, TeamAssignAck{number}};
+  };
+  heard.take(ack(8), false);
+  heard.now = kLost;
+  heard.take(inform(1));
+  heard.now = kLost + 1;
+  EXPECT_EQ(heard.take(ack(7), false), TeamVerdict::kNew);
+  EXPECT_FALSE(heard.contacts.restarted());
+}
+
 }  // namespace
 }  // namespace skein::reasoning

@@ -96,5 +96,15 @@ TEST(TeamOrders, AskTheSilentOnceMore) {
   EXPECT_TRUE(orders.all_acknowledged()) << "it was";
 }
 
+TEST(TeamOrders, WhoLeadsAgainDoesNotBeginWhatItHadThen) {
+  TeamOrders orders(kMaster);
+  orders.set(kMaster, {7});
+  step(orders, 0);
+  ASSERT_EQ(orders.own(), std::vector<std::uint32_t>{7});
+  orders.clear();
+  step(orders, 5);
+  EXPECT_TRUE(orders.own().empty());
+}
+
 }  // namespace
 }  // namespace skein::reasoning

@@ -276,5 +276,81 @@ TEST(TeamMember, AShortLossOfTheMasterDoesNotCountAsMeeting) {
   EXPECT_EQ(team.count("split"), 0);
 }
 
+// An order of 2 with a number of its own.
+TeamStep order(SmallTeam& team, std::uint32_t to, std::uint32_t number,
+               std::vector<TeamTask> tasks) {
+  const TeamReceived message{
+      {2},
+      false,
+      {TeamMessage::kVersion, 60, TeamAssign{{"M"}, number, std::move(tasks)}}};
+  team.now += 0.01;
+  return team.at(to).step(Time::from_seconds(team.now), {&message, 1});
+}
+
+TEST(TeamMember, DoesNotFlyAgainWhatItHasDone) {
+  SmallTeam team = team_of({2, 4}, 2);
+  ASSERT_EQ(team.at(4).tasks().size(), 1u);
+  const TeamTask done = team.at(4).knowledge().tasks.at(team.at(4).tasks().front());
+  team.at(4).set_progress(done.number, 1);
+  const TeamStep step = order(team, 4, 60, {done});
+  EXPECT_TRUE(team.at(4).tasks().empty());
+  EXPECT_TRUE(std::ranges::any_of(step.send, [](const TeamOutgoing& one) {
+    return std::holds_alternative<TeamAssignAck>(one.message.content);
+  }));
+}
+
+TEST(TeamMember, ObeysAMasterThatCountsItsOrdersAnew) {
+  SmallTeam team = team_of({2, 4, 6}, 3);
+  order(team, 6, 999, {});
+  ASSERT_TRUE(team.at(6).tasks().empty());
+  team.network.partition({{{2}}, {{4}, {6}}});
+  team.run(12);
+  team.network.heal();
+  team.run(20);
+  EXPECT_EQ(team.masters(), (Masters{{2, 2}, {4, 2}, {6, 2}}));
+  EXPECT_EQ(team.executors(), (Executors{{1, 1}, {2, 1}, {3, 1}}));
+  EXPECT_TRUE(team.at(2).orders_acknowledged());
+}
+
+TEST(TeamMember, TellsANewMasterWhatOnlyTheOldOneKnew) {
+  SmallTeam team = team_of({2, 4, 6}, 2);
+  team.network.partition({{{2}}, {{4}, {6}}});
+  team.run(30);
+  auto more = SmallTeam::tasks(3);
+  more.erase(more.begin(), more.begin() + 2);
+  ASSERT_TRUE(team.at(4).submit("M", more, Time::from_seconds(team.now)));
+  team.run(10);
+  team.crash(4);
+  team.network.heal();
+  team.run(20);
+  EXPECT_EQ(team.masters(), (Masters{{2, 2}, {6, 2}}));
+  EXPECT_TRUE(team.at(2).knowledge().tasks.contains(3));
+}
+
+TEST(TeamMember, AStationFollowsTheBranchThatItReceives) {
+  SmallTeam team;
+  TeamConfig config;
+  config.operators = {{9}};
+  for (const std::uint32_t id : {2U, 4U, 6U, 9U}) team.add(id, config);
+  TeamResources station;
+  station.able = false;
+  team.at(9).set_resources(station);
+  team.submit(6);
+  team.run(40);
+  for (int k = 0; k < 2; ++k) {
+    team.network.partition({{{2}, {4}, {9}}, {{6}}});
+    team.run(30);
+    team.network.heal();
+    team.run(20);
+  }
+  ASSERT_EQ(team.masters(), (Masters{{2, 2}, {4, 2}, {6, 6}, {9, 2}}));
+  team.network.partition({{{2}, {4}}, {{6}, {9}}});
+  team.run(30);
+  EXPECT_EQ(team.masters(), (Masters{{2, 2}, {4, 2}, {6, 6}, {9, 6}}));
+  team.network.partition({{{2}, {4}, {9}}, {{6}}});
+  team.run(30);
+  EXPECT_EQ(team.masters().at(9), 2u);
+}
+
 }  // namespace
 }  // namespace skein::reasoning
