@@ -12,6 +12,7 @@ struct Taker {
   void operator()(const EntityRecord& r) { statistics.entity(r); }
   void operator()(const TruthRecord& r) {
     statistics.separation().truth(r.time, r.id, r.state);
+    statistics.traffic().truth(r.time, r.id, r.state);
     statistics.truth(r.time, r.id, r.state);
     statistics.missions().truth(r.time, r.id, r.state.p_N);
   }

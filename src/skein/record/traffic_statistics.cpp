@@ -9,12 +9,32 @@ namespace {
 
 constexpr double kAstraySd = 5;
 constexpr double kAstray = 100;  // [m]
+constexpr double kAnother = 60;  // after it was near last: another encounter [s]
 
 double astray_beyond(const TrafficBelief& belief) {
   return kAstraySd * belief.horizontal_sd + kAstray;
 }
 
 }  // namespace
+
+void TrafficStatistics::Encounters::see(Time time, EntityId id, std::uint32_t traffic,
+                                        const Vec3& apart) {
+  if (kept.ratio(apart.head<2>().norm(), std::abs(apart.z())) >= 1) return;
+  const auto [at, first] = last.try_emplace({id, traffic}, time);
+  if (first || (time - at->second).seconds() > kAnother) ++count;
+  at->second = time;
+}
+
+void TrafficStatistics::truth(Time time, EntityId id, const VehicleState& state) {
+  if (state.on_ground) return;
+  for (const auto& [traffic, flown] : traffic_) {
+    const TrafficMotion* motion = flown.path.at(time);
+    if (!motion) continue;
+    const Vec3 apart = state.p_N - motion->at(time);
+    near_.see(time, id, traffic, apart);
+    lost_.see(time, id, traffic, apart);
+  }
+}
 
 TrafficStatistics::Error TrafficStatistics::nearest(const TrafficBeliefRecord& record,
                                                     bool by_address) const {
@@ -53,6 +73,8 @@ void TrafficStatistics::add_figures(std::map<std::string, double>& figures) cons
   if (traffic_.empty() && firm_.empty()) return;
   put("traffic", traffic_.size());
   put("traffic_tracks", firm_.size());
+  put("traffic_near_collisions", near_.count);
+  put("traffic_well_clear_lost", lost_.count);
   if (!firm_.empty()) put("traffic_tracks_astray_s", astray_);
   if (compared_ == 0) return;
   const auto count = static_cast<double>(compared_);

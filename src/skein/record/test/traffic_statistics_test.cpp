@@ -43,6 +43,29 @@ TEST(TrafficStatistics, CompareFirmTracksWithTheTruth) {
   EXPECT_NEAR(figures["traffic_within_2_sigma"], 2.0 / 3, 1e-9);
 }
 
+TEST(TrafficStatistics, CountEncountersByTheTruth) {
+  TrafficStatistics statistics;
+  statistics.aircraft({0, "one", "straight", 7, {}});
+  statistics.motion({Time(), 0, {0, 0, -300}, {0, 0, 0}});
+  const auto at = [&](double time, const Vec3& p_N, bool on_ground = false) {
+    VehicleState state;
+    state.p_N = p_N;
+    state.on_ground = on_ground;
+    statistics.truth(Time::from_seconds(time), EntityId{2}, state);
+  };
+  at(1, {100, 0, -310}, true);  // it stands
+  at(2, {600, 0, -340});        // well clear is lost
+  at(3, {100, 0, -310});        // and it is near
+  at(40, {150, 0, -310});       // still the same
+  at(90, {150, 0, -310});       // still
+  at(151, {150, 0, -310});      // once more
+  at(152, {100, 0, -331});      // 31 m above
+  std::map<std::string, double> figures;
+  statistics.add_figures(figures);
+  EXPECT_EQ(figures["traffic_near_collisions"], 2);
+  EXPECT_EQ(figures["traffic_well_clear_lost"], 2);
+}
+
 TEST(TrafficStatistics, KnowWhoIsNotThereAndSayNothingOfNothing) {
   TrafficStatistics statistics;
   std::map<std::string, double> figures;

@@ -119,6 +119,36 @@ TEST(FlightPlan, CornersAreSampledWhereTheyAre) {
   for (double t = 0.5; t < 9.9; t += 0.1) EXPECT_NEAR(-curve.at(t).v_N.z(), 3, 1e-6) << t;
 }
 
+// Of elements that last milliseconds, what is rounded to be sent would be another speed.
+TEST(FlightPlan, PointsAreNotMillisecondsApart) {
+  FlightElement climb;
+  climb.airspeed = 20;
+  climb.climb_rate = 3;
+  climb.duration = 0.02;
+  FlightElement turn = climb;
+  turn.start = 0.02;
+  turn.climb_rate = 0;
+  turn.turn_rate = 0.2;
+  turn.duration = 0.01;
+  turn.p_N = end_of(climb).p_N;
+  FlightElement on = turn;
+  on.start = 0.03;
+  on.turn_rate = 0;
+  on.duration = 100;
+  on.p_N = end_of(turn).p_N;
+  on.heading = end_of(turn).heading;
+  FlightElement last = on;
+  last.start = 100.03;
+  last.duration = 0.004;
+  last.p_N = end_of(on).p_N;
+  const Plan points = sample({climb, turn, on, last});
+  for (std::size_t k = 1; k < points.size(); ++k)
+    EXPECT_GE((points[k].time - points[k - 1].time).seconds(), 0.05) << k;
+  EXPECT_EQ(points.front().time, Time());
+  EXPECT_NEAR(points.front().v_N.z(), 0, 1e-12) << "of what is flown from there";
+  EXPECT_NEAR(points.back().time.seconds(), 100.034, 1e-9);
+}
+
 TEST(FlightPlan, MovesInTime) {
   const FlightPlan moved = starting_at(turn_and_straight(), 100);
   EXPECT_EQ(start_of(moved), 100);

@@ -210,5 +210,90 @@ TEST(SeparationPlanner, AFlightThatKeepsApartIsNotJoinedAgainByAnotherWay) {
   EXPECT_FALSE(itinerary->rejoins);
 }
 
+// An aircraft whose task flies legs, and does what it is given, in calm air.
+struct RoutedAircraft : Aircraft {
+  RoutedAircraft() {
+    nav.p_N = Vec3(0, 0, -260);
+    nav.wind_N = Vec2::Zero();
+    given = {1, Legs{{{1500, 0}, {3000, 0}, {4500, 0}}, 1, 260}};
+  }
+
+  // One second, as the chain has it: who is interrupted says what is left.
+  const FlightIntent& fly(const std::vector<Message>& inbox = {}) {
+    const FlightIntent& flown = *second(inbox);
+    const auto* itinerary = std::get_if<Itinerary>(&flown.what);
+    if (itinerary) {
+      const model::FlightMoment m = model::moment_at(itinerary->plan, now.seconds());
+      nav.p_N = m.p_N;
+      nav.v_N = m.v_N;
+      FlightProgress progress_of_plan;
+      progress_of_plan.number = flown.number;
+      for (const double time : itinerary->milestones)
+        progress_of_plan.passed += time <= now.seconds();
+      progress = progress_of_plan;
+      const FlightProgress told = planner->for_task(progress_of_plan);
+      if (told.number == given.number) passed += told.passed;
+    }
+    if (planner->interrupts()) {
+      ++given.number;
+      auto& legs = std::get<Legs>(given.what);
+      const std::vector<Vec2> all{{1500, 0}, {3000, 0}, {4500, 0}};
+      legs.points.assign(all.begin() + static_cast<std::ptrdiff_t>(passed), all.end());
+    }
+    return flown;
+  }
+
+  std::size_t passed = 0;
+};
+
+// Others count with it, for minutes.
+TEST(SeparationPlanner, LegsAreFlownByAPlanAndTheirPointsCount) {
+  RoutedAircraft aircraft;
+  std::uint32_t plans = 0, last = 0;
+  for (int k = 0; k < 205; ++k) {
+    ASSERT_TRUE(std::holds_alternative<Itinerary>(aircraft.fly().what)) << k;
+    EXPECT_NEAR(aircraft.nav.p_N.y(), 0, 1) << k;
+    const auto said = aircraft.said<PlanReport>();
+    if (said && said->number != last) ++plans, last = said->number;
+  }
+  EXPECT_EQ(aircraft.passed, 2u) << "after 3075 m";
+  EXPECT_LE(plans, 5u) << "a new one each minute";
+}
+
+TEST(SeparationPlanner, AManoeuvreOutOfLegsIsFlownToItsEnd) {
+  RoutedAircraft aircraft;
+  FlightElement e;
+  e.p_N = Vec3(2400, 0, -260);
+  e.airspeed = 15;
+  e.heading = geo::kPi;
+  e.duration = 400;
+  PlanReport head_on;
+  head_on.number = 1;
+  head_on.flight = *model::coded_flight({e});
+  head_on.horizontal = 50;
+  head_on.vertical = 20;
+  double aside = 0, least = 1e9;
+  std::uint32_t plans = 0, last = 0;
+  for (int k = 0; k < 140; ++k) {
+    const Vec3 there(2400 - 15.0 * k, 0, -260);
+    PlaceReport place;
+    place.north = static_cast<float>(there.x());
+    place.down = -260;
+    place.v_north = -15;
+    place.plan = 1;
+    aircraft.fly({{kOther, kEveryone, 0, aircraft.now, head_on},
+                  {kOther, kEveryone, 0, aircraft.now, place}});
+    const Vec3 off = aircraft.nav.p_N - (there - Vec3(15, 0, 0));
+    least = std::min(least, Separation{}.ratio(off.head<2>().norm(), std::abs(off.z())));
+    aside = std::max(aside, std::abs(aircraft.nav.p_N.y()) + std::abs(off.z()));
+    const auto said = aircraft.said<PlanReport>();
+    if (said && said->number != last) ++plans, last = said->number;
+  }
+  EXPECT_GT(least, 1);
+  EXPECT_GT(aside, 20);
+  EXPECT_LE(plans, 6u) << "it is not begun anew at each step";
+  EXPECT_EQ(aircraft.passed, 1u);
+}
+
 }  // namespace
 }  // namespace skein::reasoning

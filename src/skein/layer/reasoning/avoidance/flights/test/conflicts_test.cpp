@@ -41,6 +41,22 @@ TEST(ConflictFinder, LooksAnewWhenAPlanIsAnother) {
   EXPECT_TRUE(finder.find(Time(), own, others, 60).empty());
 }
 
+// How far aircraft are off their plans changes by metres all the time.
+TEST(ConflictFinder, MetresOfSeparationMakeNoConflictOfWhatWasApart) {
+  OwnFlight own{straight(Vec3(0, 0, -100), 0), 1, {50, 20}};
+  // 67 m aside: a metre more than what is kept.
+  const std::vector<TeamFlight> others = {
+      other_with(straight(Vec3(2000, 67, -100), geo::kPi))};
+  ConflictFinder finder;
+  EXPECT_TRUE(finder.find(Time(), own, others, 60).empty());
+  own.across_error += 3;
+  EXPECT_TRUE(finder.find(Time(), own, others, 60).empty());
+  own.across_error += 1;
+  EXPECT_EQ(finder.find(Time(), own, others, 60).size(), 1u);
+  own.across_error -= 3;
+  EXPECT_EQ(finder.find(Time(), own, others, 60).size(), 1u) << "nor is one over for them";
+}
+
 TEST(ConflictFinder, TheEarliestComesFirst) {
   const OwnFlight own{straight(Vec3(0, 0, -100), 0), 1, {50, 20}};
   std::vector<TeamFlight> others = {other_with(straight(Vec3(2000, 0, -100), geo::kPi)),

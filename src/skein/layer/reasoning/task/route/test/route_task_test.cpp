@@ -95,5 +95,51 @@ TEST(RouteTask, TakesOffAndLandsWhereItStood) {
   EXPECT_FALSE(harness.at(301, true).command);
 }
 
+// The task alone, told how its flight goes.
+struct Route {
+  explicit Route(int laps) : task(context, {points, laps, {}}, false) {}
+
+  const FlightIntent& after(const FlightProgress& flight) {
+    AgentInput in;
+    in.now = now;
+    in.nav = &nav;
+    now += Time::from_seconds(1);
+    return *task.plan({in, {}, safety, beliefs, flight, intents}, out);
+  }
+
+  Hill hill;
+  FlightContext context{EntityId{1}, {}, &hill, nullptr, 100};
+  FlightSafety safety{{}, {}, EntityId{1}, FlightLimits{}, hill, {}};
+  Beliefs beliefs{EntityId{0}};
+  IntentCounter intents;
+  NavEstimate nav;
+  AgentOutput out;
+  Time now;
+  std::vector<Vec2> points{{400, 400}, {400, 0}, {0, 400}};
+  RouteTask task;
+};
+
+// What keeps it apart from others flies on along the route: points passed so are passed.
+TEST(RouteTask, WhatIsPassedInAnInterruptionIsNotFlownAgain) {
+  Route route(2);
+  const FlightIntent first = route.after({});
+  route.task.interrupt();
+  FlightProgress flight;
+  flight.number = first.number;
+  flight.passed = 1;
+  const FlightIntent second = route.after(flight);
+  EXPECT_NE(second.number, first.number);
+  const auto& left = std::get<Legs>(second.what);
+  ASSERT_EQ(left.points.size() * static_cast<std::size_t>(left.laps), 5u);
+  EXPECT_EQ(left.points.front(), Vec2(400, 0));
+  route.task.interrupt();
+  flight.number = second.number;
+  flight.passed = 5;
+  flight.done = true;
+  const FlightIntent third = route.after(flight);
+  EXPECT_TRUE(route.task.progress({}).done);
+  EXPECT_EQ(std::get<Circling>(third.what).centre, Vec2(0, 400)) << "it stays there";
+}
+
 }  // namespace
 }  // namespace skein::reasoning
