@@ -11,7 +11,8 @@ void SeparationStatistics::message(const Message& message) {
 
 void SeparationStatistics::conflict(const ConflictReport& report) {
   conflicts_ += 1;
-  if (report.method == SeparationMethod::kNone) {
+  // It may be over because another flight has changed.
+  if (report.method == SeparationMethod::kNone && !(report.fixed_before > 0)) {
     unsolved_ += 1;
     return;
   }

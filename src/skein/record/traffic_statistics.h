@@ -32,8 +32,8 @@ class TrafficStatistics {
   /// deviations as believed), and `traffic_tracks_astray_s`: the seconds in which none is
   /// within 5 standard deviations and 100 m: they count in no other figure. Of aircraft
   /// that fly, by the truth: `traffic_near_collisions` and `traffic_well_clear_lost`, the
-  /// encounters with one that was within 152.4 m and 30.48 m, or 609.6 m and 76.2 m; it is
-  /// another encounter after a minute.
+  /// encounters with one that was within 152.4 m and 30.48 m, or 609.6 m and 76.2 m; it
+  /// is another encounter after a minute.
   void add_figures(std::map<std::string, double>& figures) const;
 
  private:
@@ -55,7 +55,8 @@ class TrafficStatistics {
   };
 
   std::map<std::uint32_t, Flown> traffic_;
-  Encounters near_{*separation_named("nmac"), {}}, lost_{*separation_named("well-clear"), {}};
+  Encounters near_{*separation_named("nmac"), {}},
+      lost_{*separation_named("well-clear"), {}};
   std::set<std::pair<EntityId, std::uint32_t>> firm_;
   double squared_ = 0, squared_vertical_ = 0, largest_ = 0;
   std::uint64_t compared_ = 0, within_ = 0, astray_ = 0;

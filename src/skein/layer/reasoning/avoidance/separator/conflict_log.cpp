@@ -5,6 +5,12 @@
 #include <utility>
 
 namespace skein::reasoning {
+namespace {
+
+constexpr std::string_view kNotSolved = "not solved";
+constexpr std::string_view kChanged = "flights have changed";
+
+}  // namespace
 
 void ConflictLog::see(Time now, std::span<const Conflict> conflicts) {
   for (const Conflict& conflict : conflicts) {
@@ -15,9 +21,13 @@ void ConflictLog::see(Time now, std::span<const Conflict> conflicts) {
       open.report.other = conflict.other;
       open.report.seen = now;
       open.report.meets = Time::from_seconds(conflict.meeting.begin);
-      open.report.outcome = "not solved";
+      open.report.outcome = kNotSolved;
       open.report.flown_ratio = 1e3;
       open.closest = closest;
+    }
+    if (open.report.outcome == kChanged) {
+      open.report.outcome = kNotSolved;
+      open.report.fixed_before = 0;
     }
     open.last_seen = now;
     open.closest = std::max(open.closest, closest);
@@ -25,7 +35,14 @@ void ConflictLog::see(Time now, std::span<const Conflict> conflicts) {
   }
   for (auto at = open_.begin(); at != open_.end();) {
     Open& open = at->second;
-    if (open.last_seen != now) open.report.planned_ratio = 1;
+    if (open.last_seen != now) {
+      open.report.planned_ratio = 1;
+      // The other has given way, or a task has planned anew.
+      if (open.report.outcome == kNotSolved && now < open.report.meets) {
+        open.report.outcome = kChanged;
+        open.report.fixed_before = (open.report.meets - now).seconds();
+      }
+    }
     const Time over = std::max(open.last_seen, open.closest);
     if ((now - over).seconds() < kClearTime) {
       ++at;

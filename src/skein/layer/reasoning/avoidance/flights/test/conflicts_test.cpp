@@ -54,7 +54,8 @@ TEST(ConflictFinder, MetresOfSeparationMakeNoConflictOfWhatWasApart) {
   own.across_error += 1;
   EXPECT_EQ(finder.find(Time(), own, others, 60).size(), 1u);
   own.across_error -= 3;
-  EXPECT_EQ(finder.find(Time(), own, others, 60).size(), 1u) << "nor is one over for them";
+  EXPECT_EQ(finder.find(Time(), own, others, 60).size(), 1u)
+      << "nor is one over for them";
 }
 
 TEST(ConflictFinder, TheEarliestComesFirst) {
