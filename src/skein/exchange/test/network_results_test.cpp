@@ -40,5 +40,25 @@ TEST(NetworkResults, WhatHappensInTheWarmUpDoesNotCount) {
   EXPECT_NEAR(later.mean_delay, 0.2, 1e-9);
 }
 
+TEST(NetworkResults, SayWhatIsTooLong) {
+  NetworkCase network;
+  network.names = {10, 11};
+  network.nodes.resize(2);
+  network.duration = Time::from_seconds(5);
+  NetworkResult result;
+  NetworkMessage to_all = unicast(0.5, {}, MessageFate::kTooLong);
+  to_all.to = kAllNodesOfCase;
+  result.messages = {unicast(0.2, {}, MessageFate::kTooLong), to_all};
+  const NetworkSummary summary = summarize(network, result);
+  EXPECT_EQ(summary.too_long, 2u);
+  EXPECT_EQ(summary.loss_ratio, 1);
+  EXPECT_NE(network_summary_text(summary).find("too long    2 messages"),
+            std::string::npos);
+  EXPECT_EQ(network_messages_csv(network, result),
+            "message,from,to,sent_s,delivered_s,outcome,transmissions,rts\n"
+            "0,10,11,0.200000000,,too-long,0,0\n"
+            "0,10,11,0.500000000,,too-long,0,0\n");
+}
+
 }  // namespace
 }  // namespace skein::exchange

@@ -108,6 +108,29 @@ TEST(NetworkRun, KeepsFlowsFullThatGrowTooOld) {
   }
 }
 
+// A flow that is filled up for ever with what ends at once would never end.
+TEST(NetworkRun, SaysThatASlotHoldsNoSuchMessage) {
+  NetworkCase network = row_of(3, 100, Time::from_seconds(5));
+  network.traffic = {{7, Time(), 0, kAllNodesOfCase, 1000},
+                     {8, Time(), 0, 1, 1000},
+                     {9, Time(), 0, 1, 100}};
+  network.flows = {{1, 2, 1000, 3, Time()}};
+  RadioProfile radio = radio_of_tests();
+  radio.phy.rate = 115'200;
+  radio.mac.access = AccessMethod::kTdma;
+  radio.mac.slot = Time::from_ns(20'000'000);
+  const FreeSpace field(2e9);
+  NetworkRun run(network, radio, field, 3);
+  run.advance(network.duration);
+  std::map<MessageFate, int> fates;
+  for (const NetworkMessage& message : run.result().messages) {
+    ++fates[message.fate];
+    EXPECT_EQ(message.transmissions, message.bytes == 100 ? 1u : 0u);
+  }
+  EXPECT_EQ(fates, (std::map<MessageFate, int>{{MessageFate::kDelivered, 1},
+                                               {MessageFate::kTooLong, 5}}));
+}
+
 TEST(NetworkRun, IsTheSameForEveryStep) {
   NetworkCase network = row_of(4, 90, Time::from_seconds(1));
   for (std::uint32_t node = 0; node < 4; ++node)
