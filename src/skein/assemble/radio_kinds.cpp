@@ -116,7 +116,8 @@ Result<std::unique_ptr<Propagation>> propagation_in_run(const MediumChoice& choi
   for (const ObstacleSection& each : choice.obstacles)
     profile.obstacles.push_back(obstacle_of(each));
   const double frequency = file.radio.phy.frequency;
-  auto made = communication::make_propagation(profile, frequency, context.seed);
+  auto made =
+      communication::make_propagation(profile, frequency, context.seed, context.terrain);
   if (!choice.terrain) return made;
   if (!context.terrain)
     return Error{ErrorCode::kBadInput, "terrain", "there is no terrain here.", ""};

@@ -119,14 +119,15 @@ Fields<PropagationSection> propagation_fields() {
     };
   };
   return Fields<T>()
-      .word("model", in(&PropagationProfile::model),
-            "How signals get weaker on their way.",
-            {{"free-space", PropagationModel::kFreeSpace, "with the distance squared"},
-             {"fixed", PropagationModel::kFixed, "all arrive with `received_power_dbm`"},
-             {"log-distance", PropagationModel::kLogDistance,
-              "with the distance to the power of `exponent`, and shadowing"},
-             {"two-ray", PropagationModel::kTwoRay,
-              "free space nearby, over flat ground with the distance to the fourth"}})
+      .word(
+          "model", in(&PropagationProfile::model), "How signals get weaker on their way.",
+          {{"free-space", PropagationModel::kFreeSpace, "with the distance squared"},
+           {"fixed", PropagationModel::kFixed, "all arrive with `received_power_dbm`"},
+           {"log-distance", PropagationModel::kLogDistance,
+            "with the distance to the power of `exponent`, and shadowing"},
+           {"two-ray", PropagationModel::kTwoRay,
+            "free space nearby, over level ground with the distance to the fourth; with "
+            "heights above the run's terrain, in `skein net` above z = 0"}})
       .number("received_power_dbm", in(&PropagationProfile::received_power_dbm),
               "Of `fixed`.", kLevel)
       .number("exponent", in(&PropagationProfile::exponent), "Of `log-distance`.",
