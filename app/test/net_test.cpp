@@ -172,6 +172,15 @@ TEST_F(Program, RadiosAreListedAndTheirKeysDocumented) {
   for (const char* name : {"nn4", "cs91", "wifi-dsss-2", "xbee-digimesh"})
     EXPECT_NE(list.out.find(std::string("  ") + name + " "), std::string::npos)
         << list.out;
+  const std::pair<const char*, const char*> parts[] = {{"propagation", "two-ray"},
+                                                       {"antenna", "dipole"},
+                                                       {"error-model", "cck-11"},
+                                                       {"access", "tdma"}};
+  for (const auto& [role, kind] : parts) {
+    const Finished kinds = run({"list", role});
+    EXPECT_EQ(kinds.status, 0) << kinds.err;
+    EXPECT_NE(kinds.out.find(std::string("  ") + kind), std::string::npos) << kinds.out;
+  }
   EXPECT_EQ(run({"keys", "radio"}).out, read_file(SKEIN_SOURCE_DIR "/docs/radio-keys.md"))
       << "Renew it: build/release/skein keys radio > docs/radio-keys.md";
 }

@@ -16,11 +16,13 @@ void for_each_role(Visit visit) {
   const auto all = [&visit](auto... role) { (visit(role), ...); };
   all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::traffic,
       &K::vehicle, &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission,
-      &K::routing, &K::radio, &K::estimator, &K::strategy, &K::planner);
+      &K::routing, &K::propagation, &K::antenna, &K::error_model, &K::radio,
+      &K::estimator, &K::strategy, &K::planner);
 }
 
 KindsByRole own_kinds() {
   KindsByRole kinds;
+  static_cast<RadioParts&>(kinds) = own_radio_parts();
   kinds.terrain = terrain_kinds();
   kinds.wind = wind_kinds();
   kinds.turbulence = turbulence_kinds();

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "skein/base/check.h"
 #include "skein/base/math.h"
 #include "skein/base/random.h"
-#include "skein/layer/communication/propagation/obstructed.h"
 
 namespace skein::communication {
 namespace {
@@ -92,34 +90,6 @@ double LogDistance::received(double radiated, const Vec3& from, const Vec3& to) 
     power *= math::pow(10, -loss_db / 10);
   }
   return std::min(power, radiated);
-}
-
-namespace {
-
-std::unique_ptr<Propagation> make_open(const PropagationProfile& profile,
-                                       double frequency, std::uint64_t seed,
-                                       const Terrain* ground) {
-  switch (profile.model) {
-    case PropagationModel::kFixed:
-      return std::make_unique<FixedPower>(profile.received_power_dbm);
-    case PropagationModel::kLogDistance:
-      return std::make_unique<LogDistance>(frequency, profile, seed);
-    case PropagationModel::kTwoRay:
-      return std::make_unique<TwoRay>(frequency, profile.antenna_height, ground);
-    case PropagationModel::kFreeSpace:
-      break;
-  }
-  return std::make_unique<FreeSpace>(frequency);
-}
-
-}  // namespace
-
-std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
-                                              double frequency, std::uint64_t seed,
-                                              const Terrain* ground) {
-  auto open = make_open(profile, frequency, seed, ground);
-  if (profile.obstacles.empty()) return open;
-  return std::make_unique<Obstructed>(std::move(open), profile.obstacles);
 }
 
 }  // namespace skein::communication

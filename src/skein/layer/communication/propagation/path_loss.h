@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "skein/layer/communication/propagation/propagation_profile.h"
@@ -80,11 +79,5 @@ class LogDistance final : public Propagation {
   double exponent_, reference_distance_, sigma_db_;
   std::vector<Wave> waves_;
 };
-
-/// What the profile says, its obstacles included. `seed` is for shadowing; `ground`,
-/// which outlives what is made, for heights above it: null is level ground at down = 0.
-std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
-                                              double frequency, std::uint64_t seed,
-                                              const Terrain* ground = nullptr);
 
 }  // namespace skein::communication

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "skein/layer/communication/propagation/obstructed.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
 namespace skein::communication {
@@ -172,11 +173,11 @@ TEST(NetworkRun, AnOpaqueObstacleSeparatesTwoOfThree) {
         network.traffic.push_back(item);
         ++number;
       }
-  PropagationProfile profile;
-  profile.obstacles = {{geo::Ring{{40, -20}, {60, -20}, {60, 20}, {40, 20}}, 0, 30}};
-  const auto delivered = [&](const PropagationProfile& given) {
-    const auto field = make_propagation(given, 2e9, 1);
-    NetworkRun run(network, radio_of_tests(), *field, 3);
+  const std::vector<Obstacle> house = {
+      {geo::Ring{{40, -20}, {60, -20}, {60, 20}, {40, 20}}, 0, 30}};
+  const auto delivered = [&](const std::vector<Obstacle>& given) {
+    const Obstructed field(std::make_unique<FreeSpace>(2e9), given);
+    NetworkRun run(network, radio_of_tests(), field, 3);
     run.advance(network.duration);
     std::map<std::pair<NodeIndex, NodeIndex>, int> matrix;
     for (const NetworkMessage& message : run.result().messages)
@@ -185,7 +186,7 @@ TEST(NetworkRun, AnOpaqueObstacleSeparatesTwoOfThree) {
   };
   // Messages come one after the other: what is in range arrives for certain.
   for (const auto& [pair, count] : delivered({})) EXPECT_EQ(count, 20);
-  for (const auto& [pair, count] : delivered(profile)) {
+  for (const auto& [pair, count] : delivered(house)) {
     const bool behind = pair.first != 2 && pair.second != 2;
     EXPECT_EQ(count, behind ? 0 : 20) << pair.first << " to " << pair.second;
   }
