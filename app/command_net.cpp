@@ -11,6 +11,7 @@
 #include "app/command_options.h"
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/number_range.h"
 #include "app/output.h"
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/exchange/network_results.h"
@@ -102,6 +103,9 @@ int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
   const auto antenna = assemble::make_antenna(*parts, radio.value().antenna);
   if (!antenna) return say_error(antenna.error());
 
+  for (const std::string& file : {given.out, given.report})
+    if (!file.empty())
+      if (auto good = check_writable(file); !good) return say_error(good.error());
   std::ofstream trace;
   if (!given.trace.empty()) {
     trace.open(given.trace, std::ios::binary);
@@ -166,7 +170,8 @@ Command add_net(CLI::App& program, const std::atomic<bool>& stop) {
   command->add_option("--duration", given->duration, "How long [s].")
       ->required()
       ->check(CLI::Range(1e-6, 4e6));
-  command->add_option("--seed", given->seed, "Of all random numbers; default 1.");
+  command->add_option("--seed", given->seed, "Of all random numbers; default 1.")
+      ->check(seed_number());
   command->add_option("--trace", given->trace,
                       "Every start of a frame is written there.");
   command->add_option("--out", given->out, "What became of each message (CSV).")

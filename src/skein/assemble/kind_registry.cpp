@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "skein/assemble/map_places.h"
+#include "skein/assemble/radio/radio_file.h"
 
 namespace skein::assemble {
 namespace {
@@ -57,6 +58,14 @@ Error refusal(const std::string& plugin, std::string message, std::string hint =
   return {ErrorCode::kBadInput, plugin, std::move(message), std::move(hint)};
 }
 
+// The profile of a radio where its kind belongs.
+std::string profile_for_kind(std::string_view role, std::string_view name) {
+  for (const BuiltInRadio& each : built_in_radios())
+    if (role == "radio" && each.name == name)
+      return fmt::format("It is a profile: {{kind: medium, profile: {}}}.", name);
+  return "";
+}
+
 }  // namespace
 
 scenario::KindTable KindsByRole::described() const {
@@ -67,6 +76,7 @@ scenario::KindTable KindsByRole::described() const {
 
 KindRegistry::KindRegistry() : kinds_(own_kinds()), table_(kinds_.described()) {
   table_.set_feature_reader(feature_points);
+  table_.set_name_hint(profile_for_kind);
 }
 
 Result<void> KindRegistry::add(const KindsByRole& more, const std::string& plugin) {

@@ -125,12 +125,15 @@ std::string network_summary_text(const NetworkSummary& s) {
     fmt::format_to(out, "too long    {} messages, broadcasts too: no slot holds them\n",
                    s.too_long);
   fmt::format_to(out, "loss        {:.3f} %\n", 100 * s.loss_ratio);
-  fmt::format_to(out,
-                 "delay       mean {:.4f} ms, median {:.4f}, 95 % {:.4f}, 99 % {:.4f}, "
-                 "longest {:.4f}\n",
-                 1e3 * s.mean_delay, 1e3 * s.delay_quantile(0.5),
-                 1e3 * s.delay_quantile(0.95), 1e3 * s.delay_quantile(0.99),
-                 1e3 * s.delay_quantile(1));
+  if (s.delays.empty())
+    text += "delay       -\n";
+  else
+    fmt::format_to(out,
+                   "delay       mean {:.4f} ms, median {:.4f}, 95 % {:.4f}, 99 % {:.4f}, "
+                   "longest {:.4f}\n",
+                   1e3 * s.mean_delay, 1e3 * s.delay_quantile(0.5),
+                   1e3 * s.delay_quantile(0.95), 1e3 * s.delay_quantile(0.99),
+                   1e3 * s.delay_quantile(1));
   fmt::format_to(out, "goodput     {:.3f} kbit/s\n", s.goodput_bps / 1e3);
   fmt::format_to(out, "broadcast   {} sent, {} received, {} lost in range\n",
                  s.broadcasts, s.broadcast_receptions, s.broadcast_losses);

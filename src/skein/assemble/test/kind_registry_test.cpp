@@ -155,6 +155,15 @@ TEST(KindRegistry, RadioFilesNameAPluginsParts) {
   EXPECT_FALSE(read_radio(text, "x.yaml", own_radio_parts()).ok());
 }
 
+TEST(KindRegistry, KnowsARadioProfileInPlaceOfItsKind) {
+  const auto outcome = read(KindRegistry(), "radio: n920");
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_NE(outcome.report().find("{kind: medium, profile: n920}"), std::string::npos)
+      << outcome.report();
+  EXPECT_EQ(read(KindRegistry(), "radio: n921").report().find("profile"),
+            std::string::npos);
+}
+
 TEST(KindRegistry, RefusesNamesThatAreTakenOrNoNames) {
   for (const char* name : {"ideal", "", "two words", "Upper", "a_b", "a.b"}) {
     KindRegistry kinds;

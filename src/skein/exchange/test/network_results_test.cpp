@@ -40,6 +40,40 @@ TEST(NetworkResults, WhatHappensInTheWarmUpDoesNotCount) {
   EXPECT_NEAR(later.mean_delay, 0.2, 1e-9);
 }
 
+// Nothing delivered is no delay of 0.
+TEST(NetworkResults, SayNoDelayWhereNothingWasDelivered) {
+  NetworkCase network;
+  network.duration = Time::from_seconds(5);
+  NetworkResult result;
+  result.messages = {unicast(0.2, {}, MessageFate::kRetryLimit)};
+  const std::string text = network_summary_text(summarize(network, result));
+  EXPECT_NE(text.find("delay       -\n"), std::string::npos) << text;
+  result.messages = {unicast(0.2, 0.3, MessageFate::kDelivered)};
+  EXPECT_NE(network_summary_text(summarize(network, result)).find("mean 100.0000 ms"),
+            std::string::npos);
+}
+
+// Of large networks parts are left out, and the page says so.
+TEST(NetworkPage, SaysWhatItLeavesOut) {
+  const auto page_of = [](std::uint32_t nodes) {
+    NetworkCase network;
+    for (std::uint32_t k = 0; k < nodes; ++k) {
+      network.names.push_back(k);
+      network.nodes.push_back({{{Time(), Vec3(100.0 * k, 0, 0)}}, std::nullopt});
+    }
+    network.duration = Time::from_seconds(5);
+    NetworkResult result;
+    result.nodes.resize(nodes);
+    result.hearers.resize(nodes);
+    return network_page("n", network, result);
+  };
+  const std::string small = page_of(60), large = page_of(130);
+  EXPECT_EQ(small.find("Shown for at most"), std::string::npos);
+  EXPECT_EQ(small.find("shown are the busiest"), std::string::npos);
+  EXPECT_NE(large.find("Shown for at most 60 nodes."), std::string::npos);
+  EXPECT_NE(large.find("shown are the busiest 100 of 130"), std::string::npos);
+}
+
 TEST(NetworkResults, SayWhatIsTooLong) {
   NetworkCase network;
   network.names = {10, 11};
