@@ -5,18 +5,18 @@
 #include <ctime>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/command_options.h"
 #include "app/commands.h"
 #include "app/common.h"
+#include "app/number_range.h"
 #include "app/output.h"
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/exchange/network_results.h"
 #include "skein/exchange/network_tables.h"
-#include "skein/layer/communication/antenna/antenna_pattern.h"
 #include "skein/layer/communication/experiment/network_run.h"
-#include "skein/layer/communication/propagation/path_loss.h"
 
 namespace skein::app {
 namespace {
@@ -36,7 +36,7 @@ Examples:
 
 struct NetArguments {
   std::string nodes, traffic, profile, trace, out, report;
-  std::vector<std::string> flows;
+  std::vector<std::string> flows, plugins;
   double duration = 0;  // [s]
   std::uint64_t seed = 1;
 };
@@ -81,15 +81,31 @@ void run_to_end(communication::NetworkRun& run, const NetworkCase& network,
   if (!stop) run.advance(network.duration);
 }
 
+// Of Skein and of plugins; without these other kinds, which take 30 ms, are not needed.
+std::optional<assemble::RadioParts> radio_parts_of(
+    const std::vector<std::string>& plugins) {
+  if (plugins.empty()) return assemble::own_radio_parts();
+  const auto kinds = load_kinds(plugins);
+  if (!kinds) return std::nullopt;
+  return kinds->kinds();
+}
+
 int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
   auto read = read_case(given);
   if (!read) return say_error(read.error());
   NetworkCase& network = read.value();
-  const auto radio = assemble::load_radio(given.profile, fs::current_path());
+  const auto parts = radio_parts_of(given.plugins);
+  if (!parts) return kBadUsage;
+  const auto radio = assemble::load_radio(given.profile, fs::current_path(), *parts);
   if (!radio) return say_error(radio.error());
-  const auto propagation = communication::make_propagation(
-      radio.value().propagation, radio.value().radio.phy.frequency, given.seed);
+  const auto propagation = assemble::make_propagation(radio.value(), given.seed);
+  if (!propagation) return say_error(propagation.error());
+  const auto antenna = assemble::make_antenna(*parts, radio.value().antenna);
+  if (!antenna) return say_error(antenna.error());
 
+  for (const std::string& file : {given.out, given.report})
+    if (!file.empty())
+      if (auto good = check_writable(file); !good) return say_error(good.error());
   std::ofstream trace;
   if (!given.trace.empty()) {
     trace.open(given.trace, std::ios::binary);
@@ -99,10 +115,9 @@ int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
   }
   const std::clock_t began = std::clock();
   communication::NodeAntennas antennas;
-  if (const auto antenna = communication::make_antenna(radio.value().antenna))
-    antennas.of.assign(network.nodes.size(), antenna);
-  communication::NetworkRun run(network, radio.value().radio, *propagation, given.seed,
-                                std::move(antennas));
+  if (antenna.value()) antennas.of.assign(network.nodes.size(), antenna.value());
+  communication::NetworkRun run(network, radio.value().radio, *propagation.value(),
+                                given.seed, std::move(antennas));
   if (trace.is_open())
     run.on_transmission = [&](const TransmissionRecord& transmission) {
       trace << exchange::network_trace_row(network, transmission);
@@ -155,12 +170,14 @@ Command add_net(CLI::App& program, const std::atomic<bool>& stop) {
   command->add_option("--duration", given->duration, "How long [s].")
       ->required()
       ->check(CLI::Range(1e-6, 4e6));
-  command->add_option("--seed", given->seed, "Of all random numbers; default 1.");
+  command->add_option("--seed", given->seed, "Of all random numbers; default 1.")
+      ->check(seed_number());
   command->add_option("--trace", given->trace,
                       "Every start of a frame is written there.");
   command->add_option("--out", given->out, "What became of each message (CSV).")
       ->required();
   command->add_option("--report", given->report, "A page with figures (HTML).");
+  add_plugin_option(*command, given->plugins);
   command->footer(kNetExamples);
   return {command, [given, &stop] { return net_command(*given, stop); }};
 }

@@ -56,16 +56,18 @@ double thread_cpu() {
 
 // The radio of a profile, as the experiment has it without RTS.
 Result<assemble::RadioFile> radio_of(NetworkExperiment experiment,
-                                     const std::string& profile) {
+                                     const std::string& profile,
+                                     const assemble::RadioParts& parts) {
   const bool cell = experiment == NetworkExperiment::kCell;
-  auto radio = assemble::load_radio(cell ? "nn8" : profile, fs::current_path());
+  auto radio = assemble::load_radio(cell ? "nn8" : profile, fs::current_path(), parts);
   if (!radio) return radio;
   if (experiment != NetworkExperiment::kGrid)
     radio.value().radio.mac.queue_packets = kSaturatedQueue;
   if (cell) {
     auto& propagation = radio.value().propagation;
-    propagation.model = communication::PropagationModel::kFixed;
-    propagation.received_power_dbm = kCellPower;
+    propagation.model =
+        scenario::default_choice(assemble::radio_table(parts), "propagation", "fixed");
+    propagation.section.received_power_dbm = kCellPower;
   }
   radio.value().radio.mac.rts_threshold_bytes = 65535;
   return radio;
@@ -144,9 +146,14 @@ Result<record::RunSummary> simulate(NetworkExperiment experiment,
                                     double duration, const assemble::RadioFile& radio,
                                     const std::atomic<bool>& stop) {
   const NetworkCase network = network_of(experiment, given, Time::from_seconds(duration));
-  const auto propagation = communication::make_propagation(
-      radio.propagation, radio.radio.phy.frequency, given.seed);
-  communication::NetworkRun run(network, radio.radio, *propagation, given.seed);
+  const auto propagation = assemble::make_propagation(radio, given.seed);
+  if (!propagation) return propagation.error();
+  const auto antenna = assemble::make_antenna(radio.parts, radio.antenna);
+  if (!antenna) return antenna.error();
+  communication::NodeAntennas antennas;
+  if (antenna.value()) antennas.of.assign(network.nodes.size(), antenna.value());
+  communication::NetworkRun run(network, radio.radio, *propagation.value(), given.seed,
+                                std::move(antennas));
   const double began = thread_cpu();
   constexpr std::int64_t kParts = 1000;
   for (std::int64_t part = 1; part <= kParts; ++part) {
@@ -221,7 +228,7 @@ int network_study(const StudyArguments& arguments, const assemble::KindRegistry&
   // By profile: without and with RTS.
   std::map<std::string, std::array<assemble::RadioFile, 2>> radios;
   for (const std::string& profile : study.profiles) {
-    const auto radio = radio_of(study.experiment, profile);
+    const auto radio = radio_of(study.experiment, profile, kinds.kinds());
     if (!radio) return say_error(radio.error());
     radios[profile] = {radio.value(), with_rts(radio.value())};
   }

@@ -183,7 +183,8 @@ Command add_relay(CLI::App& program, const std::atomic<bool>& stop) {
                    "repeated.")
       ->take_all()
       ->allow_extra_args(false);
-  command->add_option("--seed", given->seed, "Of all random numbers; default 1.");
+  command->add_option("--seed", given->seed, "Of all random numbers; default 1.")
+      ->check(seed_number());
   command->add_option("--for", given->duration, "End after so many seconds.")
       ->check(number_in(0.1, 4e6));
   command->add_option("--stats", given->stats,

@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/build.h"
+#include "skein/assemble/radio/radio_fields.h"
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/relay/relay_profile.h"
 #include "skein/assemble/verify_kinds.h"
@@ -70,12 +71,21 @@ void list_aircraft() {
 // The radios that are part of the program.
 void list_radios() {
   std::vector<Listed> all;
+  const assemble::RadioParts parts = assemble::own_radio_parts();
   for (const assemble::BuiltInRadio& each : assemble::built_in_radios()) {
-    const auto file = assemble::read_radio(each.text, std::string(each.name));
+    const auto file = assemble::read_radio(each.text, std::string(each.name), parts);
     SKEIN_CHECK(file.ok(), each.name, file.error().text());
     all.push_back({std::string(each.name), file.value().description});
   }
   print_list("radio profile", all);
+}
+
+// How nodes share a medium: no kinds, as they are parts of it (docs/extending.md).
+void list_access() {
+  std::vector<Listed> all;
+  for (const assemble::AccessWord& each : assemble::kAccessWords)
+    all.push_back({each.name, each.help});
+  print_list("access", all);
 }
 
 // Where a kind comes from, if it is not part of the program.
@@ -96,6 +106,10 @@ int list_command(const std::string& role, const std::vector<std::string>& plugin
     list_radios();
     return kDone;
   }
+  if (role == "access") {
+    list_access();
+    return kDone;
+  }
   const auto kinds = load_kinds(plugins);
   if (!kinds) return kBadUsage;
   const scenario::KindTable& table = kinds->table();
@@ -112,11 +126,12 @@ int list_command(const std::string& role, const std::vector<std::string>& plugin
   if (role.empty()) {
     list_aircraft();
     list_radios();
+    list_access();
   }
   if (any) return kDone;
   complain("There is no role \"{}\". Roles:", role);
   for (const std::string& each : table.roles()) complain(" {}", each);
-  complain(" aircraft radio-profile\n");
+  complain(" aircraft radio-profile access\n");
   return kBadUsage;
 }
 
@@ -146,6 +161,13 @@ const scenario::Document* document_of(const std::string& name) {
   return nullptr;
 }
 
+// The kinds that such a file may name.
+scenario::KindTable table_of(const std::string& document,
+                             const assemble::KindRegistry& kinds) {
+  return document == "radio" ? assemble::radio_table(kinds.kinds())
+                             : scenario::KindTable();
+}
+
 }  // namespace
 
 int schema_command(const std::string& document, const std::vector<std::string>& plugins) {
@@ -156,7 +178,7 @@ int schema_command(const std::string& document, const std::vector<std::string>& 
   const auto kinds = load_kinds(plugins);
   if (!kinds) return kBadUsage;
   const scenario::Document* other = document_of(document);
-  put_out(other ? scenario::schema_text(*other, {})
+  put_out(other ? scenario::schema_text(*other, table_of(document, *kinds))
                 : scenario::json_schema(kinds->table()));
   put_out("\n");
   return kDone;
@@ -176,7 +198,7 @@ int keys_command(const std::string& document, const std::vector<std::string>& pl
   const auto kinds = load_kinds(plugins);
   if (!kinds) return kBadUsage;
   const scenario::Document* other = document_of(document);
-  put_out(other ? scenario::keys_as_markdown(*other, {})
+  put_out(other ? scenario::keys_as_markdown(*other, table_of(document, *kinds))
                 : scenario::markdown_keys(kinds->table()));
   return kDone;
 }

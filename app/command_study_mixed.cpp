@@ -143,7 +143,7 @@ int mixed_rates_study(const StudyArguments& arguments,
   }
   const std::string profile =
       arguments.profiles.empty() ? kMixedProfile : arguments.profiles.front();
-  const auto radio = assemble::load_radio(profile, fs::current_path());
+  const auto radio = assemble::load_radio(profile, fs::current_path(), kinds.kinds());
   if (!radio) return say_error(radio.error());
   const double duration = arguments.duration.value_or(kMixedDuration);
   std::vector<ComparedRates> cases;

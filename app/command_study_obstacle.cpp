@@ -155,7 +155,7 @@ int obstacle_study(const StudyArguments& arguments, const assemble::KindRegistry
   }
   const std::string profile =
       arguments.profiles.empty() ? kObstacleProfile : arguments.profiles.front();
-  const auto radio = assemble::load_radio(profile, fs::current_path());
+  const auto radio = assemble::load_radio(profile, fs::current_path(), kinds.kinds());
   if (!radio) return say_error(radio.error());
   std::vector<RealOnes> cases;
   const campaign::StudyPlan plan = obstacle_plan(arguments, profile, cases);

@@ -156,7 +156,8 @@ Command add_team_rehearse(CLI::App& team, const std::atomic<bool>& stop) {
       ->add_option("--duplicates", medium.duplicate,
                    "Share of messages that arrives twice; default 0.")
       ->check(number_in(0.0, 1.0));
-  command->add_option("--seed", given->seed, "Of all that is drawn; default 1.");
+  command->add_option("--seed", given->seed, "Of all that is drawn; default 1.")
+      ->check(seed_number());
   command->footer(kRehearseExamples);
   return {command, [given, &stop] {
             if (given->scripts.empty() && !given->random) {

@@ -78,6 +78,25 @@ int say_error(const Error& error) {
   return usage ? kBadUsage : kFailed;
 }
 
+namespace {
+
+Error not_writable(const std::filesystem::path& file) {
+  return {ErrorCode::kUnavailable, file.string(), "cannot be written.",
+          "Is the folder writable, the disk full?"};
+}
+
+}  // namespace
+
+Result<void> check_writable(const std::filesystem::path& file) {
+  const std::filesystem::path part = file.string() + ".part";
+  std::error_code ignored;
+  const bool good = !std::filesystem::is_directory(file, ignored) &&
+                    std::ofstream(part, std::ios::binary | std::ios::app).good();
+  if (!good) return not_writable(file);
+  std::filesystem::remove(part, ignored);
+  return {};
+}
+
 Result<void> write_text(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path part = file.string() + ".part";
   std::ofstream out(part, std::ios::binary);
@@ -85,9 +104,7 @@ Result<void> write_text(const std::filesystem::path& file, const std::string& te
   out.close();
   std::error_code error;
   if (out.good()) std::filesystem::rename(part, file, error);
-  if (!out.good() || error)
-    return Error{ErrorCode::kUnavailable, file.string(), "cannot be written.",
-                 "Is the folder writable, the disk full?"};
+  if (!out.good() || error) return not_writable(file);
   return {};
 }
 

@@ -24,6 +24,10 @@ std::optional<scenario::Scenario> load_scenario(const std::filesystem::path& fil
                                                 const std::vector<std::string>& plugins,
                                                 assemble::KindRegistry& kinds);
 
+/// Whether write_text() can write there, before the work whose result it is.
+/// Fails: kUnavailable; as write_text.
+Result<void> check_writable(const std::filesystem::path& file);
+
 /// The parameters of a fixed wing, built in or in a file relative to the working folder.
 /// Fails: as assemble::load_aircraft; an aircraft of another kind.
 Result<asset::FixedWingParameters> load_fixed_wing(const std::string& aircraft);

@@ -3,6 +3,7 @@
 
 #include "app/command_options.h"
 #include "app/commands.h"
+#include "app/number_range.h"
 
 namespace skein::app {
 namespace {
@@ -110,6 +111,7 @@ Command add_vehicle(CLI::App& program, const std::atomic<bool>& stop) {
       ->capture_default_str()
       ->check(CLI::Range(0.005, 0.1));
   command->add_option("--seed", given->seed, "Of its sensors' errors.")
+      ->check(seed_number())
       ->capture_default_str();
   command->add_option("--for", given->duration, "End after so many seconds.")
       ->check(CLI::Range(0.1, 1e6));

@@ -18,7 +18,7 @@ constexpr EntityId kOneSide{0}, kOtherSide{1};  // of the house
 assemble::MixedNetworkOptions around_a_house(const MixedDeliveryCase& given) {
   assemble::MixedNetworkOptions options;
   options.radio = given.radio;
-  options.radio.propagation.obstacles.push_back(
+  options.radio.propagation.section.obstacles.push_back(
       {geo::Ring{{40, -20}, {60, -20}, {60, 20}, {40, 20}}, -10, 12});
   options.places = {{0, 0, -2}, {100, 0, -2}, {50, 80, -2}};
   options.station = Vec3(50, 100, -2);

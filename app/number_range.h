@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <string>
 
 namespace skein::app {
@@ -17,6 +19,19 @@ inline CLI::Validator number_in(double low, double high) {
             return good ? std::string() : fmt::format("{} is not {}", text, range);
           },
           range};
+}
+
+/// A seed. (CLI11 takes -4, and what is too large, for the largest whole number.)
+inline CLI::Validator seed_number() {
+  return {[](std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto [rest, error] = std::from_chars(text.data(), end, value);
+            const bool good = error == std::errc() && rest == end;
+            return good ? std::string()
+                        : fmt::format("{} is no whole number from 0 on", text);
+          },
+          "a whole number from 0 on"};
 }
 
 }  // namespace skein::app

@@ -57,7 +57,9 @@ void add_batch_options(CLI::App& command, TeamBatchArguments& given) {
       .add_option("--iterations", given.iterations,
                   "Iterations for each problem, instead of what goes with its size.")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
-  command.add_option("--seed", given.seed, "Of searches.")->capture_default_str();
+  command.add_option("--seed", given.seed, "Of searches.")
+      ->check(seed_number())
+      ->capture_default_str();
   command
       .add_option("--threads", given.threads,
                   "Problems at a time; answers are the same for any number.")

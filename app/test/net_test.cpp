@@ -166,12 +166,44 @@ TEST_F(Program, NetSaysWhatBecameOfEachMessage) {
   EXPECT_NE(read_file(folder_ / "page.html").find("Who hears whom"), std::string::npos);
 }
 
+TEST_F(Program, NetRefusesWhatItCouldNotWriteOrIsNoSeed) {
+  write("n.csv", "node,time_s,x_m,y_m,z_m\n3,0,0,0,0\n5,0,100,0,0\n");
+  write("t.csv", "message,time_s,from,to,bytes\n0,0.1,3,5,1000\n");
+  const auto net = [this](const std::string& out, const std::string& seed) {
+    // A simulation of this length would take minutes.
+    return run({"net", "--nodes", "n.csv", "--saturate", "3,5,1,5", "--profile", "nn4",
+                "--duration", "1000000", "--out", out, "--seed", seed});
+  };
+  for (const char* out : {"no-such-folder/m.csv", "."}) {
+    const Finished done = net(out, "1");
+    EXPECT_NE(done.status, 0);
+    EXPECT_NE(done.err.find("cannot be written"), std::string::npos) << done.err;
+  }
+  for (const char* seed : {"-4", "1.5", "x", "18446744073709551616"}) {
+    const Finished done = net("m.csv", seed);
+    EXPECT_EQ(done.status, 2) << seed;
+    EXPECT_NE(done.err.find("whole number from 0 on"), std::string::npos) << done.err;
+  }
+  EXPECT_EQ(
+      run({"relay", "--listen", "udpin:0", "--to", "127.0.0.1:9", "--seed", "-4"}).status,
+      2);
+}
+
 TEST_F(Program, RadiosAreListedAndTheirKeysDocumented) {
   const Finished list = run({"list", "radio-profile"});
   EXPECT_EQ(list.status, 0) << list.err;
   for (const char* name : {"nn4", "cs91", "wifi-dsss-2", "xbee-digimesh"})
     EXPECT_NE(list.out.find(std::string("  ") + name + " "), std::string::npos)
         << list.out;
+  const std::pair<const char*, const char*> parts[] = {{"propagation", "two-ray"},
+                                                       {"antenna", "dipole"},
+                                                       {"error-model", "cck-11"},
+                                                       {"access", "tdma"}};
+  for (const auto& [role, kind] : parts) {
+    const Finished kinds = run({"list", role});
+    EXPECT_EQ(kinds.status, 0) << kinds.err;
+    EXPECT_NE(kinds.out.find(std::string("  ") + kind), std::string::npos) << kinds.out;
+  }
   EXPECT_EQ(run({"keys", "radio"}).out, read_file(SKEIN_SOURCE_DIR "/docs/radio-keys.md"))
       << "Renew it: build/release/skein keys radio > docs/radio-keys.md";
 }

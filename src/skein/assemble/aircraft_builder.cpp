@@ -144,7 +144,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   if (!parts) return parts.error();
   context.fitted = flight_sensors_in(parts.value().sensors);
   context.watchers = watchers(group, self);
-  context.team = onboard_team(scenario_, station_of(scenario_, group), context);
+  context.team = onboard_team(scenario_, station_of(scenario_, group), context, kinds_);
   finds_aircraft_ |= context.finds_aircraft;
   const auto complete_body = [&]() -> Result<void> {
     auto turbulence = gusty_air(context);

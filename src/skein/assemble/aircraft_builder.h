@@ -67,7 +67,7 @@ class AircraftBuilder {
         recorded_(recorded),
         planner_(std::make_shared<planning::AaStar>()),
         names_(aircraft_names(scenario)),
-        place_period_(routine_periods(scenario).place) {}
+        place_period_(routine_periods(scenario, kinds).place) {}
 
   /// Aircraft `index` of `group`, which becomes entity `self` and reports to `station`.
   /// Fails: what a part cannot be made from; a start inside terrain or a no-fly zone;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "skein/assemble/map_places.h"
+#include "skein/assemble/radio/radio_file.h"
 
 namespace skein::assemble {
 namespace {
@@ -16,11 +17,13 @@ void for_each_role(Visit visit) {
   const auto all = [&visit](auto... role) { (visit(role), ...); };
   all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::traffic,
       &K::vehicle, &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission,
-      &K::routing, &K::radio, &K::estimator, &K::strategy, &K::planner);
+      &K::routing, &K::propagation, &K::antenna, &K::error_model, &K::radio,
+      &K::estimator, &K::strategy, &K::planner);
 }
 
 KindsByRole own_kinds() {
   KindsByRole kinds;
+  static_cast<RadioParts&>(kinds) = own_radio_parts();
   kinds.terrain = terrain_kinds();
   kinds.wind = wind_kinds();
   kinds.turbulence = turbulence_kinds();
@@ -55,6 +58,14 @@ Error refusal(const std::string& plugin, std::string message, std::string hint =
   return {ErrorCode::kBadInput, plugin, std::move(message), std::move(hint)};
 }
 
+// The profile of a radio where its kind belongs.
+std::string profile_for_kind(std::string_view role, std::string_view name) {
+  for (const BuiltInRadio& each : built_in_radios())
+    if (role == "radio" && each.name == name)
+      return fmt::format("It is a profile: {{kind: medium, profile: {}}}.", name);
+  return "";
+}
+
 }  // namespace
 
 scenario::KindTable KindsByRole::described() const {
@@ -65,6 +76,7 @@ scenario::KindTable KindsByRole::described() const {
 
 KindRegistry::KindRegistry() : kinds_(own_kinds()), table_(kinds_.described()) {
   table_.set_feature_reader(feature_points);
+  table_.set_name_hint(profile_for_kind);
 }
 
 Result<void> KindRegistry::add(const KindsByRole& more, const std::string& plugin) {

@@ -7,6 +7,7 @@
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/planner_kinds.h"
+#include "skein/assemble/radio/radio_parts.h"
 #include "skein/base/result.h"
 #include "skein/scenario/kind_table.h"
 
@@ -18,7 +19,9 @@ namespace skein::assemble {
 ///                    [](const SmokeOptions& o, const AircraftContext& c) {
 ///                      return std::make_unique<SmokeSensor>(o, c.seed, c.self);
 ///                    });
-struct KindsByRole {
+///
+/// Those of RadioParts are named by radio files.
+struct KindsByRole : RadioParts {
   Kinds<Terrain, EnvironmentContext> terrain{"terrain"};
   Kinds<WindField, EnvironmentContext> wind{"wind"};
   Kinds<Turbulence, AircraftContext> turbulence{"turbulence"};

@@ -18,10 +18,8 @@
 #include "skein/assemble/ranges.h"
 #include "skein/assemble/routine_periods.h"
 #include "skein/assemble/team_setup.h"
-#include "skein/layer/communication/antenna/antenna_pattern.h"
 #include "skein/layer/communication/ideal_radio.h"
 #include "skein/layer/communication/medium_radio.h"
-#include "skein/layer/communication/propagation/path_loss.h"
 #include "skein/layer/communication/propagation/terrain_diffraction.h"
 #include "skein/link/modem/modem_parts.h"
 
@@ -58,7 +56,7 @@ struct MediumChoice {
   std::vector<ObstacleSection> obstacles;
   bool terrain = false;
   double terrain_step = 30;  // [m]
-  std::optional<communication::AntennaProfile> antenna, station_antenna;
+  std::optional<AntennaChoice> antenna, station_antenna;
   std::vector<AttackChoice> attacks;
   std::optional<AuthenticationChoice> authentication;
   std::optional<ModemChoice> modem;
@@ -104,39 +102,40 @@ Fields<MediumChoice> medium_fields() {
           "A real modem in the same medium: the messages of some entities go over it.");
 }
 
-Result<RadioFile> load(const MediumChoice& choice) {
-  return load_radio(choice.file.empty() ? choice.profile : choice.file, ".");
+Result<RadioFile> load(const MediumChoice& choice, const RadioParts& parts) {
+  return load_radio(choice.file.empty() ? choice.profile : choice.file, ".", parts);
 }
 
 // Signals of a run on their way.
 Result<std::unique_ptr<Propagation>> propagation_in_run(const MediumChoice& choice,
                                                         const RadioFile& file,
                                                         const RadioContext& context) {
-  auto profile = file.propagation;
+  RadioFile radio = file;
   for (const ObstacleSection& each : choice.obstacles)
-    profile.obstacles.push_back(obstacle_of(each));
-  const double frequency = file.radio.phy.frequency;
-  auto made = communication::make_propagation(profile, frequency, context.seed);
-  if (!choice.terrain) return made;
+    radio.propagation.section.obstacles.push_back(obstacle_of(each));
+  auto made = make_propagation(radio, context.seed, context.terrain);
+  if (!made || !choice.terrain) return made;
   if (!context.terrain)
     return Error{ErrorCode::kBadInput, "terrain", "there is no terrain here.", ""};
   return std::unique_ptr<Propagation>(std::make_unique<communication::TerrainDiffraction>(
-      std::move(made), *context.terrain, frequency, choice.terrain_step));
+      std::move(made).value(), *context.terrain, file.radio.phy.frequency,
+      choice.terrain_step));
 }
 
 // Antennas of all entities of a run.
-communication::NodeAntennas antennas_in_run(const MediumChoice& choice,
-                                            const RadioFile& file,
-                                            const RadioContext& context) {
-  const auto aircraft =
-      communication::make_antenna(choice.antenna.value_or(file.antenna));
+Result<communication::NodeAntennas> antennas_in_run(const MediumChoice& choice,
+                                                    const RadioFile& file,
+                                                    const RadioContext& context) {
+  const auto aircraft = make_antenna(file.parts, choice.antenna.value_or(file.antenna));
+  if (!aircraft) return aircraft.error();
   const auto station =
-      communication::make_antenna(choice.station_antenna.value_or(file.station_antenna));
+      make_antenna(file.parts, choice.station_antenna.value_or(file.station_antenna));
+  if (!station) return station.error();
   communication::NodeAntennas antennas;
-  if (!aircraft && !station) return antennas;
-  antennas.of.assign(context.entities, aircraft);
+  if (!aircraft.value() && !station.value()) return antennas;
+  antennas.of.assign(context.entities, aircraft.value());
   for (std::size_t k = 0; k < std::min(context.stations, context.entities); ++k)
-    antennas.of[k] = station;
+    antennas.of[k] = station.value();
   if (context.attitude)
     antennas.attitude = [attitude = context.attitude](communication::NodeIndex node,
                                                       Time) {
@@ -148,11 +147,12 @@ communication::NodeAntennas antennas_in_run(const MediumChoice& choice,
 // How far its frames are understood where nothing interferes and nothing stands in the
 // way [m]; 0: no limit.
 double range_of(const RadioFile& file) {
-  auto open = file.propagation;
-  open.obstacles.clear();
-  open.shadowing_db = 0;  // as far in all directions
-  const auto propagation =
-      communication::make_propagation(open, file.radio.phy.frequency, 0);
+  RadioFile open = file;
+  open.propagation.section.obstacles.clear();
+  open.propagation.section.shadowing_db = 0;  // as far in all directions
+  const auto made = make_propagation(open, 0);
+  if (!made) return 0;
+  const auto& propagation = made.value();
   const auto& phy = file.radio.phy;
   const double radiated = communication::watts(
       phy.transmit_power_dbm + phy.transmit_gain_db + phy.receive_gain_db);
@@ -203,19 +203,19 @@ const AuthenticationChoice* authentication_of(const scenario::Choice& radio) {
   return medium && medium->authentication ? &*medium->authentication : nullptr;
 }
 
-double radio_range(const scenario::Choice& radio) {
+double radio_range(const scenario::Choice& radio, const RadioParts& parts) {
   if (const auto* medium = std::any_cast<MediumChoice>(&radio.options)) {
-    const auto file = load(*medium);
+    const auto file = load(*medium, parts);
     return file ? range_of(file.value()) : 0;
   }
   const auto* ideal = std::any_cast<communication::IdealRadioOptions>(&radio.options);
   return ideal ? ideal->range : 0;
 }
 
-double shared_rate(const scenario::Choice& radio) {
+double shared_rate(const scenario::Choice& radio, const RadioParts& parts) {
   const auto* medium = std::any_cast<MediumChoice>(&radio.options);
   if (!medium) return 0;
-  const auto file = load(*medium);
+  const auto file = load(*medium, parts);
   if (!file) return 0;
   const auto& profile = file.value().radio;
   const bool shared = profile.mac.access != communication::AccessMethod::kDirect;
@@ -233,10 +233,12 @@ Kinds<Radio, RadioContext> radio_kinds() {
       "medium", "Messages fight for the air: carrier sense, collisions, queues, retries.",
       medium_fields(),
       [](const MediumChoice& o, const RadioContext& c) -> Result<std::unique_ptr<Radio>> {
-        const auto file = load(o);
+        const auto file = load(o, *c.kinds);
         if (!file) return file.error();
         auto propagation = propagation_in_run(o, file.value(), c);
         if (!propagation) return propagation.error();
+        auto antennas = antennas_in_run(o, file.value(), c);
+        if (!antennas) return antennas.error();
         communication::MediumRadioOptions options = o.radio;
         options.profile = file.value().radio;
         auto attacks = make_attacks(o.attacks, c, options.profile.mac);
@@ -261,8 +263,7 @@ Kinds<Radio, RadioContext> radio_kinds() {
         std::unique_ptr<Radio> medium = std::make_unique<communication::MediumRadio>(
             options, std::move(propagation).value(),
             communication::RadioNodes{c.entities, c.position, c.name,
-                                      antennas_in_run(o, file.value(), c),
-                                      reached_at(o, c)},
+                                      std::move(antennas).value(), reached_at(o, c)},
             c.seed, std::move(routing).value());
         if (!o.modem || !c.modem) return medium;
         return std::unique_ptr<Radio>(std::make_unique<modem::ModemRadio>(

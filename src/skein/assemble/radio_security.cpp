@@ -178,7 +178,7 @@ Fields<AttackChoice> attack_fields() {
       .number("altitude_agl_m", &T::altitude_agl, "Of its antenna above the ground.",
               kNotNegative)
       .number("power_dbm", &T::power_dbm, "Its transmit power.",
-              {.at_least = 0, .at_most = 80})
+              {.at_least = -100, .at_most = 80})
       .duration_s("at_s", &T::from, "When it begins.")
       .duration_s("until_s", &T::until, "When it ends; null: with the run.")
       .object("jammer", &T::jammer, jammer_fields(),

@@ -11,8 +11,9 @@ constexpr double kMaxQuery = 20, kMaxPlace = 5;  // [s]
 
 }  // namespace
 
-RoutinePeriods routine_periods(const scenario::Scenario& scenario) {
-  const double rate = shared_rate(scenario.radio);
+RoutinePeriods routine_periods(const scenario::Scenario& scenario,
+                               const RadioParts& parts) {
+  const double rate = shared_rate(scenario.radio, parts);
   if (rate <= 0) return {};
   double aircraft = 0;
   for (const scenario::AircraftGroup& group : scenario.aircraft) aircraft += group.count;

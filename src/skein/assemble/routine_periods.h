@@ -4,6 +4,8 @@
 
 namespace skein::assemble {
 
+struct RadioParts;
+
 /// How often aircraft say what they say again and again: the team's protocol and where
 /// they are.
 struct RoutinePeriods {
@@ -19,10 +21,12 @@ struct RoutinePeriods {
 /// scenarios/team-of-ten.yaml), the shared rate r and the share s = 0.2 of it that is for
 /// this: with 0.4 ten aircraft still fill the air of `xbee-digimesh`. Valid: all hear
 /// each other, and each takes part in both.
-RoutinePeriods routine_periods(const scenario::Scenario& scenario);
+/// @param parts  of radios
+RoutinePeriods routine_periods(const scenario::Scenario& scenario,
+                               const RadioParts& parts);
 
 /// What all radios together may send [bit/s]; 0: they share nothing, or it is not known
 /// of the kind.
-double shared_rate(const scenario::Choice& radio);
+double shared_rate(const scenario::Choice& radio, const RadioParts& parts);
 
 }  // namespace skein::assemble

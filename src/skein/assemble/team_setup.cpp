@@ -43,14 +43,15 @@ std::map<EntityId, std::string> members_of(const scenario::Scenario& scenario,
   return members;
 }
 
-TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station) {
+TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station,
+                       const RadioParts& parts) {
   const TeamSetup& setup = scenario.stations[station].team;
   const EntityId id{static_cast<std::uint32_t>(station)};
   TeamConfig config;
   config.times.query_period = setup.query_period ? setup.query_period->seconds()
-                                                 : routine_periods(scenario).query;
+                                                 : routine_periods(scenario, parts).query;
   config.times.mission_diameter = setup.diameter.value_or(0);
-  config.times.radio_range = radio_range(scenario.radio);
+  config.times.radio_range = radio_range(scenario.radio, parts);
   config.seed = scenario.seed;
   config.names = members_of(scenario, station);
   for (const auto& [member, name] : config.names) config.known.insert(member);
@@ -79,11 +80,11 @@ TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station) 
 
 std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
     const scenario::Scenario& scenario, std::size_t station,
-    const AircraftContext& context) {
+    const AircraftContext& context, const RadioParts& parts) {
   const TeamSetup& setup = scenario.stations[station].team;
   if (!leads_itself(setup)) return nullptr;
   auto options = std::make_shared<reasoning::OnboardTeamOptions>();
-  options->config = team_config(scenario, station);
+  options->config = team_config(scenario, station, parts);
   options->in_wind = is_in_wind(setup);
   options->cruise = context.limits.airspeed;
   std::uint32_t sensors = 0;
@@ -95,12 +96,13 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
 }
 
 std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
-    const scenario::Scenario& scenario, std::size_t station, const Vec3& place) {
+    const scenario::Scenario& scenario, std::size_t station, const Vec3& place,
+    const RadioParts& parts) {
   const TeamSetup& setup = scenario.stations[station].team;
   if (!leads_itself(setup)) return {};
   auto desk = std::make_shared<reasoning::TeamDesk>(
-      EntityId{static_cast<std::uint32_t>(station)}, team_config(scenario, station),
-      is_in_wind(setup), place);
+      EntityId{static_cast<std::uint32_t>(station)},
+      team_config(scenario, station, parts), is_in_wind(setup), place);
   return [desk] { return desk; };
 }
 

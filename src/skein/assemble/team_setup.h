@@ -11,21 +11,24 @@
 namespace skein::assemble {
 
 struct AircraftContext;
+struct RadioParts;
 
 /// How an aircraft takes part in the team of its station; null: that does not lead
 /// itself.
 /// @param context  with its sensors and limits.
+/// @param parts    of radios
 std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
     const scenario::Scenario& scenario, std::size_t station,
-    const AircraftContext& context);
+    const AircraftContext& context, const RadioParts& parts);
 
 /// Gives the desk of a station to each of its missions; none: its team does not lead
 /// itself.
 /// @param place  of the station, N [m].
 std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
-    const scenario::Scenario& scenario, std::size_t station, const Vec3& place);
+    const scenario::Scenario& scenario, std::size_t station, const Vec3& place,
+    const RadioParts& parts);
 
 /// Beyond which a radio's messages are lost [m]; 0: no limit, or not known of its kind.
-double radio_range(const scenario::Choice& radio);
+double radio_range(const scenario::Choice& radio, const RadioParts& parts);
 
 }  // namespace skein::assemble

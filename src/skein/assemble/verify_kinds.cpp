@@ -5,6 +5,8 @@
 #include <array>
 
 #include "skein/assemble/build.h"
+#include "skein/assemble/radio/radio_fields.h"
+#include "skein/assemble/radio/radio_file.h"
 #include "skein/geo/local_frame.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
@@ -12,12 +14,15 @@
 #include "skein/layer/reasoning/station/mission_control.h"
 #include "skein/layer/reasoning/team/onboard/team_desk.h"
 #include "skein/role/agent.h"
+#include "skein/role/antenna.h"
 #include "skein/role/autopilot.h"
+#include "skein/role/error_model.h"
 #include "skein/role/monitoring_strategy.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/perimeter_estimator.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/plant.h"
+#include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 #include "skein/role/routing.h"
 #include "skein/role/sensor.h"
@@ -263,6 +268,24 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
         Subject<Routing, RoutingContext>{
             all.routing, choice, {kSeed, contract::kRoutingEntities}},
         contract::routing_violations);
+  const RadioFile radio_file;
+  if (role == "propagation")
+    test(Subject<Propagation, PropagationContext>{all.propagation,
+                                                  choice,
+                                                  {kSeed, radio_file.radio.phy.frequency,
+                                                   radio_file.propagation.section,
+                                                   &ground_}},
+         contract::propagation_violations);
+  if (role == "antenna")
+    test(
+        Subject<Antenna, AntennaContext>{
+            all.antenna, choice, {radio_file.antenna.section}},
+        contract::antenna_violations);
+  if (role == "error-model")
+    test(
+        Subject<ErrorModel, ErrorModelContext>{all.error_model, choice,
+                                               error_model_context(radio_file.radio.phy)},
+        contract::error_model_violations);
   if (role == "estimator")
     test(
         Subject<PerimeterEstimator, EstimatorContext>{

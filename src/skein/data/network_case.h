@@ -35,7 +35,7 @@ struct TrafficItem {
 };
 
 /// A node that always has something to send: `depth` packets wait or are in service, and
-/// each that leaves is replaced at that instant.
+/// each that leaves, unless it was too long to be sent, is replaced at that instant.
 struct SaturatedFlow {
   std::uint32_t from = 0, to = 0;
   std::uint32_t bytes = 0, depth = 1;

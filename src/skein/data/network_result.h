@@ -16,6 +16,7 @@ enum class MessageFate : std::uint8_t {
   kQueueFull,   ///< refused at creation
   kRetryLimit,  ///< a unicast that was given up and never received
   kExpired,     ///< too old before it was sent
+  kTooLong,     ///< no slot of the radio holds it: never sent
   kOutOfRange,  ///< of a broadcast: too weak at this receiver
   /// Of a broadcast: strong enough and not received. Of a unicast that nobody
   /// acknowledges: not received.

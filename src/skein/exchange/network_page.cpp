@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPlotWidth = 560, kPlotHeight = 240;  // [px]
 constexpr double kLeft = 58, kBottom = 34, kTop = 12, kRight = 12;
-constexpr std::size_t kMostMatrixNodes = 60, kMostMapNodes = 500, kMostBars = 100;
+constexpr std::size_t kMaxMatrixNodes = 60, kMaxMapNodes = 500, kMaxBars = 100;
 
 constexpr const char* kNetworkStyle = R"(
 :root{color-scheme:light dark;--paper:#fff;--ink:#1b1f24;--faint:#69727d;--line:#d5dae0;
@@ -154,7 +154,7 @@ std::string airtime_part(const NetworkCase& network, const NetworkResult& result
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return result.nodes[a].airtime > result.nodes[b].airtime;
   });
-  const std::size_t shown = std::min(order.size(), kMostBars);
+  const std::size_t shown = std::min(order.size(), kMaxBars);
   const double duration = std::max(1e-9, network.duration.seconds());
   const double most =
       shown == 0 ? 1 : 100 * result.nodes[order[0]].airtime.seconds() / duration;
@@ -167,13 +167,15 @@ std::string airtime_part(const NetworkCase& network, const NetworkResult& result
     busiest +=
         fmt::format("{}node {}: {:.2f} %", i == 0 ? "" : ", ", network.names[order[i]],
                     100 * result.nodes[order[i]].airtime.seconds() / duration);
+  if (shown < order.size())
+    busiest += fmt::format("; shown are the busiest {} of {}", shown, order.size());
   return part("Time on the air", plot.finish() + "<p>" + busiest + "</p>");
 }
 
 std::string map_part(const NetworkCase& network, const NetworkResult& result) {
-  if (network.nodes.size() > kMostMapNodes)
+  if (network.nodes.size() > kMaxMapNodes)
     return part("Who hears whom",
-                fmt::format("<p>Shown for at most {} nodes.</p>", kMostMapNodes));
+                fmt::format("<p>Shown for at most {} nodes.</p>", kMaxMapNodes));
   std::vector<Point> places;
   Point low{1e300, 1e300}, high{-1e300, -1e300};
   for (const NodeTrack& node : network.nodes) {
@@ -196,7 +198,7 @@ std::string map_part(const NetworkCase& network, const NetworkResult& result) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     text += fmt::format("<circle class=\"node\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"/>",
                         places[i].x, places[i].y);
-    if (places.size() <= kMostMatrixNodes)
+    if (places.size() <= kMaxMatrixNodes)
       text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", places[i].x + 6,
                           places[i].y - 5, network.names[i]);
   }
@@ -205,7 +207,10 @@ std::string map_part(const NetworkCase& network, const NetworkResult& result) {
 
 std::string matrix_part(const NetworkCase& network, const NetworkResult& result) {
   const std::size_t count = network.nodes.size();
-  if (count > kMostMatrixNodes) return {};
+  constexpr const char* kTitle = "Received of what was sent from one to the other [%]";
+  if (count > kMaxMatrixNodes)
+    return part(kTitle,
+                fmt::format("<p>Shown for at most {} nodes.</p>", kMaxMatrixNodes));
   std::vector<std::uint64_t> received(count * count), wanted(count * count);
   for (const NetworkMessage& message : result.messages) {
     if (message.to != kAllNodesOfCase) {
@@ -234,9 +239,8 @@ std::string matrix_part(const NetworkCase& network, const NetworkResult& result)
     }
     text += "</tr>";
   }
-  return part(
-      "Received of what was sent from one to the other [%]",
-      "<p>Broadcasts count at those in range.</p>" + text + "</tbody></table></div>");
+  return part(kTitle, "<p>Broadcasts count at those in range.</p>" + text +
+                          "</tbody></table></div>");
 }
 
 }  // namespace
@@ -258,8 +262,11 @@ std::string network_page(const std::string& title, const NetworkCase& network,
   fact("simulated", fmt::format("{:.6g} s", network.duration.seconds()));
   fact("unicasts", fmt::format("{} of {}", summary.delivered, summary.sent));
   fact("lost", fmt::format("{:.3f} %", 100 * summary.loss_ratio));
-  fact("mean delay", fmt::format("{:.3f} ms", 1e3 * summary.mean_delay));
-  fact("95 % within", fmt::format("{:.3f} ms", 1e3 * summary.delay_quantile(0.95)));
+  const auto delay = [&](double seconds) {
+    return summary.delays.empty() ? "-" : fmt::format("{:.3f} ms", 1e3 * seconds);
+  };
+  fact("mean delay", delay(summary.mean_delay));
+  fact("95 % within", delay(summary.delay_quantile(0.95)));
   fact("goodput", fmt::format("{:.1f} kbit/s", summary.goodput_bps / 1e3));
   fact("broadcasts received",
        fmt::format("{} of {} in range", summary.broadcast_receptions,

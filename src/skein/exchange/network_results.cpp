@@ -22,6 +22,8 @@ std::string_view word_of(MessageFate fate) {
       return "retry-limit";
     case MessageFate::kExpired:
       return "expired";
+    case MessageFate::kTooLong:
+      return "too-long";
     case MessageFate::kOutOfRange:
       return "out-of-range";
     case MessageFate::kLost:
@@ -50,6 +52,10 @@ void count_unicast(const NetworkMessage& message, NetworkSummary& summary) {
     case MessageFate::kPending:
       ++summary.pending;
       break;
+    case MessageFate::kTooLong:
+      ++summary.too_long;
+      ++summary.given_up;
+      break;
     default:
       ++summary.given_up;
   }
@@ -58,6 +64,7 @@ void count_unicast(const NetworkMessage& message, NetworkSummary& summary) {
 }
 
 void count_broadcast(const NetworkMessage& message, NetworkSummary& summary) {
+  if (message.fate == MessageFate::kTooLong) ++summary.too_long;
   if (message.fate != MessageFate::kDelivered) return;
   ++summary.broadcasts;
   for (const BroadcastReception& each : message.in_range)
@@ -114,13 +121,19 @@ std::string network_summary_text(const NetworkSummary& s) {
       "unicast     {} sent, {} delivered, {} refused by a full queue, {} given "
       "up, {} too old, {} pending\n",
       s.sent, s.delivered, s.queue_full, s.given_up, s.expired, s.pending);
+  if (s.too_long > 0)
+    fmt::format_to(out, "too long    {} messages, broadcasts too: no slot holds them\n",
+                   s.too_long);
   fmt::format_to(out, "loss        {:.3f} %\n", 100 * s.loss_ratio);
-  fmt::format_to(out,
-                 "delay       mean {:.4f} ms, median {:.4f}, 95 % {:.4f}, 99 % {:.4f}, "
-                 "longest {:.4f}\n",
-                 1e3 * s.mean_delay, 1e3 * s.delay_quantile(0.5),
-                 1e3 * s.delay_quantile(0.95), 1e3 * s.delay_quantile(0.99),
-                 1e3 * s.delay_quantile(1));
+  if (s.delays.empty())
+    text += "delay       -\n";
+  else
+    fmt::format_to(out,
+                   "delay       mean {:.4f} ms, median {:.4f}, 95 % {:.4f}, 99 % {:.4f}, "
+                   "longest {:.4f}\n",
+                   1e3 * s.mean_delay, 1e3 * s.delay_quantile(0.5),
+                   1e3 * s.delay_quantile(0.95), 1e3 * s.delay_quantile(0.99),
+                   1e3 * s.delay_quantile(1));
   fmt::format_to(out, "goodput     {:.3f} kbit/s\n", s.goodput_bps / 1e3);
   fmt::format_to(out, "broadcast   {} sent, {} received, {} lost in range\n",
                  s.broadcasts, s.broadcast_receptions, s.broadcast_losses);

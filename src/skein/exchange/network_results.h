@@ -16,6 +16,7 @@ namespace skein::exchange {
 struct NetworkSummary {
   std::uint64_t sent = 0;  ///< unicasts
   std::uint64_t delivered = 0, queue_full = 0, given_up = 0, expired = 0, pending = 0;
+  std::uint64_t too_long = 0;    ///< never sent: unicasts given up so, and broadcasts
   double loss_ratio = 0;         ///< of those that are not pending
   double goodput_bps = 0;        ///< payload of unicasts received
   std::vector<double> delays;    ///< from creation to first reception [s], rising

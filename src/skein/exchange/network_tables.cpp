@@ -88,17 +88,20 @@ class Ns2Reader {
     if (words.empty() || words[0].starts_with('#')) return {};
     const auto wrong = [&](std::string_view message) {
       return Error{ErrorCode::kBadInput, here, std::string(message),
-                   "Known are $node_(N) set X_ m, Y_ and Z_, and $ns_ at T \"$node_(N) "
-                   "setdest X Y SPEED\"."};
+                   "Known are $node_(N) set X_ m, Y_ and Z_, the same and setdest X Y "
+                   "SPEED as $ns_ at T \"$node_(N) ...\", and $god_, which is skipped."};
     };
     const bool timed = words[0] == "ns_";
     const std::size_t at = timed ? 3 : 0;
+    // Distances in hops, which setdest computes and which follow from the places.
+    if (words.size() > at && words[at] == "god_") return {};
     if (words.size() <= at + 2 || words[at] != "node_" || (timed && words[1] != "at"))
       return wrong("this line is not understood.");
     const auto node = node_number(words[at + 1]);
     if (!node) return wrong("the number of the node is none.");
     if (nodes_.size() >= kMaxNodes && !nodes_.contains(*node))
       return wrong("there are too many nodes.");
+    if (timed && words[5] == "set") return jump(words, *node, wrong);
     if (timed) return set_destination(words, *node, wrong);
     return set_place(words, *node, wrong);
   }
@@ -119,18 +122,56 @@ class Ns2Reader {
   Result<void> set_place(const std::vector<std::string_view>& words, std::uint32_t node,
                          const Wrong& wrong) {
     if (words.size() != 5 || words[2] != "set") return wrong("this is not understood.");
-    const auto value = within(words[4], -kMaxNodePlace, kMaxNodePlace);
-    if (!value) return wrong("the coordinate is no number of metres.");
-    Vec3& place = moving(node).track.points.front().place;
-    if (words[3] == "X_")
-      place.x() = *value;
-    else if (words[3] == "Y_")
-      place.y() = *value;
-    else if (words[3] == "Z_")
-      place.z() = -*value;
-    else
-      return wrong("a coordinate is X_, Y_ or Z_.");
+    const auto set = coordinate(words[3], words[4], wrong);
+    if (!set) return set.error();
+    moving(node).track.points.front().place[set.value().axis] = set.value().value;
     return {};
+  }
+
+  // The node is elsewhere from one nanosecond to the next. A movement that is under way
+  // goes on at another height, and ends where X_ or Y_ are set.
+  template <class Wrong>
+  Result<void> jump(const std::vector<std::string_view>& words, std::uint32_t node,
+                    const Wrong& wrong) {
+    if (words.size() != 8) return wrong("this is not understood.");
+    const auto time = within(words[2], 0, kMaxNetworkTime);
+    if (!time) return wrong("the time is no number of seconds.");
+    const auto set = coordinate(words[6], words[7], wrong);
+    if (!set) return set.error();
+    const auto [axis, value] = set.value();
+    Moving& moved = moving(node);
+    auto& points = moved.track.points;
+    const Time now = Time::from_seconds(*time);
+    if (now < points.back().time)
+      return wrong("movements of a node are in order of time.");
+    auto arrival = moved.arrival;
+    settle(moved, now);
+    if (const Time before = now - Time::from_ns(1);
+        points.size() > 1 && points[points.size() - 2].time < before)
+      points.insert(points.end() - 1, {before, points.back().place});
+    points.back().place[axis] = value;
+    if (axis == 2 && arrival && now < arrival->time) {
+      arrival->place[axis] = value;
+      moved.arrival = arrival;
+    }
+    return {};
+  }
+
+  struct Coordinate {
+    int axis;
+    double value;  // in N
+  };
+
+  template <class Wrong>
+  static Result<Coordinate> coordinate(std::string_view name, std::string_view number,
+                                       const Wrong& wrong) {
+    constexpr std::array<std::string_view, 3> kNames = {"X_", "Y_", "Z_"};
+    const auto at = std::ranges::find(kNames, name);
+    if (at == kNames.end()) return wrong("a coordinate is X_, Y_ or Z_.");
+    const auto value = within(number, -kMaxNodePlace, kMaxNodePlace);
+    if (!value) return wrong("the coordinate is no number of metres.");
+    const auto axis = static_cast<int>(at - kNames.begin());
+    return Coordinate{axis, axis == 2 ? -*value : *value};
   }
 
   template <class Wrong>

@@ -18,9 +18,10 @@ namespace skein::exchange {
 Result<void> read_network_nodes(std::string_view text, const std::string& place,
                                 NetworkCase& network);
 
-/// The same of an ns-2 movement file: `$node_(N) set X_ m` (Y_, Z_), and
-/// `$ns_ at T "$node_(N) setdest X Y SPEED"`; other lines are refused, comments (#) and
-/// blank ones are not.
+/// The same of an ns-2 movement file, as its `setdest` writes them: `$node_(N) set X_ m`
+/// (Y_, Z_), `$ns_ at T "$node_(N) setdest X Y SPEED"`, and `$ns_ at T "$node_(N) set X_
+/// m"`, which is a jump at T. Comments (#), blank lines and those of `$god_` are skipped,
+/// others refused.
 Result<void> read_ns2_movement(std::string_view text, const std::string& place,
                                NetworkCase& network);
 

@@ -14,7 +14,8 @@ class Propagation {
   /// Power at `to` of a signal sent at `from`, both in N [m].
   ///
   /// @param radiated  power times the gains of both antennas [W], above 0
-  /// @returns  [W], at least 0; never above `radiated`
+  /// @returns  [W], at least 0; never above `radiated`; the same in both directions but
+  ///           for roundings
   virtual double received(double radiated, const Vec3& from, const Vec3& to) const = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -47,6 +48,14 @@ class KindTable {
   const FeatureReader& feature_reader() const { return feature_reader_; }
   void set_feature_reader(FeatureReader reader) { feature_reader_ = std::move(reader); }
 
+  /// What somebody may have meant who names a kind of a role that there is not; "":
+  /// nobody knows.
+  using NameHint = std::function<std::string(std::string_view role, std::string_view)>;
+  std::string name_hint(std::string_view role, std::string_view name) const {
+    return name_hint_ ? name_hint_(role, name) : "";
+  }
+  void set_name_hint(NameHint hint) { name_hint_ = std::move(hint); }
+
   /// The kinds of a role, in the order of adding; none for an unknown role.
   const std::vector<Kind>& of(std::string_view role) const;
   /// Null when there is none.
@@ -59,6 +68,7 @@ class KindTable {
 
   std::map<std::string, std::vector<Kind>, std::less<>> kinds_;
   FeatureReader feature_reader_;
+  NameHint name_hint_;
 };
 
 /// A kind as a scenario has it that says nothing but its name. It must exist.

@@ -212,6 +212,8 @@ const Kind* Reader::kind_named(const ChoiceType& type, const Node& name) {
   if (kind) return kind;
   const std::string near = problems_.full() ? "" : nearest_name(name.text, names);
   std::string hint = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
+  if (const std::string known = kinds_.name_hint(type.role, name.text); !known.empty())
+    hint = known + " ";
   hint += names.empty() ? "There is none yet." : fmt::format("Kinds: {}.", any_of(names));
   error(name.place, fmt::format("unknown kind of {}: {}.", type.role, quote(name.text)),
         hint);

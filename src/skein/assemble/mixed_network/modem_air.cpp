@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "skein/layer/communication/medium_radio.h"
-#include "skein/layer/communication/propagation/path_loss.h"
 #include "skein/link/modem/datagram.h"
 
 namespace skein::assemble {
@@ -23,8 +22,7 @@ std::unique_ptr<Radio> standing_radio(const RadioFile& radio, std::vector<Vec3> 
     return places.at(id.value);
   };
   return std::make_unique<communication::MediumRadio>(
-      options,
-      communication::make_propagation(radio.propagation, radio.radio.phy.frequency, seed),
+      options, make_propagation(radio, seed).value(),
       communication::RadioNodes{count, place,
                                 [](EntityId id) { return std::to_string(id.value); }},
       seed);

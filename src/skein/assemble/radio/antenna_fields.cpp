@@ -10,7 +10,6 @@
 namespace skein::assemble {
 namespace {
 
-using communication::AntennaModel;
 using communication::AntennaProfile;
 using scenario::Range;
 using scenario::RuleViolation;
@@ -24,7 +23,8 @@ bool is_growing(const std::vector<double>& axis) {
          axis.end();
 }
 
-std::vector<RuleViolation> antenna_errors(const AntennaProfile& antenna) {
+std::vector<RuleViolation> antenna_errors(const AntennaChoice& choice) {
+  const AntennaProfile& antenna = choice.section;
   std::vector<RuleViolation> found;
   if (antenna.shadow_edge > 2 * antenna.shadow_half_width)
     found.push_back({"shadow_edge_deg", "must be at most twice shadow_half_width_deg."});
@@ -32,7 +32,7 @@ std::vector<RuleViolation> antenna_errors(const AntennaProfile& antenna) {
                                   std::pair("elevations_deg", &antenna.elevations)}) {
     if (!is_growing(*axis))
       found.push_back({key, "must grow from one to the next."});
-    else if (antenna.model == AntennaModel::kTable && axis->empty())
+    else if (choice.model.kind == "table" && axis->empty())
       found.push_back({key, "must not be empty: the model is a table."});
   }
   if (antenna.gains_db.size() != antenna.elevations.size())
@@ -54,39 +54,39 @@ std::vector<RuleViolation> antenna_errors(const AntennaProfile& antenna) {
 
 }  // namespace
 
-scenario::Fields<AntennaProfile> antenna_fields() {
-  using T = AntennaProfile;
+scenario::Fields<AntennaChoice> antenna_fields() {
+  using T = AntennaChoice;
+  const auto in = [](auto member) {
+    return [member](T & t) -> auto& {
+      return t.section.*member;
+    };
+  };
   return scenario::Fields<T>()
-      .word("model", &T::model,
-            "In which directions it sends and receives, beside the nominal gains.",
-            {{"isotropic", AntennaModel::kIsotropic, "in all alike"},
-             {"dipole", AntennaModel::kDipole, "a half-wave dipole, upright in the body"},
-             {"shadowed-by-body", AntennaModel::kShadowedByBody,
-              "in all but those in which airframe and motor are in the way"},
-             {"table", AntennaModel::kTable, "by a table over azimuth and elevation"}})
-      .number("min_gain_db", &T::min_gain_db, "Of `dipole`: along its rod.",
-              {.at_least = -100, .at_most = 0})
-      .angle_deg("shadow_azimuth_deg", &T::shadow_azimuth,
+      .kind("model", &T::model, "antenna",
+            "In which directions it sends and receives, beside the nominal gains.")
+      .number("min_gain_db", in(&AntennaProfile::min_gain_db),
+              "Of `dipole`: along its rod.", {.at_least = -100, .at_most = 0})
+      .angle_deg("shadow_azimuth_deg", in(&AntennaProfile::shadow_azimuth),
                  "Of `shadowed-by-body`: where the body is as the antenna sees it, from "
                  "forward to the right.")
-      .angle_deg("shadow_elevation_deg", &T::shadow_elevation,
+      .angle_deg("shadow_elevation_deg", in(&AntennaProfile::shadow_elevation),
                  "The same, from the body's horizon up.", kElevation)
-      .angle_deg("shadow_half_width_deg", &T::shadow_half_width,
+      .angle_deg("shadow_half_width_deg", in(&AntennaProfile::shadow_half_width),
                  "From the middle of the body to where half of the decibels are lost.",
                  {.at_least = 0.5, .at_most = 180})
-      .angle_deg("shadow_edge_deg", &T::shadow_edge,
+      .angle_deg("shadow_edge_deg", in(&AntennaProfile::shadow_edge),
                  "Over which the loss goes from none to all.",
                  {.at_least = 0.1, .at_most = 180})
-      .number("shadow_depth_db", &T::shadow_depth_db, "That are lost behind the body.",
-              {.at_least = 0, .at_most = 100})
-      .angle_deg("azimuths_deg", &T::azimuths,
+      .number("shadow_depth_db", in(&AntennaProfile::shadow_depth_db),
+              "That are lost behind the body.", {.at_least = 0, .at_most = 100})
+      .angle_deg("azimuths_deg", in(&AntennaProfile::azimuths),
                  "Of `table`: of its columns, growing; they go round.", kAzimuth)
       .items({.at_most = kMaxAxis})
-      .angle_deg("elevations_deg", &T::elevations,
+      .angle_deg("elevations_deg", in(&AntennaProfile::elevations),
                  "Of `table`: of its rows, growing. Beyond them the nearest holds.",
                  kElevation)
       .items({.at_most = kMaxAxis})
-      .number("gains_db", &T::gains_db,
+      .number("gains_db", in(&AntennaProfile::gains_db),
               "Of `table`: rows, a gain for each azimuth in each.",
               {.at_least = -100, .at_most = 100})
       .items({.at_most = kMaxAxis})

@@ -6,17 +6,16 @@
 #include <charconv>
 #include <cmath>
 
+#include "skein/base/math.h"
 #include "skein/scenario/numbers.h"
 
 namespace skein::assemble {
 namespace {
 
 using communication::AccessMethod;
-using communication::ErrorModel;
 using communication::MacProfile;
 using communication::PacketError;
 using communication::PhyProfile;
-using communication::PropagationModel;
 using communication::PropagationProfile;
 using scenario::Fields;
 using scenario::Range;
@@ -48,6 +47,10 @@ std::optional<double> lifetime_in(const std::string& text) {
   if (!seconds || !(*seconds >= kMinLifetime && *seconds <= kMaxLifetime))
     return std::nullopt;
   return seconds;
+}
+
+scenario::Word<AccessMethod> word_of(const AccessWord& access) {
+  return {access.name, access.method, access.help};
 }
 
 }  // namespace
@@ -89,11 +92,9 @@ Fields<PhySection> phy_fields() {
               {.at_least = 0.001, .at_most = 1e5})
       .number("lock_sinr_db", in(&PhyProfile::lock_sinr_db),
               "Least ratio of signal to noise and interference at that moment.", kGain)
-      .word("error_model", in(&PhyProfile::error_model),
-            "How bit errors follow from that ratio.",
-            {{"dsss-2", ErrorModel::kDsss2, "IEEE 802.11b DSSS, 2 Mbit/s"},
-             {"threshold", ErrorModel::kThreshold,
-              "none at `lock_sinr_db` and above, all lost below"}})
+      .kind(
+          "error_model", &T::error_model, "error-model",
+          "How errors follow from that ratio, by the modulation. It goes with the rate.")
       .word("packet_error", in(&PhyProfile::packet_error),
             "What becomes of a frame with a packet error ratio between 0 and 1.",
             {{"random", PacketError::kRandom, "lost with that probability"},
@@ -119,14 +120,7 @@ Fields<PropagationSection> propagation_fields() {
     };
   };
   return Fields<T>()
-      .word("model", in(&PropagationProfile::model),
-            "How signals get weaker on their way.",
-            {{"free-space", PropagationModel::kFreeSpace, "with the distance squared"},
-             {"fixed", PropagationModel::kFixed, "all arrive with `received_power_dbm`"},
-             {"log-distance", PropagationModel::kLogDistance,
-              "with the distance to the power of `exponent`, and shadowing"},
-             {"two-ray", PropagationModel::kTwoRay,
-              "free space nearby, over flat ground with the distance to the fourth"}})
+      .kind("model", &T::model, "propagation", "How signals get weaker on their way.")
       .number("received_power_dbm", in(&PropagationProfile::received_power_dbm),
               "Of `fixed`.", kLevel)
       .number("exponent", in(&PropagationProfile::exponent), "Of `log-distance`.",
@@ -156,11 +150,9 @@ Fields<MacSection> mac_fields() {
     };
   };
   return Fields<T>()
-      .word("access", in(&MacProfile::access), "How nodes share the medium.",
-            {{"dcf", AccessMethod::kDcf, "carrier sense and back-off, as IEEE 802.11"},
-             {"tdma", AccessMethod::kTdma, "a slot for each node, in turn"},
-             {"direct", AccessMethod::kDirect,
-              "a line for each node, as by satellite or cell: nothing to share"}})
+      .word(
+          "access", in(&MacProfile::access), "How nodes share the medium.",
+          {word_of(kAccessWords[0]), word_of(kAccessWords[1]), word_of(kAccessWords[2])})
       .number("slot_us", &T::slot_us,
               "A slot of the back-off; with `tdma` that a node sends in.", kMicroseconds)
       .number("sifs_us", &T::sifs_us, "Before an answer.", kMicroseconds)
@@ -251,10 +243,14 @@ PhyProfile phy_of(const PhySection& section) {
   return phy;
 }
 
-PropagationProfile propagation_of(const PropagationSection& section) {
-  PropagationProfile propagation = section.propagation;
+ErrorModelContext error_model_context(const PhyProfile& phy) {
+  return {phy.rate, math::pow(10, phy.lock_sinr_db / 10), phy.noise_bandwidth};
+}
+
+PropagationChoice propagation_of(const PropagationSection& section) {
+  PropagationChoice propagation{section.model, section.propagation};
   for (const ObstacleSection& each : section.obstacles)
-    propagation.obstacles.push_back(obstacle_of(each));
+    propagation.section.obstacles.push_back(obstacle_of(each));
   return propagation;
 }
 
@@ -271,14 +267,14 @@ MacProfile mac_of(const MacSection& section) {
   return mac;
 }
 
-PhySection section_of(const PhyProfile& phy) {
-  return {phy, in_us(phy.preamble_header), in_us(phy.lock_window)};
+PhySection section_of(const PhyProfile& phy, const scenario::Choice& error_model) {
+  return {phy, error_model, in_us(phy.preamble_header), in_us(phy.lock_window)};
 }
 
-PropagationSection section_of(const PropagationProfile& propagation) {
-  PropagationSection section{propagation, {}};
+PropagationSection section_of(const PropagationChoice& propagation) {
+  PropagationSection section{propagation.model, propagation.section, {}};
   section.propagation.obstacles.clear();
-  for (const communication::Obstacle& each : propagation.obstacles)
+  for (const communication::Obstacle& each : propagation.section.obstacles)
     section.obstacles.push_back(section_of(each));
   return section;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/assemble/radio/obstacle_fields.h"
+#include "skein/assemble/radio/radio_parts.h"
 #include "skein/layer/communication/medium/radio_profile.h"
 #include "skein/layer/communication/propagation/propagation_profile.h"
 #include "skein/scenario/fields.h"
@@ -14,12 +16,14 @@ namespace skein::assemble {
 // The sections of a radio file as they are written.
 
 struct PhySection {
-  communication::PhyProfile phy;
+  communication::PhyProfile phy;  // without the error model
+  scenario::Choice error_model{"dsss-2"};
   double preamble_header_us = 192;
   double lock_window_us = 4;
 };
 
 struct PropagationSection {
+  scenario::Choice model{"free-space"};
   communication::PropagationProfile propagation;  // without the obstacles
   std::vector<ObstacleSection> obstacles;
 };
@@ -31,15 +35,30 @@ struct MacSection {
   std::string queue_lifetime_s = "none";  // or a number
 };
 
+/// A word of `mac.access`.
+struct AccessWord {
+  const char* name;
+  communication::AccessMethod method;
+  const char* help;
+};
+inline constexpr std::array<AccessWord, 3> kAccessWords = {
+    {{"dcf", communication::AccessMethod::kDcf,
+      "carrier sense and back-off, as IEEE 802.11; half-duplex modems too"},
+     {"tdma", communication::AccessMethod::kTdma, "a slot for each node, in turn"},
+     {"direct", communication::AccessMethod::kDirect,
+      "a line for each node, as by satellite or cell: nothing to share"}}};
+
 scenario::Fields<PhySection> phy_fields();
 scenario::Fields<PropagationSection> propagation_fields();
 scenario::Fields<MacSection> mac_fields();
 
 communication::PhyProfile phy_of(const PhySection& section);
-communication::PropagationProfile propagation_of(const PropagationSection& section);
+PropagationChoice propagation_of(const PropagationSection& section);
 communication::MacProfile mac_of(const MacSection& section);
-PhySection section_of(const communication::PhyProfile& phy);
-PropagationSection section_of(const communication::PropagationProfile& propagation);
+ErrorModelContext error_model_context(const communication::PhyProfile& phy);
+PhySection section_of(const communication::PhyProfile& phy,
+                      const scenario::Choice& error_model);
+PropagationSection section_of(const PropagationChoice& propagation);
 MacSection section_of(const communication::MacProfile& mac);
 
 }  // namespace skein::assemble

@@ -20,7 +20,7 @@ struct RadioSections {
   PhySection phy;
   PropagationSection propagation;
   MacSection mac;
-  communication::AntennaProfile antenna, station_antenna;
+  AntennaChoice antenna, station_antenna;
 };
 
 scenario::Fields<RadioSections> radio_section_fields() {
@@ -48,6 +48,12 @@ scenario::Fields<RadioSections> radio_section_fields() {
                                "phy.preamble_header_us are {} us together.",
                                least);
             })
+      .rule("phy.rate_bps",
+            [](const T& t) -> std::string {
+              // A line has no bit errors.
+              if (t.mac.mac.access == communication::AccessMethod::kDirect) return "";
+              return rate_violation(t.phy.error_model, error_model_context(t.phy.phy));
+            })
       .rule("mac.part_bytes", [](const T& t) -> std::string {
         if (t.mac.mac.access != communication::AccessMethod::kTdma) return "";
         const double bytes =
@@ -61,18 +67,35 @@ scenario::Fields<RadioSections> radio_section_fields() {
 }
 
 Result<RadioFile> outcome(const scenario::Reading& reading, const RadioSections& file,
-                          const std::string& name) {
+                          const std::string& name, const RadioParts& parts) {
   if (!reading.ok()) {
     std::string report = reading.report();
     report.pop_back();  // the last line feed
     return Error{ErrorCode::kBadInput, "", std::move(report), ""};
   }
-  return RadioFile{.name = file.name.empty() ? name : file.name,
-                   .description = file.description,
-                   .radio = {phy_of(file.phy), mac_of(file.mac)},
-                   .propagation = propagation_of(file.propagation),
-                   .antenna = file.antenna,
-                   .station_antenna = file.station_antenna};
+  RadioFile radio{.parts = parts,
+                  .name = file.name.empty() ? name : file.name,
+                  .description = file.description,
+                  .radio = {phy_of(file.phy), mac_of(file.mac)},
+                  .error_model = file.phy.error_model,
+                  .propagation = propagation_of(file.propagation),
+                  .antenna = file.antenna,
+                  .station_antenna = file.station_antenna};
+  const auto refusal = [&name](const char* key, const Error& error) {
+    return Error{ErrorCode::kBadInput, fmt::format("{}: {}", name, key), error.message,
+                 error.hint};
+  };
+  auto errors =
+      parts.error_model.make(radio.error_model, error_model_context(radio.radio.phy));
+  if (!errors) return refusal("phy.error_model", errors.error());
+  radio.radio.phy.error_model = std::move(errors).value();
+  if (const auto made = make_propagation(radio, 0); !made)
+    return refusal("propagation.model", made.error());
+  if (const auto made = make_antenna(parts, radio.antenna); !made)
+    return refusal("antenna.model", made.error());
+  if (const auto made = make_antenna(parts, radio.station_antenna); !made)
+    return refusal("station_antenna.model", made.error());
+  return radio;
 }
 
 }  // namespace
@@ -90,25 +113,27 @@ const scenario::Document& radio_document() {
   return document;
 }
 
-Result<RadioFile> read_radio(std::string_view text, const std::string& name) {
+Result<RadioFile> read_radio(std::string_view text, const std::string& name,
+                             const RadioParts& parts) {
   RadioSections file;
   const auto reading = scenario::read_document_text(text, name, {}, radio_document(),
-                                                    scenario::KindTable{}, {}, &file);
-  return outcome(reading, file, name);
+                                                    radio_table(parts), {}, &file);
+  return outcome(reading, file, name, parts);
 }
 
 Result<RadioFile> load_radio(const std::string& name_or_path,
-                             const std::filesystem::path& folder) {
+                             const std::filesystem::path& folder,
+                             const RadioParts& parts) {
   if (name_or_path.ends_with(".yaml") || name_or_path.ends_with(".yml")) {
     RadioSections file;
     const auto path = folder / name_or_path;
     const auto reading =
-        scenario::read_document(path, radio_document(), scenario::KindTable{}, {}, &file);
-    return outcome(reading, file, path.stem().string());
+        scenario::read_document(path, radio_document(), radio_table(parts), {}, &file);
+    return outcome(reading, file, path.stem().string(), parts);
   }
   std::vector<std::string> names;
   for (const BuiltInRadio& each : built_in_radios()) {
-    if (each.name == name_or_path) return read_radio(each.text, name_or_path);
+    if (each.name == name_or_path) return read_radio(each.text, name_or_path, parts);
     names.emplace_back(each.name);
   }
   const std::string near = scenario::nearest_name(name_or_path, names);
@@ -123,12 +148,19 @@ std::string write_radio(const RadioFile& radio) {
   RadioSections file;
   file.name = radio.name;
   file.description = radio.description;
-  file.phy = section_of(radio.radio.phy);
+  file.phy = section_of(radio.radio.phy, radio.error_model);
   file.propagation = section_of(radio.propagation);
   file.antenna = radio.antenna;
   file.station_antenna = radio.station_antenna;
   file.mac = section_of(radio.radio.mac);
-  return scenario::write_document(radio_document(), &file, scenario::KindTable{});
+  return scenario::write_document(radio_document(), &file, radio_table(radio.parts));
+}
+
+Result<std::unique_ptr<Propagation>> make_propagation(const RadioFile& radio,
+                                                      std::uint64_t seed,
+                                                      const Terrain* ground) {
+  return make_propagation(radio.parts, radio.propagation, radio.radio.phy.frequency, seed,
+                          ground);
 }
 
 }  // namespace skein::assemble

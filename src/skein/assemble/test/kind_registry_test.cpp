@@ -9,6 +9,8 @@
 #include "skein/assemble/build.h"
 #include "skein/assemble/interface_version.h"
 #include "skein/assemble/load_plugin.h"
+#include "skein/assemble/radio/radio_file.h"
+#include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 #include "skein/role/routing.h"
 #include "skein/scenario/scenario_file.h"
@@ -112,6 +114,54 @@ TEST(KindRegistry, APluginsRoutingMustFitIntoTheRadiosParts) {
   };
   EXPECT_EQ(built(100), "");
   EXPECT_NE(built(246).find("250"), std::string::npos) << built(246);
+}
+
+struct WallOptions {
+  double east = 0;
+};
+
+// Nothing passes a line from north to south.
+class WallPropagation final : public Propagation {
+ public:
+  explicit WallPropagation(double east) : east_(east) {}
+  double received(double radiated, const Vec3& from, const Vec3& to) const override {
+    return (from.y() < east_) == (to.y() < east_) ? radiated : 0;
+  }
+
+ private:
+  double east_;
+};
+
+TEST(KindRegistry, RadioFilesNameAPluginsParts) {
+  KindsByRole more;
+  more.propagation.add(
+      "wall", "Wall.",
+      scenario::Fields<WallOptions>().number("east_m", &WallOptions::east, "Where.", {}),
+      [](const WallOptions& o, const PropagationContext&) {
+        return std::make_unique<WallPropagation>(o.east);
+      });
+  const KindRegistry kinds = registry_with(more);
+  const char* text = "propagation: {model: {kind: wall, east_m: 70}}";
+  const auto radio = read_radio(text, "x.yaml", kinds.kinds());
+  ASSERT_TRUE(radio.ok()) << radio.error().text();
+  const auto field = make_propagation(radio.value(), 1);
+  ASSERT_TRUE(field.ok());
+  EXPECT_EQ(field.value()->received(1, {0, 0, 0}, {0, 60, 0}), 1);
+  EXPECT_EQ(field.value()->received(1, {0, 0, 0}, {0, 80, 0}), 0);
+  const std::string written = write_radio(radio.value());
+  const auto again = read_radio(written, "written", kinds.kinds());
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  EXPECT_EQ(write_radio(again.value()), written);
+  EXPECT_FALSE(read_radio(text, "x.yaml", own_radio_parts()).ok());
+}
+
+TEST(KindRegistry, KnowsARadioProfileInPlaceOfItsKind) {
+  const auto outcome = read(KindRegistry(), "radio: n920");
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_NE(outcome.report().find("{kind: medium, profile: n920}"), std::string::npos)
+      << outcome.report();
+  EXPECT_EQ(read(KindRegistry(), "radio: n921").report().find("profile"),
+            std::string::npos);
 }
 
 TEST(KindRegistry, RefusesNamesThatAreTakenOrNoNames) {

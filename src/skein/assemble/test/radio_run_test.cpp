@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -133,6 +135,23 @@ TEST(RadioOfARun, LosesWhatAHillHides) {
   EXPECT_EQ(over.lost, over.sent);  // some 35 dB
   EXPECT_EQ(fly("terrain: false", hill).all().lost, 0);
   EXPECT_EQ(fly("terrain: true").all().lost, 0);
+}
+
+// The limit of what is heard lies on the circle, by the two-ray law; in free space, as
+// with heights above sea level on the highland, all would be heard.
+TEST(RadioOfARun, CountsHeightsOfTwoRaysFromItsGround) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "two-ray.yaml";
+  std::ofstream(file) << "phy: {frequency_hz: 30.0e6, transmit_power_dbm: 0, "
+                         "decode_threshold_dbm: -75.5}\n"
+                         "propagation: {model: two-ray}\n";
+  const std::string radio = "file: " + file.string();
+  const auto sea = fly(radio).all(),
+             highland = fly(radio, "{kind: flat, elevation_m: 500}").all();
+  EXPECT_GT(sea.lost, sea.sent / 10);
+  EXPECT_LT(sea.lost, sea.sent);
+  // The aircraft flies on air that is thinner there.
+  EXPECT_EQ(highland.sent, sea.sent);
+  EXPECT_NEAR(highland.lost, sea.lost, sea.sent / 20);
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ constexpr auto kOwner = fs::perms::owner_read | fs::perms::owner_write;
 
 TEST(RadioSecurity, TakesAttacksOfAllKinds) {
   for (const char* what :
-       {"jammer: {}", "until_s: 5, jammer: {duty: 0.2, period_s: 3}",
+       {"jammer: {}", "power_dbm: -3, jammer: {}",
+        "until_s: 5, jammer: {duty: 0.2, period_s: 3}",
         "flooder: {bytes: 100, rate_hz: 5, to: scout-1}", "flooder: {}",
         "spoofer: {as: station, to: scout-2, content: return-home}",
         "spoofer: {as: scout-1, to: station, offset_m: [500, 0]}",
@@ -67,7 +68,7 @@ TEST(RadioSecurity, SaysWhatIsWrongWithAttacks) {
   expect_error(attack("flooder: {to: x}"), "radio.attacks[0].flooder.to", "no entity");
   expect_error(attack("flooder: {bytes: 5000}"), "radio.attacks[0].flooder.bytes",
                "more than the 1500");
-  expect_error(attack("power_dbm: -3, jammer: {}"), "power_dbm", "-3");
+  expect_error(attack("power_dbm: -101, jammer: {}"), "power_dbm", "-101");
   expect_error(attack("at_s: 20, until_s: 10, jammer: {}"), "until_s", "later than at_s");
   expect_error(attack("jammer: {duty: 0}"), "duty", "0");
   expect_error(attack("at_s: 20"), "jammer", "none is given");

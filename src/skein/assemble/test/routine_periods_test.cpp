@@ -5,6 +5,7 @@
 #include <string>
 
 #include "skein/assemble/kinds_of.h"
+#include "skein/assemble/radio/radio_parts.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble {
@@ -21,11 +22,15 @@ scenario::Scenario scenario_with(const std::string& radio, int aircraft,
   return *read.scenario;
 }
 
+RoutinePeriods periods_of(const scenario::Scenario& scenario) {
+  return routine_periods(scenario, own_radio_parts());
+}
+
 TEST(RoutinePeriods, AreASecondWhereTheRadioHasRoom) {
   for (const char* radio :
        {"ideal", "{kind: medium, profile: wifi-dsss-2}", "{kind: medium, profile: n920}",
         "{kind: medium, profile: satcom}"}) {
-    const RoutinePeriods periods = routine_periods(scenario_with(radio, 10));
+    const RoutinePeriods periods = periods_of(scenario_with(radio, 10));
     EXPECT_EQ(periods.query, 1) << radio;
     EXPECT_EQ(periods.place, 1) << radio;
   }
@@ -33,13 +38,13 @@ TEST(RoutinePeriods, AreASecondWhereTheRadioHasRoom) {
 
 TEST(RoutinePeriods, GrowWithTheAircraftOfANarrowRadio) {
   const char* narrow = "{kind: medium, profile: xbee-digimesh}";
-  EXPECT_EQ(routine_periods(scenario_with(narrow, 1)).place, 1);
+  EXPECT_EQ(periods_of(scenario_with(narrow, 1)).place, 1);
   // 8 * 223 bit/s of each in 0.2 of 10 kbit/s.
-  EXPECT_NEAR(routine_periods(scenario_with(narrow, 5)).place, 4.46, 1e-9);
-  const RoutinePeriods ten = routine_periods(scenario_with(narrow, 10));
+  EXPECT_NEAR(periods_of(scenario_with(narrow, 5)).place, 4.46, 1e-9);
+  const RoutinePeriods ten = periods_of(scenario_with(narrow, 10));
   EXPECT_EQ(ten.place, 5);
   EXPECT_NEAR(ten.query, 8.92, 1e-9);
-  const RoutinePeriods many = routine_periods(scenario_with(narrow, 100));
+  const RoutinePeriods many = periods_of(scenario_with(narrow, 100));
   EXPECT_EQ(many.place, 5);
   EXPECT_EQ(many.query, 20);
 }

@@ -103,9 +103,71 @@ TEST(NetworkTables, Ns2MovementsEndWhereTheNextBegins) {
   EXPECT_EQ(track.place(Time::from_seconds(1)), Vec3(10, 0, -30));
   EXPECT_EQ(track.place(Time::from_seconds(6)), Vec3(60, 0, -30));
   EXPECT_EQ(track.place(Time::from_seconds(11)), Vec3(60, 100, -30));
-  for (const char* bad : {"$node_(1) set W_ 3\n", "$god_ on\n", "$node_(x) set X_ 3\n",
-                          "$ns_ at -1 \"$node_(1) setdest 1 2 3\"\n", ""})
+  for (const char* bad :
+       {"$node_(1) set W_ 3\n", "set god_ [God instance]\n", "$node_(x) set X_ 3\n",
+        "$ns_ at 1\n", "$ns_ at -1 \"$node_(1) setdest 1 2 3\"\n",
+        "$ns_ at -1 \"$node_(1) set X_ 1\"\n", "$ns_ at 1 \"$node_(1) set W_ 1\"\n", ""})
     EXPECT_FALSE(read_ns2_movement(bad, "m.ns2", network).ok()) << bad;
+}
+
+// As ns-2's own setdest writes it, with pauses. Its $god_ lines, distances in hops, say
+// nothing that does not follow from the places: other simulators skip them too.
+TEST(NetworkTables, Ns2FilesOfSetdestAreRead) {
+  NetworkCase network;
+  const auto read = read_ns2_movement(
+      "#\n# nodes: 2, pause: 2.00, max speed: 10.00, max x: 500.00, max y: 500.00\n#\n"
+      "$node_(0) set X_ 83.500000000000\n"
+      "$node_(0) set Y_ 239.000000000000\n"
+      "$node_(0) set Z_ 0.000000000000\n"
+      "$node_(1) set X_ 257.000000000000\n"
+      "$node_(1) set Y_ 345.000000000000\n"
+      "$node_(1) set Z_ 0.000000000000\n"
+      "$god_ set-dist 0 1 1\n"
+      "$ns_ at 2.000000000000 \"$node_(0) setdest 83.500000000000 139.000000000000 "
+      "10.000000000000\"\n"
+      "$ns_ at 9.641000000000 \"$god_ set-dist 0 1 16777215\"\n"
+      "$ns_ at 12.000000000000 \"$node_(0) setdest 83.500000000000 139.000000000000 "
+      "0.000000000000\"\n"
+      "#\n# Destination Unreachables: 1\n#\n",
+      "m.ns2", network);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  ASSERT_EQ(network.nodes.size(), 2u);
+  EXPECT_EQ(network.nodes[0].place(Time::from_seconds(2)), Vec3(83.5, 239, 0));
+  EXPECT_EQ(network.nodes[0].place(Time::from_seconds(7)), Vec3(83.5, 189, 0));
+  EXPECT_EQ(network.nodes[0].place(Time::from_seconds(99)), Vec3(83.5, 139, 0));
+  EXPECT_FALSE(network.nodes[1].moves());
+}
+
+TEST(NetworkTables, Ns2NodesJumpWhereTheirPlaceIsSetLater) {
+  NetworkCase network;
+  const auto read = read_ns2_movement(
+      "$ns_ at 0 \"$node_(1) set X_ 10\"\n"
+      "$ns_ at 5 \"$node_(1) set X_ 100\"\n"
+      "$ns_ at 5 \"$node_(1) set Y_ 200\"\n"
+      "$ns_ at 10 \"$node_(1) setdest 100 300 10\"\n"
+      "$ns_ at 12 \"$node_(1) set Z_ 50\"\n"
+      "$ns_ at 15 \"$node_(1) set X_ 0\"\n"
+      "$ns_ at 20 \"$node_(1) setdest 0 0 10\"\n"
+      "$ns_ at 20 \"$node_(1) set Y_ 7\"\n",
+      "m.ns2", network);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  const auto at = [&](double time) -> Vec3 {
+    return network.nodes[0].place(Time::from_seconds(time));
+  };
+  EXPECT_EQ(at(0), Vec3(10, 0, 0));
+  EXPECT_EQ(at(4.999), Vec3(10, 0, 0));
+  EXPECT_EQ(at(5), Vec3(100, 200, 0));
+  EXPECT_EQ(at(12), Vec3(100, 220, -50)) << "the movement goes on at another height";
+  EXPECT_NEAR((at(14.5) - Vec3(100, 245, -50)).norm(), 0, 1e-6);  // 1 ns of 10 m/s
+  EXPECT_EQ(at(15), Vec3(0, 250, -50)) << "and ends where X_ is set";
+  EXPECT_EQ(at(19.999), Vec3(0, 250, -50));
+  EXPECT_EQ(at(99), Vec3(0, 7, -50)) << "also in the moment in which it begins";
+  for (std::size_t k = 1; k < network.nodes[0].points.size(); ++k)
+    EXPECT_LT(network.nodes[0].points[k - 1].time, network.nodes[0].points[k].time);
+  EXPECT_FALSE(read_ns2_movement("$ns_ at 5 \"$node_(1) set X_ 1\"\n"
+                                 "$ns_ at 4 \"$node_(1) set X_ 2\"\n",
+                                 "m.ns2", network)
+                   .ok());
 }
 
 }  // namespace

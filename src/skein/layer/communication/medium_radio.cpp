@@ -21,6 +21,7 @@ LossCause cause_of_end(PacketEnd end) {
   switch (end) {
     case PacketEnd::kDone:
       break;
+    case PacketEnd::kTooLong:  // none: radio files are refused whose parts no slot holds
     case PacketEnd::kRetryLimit:
       return LossCause::kRetryLimit;
     case PacketEnd::kExpired:

@@ -25,4 +25,12 @@ std::vector<Alert> AlertLog::take() {
   return std::exchange(due_, {});
 }
 
+std::optional<AlertKind> LineAlerts::look(bool open, Time now) {
+  if (open == known_open_ || (!open && next_ && now < *next_)) return std::nullopt;
+  known_open_ = open;
+  if (open) return AlertKind::kLineOpen;
+  next_ = now + kSayAgain;
+  return AlertKind::kNoLine;
+}
+
 }  // namespace skein::modem

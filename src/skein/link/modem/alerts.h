@@ -10,14 +10,16 @@
 
 namespace skein::modem {
 
-/// What may be wrong on the air of a modem.
+/// What may be wrong with a modem, or on its air.
 enum class AlertKind : std::uint8_t {
   kSameAddress,  ///< another modem says who is reached through it, with this address
   kRefused,      ///< a datagram without a valid seal was refused
-  kDoubted       ///< a datagram without a valid seal counts all the same
+  kDoubted,      ///< a datagram without a valid seal counts all the same
+  kNoLine,       ///< no line to the modem is open
+  kLineOpen      ///< one is open again, or at last
 };
 
-/// Something is wrong on the air of a modem.
+/// Something is wrong with a modem, or on its air.
 struct Alert {
   AlertKind kind = AlertKind::kSameAddress;
   std::vector<EntityId> identities;  ///< that the datagram says; it may lie
@@ -41,8 +43,19 @@ class AlertLog {
     std::optional<Time> next;
   };
 
-  std::array<OfKind, 3> kinds_;
+  std::array<OfKind, 3> kinds_;  // up to kDoubted
   std::vector<Alert> due_;
+};
+
+/// Whether lines are open: kNoLine at once and then one a minute at most, kLineOpen after
+/// each of these.
+class LineAlerts {
+ public:
+  std::optional<AlertKind> look(bool open, Time now);
+
+ private:
+  bool known_open_ = true;
+  std::optional<Time> next_;
 };
 
 }  // namespace skein::modem

@@ -11,7 +11,8 @@ namespace skein::modem {
 namespace {
 
 constexpr std::chrono::milliseconds kLongestTurn{10};
-constexpr std::size_t kMaxWaiting = 5000;  // that nobody takes, either way
+constexpr Time kConnecting = Time::from_ns(500'000'000);  // until a line is missed
+constexpr std::size_t kMaxWaiting = 5000;                 // that nobody takes, either way
 
 bool is_stream(const transport::EndpointAddress& address) {
   return std::holds_alternative<transport::TcpServer>(address) ||
@@ -65,6 +66,7 @@ Result<std::vector<std::string>> ModemLink::start() {
   if (auto opened = endpoints_.open(options_.endpoint); !opened) return opened.error();
   std::vector<std::string> places = endpoints_.places();
   running_ = true;
+  look_at_lines();
   thread_ = std::thread([this] { run(); });
   return places;
 }
@@ -152,7 +154,21 @@ void ModemLink::step() {
       peer_.send(each.message, now());
   }
   peer_.step(now(), [this](auto bytes) { return send_to_all(bytes); });
+  look_at_lines();
   hand_in();
+}
+
+// Datagrams need no line; a server has none until somebody connects.
+void ModemLink::look_at_lines() {
+  const auto& endpoint = options_.endpoint;
+  if (!channels_.empty() || std::holds_alternative<transport::SerialLine>(endpoint) ||
+      (std::holds_alternative<transport::TcpClient>(endpoint) && now() > kConnecting))
+    awaits_line_ = true;
+  if (!stream_ || !awaits_line_) return;
+  if (const auto kind = lines_.look(!channels_.empty(), now())) {
+    const std::lock_guard lock(mutex_);
+    hand_in({*kind, {}, 1});
+  }
 }
 
 bool ModemLink::send_to_all(std::span<const std::byte> bytes) {
@@ -240,12 +256,26 @@ void ModemLink::hand_in(const Alert& alert) {
         "another modem has the address of this one, hw {}: neither hears what the other "
         "says.",
         hw());
+  const std::string place = transport::text_of(options_.endpoint);
+  if (alert.kind == AlertKind::kNoLine)
+    log_warning("no line to the modem at {} is open: nothing goes out or comes in.",
+                place);
+  if (alert.kind == AlertKind::kLineOpen)
+    log_info("a line to the modem at {} is open.", place);
   const EntityId who = whom_it_concerns(alert);
-  const bool waits = std::ranges::any_of(in_, [&](const Heard& each) {
-    const auto* other = std::get_if<ModemAlert>(&each);
-    return other && other->who == who && other->kind == alert.kind;
-  });
-  if (is_beyond(who) && !waits)
+  const auto waiting = [&](AlertKind kind) {
+    return std::ranges::find_if(in_, [&, kind](const Heard& each) {
+      const auto* other = std::get_if<ModemAlert>(&each);
+      return other && other->who == who && other->kind == kind;
+    });
+  };
+  // As a change of neighbours: of lines it is enough to know what is.
+  if (const auto lost = waiting(AlertKind::kNoLine);
+      alert.kind == AlertKind::kLineOpen && lost != in_.end()) {
+    in_.erase(lost);
+    return;
+  }
+  if (is_beyond(who) && waiting(alert.kind) == in_.end())
     in_.emplace_back(ModemAlert{who, hw(), alert.kind, alert.count});
 }
 

@@ -21,7 +21,7 @@
 
 namespace skein::modem {
 
-/// Something is wrong on the air of a modem.
+/// Something is wrong with a modem, or on its air.
 struct ModemAlert {
   EntityId who;  ///< an entity beyond this modem: the one that is named, if it is one
   std::uint32_t hw = 0;  ///< of this modem
@@ -55,6 +55,8 @@ class ModemLink final : public transport::ChannelListener {
   bool is_beyond(EntityId who) const;
 
   /// Opens the endpoint, and begins. Until then nothing goes out and nothing comes.
+  /// Serial lines and connections that are not there are tried again each second: until
+  /// one is open, and when it is lost, there is a warning and an alert.
   /// @returns  where a server waits, with the port that it has got.
   /// Fails: kBadInput where the endpoint cannot be opened.
   Result<std::vector<std::string>> start();
@@ -101,6 +103,7 @@ class ModemLink final : public transport::ChannelListener {
   void hand_in();
   void hand_in(const NeighbourChange& change);
   void hand_in(const Alert& alert);
+  void look_at_lines();
   EntityId whom_it_concerns(const Alert& alert) const;
   void to_clock(Time at, std::vector<Heard>& taken) const;
   void step();
@@ -113,6 +116,8 @@ class ModemLink final : public transport::ChannelListener {
   Clock::time_point begin_ = Clock::now();
   ModemPeer peer_;
   std::map<transport::ChannelId, Channel> channels_;
+  bool awaits_line_ = false;  // there was one, or should be
+  LineAlerts lines_;
   std::vector<Message> arrived_;  // while bytes are taken in
   std::uint64_t damaged_ = 0;     // frames, of all channels that there were
 

@@ -25,6 +25,10 @@ const char* event_of(AlertKind kind) {
       return "modem-refused";
     case AlertKind::kDoubted:
       return "modem-doubted";
+    case AlertKind::kNoLine:
+      return "modem-closed";
+    case AlertKind::kLineOpen:
+      return "modem-open";
   }
   return "";
 }
@@ -33,6 +37,10 @@ const char* event_of(AlertKind kind) {
 std::string text_of(const ModemAlert& alert, const char* whose) {
   if (alert.kind == AlertKind::kSameAddress)
     return fmt::format("another modem has the address of {}, hw {}", whose, alert.hw);
+  if (alert.kind == AlertKind::kNoLine)
+    return fmt::format("no line to {} is open, hw {}", whose, alert.hw);
+  if (alert.kind == AlertKind::kLineOpen)
+    return fmt::format("a line to {} is open, hw {}", whose, alert.hw);
   return fmt::format("without a valid seal of the team's key, at {}; {} since the last",
                      whose, alert.count);
 }

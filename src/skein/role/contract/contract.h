@@ -13,13 +13,16 @@
 
 namespace skein {
 class Agent;
+class Antenna;
 class Autopilot;
+class ErrorModel;
 class MonitoringStrategy;
 class MovingObject;
 class PathPlanner;
 class PerimeterEstimator;
 class Phenomenon;
 class Plant;
+class Propagation;
 class Radio;
 class Routing;
 class Sensor;
@@ -101,6 +104,17 @@ inline constexpr std::size_t kRoutingEntities = 7;
 /// sender hears is reached; waits are finite; equal ones decide alike.
 /// @param make  of kRoutingEntities.
 Violations routing_violations(const Make<Routing>& make);
+
+/// Not less than nothing and not more than was sent, the same in both directions and
+/// whenever asked, also for one place twice; equal ones say the same.
+Violations propagation_violations(const Make<Propagation>& make);
+
+/// A finite gain in every direction; equal ones say the same.
+Violations antenna_violations(const Make<Antenna>& make);
+
+/// Finite logarithms of probabilities, never falling with the ratio; parts of a frame
+/// make the whole; equal ones say the same.
+Violations error_model_violations(const Make<ErrorModel>& make);
 
 /// Only appends; commands and messages are finite, whatever is received; equal ones act
 /// alike.

@@ -13,7 +13,8 @@ using Arrivals = std::vector<MixedNetwork::Arrival>;
 
 MixedNetworkOptions two_entities(const char* radio, std::vector<bool> real) {
   MixedNetworkOptions options;
-  options.radio = load_radio(radio, std::filesystem::current_path()).value();
+  options.radio =
+      load_radio(radio, std::filesystem::current_path(), own_radio_parts()).value();
   options.places = {{0, 0, -2}, {50, 0, -2}};
   options.station = Vec3(50, 50, -2);
   options.real = std::move(real);

@@ -10,15 +10,20 @@
 namespace skein::assemble {
 namespace {
 
+const RadioParts& parts() {
+  static const RadioParts all = own_radio_parts();
+  return all;
+}
+
 std::string problems_with(const std::string& text) {
-  const auto file = read_radio(text, "x.yaml");
+  const auto file = read_radio(text, "x.yaml", parts());
   return file.ok() ? "" : file.error().text();
 }
 
 TEST(BuiltInRadios, AreGoodAndNamedLikeTheirFiles) {
   EXPECT_GE(built_in_radios().size(), 5u);
   for (const BuiltInRadio& each : built_in_radios()) {
-    const auto file = load_radio(std::string(each.name), {});
+    const auto file = load_radio(std::string(each.name), {}, parts());
     ASSERT_TRUE(file.ok()) << file.error().text();
     EXPECT_EQ(file.value().name, each.name);
     EXPECT_FALSE(file.value().description.empty()) << each.name;
@@ -27,10 +32,10 @@ TEST(BuiltInRadios, AreGoodAndNamedLikeTheirFiles) {
 
 TEST(RadioFile, ReadsWhatItWrites) {
   for (const BuiltInRadio& each : built_in_radios()) {
-    const auto file = load_radio(std::string(each.name), {});
+    const auto file = load_radio(std::string(each.name), {}, parts());
     ASSERT_TRUE(file.ok());
     const std::string written = write_radio(file.value());
-    const auto again = read_radio(written, "written");
+    const auto again = read_radio(written, "written", parts());
     ASSERT_TRUE(again.ok()) << again.error().text();
     EXPECT_EQ(write_radio(again.value()), written);
   }
@@ -42,13 +47,13 @@ TEST(RadioFile, ReadsAllProfilesOfTheReference) {
     GTEST_SKIP() << "the reference is not part of the project";
   int count = 0;
   for (const auto& each : std::filesystem::directory_iterator(folder)) {
-    const auto file = load_radio(each.path().string(), {});
+    const auto file = load_radio(each.path().string(), {}, parts());
     ASSERT_TRUE(file.ok()) << file.error().text();
     EXPECT_EQ(file.value().name, each.path().stem());
     ++count;
   }
   EXPECT_GT(count, 20);
-  const auto k7 = load_radio((folder / "nn4_rts_k7.yaml").string(), {});
+  const auto k7 = load_radio((folder / "nn4_rts_k7.yaml").string(), {}, parts());
   EXPECT_EQ(k7.value().radio.mac.backoff_slots, 7u);
   EXPECT_EQ(k7.value().radio.phy.packet_error, communication::PacketError::kHalf);
   EXPECT_EQ(k7.value().radio.mac.rts_threshold_bytes, 500u);
@@ -72,10 +77,58 @@ TEST(RadioFile, SaysWhatIsWrong) {
   EXPECT_NE(
       problems_with("phy: {interference_floor_dbm: -50}").find("not be above decode"),
       std::string::npos);
-  const auto missing = load_radio("wifi-dsss", {});
+  const auto missing = load_radio("wifi-dsss", {}, parts());
   ASSERT_FALSE(missing.ok());
   EXPECT_NE(missing.error().text().find("Did you mean \"wifi-dsss-2\"?"),
             std::string::npos);
+}
+
+// An error model describes one rate; lines have no bit errors.
+TEST(RadioFile, RefusesRatesThatItsErrorModelIsNotFor) {
+  const std::string fast = problems_with("phy: {rate_bps: 11000000}");
+  EXPECT_NE(fast.find("phy.rate_bps: must be 2000000 with error_model dsss-2"),
+            std::string::npos)
+      << fast;
+  EXPECT_NE(fast.find("11000000 cck-11"), std::string::npos);
+  for (const char* good :
+       {"rate_bps: 1.0e6, error_model: dsss-1", "rate_bps: 2.0e6",
+        "rate_bps: 5.5e6, error_model: cck-5-5", "rate_bps: 11.0e6, error_model: cck-11",
+        "rate_bps: 11.0e6, error_model: threshold", "rate_bps: 10.0e6, error_model: fsk"})
+    EXPECT_EQ(problems_with(std::string("phy: {") + good + "}"), "") << good;
+  for (const char* bad :
+       {"rate_bps: 2.0e6, error_model: dsss-1", "rate_bps: 11.0e6, error_model: cck-5-5",
+        "error_model: cck-11", "rate_bps: 11.0e6, error_model: fsk"})
+    EXPECT_NE(problems_with(std::string("phy: {") + bad + "}").find("phy.rate_bps"),
+              std::string::npos)
+        << bad;
+  EXPECT_EQ(problems_with("{phy: {rate_bps: 5.0e6}, mac: {access: direct}}"), "");
+  EXPECT_NE(problems_with("phy: {error_model: dsss2}").find("Did you mean \"dsss-2\"?"),
+            std::string::npos);
+}
+
+TEST(RadioFile, MakesTheErrorModelThatItNames) {
+  const auto at = [](const std::string& phy) {
+    const auto file = read_radio("phy: {" + phy + "}", "x.yaml", parts());
+    EXPECT_TRUE(file.ok()) << file.error().text();
+    return file.value().radio.phy.error_model->log_payload_success(1, 1e-3);
+  };
+  EXPECT_EQ(at("error_model: threshold, lock_sinr_db: 0"), 0);
+  EXPECT_LT(at("error_model: threshold, lock_sinr_db: 0.1"), -600);
+  // At 0 dB the slower ones are understood better.
+  EXPECT_GT(at("rate_bps: 1.0e6, error_model: dsss-1"), at(""));
+  EXPECT_GT(at(""), at("rate_bps: 5.5e6, error_model: cck-5-5"));
+  EXPECT_GT(at("rate_bps: 5.5e6, error_model: cck-5-5"),
+            at("rate_bps: 11.0e6, error_model: cck-11"));
+  EXPECT_LT(at("rate_bps: 1.0e6, error_model: fsk"), 0);
+}
+
+// So that links need not look at it.
+TEST(RadioParts, AnAntennaThatIsAlikeInAllDirectionsIsNone) {
+  const auto file = read_radio("antenna: {model: isotropic}", "x.yaml", parts());
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(make_antenna(parts(), file.value().antenna).value(), nullptr);
+  const auto dipole = read_radio("antenna: {model: dipole}", "x.yaml", parts());
+  EXPECT_NE(make_antenna(parts(), dipole.value().antenna).value(), nullptr);
 }
 
 TEST(RadioFile, KeepsObstaclesAndAntennas) {
@@ -92,9 +145,9 @@ station_antenna:
   elevations_deg: [0, 45]
   gains_db: [[0, -1, -2, -1], [-3, -3, -3, -3]]
 )",
-                               "x.yaml");
+                               "x.yaml", parts());
   ASSERT_TRUE(file.ok()) << file.error().text();
-  const auto& obstacles = file.value().propagation.obstacles;
+  const auto& obstacles = file.value().propagation.section.obstacles;
   ASSERT_EQ(obstacles.size(), 3u);
   EXPECT_TRUE(std::isinf(obstacles[0].attenuation_db));
   const auto& box = std::get<geo::Ring>(obstacles[1].area);
@@ -104,9 +157,9 @@ station_antenna:
   EXPECT_EQ(obstacles[1].base_msl, 5);
   EXPECT_EQ(std::get<Disc>(obstacles[2].area).radius, 7);
   EXPECT_TRUE(std::isinf(obstacles[2].attenuation_db));
-  EXPECT_EQ(file.value().station_antenna.gains_db[1].size(), 4u);
+  EXPECT_EQ(file.value().station_antenna.section.gains_db[1].size(), 4u);
   const std::string written = write_radio(file.value());
-  const auto again = read_radio(written, "written");
+  const auto again = read_radio(written, "written", parts());
   ASSERT_TRUE(again.ok()) << again.error().text();
   EXPECT_EQ(write_radio(again.value()), written);
 }
@@ -119,8 +172,9 @@ TEST(RadioFile, RefusesTimesThatAreNoNanosecond) {
 }
 
 TEST(RadioFile, AdaptsPowerWithAcknowledgementsOnly) {
-  const auto file = read_radio(
-      "mac: {adaptive_power: true, power_margin_db: 9, min_power_dbm: -5}", "x.yaml");
+  const auto file =
+      read_radio("mac: {adaptive_power: true, power_margin_db: 9, min_power_dbm: -5}",
+                 "x.yaml", parts());
   ASSERT_TRUE(file.ok()) << file.error().text();
   EXPECT_TRUE(file.value().radio.mac.adaptive_power);
   EXPECT_EQ(file.value().radio.mac.power_margin_db, 9);

@@ -97,18 +97,4 @@ double GainTable::gain(const Vec3& direction_B) const {
   return factor_of(low + row.part * (along(row.high) - low));
 }
 
-std::shared_ptr<const Antenna> make_antenna(const AntennaProfile& profile) {
-  switch (profile.model) {
-    case AntennaModel::kDipole:
-      return std::make_shared<VerticalDipole>(profile.min_gain_db);
-    case AntennaModel::kShadowedByBody:
-      return std::make_shared<BodyShadow>(profile);
-    case AntennaModel::kTable:
-      return std::make_shared<GainTable>(profile);
-    case AntennaModel::kIsotropic:
-      break;
-  }
-  return nullptr;
-}
-
 }  // namespace skein::communication

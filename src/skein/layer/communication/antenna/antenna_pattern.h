@@ -1,12 +1,17 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "skein/layer/communication/antenna/antenna_profile.h"
 #include "skein/role/antenna.h"
 
 namespace skein::communication {
+
+/// Alike in all directions.
+class Isotropic final : public Antenna {
+ public:
+  double gain(const Vec3&) const override { return 1; }
+};
 
 /// A half-wave dipole whose rod stands upright in the body.
 ///
@@ -54,8 +59,5 @@ class GainTable final : public Antenna {
   std::vector<double> azimuths_, elevations_;
   std::vector<double> gains_db_;  // row by row
 };
-
-/// What the profile says; null: alike in all directions.
-std::shared_ptr<const Antenna> make_antenna(const AntennaProfile& profile);
 
 }  // namespace skein::communication

@@ -153,11 +153,13 @@ void NetworkRun::on_finished(const Packet& packet, PacketEnd end, Time) {
     if (end == PacketEnd::kRetryLimit) record.fate = MessageFate::kRetryLimit;
     if (end == PacketEnd::kQueueFull) record.fate = MessageFate::kQueueFull;
     if (end == PacketEnd::kExpired) record.fate = MessageFate::kExpired;
+    if (end == PacketEnd::kTooLong) record.fate = MessageFate::kTooLong;
     // Not acknowledged: what is still in the air may be received.
     if (end == PacketEnd::kDone) record.fate = MessageFate::kLost;
   }
   const std::size_t flow = flow_of_[packet.order.tag];
-  if (flow != kNoFlow) fill(flow);
+  // What is too long ends at once, and so would all that takes its place.
+  if (flow != kNoFlow && end != PacketEnd::kTooLong) fill(flow);
 }
 
 }  // namespace skein::communication

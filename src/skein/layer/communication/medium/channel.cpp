@@ -27,7 +27,8 @@ Channel::Channel(const PhyProfile& phy, Links& links, Schedule& schedule,
       carrier_sense_threshold_(watts(phy.carrier_sense_threshold_dbm)),
       floor_(watts(phy.interference_floor_dbm)),
       lock_ratio_(math::pow(10, phy.lock_sinr_db / 10)),
-      rates_{phy.error_model, phy.rate, lock_ratio_},
+      errors_of_bits_(phy.error_model ? phy.error_model
+                                      : std::make_shared<Dsss2>(phy.rate)),
       preamble_(std::max(Time(), phy.preamble_header - kHeader)),
       receivers_(links.size()) {
   errors_.reserve(links.size());
@@ -226,11 +227,11 @@ void Channel::judge(Receiver& receiver, Time now) {
   const Time header_to = std::min(now, receiver.payload_begin);
   if (header_from < header_to)
     receiver.log_header +=
-        rates_.log_header_success(ratio, (header_to - header_from).seconds());
+        errors_of_bits_->log_header_success(ratio, (header_to - header_from).seconds());
   const Time payload_from = std::max(since, receiver.payload_begin);
   if (payload_from < now)
     receiver.log_payload +=
-        rates_.log_payload_success(ratio, (now - payload_from).seconds());
+        errors_of_bits_->log_payload_success(ratio, (now - payload_from).seconds());
 }
 
 // Keeps how long others are heard.

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/layer/communication/medium/error_model.h"
 #include "skein/layer/communication/medium/frame.h"
 #include "skein/layer/communication/medium/links.h"
 #include "skein/layer/communication/medium/radio_profile.h"
 #include "skein/layer/communication/medium/schedule.h"
+#include "skein/role/error_model.h"
 
 namespace skein::communication {
 
@@ -110,7 +111,7 @@ class Channel {
   ChannelListener& listener_;
   double noise_, decode_threshold_, carrier_sense_threshold_, floor_;  // [W]
   double lock_ratio_;
-  ErrorRates rates_;
+  std::shared_ptr<const ErrorModel> errors_of_bits_;
   Time preamble_;  // before the header
   std::vector<Receiver> receivers_;
   std::vector<RandomStream> errors_;

@@ -12,6 +12,7 @@ enum class PacketEnd : std::uint8_t {
   kRetryLimit,  ///< given up
   kExpired,     ///< too old before it was sent
   kQueueFull,   ///< dropped for a more urgent one
+  kTooLong,     ///< no slot holds it
 };
 
 /// Who hears what becomes of packets.

@@ -1,17 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "skein/base/time.h"
+#include "skein/role/error_model.h"
 
 namespace skein::communication {
-
-/// How the share of lost frames follows from the ratio of signal to interference.
-enum class ErrorModel {
-  kDsss2,      ///< IEEE 802.11b DSSS: header DBPSK 1 Mbit/s, payload DQPSK 2 Mbit/s
-  kThreshold,  ///< no bit fails at `lock_sinr_db` and above, all below
-};
 
 /// What becomes of a frame with a packet error ratio between 0 and 1.
 enum class PacketError {
@@ -35,7 +31,7 @@ struct PhyProfile {
   double noise_figure_db = 7;
   Time lock_window = Time::from_ns(4'000);  ///< from a frame's start to its detection
   double lock_sinr_db = 4;                  ///< least ratio at that moment
-  ErrorModel error_model = ErrorModel::kDsss2;
+  std::shared_ptr<const ErrorModel> error_model;  ///< null: Dsss2 of the rate
   PacketError packet_error = PacketError::kRandom;
 
   /// How long a frame of so many bytes is on the air.

@@ -50,7 +50,7 @@ void Tdma::use_slot(NodeIndex node, Time now) {
     Packet& packet = packets_[station.queue.front()];
     const Time duration = airtime(packet.order.bytes);
     if (duration > mac_.slot) {
-      finish(node, PacketEnd::kRetryLimit, now);
+      finish(node, PacketEnd::kTooLong, now);
       continue;
     }
     const Time slot = next_slot(node, now);

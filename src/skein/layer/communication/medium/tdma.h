@@ -13,8 +13,8 @@ namespace skein::communication {
 ///
 /// Slot k of a frame of as many slots as there are members belongs to node k, from the
 /// beginning of time; outsiders send in slots of members. A node sends what waits and
-/// fits into what is left of its slot, the oldest first; a packet that no slot holds is
-/// given up. Clocks agree.
+/// fits into what is left of its slot, the oldest first; a packet that no slot holds ends
+/// as too long, without a transmission. Clocks agree.
 class Tdma final : public Access {
  public:
   /// All outlive this; the channel is the one that this listens to.

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "skein/base/check.h"
 #include "skein/base/math.h"
 #include "skein/base/random.h"
-#include "skein/layer/communication/propagation/obstructed.h"
 
 namespace skein::communication {
 namespace {
@@ -34,15 +32,21 @@ double FixedPower::received(double, const Vec3&, const Vec3&) const {
   return power_;
 }
 
-TwoRay::TwoRay(double frequency, double antenna_height)
+TwoRay::TwoRay(double frequency, double antenna_height, const Terrain* ground)
     : near_(frequency),
       wavelength_(kSpeedOfLight / frequency),
-      antenna_height_(antenna_height) {}
+      antenna_height_(antenna_height),
+      ground_(ground) {}
+
+// Of an antenna above the ground [m].
+double TwoRay::height(const Vec3& place) const {
+  constexpr double kMinHeight = 0.1;
+  const double ground = ground_ ? ground_->elevation_msl(geo::horizontal(place)) : 0;
+  return std::max(kMinHeight, antenna_height_ - place.z() - ground);
+}
 
 double TwoRay::received(double radiated, const Vec3& from, const Vec3& to) const {
-  constexpr double kMinHeight = 0.1;  // [m]
-  const double product = std::max(kMinHeight, antenna_height_ - from.z()) *
-                         std::max(kMinHeight, antenna_height_ - to.z());
+  const double product = height(from) * height(to);
   const double square = (to - from).squaredNorm();
   const double change = 4 * geo::kPi * product / wavelength_;
   if (square <= change * change) return near_.received(radiated, from, to);
@@ -86,32 +90,6 @@ double LogDistance::received(double radiated, const Vec3& from, const Vec3& to) 
     power *= math::pow(10, -loss_db / 10);
   }
   return std::min(power, radiated);
-}
-
-namespace {
-
-std::unique_ptr<Propagation> make_open(const PropagationProfile& profile,
-                                       double frequency, std::uint64_t seed) {
-  switch (profile.model) {
-    case PropagationModel::kFixed:
-      return std::make_unique<FixedPower>(profile.received_power_dbm);
-    case PropagationModel::kLogDistance:
-      return std::make_unique<LogDistance>(frequency, profile, seed);
-    case PropagationModel::kTwoRay:
-      return std::make_unique<TwoRay>(frequency, profile.antenna_height);
-    case PropagationModel::kFreeSpace:
-      break;
-  }
-  return std::make_unique<FreeSpace>(frequency);
-}
-
-}  // namespace
-
-std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
-                                              double frequency, std::uint64_t seed) {
-  auto open = make_open(profile, frequency, seed);
-  if (profile.obstacles.empty()) return open;
-  return std::make_unique<Obstructed>(std::move(open), profile.obstacles);
 }
 
 }  // namespace skein::communication

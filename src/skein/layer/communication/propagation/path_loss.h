@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "skein/layer/communication/propagation/propagation_profile.h"
 #include "skein/role/propagation.h"
+#include "skein/role/terrain.h"
 
 namespace skein::communication {
 
@@ -31,21 +31,27 @@ class FixedPower final : public Propagation {
   double power_;
 };
 
-/// A direct ray and one that the flat ground reflects: free space up to the distance
+/// A direct ray and one that level ground reflects: free space up to the distance
 /// where the first Fresnel zone touches the ground, (h h' / d^2)^2 beyond.
 ///
 ///   distance of the change  4 pi h h' / wavelength
 ///
-/// Heights are those above down = 0 and the antennas' own, at least 0.1 m.
+/// Heights are those of the places above the ground below them and the antennas' own, at
+/// least 0.1 m.
+/// Valid: ground that is about as high at both ends and in between.
 /// Reference: [Rappaport02] Eq. (4.52).
 class TwoRay final : public Propagation {
  public:
-  TwoRay(double frequency, double antenna_height);
+  /// @param ground  outlives this; null: level, at down = 0
+  TwoRay(double frequency, double antenna_height, const Terrain* ground = nullptr);
   double received(double radiated, const Vec3& from, const Vec3& to) const override;
 
  private:
+  double height(const Vec3& place) const;
+
   FreeSpace near_;
   double wavelength_, antenna_height_;
+  const Terrain* ground_;
 };
 
 /// Free space up to a reference distance, then falling with a power of the distance, with
@@ -73,9 +79,5 @@ class LogDistance final : public Propagation {
   double exponent_, reference_distance_, sigma_db_;
   std::vector<Wave> waves_;
 };
-
-/// What the profile says, its obstacles included. `seed` is for shadowing.
-std::unique_ptr<Propagation> make_propagation(const PropagationProfile& profile,
-                                              double frequency, std::uint64_t seed);
 
 }  // namespace skein::communication

@@ -153,6 +153,55 @@ TEST(ModemLink, SaysWhoseModemHasItsAddressToo) {
   EXPECT_TRUE(comes([&] { return clashes(real, kStation); }));
 }
 
+std::vector<AlertKind> alerts_of(ModemLink& link) {
+  std::vector<AlertKind> kinds;
+  for (const Heard& heard : link.take(Time()))
+    if (const auto* alert = std::get_if<ModemAlert>(&heard)) kinds.push_back(alert->kind);
+  return kinds;
+}
+
+using AlertKinds = std::vector<AlertKind>;
+
+TEST(ModemLink, SaysAtOnceThatItsDeviceIsNotThere) {
+  ModemLink link(options_of("serial:/nowhere/modem", 2, {kReal}));
+  ASSERT_TRUE(link.start().ok());
+  EXPECT_EQ(alerts_of(link), AlertKinds{AlertKind::kNoLine});
+}
+
+TEST(ModemLink, SaysThatALineIsLostAndIsBack) {
+  auto station = std::make_unique<ModemLink>(options_of("tcpin:0", 1, {kStation}));
+  const std::string place = station->start().value().at(0);
+  ModemLink real(
+      options_of("tcp:127.0.0.1" + place.substr(place.rfind(':')), 2, {kReal}));
+  ASSERT_TRUE(real.start().ok());
+  ASSERT_TRUE(comes([&] { return real.statistics().sent > 0; }));
+  EXPECT_EQ(alerts_of(real), AlertKinds{});
+  EXPECT_EQ(alerts_of(*station), AlertKinds{}) << "a server waits";
+  station.reset();
+  AlertKinds lost;
+  EXPECT_TRUE(comes([&] { return !(lost = alerts_of(real)).empty(); }));
+  EXPECT_EQ(lost, AlertKinds{AlertKind::kNoLine});
+  station = std::make_unique<ModemLink>(options_of(place, 1, {kStation}));
+  ASSERT_TRUE(station->start().ok());
+  AlertKinds back;
+  EXPECT_TRUE(comes([&] { return !(back = alerts_of(real)).empty(); }));
+  EXPECT_EQ(back, AlertKinds{AlertKind::kLineOpen});
+}
+
+TEST(LineAlerts, AreOneAMinuteAtMost) {
+  LineAlerts lines;
+  const auto look = [&](bool open, double time) {
+    return lines.look(open, Time::from_seconds(time));
+  };
+  EXPECT_FALSE(look(true, 0));
+  EXPECT_EQ(look(false, 1), AlertKind::kNoLine);
+  EXPECT_FALSE(look(false, 2));
+  EXPECT_EQ(look(true, 3), AlertKind::kLineOpen);
+  EXPECT_FALSE(look(false, 4) || look(true, 5) || look(false, 6));
+  EXPECT_EQ(look(false, 61), AlertKind::kNoLine) << "still, or again";
+  EXPECT_EQ(look(true, 62), AlertKind::kLineOpen);
+}
+
 // Somebody at the same server, who sends what a test wants.
 class Sender final : public transport::ChannelListener {
  public:

@@ -141,5 +141,27 @@ TEST(ModemParts, SayThatTwoModemsHaveOneAddress) {
   EXPECT_EQ(news.events[0].text, "another modem has the address of its own, hw 1");
 }
 
+TEST(ModemParts, SayThatNoLineIsOpen) {
+  Said said;
+  auto options = options_of();
+  options.endpoint = transport::parse_endpoint("serial:/nowhere/modem").value();
+  ModemLink station(options);
+  options.peer.identities = {kReal};
+  ModemLink link(options);
+  ModemPort port(std::make_unique<Desk>(said), station, kReal);
+  AgentModemRadio radio(link, kReal, {"station", "real", "simulated"});
+  ASSERT_TRUE(station.start().ok() && link.start().ok());
+  std::vector<VehicleReport> reports;
+  port.receive(Time(), reports);
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_EQ(std::get<OutsideEvent>(reports[1]).kind, "modem-closed");
+  EXPECT_EQ(std::get<OutsideEvent>(reports[1]).text,
+            "no line to the ground station's is open, hw 1");
+  RadioNews news;
+  radio.deliver(Time(), news);
+  ASSERT_EQ(news.events.size(), 1u);
+  EXPECT_EQ(news.events[0].kind, "modem-closed");
+}
+
 }  // namespace
 }  // namespace skein::modem

@@ -10,12 +10,15 @@
 
 #include "skein/base/random.h"
 #include "skein/role/agent.h"
+#include "skein/role/antenna.h"
 #include "skein/role/autopilot.h"
+#include "skein/role/error_model.h"
 #include "skein/role/monitoring_strategy.h"
 #include "skein/role/path_planner.h"
 #include "skein/role/perimeter_estimator.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/plant.h"
+#include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 #include "skein/role/routing.h"
 #include "skein/role/sensor.h"
@@ -223,6 +226,45 @@ TEST(RoutingContract, FindsWaysThatThereAreNot) {
                              "a receiver that its sender hears is not reached"}));
   EXPECT_EQ(routing_violations(one_way(EntityId{1000})).front(),
             "it sends to nobody who takes part");
+}
+
+// --- parts of radios -----------------------------------------------------------------
+
+struct Amplifier final : Propagation {
+  double received(double radiated, const Vec3& from, const Vec3& to) const override {
+    return radiated * (from.x() < to.x() ? 2 : -2);
+  }
+};
+
+TEST(PropagationContract, FindsWhatNoFieldDoes) {
+  const Violations found =
+      propagation_violations([] { return std::make_unique<Amplifier>(); });
+  EXPECT_EQ(std::set<std::string>(found.begin(), found.end()),
+            (std::set<std::string>{"a power is below 0 or not finite",
+                                   "more arrives than was sent",
+                                   "a link is not the same in both directions"}));
+}
+
+struct NoGain final : Antenna {
+  double gain(const Vec3& direction_B) const override { return direction_B.z(); }
+};
+
+TEST(AntennaContract, FindsGainsBelowNothing) {
+  EXPECT_EQ(antenna_violations([] { return std::make_unique<NoGain>(); }),
+            One{"a gain is below 0 or not finite"});
+}
+
+struct Reversed final : ErrorModel {
+  double log_header_success(double, double duration) const override { return -duration; }
+  double log_payload_success(double sinr, double) const override { return -sinr; }
+};
+
+TEST(ErrorModelContract, FindsModelsThatAreNone) {
+  const Violations found =
+      error_model_violations([] { return std::make_unique<Reversed>(); });
+  EXPECT_EQ(std::set<std::string>(found.begin(), found.end()),
+            (std::set<std::string>{"a better signal is understood worse",
+                                   "parts of a frame do not make the whole"}));
 }
 
 // --- strategies and estimators -------------------------------------------------------

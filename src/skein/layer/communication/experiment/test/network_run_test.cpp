@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "skein/layer/communication/propagation/obstructed.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
 namespace skein::communication {
@@ -108,6 +109,29 @@ TEST(NetworkRun, KeepsFlowsFullThatGrowTooOld) {
   }
 }
 
+// A flow that is filled up for ever with what ends at once would never end.
+TEST(NetworkRun, SaysThatASlotHoldsNoSuchMessage) {
+  NetworkCase network = row_of(3, 100, Time::from_seconds(5));
+  network.traffic = {{7, Time(), 0, kAllNodesOfCase, 1000},
+                     {8, Time(), 0, 1, 1000},
+                     {9, Time(), 0, 1, 100}};
+  network.flows = {{1, 2, 1000, 3, Time()}};
+  RadioProfile radio = radio_of_tests();
+  radio.phy.rate = 115'200;
+  radio.mac.access = AccessMethod::kTdma;
+  radio.mac.slot = Time::from_ns(20'000'000);
+  const FreeSpace field(2e9);
+  NetworkRun run(network, radio, field, 3);
+  run.advance(network.duration);
+  std::map<MessageFate, int> fates;
+  for (const NetworkMessage& message : run.result().messages) {
+    ++fates[message.fate];
+    EXPECT_EQ(message.transmissions, message.bytes == 100 ? 1u : 0u);
+  }
+  EXPECT_EQ(fates, (std::map<MessageFate, int>{{MessageFate::kDelivered, 1},
+                                               {MessageFate::kTooLong, 5}}));
+}
+
 TEST(NetworkRun, IsTheSameForEveryStep) {
   NetworkCase network = row_of(4, 90, Time::from_seconds(1));
   for (std::uint32_t node = 0; node < 4; ++node)
@@ -149,11 +173,11 @@ TEST(NetworkRun, AnOpaqueObstacleSeparatesTwoOfThree) {
         network.traffic.push_back(item);
         ++number;
       }
-  PropagationProfile profile;
-  profile.obstacles = {{geo::Ring{{40, -20}, {60, -20}, {60, 20}, {40, 20}}, 0, 30}};
-  const auto delivered = [&](const PropagationProfile& given) {
-    const auto field = make_propagation(given, 2e9, 1);
-    NetworkRun run(network, radio_of_tests(), *field, 3);
+  const std::vector<Obstacle> house = {
+      {geo::Ring{{40, -20}, {60, -20}, {60, 20}, {40, 20}}, 0, 30}};
+  const auto delivered = [&](const std::vector<Obstacle>& given) {
+    const Obstructed field(std::make_unique<FreeSpace>(2e9), given);
+    NetworkRun run(network, radio_of_tests(), field, 3);
     run.advance(network.duration);
     std::map<std::pair<NodeIndex, NodeIndex>, int> matrix;
     for (const NetworkMessage& message : run.result().messages)
@@ -162,7 +186,7 @@ TEST(NetworkRun, AnOpaqueObstacleSeparatesTwoOfThree) {
   };
   // Messages come one after the other: what is in range arrives for certain.
   for (const auto& [pair, count] : delivered({})) EXPECT_EQ(count, 20);
-  for (const auto& [pair, count] : delivered(profile)) {
+  for (const auto& [pair, count] : delivered(house)) {
     const bool behind = pair.first != 2 && pair.second != 2;
     EXPECT_EQ(count, behind ? 0 : 20) << pair.first << " to " << pair.second;
   }

@@ -228,7 +228,7 @@ TEST(Medium, WithSlotsNobodyCollides) {
     EXPECT_EQ(log.delivered[tag].size(), 2u) << tag;
     EXPECT_EQ(log.finished.at(tag), PacketEnd::kDone);
   }
-  EXPECT_EQ(log.finished.at(99), PacketEnd::kRetryLimit);
+  EXPECT_EQ(log.finished.at(99), PacketEnd::kTooLong);
   for (const Log::Sent& sent : log.frames)
     EXPECT_EQ(sent.time.ns() / 10'000'000 % 3, sent.node);
 }

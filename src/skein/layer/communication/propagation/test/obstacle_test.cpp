@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "skein/base/random.h"
+#include "skein/layer/communication/propagation/obstructed.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
 namespace skein::communication {
@@ -60,27 +61,24 @@ TEST(Obstacle, IsTheSameInBothDirections) {
 }
 
 TEST(Obstructed, TakesTheDecibelsOfEachObstacle) {
-  PropagationProfile profile;
-  profile.obstacles = {block(), {Disc{{80, 0}, 5}, 0, 30, 3}};
-  const auto field = make_propagation(profile, 2e9, 1);
+  const Obstructed field(std::make_unique<FreeSpace>(2e9),
+                         {block(), {Disc{{80, 0}, 5}, 0, 30, 3}});
   const FreeSpace open(2e9);
   const Vec3 a(0, 0, -10), b(70, 0, -10), c(100, 0, -10);
-  EXPECT_EQ(field->received(1, a, {100, 50, -10}), open.received(1, a, {100, 50, -10}));
+  EXPECT_EQ(field.received(1, a, {100, 50, -10}), open.received(1, a, {100, 50, -10}));
   // Tolerances: roundings of a power of ten.
-  EXPECT_NEAR(field->received(1, a, b) / open.received(1, a, b), std::pow(10, -1.2),
+  EXPECT_NEAR(field.received(1, a, b) / open.received(1, a, b), std::pow(10, -1.2),
               1e-12);
-  EXPECT_NEAR(field->received(1, a, c) / open.received(1, a, c), std::pow(10, -1.5),
+  EXPECT_NEAR(field.received(1, a, c) / open.received(1, a, c), std::pow(10, -1.5),
               1e-12);
 }
 
 TEST(Obstructed, AnOpaqueOneLetsNothingThrough) {
-  PropagationProfile profile;
-  profile.model = PropagationModel::kFixed;
-  profile.obstacles = {block()};
-  profile.obstacles[0].attenuation_db = math::kInfinity;
-  const auto field = make_propagation(profile, 2e9, 1);
-  EXPECT_EQ(field->received(1, {0, 0, -10}, {100, 0, -10}), 0);
-  EXPECT_GT(field->received(1, {0, 0, -40}, {100, 0, -40}), 0);
+  Obstacle wall = block();
+  wall.attenuation_db = math::kInfinity;
+  const Obstructed field(std::make_unique<FixedPower>(-60), {wall});
+  EXPECT_EQ(field.received(1, {0, 0, -10}, {100, 0, -10}), 0);
+  EXPECT_GT(field.received(1, {0, 0, -40}, {100, 0, -40}), 0);
 }
 
 }  // namespace

@@ -35,6 +35,22 @@ TEST(TwoRay, IsFreeSpaceNearbyAndFallsWithTheFourthPowerBeyond) {
               1, 1e-3);
 }
 
+// Two antennas over the plain of a highland are not 500 m above the ground.
+TEST(TwoRay, CountsHeightsFromTheGroundBelow) {
+  struct Plain final : Terrain {
+    explicit Plain(double height) : elevation(height) {}
+    double elevation_msl(const Vec2&) const override { return elevation; }
+    Vec2 gradient(const Vec2&) const override { return Vec2::Zero(); }
+    double elevation;
+  };
+  const Plain sea(0), highland(500);
+  const TwoRay low(2.4e9, 1, &sea), high(2.4e9, 1, &highland);
+  const Vec3 from(0, 0, -2), to(4000, 0, -10), up(0, 0, -500);
+  EXPECT_EQ(high.received(1, from + up, to + up), low.received(1, from, to));
+  EXPECT_EQ(TwoRay(2.4e9, 1).received(1, from, to), low.received(1, from, to));
+  EXPECT_LT(low.received(1, from, to), FreeSpace(2.4e9).received(1, from, to));
+}
+
 TEST(LogDistance, FallsWithItsExponent) {
   PropagationProfile profile;
   profile.exponent = 3.5;
@@ -74,14 +90,8 @@ TEST(LogDistance, ShadowingHasItsSpreadAndIsAlikeNearby) {
             field.received(1, {300, 40, 0}, {0, 0, 0}));
 }
 
-TEST(Propagation, IsMadeAsTheProfileSays) {
-  PropagationProfile profile;
-  profile.model = PropagationModel::kFixed;
-  profile.received_power_dbm = -60;
-  EXPECT_NEAR(make_propagation(profile, 2e9, 1)->received(1, {0, 0, 0}, {9e5, 0, 0}),
-              1e-9, 1e-15);
-  profile.model = PropagationModel::kTwoRay;
-  EXPECT_NE(dynamic_cast<TwoRay*>(make_propagation(profile, 2e9, 1).get()), nullptr);
+TEST(FixedPower, IsTheSameEverywhere) {
+  EXPECT_NEAR(FixedPower(-60).received(1, {0, 0, 0}, {9e5, 0, 0}), 1e-9, 1e-15);
 }
 
 }  // namespace
