@@ -151,13 +151,12 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   expected_at_ = step.in.now;
 }
 
-// Whether a flight out of the way of others, which is over, may not be left yet.
+// Whether a flight out of the way of others, which has not ended, may not be left yet.
 bool SeparationPlanner::leads_back_into_others(const FlightPlan& plan,
                                                const FlightIntent& given,
                                                const TaskStep& step) const {
   const Time now = step.in.now;
   return expected_ && !by_others_ && given.number == given_ && separator_.changed() &&
-         separator_.is_clear(now) &&
          now.seconds() < model::end_time_of(separator_.plan()) &&
          separator_.meets_others(plan, now);
 }

@@ -10,7 +10,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kAvoidPeriod = 1;  // [s]
-constexpr double kTeamAhead = 15;   // of a turn, in which members are looked for [s]
+constexpr double kTeamAhead = 25;   // of a turn, in which members are looked for [s]
 constexpr double kTeamStep = 0.5;   // [s]
 constexpr double kLeaves = 1.5;     // of what is kept up and down
 constexpr double kSameLevel = 1;    // [m]
