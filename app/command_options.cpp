@@ -19,6 +19,40 @@ void add_log_option(CLI::App& command) {
       ->type_name("LEVEL");
 }
 
+void add_serve_options(CLI::App& command, std::optional<std::string>& serve,
+                       assemble::ServeOptions& page) {
+  auto* wanted =
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--serve",
+              [&serve](const std::vector<std::string>& at) {
+                serve = at.empty() ? std::string() : at.front();
+              },
+              "Show the operator's page, in real time: at 127.0.0.1:8080, a port or "
+              "ADDRESS:PORT (docs/page.md).")
+          ->expected(0, 1)
+          ->type_name("PLACE");
+  command
+      .add_option("--tokens", page.tokens_file,
+                  "File of lines TOKEN ROLE [NAME]: who may see and steer; needed where "
+                  "other machines reach the page.")
+      ->needs(wanted);
+  auto* certificate =
+      command
+          .add_option("--certificate", page.certificate_file,
+                      "PEM file of the page's certificate: it is served over TLS.")
+          ->needs(wanted);
+  command
+      .add_option("--key", page.key_file,
+                  "PEM file of its key; default: the certificate's file.")
+      ->needs(certificate);
+  command
+      .add_option("--imagery", page.imagery,
+                  "Address of pictures of the ground, with {z}, {x} and {y}, for the "
+                  "page's map.")
+      ->needs(wanted);
+}
+
 void add_plugin_option(CLI::App& command, std::vector<std::string>& plugins) {
   command
       .add_option("--plugin", plugins,

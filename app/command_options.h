@@ -3,8 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "skein/assemble/serve/serve_options.h"
 
 namespace skein::app {
 
@@ -20,6 +23,10 @@ struct Command {
 void add_log_option(CLI::App& command);
 /// --plugin
 void add_plugin_option(CLI::App& command, std::vector<std::string>& plugins);
+/// --serve and how a page is served.
+/// @param serve  set where a page is asked for; empty text: at its usual place.
+void add_serve_options(CLI::App& command, std::optional<std::string>& serve,
+                       assemble::ServeOptions& page);
 /// --set, of a scenario
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides);
 
@@ -31,6 +38,11 @@ Command add_vehicle(CLI::App& program, const std::atomic<bool>& stop);
 Command add_agent(CLI::App& program, const std::atomic<bool>& stop);
 /// A bad connection between others.
 Command add_relay(CLI::App& program, const std::atomic<bool>& stop);
+
+// Runs that are over.
+
+/// @param stop  asks for the end.
+Command add_replay(CLI::App& program, const std::atomic<bool>& stop);
 
 // The radio medium alone.
 

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <optional>
+#include <thread>
 
 #include "app/commands.h"
 #include "app/common.h"
@@ -12,10 +13,12 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
 #include "skein/assemble/run.h"
+#include "skein/assemble/serve/run_page.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
 #include "skein/link/modem/modem_link.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
+#include "skein/record/fan_out.h"
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
@@ -139,11 +142,15 @@ void replay(const record::RecordedRun& recorded, simulation::RunOptions& options
 
 Result<std::unique_ptr<record::RunRecorder>> open_records(
     const scenario::Scenario& scenario, const std::string& text, const fs::path& folder,
-    bool overwrite) {
+    bool overwrite, assemble::RunPage* page) {
   record::RunRecorderOptions options;
   options.perimeter_period = scenario.record.perimeter_period;
   options.messages = scenario.record.messages;
   options.overwrite = overwrite;
+  if (page)
+    options.on_metrics = [page](const MetricSample& sample) {
+      page->feed().show(sample);
+    };
   auto created = record::RunRecorder::create(
       folder, {kVersion, scenario.seed, scenario.name, text, scenario.start_utc},
       options);
@@ -157,7 +164,8 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
 // again needs no clock.
 Result<void> set_clock(assemble::Build& ready, double speed,
                        const RunArguments& arguments, bool again) {
-  ready.options.speed = speed;
+  // Who watches sees it in real time, unless asked otherwise.
+  ready.options.speed = arguments.serve && arguments.speed.empty() ? 1 : speed;
   if (!ready.mixed || again) return {};
   if (!arguments.speed.empty() && speed != 1)
     return Error{ErrorCode::kBadInput, "--speed " + arguments.speed,
@@ -195,14 +203,49 @@ void set_figures(const modem::ModemStatistics& modem, record::RunRecorder& recor
   set("modem_delay_most_s", modem.delay_most.seconds());
 }
 
+// The page that the arguments ask for, where the browser finds it said; null: none.
+Result<std::unique_ptr<assemble::RunPage>> open_page(const RunArguments& arguments,
+                                                     const scenario::Scenario& scenario,
+                                                     const assemble::Build& ready) {
+  if (!arguments.serve) return std::unique_ptr<assemble::RunPage>();
+  assemble::ServeOptions options = arguments.page;
+  if (!arguments.serve->empty())
+    if (auto read = assemble::read_place(*arguments.serve, options); !read)
+      return read.error();
+  auto page =
+      assemble::RunPage::open(options, assemble::facts_of(scenario, ready, kVersion));
+  if (page) complain("The page: {}\n", page.value()->place());
+  return page;
+}
+
+Result<simulation::RunOutcome> run_with_page(assemble::Build& ready,
+                                             record::RunRecorder& recorder,
+                                             OperatorConsole& console,
+                                             assemble::RunPage& page) {
+  record::FanOut all({&recorder, &page.feed()});
+  hmi::LiveConsole steered(console, page.feed());
+  return assemble::run_linked(ready, &all, steered);
+}
+
+// After the run the page stays until somebody asks for the end.
+void keep_serving(assemble::RunPage& page, const std::atomic<bool>& stop) {
+  page.feed().finish();
+  if (!stop) complain("The run is over; its page stays until Ctrl-C.\n");
+  while (!stop) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    page.feed().take_commands();
+  }
+}
+
 // Runs to the end; whether it was interrupted.
 Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
                       const geo::LocalFrame& frame, const RunArguments& arguments,
-                      const std::atomic<bool>& stop) {
+                      assemble::RunPage* page, const std::atomic<bool>& stop) {
   hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
   console.read_with(
       [&frame](std::string_view line) { return assemble::read_command(line, frame); });
-  const auto outcome = assemble::run_linked(ready, &recorder, console);
+  const auto outcome = page ? run_with_page(ready, recorder, console, *page)
+                            : assemble::run_linked(ready, &recorder, console);
   if (!outcome) return outcome.error();
   recorder.set_figure("deadline_misses",
                       static_cast<double>(outcome.value().deadline_misses));
@@ -303,11 +346,13 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
     ready.feed.reset();  // what ground stations asked for is among the commands
   }
 
+  const auto page = open_page(arguments, scenario, ready);  // outlives its recorder
+  if (!page) return say_error(page.error());
   const fs::path folder =
       arguments.out.empty() ? free_folder(scenario.name) : arguments.out;
   auto opened =
       open_records(scenario, scenario::write_scenario(scenario, order.kinds.table()),
-                   folder, arguments.overwrite);
+                   folder, arguments.overwrite, page.value().get());
   if (!opened) return say_error(opened.error());
   record::RunRecorder& recorder = *opened.value();
   const auto patch =
@@ -316,7 +361,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
 
   if (!again)
     if (auto started = start_links(ready); !started) return say_error(started.error());
-  const auto simulated = simulate(ready, recorder, frame.value(), arguments, stop);
+  const auto simulated =
+      simulate(ready, recorder, frame.value(), arguments, page.value().get(), stop);
   const bool interrupted =
       simulated ? simulated.value() || (order.recorded && order.recorded->interrupted)
                 : true;
@@ -328,6 +374,7 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
     return kFailed;
   }
   const int status = finish(arguments, folder, closed.value(), simulated.value());
+  if (page.value()) keep_serving(*page.value(), stop);
   return status == kDone && order.recorded ? compare(*order.recorded, closed.value())
                                            : status;
 }

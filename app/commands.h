@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "skein/assemble/serve/serve_options.h"
+
 namespace skein::app {
 
 /// Exit status of the program: see docs/user-guide.md.
@@ -25,6 +27,9 @@ struct RunArguments {
   bool overwrite = false;
   bool commands = false;         ///< read the operator's from standard input
   std::filesystem::path replay;  ///< a run that is done again; empty = none
+  std::optional<std::string>
+      serve;                    ///< ADDRESS:PORT of the operator's page; none: no page
+  assemble::ServeOptions page;  ///< the rest of how it is served
 };
 
 /// How aircraft keep apart in the study `avoidance`.

@@ -6,7 +6,7 @@ namespace {
 
 constexpr const char* kBash = R"sh(_skein() {
   local cur=${COMP_WORDS[COMP_CWORD]}
-  local commands="run check list schema keys fly plan avoid report export fire link vehicle agent relay net team study campaign completion"
+  local commands="run check list schema keys fly plan avoid report replay export fire link vehicle agent relay net team study campaign completion"
   local options
   if [ "$COMP_CWORD" = 1 ]; then
     COMPREPLY=($(compgen -W "$commands --help --version" -- "$cur"))

@@ -36,6 +36,7 @@ Examples:
   skein run scenarios/wildfire.yaml --report
   skein run scenarios/wildfire.yaml --seed 7 --set aircraft[0].count=6 --out runs/six
   skein run scenarios/wildfire.yaml --speed 10          ten times real time
+  skein run scenarios/wildfire.yaml --serve             with the operator's page
   skein run --replay runs/six                           the same again)";
 
 constexpr const char* kCheckExamples = R"(
@@ -130,6 +131,7 @@ Command add_run(CLI::App& program) {
           "in it; says whether the content hash is the same.")
       ->excludes(scenario)
       ->excludes("--commands");
+  add_serve_options(*command, run->serve, run->page);
   command->add_flag("--report", run->report, "Write report.html at the end.");
   command->add_flag("--json", run->json, "Print the summary as JSON on standard output.");
   command->add_flag("--overwrite", run->overwrite,
@@ -507,7 +509,8 @@ int run_program(int argc, char** argv) {
   const PlanOptions plan(program);
   for (auto* add : {add_avoid, add_report, add_export, add_fire})
     commands.push_back(add(program));
-  for (auto* add : {add_link, add_relay, add_vehicle, add_agent, add_team, add_net})
+  for (auto* add :
+       {add_replay, add_link, add_relay, add_vehicle, add_agent, add_team, add_net})
     commands.push_back(add(program, stop_requested));
   for (auto* add : {add_study, add_campaign, add_completion})
     commands.push_back(add(program));

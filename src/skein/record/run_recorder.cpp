@@ -17,7 +17,8 @@ struct RunRecorder::Parts {
         const RunRecorderOptions& options)
       : directory(std::move(place)),
         info(std::move(run)),
-        writer(std::move(database), options.perimeter_period, options.messages) {}
+        writer(std::move(database), options.perimeter_period, options.messages,
+               options.on_metrics) {}
 
   fs::path directory;
   RunInfo info;

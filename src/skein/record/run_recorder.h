@@ -3,10 +3,12 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 
+#include "skein/data/live.h"
 #include "skein/record/summary.h"
 #include "skein/role/recorder.h"
 
@@ -17,6 +19,8 @@ struct RunRecorderOptions {
   bool messages = true;             ///< messages are stored; else they are only counted
   std::int64_t max_size_bytes = 0;  ///< largest size of the database; 0 = no limit
   bool overwrite = false;           ///< replace a run that is already in the directory
+  /// Told of all metrics as soon as they are known, by the recorder's own thread.
+  std::function<void(const MetricSample&)> on_metrics = {};
 };
 
 /// Writes a run into `DIR/run.sqlite`, and `DIR/summary.json` at the end.

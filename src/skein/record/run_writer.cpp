@@ -1,5 +1,6 @@
 #include "skein/record/run_writer.h"
 
+#include <cmath>
 #include <utility>
 
 #include "skein/base/log.h"
@@ -13,12 +14,24 @@ constexpr std::size_t kMaxPending = 2 * kBatchWork;
 constexpr auto kGatherFor = std::chrono::milliseconds(100);
 constexpr auto kLongestTransaction = std::chrono::milliseconds(200);
 
+// What is known of them.
+MetricSample sample_of(Time time, const std::string& mission,
+                       const PerimeterMetrics& metrics) {
+  MetricSample sample{time, mission, {}};
+  for (const MetricField& field : metric_fields())
+    if (const double value = metrics.*field.value; std::isfinite(value))
+      sample.values.push_back({std::string(field.name) + std::string(field.unit), value});
+  return sample;
+}
+
 }  // namespace
 
-RunWriter::RunWriter(RunDatabase database, Time perimeter_period, bool store_messages)
+RunWriter::RunWriter(RunDatabase database, Time perimeter_period, bool store_messages,
+                     std::function<void(const MetricSample&)> on_metrics)
     : database_(std::move(database)),
       perimeter_period_(perimeter_period),
-      store_messages_(store_messages) {
+      store_messages_(store_messages),
+      on_metrics_(std::move(on_metrics)) {
   pending_.reserve(kBatchWork);
   thread_ = std::thread([this] { work(); });
 }
@@ -175,6 +188,7 @@ Result<void> RunWriter::write(PerimeterRecord& record) {
   for (const ForecastScore& score : statistics_.forecasts().take_scores())
     if (auto done = database_.write(score); !done) return done;
   if (auto done = database_.write_metrics(record.time, who, metrics); !done) return done;
+  if (on_metrics_) on_metrics_(sample_of(record.time, record.mission, metrics));
   const auto stored = belief_stored_.find(who);
   if (stored == belief_stored_.end() ||
       record.time >= stored->second + perimeter_period_) {

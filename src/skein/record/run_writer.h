@@ -4,12 +4,14 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
 
+#include "skein/data/live.h"
 #include "skein/record/rows.h"
 #include "skein/record/run_database.h"
 #include "skein/record/statistics.h"
@@ -24,7 +26,9 @@ namespace skein::record {
 class RunWriter {
  public:
   /// @param store_messages  else they are only counted.
-  RunWriter(RunDatabase database, Time perimeter_period, bool store_messages);
+  /// @param on_metrics      told of all metrics, by the writer's thread; may be empty.
+  RunWriter(RunDatabase database, Time perimeter_period, bool store_messages,
+            std::function<void(const MetricSample&)> on_metrics);
   ~RunWriter();
 
   /// Queues a row. Waits when the queue is full; drops the row after a failure.
@@ -62,6 +66,7 @@ class RunWriter {
   RunStatistics statistics_;
   Time perimeter_period_;
   bool store_messages_;
+  std::function<void(const MetricSample&)> on_metrics_;
   Clock::time_point transaction_began_;
   std::map<std::uint32_t, Time> truth_stored_;  // of each phenomenon
   std::map<Believer, Time> belief_stored_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,9 @@ namespace skein {
 struct RunProgress {
   Time now;
   Time end;
-  double speed = 0;      ///< simulated over wall time
-  std::string headline;  ///< key figures in one line
+  double speed = 0;          ///< simulated over wall time
+  std::string headline;      ///< key figures in one line
+  std::uint64_t misses = 0;  ///< steps that began too late for real time
 };
 
 /// The operator's view of a run: sees progress, may steer it and ask to stop.

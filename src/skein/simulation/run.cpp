@@ -89,6 +89,10 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
   Pace pace(options.speed, options.step);
   CommandServer desk(options, console, pace, stepper);
   RunOutcome outcome;
+  const auto progress_at = [&](Time now) {
+    return RunProgress{now, options.duration, now.seconds() / pace.wall_s(),
+                       stepper.headline(), static_cast<std::uint64_t>(pace.misses())};
+  };
   stepper.introduce();
   Time now;
   for (; now <= options.duration; now += options.step) {
@@ -102,16 +106,13 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
       return failed_at(now, stepped.error());
     for (const Event& event : stepper.take_announcements())
       console.announce(event, stepper.name_of_entity(event.entity));
-    if (pace.show_due())
-      console.show(
-          {now, options.duration, now.seconds() / pace.wall_s(), stepper.headline()});
+    if (pace.show_due()) console.show(progress_at(now));
   }
   stepper.finish();
   outcome.simulated = std::min(now, options.duration);
   outcome.wall_s = pace.wall_s();
   outcome.deadline_misses = pace.misses();
-  console.show({outcome.simulated, options.duration,
-                outcome.simulated.seconds() / outcome.wall_s, stepper.headline()});
+  console.show(progress_at(outcome.simulated));
   return outcome;
 }
 

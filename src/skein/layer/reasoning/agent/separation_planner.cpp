@@ -9,6 +9,7 @@
 #include "skein/layer/reasoning/agent/expected_flight.h"
 #include "skein/layer/reasoning/avoidance/flights/course_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
+#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -94,6 +95,7 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
     if (left <= 0) return true;
     const Vec2 wind = separator_.plan().back().wind;
     if ((wind - step.in.nav->wind_N).norm() > kWrongWind && age > kWrongFor) return true;
+    if (has_legs_) return separator_.is_clear(step.in.now) || left < options_.horizon;
     return separator_.is_clear(step.in.now) && left > kWorthReturning;
   }
   // Flights that were planned in another wind cannot be flown.
@@ -129,18 +131,20 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   const PathQuery query = query_of(step);
   FlightContext context = context_;
   if (has_legs) context.limits = query.limits;
-  ExpectedFlight flight_ahead =
+  ExpectedFlight ahead =
       expected_flight(given, passed, *step.in.nav, context, step.in.now.seconds(),
                       options_.horizon + kExpected);
-  if (flight_ahead.plan.empty() || leads_back_into_others(flight_ahead.plan, given, step))
-    return;
+  const bool stays = may_not_leave(ahead.plan, given, step);
+  if (stays) ahead = prolonged(given, step, context);
+  if (ahead.plan.empty()) return;
   FlightCheck check(query, step.safety.zones().zones());
-  flies_as_expected_ =
-      has_legs && step.in.now >= unplanned_until_ && check.is_free(flight_ahead.plan);
-  wanted_ = {++counted_, std::move(flight_ahead.plan), flight_ahead.points,
-             flies_as_expected_};
+  const bool as_expected =
+      has_legs && step.in.now >= unplanned_until_ && check.is_free(ahead.plan);
+  if (stays && !as_expected) return;
+  flies_as_expected_ = as_expected;
+  wanted_ = {++counted_, std::move(ahead.plan), ahead.points, flies_as_expected_};
   end_with_milestone(wanted_);
-  points_ahead_ = flight_ahead.points.size();
+  points_ahead_ = ahead.points.size();
   told_ = 0;
   passed_before_ = passed;
   has_legs_ = has_legs;
@@ -151,14 +155,42 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   expected_at_ = step.in.now;
 }
 
-// Whether a flight out of the way of others, which has not ended, may not be left yet.
-bool SeparationPlanner::leads_back_into_others(const FlightPlan& plan,
-                                               const FlightIntent& given,
-                                               const TaskStep& step) const {
+// Whether a flight out of the way of others, which has not ended, may not be left for
+// another yet.
+bool SeparationPlanner::may_not_leave(const FlightPlan& plan, const FlightIntent& given,
+                                      const TaskStep& step) const {
   const Time now = step.in.now;
-  return expected_ && !by_others_ && given.number == given_ && separator_.changed() &&
-         now.seconds() < model::end_time_of(separator_.plan()) &&
-         separator_.meets_others(plan, now);
+  if (!expected_ || by_others_ || given.number != given_ || !separator_.changed() ||
+      now.seconds() >= model::end_time_of(separator_.plan()))
+    return false;
+  return !separator_.is_clear(now) || plan.empty() || separator_.meets_others(plan, now);
+}
+
+// A flight out of the way of others, and the legs that are left from its end on: others
+// have to see in time what comes then. Empty while that is far off.
+ExpectedFlight SeparationPlanner::prolonged(const FlightIntent& given,
+                                            const TaskStep& step,
+                                            const FlightContext& context) const {
+  const double now = step.in.now.seconds();
+  const double end = model::end_time_of(separator_.plan());
+  if (!has_legs_ || end - now >= options_.horizon) return {};
+  const model::FlightMoment m = model::end_of(separator_.plan().back());
+  NavEstimate there = *step.in.nav;
+  there.p_N = m.p_N;
+  there.v_N = m.v_N;
+  there.heading = m.heading;
+  const std::vector<double>& milestones = separator_.milestones();
+  const std::size_t points =
+      std::min(points_ahead_ - std::min(told_, points_ahead_), milestones.size());
+  ExpectedFlight on =
+      expected_flight(given, points, there, context, end, options_.horizon + kExpected);
+  ExpectedFlight all;
+  all.plan = planning::part_of(separator_.plan(), now, end);
+  all.plan.insert(all.plan.end(), on.plan.begin(), on.plan.end());
+  all.points.assign(milestones.begin(),
+                    milestones.begin() + static_cast<std::ptrdiff_t>(points));
+  all.points.insert(all.points.end(), on.points.begin(), on.points.end());
+  return all;
 }
 
 // While what it flies without a plan is interrupted, a task says at each step what is

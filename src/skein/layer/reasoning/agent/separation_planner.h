@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "skein/layer/reasoning/agent/expected_flight.h"
 #include "skein/layer/reasoning/agent/landing_planner.h"
 #include "skein/layer/reasoning/agent/task_executor.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
@@ -53,8 +54,10 @@ class SeparationPlanner {
  private:
   void want(const FlightIntent& given, const TaskStep& step,
             const FlightProgress& flight);
-  bool leads_back_into_others(const FlightPlan& plan, const FlightIntent& given,
-                              const TaskStep& step) const;
+  bool may_not_leave(const FlightPlan& plan, const FlightIntent& given,
+                     const TaskStep& step) const;
+  ExpectedFlight prolonged(const FlightIntent& given, const TaskStep& step,
+                           const FlightContext& context) const;
   void go_on_interrupting(const FlightIntent& given);
   void want_course(const TaskStep& step);
   void want_itinerary(const FlightIntent& given, const Itinerary& itinerary,

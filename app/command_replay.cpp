@@ -1,0 +1,76 @@
+// A recorded run on the operator's page.
+#include "app/command_options.h"
+#include "app/commands.h"
+#include "app/common.h"
+#include "app/output.h"
+#include "skein/assemble/serve/replay_player.h"
+#include "skein/assemble/serve/run_page.h"
+
+namespace skein::app {
+namespace {
+
+constexpr const char* kReplayExamples = R"(
+Examples:
+  skein replay runs/wildfire                    then open the address that is printed
+  skein replay runs/wildfire --serve 8081 --speed 10
+A run that is to be computed again, bit by bit: skein run --replay runs/wildfire)";
+
+struct ReplayArguments {
+  std::filesystem::path run;
+  std::vector<std::string> plugins;
+  double speed = 1;
+  std::optional<std::string> serve;
+  assemble::ServeOptions page;
+};
+
+assemble::TerrainPatch patch_of(const record::TerrainRow* stored) {
+  assemble::TerrainPatch patch;
+  if (!stored) return patch;
+  patch.rows = stored->rows;
+  patch.low = stored->low;
+  patch.spacing = stored->spacing;
+  patch.heights = stored->heights;
+  return patch;
+}
+
+int replay_command(const ReplayArguments& arguments, const std::atomic<bool>& stop) {
+  auto recorded = record::RecordStream::open(arguments.run);
+  if (!recorded) return say_error(recorded.error());
+  auto kinds = load_kinds(arguments.plugins);
+  if (!kinds) return kBadUsage;
+  const auto scenario =
+      load_scenario(arguments.run / "scenario.yaml", {}, arguments.plugins, *kinds);
+  if (!scenario) return kBadUsage;
+  assemble::ServeOptions options = arguments.page;
+  if (arguments.serve && !arguments.serve->empty())
+    if (auto read = assemble::read_place(*arguments.serve, options); !read)
+      return say_error(read.error());
+  const auto page = assemble::RunPage::open(
+      options, assemble::facts_of(*scenario, recorded.value(),
+                                  patch_of(recorded.value().terrain())));
+  if (!page) return say_error(page.error());
+  complain("The page: {}\n", page.value()->place());
+  const auto played =
+      assemble::play_again(recorded.value(), page.value()->feed(), arguments.speed, stop);
+  return played ? kDone : say_error(played.error());
+}
+
+}  // namespace
+
+Command add_replay(CLI::App& program, const std::atomic<bool>& stop) {
+  const auto given = std::make_shared<ReplayArguments>();
+  auto* command = program.add_subcommand(
+      "replay", "Show a recorded run again, on the operator's page.");
+  command->add_option("run", given->run, "Folder of the run.")->required();
+  command
+      ->add_option("--speed", given->speed,
+                   "Recorded seconds per second; the page can change it.")
+      ->check(CLI::Range(0.01, 1000.0));
+  add_plugin_option(*command, given->plugins);
+  add_serve_options(*command, given->serve, given->page);
+  add_log_option(*command);
+  command->footer(kReplayExamples);
+  return {command, [given, &stop] { return replay_command(*given, stop); }};
+}
+
+}  // namespace skein::app

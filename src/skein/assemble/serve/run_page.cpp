@@ -1,0 +1,189 @@
+#include "skein/assemble/serve/run_page.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "skein/assemble/serve/task_forms.h"
+#include "skein/layer/hmi/serve/page_files.h"
+
+namespace skein::assemble {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kHalfSize = 6000;  // of the ground that is shown [m]
+
+template <class T>
+void put_raw(std::string& out, const T& value) {
+  char bytes[sizeof value];
+  std::memcpy(bytes, &value, sizeof value);
+  out.append(bytes, sizeof value);
+}
+
+// As docs/live-feed.md has it.
+std::string coded(const TerrainPatch& patch) {
+  std::string bytes;
+  put_raw(bytes, static_cast<std::uint32_t>(patch.rows));
+  put_raw(bytes, static_cast<std::uint32_t>(patch.rows));
+  put_raw(bytes, patch.low.x());
+  put_raw(bytes, patch.low.y());
+  put_raw(bytes, patch.spacing);
+  for (const float height : patch.heights) put_raw(bytes, height);
+  return bytes;
+}
+
+Json place(const Vec2& p) {
+  return {{"north_m", p.x()}, {"east_m", p.y()}};
+}
+
+Json describe_run(const scenario::Scenario& scenario) {
+  Json run;
+  run["protocol"] = 1;
+  run["name"] = scenario.name;
+  run["seed"] = scenario.seed;
+  run["replay"] = false;
+  run["start_utc"] = scenario.start_utc;
+  run["origin"] = {{"latitude_deg", scenario.origin.latitude_deg},
+                   {"longitude_deg", scenario.origin.longitude_deg},
+                   {"height_m", scenario.origin.height_m}};
+  run["missions"] = Json::array();
+  for (const scenario::Choice& mission : scenario.missions)
+    run["missions"].push_back({{"kind", mission.kind}});
+  run["aircraft"] = Json::array();
+  for (const scenario::AircraftGroup& group : scenario.aircraft)
+    run["aircraft"].push_back({{"group", group.name},
+                               {"count", group.count},
+                               {"plant", group.plant.kind},
+                               {"vehicle", group.vehicle.kind},
+                               {"join_s", group.join.seconds()}});
+  run["task_kinds"] = task_forms();
+  return run;
+}
+
+// Where pictures of the ground come from: scheme, host and port of their address.
+Result<std::string> origin_of(const std::string& imagery) {
+  if (imagery.empty()) return std::string();
+  const std::size_t scheme = imagery.find("://");
+  const bool is_web =
+      imagery.substr(0, 8) == "https://" || imagery.substr(0, 7) == "http://";
+  const bool is_plain = imagery.find_first_of(" ;,'\"<>\\\r\n\t") == std::string::npos;
+  if (!is_web || !is_plain || imagery.find("{z}") == std::string::npos)
+    return Error{ErrorCode::kBadInput, imagery,
+                 "the address of pictures begins with http:// or https:// and has {z}, "
+                 "{x} and {y} in it.",
+                 ""};
+  return imagery.substr(0, imagery.find('/', scheme + 3));
+}
+
+Result<hmi::AccessTable> read_tokens(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  if (!in.good() && !in.eof())
+    return Error{ErrorCode::kNotFound, file, "the file with tokens cannot be read.", ""};
+  return hmi::AccessTable::parse(text, file);
+}
+
+Result<hmi::WebOptions> web_options(const ServeOptions& options) {
+  hmi::WebOptions web;
+  web.address = options.address;
+  web.port = options.port;
+  web.protocols = {std::string(hmi::LiveHub::kProtocol)};
+  web.certificate_file = options.certificate_file;
+  web.key_file = options.key_file.empty() ? options.certificate_file : options.key_file;
+  auto origin = origin_of(options.imagery);
+  if (!origin) return origin.error();
+  web.imagery_origin = std::move(origin).value();
+  if (options.tokens_file.empty()) return web;
+  auto table = read_tokens(options.tokens_file);
+  if (!table) return table.error();
+  web.access = std::move(table).value();
+  return web;
+}
+
+hmi::HttpAnswer with_body(std::string type, std::shared_ptr<const std::string> body) {
+  hmi::HttpAnswer answer;
+  answer.type = std::move(type);
+  answer.body = std::move(body);
+  return answer;
+}
+
+hmi::HttpAnswer with_json(const Json& value) {
+  return with_body("application/json",
+                   std::make_shared<const std::string>(value.dump() + "\n"));
+}
+
+}  // namespace
+
+RunFacts facts_of(const scenario::Scenario& scenario, const Build& ready,
+                  const std::string& version) {
+  Json run = describe_run(scenario);
+  run["version"] = version;
+  run["duration_s"] = ready.options.duration.seconds();
+  run["centre"] = place(ready.map_centre);
+  return {run.dump(), sample_terrain(*ready.world.terrain, ready.map_centre, kHalfSize),
+          ready.options.duration, ready.options.speed};
+}
+
+RunFacts facts_of(const scenario::Scenario& scenario,
+                  const record::RecordStream& recorded, TerrainPatch terrain) {
+  Json run = describe_run(scenario);
+  run["version"] = recorded.info().version;
+  run["duration_s"] = recorded.end().seconds();
+  run["replay"] = true;
+  const double half = terrain.spacing * (terrain.rows - 1) / 2;
+  run["centre"] = place(terrain.low + Vec2::Constant(half));
+  return {run.dump(), std::move(terrain), recorded.end(), 1, true};
+}
+
+Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
+                                               const RunFacts& facts) {
+  auto web = web_options(options);
+  if (!web) return web.error();
+  std::unique_ptr<RunPage> page(new RunPage);
+  Json run = Json::parse(facts.description);
+  run["imagery"] = options.imagery;
+  page->description_ = run.dump();
+  page->terrain_ = std::make_shared<const std::string>(coded(facts.terrain));
+  page->hub_ = std::make_unique<hmi::LiveHub>(
+      [page = page.get()](const hmi::HttpRequest& request) {
+        return page->answer(request);
+      });
+  page->feed_ = std::make_unique<hmi::LiveFeed>(*page->hub_, facts.duration, facts.speed,
+                                                facts.recorded);
+  auto server = hmi::WebServer::open(web.value(), *page->hub_);
+  if (!server) return server.error();
+  page->server_ = std::move(server).value();
+  page->hub_->attach(page->server_.get());
+  return page;
+}
+
+RunPage::~RunPage() = default;
+
+std::string RunPage::place() const {
+  return server_->place();
+}
+
+hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
+  if (request.method != "GET" && request.method != "HEAD") {
+    hmi::HttpAnswer answer = with_json({{"error", "only GET is answered here."}});
+    answer.status = 405;
+    return answer;
+  }
+  if (request.path == "/api/run") {
+    Json run = Json::parse(description_);
+    run["you"] = {{"role", name_of(request.access.role)}, {"name", request.access.name}};
+    return with_json(run);
+  }
+  if (request.path == "/api/terrain")
+    return with_body("application/octet-stream", terrain_);
+  if (request.path == "/api/health") return with_json({{"status", "ok"}});
+  if (auto file = hmi::page_file(request.path)) return *std::move(file);
+  hmi::HttpAnswer answer = with_json({{"error", "there is nothing of this name."}});
+  answer.status = 404;
+  return answer;
+}
+
+}  // namespace skein::assemble

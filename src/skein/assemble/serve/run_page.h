@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "skein/assemble/build.h"
+#include "skein/assemble/serve/serve_options.h"
+#include "skein/base/result.h"
+#include "skein/layer/hmi/serve/live_feed.h"
+#include "skein/record/record_stream.h"
+#include "skein/scenario/scenario.h"
+
+namespace skein::assemble {
+
+/// What there is to know of a run that does not change.
+struct RunFacts {
+  std::string description;  ///< JSON, as /api/run has it but for who asks
+  TerrainPatch terrain;
+  Time duration;
+  double speed = 0;       ///< that it is to have; 0: as fast as it can
+  bool recorded = false;  ///< it is over, and is shown again
+};
+
+/// @param version  of the program.
+RunFacts facts_of(const scenario::Scenario& scenario, const Build& ready,
+                  const std::string& version);
+/// Of a run that is shown again.
+/// @param terrain  as it was stored.
+RunFacts facts_of(const scenario::Scenario& scenario,
+                  const record::RecordStream& recorded, TerrainPatch terrain);
+
+/// The operator's page of a run, and all that it needs: a server with a thread of its
+/// own, the feed of what happens, and what there is to know of the run.
+class RunPage {
+ public:
+  /// Fails: kNotFound or kBadInput for the files of the options, kUnavailable for the
+  /// port.
+  static Result<std::unique_ptr<RunPage>> open(const ServeOptions& options,
+                                               const RunFacts& facts);
+  ~RunPage();
+
+  /// Where a browser finds it.
+  std::string place() const;
+
+  /// The listener of the run's records, whose console is to take commands too.
+  hmi::LiveFeed& feed() { return *feed_; }
+
+ private:
+  RunPage() = default;
+  hmi::HttpAnswer answer(const hmi::HttpRequest& request) const;
+
+  std::string description_;  // JSON, but for whom it is said to
+  std::shared_ptr<const std::string> terrain_;
+  std::unique_ptr<hmi::LiveHub> hub_;
+  std::unique_ptr<hmi::LiveFeed> feed_;
+  std::unique_ptr<hmi::WebServer> server_;
+};
+
+}  // namespace skein::assemble

@@ -1,0 +1,244 @@
+#include "skein/layer/hmi/serve/live_hub.h"
+
+#include <fmt/format.h>
+
+#include "skein/data/command_text.h"
+#include "skein/data/wire.h"
+
+namespace skein::hmi {
+namespace {
+
+// Commands that wait for the next step of the run.
+constexpr std::size_t kMostCommands = 1000;
+
+// What only instructors do: it is not part of flying.
+bool is_of_instructors(const Command& command) {
+  return std::holds_alternative<FaultCommand>(command) ||
+         std::holds_alternative<WindCommand>(command);
+}
+
+// What is wrong with a command that a page sends; empty: nothing.
+std::string fault_of(const Command& command) {
+  const auto* task = std::get_if<TaskCommand>(&command);
+  if (task && !task->file.empty())
+    return "no files are read for a page: it sends the plan itself.";
+  return {};
+}
+
+}  // namespace
+
+SharedBytes coded(const std::vector<LiveItem>& items) {
+  auto bytes = std::make_shared<std::vector<std::byte>>();
+  wire::encode(items, *bytes);
+  return bytes;
+}
+
+void LiveHub::publish(LiveBatch batch) {
+  if (server_) server_->post([this, batch = std::move(batch)] { deliver(batch); });
+}
+
+void LiveHub::all_behind() {
+  if (!server_) return;
+  server_->post([this] {
+    for (auto& [number, watcher] : watchers_) watcher.behind = true;
+    if (!watchers_.empty()) state_wanted_ = true;
+  });
+}
+
+void LiveHub::reply(ClientNumber client, const RequestReply& reply) {
+  if (!server_) return;
+  server_->post(
+      [this, client, reply] { server_->send(client, coded({LiveItem(reply)})); });
+}
+
+std::vector<ClientCommand> LiveHub::take_commands() {
+  const std::lock_guard guard(lock_);
+  return std::exchange(commands_, {});
+}
+
+void LiveHub::deliver(const LiveBatch& batch) {
+  for (auto& [number, watcher] : watchers_) {
+    const std::size_t waiting = server_->waiting(number);
+    if (waiting > kMostWaiting) watcher.behind = true;
+    if (!watcher.behind) {
+      if (const SharedBytes& news = watcher.sees_truth ? batch.whole : batch.open)
+        server_->send(number, news);
+      continue;
+    }
+    if (waiting > 0) continue;
+    if (const SharedBytes& state =
+            watcher.sees_truth ? batch.whole_state : batch.open_state) {
+      server_->send(number, state);
+      watcher.behind = false;
+    } else {
+      state_wanted_ = true;
+    }
+  }
+}
+
+HttpAnswer LiveHub::answer(const HttpRequest& request) {
+  return answer_(request);
+}
+
+void LiveHub::joined(ClientNumber client, const Access& access, std::string_view) {
+  Watcher& watcher = watchers_[client];
+  watcher.access = access;
+  watcher.name = access.name;
+  if (holder_ == 0 && access.role != AccessRole::kViewer) holder_ = client;
+  state_wanted_ = true;
+  count_watchers();
+  tell_clients();
+}
+
+void LiveHub::left(ClientNumber client) {
+  watchers_.erase(client);
+  if (holder_ == client) holder_ = 0;
+  count_watchers();
+  tell_clients();
+}
+
+// Who comes to see other things than before is told all of it anew.
+void LiveHub::count_watchers() {
+  std::size_t whole = 0;
+  for (auto& [number, watcher] : watchers_) {
+    const bool sees = truth_shown_ && watcher.access.role == AccessRole::kInstructor;
+    if (sees != watcher.sees_truth) {
+      watcher.sees_truth = sees;
+      watcher.behind = true;
+      state_wanted_ = true;
+    }
+    whole += sees;
+  }
+  open_ = watchers_.size() - whole;
+  whole_ = whole;
+}
+
+std::string LiveHub::name_of(ClientNumber client) const {
+  const auto found = watchers_.find(client);
+  return found == watchers_.end() || found->second.name.empty()
+             ? fmt::format("client {}", client)
+             : found->second.name;
+}
+
+std::string LiveHub::sender_of(ClientNumber client) const {
+  return "page: " + name_of(client);
+}
+
+void LiveHub::tell_clients() {
+  ClientList list;
+  for (const auto& [number, watcher] : watchers_)
+    list.clients.push_back({number, name_of(number), watcher.access.role});
+  list.holder = holder_;
+  list.truth_shown = truth_shown_;
+  for (const auto& [number, watcher] : watchers_) {
+    list.you = number;
+    server_->send(number, coded({LiveItem(list)}));
+  }
+}
+
+void LiveHub::answer_to(ClientNumber client, std::uint32_t number, RequestState state,
+                        const std::string& text) {
+  server_->send(client, coded({LiveItem(RequestReply{number, state, text})}));
+}
+
+void LiveHub::said(ClientNumber client, std::string_view message, bool is_text) {
+  if (!is_text) return answer_to(client, 0, RequestState::kRefused, "requests are text.");
+  const auto request = parse_client_request(message);
+  if (!request)
+    return answer_to(client, 0, RequestState::kRefused, request.error().text());
+  obey(client, request.value());
+}
+
+void LiveHub::obey(ClientNumber client, const ClientRequest& request) {
+  const std::uint32_t number = request.number;
+  if (const auto* name = std::get_if<NameRequest>(&request.what)) {
+    // A name that belongs to a token is not the client's to choose.
+    Watcher& watcher = watchers_[client];
+    if (!watcher.access.name.empty())
+      return answer_to(client, number, RequestState::kRefused,
+                       "the name goes with the token.");
+    watcher.name = name->name;
+    answer_to(client, number, RequestState::kAccepted);
+    return tell_clients();
+  }
+  if (watchers_[client].access.role == AccessRole::kViewer)
+    return answer_to(client, number, RequestState::kRefused, "viewers only see.");
+  if (const auto* wish = std::get_if<HoldRequest>(&request.what)) {
+    hold(client, number, wish->hold);
+  } else if (const auto* to = std::get_if<HandOverRequest>(&request.what)) {
+    hand_over(client, number, to->client);
+  } else if (const auto* truth = std::get_if<TruthRequest>(&request.what)) {
+    if (watchers_[client].access.role != AccessRole::kInstructor)
+      return answer_to(client, number, RequestState::kRefused,
+                       "instructors say who sees the truth.");
+    truth_shown_ = truth->shown;
+    answer_to(client, number, RequestState::kAccepted);
+    count_watchers();
+    tell_clients();
+  } else if (const auto* seek = std::get_if<SeekRequest>(&request.what)) {
+    hand_to_run(client, number, *seek);
+  } else {
+    command(client, number, std::get<CommandRequest>(request.what).line);
+  }
+}
+
+void LiveHub::command(ClientNumber client, std::uint32_t number,
+                      const std::string& line) {
+  auto parsed = parse_command(line);
+  if (!parsed)
+    return answer_to(client, number, RequestState::kRefused, parsed.error().text());
+  if (const std::string fault = fault_of(parsed.value()); !fault.empty())
+    return answer_to(client, number, RequestState::kRefused, fault);
+  if (is_of_instructors(parsed.value()) &&
+      watchers_[client].access.role != AccessRole::kInstructor)
+    return answer_to(client, number, RequestState::kRefused,
+                     "faults and wind are the instructor's.");
+  hand_to_run(client, number, std::move(parsed).value());
+}
+
+void LiveHub::hand_to_run(ClientNumber client, std::uint32_t number,
+                          std::variant<Command, SeekRequest> what) {
+  if (holder_ == 0) {
+    holder_ = client;
+    tell_clients();
+  }
+  if (holder_ != client)
+    return answer_to(client, number, RequestState::kRefused,
+                     fmt::format("{} holds control.", name_of(holder_)));
+  // Given before it can be obeyed: replies of the run come behind this one.
+  answer_to(client, number, RequestState::kGiven);
+  const std::lock_guard guard(lock_);
+  if (commands_.size() < kMostCommands)
+    commands_.push_back({client, number, sender_of(client), std::move(what)});
+  else
+    answer_to(client, number, RequestState::kRefused, "too many commands wait already.");
+}
+
+void LiveHub::hold(ClientNumber client, std::uint32_t number, bool wanted) {
+  const bool may_take = holder_ == 0 || holder_ == client ||
+                        (watchers_[client].access.role == AccessRole::kInstructor &&
+                         watchers_[holder_].access.role != AccessRole::kInstructor);
+  if (wanted && !may_take)
+    return answer_to(
+        client, number, RequestState::kRefused,
+        fmt::format("{} holds control, and can hand it over.", name_of(holder_)));
+  if (!wanted && holder_ != client)
+    return answer_to(client, number, RequestState::kRefused, "you do not hold control.");
+  holder_ = wanted ? client : 0;
+  answer_to(client, number, RequestState::kAccepted);
+  tell_clients();
+}
+
+void LiveHub::hand_over(ClientNumber client, std::uint32_t number, ClientNumber to) {
+  const auto found = watchers_.find(to);
+  if (holder_ != client)
+    return answer_to(client, number, RequestState::kRefused, "you do not hold control.");
+  if (found == watchers_.end() || found->second.access.role == AccessRole::kViewer)
+    return answer_to(client, number, RequestState::kRefused,
+                     "nobody who may give commands has this number.");
+  holder_ = to;
+  answer_to(client, number, RequestState::kAccepted);
+  tell_clients();
+}
+
+}  // namespace skein::hmi

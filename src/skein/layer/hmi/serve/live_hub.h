@@ -1,0 +1,115 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/data/command.h"
+#include "skein/data/live.h"
+#include "skein/layer/hmi/serve/client_request.h"
+#include "skein/layer/hmi/serve/web_server.h"
+
+namespace skein::hmi {
+
+/// What a run says to those who watch it, coded once for all of them. `whole` holds the
+/// truth too, `open` does not; null: nobody needs it.
+struct LiveBatch {
+  SharedBytes open, whole;
+  /// The full state, for those who have come or fallen behind.
+  SharedBytes open_state, whole_state;
+};
+
+/// A command of a client, or a wish for another time of a recorded run.
+struct ClientCommand {
+  ClientNumber client = 0;
+  std::uint32_t number = 0;  ///< of the client's requests
+  std::string sender;        ///< for the records
+  std::variant<Command, SeekRequest> what;
+};
+
+/// What is served besides the feed: pages, and data of a run by their names.
+using Answerer = std::function<HttpAnswer(const HttpRequest&)>;
+
+/// Stands between a run and those who watch it: each on a thread of its own.
+///
+/// Clients that read too slowly miss frames: what waits for them is bounded, and when
+/// they have caught up they are told the full state. Commands are taken from who holds
+/// control, as far as their role allows.
+class LiveHub final : public WebListener {
+ public:
+  /// As WebSocket protocol.
+  static constexpr std::string_view kProtocol = "skein.live.v1";
+  /// What may wait for a client.
+  static constexpr std::size_t kMostWaiting = 8 << 20;
+
+  /// @param answer  by the server's thread.
+  explicit LiveHub(Answerer answer) : answer_(std::move(answer)) {}
+
+  /// Before anything else; null when the server is gone.
+  void attach(WebServer* server) { server_ = server; }
+
+  // By the thread of the run.
+
+  bool is_watched() const { return open_ > 0 || whole_ > 0; }
+  bool wants_open() const { return open_ > 0; }
+  bool wants_whole() const { return whole_ > 0; }
+  /// Whether somebody waits for the full state; asked once before each batch.
+  bool take_state_wanted() { return state_wanted_.exchange(false); }
+  void publish(LiveBatch batch);
+  /// Everybody has missed something.
+  void all_behind();
+  void reply(ClientNumber client, const RequestReply& reply);
+  std::vector<ClientCommand> take_commands();
+
+  // By the server's thread.
+
+  HttpAnswer answer(const HttpRequest& request) override;
+  void joined(ClientNumber client, const Access& access,
+              std::string_view protocol) override;
+  void said(ClientNumber client, std::string_view message, bool is_text) override;
+  void left(ClientNumber client) override;
+
+ private:
+  struct Watcher {
+    Access access;
+    std::string name;
+    bool behind = true;  // is told the full state as soon as it has read what waits
+    bool sees_truth = false;
+  };
+
+  void obey(ClientNumber client, const ClientRequest& request);
+  void command(ClientNumber client, std::uint32_t number, const std::string& line);
+  void hand_to_run(ClientNumber client, std::uint32_t number,
+                   std::variant<Command, SeekRequest> what);
+  void hold(ClientNumber client, std::uint32_t number, bool wanted);
+  void hand_over(ClientNumber client, std::uint32_t number, ClientNumber to);
+  void answer_to(ClientNumber client, std::uint32_t number, RequestState state,
+                 const std::string& text = {});
+  void deliver(const LiveBatch& batch);
+  void tell_clients();
+  void count_watchers();
+  std::string name_of(ClientNumber client) const;
+  std::string sender_of(ClientNumber client) const;
+
+  Answerer answer_;
+  WebServer* server_ = nullptr;
+  std::atomic<std::size_t> open_ = 0, whole_ = 0;  // watchers without and with the truth
+  std::atomic<bool> state_wanted_ = false;
+  // The server's thread alone.
+  std::map<ClientNumber, Watcher> watchers_;
+  ClientNumber holder_ = 0;
+  bool truth_shown_ = true;
+  // Between the threads.
+  std::mutex lock_;
+  std::vector<ClientCommand> commands_;
+};
+
+/// A message of the feed: items after each other.
+SharedBytes coded(const std::vector<LiveItem>& items);
+
+}  // namespace skein::hmi

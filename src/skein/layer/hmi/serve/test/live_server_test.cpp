@@ -1,0 +1,269 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "skein/layer/hmi/serve/live_feed.h"
+#include "skein/layer/hmi/serve/test/live_client.h"
+
+namespace skein::hmi {
+namespace {
+
+constexpr const char* kTokens =
+    "viewer-viewer-viewer viewer\n"
+    "operator-operator-1 operator Anna\n"
+    "operator-operator-2 operator Boris\n"
+    "instructor-instructor instructor\n";
+
+// A run that goes on as long as it is watched: its thread records, and obeys.
+class ServedRun {
+ public:
+  explicit ServedRun(const char* tokens = nullptr) {
+    WebOptions options;
+    options.port = 0;
+    options.protocols = {std::string(LiveHub::kProtocol)};
+    if (tokens) options.access = AccessTable::parse(tokens, "tokens").value();
+    auto opened = WebServer::open(options, hub_);
+    EXPECT_TRUE(opened) << opened.error().text();
+    server_ = std::move(opened).value();
+    hub_.attach(server_.get());
+    const std::string place = server_->place();
+    port_ = static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1)));
+    EntityRecord station, aircraft;
+    station.kind = "station";
+    aircraft.id = EntityId{1};
+    aircraft.name = "scout-1";
+    aircraft.kind = "aircraft";
+    feed_.record(station);
+    feed_.record(aircraft);
+    thread_ = std::thread([this] { run(); });
+  }
+  ~ServedRun() {
+    ended_ = true;
+    thread_.join();
+  }
+
+  std::uint16_t port() const { return port_; }
+  /// Bytes that each step says besides.
+  void say_much(std::size_t bytes) { much_ = bytes; }
+
+ private:
+  void run() {
+    for (int step = 0; !ended_; ++step) {
+      const Time now = Time::from_seconds(0.1 * step);
+      for (const CommandRecord& given : feed_.take_commands()) obey(now, given);
+      TruthRecord truth;
+      truth.time = now;
+      truth.id = EntityId{1};
+      feed_.record(truth);
+      EstimateRecord estimate;
+      estimate.id = EntityId{1};
+      estimate.nav.time = now;
+      feed_.record(estimate);
+      if (much_ > 0) {
+        Event event;
+        event.time = now;
+        event.text = std::string(much_, 'x');
+        feed_.record(event);
+      }
+      EXPECT_TRUE(feed_.step_done(now));
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
+
+  // As the simulation does: it records, and refuses right behind.
+  void obey(Time now, const CommandRecord& given) {
+    CommandRecord record = given;
+    record.time = now;
+    feed_.record(record);
+    const auto* add = std::get_if<AddCommand>(&given.command);
+    if (add && add->aircraft != "scout-1")
+      feed_.record(Event{now, EntityId{0}, "command-refused",
+                         "add " + add->aircraft + ": there is no such aircraft."});
+    if (std::holds_alternative<TaskCommand>(given.command))
+      feed_.record(Event{now, EntityId{1}, "task-refused", "no fire sensor"});
+  }
+
+  LiveHub hub_{[](const HttpRequest& request) {
+    HttpAnswer answer;
+    answer.status = request.path == "/api/run" || request.path == "/" ? 200 : 404;
+    answer.body = std::make_shared<const std::string>(name_of(request.access.role));
+    return answer;
+  }};
+  LiveFeed feed_{hub_, Time::from_seconds(3600), 1};
+  std::unique_ptr<WebServer> server_;
+  std::uint16_t port_ = 0;
+  std::atomic<bool> ended_ = false;
+  std::atomic<std::size_t> much_ = 0;
+  std::thread thread_;
+};
+
+std::vector<std::pair<std::string, std::string>> bearer(const char* token) {
+  return {{"Authorization", std::string("Bearer ") + token}};
+}
+
+TEST(WebServer, AnswersThisMachineAlone) {
+  ServedRun run;
+  EXPECT_EQ(ask(run.port(), {}).result_int(), 200U);
+  const auto described = ask(run.port(), {.target = "/api/run"});
+  EXPECT_EQ(described.result_int(), 200U);
+  EXPECT_EQ(described.body(), "instructor");
+  EXPECT_EQ(ask(run.port(), {.target = "/nothing"}).result_int(), 404U);
+  EXPECT_EQ(ask(run.port(), {.target = "/api/run", .host = "evil.example"}).result_int(),
+            403U);
+  EXPECT_EQ(ask(run.port(), {.method = http::verb::post,
+                             .target = "/api/run",
+                             .headers = {{"Origin", "http://evil.example"}}})
+                .result_int(),
+            403U);
+  EXPECT_NE(described["Content-Security-Policy"].find("script-src 'self'"),
+            beast::string_view::npos);
+}
+
+TEST(WebServer, RefusesWebSocketsOfOtherPagesAndProtocols) {
+  ServedRun run;
+  EXPECT_EQ(LiveClient(run.port(), {{"Origin", "http://evil.example"}}).status(), 403U);
+  EXPECT_EQ(LiveClient(run.port(), {}, "other").status(), 400U);
+  LiveClient own(run.port(), {{"Origin", "http://localhost"}});
+  EXPECT_TRUE(own.is_open());
+}
+
+TEST(WebServer, TokensSayWhoMaySeeAndGiveCommands) {
+  ServedRun run(kTokens);
+  EXPECT_EQ(ask(run.port(), {.target = "/api/run"}).result_int(), 401U);
+  EXPECT_EQ(ask(run.port(), {.target = "/"}).result_int(), 200U);
+  EXPECT_EQ(LiveClient(run.port()).status(), 401U);
+  EXPECT_EQ(LiveClient(run.port(), bearer("viewer-viewer-viewe")).status(), 401U);
+
+  const auto refused = ask(
+      run.port(),
+      {.method = http::verb::post, .target = "/login", .body = R"({"token":"wrong"})"});
+  EXPECT_EQ(refused.result_int(), 403U);
+  const auto done = ask(run.port(), {.method = http::verb::post,
+                                     .target = "/login",
+                                     .body = R"({"token":"viewer-viewer-viewer"})"});
+  EXPECT_EQ(done.result_int(), 204U);
+  EXPECT_EQ(std::string(done["Set-Cookie"]),
+            "skein_token=viewer-viewer-viewer; Path=/; HttpOnly; SameSite=Strict");
+  const auto seen =
+      ask(run.port(), {.target = "/api/run",
+                       .headers = {{"Cookie", "skein_token=viewer-viewer-viewer"}}});
+  EXPECT_EQ(seen.body(), "viewer");
+
+  LiveClient viewer(run.port(), bearer("viewer-viewer-viewer"));
+  viewer.say(R"({"number":1,"line":"pause"})");
+  EXPECT_EQ(viewer.wait_for_reply(1)->text, "viewers only see.");
+  LiveClient anna(run.port(), bearer("operator-operator-1"));
+  anna.say(R"({"number":1,"line":"fault scout-1 link"})");
+  EXPECT_EQ(anna.wait_for_reply(1)->text, "faults and wind are the instructor's.");
+  anna.say(R"({"number":2,"line":"pause"})");
+  EXPECT_EQ(anna.wait_for_reply(2)->state, RequestState::kAccepted);
+}
+
+TEST(LiveFeed, WhoJoinsIsToldTheFullStateAndThenWhatHappens) {
+  ServedRun run;
+  LiveClient client(run.port());
+  ASSERT_TRUE(client.is_open());
+  const auto mark = client.wait_for<SnapshotMark>();
+  ASSERT_TRUE(mark && mark->begins);
+  const auto first = client.wait_for<FleetFrame>();
+  const auto second = client.wait_for<FleetFrame>();
+  ASSERT_TRUE(first && second);
+  ASSERT_EQ(second->vehicles.size(), 1U);
+  EXPECT_GT(second->time, first->time);
+  EXPECT_TRUE(client.wait_for<TruthFrame>());
+  client.say(R"({"number":1,"truth":false})");
+  EXPECT_TRUE(client.wait_for<ClientList>(
+      [](const ClientList& list) { return !list.truth_shown; }));
+  EXPECT_TRUE(client.wait_for<SnapshotMark>());
+  for (int k = 0; k < 5; ++k)
+    for (const LiveItem& item : client.hear())
+      EXPECT_FALSE(std::holds_alternative<TruthFrame>(item));
+}
+
+TEST(LiveFeed, CommandsAreAcceptedOrRefusedWithTheReason) {
+  ServedRun run;
+  LiveClient client(run.port());
+  client.say(R"({"number":1,"command":{"kind":"add","aircraft":"scout-1"}})");
+  const auto accepted = client.wait_for_reply(1);
+  ASSERT_TRUE(accepted);
+  EXPECT_EQ(accepted->state, RequestState::kAccepted) << accepted->text;
+  client.say(R"({"number":2,"line":"add scout-9"})");
+  const auto refused = client.wait_for_reply(2);
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->state, RequestState::kRefused);
+  EXPECT_EQ(refused->text, "add scout-9: there is no such aircraft.");
+  client.say(R"({"number":3,"line":"nonsense"})");
+  EXPECT_EQ(client.wait_for_reply(3)->state, RequestState::kRefused);
+  // By the aircraft, later.
+  client.say(R"({"number":4,"line":"task scout-1 edge 0,0"})");
+  const auto later = client.wait_for<RequestReply>([](const RequestReply& reply) {
+    return reply.number == 4 && reply.state == RequestState::kRefused;
+  });
+  ASSERT_TRUE(later);
+  EXPECT_EQ(later->text, "no fire sensor");
+  client.say(R"({"number":5,"line":"task scout-1 plan file /etc/passwd"})");
+  EXPECT_EQ(client.wait_for_reply(5)->text,
+            "no files are read for a page: it sends the plan itself.");
+}
+
+TEST(LiveFeed, OneHoldsControlAndCanHandItOver) {
+  ServedRun run(kTokens);
+  LiveClient anna(run.port(), bearer("operator-operator-1"));
+  ASSERT_TRUE(anna.wait_for<ClientList>(
+      [](const ClientList& list) { return list.holder == list.you; }));
+  LiveClient boris(run.port(), bearer("operator-operator-2"));
+  const auto list = boris.wait_for<ClientList>();
+  ASSERT_TRUE(list);
+  boris.say(R"({"number":1,"line":"pause"})");
+  EXPECT_EQ(boris.wait_for_reply(1)->text, "Anna holds control.");
+  boris.say(R"({"number":2,"hold":true})");
+  EXPECT_EQ(boris.wait_for_reply(2)->state, RequestState::kRefused);
+  anna.say(R"({"number":1,"hand_over":)" + std::to_string(list->you) + "}");
+  EXPECT_EQ(anna.wait_for_reply(1)->state, RequestState::kAccepted);
+  boris.say(R"({"number":3,"line":"pause"})");
+  EXPECT_EQ(boris.wait_for_reply(3)->state, RequestState::kAccepted);
+  // An instructor may take it.
+  LiveClient teacher(run.port(), bearer("instructor-instructor"));
+  teacher.say(R"({"number":1,"hold":true})");
+  EXPECT_EQ(teacher.wait_for_reply(1)->state, RequestState::kAccepted);
+}
+
+TEST(LiveFeed, WhoReadsNothingHoldsUpNobodyAndIsToldAllLater) {
+  ServedRun run;
+  LiveClient slow(run.port());
+  ASSERT_TRUE(slow.wait_for<FleetFrame>());
+  run.say_much(1 << 20);
+  LiveClient quick(run.port());
+  // Far more than may wait for a client.
+  while (quick.is_open() && quick.bytes_heard() < 6 * LiveHub::kMostWaiting) quick.hear();
+  ASSERT_TRUE(quick.is_open());
+  run.say_much(0);
+  std::size_t before = slow.bytes_heard();
+  EXPECT_TRUE(slow.wait_for<SnapshotMark>());
+  // What the system buffers besides is a few megabytes.
+  EXPECT_LT(slow.bytes_heard() - before, 2 * LiveHub::kMostWaiting + (16 << 20));
+}
+
+TEST(LiveFeed, WhoSaysTooMuchOrTooOftenIsDisconnected) {
+  ServedRun run;
+  LiveClient large(run.port());
+  large.say(R"({"number":1,"line":")" + std::string(70000, 'x') + "\"}");
+  EXPECT_FALSE(large.wait_for_reply(1));
+  LiveClient rapid(run.port());
+  for (int k = 0; k < 2000 && rapid.is_open(); ++k)
+    rapid.say(R"({"number":1,"line":"no such command"})");
+  while (rapid.is_open()) rapid.hear();
+  LiveClient usual(run.port());
+  EXPECT_TRUE(usual.wait_for<FleetFrame>());
+}
+
+TEST(LiveFeed, HundredWatchAtOnce) {
+  ServedRun run;
+  std::vector<std::unique_ptr<LiveClient>> all;
+  for (int k = 0; k < 100; ++k) all.push_back(std::make_unique<LiveClient>(run.port()));
+  for (const auto& client : all) EXPECT_TRUE(client->wait_for<FleetFrame>());
+}
+
+}  // namespace
+}  // namespace skein::hmi

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/base/result.h"
+#include "skein/layer/hmi/serve/access.h"
+
+namespace skein::hmi {
+
+/// Counts the clients of a server, from 1.
+using ClientNumber = std::uint32_t;
+
+/// What is sent, to many at once without a copy for each.
+using SharedBytes = std::shared_ptr<const std::vector<std::byte>>;
+
+/// A request of a browser or program that the server knows.
+struct HttpRequest {
+  std::string_view method;
+  std::string_view path;   ///< without what follows a question mark
+  std::string_view query;  ///< that
+  std::string_view body;
+  Access access;
+};
+
+struct HttpAnswer {
+  unsigned status = 200;
+  std::string type = "application/json";
+  std::shared_ptr<const std::string> body;
+  bool may_be_kept = false;  ///< by the browser, until its name changes
+  bool gzip = false;         ///< the body is compressed
+  std::string file = {};     ///< it is saved under this name; empty: shown
+};
+
+/// What a server asks whoever it serves; by the server's thread alone.
+class WebListener {
+ public:
+  virtual ~WebListener() = default;
+  virtual HttpAnswer answer(const HttpRequest& request) = 0;
+  /// @param protocol  one of WebOptions::protocols.
+  virtual void joined(ClientNumber client, const Access& access,
+                      std::string_view protocol) = 0;
+  virtual void said(ClientNumber client, std::string_view message, bool is_text) = 0;
+  virtual void left(ClientNumber client) = 0;
+};
+
+struct WebOptions {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 8080;  ///< 0: any that is free
+  AccessTable access;
+  /// Of WebSockets, the best one first.
+  std::vector<std::string> protocols;
+  std::string certificate_file;  ///< PEM, with its chain; empty: without TLS
+  std::string key_file;          ///< PEM
+  std::string imagery_origin;    ///< pages may load pictures from there; empty: none
+  std::size_t most_clients = 256;
+};
+
+/// One port for pages, an HTTP interface and WebSockets.
+///
+/// Has a thread of its own. Messages of clients are limited in size and rate; who is too
+/// slow, too fast or too large is disconnected. Requests of pages that come from another
+/// server are refused, and without tokens those that do not name this machine too.
+class WebServer {
+ public:
+  static constexpr std::size_t kLargestMessage = 65536;
+  static constexpr double kMessagesPerSecond = 100;
+  static constexpr std::size_t kLargestBody = 4 << 20;
+
+  /// @param listener  outlives the server.
+  /// Fails: kUnavailable for an address or port that cannot be had; kNotFound or
+  /// kBadInput for files that hold no certificate or key; kBadInput for an address that
+  /// other machines reach without tokens.
+  static Result<std::unique_ptr<WebServer>> open(const WebOptions& options,
+                                                 WebListener& listener);
+  ~WebServer();
+  WebServer(const WebServer&) = delete;
+  WebServer& operator=(const WebServer&) = delete;
+
+  /// Where a browser finds it: "http://127.0.0.1:8080/".
+  std::string place() const;
+
+  /// Has the server's thread do something soon. By any thread.
+  void post(std::function<void()> task);
+
+  /// The rest is for the server's thread alone: within a listener's function or a task.
+  void send(ClientNumber client, SharedBytes bytes, bool is_text = false);
+  /// Bytes that have been given to send() for a client and are not sent yet.
+  std::size_t waiting(ClientNumber client) const;
+  void disconnect(ClientNumber client);
+
+ private:
+  struct Impl;
+  explicit WebServer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace skein::hmi
