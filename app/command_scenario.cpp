@@ -18,6 +18,7 @@
 #include "skein/campaign/campaign_file.h"
 #include "skein/data/task_text.h"
 #include "skein/record/record_text.h"
+#include "skein/record/wire_table_text.h"
 #include "skein/scenario/markdown.h"
 #include "skein/scenario/scenario_file.h"
 #include "skein/scenario/schema.h"
@@ -173,6 +174,10 @@ scenario::KindTable table_of(const std::string& document,
 int schema_command(const std::string& document, const std::vector<std::string>& plugins) {
   if (document == "records") {
     print("{}", record::records_typescript());
+    return kDone;
+  }
+  if (document == "wire") {
+    print("{}", record::wire_table_typescript());
     return kDone;
   }
   const auto kinds = load_kinds(plugins);

@@ -57,6 +57,7 @@ Examples:
   skein schema > scenario.schema.json
   skein schema aircraft > aircraft.schema.json
   skein schema records      TypeScript types of records, messages and commands
+  skein schema wire         a table of how the live feed lies in its bytes
   then, in the first line of a scenario, for editors with a YAML language server:
   # yaml-language-server: $schema=scenario.schema.json)";
 
@@ -207,6 +208,9 @@ Command add_description(CLI::App& program, const char* name, const char* help,
   if (std::string_view(name) == "keys") {
     documents.emplace_back("tasks");
     which += "; tasks: how orders are written";
+  } else {
+    documents.emplace_back("wire");
+    which += "; wire: how the live feed is coded";
   }
   command->add_option("of", given->document, which + ".")
       ->check(CLI::IsMember(documents));

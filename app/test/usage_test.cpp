@@ -74,6 +74,9 @@ TEST_F(Program, TheDocumentationOfKeysIsUpToDate) {
   EXPECT_EQ(run({"schema", "records"}).out,
             read_file(SKEIN_SOURCE_DIR "/web/report/records.ts"))
       << "Renew it: build/release/skein schema records > web/report/records.ts";
+  EXPECT_EQ(run({"schema", "wire"}).out,
+            read_file(SKEIN_SOURCE_DIR "/web/live/wire_table.ts"))
+      << "Renew it: build/release/skein schema wire > web/live/wire_table.ts";
 }
 
 TEST_F(Program, ShippedScenariosAreGood) {

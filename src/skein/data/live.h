@@ -181,7 +181,7 @@ struct ClientList {
 
 constexpr auto describe(const ClientList*) {
   using T = ClientList;
-  return described<T>({"client_list"},
+  return described<T>({"clients"},
                       "Everybody who watches, and who of them gives commands.",
                       field("clients", &T::clients, "in the order of their numbers"),
                       field("holder", &T::holder, "who holds control; 0: nobody"),
@@ -208,7 +208,7 @@ struct RequestReply {
 
 constexpr auto describe(const RequestReply*) {
   using T = RequestReply;
-  return described<T>({"request_reply"}, "What becomes of a request of a client.",
+  return described<T>({"command_reply"}, "What becomes of a request of a client.",
                       field("number", &T::number, "of the client's requests"),
                       field("state", &T::state, "how far it is"),
                       field("text", &T::text, "why it is refused, for people"));

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "skein/data/columns.h"
+#include "skein/data/live.h"
 #include "skein/record/rows.h"
 
 namespace skein::record {
@@ -176,6 +177,9 @@ std::string records_typescript() {
   TypeScript types;
   for_each_alternative(static_cast<const Record*>(nullptr),
                        [&]<class T>() { types.add<T>(); });
+  for_each_alternative(static_cast<const LiveItem*>(nullptr), [&]<class T>() {
+    if constexpr (!std::is_same_v<T, LiveRecord>) types.add<T>();
+  });
   return "/** Made by `skein schema records` from the descriptions in "
          "src/skein/data: do not edit. */\n" +
          types.text();
