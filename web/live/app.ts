@@ -1,6 +1,7 @@
 /** What all parts of the page share: the run, the world, the connection, the map, commands. */
 import { Connection, type Sent } from "./connection";
 import { Frame } from "./frames";
+import { Drawing } from "./map/drawing";
 import { MapView } from "./map/map_view";
 import { MapTools } from "./map/tools";
 import { Terrain } from "./map/terrain";
@@ -10,7 +11,7 @@ import { T } from "./texts";
 import { Units } from "./units";
 import { Decoder, type Table } from "./wire";
 import { kTable } from "./wire_table";
-import { World } from "./world";
+import { World, type KeptEvent } from "./world";
 
 export class App {
   readonly settings: Settings = loadSettings();
@@ -20,10 +21,11 @@ export class App {
   readonly connection: Connection;
   readonly map: MapView;
   readonly tools: MapTools;
+  readonly drawing: Drawing;
+  showPanel: (name: string) => void = () => undefined;
   /** Called a few times a second for parts that show numbers. */
   private readonly tickers: ((wall: number) => void)[] = [];
   private readonly kinds = new Map<string, { hovers: boolean; radius: number }>();
-  onMessage: (text: string, kind: "good" | "bad") => void = () => undefined;
 
   constructor(readonly run: RunDescription, readonly terrain: Terrain | null, frame: Frame) {
     this.frame = frame;
@@ -32,12 +34,17 @@ export class App {
     const url = new URL("live", location.href);
     url.protocol = location.protocol === "https:" ? "wss:" : "ws:";
     url.search = url.hash = "";
-    this.connection = new Connection(url.href, decoder, (item) => this.world.take(item));
+    this.connection = new Connection(url.href, decoder, (kind, value) => this.world.take(kind, value));
     this.world.onReply = (reply) => this.connection.reply(reply);
     for (const { name, kind, hovers, safety_radius_m } of run.aircraft)
       this.kinds.set(name, { hovers: hovers ?? /copter|quad|hexa|rotor|multi/i.test(kind), radius: safety_radius_m ?? 0 });
     this.map = new MapView(run, this.world, terrain, this.settings);
     this.tools = new MapTools(this, this.map);
+    this.drawing = new Drawing(this);
+    this.tools.chosenDrawing = () => {
+      const drawn = this.drawing.drawn()?.geometry;
+      return drawn?.kind === "line" ? drawn.points : drawn?.kind === "area" ? drawn.rings[0] : null;
+    };
     this.map.labelText = (row) => this.label(row);
     this.connection.beforeOpen = () => this.sameRun();
     window.setInterval(() => this.tick(), 250);
@@ -119,6 +126,14 @@ export class App {
   silence(row: number): number {
     const { fleet } = this.world, heard = fleet.get(row, "heard_s"), age = fleet.get(row, "age_s") || 0;
     return Number.isFinite(heard) ? Math.max(age, fleet.time - heard) : age;
+  }
+
+  /** Shows who an event is about; a replay goes to its time. */
+  jumpTo(event: KeptEvent): void {
+    if (this.run.replay) this.seek(event.time_s);
+    if (this.world.fleet.row(event.entity_id) < 0) return;
+    this.map.select([event.entity_id]);
+    this.map.centreOn(event.entity_id);
   }
 
   // Commands.

@@ -1,6 +1,6 @@
 /** The WebSocket to the server: connects again after it was lost, numbers commands and follows their fate. */
 import type { CommandReply } from "./protocol";
-import type { Decoder, Item } from "./wire";
+import type { Decoder, Visit } from "./wire";
 
 export type ConnectionState = "connecting" | "open" | "lost";
 
@@ -31,7 +31,7 @@ export class Connection {
   private lastNumber = 0;
   private timer = 0;
 
-  constructor(private readonly url: string, private readonly decoder: Decoder, private readonly visit: (item: Item) => void) {}
+  constructor(private readonly url: string, private readonly decoder: Decoder, private readonly visit: Visit) {}
 
   open(): void {
     clearTimeout(this.timer);

@@ -2,26 +2,80 @@
 import { h } from "../report/dom";
 import type { App } from "./app";
 import { mapControls, mapFoot } from "./map/controls";
+import { Alerts } from "./alerts";
+import { contextMenu } from "./context_menu";
+import { listenToKeys, showKeys } from "./keys";
+import { EventsPanel } from "./panels/events";
+import { FirePanel } from "./panels/fire";
 import { FleetPanel } from "./panels/fleet";
+import { InstructorPanel } from "./panels/instructor";
+import { LinksPanel } from "./panels/links";
+import { MissionPanel } from "./panels/mission";
 import type { Panel } from "./panels/panel";
+import { PlotsPanel } from "./panels/plots";
 import { T } from "./texts";
+import { Timeline } from "./timeline";
 import { topBar } from "./top_bar";
 import { icon } from "./ui";
 
 export function build(app: App, root: HTMLElement): void {
   const fleet = new FleetPanel(app);
-  const panels: [string, Panel][] = [["fleet", fleet]];
+  const panels: [string, Panel][] = [["fleet", fleet], ["fire", new FirePanel(app)], ["mission", new MissionPanel(app)], ["events", new EventsPanel(app)],
+    ["plots", new PlotsPanel(app)], ["links", new LinksPanel(app)], ["instructor", new InstructorPanel(app)]];
   const dock = makeDock(app, panels);
+  const alerts = new Alerts(app), timeline = new Timeline(app), toasts = toast(app, alerts);
   const dimension = () => app.map.set3d(!app.map.is3d);
+  const showPanel = (name: string) => {
+    root.classList.remove("wide");
+    dock.show(name);
+  };
   const togglePanels = () => { root.classList.toggle("wide"); };
+  app.showPanel = showPanel;
   const controls = mapControls(app, dimension);
+  const stage = h("main", { class: "stage" }, app.map.element, controls.element, alerts.element, mapFoot(app), app.tools.hint, toasts);
   root.className = "app";
-  root.replaceChildren(
-    topBar(app, { dimension, help: () => undefined, panels: togglePanels }),
-    h("main", { class: "stage" }, app.map.element, controls.element, mapFoot(app), app.tools.hint),
-    dock.element);
+  root.replaceChildren(topBar(app, { dimension, help: showKeys, panels: togglePanels }), stage, dock.element, timeline.element);
+  contextMenu(app, stage);
+  listenToKeys({
+    " ": () => app.pause(!app.world.clock.paused), ".": () => app.step(1),
+    ...Object.fromEntries(panels.map(([name], k) => [String(k + 1), () => showPanel(name)])),
+    j: () => fleet.step(1), k: () => fleet.step(-1),
+    f: () => { app.map.follow = !app.map.follow && app.map.selected.size > 0; },
+    c: () => { for (const id of app.map.selected) return app.map.centreOn(id); },
+    Home: () => app.map.fit(), d: dimension, n: () => app.map.map.easeTo({ bearing: 0 }), l: () => controls.layers(), m: () => app.tools.measure(),
+    a: () => alerts.acknowledgeFirst(), b: togglePanels,
+    "/": () => { showPanel("fleet"); fleet.search.focus(); },
+    "?": showKeys, "Ctrl z": () => app.drawing.undo(), "Ctrl y": () => app.drawing.redo(),
+    Escape: () => (app.drawing.mode ? app.drawing.set(null) : app.map.select([])),
+  }, (event) => app.tools.key(event));
   app.map.resize();
   app.map.applyLayers();
+  app.map.setTiles(app.settings.tiles);
+}
+
+/** Short notes about commands that were given here; refusals become alerts. */
+function toast(app: App, alerts: Alerts): HTMLElement {
+  const element = h("div", { class: "toasts", role: "status", "aria-live": "polite" });
+  const shown = new Map<number, HTMLElement>();
+  app.connection.onSent = (sent) => {
+    let note = shown.get(sent.number);
+    if (!note) {
+      note = h("div", { class: "toast" });
+      shown.set(sent.number, note);
+      element.append(note);
+      while (element.children.length > 4) element.firstElementChild!.remove();
+    }
+    note.dataset.state = sent.state;
+    note.replaceChildren(h("span", {}, sent.text), h("strong", {}, T.events.states[sent.state]));
+    if (sent.state === "refused" || sent.state === "lost") alerts.refuse(sent.text, sent.reason);
+    if (sent.state === "pending" || sent.state === "given") return;
+    const done = note;
+    window.setTimeout(() => {
+      done.remove();
+      shown.delete(sent.number);
+    }, 3500);
+  };
+  return element;
 }
 
 function makeDock(app: App, panels: [string, Panel][]): { element: HTMLElement; show: (name: string) => void } {

@@ -26,11 +26,8 @@ export interface Table {
   choices: Record<string, Alternative[]>;
 }
 
-/** What a message holds: an object with its kind, or rows of numbers (see Columns). */
-export interface Item {
-  kind: string;
-  [field: string]: unknown;
-}
+/** Is given each item of a message: its kind, and the struct in its JSON form. */
+export type Visit = (kind: string, value: unknown) => void;
 
 type Value = unknown;
 type Read = (reader: Reader) => Value;
@@ -136,7 +133,7 @@ export class Decoder {
   private readonly reader = new Reader();
 
   constructor(private readonly table: Table) {
-    this.items = table.choices[table.items].map(([kind, type]) => ({ kind, read: this.alternative(kind, type) }));
+    this.items = table.choices[table.items].map(([kind, type]) => ({ kind, read: this.one(type) }));
   }
 
   /** From now on, items of this kind are handed over unread: for what comes too often to make objects of. */
@@ -148,7 +145,7 @@ export class Decoder {
    * Calls `visit` for each item of a message, in order.
    * Throws: RangeError for bytes that make no sense, or are of another version.
    */
-  decode(message: ArrayBuffer, visit: (item: Item) => void): void {
+  decode(message: ArrayBuffer, visit: Visit): void {
     const r = this.reader;
     r.open(message);
     if (r.octet() !== this.table.version) throw new RangeError("the server speaks another version");
@@ -160,7 +157,7 @@ export class Decoder {
         r.end = end;
         const takes = this.taken.get(known.kind);
         if (takes) takes(r);
-        else visit(known.read(r) as Item);
+        else visit(known.kind, known.read(r));
         r.end = outer;
       }
       r.at = end; // a kind or field that is not known is passed over

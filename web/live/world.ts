@@ -5,7 +5,7 @@ import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Foo
 import { Fleet, PlayTime } from "./fleet";
 import type { Frame } from "./frames";
 import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, RunClock, TaskOrder } from "./protocol";
-import type { Decoder, Item, Table } from "./wire";
+import type { Decoder, Table } from "./wire";
 
 /** What may change; panels compare the counts with those that they have shown. */
 export type Topic = "clock" | "entities" | "fire" | "forecast" | "arrival" | "zones" | "missions" | "events" | "metrics" | "links" |
@@ -107,10 +107,8 @@ export class World {
   }
 
   /** Takes one item in. */
-  take(item: Item): void {
-    const value = ("value" in item ? item.value : item) as never;
-    const taker = this.takers[item.kind];
-    if (taker) taker(value);
+  take(kind: string, value: unknown): void {
+    this.takers[kind]?.(value as never);
   }
 
   private readonly takers: Record<string, (value: never) => void> = {

@@ -246,7 +246,7 @@ export class MapView {
 
   set3d(on: boolean): void {
     this.camera.flat = !on;
-    if (this.terrain) this.map.setTerrain(on ? { source: "heights", exaggeration: 1 } : null);
+    if (this.terrain) this.map.setTerrain(on ? { source: "ground", exaggeration: 1 } : null);
     this.map.easeTo({ pitch: on ? 60 : 0, duration: 600 });
     this.applyLayers();
     this.camera.version++;
