@@ -32,12 +32,18 @@ export interface ChartOptions {
   marks?: { x: number; label: string }[];
   sync?: string;
   onPick?: (x: number) => void;
+  height?: number; // [px]
+  live?: boolean; // its lines come and change later: it is made without any data too
 }
 
 export interface Chart {
   element: HTMLElement;
   /** Shows a time in the plot, as the map's slider moves. */
   showTime(x: number): void;
+  /** Shows these lines from now on: as many as before, with the same names and bands. */
+  update(lines: Line[]): void;
+  /** Takes the plot off the page for good. */
+  remove(): void;
 }
 
 const kTimeSteps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 21600, 43200, 86400];
@@ -195,9 +201,9 @@ export function chart(options: ChartOptions): Chart {
     const dash = line.points ? "dotted" : line.dash ?? "solid";
     return line.low && line.high ? [dash, dash, dash] : [dash];
   })];
-  if (!(data[0]?.length > 0)) {
+  if (!(data[0]?.length > 0) && !options.live) {
     holder.append(h("p", { class: "empty" }, "The records hold nothing for this plot."));
-    return { element, showTime: () => undefined };
+    return { element, showTime: () => undefined, update: () => undefined, remove: () => element.remove() };
   }
   holder.setAttribute("role", "img");
   holder.setAttribute("aria-label", `${options.title}${options.unit ? ` in ${options.unit}` : ""}: ` +
@@ -211,16 +217,17 @@ export function chart(options: ChartOptions): Chart {
     timeLine.hidden = shown < (plot.scales.x.min ?? 0) || shown > (plot.scales.x.max ?? 0);
     timeLine.style.transform = `translateX(${plot.valToPos(shown, "x")}px)`;
   };
+  const height = options.height ?? kHeight;
   const xLow = data[0][0] as number, xHigh = data[0][data[0].length - 1] as number;
   plot = new uPlot({
     width: 480,
-    height: kHeight,
+    height,
     bands,
     series: series(options),
     axes: axes(options),
     scales: {
       x: { time: false, distr: options.logX ? 3 : 1,
-        ...(xLow === xHigh ? { range: [xLow - 1, xHigh + 1] as [number, number] } : {}) },
+        ...(xLow === xHigh && !options.live ? { range: [xLow - 1, xHigh + 1] as [number, number] } : {}) },
       y: { distr: options.logY ? 3 : 1, range: yRange(options) },
     },
     padding: [(options.marks ?? []).length > 0 ? 20 : 8, null, null, null],
@@ -243,10 +250,25 @@ export function chart(options: ChartOptions): Chart {
     },
   }, data, holder);
 
-  new ResizeObserver(() => {
+  const sizes = new ResizeObserver(() => {
     const width = Math.floor(holder.clientWidth);
-    if (width > 0 && plot && width !== plot.width) plot.setSize({ width, height: kHeight });
-  }).observe(holder);
-  onThemeChange(() => plot?.redraw(false));
-  return { element, showTime: (x) => { shown = x; place(); } };
+    if (width > 0 && plot && width !== plot.width) plot.setSize({ width, height });
+  });
+  sizes.observe(holder);
+  const forget = onThemeChange(() => plot?.redraw(false));
+  return {
+    element,
+    showTime: (x) => { shown = x; place(); },
+    update: (lines) => {
+      options.lines = lines; // a colour is looked up when it is drawn
+      plot?.setData(table(options).data);
+    },
+    remove: () => {
+      forget();
+      sizes.disconnect();
+      plot?.destroy();
+      plot = undefined;
+      element.remove();
+    },
+  };
 }

@@ -44,13 +44,24 @@ const dark: Theme = {
   series: ["#5fb0f5", "#ff9a5c", "#3fcf9f", "#e39ad2", "#e0c341", "#a3a3ff", "#d0a07c", "#b4bec7"],
 };
 
+export type ThemeChoice = "auto" | "light" | "dark";
+
 const wantsDark = window.matchMedia("(prefers-color-scheme: dark)");
 let printing = false;
+let choice: ThemeChoice = "auto"; // "auto": as the system has it
 const listeners: (() => void)[] = [];
 
 /** The colours of this moment; paper is always light. */
 export function theme(): Theme {
-  return wantsDark.matches && !printing ? dark : light;
+  const darkNow = choice === "auto" ? wantsDark.matches : choice === "dark";
+  return darkNow && !printing ? dark : light;
+}
+
+/** Chooses the colours, whatever the system has. */
+export function chooseTheme(next: ThemeChoice): void {
+  if (choice === next) return;
+  choice = next;
+  tell();
 }
 
 export const paperTheme = light;
@@ -60,9 +71,10 @@ export function alertColour(region: string | null, theme: Theme): string {
   return region === "NEAR" ? theme.warning : region === "MID" ? theme.corrective : theme.preventive;
 }
 
-/** Calls back whenever theme() changes. */
-export function onThemeChange(listener: () => void): void {
+/** Calls back whenever theme() changes, until the function that it returns is called. */
+export function onThemeChange(listener: () => void): () => void {
   listeners.push(listener);
+  return () => { listeners.splice(listeners.indexOf(listener), 1); };
 }
 
 function tell(): void {

@@ -1,0 +1,34 @@
+// Bundles the operator's page: build_live.mjs FOLDER writes index.html, page.js, page.css and
+// worker.js into it. All of the page is in these four files; it asks nobody else for anything.
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { build } from "esbuild";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const [folder, ...flags] = process.argv.slice(2);
+if (!folder) throw new Error("usage: node build_live.mjs FOLDER [--size]");
+mkdirSync(folder, { recursive: true });
+
+await build({
+  entryPoints: { page: join(here, "live/main.ts"), worker: fileURLToPath(import.meta.resolve("maplibre-gl/dist/maplibre-gl-worker.mjs")) },
+  bundle: true,
+  minify: true,
+  format: "esm",
+  target: ["es2022"],
+  legalComments: "none",
+  outdir: folder,
+});
+const index = readFileSync(join(here, "live/index.html"), "utf8");
+writeFileSync(join(folder, "index.html"), index);
+
+if (flags.includes("--size")) {
+  let sum = 0;
+  for (const name of ["index.html", "page.js", "page.css", "worker.js"]) {
+    const size = gzipSync(readFileSync(join(folder, name)), { level: 9 }).length;
+    sum += size;
+    console.log(`${name}: ${(size / 1000).toFixed(1)} kB`);
+  }
+  console.log(`all, gzip: ${(sum / 1000).toFixed(1)} kB`);
+}

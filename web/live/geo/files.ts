@@ -1,0 +1,136 @@
+/** GeoJSON (RFC 7946) and KML (2.2), written and read. */
+import type { Frame } from "../frames";
+import type { Feature, Ring } from "./features";
+
+type Position = [number, number, ...number[]];
+
+interface GeoJsonGeometry {
+  type: string;
+  coordinates?: unknown;
+  geometries?: GeoJsonGeometry[];
+}
+
+const toPosition = (frame: Frame, [north, east]: [number, number]): Position => {
+  const [lng, lat] = frame.toLngLat(north, east);
+  return [Number(lng.toFixed(8)), Number(lat.toFixed(8))];
+};
+const toPlace = (frame: Frame, [lng, lat]: Position): [number, number] => {
+  const { north_m, east_m } = frame.toLocal({ latitude_deg: lat, longitude_deg: lng });
+  return [north_m, east_m];
+};
+
+const closed = <P>(ring: P[]): P[] => (ring.length > 0 ? [...ring, ring[0]] : ring);
+
+/** Rings that run as RFC 7946 wants them: the first against the clock, holes with it. */
+function turned(ring: Position[], hole: boolean): Position[] {
+  let area = 0;
+  ring.forEach(([x, y], i) => {
+    const [x2, y2] = ring[(i + 1) % ring.length];
+    area += x * y2 - x2 * y;
+  });
+  return area < 0 === hole ? ring : [...ring].reverse();
+}
+
+export function toGeoJson(features: Feature[], frame: Frame): string {
+  return JSON.stringify({ type: "FeatureCollection", features: features.map(({ name, geometry, properties }) => ({
+    type: "Feature",
+    properties: { name, ...properties },
+    geometry: geometry.kind === "point" ? { type: "Point", coordinates: toPosition(frame, geometry.at) }
+      : geometry.kind === "line" ? { type: "LineString", coordinates: geometry.points.map((p) => toPosition(frame, p)) }
+        : { type: "Polygon", coordinates: geometry.rings.map((ring, k) => closed(turned(ring.map((p) => toPosition(frame, p)), k > 0))) },
+  })) }, null, 1);
+}
+
+const escape = (text: string) => text.replace(/[<>&"']/g, (c) => `&#${c.charCodeAt(0)};`);
+
+export function toKml(features: Feature[], frame: Frame): string {
+  const list = (ring: Ring, close: boolean) => (close ? closed(ring) : ring).map((p) => toPosition(frame, p).slice(0, 2).join(",")).join(" ");
+  const ring = (points: Ring, side: string) => `<${side}><LinearRing><coordinates>${list(points, true)}</coordinates></LinearRing></${side}>`;
+  const placemark = ({ name, geometry, properties }: Feature) => `<Placemark><name>${escape(name)}</name><ExtendedData>${
+    Object.entries(properties).map(([key, value]) => `<Data name="${escape(key)}"><value>${escape(String(value ?? ""))}</value></Data>`).join("")}</ExtendedData>${
+    geometry.kind === "point" ? `<Point><coordinates>${list([geometry.at], false)}</coordinates></Point>`
+      : geometry.kind === "line" ? `<LineString><tessellate>1</tessellate><coordinates>${list(geometry.points, false)}</coordinates></LineString>`
+        : `<Polygon><tessellate>1</tessellate>${geometry.rings.map((points, k) => ring(points, k === 0 ? "outerBoundaryIs" : "innerBoundaryIs")).join("")}</Polygon>`}</Placemark>`;
+  return `<?xml version="1.0" encoding="UTF-8"?>\n<kml xmlns="http://www.opengis.net/kml/2.2"><Document>\n${features.map(placemark).join("\n")}\n</Document></kml>\n`;
+}
+
+/** What was read, and how many features were of a kind that is not kept. */
+export interface Loaded {
+  features: Feature[];
+  left: number;
+}
+
+const open = (ring: Position[]): Position[] => {
+  const first = ring[0], last = ring[ring.length - 1];
+  return ring.length > 1 && first[0] === last[0] && first[1] === last[1] ? ring.slice(0, -1) : ring;
+};
+
+function geometries(geometry: GeoJsonGeometry | null, frame: Frame): Feature["geometry"][] {
+  const place = (p: unknown) => toPlace(frame, p as Position), ring = (r: unknown) => open(r as Position[]).map(place);
+  switch (geometry?.type) {
+    case "Point": return [{ kind: "point", at: place(geometry.coordinates) }];
+    case "MultiPoint": return (geometry.coordinates as unknown[]).map((p) => ({ kind: "point", at: place(p) }));
+    case "LineString": return [{ kind: "line", points: (geometry.coordinates as unknown[]).map(place) }];
+    case "MultiLineString": return (geometry.coordinates as unknown[][]).map((l) => ({ kind: "line", points: l.map(place) }));
+    case "Polygon": return [{ kind: "area", rings: (geometry.coordinates as unknown[]).map(ring) }];
+    case "MultiPolygon": return (geometry.coordinates as unknown[][]).map((p) => ({ kind: "area", rings: p.map(ring) }));
+    case "GeometryCollection": return (geometry.geometries ?? []).flatMap((each) => geometries(each, frame));
+    default: return [];
+  }
+}
+
+function fromGeoJson(text: string, frame: Frame): Loaded {
+  const root = JSON.parse(text) as { type: string; features?: unknown[]; geometry?: unknown };
+  const all = (root.type === "FeatureCollection" ? root.features ?? [] : root.type === "Feature" ? [root] : [{ geometry: root, properties: {} }]) as
+    { geometry: GeoJsonGeometry | null; properties?: Record<string, unknown> | null }[];
+  const loaded: Loaded = { features: [], left: 0 };
+  for (const { geometry, properties } of all) {
+    const found = geometries(geometry, frame);
+    if (found.length === 0) ++loaded.left;
+    for (const each of found) loaded.features.push({ name: String(properties?.name ?? ""), geometry: each, properties: {} });
+  }
+  return loaded;
+}
+
+function fromKml(text: string, frame: Frame): Loaded {
+  const root = new DOMParser().parseFromString(text, "application/xml");
+  if (root.querySelector("parsererror")) throw new Error("this is no XML");
+  const list = (element: Element | null): [number, number][] => (element?.textContent ?? "").trim().split(/\s+/).filter(Boolean)
+    .map((each) => toPlace(frame, each.split(",").map(Number) as Position));
+  const ring = (element: Element) => {
+    const points = list(element.querySelector("coordinates"));
+    const [a, b] = [points[0], points[points.length - 1]];
+    return points.length > 1 && Math.hypot(a[0] - b[0], a[1] - b[1]) < 1e-3 ? points.slice(0, -1) : points;
+  };
+  const loaded: Loaded = { features: [], left: 0 };
+  for (const placemark of root.getElementsByTagName("Placemark")) {
+    const name = placemark.getElementsByTagName("name")[0]?.textContent?.trim() ?? "", before = loaded.features.length;
+    const add = (geometry: Feature["geometry"]) => loaded.features.push({ name, geometry, properties: {} });
+    for (const point of placemark.getElementsByTagName("Point")) add({ kind: "point", at: list(point)[0] });
+    for (const line of placemark.getElementsByTagName("LineString")) add({ kind: "line", points: list(line.querySelector("coordinates")) });
+    for (const polygon of placemark.getElementsByTagName("Polygon"))
+      add({ kind: "area", rings: [...polygon.getElementsByTagName("outerBoundaryIs"), ...polygon.getElementsByTagName("innerBoundaryIs")].map(ring) });
+    if (loaded.features.length === before) ++loaded.left;
+  }
+  return loaded;
+}
+
+/** Throws where a file is neither. */
+export function readFeatures(text: string, frame: Frame): Loaded {
+  const loaded = text.trimStart().startsWith("<") ? fromKml(text, frame) : fromGeoJson(text, frame);
+  const numbers = (f: Feature) => (f.geometry.kind === "point" ? [f.geometry.at] : f.geometry.kind === "line" ? f.geometry.points : f.geometry.rings.flat()).flat();
+  const good = loaded.features.filter((f) => numbers(f).every(Number.isFinite));
+  return { features: good, left: loaded.left + loaded.features.length - good.length };
+}
+
+function save(text: string, type: string, name: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+
+export const saveGeoJson = (features: Feature[], frame: Frame, name: string) => save(toGeoJson(features, frame), "application/geo+json", `${name}.geojson`);
+export const saveKml = (features: Feature[], frame: Frame, name: string) => save(toKml(features, frame), "application/vnd.google-earth.kml+xml", `${name}.kml`);

@@ -1,0 +1,345 @@
+/** The map: camera, ground, the canvases above it, and what the pointer does. */
+import { Map as MapLibre, setWorkerUrl, type CustomLayerInterface, type GeoJSONSource, type MapMouseEvent } from "maplibre-gl";
+import { onThemeChange, theme } from "../../report/theme";
+import { h } from "../../report/dom";
+import type { RunDescription } from "../protocol";
+import type { Settings } from "../settings";
+import { T } from "../texts";
+import type { World } from "../world";
+import { AirLayer } from "./air_layer";
+import { Boxes, drawField } from "./field";
+import { Labels, type LabelText } from "./labels";
+import { Projector } from "./projector";
+import { Shaper } from "./shapes";
+import { groundColours, mapStyle, tintRamp } from "./style";
+import type { Terrain } from "./terrain";
+
+export interface Here {
+  north_m: number;
+  east_m: number;
+  latitude_deg: number;
+  longitude_deg: number;
+  x: number; // in the map [px]
+  y: number;
+}
+
+/** Whoever wants the clicks: picking a place, measuring. Returns whether it takes the click. */
+export type ClickTaker = (here: Here, double: boolean) => boolean;
+
+/** Something that draws on the canvas of what changes slowly. */
+export type Extra = (c: CanvasRenderingContext2D, view: MapView) => void;
+
+const kLabelsEvery = 0.25, kFieldEvery = 0.5; // [s]
+
+export class MapView {
+  readonly element: HTMLElement;
+  readonly map: MapLibre;
+  readonly camera = new Projector();
+  readonly shaper: Shaper;
+  readonly selected = new Set<number>();
+  follow = false;
+  extras: Extra[] = [];
+  clickTakers: ClickTaker[] = [];
+  onSelect: () => void = () => undefined;
+  onPointer: (here: Here | null) => void = () => undefined;
+  onContext: (here: Here) => void = () => undefined;
+  labelText: (row: number) => LabelText = () => ({ name: "", line: "", warned: false });
+  /** Script time of the last frames that were drawn [ms]. */
+  readonly frameTimes = new Float64Array(240);
+  frames = 0;
+  private readonly air: AirLayer;
+  private readonly field: CanvasRenderingContext2D;
+  private readonly labelCanvas: CanvasRenderingContext2D;
+  private readonly labels = new Labels();
+  private readonly boxes = new Boxes();
+  private readonly pose = new Float64Array(4);
+  private cameraShown = -1;
+  private fieldKey = "";
+  private labelsAt = -1;
+  private fieldAt = -1;
+  private timeShown = -1;
+  private fleetShown = -1;
+  private zonesShown = -1;
+  private dirty = true;
+  private fresh = true;
+
+  constructor(private readonly run: RunDescription, private readonly world: World, readonly terrain: Terrain | null,
+    private readonly settings: Settings) {
+    setWorkerUrl("worker.js");
+    const holder = h("div", { class: "map-gl" });
+    const canvas = (name: string) => h("canvas", { class: `over ${name}`, "aria-hidden": "true" });
+    const field = canvas("field"), air = canvas("air"), labels = canvas("labels");
+    this.element = h("div", { class: "map-stack" }, holder, field, air, labels);
+    this.shaper = new Shaper(world.frame, (north, east) => terrain?.at(north, east) ?? 0);
+    if (terrain) world.fleet.groundAt = (north, east) => terrain.at(north, east);
+    terrain?.serve();
+    const [lng, lat] = world.frame.toLngLat(run.centre.north_m, run.centre.east_m);
+    this.map = new MapLibre({
+      container: holder, style: mapStyle(terrain, theme().dark, theme().zone), center: [lng, lat], zoom: 13,
+      attributionControl: false, maplibreLogo: false, fadeDuration: 0, maxPitch: 75, dragRotate: true, pitchWithRotate: true,
+      keyboard: true, doubleClickZoom: true, renderWorldCopies: false, validateStyle: false,
+    });
+    this.map.getCanvas().setAttribute("aria-label", T.map.label);
+    this.map.getCanvas().setAttribute("role", "application");
+    this.air = new AirLayer(air);
+    this.field = field.getContext("2d")!;
+    this.labelCanvas = labels.getContext("2d")!;
+    const probe: CustomLayerInterface = {
+      id: "camera", type: "custom", renderingMode: "3d",
+      render: (_, { defaultProjectionData }) => {
+        const frame = world.frame;
+        this.camera.set(defaultProjectionData.mainMatrix as unknown as ArrayLike<number>, frame.mercatorX, frame.mercatorY, frame.mercatorPerMetre);
+      },
+    };
+    this.map.on("load", () => {
+      this.map.addLayer(probe);
+      this.paint();
+      this.fit(false);
+    });
+    this.map.on("render", () => { if (this.camera.version !== this.cameraShown) this.draw(performance.now() / 1000); });
+    this.listen();
+    onThemeChange(() => this.paint());
+    new ResizeObserver(() => this.resize()).observe(this.element);
+    const loop = () => {
+      this.draw(performance.now() / 1000);
+      requestAnimationFrame(loop);
+    };
+    requestAnimationFrame(loop);
+  }
+
+  private listen(): void {
+    const here = (event: MapMouseEvent): Here => ({ ...this.place(event.lngLat.lng, event.lngLat.lat), x: event.point.x, y: event.point.y });
+    let lastMove = 0;
+    this.map.on("mousemove", (event) => {
+      if (performance.now() - lastMove < 40) return;
+      lastMove = performance.now();
+      this.onPointer(here(event));
+      this.map.getCanvas().style.cursor = this.clickTakers.length > 0 ? "crosshair" : this.pick(event.point.x, event.point.y) >= 0 ? "pointer" : "";
+    });
+    this.map.on("mouseout", () => this.onPointer(null));
+    this.map.on("click", (event) => {
+      const at = here(event);
+      for (const taker of [...this.clickTakers].reverse()) if (taker(at, false)) return;
+      const id = this.pick(event.point.x, event.point.y);
+      const { shiftKey, ctrlKey } = event.originalEvent;
+      if (id < 0) {
+        if (!shiftKey && !ctrlKey) this.select([]);
+        return;
+      }
+      if (shiftKey || ctrlKey) this.select(this.selected.has(id) ? [...this.selected].filter((other) => other !== id) : [...this.selected, id]);
+      else this.select([id]);
+    });
+    this.map.on("contextmenu", (event) => this.onContext(here(event)));
+    this.map.on("dragstart", () => { this.follow = false; });
+    this.map.on("move", () => {
+      this.camera.bearing = (this.map.getBearing() * Math.PI) / 180;
+      this.camera.pitch = (this.map.getPitch() * Math.PI) / 180;
+    });
+  }
+
+  /** The local place of a latitude and longitude. */
+  place(lng: number, lat: number): Omit<Here, "x" | "y"> {
+    return { ...this.world.frame.toLocal({ latitude_deg: lat, longitude_deg: lng }), latitude_deg: lat, longitude_deg: lng };
+  }
+
+  /** The aircraft under a pixel; -1 where there is none. */
+  pick(x: number, y: number): number {
+    const { fleet, play } = this.world, time = play.now(performance.now() / 1000);
+    let best = -1, least = 18 * 18;
+    for (let row = 0; row < fleet.count; ++row) {
+      fleet.pose(row, time, this.pose);
+      if (!this.camera.project(this.pose[0], this.pose[1], this.pose[2])) continue;
+      const d = (this.camera.x - x) ** 2 + (this.camera.y - y) ** 2;
+      if (d < least) {
+        least = d;
+        best = fleet.ids[row];
+      }
+    }
+    return best;
+  }
+
+  select(ids: number[]): void {
+    this.selected.clear();
+    for (const id of ids) this.selected.add(id);
+    if (ids.length === 0) this.follow = false;
+    this.redraw();
+    this.onSelect();
+  }
+
+  /** Everything is drawn again with the next frame. */
+  redraw(): void {
+    this.dirty = true;
+    this.fieldKey = "";
+    this.labelsAt = -1;
+  }
+
+  resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (width === 0 || height === 0) return;
+    const ratio = Math.min(2, window.devicePixelRatio || 1);
+    this.camera.width = width;
+    this.camera.height = height;
+    for (const canvas of [this.air.canvas, this.field.canvas, this.labelCanvas.canvas]) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    }
+    this.field.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.labelCanvas.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.map.resize();
+    this.camera.version++;
+    this.redraw();
+  }
+
+  private warnedColour(): string {
+    return theme().dark ? "#ffab1a" : "#b84a00";
+  }
+
+  private paint(): void {
+    const colours = theme();
+    this.air.setTheme(colours, this.warnedColour());
+    this.labels.forget();
+    this.redraw();
+    if (!this.map.getLayer("ground")) return;
+    const ground = groundColours(colours.dark);
+    this.map.setPaintProperty("ground", "background-color", ground.ground);
+    if (this.terrain) {
+      this.map.setPaintProperty("tint", "color-relief-color", tintRamp(this.terrain, ground) as never);
+      this.map.setPaintProperty("relief", "hillshade-shadow-color", ground.shadow);
+      this.map.setPaintProperty("relief", "hillshade-highlight-color", ground.light);
+      this.map.setPaintProperty("relief", "hillshade-accent-color", ground.shadow);
+    }
+    for (const [layer, property] of [["zones-fill", "fill-color"], ["zones-line", "line-color"], ["zones-walls", "fill-extrusion-color"]] as const)
+      this.map.setPaintProperty(layer, property, colours.zone);
+  }
+
+  /** Shows or hides the ground and what hangs on it, as the settings say. */
+  applyLayers(): void {
+    const { layers, tail } = this.settings;
+    this.air.showTails = layers.tails;
+    this.air.seconds = tail;
+    this.air.showTruth = layers.truth;
+    this.air.showRings = layers.safety;
+    this.redraw();
+    if (!this.map.getLayer("ground")) return;
+    const show = (layer: string, shown: boolean) => {
+      if (this.map.getLayer(layer)) this.map.setLayoutProperty(layer, "visibility", shown ? "visible" : "none");
+    };
+    show("tint", layers.terrain);
+    show("relief", layers.terrain);
+    show("zones-fill", layers.zones);
+    show("zones-line", layers.zones);
+    show("zones-walls", layers.zones && !this.camera.flat);
+  }
+
+  /** Tiles from a server that the user has named; an empty address takes them away. */
+  setTiles(address: string): void {
+    if (this.map.getLayer("tiles")) this.map.removeLayer("tiles");
+    if (this.map.getSource("tiles")) this.map.removeSource("tiles");
+    if (!address) return;
+    this.map.addSource("tiles", { type: "raster", tiles: [address], tileSize: 256 });
+    this.map.addLayer({ id: "tiles", type: "raster", source: "tiles" }, this.map.getLayer("relief") ? "relief" : "zones-fill");
+  }
+
+  get is3d(): boolean {
+    return !this.camera.flat;
+  }
+
+  set3d(on: boolean): void {
+    this.camera.flat = !on;
+    if (this.terrain) this.map.setTerrain(on ? { source: "ground", exaggeration: 1 } : null);
+    this.map.easeTo({ pitch: on ? 60 : 0, duration: 600 });
+    this.applyLayers();
+    this.camera.version++;
+    this.map.triggerRepaint();
+  }
+
+  /** The whole of where things happen. */
+  fit(smooth = true): void {
+    const { centre, extent_m } = this.run, r = extent_m / 2;
+    const west = this.world.frame.toLngLat(centre.north_m - r, centre.east_m - r), east = this.world.frame.toLngLat(centre.north_m + r, centre.east_m + r);
+    this.follow = false;
+    this.map.fitBounds([west, east], { padding: 12, bearing: this.map.getBearing(), pitch: this.map.getPitch(), duration: smooth ? 500 : 0 });
+  }
+
+  goTo(north: number, east: number): void {
+    this.map.easeTo({ center: this.world.frame.toLngLat(north, east), duration: 500 });
+  }
+
+  centreOn(id: number): void {
+    const row = this.world.fleet.row(id);
+    if (row >= 0) this.goTo(this.world.fleet.get(row, "north_m"), this.world.fleet.get(row, "east_m"));
+  }
+
+  private setZones(): void {
+    const source = this.map.getSource("zones") as GeoJSONSource | undefined;
+    if (!source || this.zonesShown === this.world.version.zones) return;
+    this.zonesShown = this.world.version.zones;
+    const features = [...this.world.zones.values()].flatMap((zone) => {
+      const { area } = zone;
+      const ring = area.kind === "ring" ? area.points : Array.from({ length: 64 }, (_, k): [number, number] => {
+        const a = (k * Math.PI) / 32;
+        return [(area.centre_north_m ?? 0) + (area.radius_m ?? 0) * Math.cos(a), (area.centre_east_m ?? 0) + (area.radius_m ?? 0) * Math.sin(a)];
+      });
+      if (ring.length < 3) return [];
+      const coordinates = [...ring, ring[0]].map(([north, east]) => this.world.frame.toLngLat(north, east));
+      const ground = this.terrain?.at(ring[0][0], ring[0][1]) ?? 0;
+      return [{ type: "Feature" as const, geometry: { type: "Polygon" as const, coordinates: [coordinates] }, properties: {
+        name: zone.name, base: Math.max(0, (zone.floor_msl_m ?? ground) - ground), top: Math.max(20, (zone.ceiling_msl_m ?? ground + 400) - ground) } }];
+    });
+    source.setData({ type: "FeatureCollection", features });
+  }
+
+  private followNow(time: number): void {
+    const id = this.selected.values().next().value;
+    const row = id === undefined ? -1 : this.world.fleet.row(id);
+    if (row < 0) return;
+    this.world.fleet.pose(row, time, this.pose);
+    const { mercatorPerMetre, mercatorX, mercatorY } = this.world.frame;
+    const x = mercatorX + this.pose[0] * mercatorPerMetre, y = mercatorY + this.pose[1] * mercatorPerMetre;
+    const lat = (Math.atan(Math.exp((0.5 - y) * 2 * Math.PI)) * 2 - Math.PI / 2) * (180 / Math.PI);
+    this.map.jumpTo({ center: [(x - 0.5) * 360, lat] });
+  }
+
+  /** Draws what has changed since the last frame. */
+  private draw(wall: number): void {
+    if (this.camera.version === 0 || this.camera.width <= 1) return;
+    const { world, camera } = this, begun = performance.now();
+    const time = world.play.now(wall);
+    this.setZones();
+    if (this.follow && Math.abs(time - this.timeShown) > 1e-3) this.followNow(time);
+    const moved = camera.version !== this.cameraShown;
+    const airChanged = moved || this.dirty || Math.abs(time - this.timeShown) > 0.004 || world.fleet.version !== this.fleetShown;
+    const v = world.version;
+    const due = wall - this.fieldAt > kFieldEvery;
+    const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.paths} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
+    if (!airChanged && !(due && key !== this.fieldKey)) return;
+    if (moved || this.dirty || (due && key !== this.fieldKey)) {
+      drawField(this.field, { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected }, this.boxes);
+      for (const extra of this.extras) extra(this.field, this);
+      this.fieldKey = key;
+      this.fieldAt = wall;
+    }
+    if (airChanged) {
+      this.air.showTruth = this.settings.layers.truth && world.fleet.time - world.truth.time < 5;
+      this.air.draw(world.fleet, world.truth, camera, time);
+      if (this.settings.layers.names) {
+        if (moved ? wall - this.labelsAt > 0.1 : wall - this.labelsAt > kLabelsEvery) {
+          this.labels.place(world.fleet, camera, time, this.selected, this.labelText, theme(), this.warnedColour());
+          this.labelsAt = wall;
+        }
+        this.labels.draw(this.labelCanvas, world.fleet, camera, time, this.selected, theme());
+      } else if (moved || this.dirty) {
+        this.labelCanvas.clearRect(0, 0, camera.width, camera.height);
+      }
+    }
+    this.timeShown = time;
+    this.fleetShown = world.fleet.version;
+    this.cameraShown = camera.version;
+    this.dirty = false;
+    if (this.fresh && world.fleet.count > 0) {
+      this.fresh = false;
+      performance.mark("first picture");
+    }
+    this.frameTimes[this.frames++ % this.frameTimes.length] = performance.now() - begun;
+  }
+}

@@ -1,0 +1,115 @@
+/** One aircraft: what it does and why, its plan, its state, and what it may be told to do. */
+import { clock, h } from "../../report/dom";
+import type { App } from "../app";
+import { latLonText } from "../frames";
+import { T } from "../texts";
+import { button, Facts, icon, iconButton, setText } from "../ui";
+import { TaskFormView } from "./task_form";
+
+export class AircraftDetail {
+  readonly element = h("section", { class: "detail", "aria-labelledby": "detail-name" });
+  private readonly title = h("h2", { id: "detail-name" });
+  private readonly does = h("p", { class: "does" });
+  private readonly why = h("div", { class: "why" });
+  private readonly facts = new Facts();
+  private readonly actions = h("div", { class: "actions" });
+  private readonly form: TaskFormView;
+  private readonly hint = h("p", { class: "hint" }, T.fleet.selectHint);
+  private readonly content: HTMLElement;
+  private shown = "";
+
+  constructor(private readonly app: App) {
+    this.form = new TaskFormView(app);
+    this.actions.append(
+      h("button", { type: "button", class: "primary", onclick: () => this.form.toggle() }, T.task.give),
+      button(T.task.hold, () => this.each((name) => app.giveTask(name, { kind: "hold" }))),
+      button(T.task.return, () => this.each((name) => app.giveTask(name, { kind: "return" }))),
+      button(T.task.land, () => this.each((name) => app.giveTask(name, { kind: "land", at_home: true } as never))),
+      button(T.task.pauseTask, () => this.change("pause")), button(T.task.resumeTask, () => this.change("resume")),
+      button(T.task.cancelTask, () => this.change("cancel")));
+    this.content = h("div", { class: "detail-content" },
+      h("header", {}, this.title,
+        iconButton("follow", T.aircraft.follow, () => { app.map.follow = !app.map.follow; }, { "data-follow": "" }),
+        iconButton("target", T.aircraft.center, () => { for (const id of app.map.selected) { app.map.centreOn(id); break; } }),
+        iconButton("close", T.aircraft.close, () => app.map.select([]))),
+      this.does, this.actions, this.form.element, this.why, this.facts.element);
+    this.element.append(this.hint, this.content);
+  }
+
+  private each(action: (name: string) => void): void {
+    for (const id of this.app.map.selected) action(this.app.world.name(id));
+  }
+
+  private change(action: "pause" | "resume" | "cancel"): void {
+    this.each((aircraft) => this.app.command({ kind: "change_task", aircraft, action }, T.commands.task(aircraft, action)));
+  }
+
+  private showWhy(id: number): void {
+    const task = this.app.world.tasks.get(id), key = `${id} ${task?.number}`;
+    if (key === this.shown) return;
+    this.shown = key;
+    const terms = task?.why ?? [];
+    const most = Math.max(1e-9, ...terms.map(({ value }) => Math.abs(value ?? 0)));
+    this.why.replaceChildren(h("h3", {}, T.aircraft.why), terms.length === 0 ? h("p", { class: "hint" }, T.aircraft.noWhy)
+      : h("table", { class: "terms" }, h("tbody", {}, ...terms.map(({ name, value }) => {
+        const v = value ?? 0;
+        return h("tr", {}, h("th", { scope: "row" }, name),
+          h("td", { class: "term-bar" }, h("span", { class: v < 0 ? "minus" : "plus", style: `width:${(50 * Math.abs(v)) / most}%;${v < 0 ? "right" : "left"}:50%` })),
+          h("td", { class: "number" }, `${v < 0 ? "−" : "+"}${Math.abs(v).toFixed(2)}`));
+      }))));
+  }
+
+  update(): void {
+    const { app } = this, { world, units } = app, { fleet } = world;
+    const ids = [...app.map.selected];
+    this.hint.hidden = ids.length > 0;
+    this.content.hidden = ids.length === 0;
+    if (ids.length === 0) return;
+    const id = ids[0], row = fleet.row(id);
+    setText(this.title, ids.length === 1 ? world.name(id) : T.aircraft.several(ids.length));
+    this.content.querySelector("[data-follow]")?.setAttribute("aria-pressed", String(app.map.follow));
+    for (const control of this.actions.querySelectorAll("button")) control.disabled = !app.mayCommand;
+    this.form.update();
+    if (row < 0) return;
+    const get = (name: string) => fleet.get(row, name), f = this.facts;
+    const warned = get("failsafe") > 0;
+    this.does.className = warned ? "does warned" : "does";
+    const doing = ids.length === 1 ? app.doing(row) : ids.map((each) => world.name(each)).join(", ");
+    if (this.does.dataset.text !== doing) {
+      this.does.dataset.text = doing;
+      this.does.replaceChildren(...(warned ? [icon("warning")] : []), doing);
+    }
+    this.showWhy(id);
+    const path = world.paths.get(id);
+    if (path && path.points.length > 1) {
+      let length = 0;
+      for (let i = 1; i < path.points.length; ++i)
+        length += Math.hypot(path.points[i].north_m - path.points[i - 1].north_m, path.points[i].east_m - path.points[i - 1].east_m);
+      f.set(T.aircraft.plan, T.aircraft.planUntil(units.distance(length), clock(Math.max(0, path.points[path.points.length - 1].time_s - world.time))));
+    }
+    f.set(T.aircraft.altitude, this.altitude(row));
+    f.set(T.aircraft.speed, units.speed(Math.hypot(get("velocity_north_mps"), get("velocity_east_mps"))));
+    f.set(T.aircraft.climb, units.climb(get("climb_mps")));
+    f.set(T.aircraft.heading, units.angle(get("heading_deg")));
+    f.set(T.aircraft.battery, units.percent(get("charge")), get("charge") < 0.2 ? "warned" : "");
+    f.set(T.aircraft.endurance, units.seconds(get("endurance_s")));
+    const silence = app.silence(row);
+    f.set(T.aircraft.heard, T.fleet.age(units.seconds(silence)), silence > 5 ? "warned" : "");
+    f.set(T.aircraft.sd, units.distance(get("position_sd_m")));
+    f.set(T.aircraft.cross, units.distance(get("cross_track_m")));
+    f.set(T.aircraft.late, units.seconds(get("time_error_s")));
+    f.set(T.aircraft.mode, fleet.word(row, "mode"));
+    f.set(T.aircraft.failsafe, warned ? T.task.failsafes[fleet.word(row, "failsafe")] ?? fleet.word(row, "failsafe") : T.aircraft.allOk, warned ? "warned" : "");
+    const planner = world.planners.get(id);
+    if (planner) f.set("Planner", T.aircraft.planner(planner.link, planner.verdict, planner.reason));
+    const lead = world.leads.get(id);
+    if (lead?.master_id != null) f.set(T.aircraft.leads, T.aircraft.master(world.name(lead.master_id)));
+    f.set(T.aircraft.position, latLonText(world.frame.toLatLon(get("north_m"), get("east_m"), get("altitude_msl_m"))));
+  }
+
+  private altitude(row: number): string {
+    const { app } = this, { fleet } = app.world, altitude = fleet.get(row, "altitude_msl_m");
+    const ground = app.terrain?.at(fleet.get(row, "north_m"), fleet.get(row, "east_m"));
+    return ground === undefined ? app.units.height(altitude) : `${app.units.height(altitude)} (${app.units.height(altitude - ground)} AGL)`;
+  }
+}

@@ -1,0 +1,150 @@
+/** A form for any kind of task, made from its description: a plugin's kind has one too. */
+import { h } from "../../report/dom";
+import type { App } from "../app";
+import type { TaskField, TaskForm } from "../protocol";
+import { T } from "../texts";
+import { button, labelledField, option, setText } from "../ui";
+
+interface Input {
+  field: TaskField;
+  element: HTMLElement;
+  /** Puts what was entered into the task; returns what is missing. */
+  read(what: Record<string, unknown>, others: string[]): string | null;
+}
+
+/** A field's name for people: "altitude_msl_m" is "altitude msl". */
+function title(field: TaskField): string {
+  const suffix = field.unit ? new RegExp(`_${field.unit.replace(/[^a-z0-9]/gi, "")}$`) : /$^/;
+  return field.name.replace(suffix, "").replace(/_/g, " ") || T.aircraft.position;
+}
+
+export class TaskFormView {
+  readonly element = h("form", { class: "task-form", hidden: true, onsubmit: (event) => { event.preventDefault(); this.send(); } });
+  private readonly kind: HTMLSelectElement;
+  private readonly fields = h("div", { class: "fields" });
+  private readonly help = h("p", { class: "hint" });
+  private readonly problem = h("p", { class: "problem", role: "alert" });
+  private inputs: Input[] = [];
+
+  constructor(private readonly app: App) {
+    this.kind = h("select", { onchange: () => this.build() },
+      ...app.run.task_kinds.map(({ kind }) => option(kind, T.task.names[kind] ?? kind)));
+    this.element.append(labelledField(T.task.kind, this.kind), this.help, this.fields, this.problem,
+      h("div", { class: "actions" }, h("button", { type: "submit", class: "primary" }, T.task.send),
+        button(T.cancel, () => this.toggle(false))));
+    if (app.run.task_kinds.length > 0) this.build();
+  }
+
+  toggle(open = this.element.hidden): void {
+    this.element.hidden = !open;
+    if (open) this.kind.focus();
+    else this.app.tools.stop();
+  }
+
+  update(): void {
+    // The form stays as it is: what was entered is kept.
+  }
+
+  private get form(): TaskForm | undefined {
+    return this.app.run.task_kinds.find(({ kind }) => kind === this.kind.value);
+  }
+
+  private build(): void {
+    this.app.tools?.stop();
+    setText(this.problem, "");
+    setText(this.help, this.form?.help ?? "");
+    this.inputs = (this.form?.fields ?? []).map((field) => this.input(field));
+    this.fields.replaceChildren(...this.inputs.map(({ element }) => element));
+  }
+
+  private input(field: TaskField): Input {
+    switch (field.type) {
+      case "place": return this.place(field);
+      case "places": return this.places(field);
+      case "flag": {
+        const box = h("input", { type: "checkbox", checked: field.default === true });
+        return { field, element: h("label", { class: "check" }, box, `${title(field)}: ${field.help}`),
+          read: (what) => { what[field.name] = box.checked; return null; } };
+      }
+      case "word": {
+        const select = h("select", {}, ...(field.words ?? []).map((word) => option(word, word, word === field.default)));
+        return { field, element: labelledField(title(field), select, "", field.help), read: (what) => { what[field.name] = select.value; return null; } };
+      }
+      case "aircraft":
+      case "aircraft_list": return this.aircraft(field);
+      case "text": {
+        const input = h("input", { type: "text", value: String(field.default ?? "") });
+        return { field, element: labelledField(title(field), input, "", field.help), read: (what) => { what[field.name] = input.value; return null; } };
+      }
+      default: {
+        const input = h("input", { type: "number", step: field.type === "integer" ? "1" : "any", value: field.default == null ? "" : String(field.default),
+          placeholder: T.task.emptyIsDefault });
+        return { field, element: labelledField(title(field), input, field.unit ?? "", field.help), read: (what) => {
+          if (input.value !== "") what[field.name] = Number(input.value);
+          return null;
+        } };
+      }
+    }
+  }
+
+  private aircraft(field: TaskField): Input {
+    const many = field.type === "aircraft_list";
+    const select = h("select", { multiple: many, size: many ? 4 : undefined }, ...this.app.run.aircraft.map(({ name }) => option(name, name)));
+    return { field, element: labelledField(title(field), select, "", field.help), read: (_, others) => {
+      const names = [...select.selectedOptions].map(({ value }) => value);
+      if (names.length === 0) return title(field);
+      others.push(...names);
+      return null;
+    } };
+  }
+
+  private place(field: TaskField): Input {
+    const prefix = field.name ? `${field.name}_` : "";
+    const number = (text: string) => h("input", { type: "number", step: "any", "aria-label": text, placeholder: text });
+    const north = number("north"), east = number("east");
+    const pick = button(T.task.pick, () => this.app.tools.pickPlace(T.task.picking, (at) => {
+      north.value = at.north_m.toFixed(1);
+      east.value = at.east_m.toFixed(1);
+    }));
+    return { field, element: h("fieldset", { class: "place" }, h("legend", {}, title(field), h("span", { class: "unit" }, " m")), north, east, pick,
+      h("span", { class: "help" }, field.help)),
+      read: (what) => {
+        if (north.value === "" || east.value === "") return title(field);
+        what[`${prefix}north_m`] = Number(north.value);
+        what[`${prefix}east_m`] = Number(east.value);
+        return null;
+      } };
+  }
+
+  private places(field: TaskField): Input {
+    let points: [number, number][] = [];
+    const area = field.shape ? field.shape === "area" : /area|corner/.test(`${field.name} ${field.help}`);
+    const count = h("span", { class: "count" }, T.task.points(0));
+    const take = (next: [number, number][]) => {
+      points = next;
+      setText(count, T.task.points(points.length));
+    };
+    return { field, element: h("fieldset", { class: "place" }, h("legend", {}, title(field)), count,
+      button(T.task.pick, () => this.app.tools.drawPlaces(area, T.task.drawing, take)),
+      button(T.task.fromDrawing, () => { const ring = this.app.tools.chosenDrawing(); if (ring) take(ring); else setText(this.problem, T.mission.noChosen); }),
+      h("span", { class: "help" }, field.help)),
+      read: (what) => {
+        if (points.length < (area ? 3 : 2)) return title(field);
+        what[field.name] = points;
+        return null;
+      } };
+  }
+
+  private send(): void {
+    const form = this.form;
+    if (!form) return;
+    const what: { kind: string; [name: string]: unknown } = { kind: form.kind }, others: string[] = [];
+    for (const input of this.inputs) {
+      const missing = input.read(what, others);
+      if (missing) return setText(this.problem, T.task.missing(missing));
+    }
+    setText(this.problem, "");
+    for (const id of this.app.map.selected) this.app.giveTask(this.app.world.name(id), what as never, others);
+    this.toggle(false);
+  }
+}

@@ -1,0 +1,122 @@
+/** The bar at the top: run, time, how it goes, who has control, how the page looks. */
+import { clock, h } from "../report/dom";
+import { chooseTheme, type ThemeChoice } from "../report/theme";
+import type { App } from "./app";
+import { T } from "./texts";
+import { button, icon, iconButton, labelledField, option, popover, setText } from "./ui";
+
+const kSpeeds = [0.25, 0.5, 1, 2, 4, 10, 20, 50];
+
+function utc(start: string, seconds: number): string {
+  const date = new Date(Date.parse(start) + 1000 * seconds);
+  return Number.isNaN(date.getTime()) ? "" : `${date.toISOString().slice(11, 19)} UTC`;
+}
+
+/** Shows the theme that was chosen. */
+export function applyTheme(choice: ThemeChoice): void {
+  chooseTheme(choice);
+  const dark = choice === "auto" ? matchMedia("(prefers-color-scheme: dark)").matches : choice === "dark";
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
+}
+
+function timeControls(app: App): HTMLElement {
+  const play = iconButton("pause", T.top.pause, () => app.pause(!app.world.clock.paused));
+  const step = iconButton("step", T.top.step, () => app.step(1));
+  const speed = h("select", { "aria-label": T.top.speed, title: T.top.speeds, onchange: () => app.speed(Number(speed.value)) },
+    ...kSpeeds.map((s) => option(String(s), `${s}×`)), option("0", T.top.fast));
+  const time = h("span", { class: "run-time" }), utcText = h("span", { class: "run-utc" });
+  const rate = h("span", { class: "rate" });
+  const element = h("div", { class: "time-controls", role: "group", "aria-label": T.top.time },
+    play, step, speed, h("div", { class: "clock", role: "timer", "aria-label": T.top.time }, time, utcText), rate);
+  let shownPaused: boolean | null = null;
+  app.every(() => {
+    const { clock: c } = app.world, now = app.world.time;
+    setText(time, clock(Math.floor(now)));
+    setText(utcText, utc(app.run.start_utc, now));
+    if (shownPaused !== c.paused) {
+      shownPaused = c.paused;
+      play.replaceChildren(icon(c.paused ? "play" : "pause"));
+      play.title = c.paused ? T.top.play : T.top.pause;
+      play.setAttribute("aria-label", play.title);
+    }
+    if (document.activeElement !== speed) {
+      const wanted = String(c.wanted_speed);
+      if (![...speed.options].some(({ value }) => value === wanted)) speed.prepend(option(wanted, `${wanted}×`));
+      speed.value = wanted;
+    }
+    const late = !c.paused && c.wanted_speed > 0 && c.speed < 0.9 * c.wanted_speed;
+    rate.className = c.paused ? "rate" : late || c.misses > 0 ? "rate warn" : "rate good";
+    setText(rate, c.paused ? T.top.paused : T.top.realTime(c.speed >= 10 ? c.speed.toFixed(0) : c.speed.toFixed(c.speed < 2 ? 2 : 1)));
+    rate.title = `${late ? T.top.clockLate : T.top.clockGood}. ${T.top.misses(c.misses)}.`;
+    for (const control of [play, step, speed]) control.disabled = !app.mayCommand;
+    step.disabled ||= !c.paused;
+  });
+  return element;
+}
+
+function controlMenu(app: App): HTMLElement {
+  const opener = h("button", { type: "button", class: "chip control" });
+  const panel = h("div", { class: "popover control-panel", role: "group", "aria-label": T.top.clients });
+  popover(opener, panel);
+  let shown = -1;
+  app.every(() => {
+    const { clients, version } = app.world;
+    if (shown === version.clients) return;
+    shown = version.clients;
+    const holder = clients.clients.find(({ client }) => client === clients.holder);
+    const text = app.holds ? T.top.holder.you : holder ? T.top.holder.other(holder.name) : T.top.holder.nobody;
+    opener.replaceChildren(icon("person"), h("span", {}, text), h("span", { class: "role" }, T.top.role[app.role] ?? app.role));
+    opener.classList.toggle("mine", app.holds);
+    opener.setAttribute("aria-label", `${T.top.control}: ${text}, ${T.top.role[app.role]}`);
+    panel.replaceChildren(h("h3", {}, T.top.clients),
+      h("ul", { class: "clients" }, ...clients.clients.map((each) => h("li", {},
+        h("span", {}, each.name, each.client === clients.you ? h("em", {}, ` (${T.top.you})`) : null),
+        h("span", { class: "role" }, T.top.role[each.role] ?? each.role),
+        app.holds && each.client !== clients.you && each.role !== "viewer"
+          ? button(T.top.handOver(each.name), () => app.connection.send({ hand_over: each.client }, T.commands.handOver(each.name))) : null))),
+      app.mayCommand ? button(app.holds ? T.top.give : T.top.take, () => app.hold(!app.holds), { class: "primary" }) : h("p", {}, T.top.role.viewer));
+  });
+  return h("div", { class: "popover-holder" }, opener, panel);
+}
+
+function settingsMenu(app: App): HTMLElement {
+  const { settings } = app;
+  const opener = iconButton("settings", T.top.settings, () => undefined);
+  const theme = h("select", { onchange: () => {
+    settings.theme = theme.value as ThemeChoice;
+    app.saveSettings();
+    applyTheme(settings.theme);
+  } }, ...Object.entries(T.top.themes).map(([value, text]) => option(value, text, value === settings.theme)));
+  const units = h("select", { onchange: () => {
+    settings.units = units.value as typeof settings.units;
+    app.saveSettings();
+    app.map.redraw();
+  } }, ...Object.entries(T.top.unitSets).map(([value, text]) => option(value, text, value === settings.units)));
+  const sound = h("input", { type: "checkbox", checked: settings.sound, id: "sound", onchange: () => {
+    settings.sound = sound.checked;
+    app.saveSettings();
+  } });
+  const panel = h("div", { class: "popover settings-panel", role: "group", "aria-label": T.top.settings },
+    labelledField(T.top.theme, theme), labelledField(T.top.units, units),
+    h("label", { class: "check" }, sound, T.top.sound));
+  popover(opener, panel);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => applyTheme(settings.theme));
+  return h("div", { class: "popover-holder" }, opener, panel);
+}
+
+export function topBar(app: App, actions: { dimension: () => void; help: () => void; panels: () => void }): HTMLElement {
+  const link = h("span", { class: "chip link", role: "status" });
+  const dimension = h("button", { type: "button", class: "dimension", title: T.top.dimension, "aria-label": T.top.dimension, "aria-pressed": "false", onclick: () => actions.dimension() }, "3D");
+  app.every((wall) => {
+    const { state, nextTry } = app.connection;
+    link.dataset.state = state;
+    const text = state === "lost" && nextTry > wall ? `${T.top.connection.lost}, ${T.top.again(Math.max(1, Math.round(nextTry - wall)))}` : T.top.connection[state];
+    setText(link, text);
+    dimension.setAttribute("aria-pressed", String(app.map.is3d));
+  });
+  return h("header", { class: "top" },
+    h("div", { class: "brand" }, h("strong", {}, T.name), h("h1", {}, app.run.name), app.run.replay ? h("span", { class: "chip" }, T.top.replay) : null),
+    timeControls(app),
+    h("div", { class: "right" }, link, controlMenu(app), dimension, settingsMenu(app),
+      iconButton("help", T.top.help, actions.help), iconButton("panels", T.top.panels, actions.panels)));
+}

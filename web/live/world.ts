@@ -1,0 +1,221 @@
+/** All that is known of the run, built from the items of the feed. */
+import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Footprint, Forecast, GroundObject, ObjectBelief,
+  ObjectMotion, Perimeter, Planner, RadioLink, Reading, TeamAllocation, TeamLead, TrafficMotion, TrafficTrack,
+  ZoneRecord, Detection } from "../report/records";
+import { Fleet, PlayTime } from "./fleet";
+import type { Frame } from "./frames";
+import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, RunClock, TaskOrder } from "./protocol";
+import type { Decoder, Table } from "./wire";
+
+/** What may change; panels compare the counts with those that they have shown. */
+export type Topic = "clock" | "entities" | "fire" | "forecast" | "arrival" | "zones" | "missions" | "events" | "metrics" | "links" |
+  "clients" | "tasks" | "paths" | "objects" | "traffic" | "alerts" | "allocations" | "planners" | "snapshot" | "tracks";
+
+const kEventsKept = 5000, kReadingsKept = 1500, kCrossingsKept = 600, kMetricsKept = 8000;
+
+/** A metric of a mission over time. */
+export interface Series {
+  time: number[];
+  value: (number | null)[];
+}
+
+/** A link in one direction. */
+export interface Link {
+  from: number;
+  to: number;
+  last: RadioLink;
+  /** Share that arrived, smoothed over the last reports. */
+  quality: number;
+}
+
+export interface KeptEvent extends Event {
+  number: number;
+}
+
+export class World {
+  readonly fleet: Fleet;
+  readonly truth: Fleet;
+  readonly play = new PlayTime();
+  clock: RunClock = { time_s: 0, duration_s: 0, speed: 0, wanted_speed: 1, paused: false, misses: 0, headline: "" };
+  clients: Clients = { clients: [], holder: 0, you: 0 };
+  /** False while the first full state is on its way. */
+  complete = false;
+  readonly entities = new Map<number, Entity>();
+  readonly events: KeptEvent[] = [];
+  readonly perimeters = new Map<string, Perimeter>(); // by mission
+  readonly forecasts = new Map<string, Map<number, Forecast>>(); // by mission, then by time
+  readonly arrivals = new Map<string, Arrival>();
+  readonly crossings: Crossing[] = [];
+  readonly readings: Reading[] = [];
+  readonly zones = new Map<string, ZoneRecord>();
+  readonly objects = new Map<number, GroundObject>();
+  readonly objectMotions = new Map<number, ObjectMotion>();
+  readonly objectBeliefs = new Map<number, ObjectBelief>();
+  readonly detections: Detection[] = [];
+  readonly missions = new Map<string, MissionState>();
+  readonly metrics = new Map<string, Map<string, Series>>(); // by mission and name
+  readonly tasks = new Map<number, TaskOrder>();
+  readonly paths = new Map<number, FlightPath>();
+  readonly planners = new Map<number, Planner>();
+  readonly footprints = new Map<number, Footprint>();
+  readonly allocations = new Map<string, TeamAllocation>();
+  readonly leads = new Map<number, TeamLead>();
+  readonly alerts = new Map<string, Alert>();
+  readonly links = new Map<string, Link>();
+  readonly traffic = new Map<number, AirTraffic>();
+  readonly trafficMotions = new Map<number, TrafficMotion>();
+  readonly trafficTracks = new Map<string, TrafficTrack>();
+  readonly conflicts: Conflict[] = [];
+  readonly version: Record<Topic, number> = {} as Record<Topic, number>;
+  onReply: (reply: CommandReply) => void = () => undefined;
+  onEvent: (event: KeptEvent, old: boolean) => void = () => undefined;
+  private readonly ids = new Map<string, number>();
+  private eventNumber = 0;
+
+  constructor(readonly frame: Frame, decoder: Decoder, table: Table) {
+    for (const topic of ["clock", "entities", "fire", "forecast", "arrival", "zones", "missions", "events", "metrics", "links",
+      "clients", "tasks", "paths", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks"] as Topic[])
+      this.version[topic] = 0;
+    this.fleet = new Fleet(decoder, "fleet_frame", "FleetFrame", table, frame);
+    this.truth = new Fleet(decoder, "truth_frame", "TruthFrame", table, frame, false);
+    this.fleet.onFrame = (time) => this.play.frame(time, performance.now() / 1000);
+  }
+
+  name(id: number): string {
+    return this.entities.get(id)?.name ?? String(id);
+  }
+  id(name: string): number | undefined {
+    return this.ids.get(name);
+  }
+  get time(): number {
+    return Math.max(this.clock.time_s, this.fleet.time);
+  }
+
+  private clear(): void {
+    this.fleet.clear();
+    this.truth.clear();
+    for (const map of [this.entities, this.perimeters, this.forecasts, this.arrivals, this.zones, this.objects, this.objectMotions,
+      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.planners, this.footprints,
+      this.allocations, this.leads, this.alerts, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
+      (map as Map<unknown, unknown>).clear();
+    for (const list of [this.events, this.crossings, this.readings, this.detections, this.conflicts]) list.length = 0;
+    for (const topic of Object.keys(this.version) as Topic[]) this.version[topic]++;
+  }
+
+  private touch(topic: Topic): void {
+    this.version[topic]++;
+  }
+
+  /** Takes one item in. */
+  take(kind: string, value: unknown): void {
+    this.takers[kind]?.(value as never);
+  }
+
+  private readonly takers: Record<string, (value: never) => void> = {
+    run_clock: (clock: RunClock) => {
+      this.clock = clock;
+      this.play.paused = clock.paused;
+      this.touch("clock");
+    },
+    snapshot: ({ begins }: { begins: boolean }) => {
+      if (begins) this.clear();
+      this.complete = !begins;
+      this.touch("snapshot");
+    },
+    clients: (clients: Clients) => { this.clients = clients; this.touch("clients"); },
+    command_reply: (reply: CommandReply) => this.onReply(reply),
+    metric_sample: (sample: MetricSample) => this.addMetric(sample),
+    flight_path: (path: FlightPath) => { this.paths.set(path.entity_id, path); this.touch("paths"); },
+    task_order: (order: TaskOrder) => { this.tasks.set(order.entity_id, order); this.touch("tasks"); },
+    entity: (entity: Entity) => {
+      this.entities.set(entity.entity_id, entity);
+      this.ids.set(entity.name, entity.entity_id);
+      this.touch("entities");
+    },
+    event: (event: Event) => {
+      const kept = { ...event, number: ++this.eventNumber };
+      this.events.push(kept);
+      if (this.events.length > kEventsKept) this.events.splice(0, this.events.length - kEventsKept);
+      this.touch("events");
+      this.onEvent(kept, !this.complete);
+    },
+    crossing: (crossing: Crossing) => this.keep(this.crossings, crossing, kCrossingsKept, "tracks"),
+    reading: (reading: Reading) => this.keep(this.readings, reading, kReadingsKept, "tracks"),
+    detection: (detection: Detection) => this.keep(this.detections, detection, kCrossingsKept, "objects"),
+    perimeter: (perimeter: Perimeter) => { this.perimeters.set(perimeter.mission, perimeter); this.touch("fire"); },
+    forecast: (forecast: Forecast) => this.addForecast(forecast),
+    arrival: (arrival: Arrival) => { this.arrivals.set(arrival.place, arrival); this.touch("arrival"); },
+    zone: (zone: ZoneRecord) => {
+      if (zone.in_force) this.zones.set(zone.name, zone);
+      else this.zones.delete(zone.name);
+      this.touch("zones");
+    },
+    object: (object: GroundObject) => { this.objects.set(object.object_id, object); this.touch("objects"); },
+    object_motion: (motion: ObjectMotion) => { this.objectMotions.set(motion.object_id, motion); this.touch("objects"); },
+    object_belief: (belief: ObjectBelief) => { this.objectBeliefs.set(belief.object_id, belief); this.touch("objects"); },
+    mission: (mission: MissionState) => { this.missions.set(mission.mission, mission); this.touch("missions"); },
+    team_lead: (lead: TeamLead) => { this.leads.set(lead.entity_id, lead); this.touch("allocations"); },
+    team_allocation: (each: TeamAllocation) => {
+      this.allocations.set(`${each.team} ${each.proposer_id} ${each.number}`, each);
+      this.touch("allocations");
+    },
+    alert: (alert: Alert) => {
+      const key = `${alert.entity_id} ${alert.track}`;
+      if (alert.level > 0) this.alerts.set(key, alert);
+      else this.alerts.delete(key);
+      this.touch("alerts");
+    },
+    radio_link: (link: RadioLink) => this.addLink(link),
+    conflict: (conflict: Conflict) => this.keep(this.conflicts, conflict, 500, "alerts"),
+    traffic: (traffic: AirTraffic) => { this.traffic.set(traffic.traffic_id, traffic); this.touch("traffic"); },
+    traffic_motion: (motion: TrafficMotion) => { this.trafficMotions.set(motion.traffic_id, motion); this.touch("traffic"); },
+    traffic_track: (track: TrafficTrack) => { this.trafficTracks.set(`${track.believer_id} ${track.track}`, track); this.touch("traffic"); },
+    planner: (planner: Planner) => { this.planners.set(planner.entity_id, planner); this.touch("planners"); },
+    footprint: (footprint: Footprint) => { this.footprints.set(footprint.entity_id, footprint); this.touch("tracks"); },
+  };
+
+  private keep<T>(list: T[], value: T, most: number, topic: Topic): void {
+    list.push(value);
+    if (list.length > 1.25 * most) list.splice(0, list.length - most);
+    this.touch(topic);
+  }
+
+  private addMetric(sample: MetricSample): void {
+    let mission = this.metrics.get(sample.mission);
+    if (!mission) this.metrics.set(sample.mission, (mission = new Map()));
+    for (const { name, value } of sample.values) {
+      let series = mission.get(name);
+      if (!series) mission.set(name, (series = { time: [], value: [] }));
+      if (series.time.length > 0 && sample.time_s <= series.time[series.time.length - 1]) continue;
+      series.time.push(sample.time_s);
+      series.value.push(value);
+      if (series.time.length > kMetricsKept) {
+        // Every second of the older half goes: the whole run stays in the picture.
+        const half = kMetricsKept / 2, keepEach = (_: unknown, i: number) => i >= half || i % 2 === 0;
+        series.time = series.time.filter(keepEach);
+        series.value = series.value.filter(keepEach);
+      }
+    }
+    this.touch("metrics");
+  }
+
+  private addForecast(forecast: Forecast): void {
+    let all = this.forecasts.get(forecast.mission);
+    const first = all?.values().next().value;
+    if (!all || (first && first.made_s !== forecast.made_s)) this.forecasts.set(forecast.mission, (all = new Map()));
+    all.set(forecast.boundary_time_s, forecast);
+    this.touch("forecast");
+  }
+
+  private addLink(record: RadioLink): void {
+    const key = `${record.from_id} ${record.to_id}`, all = record.arrived + record.lost;
+    const now = all > 0 ? record.arrived / all : 0, known = this.links.get(key);
+    if (known) {
+      known.last = record;
+      if (all > 0) known.quality += 0.3 * (now - known.quality);
+    } else {
+      this.links.set(key, { from: record.from_id, to: record.to_id, last: record, quality: now });
+    }
+    this.touch("links");
+  }
+}
