@@ -5,7 +5,9 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 
+#include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/serve/task_forms.h"
 #include "skein/layer/hmi/serve/page_files.h"
 
@@ -15,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kHalfSize = 6000;  // of the ground that is shown [m]
+constexpr double kExtent = 4000;    // that is seen at first [m]
 
 template <class T>
 void put_raw(std::string& out, const T& value) {
@@ -39,6 +42,14 @@ Json place(const Vec2& p) {
   return {{"north_m", p.x()}, {"east_m", p.y()}};
 }
 
+Json describe_aircraft(const std::string& name, const scenario::AircraftGroup& group) {
+  return {{"name", name},
+          {"kind", group.plant.kind},
+          {"vehicle", group.vehicle.kind},
+          {"hovers", group.plant.kind == "multirotor"},
+          {"joins_later", group.join > Time()}};
+}
+
 Json describe_run(const scenario::Scenario& scenario) {
   Json run;
   run["protocol"] = 1;
@@ -53,14 +64,18 @@ Json describe_run(const scenario::Scenario& scenario) {
   for (const scenario::Choice& mission : scenario.missions)
     run["missions"].push_back({{"kind", mission.kind}});
   run["aircraft"] = Json::array();
-  for (const scenario::AircraftGroup& group : scenario.aircraft)
-    run["aircraft"].push_back({{"group", group.name},
-                               {"count", group.count},
-                               {"plant", group.plant.kind},
-                               {"vehicle", group.vehicle.kind},
-                               {"join_s", group.join.seconds()}});
+  const auto names = aircraft_names(scenario);
+  for (std::size_t g = 0; g < names.size(); ++g)
+    for (const std::string& name : names[g])
+      run["aircraft"].push_back(describe_aircraft(name, scenario.aircraft[g]));
   run["task_kinds"] = task_forms();
   return run;
+}
+
+// Tells a page whether the server that it finds again is that of the same run.
+std::uint64_t random_mark() {
+  std::random_device device;
+  return (std::uint64_t{device()} << 32) | device();
 }
 
 // Where pictures of the ground come from: scheme, host and port of their address.
@@ -123,6 +138,7 @@ RunFacts facts_of(const scenario::Scenario& scenario, const Build& ready,
   run["version"] = version;
   run["duration_s"] = ready.options.duration.seconds();
   run["centre"] = place(ready.map_centre);
+  run["extent_m"] = kExtent;
   return {run.dump(), sample_terrain(*ready.world.terrain, ready.map_centre, kHalfSize),
           ready.options.duration, ready.options.speed};
 }
@@ -135,6 +151,7 @@ RunFacts facts_of(const scenario::Scenario& scenario,
   run["replay"] = true;
   const double half = terrain.spacing * (terrain.rows - 1) / 2;
   run["centre"] = place(terrain.low + Vec2::Constant(half));
+  run["extent_m"] = kExtent;
   return {run.dump(), std::move(terrain), recorded.end(), 1, true};
 }
 
@@ -145,6 +162,7 @@ Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
   std::unique_ptr<RunPage> page(new RunPage);
   Json run = Json::parse(facts.description);
   run["imagery"] = options.imagery;
+  run["run"] = fmt::format("{:016x}", random_mark());
   page->description_ = run.dump();
   page->terrain_ = std::make_shared<const std::string>(coded(facts.terrain));
   page->hub_ = std::make_unique<hmi::LiveHub>(

@@ -4,6 +4,7 @@
 
 #include "skein/data/json.h"
 #include "skein/data/task.h"
+#include "skein/data/task_text.h"
 
 namespace skein::assemble {
 namespace {
@@ -41,24 +42,25 @@ Json integer(const std::string& name, std::string_view help, Json value) {
   return field;
 }
 
-// One field as a form shows it; fields that no person fills in are left out: plans, and
-// what is left of a task.
+// One field as a form shows it; fields that no person fills in are left out: plans, holes
+// of areas, and what is left of a task.
 template <class M, class Form>
 void add_field(Json& fields, const std::string& name, const Form& form,
                std::string_view help, const M& value) {
   if constexpr (std::is_same_v<M, Vec2>) {
-    Json names = Json::array();
+    const std::string_view first = form.names[0];
+    if (first == "north" && form.unit.suffix == unit::kMetre.suffix) {
+      fields.push_back(field_of(name, "place", help));
+      return;
+    }
     for (int k = 0; k < 2; ++k)
-      names.push_back(json::joined(name, form.names[k]).append(form.unit.suffix));
-    const bool is_place = std::string_view(form.names[0]) == "north" &&
-                          form.unit.suffix == unit::kMetre.suffix;
-    Json field = field_of(name, is_place ? "place" : "pair", help);
-    field["names"] = std::move(names);
-    fields.push_back(std::move(field));
+      fields.push_back(
+          number(json::joined(name, form.names[k]), form.unit, help, false, value[k]));
   } else if constexpr (kIsPlaceList<M>) {
-    if (name != "lines") fields.push_back(field_of(name, "places", help));
-  } else if constexpr (std::is_same_v<M, std::vector<geo::Ring>>) {
-    fields.push_back(field_of(name, "areas", help));
+    if (name == "lines") return;
+    Json field = field_of(name, "places", help);
+    field["shape"] = name == "area" ? "area" : "line";
+    fields.push_back(std::move(field));
   } else if constexpr (std::is_same_v<M, double>) {
     fields.push_back(number(name, form, help, false, value));
   } else if constexpr (std::is_same_v<M, std::optional<double>>) {
@@ -88,7 +90,7 @@ void add_field(Json& fields, const std::string& name, const Form& form,
 }
 
 template <Described T>
-Json form_of() {
+Json form_of(const std::string& syntax) {
   Json fields = Json::array();
   const T value{};
   for_each_field<T>([&](const auto& f) {
@@ -96,6 +98,7 @@ Json form_of() {
   });
   return Json{{"kind", kind_of<T>()},
               {"help", kDescription<T>.help},
+              {"syntax", syntax},
               {"fields", std::move(fields)}};
 }
 
@@ -103,9 +106,12 @@ Json form_of() {
 
 Json task_forms() {
   Json forms = Json::array();
+  const auto usage = task_usage();  // in the order of the kinds
+  std::size_t k = 0;
   for_each_alternative(static_cast<const TaskKind*>(nullptr), [&]<class T>() {
     // A plan is drawn elsewhere and comes from a file.
-    if constexpr (!std::is_same_v<T, FlyPlan>) forms.push_back(form_of<T>());
+    const std::string& syntax = usage.at(k++).first;
+    if constexpr (!std::is_same_v<T, FlyPlan>) forms.push_back(form_of<T>(syntax));
   });
   return forms;
 }
