@@ -12,7 +12,7 @@ if (!folder) throw new Error("usage: node build_live.mjs FOLDER [--size]");
 mkdirSync(folder, { recursive: true });
 
 await build({
-  entryPoints: { page: join(here, "live/main.ts"), worker: fileURLToPath(import.meta.resolve("maplibre-gl/dist/maplibre-gl-worker.mjs")) },
+  entryPoints: { page: join(here, "live/main.ts"), worker: join(here, "node_modules/maplibre-gl/dist/maplibre-gl-worker.mjs") },
   bundle: true,
   minify: true,
   format: "esm",

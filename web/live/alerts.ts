@@ -6,7 +6,7 @@
 import { h } from "../report/dom";
 import type { App } from "./app";
 import { T } from "./texts";
-import { button, icon } from "./ui";
+import { button, icon, iconButton } from "./ui";
 
 export type Priority = 0 | 1 | 2; // warning, caution, advisory
 
@@ -82,7 +82,7 @@ export class Alerts {
     if (app.connection.state === "lost") add(0, "connection", T.alerts.lost);
     for (const alert of world.alerts.values()) {
       const priority: Priority = alert.region === "NEAR" ? 0 : alert.region === "MID" || alert.region === "RECOVERY" ? 1 : 2;
-      const side = alert.bearing_deg == null ? "" : `${Math.round(alert.bearing_deg)}°`;
+      const side = alert.bearing_deg == null ? "" : T.alerts.side(Math.round(Math.abs(alert.bearing_deg)), alert.bearing_deg < 0);
       add(priority, `traffic ${alert.entity_id} ${alert.track} ${alert.region}`,
         T.alerts.traffic(world.name(alert.entity_id), T.alertRegion[alert.region] ?? "", units.distance(alert.distance_m), side), () => this.show(alert.entity_id));
     }
@@ -133,7 +133,7 @@ export class Alerts {
       const text = h("button", { type: "button", class: "alert-text", disabled: !alert.go, onclick: () => alert.go?.() },
         h("strong", {}, T.alerts.priorities[alert.priority]), ` ${alert.text}`);
       const item = h("li", { class: `alert ${name}` });
-      item.append(icon("warning"), text, button(T.alerts.ack, () => this.acknowledge(alert)));
+      item.append(icon("warning"), text, iconButton("check", T.alerts.ack, () => this.acknowledge(alert)));
       return item;
     }), ...(rest > 0 ? [h("li", { class: "alert-more" }, button(`${T.alerts.ackAll} (+${rest})`, () => { for (const alert of [...this.current]) this.acknowledge(alert); }))] : []));
   }

@@ -117,7 +117,8 @@ export class App {
   private readonly text = { name: "", line: "", warned: false };
   private label(row: number) {
     this.text.name = this.world.name(this.world.fleet.ids[row]);
-    this.text.line = this.doing(row);
+    const silence = this.silence(row);
+    this.text.line = silence > 5 ? `${this.doing(row)}, ${T.fleet.age(this.units.seconds(silence))}` : this.doing(row);
     this.text.warned = this.world.fleet.get(row, "failsafe") > 0;
     return this.text;
   }

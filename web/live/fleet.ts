@@ -14,6 +14,12 @@ export const kBefore = 0, kNow = 4, kHeadings = 8, kIcon = 10, kTint = 11, kGrou
 
 const kTailPoint = 4; // x, y, altitude, time
 
+/** Tails fill whole rows of a texture. */
+function tailArray(capacity: number, length: number): Float32Array {
+  const row = 256 * kTailPoint;
+  return new Float32Array(Math.ceil((capacity * (length + 1) * kTailPoint) / row) * row);
+}
+
 export class Fleet {
   /** Rows of `columns.width` numbers, as the last frame had them. */
   rows: Float64Array;
@@ -57,7 +63,7 @@ export class Fleet {
     this.scratch = new Float64Array(this.columns.width);
     this.motion = new Float32Array(this.capacity * kMotion);
     this.ids = new Int32Array(this.capacity);
-    this.tails = new Float32Array(this.capacity * (this.tailLength + 1) * kTailPoint);
+    this.tails = tailArray(this.capacity, this.tailLength);
     this.tailHead = new Int32Array(this.capacity).fill(-1);
     decoder.take(kind, (reader) => this.read(reader));
   }
@@ -98,8 +104,7 @@ export class Fleet {
 
   /** Many aircraft have short tails. */
   private setTailLength(length: number, keep: boolean): void {
-    const points = length + 1;
-    const tails = new Float32Array(this.capacity * points * kTailPoint), heads = new Int32Array(this.capacity).fill(-1);
+    const tails = tailArray(this.capacity, length), heads = new Int32Array(this.capacity).fill(-1);
     if (keep && length === this.tailLength) {
       tails.set(this.tails);
       heads.set(this.tailHead);

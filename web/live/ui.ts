@@ -18,7 +18,7 @@ const kIcons: Record<string, string> = {
   person: "M12 4a4 4 0 100 8 4 4 0 000-8zM4 21c1-5 4-7 8-7s7 2 8 7", select: "M6 3l12 9-5.500 1L16 20l-3 1-3-7-4 4z", point: "M12 9a3 3 0 100 6 3 3 0 000-6z",
   linestring: "M4 18l6-9 4 6 6-10", polygon: "M5 8l8-4 7 8-5 8-9-3z", circle: "M12 4a8 8 0 100 16 8 8 0 000-16z", undo: "M9 6L4 11l5 5M5 11h9a5 5 0 010 10h-3",
   redo: "M15 6l5 5-5 5M19 11h-9a5 5 0 000 10h3", trash: "M5 7h14M9 7V4h6v3M7 7l1 13h8l1-13", first: "M6 5v14M18 5l-9 7 9 7z", previous: "M16 5l-9 7 9 7z", next: "M8 5l9 7-9 7z",
-  target: "M12 5a7 7 0 100 14 7 7 0 000-14zM12 11a1 1 0 100 2 1 1 0 000-2z",
+  check: "M5 12.500l4.500 4.500L19 7.500", target: "M12 5a7 7 0 100 14 7 7 0 000-14zM12 11a1 1 0 100 2 1 1 0 000-2z",
 };
 const kFilled = new Set(["play", "pause", "step", "north", "first", "previous", "next", "select", "fleet"]);
 

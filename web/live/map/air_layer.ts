@@ -5,13 +5,14 @@
 import type { Theme } from "../../report/theme";
 import { kMotion, type Fleet } from "../fleet";
 import { iconAtlas, kIconKinds, kRealities } from "./icons";
+import type { Labels } from "./labels";
 import type { Projector } from "./projector";
-import { kIconFragment, kIconVertex, kPlainFragment, kRingFragment, kRingVertex, kStalkVertex, kTailFragment, kTailVertex } from "./air_shaders";
+import { kIconFragment, kIconVertex, kLabelFragment, kLabelVertex, kPlainFragment, kRingFragment, kRingVertex, kStalkVertex, kTailFragment, kTailVertex, kTexels } from "./air_shaders";
 
 type Program = { program: WebGLProgram; at: Record<string, WebGLUniformLocation | null> };
 
 const kUniforms = ["u_matrix", "u_size", "u_time", "u_flat", "u_icon", "u_old", "u_columns", "u_rows", "u_tints", "u_edge",
-  "u_grey", "u_ghost", "u_atlas", "u_colour", "u_seconds", "u_width", "u_points"];
+  "u_grey", "u_ghost", "u_atlas", "u_colour", "u_seconds", "u_width", "u_points", "u_texture", "u_motion", "u_tails"];
 
 function rgb(colour: string, out: Float32Array, at: number): void {
   const hex = /^#([0-9a-f]{6})$/i.exec(colour);
@@ -24,21 +25,48 @@ function rgb(colour: string, out: Float32Array, at: number): void {
 /** Numbers of tints: eight colours of aircraft, then warned and plain. */
 export const kTintWarned = 8, kTintPlain = 9;
 
-interface Buffers {
-  motion: WebGLBuffer;
-  size: number; // of the motion's buffer [bytes]
-  vertices: WebGLVertexArrayObject;
-  version: number;
+/** Units of textures. */
+const kAtlasUnit = 0, kLabelUnit = 1, kFleetUnit = 2, kGhostUnit = 3, kTailUnit = 4, kInstanceUnit = 5;
+
+/** Rows of floats on the graphics card. */
+class Floats {
+  version = -1;
+  private height = 0;
+  private readonly texture: WebGLTexture;
+
+  constructor(private readonly gl: WebGL2RenderingContext, readonly unit: number) {
+    this.texture = gl.createTexture()!;
+    this.bind();
+    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+  }
+
+  private bind(): void {
+    this.gl.activeTexture(this.gl.TEXTURE0 + this.unit);
+    this.gl.bindTexture(this.gl.TEXTURE_2D, this.texture);
+  }
+
+  /** Uploads the first `texels` of the data, whose length fills whole rows. */
+  upload(data: Float32Array, texels: number): void {
+    const gl = this.gl, height = data.length / (4 * kTexels), rows = Math.min(height, Math.ceil(texels / kTexels));
+    this.bind();
+    if (this.height !== height) {
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, kTexels, height, 0, gl.RGBA, gl.FLOAT, data);
+      this.height = height;
+    } else if (rows > 0) {
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, kTexels, rows, gl.RGBA, gl.FLOAT, data, 0);
+    }
+  }
 }
 
 export class AirLayer {
   readonly canvas: HTMLCanvasElement;
   private readonly gl: WebGL2RenderingContext;
-  private programs!: { icon: Program; ring: Program; stalk: Program; tail: Program };
-  private quad!: WebGLBuffer;
-  private fleet!: Buffers;
-  private ghosts!: Buffers;
-  private tail!: { buffer: WebGLBuffer; size: number; vertices: WebGLVertexArrayObject; version: number };
+  private programs!: { icon: Program; ring: Program; stalk: Program; tail: Program; label: Program };
+  private fleet!: Floats;
+  private ghosts!: Floats;
+  private tails!: Floats;
+  private instances!: Floats;
+  private pictures: WebGLTexture | null = null;
   private readonly tints = new Float32Array(30);
   private readonly edge = new Float32Array(3);
   private readonly grey = new Float32Array(3);
@@ -52,9 +80,9 @@ export class AirLayer {
   showRings = true;
   oldAfter = 5; // [s]
 
-  constructor(canvas: HTMLCanvasElement) {
+  constructor(canvas: HTMLCanvasElement, private readonly labels: Labels) {
     this.canvas = canvas;
-    const gl = canvas.getContext("webgl2", { alpha: true, premultipliedAlpha: true, antialias: true, depth: false });
+    const gl = canvas.getContext("webgl2", { alpha: true, premultipliedAlpha: true, antialias: false, depth: false, stencil: false });
     if (!gl) throw new Error("WebGL 2 is not available");
     this.gl = gl;
     canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); this.ready = false; });
@@ -76,56 +104,37 @@ export class AirLayer {
     return { program, at: Object.fromEntries(kUniforms.map((name) => [name, gl.getUniformLocation(program, name)])) };
   }
 
-  private corners(): void {
-    const gl = this.gl;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.quad);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
-  }
-
-  private buffers(): Buffers {
-    const gl = this.gl, vertices = gl.createVertexArray()!, motion = gl.createBuffer()!;
-    gl.bindVertexArray(vertices);
-    this.corners();
-    gl.bindBuffer(gl.ARRAY_BUFFER, motion);
-    for (let k = 0; k < 4; ++k) {
-      gl.enableVertexAttribArray(1 + k);
-      gl.vertexAttribPointer(1 + k, 4, gl.FLOAT, false, 4 * kMotion, 16 * k);
-      gl.vertexAttribDivisor(1 + k, 1);
-    }
-    gl.bindVertexArray(null);
-    return { motion, size: 0, vertices, version: -1 };
-  }
-
   private prepare(): void {
     const gl = this.gl;
     this.programs = {
       icon: this.program(kIconVertex, kIconFragment), ring: this.program(kRingVertex, kRingFragment),
       stalk: this.program(kStalkVertex, kPlainFragment), tail: this.program(kTailVertex, kTailFragment),
+      label: this.program(kLabelVertex, kLabelFragment),
     };
-    this.quad = gl.createBuffer()!;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.quad);
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]), gl.STATIC_DRAW);
-    this.fleet = this.buffers();
-    this.ghosts = this.buffers();
-    const vertices = gl.createVertexArray()!, buffer = gl.createBuffer()!;
-    gl.bindVertexArray(vertices);
-    this.corners();
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    for (let k = 0; k < 2; ++k) {
-      gl.enableVertexAttribArray(1 + k);
-      gl.vertexAttribPointer(1 + k, 4, gl.FLOAT, false, 16, 16 * k);
-      gl.vertexAttribDivisor(1 + k, 1);
-    }
-    gl.bindVertexArray(null);
-    this.tail = { buffer, size: 0, vertices, version: -1 };
-
-    const texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, texture);
+    this.fleet = new Floats(gl, kFleetUnit);
+    this.ghosts = new Floats(gl, kGhostUnit);
+    this.tails = new Floats(gl, kTailUnit);
+    this.instances = new Floats(gl, kInstanceUnit);
+    this.pictures = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE0 + kLabelUnit);
+    gl.bindTexture(gl.TEXTURE_2D, this.pictures);
+    const [width, height] = this.labels.texturePixels;
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+    this.labels.forget();
+    this.labels.onPicture = (x, y, picture) => {
+      gl.activeTexture(gl.TEXTURE0 + kLabelUnit);
+      gl.bindTexture(gl.TEXTURE_2D, this.pictures);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+    };
+    gl.activeTexture(gl.TEXTURE0 + kAtlasUnit);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, iconAtlas());
     gl.generateMipmap(gl.TEXTURE_2D);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+    gl.bindVertexArray(gl.createVertexArray()); // empty: vertices are pulled
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     this.ready = true;
@@ -147,30 +156,28 @@ export class AirLayer {
     premultiplied(theme.ink, 0.45, this.stalkColour);
   }
 
-  private upload(to: Buffers, fleet: Fleet): void {
+  private upload(to: Floats, fleet: Fleet): void {
     if (to.version === fleet.version) return;
-    const gl = this.gl, data = fleet.motion;
-    gl.bindBuffer(gl.ARRAY_BUFFER, to.motion);
-    if (to.size !== data.byteLength) {
-      gl.bufferData(gl.ARRAY_BUFFER, data, gl.DYNAMIC_DRAW);
-      to.size = data.byteLength;
-    } else {
-      gl.bufferSubData(gl.ARRAY_BUFFER, 0, data, 0, fleet.count * kMotion);
-    }
     to.version = fleet.version;
+    to.upload(fleet.motion, (fleet.count * kMotion) / 4);
   }
 
   private uploadTails(fleet: Fleet): void {
-    if (this.tail.version === fleet.tailVersion) return;
-    const gl = this.gl;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.tail.buffer);
-    if (this.tail.size !== fleet.tails.byteLength) {
-      gl.bufferData(gl.ARRAY_BUFFER, fleet.tails, gl.DYNAMIC_DRAW);
-      this.tail.size = fleet.tails.byteLength;
-    } else {
-      gl.bufferSubData(gl.ARRAY_BUFFER, 0, fleet.tails, 0, fleet.count * (fleet.tailLength + 1) * 4);
-    }
-    this.tail.version = fleet.tailVersion;
+    if (this.tails.version === fleet.tailVersion) return;
+    this.tails.version = fleet.tailVersion;
+    this.tails.upload(fleet.tails, fleet.count * (fleet.tailLength + 1));
+  }
+
+  private drawLabels(fleet: Fleet, camera: Projector, time: number): void {
+    const gl = this.gl, { labels } = this, { label } = this.programs;
+    if (labels.count === 0) return;
+    if (labels.refresh(fleet)) this.instances.upload(labels.instances, 4 * labels.count);
+    this.use(label, camera, time);
+    const [width, height] = labels.textureSize;
+    gl.uniform2f(label.at.u_texture, width, height);
+    gl.uniform1i(label.at.u_motion, kInstanceUnit);
+    gl.uniform1i(label.at.u_atlas, kLabelUnit);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * labels.count);
   }
 
   private use({ program, at }: Program, camera: Projector, time: number): void {
@@ -182,7 +189,7 @@ export class AirLayer {
     gl.uniform1f(at.u_flat, camera.flat ? 1 : 0);
   }
 
-  private icons(buffers: Buffers, fleet: Fleet, camera: Projector, time: number, ghost: boolean): void {
+  private icons(from: Floats, fleet: Fleet, camera: Projector, time: number, ghost: boolean): void {
     const gl = this.gl, { icon } = this.programs;
     this.use(icon, camera, time - fleet.epoch);
     gl.uniform1f(icon.at.u_icon, fleet.count > 200 ? 11 : fleet.count > 40 ? 15 : 19);
@@ -193,8 +200,29 @@ export class AirLayer {
     gl.uniform3fv(icon.at.u_edge, this.edge);
     gl.uniform3fv(icon.at.u_grey, this.grey);
     gl.uniform1f(icon.at.u_ghost, ghost ? 1 : 0);
-    gl.bindVertexArray(buffers.vertices);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, fleet.count);
+    gl.uniform1i(icon.at.u_motion, from.unit);
+    gl.uniform1i(icon.at.u_atlas, kAtlasUnit);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * fleet.count);
+  }
+
+  private plain(program: Program, fleet: Fleet, camera: Projector, now: number, colour: Float32Array): void {
+    const gl = this.gl;
+    this.use(program, camera, now);
+    gl.uniform4fv(program.at.u_colour, colour);
+    gl.uniform1i(program.at.u_motion, kFleetUnit);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * fleet.count);
+  }
+
+  private drawTails(fleet: Fleet, camera: Projector, now: number): void {
+    const gl = this.gl, { tail } = this.programs;
+    this.uploadTails(fleet);
+    this.use(tail, camera, now);
+    gl.uniform1f(tail.at.u_seconds, this.seconds);
+    gl.uniform1f(tail.at.u_width, fleet.count > 40 ? 1.2 : 2.2);
+    gl.uniform1i(tail.at.u_points, fleet.tailLength + 1);
+    gl.uniform4fv(tail.at.u_colour, this.tailColour);
+    gl.uniform1i(tail.at.u_tails, kTailUnit);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * (fleet.count * (fleet.tailLength + 1) - 1));
   }
 
   /** Draws everything at a simulated time. */
@@ -207,34 +235,14 @@ export class AirLayer {
     if (fleet.count === 0) return;
     this.upload(this.fleet, fleet);
     const now = time - fleet.epoch;
-    if (this.showTails && fleet.tailLength > 0) {
-      this.uploadTails(fleet);
-      const { tail } = this.programs;
-      this.use(tail, camera, now);
-      gl.uniform1f(tail.at.u_seconds, this.seconds);
-      gl.uniform1f(tail.at.u_width, fleet.count > 40 ? 1.2 : 2.2);
-      gl.uniform1i(tail.at.u_points, fleet.tailLength + 1);
-      gl.uniform4fv(tail.at.u_colour, this.tailColour);
-      gl.bindVertexArray(this.tail.vertices);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, fleet.count * (fleet.tailLength + 1) - 1);
-    }
-    if (!camera.flat) {
-      this.use(this.programs.stalk, camera, now);
-      gl.uniform4fv(this.programs.stalk.at.u_colour, this.stalkColour);
-      gl.bindVertexArray(this.fleet.vertices);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, fleet.count);
-    }
-    if (this.showRings) {
-      this.use(this.programs.ring, camera, now);
-      gl.uniform4fv(this.programs.ring.at.u_colour, this.ringColour);
-      gl.bindVertexArray(this.fleet.vertices);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, fleet.count);
-    }
+    if (this.showTails && fleet.tailLength > 0) this.drawTails(fleet, camera, now);
+    if (!camera.flat) this.plain(this.programs.stalk, fleet, camera, now, this.stalkColour);
+    if (this.showRings) this.plain(this.programs.ring, fleet, camera, now, this.ringColour);
     if (this.showTruth && truth.count > 0) {
       this.upload(this.ghosts, truth);
       this.icons(this.ghosts, truth, camera, time, true);
     }
     this.icons(this.fleet, fleet, camera, time, false);
-    gl.bindVertexArray(null);
+    this.drawLabels(fleet, camera, now);
   }
 }

@@ -98,15 +98,15 @@ let hatch: { dark: boolean; pattern: CanvasPattern | null } | null = null;
 function hatching(c: CanvasRenderingContext2D, theme: Theme): CanvasPattern | string {
   if (hatch?.dark !== theme.dark) {
     const tile = document.createElement("canvas");
-    tile.width = tile.height = 8;
+    tile.width = tile.height = 10;
     const t = tile.getContext("2d")!;
     t.strokeStyle = theme.truth;
-    t.globalAlpha = 0.55;
+    t.globalAlpha = 0.45;
     t.lineWidth = 1;
     t.beginPath();
-    for (const k of [-8, 0, 8]) {
-      t.moveTo(k, 8);
-      t.lineTo(k + 8, 0);
+    for (const k of [-10, 0, 10]) {
+      t.moveTo(k, 10);
+      t.lineTo(k + 10, 0);
     }
     t.stroke();
     hatch = { dark: theme.dark, pattern: c.createPattern(tile, "repeat") };
@@ -152,6 +152,20 @@ function drawForecasts(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes):
     }
 }
 
+/** Each how many of a ring's points have room on the screen: 1, 2, 4... */
+function roomFor(camera: Projector, ring: Points): number {
+  if (ring.length < 6 || !camera.project(ring[0], ring[1], ring[2])) return 1;
+  const { x, y } = camera;
+  let length = 0, far = 0;
+  for (let i = 3; i < Math.min(ring.length, 36); i += 3)
+    if (camera.project(ring[i], ring[i + 1], ring[i + 2])) {
+      far = Math.max(far, Math.hypot(camera.x - x, camera.y - y));
+      length = i / 3;
+    }
+  const each = length > 0 ? far / length : 20;
+  return each > 9 ? 1 : each > 4.5 ? 2 : 4;
+}
+
 function drawFire(c: CanvasRenderingContext2D, v: FieldView): void {
   const { layers, theme, camera, shaper } = v;
   for (const perimeter of v.world.perimeters.values()) {
@@ -189,19 +203,21 @@ function drawFire(c: CanvasRenderingContext2D, v: FieldView): void {
     c.setLineDash([]);
     if (!layers.sigmas) continue;
     c.beginPath();
-    for (const { inner1, outer1, middle } of bands)
-      for (let i = 0; i < middle.length; i += 3) {
+    for (const { inner1, outer1, middle } of bands) {
+      const step = 3 * roomFor(camera, middle);
+      for (let i = 0; i < middle.length; i += step) {
         if (!camera.project(inner1[i], inner1[i + 1], inner1[i + 2])) continue;
         c.moveTo(camera.x, camera.y);
         if (!camera.project(outer1[i], outer1[i + 1], outer1[i + 2])) continue;
         c.lineTo(camera.x, camera.y);
       }
+    }
     c.lineWidth = 1.2;
     c.stroke();
     c.fillStyle = theme.belief;
     c.beginPath();
     for (const { middle } of bands)
-      for (let i = 0; i < middle.length; i += 3)
+      for (let i = 0, step = 3 * roomFor(camera, middle); i < middle.length; i += step)
         if (camera.project(middle[i], middle[i + 1], middle[i + 2])) c.rect(camera.x - 1.5, camera.y - 1.5, 3, 3);
     c.fill();
   }

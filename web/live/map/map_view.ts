@@ -29,7 +29,7 @@ export type ClickTaker = (here: Here, double: boolean) => boolean;
 /** Something that draws on the canvas of what changes slowly. */
 export type Extra = (c: CanvasRenderingContext2D, view: MapView) => void;
 
-const kLabelsEvery = 0.25, kFieldEvery = 0.5; // [s]
+const kLabelsEvery = 0.33, kFieldEvery = 0.5; // [s]
 
 export class MapView {
   readonly element: HTMLElement;
@@ -49,7 +49,6 @@ export class MapView {
   frames = 0;
   private readonly air: AirLayer;
   private readonly field: CanvasRenderingContext2D;
-  private readonly labelCanvas: CanvasRenderingContext2D;
   private readonly labels = new Labels();
   private readonly boxes = new Boxes();
   private readonly pose = new Float64Array(4);
@@ -68,8 +67,8 @@ export class MapView {
     setWorkerUrl("worker.js");
     const holder = h("div", { class: "map-gl" });
     const canvas = (name: string) => h("canvas", { class: `over ${name}`, "aria-hidden": "true" });
-    const field = canvas("field"), air = canvas("air"), labels = canvas("labels");
-    this.element = h("div", { class: "map-stack" }, holder, field, air, labels);
+    const field = canvas("field"), air = canvas("air");
+    this.element = h("div", { class: "map-stack" }, holder, field, air);
     this.shaper = new Shaper(world.frame, (north, east) => terrain?.at(north, east) ?? 0);
     if (terrain) world.fleet.groundAt = (north, east) => terrain.at(north, east);
     terrain?.serve();
@@ -81,9 +80,8 @@ export class MapView {
     });
     this.map.getCanvas().setAttribute("aria-label", T.map.label);
     this.map.getCanvas().setAttribute("role", "application");
-    this.air = new AirLayer(air);
+    this.air = new AirLayer(air, this.labels);
     this.field = field.getContext("2d")!;
-    this.labelCanvas = labels.getContext("2d")!;
     const probe: CustomLayerInterface = {
       id: "camera", type: "custom", renderingMode: "3d",
       render: (_, { defaultProjectionData }) => {
@@ -179,12 +177,11 @@ export class MapView {
     const ratio = Math.min(2, window.devicePixelRatio || 1);
     this.camera.width = width;
     this.camera.height = height;
-    for (const canvas of [this.air.canvas, this.field.canvas, this.labelCanvas.canvas]) {
+    for (const canvas of [this.air.canvas, this.field.canvas]) {
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
     }
     this.field.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.labelCanvas.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.map.resize();
     this.camera.version++;
     this.redraw();
@@ -321,16 +318,11 @@ export class MapView {
     }
     if (airChanged) {
       this.air.showTruth = this.settings.layers.truth && world.fleet.time - world.truth.time < 5;
-      this.air.draw(world.fleet, world.truth, camera, time);
-      if (this.settings.layers.names) {
-        if (moved ? wall - this.labelsAt > 0.1 : wall - this.labelsAt > kLabelsEvery) {
-          this.labels.place(world.fleet, camera, time, this.selected, this.labelText, theme(), this.warnedColour());
-          this.labelsAt = wall;
-        }
-        this.labels.draw(this.labelCanvas, world.fleet, camera, time, this.selected, theme());
-      } else if (moved || this.dirty) {
-        this.labelCanvas.clearRect(0, 0, camera.width, camera.height);
+      if (moved ? wall - this.labelsAt > 0.1 : wall - this.labelsAt > kLabelsEvery) {
+        this.labels.place(world.fleet, camera, time, this.selected, this.settings.layers.names ? this.labelText : null, theme(), this.warnedColour(), this.boxes);
+        this.labelsAt = wall;
       }
+      this.air.draw(world.fleet, world.truth, camera, time);
     }
     this.timeShown = time;
     this.fleetShown = world.fleet.version;

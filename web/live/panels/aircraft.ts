@@ -87,7 +87,8 @@ export class AircraftDetail {
         length += Math.hypot(path.points[i].north_m - path.points[i - 1].north_m, path.points[i].east_m - path.points[i - 1].east_m);
       f.set(T.aircraft.plan, T.aircraft.planUntil(units.distance(length), clock(Math.max(0, path.points[path.points.length - 1].time_s - world.time))));
     }
-    f.set(T.aircraft.altitude, this.altitude(row));
+    f.set(T.aircraft.altitude, units.height(get("altitude_msl_m")));
+    if (app.terrain) f.set(T.aircraft.overGround, units.height(get("altitude_msl_m") - app.terrain.at(get("north_m"), get("east_m"))));
     f.set(T.aircraft.speed, units.speed(Math.hypot(get("velocity_north_mps"), get("velocity_east_mps"))));
     f.set(T.aircraft.climb, units.climb(get("climb_mps")));
     f.set(T.aircraft.heading, units.angle(get("heading_deg")));
@@ -105,11 +106,5 @@ export class AircraftDetail {
     const lead = world.leads.get(id);
     if (lead?.master_id != null) f.set(T.aircraft.leads, T.aircraft.master(world.name(lead.master_id)));
     f.set(T.aircraft.position, latLonText(world.frame.toLatLon(get("north_m"), get("east_m"), get("altitude_msl_m"))));
-  }
-
-  private altitude(row: number): string {
-    const { app } = this, { fleet } = app.world, altitude = fleet.get(row, "altitude_msl_m");
-    const ground = app.terrain?.at(fleet.get(row, "north_m"), fleet.get(row, "east_m"));
-    return ground === undefined ? app.units.height(altitude) : `${app.units.height(altitude)} (${app.units.height(altitude - ground)} AGL)`;
   }
 }

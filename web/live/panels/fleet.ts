@@ -7,6 +7,7 @@ import { AircraftDetail } from "./aircraft";
 import type { Panel } from "./panel";
 
 const kRow = 46; // height [px]
+const kCollator = new Intl.Collator(undefined, { numeric: true });
 
 interface Line {
   element: HTMLElement;
@@ -33,6 +34,7 @@ export class FleetPanel implements Panel {
   private order: number[] = []; // rows of the fleet
   private sort: Sort = "name";
   private focused = 0;
+  private sorted = "";
 
   constructor(private readonly app: App) {
     this.search = h("input", { type: "search", placeholder: T.fleet.search, "aria-label": T.fleet.search, oninput: () => this.update() });
@@ -79,10 +81,12 @@ export class FleetPanel implements Panel {
     for (let row = 0; row < fleet.count; ++row)
       if (!wanted || (entities.get(fleet.ids[row])?.name ?? "").toLowerCase().includes(wanted)) rows.push(row);
     const name = (row: number) => this.app.world.name(fleet.ids[row]);
+    if (this.sort === "name" && this.sorted === `${fleet.count} ${this.app.world.version.entities} ${wanted}`) return;
+    this.sorted = this.sort === "name" ? `${fleet.count} ${this.app.world.version.entities} ${wanted}` : "";
     const charge = (row: number) => { const c = fleet.get(row, "charge"); return Number.isFinite(c) ? c : 2; };
     const attention = (row: number) => (fleet.get(row, "failsafe") > 0 ? 0 : 1e3) + (this.app.silence(row) > 5 ? 0 : 100) + 10 * Math.min(charge(row), 1);
     const by: Record<string, (a: number, b: number) => number> = {
-      name: (a, b) => name(a).localeCompare(name(b), undefined, { numeric: true }),
+      name: (a, b) => kCollator.compare(name(a), name(b)),
       battery: (a, b) => charge(a) - charge(b),
       heard: (a, b) => this.app.silence(b) - this.app.silence(a),
       attention: (a, b) => attention(a) - attention(b),
