@@ -9,7 +9,7 @@
 export interface Origin {
   latitude_deg: number;
   longitude_deg: number;
-  altitude_m: number;
+  height_m: number;
 }
 
 export interface LatLon {
@@ -46,7 +46,7 @@ export class Frame {
 
   constructor(readonly origin: Origin) {
     const lat = origin.latitude_deg * kRad, lon = origin.longitude_deg * kRad;
-    this.p0 = ecef(lat, lon, origin.altitude_m);
+    this.p0 = ecef(lat, lon, origin.height_m);
     [this.sinLat, this.cosLat, this.sinLon, this.cosLon] = [Math.sin(lat), Math.cos(lat), Math.sin(lon), Math.cos(lon)];
     this.mercatorX = mercatorX(origin.longitude_deg);
     this.mercatorY = mercatorY(origin.latitude_deg);
@@ -67,8 +67,8 @@ export class Frame {
   }
 
   /** Latitude and longitude of a place at `altitude` [m]; without it at the origin's. */
-  toLatLon(north_m: number, east_m: number, altitude_m = this.origin.altitude_m): LatLon {
-    this.solve(north_m, east_m, altitude_m - this.origin.altitude_m);
+  toLatLon(north_m: number, east_m: number, height_m = this.origin.height_m): LatLon {
+    this.solve(north_m, east_m, height_m - this.origin.height_m);
     return { latitude_deg: this.lat / kRad, longitude_deg: this.lon / kRad };
   }
 
@@ -81,7 +81,7 @@ export class Frame {
   /** North and east of a place on the origin's height. */
   toLocal({ latitude_deg, longitude_deg }: LatLon): { north_m: number; east_m: number } {
     // The vertical there is not the frame's: the height that makes `up` zero is found by iteration.
-    let h = this.origin.altitude_m, north = 0, east = 0;
+    let h = this.origin.height_m, north = 0, east = 0;
     for (let k = 0; k < 3; ++k) {
       const p = ecef(latitude_deg * kRad, longitude_deg * kRad, h);
       const dx = p[0] - this.p0[0], dy = p[1] - this.p0[1], dz = p[2] - this.p0[2];

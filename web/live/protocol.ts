@@ -104,6 +104,13 @@ export interface TaskOrder {
   why: NamedValue[];
 }
 
+/** A message with an order: the only ones that the feed has. */
+export interface OrderMessage {
+  to_id: number;
+  arrived_s: number;
+  content: { kind: string; task_number: number; what?: What };
+}
+
 /** What a mission is to reach, as far as it can be drawn. */
 export interface MissionState {
   time_s: number;

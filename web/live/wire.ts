@@ -157,11 +157,19 @@ export class Decoder {
         r.end = end;
         const takes = this.taken.get(known.kind);
         if (takes) takes(r);
+        else if (known.kind === "live_record") this.visitRecord(known.read(r), visit);
         else visit(known.kind, known.read(r));
         r.end = outer;
       }
       r.at = end; // a kind or field that is not known is passed over
     }
+  }
+
+  // A record says itself what it is; one with a kind of its own stands under "value".
+  private visitRecord(value: Value, visit: Visit): void {
+    const { record } = value as { record: { kind: string; value?: unknown } };
+    const inner = record.value;
+    visit(record.kind, typeof inner === "object" && inner !== null ? inner : record);
   }
 
   private one(type: string): Read {

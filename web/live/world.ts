@@ -4,7 +4,7 @@ import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Foo
   ZoneRecord, Detection } from "../report/records";
 import { Fleet, PlayTime } from "./fleet";
 import type { Frame } from "./frames";
-import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, RunClock, TaskOrder } from "./protocol";
+import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder } from "./protocol";
 import type { Decoder, Table } from "./wire";
 
 /** What may change; panels compare the counts with those that they have shown. */
@@ -126,6 +126,13 @@ export class World {
     command_reply: (reply: CommandReply) => this.onReply(reply),
     metric_sample: (sample: MetricSample) => this.addMetric(sample),
     flight_path: (path: FlightPath) => { this.paths.set(path.entity_id, path); this.touch("paths"); },
+    message: (message: OrderMessage) => {
+      const { task_number, what } = message.content;
+      if (!what) return;
+      const order: TaskOrder = { time_s: message.arrived_s, entity_id: message.to_id, number: task_number, what, why: [] };
+      this.tasks.set(order.entity_id, order);
+      this.touch("tasks");
+    },
     task_order: (order: TaskOrder) => { this.tasks.set(order.entity_id, order); this.touch("tasks"); },
     entity: (entity: Entity) => {
       this.entities.set(entity.entity_id, entity);

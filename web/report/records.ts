@@ -1489,3 +1489,104 @@ export interface RadioLink {
   sinr_db: number | null; // mean ratio of signal to noise and interference, the least of each frame
   delay_s: number | null; // mean from sending to arrival
 }
+
+/** How far a run is, and how its clock goes. */
+export interface RunClock {
+  time_s: number; // simulated
+  duration_s: number; // when the run is over
+  speed: number | null; // measured: simulated over wall time
+  wanted_speed: number | null; // 0: as fast as it can
+  paused: boolean; // simulated time stands still
+  over: boolean; // the run has ended
+  misses: number; // steps that began too late for real time
+  headline: string; // key figures in one line
+}
+
+/** Where an aircraft believes to be, and how it is. */
+export interface VehicleView {
+  entity_id: number; // which aircraft
+  north_m: number; // of the origin
+  east_m: number; // of the origin
+  altitude_msl_m: number; // above mean sea level
+  velocity_north_mps: number; // over ground
+  velocity_east_mps: number; // over ground
+  climb_mps: number; // up
+  heading_deg: number; // of the air-relative velocity
+  roll_deg: number; // right wing down positive
+  position_sd_m: number; // per horizontal axis
+  cross_track_m: number; // off the path that it follows, right positive
+  time_error_s: number; // behind its plan
+  charge: number; // left, from 0 to 1
+  endurance_s: number | null; // flight time left at the present power; null while not known
+  age_s: number; // of this estimate
+  heard_s: number | null; // since a ground station heard of it last; null: never yet
+  mode: "manual" | "stabilized" | "auto" | "guided"; // who flies
+  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu"; // what has gone wrong
+  reaction: "none" | "hold" | "return" | "land" | "descend"; // what is done about it
+  on_ground: boolean; // as far as it knows
+  task_number: number; // of the newest order that it obeys, as its station has heard; 0: none yet
+  task_state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is with it
+  task_share: number; // that is done, from 0 to 1
+  task_time_to_go_s: number | null; // until it is done; null: not known, or without end
+}
+
+/** All aircraft that take part, at one time. */
+export interface FleetFrame {
+  time_s: number; // when
+  vehicles: VehicleView[]; // in the order of their numbers
+}
+
+/** Where a vehicle truly is. */
+export interface TruePlace {
+  entity_id: number; // which vehicle
+  north_m: number; // of the origin
+  east_m: number; // of the origin
+  altitude_msl_m: number; // above mean sea level
+  heading_deg: number; // of its forward axis
+}
+
+/** Where all aircraft truly are, at one time. */
+export interface TruthFrame {
+  time_s: number; // when
+  places: TruePlace[]; // in the order of their numbers
+}
+
+/** Somebody who watches a run. */
+export interface ClientView {
+  client: number; // counts from 1
+  name: string; // that was given, for people
+  role: "viewer" | "operator" | "instructor"; // what they may do
+}
+
+/** Everybody who watches, and who of them gives commands. */
+export interface Clients {
+  clients: ClientView[]; // in the order of their numbers
+  holder: number; // who holds control; 0: nobody
+  you: number; // to whom this is said
+  truth_shown: boolean; // instructors see the truth
+}
+
+/** What becomes of a request of a client. */
+export interface CommandReply {
+  number: number; // of the client's requests
+  state: "given" | "accepted" | "refused"; // how far it is
+  text: string; // why it is refused, for people
+}
+
+/** A number with a name. */
+export interface NamedValue {
+  name: string; // with its unit
+  value: number | null; // in that unit; null: not known
+}
+
+/** How well a mission goes, by the truth. */
+export interface MetricSample {
+  time_s: number; // when
+  mission: string; // which mission; empty: the run
+  values: NamedValue[]; // figures of docs/records.md
+}
+
+/** The full state of a run follows, or is complete. */
+export interface Snapshot {
+  begins: boolean; // all that was said before is void
+}

@@ -56,7 +56,7 @@ struct VehicleView {
   float charge = 1;                                        ///< of 1
   std::optional<double> endurance = std::nullopt;          ///< [s]
   float age = 0;                                           ///< of the estimate [s]
-  std::optional<double> heard = std::nullopt;              ///< [s]
+  std::optional<Time> heard = std::nullopt;
   FlightMode mode = FlightMode::kGuided;
   FailsafeTrigger failsafe = FailsafeTrigger::kNone;
   FailsafeReaction reaction = FailsafeReaction::kNone;
@@ -88,8 +88,8 @@ constexpr auto describe(const VehicleView*) {
       field("endurance", &T::endurance, unit::kSecond,
             "flight time left at the present power; null while not known"),
       field("age", &T::age, unit::kSecond, "of this estimate"),
-      field("heard", &T::heard, unit::kSecond,
-            "since a ground station heard of it last; null: never yet"),
+      field("heard", &T::heard,
+            "when a ground station heard of it last; null: never yet"),
       field("mode", &T::mode, "who flies"),
       field("failsafe", &T::failsafe, "what has gone wrong"),
       field("reaction", &T::reaction, "what is done about it"),

@@ -1,6 +1,5 @@
 #include "skein/record/run_writer.h"
 
-#include <cmath>
 #include <utility>
 
 #include "skein/base/log.h"
@@ -19,8 +18,9 @@ MetricSample sample_of(Time time, const std::string& mission,
                        const PerimeterMetrics& metrics) {
   MetricSample sample{time, mission, {}};
   for (const MetricField& field : metric_fields())
-    if (const double value = metrics.*field.value; std::isfinite(value))
-      sample.values.push_back({std::string(field.name) + std::string(field.unit), value});
+    if (const auto& value = metrics.*field.value)
+      sample.values.push_back(
+          {std::string(field.name) + std::string(field.unit), *value});
   return sample;
 }
 

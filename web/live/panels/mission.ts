@@ -126,8 +126,8 @@ export class MissionPanel implements Panel {
   }
 
   private showMissions(): void {
-    const { world, run, mayCommand } = this.app;
-    this.missions.replaceChildren(...run.missions.map(({ name, kind }) => {
+    const { world, mayCommand } = this.app;
+    this.missions.replaceChildren(...[...world.missions.values()].map(({ mission: name, goal: { kind } }) => {
       const state = world.missions.get(name)?.state ?? "waiting", runs = state !== "over" && state !== "waiting" && state !== "paused";
       const act = (text: string, action: "pause" | "resume" | "start" | "end") => button(text, () => this.mission(action, name), { disabled: !mayCommand });
       return h("li", { class: "card" }, h("div", {}, h("strong", {}, name), h("span", { class: "unit" }, ` ${kind}`)),

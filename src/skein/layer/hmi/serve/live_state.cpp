@@ -195,7 +195,7 @@ FleetFrame LiveState::fleet() const {
     view.charge = narrow(status.charge);
     view.endurance = status.endurance;
     view.age = narrow((now_ - nav.time).seconds());
-    if (by.heard) view.heard = (now_ - *by.heard).seconds();
+    view.heard = by.heard;
     view.mode = status.mode;
     view.failsafe = status.trigger;
     view.reaction = status.reaction;

@@ -61,10 +61,11 @@ class ServedRun {
       estimate.nav.time = now;
       feed_.record(estimate);
       if (much_ > 0) {
-        Event event;
-        event.time = now;
-        event.text = std::string(much_, 'x');
-        feed_.record(event);
+        // Of which only the newest is part of the state.
+        PerimeterRecord perimeter;
+        perimeter.time = now;
+        perimeter.truth = {geo::Ring(much_ / sizeof(Vec2), Vec2::Zero())};
+        feed_.record(perimeter);
       }
       EXPECT_TRUE(feed_.step_done(now));
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -102,6 +103,17 @@ std::vector<std::pair<std::string, std::string>> bearer(const char* token) {
   return {{"Authorization", std::string("Bearer ") + token}};
 }
 
+// The request with which a WebSocket begins.
+Asked upgrade(std::vector<std::pair<std::string, std::string>> headers,
+              const char* protocol = "skein.live.v1") {
+  headers.insert(headers.end(), {{"Upgrade", "websocket"},
+                                 {"Connection", "Upgrade"},
+                                 {"Sec-WebSocket-Key", "MDEyMzQ1Njc4OWFiY2RlZg=="},
+                                 {"Sec-WebSocket-Version", "13"},
+                                 {"Sec-WebSocket-Protocol", protocol}});
+  return {.target = "/live", .headers = std::move(headers)};
+}
+
 TEST(WebServer, AnswersThisMachineAlone) {
   ServedRun run;
   EXPECT_EQ(ask(run.port(), {}).result_int(), 200U);
@@ -122,8 +134,11 @@ TEST(WebServer, AnswersThisMachineAlone) {
 
 TEST(WebServer, RefusesWebSocketsOfOtherPagesAndProtocols) {
   ServedRun run;
-  EXPECT_EQ(LiveClient(run.port(), {{"Origin", "http://evil.example"}}).status(), 403U);
-  EXPECT_EQ(LiveClient(run.port(), {}, "other").status(), 400U);
+  EXPECT_EQ(ask(run.port(), upgrade({{"Origin", "http://evil.example"}})).result_int(),
+            403U);
+  EXPECT_FALSE(LiveClient(run.port(), {{"Origin", "http://evil.example"}}).is_open());
+  EXPECT_EQ(ask(run.port(), upgrade({}, "other")).result_int(), 400U);
+  EXPECT_FALSE(LiveClient(run.port(), {}, "other").is_open());
   LiveClient own(run.port(), {{"Origin", "http://localhost"}});
   EXPECT_TRUE(own.is_open());
 }
@@ -132,8 +147,9 @@ TEST(WebServer, TokensSayWhoMaySeeAndGiveCommands) {
   ServedRun run(kTokens);
   EXPECT_EQ(ask(run.port(), {.target = "/api/run"}).result_int(), 401U);
   EXPECT_EQ(ask(run.port(), {.target = "/"}).result_int(), 200U);
-  EXPECT_EQ(LiveClient(run.port()).status(), 401U);
-  EXPECT_EQ(LiveClient(run.port(), bearer("viewer-viewer-viewe")).status(), 401U);
+  EXPECT_EQ(ask(run.port(), upgrade({})).result_int(), 401U);
+  EXPECT_EQ(ask(run.port(), upgrade(bearer("viewer-viewer-viewe"))).result_int(), 401U);
+  EXPECT_FALSE(LiveClient(run.port(), bearer("viewer-viewer-viewe")).is_open());
 
   const auto refused = ask(
       run.port(),

@@ -128,7 +128,7 @@ TEST(LiveState, FrameHasWhatAircraftBelieveAndWhatStationsHaveHeard) {
   EXPECT_EQ(view.altitude_msl, 100);
   EXPECT_FLOAT_EQ(view.heading_deg, 270);
   EXPECT_FLOAT_EQ(view.age, 0.5);
-  EXPECT_EQ(view.heard, 2);
+  EXPECT_EQ(view.heard, Time::from_seconds(8));
   EXPECT_EQ(view.task_number, 7U);
   EXPECT_EQ(view.task_state, TaskState::kFlying);
   ASSERT_EQ(state.truth().places.size(), 1U);

@@ -1,0 +1,232 @@
+#include "skein/assemble/serve/run_page.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/run.h"
+#include "skein/assemble/serve/replay_player.h"
+#include "skein/assemble/serve/task_forms.h"
+#include "skein/data/command_text.h"
+#include "skein/data/json.h"
+#include "skein/layer/hmi/serve/test/live_client.h"
+#include "skein/record/fan_out.h"
+#include "skein/record/run_recorder.h"
+#include "skein/scenario/scenario_file.h"
+
+namespace skein::assemble {
+namespace {
+
+using hmi::LiveClient;
+using Json = nlohmann::json;
+
+constexpr const char* kScenario =
+    "name: watched\n"
+    "duration_s: 600\n"
+    "seed: 5\n"
+    "aircraft: [{name: scout, count: 2}]\n"
+    "missions: [{kind: perimeter, name: fire}]\n";
+
+scenario::Scenario read(const std::string& text = kScenario) {
+  auto outcome = scenario::read_scenario_text(text, "test", ".", kind_table());
+  EXPECT_TRUE(outcome.scenario);
+  return *outcome.scenario;
+}
+
+std::uint16_t port_of(const RunPage& page) {
+  const std::string place = page.place();
+  return static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1)));
+}
+
+ServeOptions any_port() {
+  ServeOptions options;
+  options.port = 0;
+  return options;
+}
+
+class Silent final : public OperatorConsole {
+ public:
+  explicit Silent(const std::atomic<bool>& stop) : stop_(stop) {}
+  void show(const RunProgress&) override {}
+  bool stop_requested() const override { return stop_; }
+
+ private:
+  const std::atomic<bool>& stop_;
+};
+
+// The run with `watchers` clients, recorded in a folder; its summary.
+record::RunSummary run_watched(const std::filesystem::path& folder, int watchers) {
+  const scenario::Scenario scenario = read();
+  auto built = build(scenario, KindRegistry());
+  EXPECT_TRUE(built) << built.error().text();
+  Build& ready = built.value();
+  ready.options.speed = 0;
+  auto page = RunPage::open(any_port(), facts_of(scenario, ready, "test"));
+  EXPECT_TRUE(page) << page.error().text();
+  hmi::LiveFeed& feed = page.value()->feed();
+  record::RunRecorderOptions options;
+  options.overwrite = true;
+  options.on_metrics = [&feed](const MetricSample& sample) { feed.show(sample); };
+  auto recorder = record::RunRecorder::create(
+      folder, {"test", scenario.seed, scenario.name, "", scenario.start_utc}, options);
+  EXPECT_TRUE(recorder) << recorder.error().text();
+  std::vector<std::unique_ptr<LiveClient>> clients;
+  std::vector<std::thread> readers;
+  std::atomic<int> told = 0;
+  for (int k = 0; k < watchers; ++k) {
+    clients.push_back(std::make_unique<LiveClient>(port_of(*page.value())));
+    readers.emplace_back([client = clients.back().get(), &told] {
+      told += client->wait_for<RunClock>([](const RunClock& clock) { return clock.over; })
+                  .has_value();
+    });
+  }
+  record::FanOut all({recorder.value().get(), &feed});
+  const std::atomic<bool> stop = false;
+  Silent silent(stop);
+  hmi::LiveConsole console(silent, feed);
+  EXPECT_TRUE(run_linked(ready, &all, console));
+  auto closed = recorder.value()->close();
+  EXPECT_TRUE(closed) << closed.error().text();
+  feed.finish();
+  for (std::thread& reader : readers) reader.join();
+  EXPECT_EQ(told, watchers);
+  return closed ? std::move(closed).value() : record::RunSummary();
+}
+
+std::filesystem::path folder_for(const char* name) {
+  return std::filesystem::temp_directory_path() /
+         (std::string("skein-run-page-") + name + "-" + std::to_string(::getpid()));
+}
+
+TEST(RunPage, SaysWhatThereIsToKnowOfTheRun) {
+  const scenario::Scenario scenario = read();
+  const auto built = build(scenario, KindRegistry());
+  ASSERT_TRUE(built);
+  const auto page = RunPage::open(any_port(), facts_of(scenario, built.value(), "1.2.3"));
+  ASSERT_TRUE(page) << page.error().text();
+  const std::uint16_t port = port_of(*page.value());
+  const Json run = Json::parse(hmi::ask(port, {.target = "/api/run"}).body());
+  EXPECT_EQ(run["name"], "watched");
+  EXPECT_EQ(run["version"], "1.2.3");
+  EXPECT_EQ(run["duration_s"], 600);
+  EXPECT_EQ(run["you"]["role"], "instructor");
+  ASSERT_EQ(run["aircraft"].size(), 2U);
+  EXPECT_EQ(run["aircraft"][1]["name"], "scout-2");
+  const std::string terrain = hmi::ask(port, {.target = "/api/terrain"}).body();
+  std::uint32_t rows = 0;
+  ASSERT_GE(terrain.size(), 32U);
+  std::memcpy(&rows, terrain.data(), sizeof rows);
+  EXPECT_EQ(terrain.size(), 32 + 4 * static_cast<std::size_t>(rows) * rows);
+  EXPECT_EQ(hmi::ask(port, {.target = "/api/health"}).result_int(), 200U);
+  EXPECT_EQ(hmi::ask(port, {.target = "/"}).result_int(), 200U);
+  EXPECT_EQ(hmi::ask(port, {.target = "/../etc/passwd"}).result_int(), 404U);
+  EXPECT_EQ(hmi::ask(port, {.method = hmi::http::verb::put, .target = "/"}).result_int(),
+            405U);
+}
+
+TEST(RunPage, RunIsTheSameWithAndWithoutThoseWhoWatch) {
+  const auto folder = folder_for("hash");
+  const record::RunSummary alone = run_watched(folder, 0);
+  const record::RunSummary watched = run_watched(folder, 20);
+  EXPECT_FALSE(alone.content_hash.empty());
+  EXPECT_EQ(alone.content_hash, watched.content_hash);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RunPage, BadPlacesAndFilesAreRefused) {
+  ServeOptions options;
+  EXPECT_TRUE(read_place("0", options));
+  EXPECT_TRUE(read_place("[::1]:81", options));
+  EXPECT_EQ(options.address, "::1");
+  EXPECT_EQ(options.port, 81);
+  for (const char* bad : {"", "x", "70000", "1.2.3.4:", ":80", "[::1:80", "80x"})
+    EXPECT_FALSE(read_place(bad, options)) << bad;
+
+  const scenario::Scenario scenario = read();
+  const auto built = build(scenario, KindRegistry());
+  const RunFacts facts = facts_of(scenario, built.value(), "test");
+  ServeOptions open = any_port();
+  open.address = "0.0.0.0";
+  const auto page = RunPage::open(open, facts);
+  ASSERT_FALSE(page);
+  EXPECT_NE(page.error().text().find("--tokens"), std::string::npos);
+  open = any_port();
+  open.tokens_file = "/nowhere/tokens";
+  EXPECT_FALSE(RunPage::open(open, facts));
+  open = any_port();
+  open.imagery = "https://tiles.example/{z}'; script-src *";
+  EXPECT_FALSE(RunPage::open(open, facts));
+  open = any_port();
+  open.certificate_file = "/nowhere/certificate.pem";
+  EXPECT_FALSE(RunPage::open(open, facts));
+}
+
+// What is seen when a recorded run is shown again, at a time that is gone to.
+TEST(Replay, ShowsTheRunAtAnyTime) {
+  const auto folder = folder_for("replay");
+  run_watched(folder, 0);
+  auto recorded = record::RecordStream::open(folder);
+  ASSERT_TRUE(recorded) << recorded.error().text();
+  EXPECT_EQ(recorded.value().end(), Time::from_seconds(600));
+  auto page = RunPage::open(any_port(), facts_of(read(), recorded.value(), {}));
+  ASSERT_TRUE(page) << page.error().text();
+  std::atomic<bool> stop = false;
+  std::thread player(
+      [&] { EXPECT_TRUE(play_again(recorded.value(), page.value()->feed(), 1, stop)); });
+  LiveClient client(port_of(*page.value()));
+  client.say(R"({"number":1,"line":"pause"})");
+  EXPECT_TRUE(client.wait_for_reply(1));
+  for (const double time : {500.0, 200.0}) {
+    client.say(R"({"number":2,"seek_s":)" + std::to_string(time) + "}");
+    EXPECT_EQ(client.wait_for_reply(2)->state, RequestState::kAccepted);
+    ASSERT_TRUE(client.wait_for<SnapshotMark>());
+    std::vector<PerimeterRecord> perimeters;
+    const auto frame = client.wait_for<FleetFrame>([time](const FleetFrame& each) {
+      return std::abs(each.time.seconds() - time) < 1;
+    });
+    ASSERT_TRUE(frame) << time;
+    EXPECT_EQ(frame->vehicles.size(), 2U);
+  }
+  client.say(R"({"number":3,"line":"task scout-1 hold"})");
+  EXPECT_EQ(client.wait_for_reply(3)->state, RequestState::kRefused);
+  stop = true;
+  player.join();
+  std::filesystem::remove_all(folder);
+}
+
+// A form that follows from a task's description asks for what its command takes.
+TEST(TaskForms, FilledInWithDefaultsMakeCommands) {
+  const auto forms = task_forms();
+  EXPECT_GE(forms.size(), 17U);
+  for (const auto& form : forms) {
+    Json what = {{"kind", form["kind"]}};
+    for (const auto& field : form["fields"]) {
+      const std::string name = field["name"], type = field["type"];
+      if (type == "place") {
+        what[json::joined(name, "north_m")] = 100;
+        what[json::joined(name, "east_m")] = 200;
+      } else if (type == "places") {
+        what[name] = {{0, 0}, {0, 500}, {500, 500}};
+      } else if (type == "aircraft") {
+        what[name] = 1;
+      } else if (type == "aircraft_list") {
+        what[name] = Json::array({1});
+      } else {
+        what[name] = field["default"];
+      }
+    }
+    const Json command = {{"kind", "task"}, {"aircraft", "scout-1"}, {"what", what}};
+    const auto parsed = parse_command(command.dump());
+    EXPECT_TRUE(parsed) << command.dump() << "\n" << parsed.error().text();
+  }
+}
+
+}  // namespace
+}  // namespace skein::assemble
