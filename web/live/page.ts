@@ -85,7 +85,8 @@ function makeDock(app: App, panels: [string, Panel][]): { element: HTMLElement; 
     tab.append(icon(name), h("span", {}, T.tabs[name]));
     return tab;
   });
-  const bodies = panels.map(([name, panel]) => h("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}`, class: "tab-panel", hidden: true }, panel.element));
+  const bodies = panels.map(([name, panel]) => h("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}`, class: "tab-panel", hidden: true },
+    h("h2", { class: "visually-hidden" }, T.tabTitles[name] ?? T.tabs[name]), panel.element));
   let current = -1;
   const show = (name: string, focus = false) => {
     const next = panels.findIndex(([each]) => each === name);

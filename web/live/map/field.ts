@@ -42,6 +42,7 @@ export class Boxes {
 }
 
 export function writeLabel(c: CanvasRenderingContext2D, text: string, x: number, y: number, colour: string, paper: string): void {
+  c.save();
   c.font = kFont;
   c.lineWidth = 3.5;
   c.lineJoin = "round";
@@ -49,6 +50,7 @@ export function writeLabel(c: CanvasRenderingContext2D, text: string, x: number,
   c.strokeText(text, x, y);
   c.fillStyle = colour;
   c.fillText(text, x, y);
+  c.restore();
 }
 
 const place = new Float64Array(3);
@@ -63,7 +65,7 @@ function spot(v: FieldView, north: number | null, east: number | null): boolean 
 function put(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes, text: string, x: number, y: number, colour: string): void {
   c.font = kFont;
   const width = c.measureText(text).width;
-  for (const [dx, dy] of [[8, 4], [-8 - width, 4], [-width / 2, -10], [-width / 2, 18]]) {
+  for (const [dx, dy] of [[11, 4], [-11 - width, 4], [-width / 2, -12], [-width / 2, 20]]) {
     if (!boxes.free(x + dx - 3, y + dy - 12, width + 6, 16)) continue;
     boxes.add(x + dx - 3, y + dy - 12, width + 6, 16);
     writeLabel(c, text, x + dx, y + dy, colour, v.theme.paper);
@@ -242,16 +244,17 @@ function drawReadings(c: CanvasRenderingContext2D, v: FieldView): void {
   }
   if (v.layers.crossings) {
     c.strokeStyle = theme.crossing;
-    c.lineWidth = 1.6;
+    c.lineWidth = 1.3;
     for (const crossing of world.crossings) {
       const age = v.time - crossing.time_s;
       if (age < 0 || age > kCrossingShown || !spot(v, crossing.north_m, crossing.east_m)) continue;
-      c.globalAlpha = 0.2 + 0.8 * (1 - age / kCrossingShown);
+      c.globalAlpha = 0.1 + 0.7 * (1 - age / kCrossingShown);
+      const { x, y } = v.camera, r = 3;
       c.beginPath();
-      c.moveTo(v.camera.x - 4, v.camera.y - 4);
-      c.lineTo(v.camera.x + 4, v.camera.y + 4);
-      c.moveTo(v.camera.x - 4, v.camera.y + 4);
-      c.lineTo(v.camera.x + 4, v.camera.y - 4);
+      c.moveTo(x - r, y - r);
+      c.lineTo(x + r, y + r);
+      c.moveTo(x - r, y + r);
+      c.lineTo(x + r, y - r);
       c.stroke();
     }
   }
