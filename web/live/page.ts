@@ -31,7 +31,7 @@ export function build(app: App, root: HTMLElement): void {
   };
   const togglePanels = () => { root.classList.toggle("wide"); };
   app.showPanel = showPanel;
-  const controls = mapControls(app, dimension);
+  const controls = mapControls(app);
   const stage = h("main", { class: "stage" }, app.map.element, controls.element, alerts.element, mapFoot(app), app.tools.hint, toasts);
   root.className = "app";
   root.replaceChildren(topBar(app, { dimension, help: showKeys, panels: togglePanels }), stage, dock.element, timeline.element);
@@ -49,8 +49,6 @@ export function build(app: App, root: HTMLElement): void {
     Escape: () => (app.drawing.mode ? app.drawing.set(null) : app.map.select([])),
   }, (event) => app.tools.key(event));
   app.map.resize();
-  app.map.applyLayers();
-  app.map.setTiles(app.settings.tiles);
 }
 
 /** Short notes about commands that were given here; refusals become alerts. */

@@ -232,9 +232,9 @@ function drawReadings(c: CanvasRenderingContext2D, v: FieldView): void {
     for (let i = world.readings.length - 1; i >= 0; --i) {
       const reading = world.readings[i], age = v.time - reading.time_s;
       if (age < 0 || age > kReadingShown || !spot(v, reading.north_m, reading.east_m)) continue;
-      c.globalAlpha = 1 - age / kReadingShown;
+      c.globalAlpha = 0.9 * (1 - age / kReadingShown);
       c.beginPath();
-      c.arc(v.camera.x, v.camera.y, 3, 0, 7);
+      c.arc(v.camera.x, v.camera.y, 2.4, 0, 7);
       // Inside: filled; outside: hollow.
       c.fillStyle = reading.inside ? theme.truth : theme.paper;
       c.strokeStyle = reading.inside ? theme.truth : theme.ink;

@@ -61,6 +61,7 @@ export class MapView {
   private zonesShown = -1;
   private dirty = true;
   private fresh = true;
+  private sized = false;
 
   constructor(private readonly run: RunDescription, private readonly world: World, readonly terrain: Terrain | null,
     private readonly settings: Settings) {
@@ -72,9 +73,8 @@ export class MapView {
     this.shaper = new Shaper(world.frame, (north, east) => terrain?.at(north, east) ?? 0);
     if (terrain) world.fleet.groundAt = (north, east) => terrain.at(north, east);
     terrain?.serve();
-    const [lng, lat] = world.frame.toLngLat(run.centre.north_m, run.centre.east_m);
     this.map = new MapLibre({
-      container: holder, style: mapStyle(terrain, theme().dark, theme().zone), center: [lng, lat], zoom: 13,
+      container: holder, style: mapStyle(terrain, theme().dark, theme().zone), bounds: this.whole(), fitBoundsOptions: { padding: 12 },
       attributionControl: false, maplibreLogo: false, fadeDuration: 0, maxPitch: 75, dragRotate: true, pitchWithRotate: true,
       keyboard: true, doubleClickZoom: true, renderWorldCopies: false, validateStyle: false,
     });
@@ -89,10 +89,12 @@ export class MapView {
         this.camera.set(defaultProjectionData.mainMatrix as unknown as ArrayLike<number>, frame.mercatorX, frame.mercatorY, frame.mercatorPerMetre);
       },
     };
-    this.map.on("load", () => {
-      this.map.addLayer(probe);
+    // Aircraft and fire are drawn at once, before the ground has come.
+    this.map.on("style.load", () => {
+      if (!this.map.getLayer(probe.id)) this.map.addLayer(probe);
       this.paint();
-      this.fit(false);
+      this.applyLayers();
+      this.setTiles(this.settings.tiles);
     });
     this.map.on("render", () => { if (this.camera.version !== this.cameraShown) this.draw(performance.now() / 1000); });
     this.listen();
@@ -183,6 +185,8 @@ export class MapView {
     }
     this.field.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.map.resize();
+    if (!this.sized) this.map.fitBounds(this.whole(), { padding: 12, duration: 0 });
+    this.sized = true;
     this.camera.version++;
     this.redraw();
   }
@@ -250,12 +254,16 @@ export class MapView {
     this.map.triggerRepaint();
   }
 
-  /** The whole of where things happen. */
-  fit(smooth = true): void {
-    const { centre, extent_m } = this.run, r = extent_m / 2;
-    const west = this.world.frame.toLngLat(centre.north_m - r, centre.east_m - r), east = this.world.frame.toLngLat(centre.north_m + r, centre.east_m + r);
+  /** South-west and north-east of where things happen. */
+  private whole(): [[number, number], [number, number]] {
+    const { centre, extent_m } = this.run, r = extent_m / 2, { frame } = this.world;
+    return [frame.toLngLat(centre.north_m - r, centre.east_m - r), frame.toLngLat(centre.north_m + r, centre.east_m + r)];
+  }
+
+  /** Shows the whole of it. */
+  fit(): void {
     this.follow = false;
-    this.map.fitBounds([west, east], { padding: 12, bearing: this.map.getBearing(), pitch: this.map.getPitch(), duration: smooth ? 500 : 0 });
+    this.map.fitBounds(this.whole(), { padding: 12, bearing: this.map.getBearing(), pitch: this.map.getPitch(), duration: 500 });
   }
 
   goTo(north: number, east: number): void {

@@ -43,3 +43,14 @@ test("other geometries are taken apart or left out; nonsense throws", () => {
   assert.equal(left, 2);
   assert.throws(() => readFeatures("no JSON", frame));
 });
+
+test("a .plan gives its route, surveys and fences", () => {
+  const item = (lat: number, lng: number, command = 16) => ({ type: "SimpleItem", command, params: [0, 0, 0, null, lat, lng, 50] });
+  const { features: read, left } = readFeatures(JSON.stringify({ fileType: "Plan", version: 1,
+    mission: { items: [item(36.6, -121.6, 22), item(36.6, -121.6), item(36.61, -121.6), { type: "ComplexItem", polygon: [[36.6, -121.6], [36.61, -121.6], [36.61, -121.59]] }] },
+    geoFence: { polygons: [], circles: [{ circle: { center: [36.6, -121.6], radius: 100 } }] } }), frame);
+  assert.deepEqual(read.map(({ name }) => name), ["survey", "route", "fence"]);
+  assert.equal(left, 1);
+  const fence = read[2].geometry.kind === "area" ? read[2].geometry.rings[0] : [];
+  assert.ok(fence.every(([north, east]) => Math.abs(Math.hypot(north, east) - 100) < 1e-3));
+});
