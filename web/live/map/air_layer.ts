@@ -4,6 +4,7 @@
  */
 import type { Theme } from "../../report/theme";
 import { kMotion, type Fleet } from "../fleet";
+import { T } from "../texts";
 import { iconAtlas, kIconKinds, kRealities } from "./icons";
 import type { Labels } from "./labels";
 import type { Projector } from "./projector";
@@ -83,7 +84,7 @@ export class AirLayer {
   constructor(canvas: HTMLCanvasElement, private readonly labels: Labels) {
     this.canvas = canvas;
     const gl = canvas.getContext("webgl2", { alpha: true, premultipliedAlpha: true, antialias: false, depth: false, stencil: false });
-    if (!gl) throw new Error("WebGL 2 is not available");
+    if (!gl) throw new Error(T.map.noWebgl);
     this.gl = gl;
     canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); this.ready = false; });
     canvas.addEventListener("webglcontextrestored", () => this.prepare());

@@ -30,6 +30,7 @@ export type ClickTaker = (here: Here, double: boolean) => boolean;
 export type Extra = (c: CanvasRenderingContext2D, view: MapView) => void;
 
 const kLabelsEvery = 0.33, kFieldEvery = 0.5; // [s]
+const kMany = 100; // from so many aircraft on what is slow may be slower
 
 export class MapView {
   readonly element: HTMLElement;
@@ -315,7 +316,7 @@ export class MapView {
     const moved = camera.version !== this.cameraShown;
     const airChanged = moved || this.dirty || Math.abs(time - this.timeShown) > 0.004 || world.fleet.version !== this.fleetShown;
     const v = world.version;
-    const due = wall - this.fieldAt > kFieldEvery;
+    const due = wall - this.fieldAt > (world.fleet.count > kMany ? 2 * kFieldEvery : kFieldEvery);
     const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.paths} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
     if (!airChanged && !(due && key !== this.fieldKey)) return;
     if (moved || this.dirty || (due && key !== this.fieldKey)) {
