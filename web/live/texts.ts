@@ -359,6 +359,6 @@ export const T = {
     mission: (action: string, name: string) => `mission ${action} ${name}`, allocation: (action: string, n: number) => `${action} proposal ${n}`,
     fault: (who: string, part: string) => `fault ${who} ${part}`, repair: (who: string, part: string) => `repair ${who} ${part}`,
     wind: "wind", add: (who: string) => `add ${who}`, remove: (who: string) => `remove ${who}`, truth: (shown: boolean) => (shown ? "show the truth" : "hide the truth"),
-    seek: (text: string) => `to ${text}`, noControl: "You do not have control: take it first (top right).",
+    seek: (text: string) => `to ${text}`,
   },
 };

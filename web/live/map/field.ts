@@ -22,6 +22,7 @@ export interface FieldView {
   layers: Layers;
   time: number;
   selected: ReadonlySet<number>;
+  grid: { north_m: number; east_m: number; half_m: number } | null; // where there is no relief to see
 }
 
 /** Boxes of labels that stand already: others keep off. */
@@ -71,6 +72,23 @@ function put(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes, text: stri
     writeLabel(c, text, x + dx, y + dy, colour, v.theme.paper);
     return;
   }
+}
+
+/** Lines of the local frame. */
+function drawGrid(c: CanvasRenderingContext2D, v: FieldView, grid: NonNullable<FieldView["grid"]>): void {
+  const power = Math.pow(10, Math.floor(Math.log10(110 / v.camera.scale)));
+  const step = ([1, 2, 5].find((k) => k * power * v.camera.scale >= 80) ?? 10) * power;
+  const n = Math.min(60, Math.ceil(grid.half_m / step)), north = Math.round(grid.north_m / step) * step, east = Math.round(grid.east_m / step) * step, reach = n * step;
+  c.strokeStyle = v.theme.muted;
+  c.globalAlpha = 0.3;
+  c.lineWidth = 1;
+  c.beginPath();
+  for (let k = -n; k <= n; ++k) {
+    trace(c, v.camera, v.shaper.points([[north - reach, east + k * step], [north + reach, east + k * step]]), false);
+    trace(c, v.camera, v.shaper.points([[north + k * step, east - reach], [north + k * step, east + reach]]), false);
+  }
+  c.stroke();
+  c.globalAlpha = 1;
 }
 
 function drawMissions(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): void {
@@ -443,6 +461,7 @@ function drawZoneNames(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes):
 export function drawField(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): void {
   boxes.clear();
   c.clearRect(0, 0, v.camera.width, v.camera.height);
+  if (v.grid) drawGrid(c, v, v.grid);
   if (v.layers.missions) drawMissions(c, v, boxes);
   if (v.layers.forecasts) drawForecasts(c, v, boxes);
   drawFire(c, v);

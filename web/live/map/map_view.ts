@@ -267,6 +267,16 @@ export class MapView {
     this.map.fitBounds(this.whole(), { padding: 12, bearing: this.map.getBearing(), pitch: this.map.getPitch(), duration: 500 });
   }
 
+  // Around the middle of the map, where there is no relief.
+  private grid() {
+    if (this.terrain && this.settings.layers.terrain) return null;
+    const { lng, lat } = this.map.getCenter(), { north_m, east_m } = this.place(lng, lat);
+    const edge = this.map.unproject([0, this.camera.height / 2]), side = this.place(edge.lng, edge.lat);
+    const half = Math.max(1, Math.hypot(side.north_m - north_m, side.east_m - east_m));
+    this.camera.scale = this.camera.width / 2 / half;
+    return { north_m, east_m, half_m: (this.is3d ? 3 : 1.5) * half };
+  }
+
   goTo(north: number, east: number): void {
     this.map.easeTo({ center: this.world.frame.toLngLat(north, east), duration: 500 });
   }
@@ -320,7 +330,7 @@ export class MapView {
     const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.paths} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
     if (!airChanged && !(due && key !== this.fieldKey)) return;
     if (moved || this.dirty || (due && key !== this.fieldKey)) {
-      drawField(this.field, { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected }, this.boxes);
+      drawField(this.field, { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected, grid: this.grid() }, this.boxes);
       for (const extra of this.extras) extra(this.field, this);
       this.fieldKey = key;
       this.fieldAt = wall;
