@@ -1,6 +1,7 @@
 // Bundles the operator's page: build_live.mjs FOLDER writes index.html, page.js, page.css and
 // worker.js into it. All of the page is in these four files; it asks nobody else for anything.
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+// licenses.txt has the notices of the libraries in them.
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -22,6 +23,14 @@ await build({
 });
 const index = readFileSync(join(here, "live/index.html"), "utf8");
 writeFileSync(join(folder, "index.html"), index);
+
+const notices = ["maplibre-gl", "terra-draw", "terra-draw-maplibre-gl-adapter", "uplot"].map((name) => {
+  const at = join(here, "node_modules", name);
+  const { version, license } = JSON.parse(readFileSync(join(at, "package.json"), "utf8"));
+  const file = ["LICENSE", "LICENSE.txt", "LICENSE.md"].map((each) => join(at, each)).find(existsSync);
+  return `${name} ${version} (${license})\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
+});
+writeFileSync(join(folder, "licenses.txt"), notices.join("\n\n"));
 
 if (flags.includes("--size")) {
   let sum = 0;

@@ -19,6 +19,7 @@ interface Alert {
 }
 
 const kLowBattery = 0.15;
+const kLate = 5; // the clock is late for so long before it is told [s]
 const kMostShown = 3;
 
 /** Tones [Hz] and how often they are repeated, by priority. */
@@ -61,6 +62,7 @@ export class Alerts {
   private refusals: Alert[] = [];
   private readonly voice = new Voice();
   private shown = "";
+  private lateSince = Infinity;
 
   constructor(private readonly app: App) {
     this.element.append(this.live, this.list);
@@ -80,6 +82,9 @@ export class Alerts {
     const out: Alert[] = [...this.refusals];
     const add = (priority: Priority, key: string, text: string, go?: () => void) => out.push({ key, priority, text, since: wall, go });
     if (app.connection.state === "lost") add(0, "connection", T.alerts.lost);
+    const { paused, speed, wanted_speed } = world.clock;
+    this.lateSince = !paused && wanted_speed > 0 && speed < 0.9 * wanted_speed ? Math.min(this.lateSince, wall) : Infinity;
+    if (wall - this.lateSince > kLate) add(2, "clock", T.alerts.clock);
     for (const alert of world.alerts.values()) {
       const priority: Priority = alert.region === "NEAR" ? 0 : alert.region === "MID" || alert.region === "RECOVERY" ? 1 : 2;
       const side = alert.bearing_deg == null ? "" : T.alerts.side(Math.round(Math.abs(alert.bearing_deg)), alert.bearing_deg < 0);

@@ -150,6 +150,7 @@ export class App {
   }
 
   command(command: Record<string, unknown>, text: string): Sent {
+    if (this.world.clients.holder === 0) this.hold(true); // nobody has control: who acts takes it
     return this.connection.send({ command }, text);
   }
 

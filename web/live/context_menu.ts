@@ -30,7 +30,7 @@ export function contextMenu(app: App, stage: HTMLElement): void {
       const { key } = event as KeyboardEvent;
       if (key === "Escape") {
         event.stopPropagation();
-        close();
+        return close();
       }
       const items = [...menu!.querySelectorAll<HTMLElement>("[role=menuitem]")], now = items.indexOf(document.activeElement as HTMLElement);
       if (key === "ArrowDown" || key === "ArrowUp") {

@@ -31,7 +31,7 @@ export function build(app: App, root: HTMLElement): void {
   };
   const togglePanels = () => { root.classList.toggle("wide"); };
   app.showPanel = showPanel;
-  const controls = mapControls(app, dimension);
+  const controls = mapControls(app);
   const stage = h("main", { class: "stage" }, app.map.element, controls.element, alerts.element, mapFoot(app), app.tools.hint, toasts);
   root.className = "app";
   root.replaceChildren(topBar(app, { dimension, help: showKeys, panels: togglePanels }), stage, dock.element, timeline.element);
@@ -49,8 +49,6 @@ export function build(app: App, root: HTMLElement): void {
     Escape: () => (app.drawing.mode ? app.drawing.set(null) : app.map.select([])),
   }, (event) => app.tools.key(event));
   app.map.resize();
-  app.map.applyLayers();
-  app.map.setTiles(app.settings.tiles);
 }
 
 /** Short notes about commands that were given here; refusals become alerts. */
@@ -85,7 +83,8 @@ function makeDock(app: App, panels: [string, Panel][]): { element: HTMLElement; 
     tab.append(icon(name), h("span", {}, T.tabs[name]));
     return tab;
   });
-  const bodies = panels.map(([name, panel]) => h("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}`, class: "tab-panel", hidden: true }, panel.element));
+  const bodies = panels.map(([name, panel]) => h("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}`, class: "tab-panel", hidden: true },
+    h("h2", { class: "visually-hidden" }, T.tabTitles[name] ?? T.tabs[name]), panel.element));
   let current = -1;
   const show = (name: string, focus = false) => {
     const next = panels.findIndex(([each]) => each === name);

@@ -67,8 +67,8 @@ function controlMenu(app: App): HTMLElement {
     const text = app.holds ? T.top.holder.you : holder ? T.top.holder.other(holder.name) : T.top.holder.nobody;
     opener.replaceChildren(icon("person"), h("span", {}, text), h("span", { class: "role" }, T.top.role[app.role] ?? app.role));
     opener.classList.toggle("mine", app.holds);
-    opener.setAttribute("aria-label", `${T.top.control}: ${text}, ${T.top.role[app.role]}`);
-    panel.replaceChildren(h("h3", {}, T.top.clients),
+    opener.title = T.top.clients;
+    panel.replaceChildren(h("h2", { class: "small" }, T.top.clients),
       h("ul", { class: "clients" }, ...clients.clients.map((each) => h("li", {},
         h("span", {}, each.name, each.client === clients.you ? h("em", {}, ` (${T.top.you})`) : null),
         h("span", { class: "role" }, T.top.role[each.role] ?? each.role),

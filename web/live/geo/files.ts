@@ -1,4 +1,4 @@
-/** GeoJSON (RFC 7946) and KML (2.2), written and read. */
+/** GeoJSON (RFC 7946) and KML (2.2), written and read; .plan of QGroundControl, read. */
 import type { Frame } from "../frames";
 import type { Feature, Ring } from "./features";
 
@@ -115,9 +115,57 @@ function fromKml(text: string, frame: Frame): Loaded {
   return loaded;
 }
 
-/** Throws where a file is neither. */
+type LatLng = [number, number];
+
+interface PlanFile {
+  fileType: "Plan";
+  mission?: { items?: PlanItem[] };
+  geoFence?: { polygons?: { polygon: LatLng[]; inclusion?: boolean }[]; circles?: { circle: { center: LatLng; radius: number } }[] };
+  rallyPoints?: { points?: number[][] };
+}
+interface PlanItem {
+  type: string;
+  command?: number;
+  params?: (number | null)[];
+  polygon?: LatLng[];
+  polyline?: LatLng[];
+  items?: PlanItem[];
+}
+
+const kWaypoint = 16; // MAV_CMD_NAV_WAYPOINT
+
+/** Waypoints as one line, surveys and fences as areas, rally points as points. */
+function fromPlan(plan: PlanFile, frame: Frame): Loaded {
+  const loaded: Loaded = { features: [], left: 0 };
+  const place = ([lat, lng]: ArrayLike<number> & Iterable<number>) => toPlace(frame, [lng, lat]);
+  const add = (name: string, geometry: Feature["geometry"]) => loaded.features.push({ name, geometry, properties: {} });
+  const route: [number, number][] = [];
+  for (const item of plan.mission?.items ?? []) {
+    const lat = item.params?.[4], lng = item.params?.[5];
+    if (item.polygon) add("survey", { kind: "area", rings: [item.polygon.map(place)] });
+    else if (item.polyline) add("corridor", { kind: "line", points: item.polyline.map(place) });
+    else if (item.command === kWaypoint && lat != null && lng != null) route.push(place([lat, lng]));
+    else ++loaded.left;
+  }
+  if (route.length > 1) add("route", { kind: "line", points: route });
+  else if (route.length === 1) add("waypoint", { kind: "point", at: route[0] });
+  for (const { polygon } of plan.geoFence?.polygons ?? []) add("fence", { kind: "area", rings: [polygon.map(place)] });
+  for (const { circle } of plan.geoFence?.circles ?? []) {
+    const [north, east] = place(circle.center);
+    add("fence", { kind: "area", rings: [Array.from({ length: 64 }, (_, k): [number, number] =>
+      [north + circle.radius * Math.cos((k * Math.PI) / 32), east + circle.radius * Math.sin((k * Math.PI) / 32)])] });
+  }
+  for (const point of plan.rallyPoints?.points ?? []) add("rally point", { kind: "point", at: place(point) });
+  return loaded;
+}
+
+function fromJson(text: string, frame: Frame): Loaded {
+  return (JSON.parse(text) as { fileType?: string }).fileType === "Plan" ? fromPlan(JSON.parse(text) as PlanFile, frame) : fromGeoJson(text, frame);
+}
+
+/** Throws where a file is none of them. */
 export function readFeatures(text: string, frame: Frame): Loaded {
-  const loaded = text.trimStart().startsWith("<") ? fromKml(text, frame) : fromGeoJson(text, frame);
+  const loaded = text.trimStart().startsWith("<") ? fromKml(text, frame) : fromJson(text, frame);
   const numbers = (f: Feature) => (f.geometry.kind === "point" ? [f.geometry.at] : f.geometry.kind === "line" ? f.geometry.points : f.geometry.rings.flat()).flat();
   const good = loaded.features.filter((f) => numbers(f).every(Number.isFinite));
   return { features: good, left: loaded.left + loaded.features.length - good.length };

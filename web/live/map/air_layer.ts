@@ -4,6 +4,7 @@
  */
 import type { Theme } from "../../report/theme";
 import { kMotion, type Fleet } from "../fleet";
+import { T } from "../texts";
 import { iconAtlas, kIconKinds, kRealities } from "./icons";
 import type { Labels } from "./labels";
 import type { Projector } from "./projector";
@@ -83,7 +84,7 @@ export class AirLayer {
   constructor(canvas: HTMLCanvasElement, private readonly labels: Labels) {
     this.canvas = canvas;
     const gl = canvas.getContext("webgl2", { alpha: true, premultipliedAlpha: true, antialias: false, depth: false, stencil: false });
-    if (!gl) throw new Error("WebGL 2 is not available");
+    if (!gl) throw new Error(T.map.noWebgl);
     this.gl = gl;
     canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); this.ready = false; });
     canvas.addEventListener("webglcontextrestored", () => this.prepare());
@@ -126,12 +127,15 @@ export class AirLayer {
     this.labels.onPicture = (x, y, picture) => {
       gl.activeTexture(gl.TEXTURE0 + kLabelUnit);
       gl.bindTexture(gl.TEXTURE_2D, this.pictures);
+      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     };
     gl.activeTexture(gl.TEXTURE0 + kAtlasUnit);
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, iconAtlas());
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false); // it would multiply floats too
     gl.generateMipmap(gl.TEXTURE_2D);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
     gl.bindVertexArray(gl.createVertexArray()); // empty: vertices are pulled

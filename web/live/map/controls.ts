@@ -43,7 +43,7 @@ function layersPanel(app: App): HTMLElement {
 }
 
 /** The buttons; `keys` are what shortcuts do with them. */
-export function mapControls(app: App, dimension: () => void): { element: HTMLElement; layers: () => void } {
+export function mapControls(app: App): { element: HTMLElement; layers: () => void } {
   const { map } = app, gl = map.map;
   const north = iconButton("north", T.map.north, () => gl.easeTo({ bearing: 0, duration: 300 }), { class: "icon-button compass" });
   gl.on("rotate", () => { (north.firstElementChild as SVGElement).style.transform = `rotate(${-gl.getBearing()}deg)`; });
@@ -52,18 +52,16 @@ export function mapControls(app: App, dimension: () => void): { element: HTMLEle
   const layersButton = iconButton("layers", T.map.layers, () => undefined);
   const panel = layersPanel(app);
   const { toggle } = popover(layersButton, panel);
-  const three = h("button", { type: "button", class: "icon-button text", title: T.map.dimension, "aria-label": T.map.dimension, onclick: dimension }, "3D");
   app.every(() => {
     follow.setAttribute("aria-pressed", String(map.follow));
     follow.disabled = map.selected.size === 0;
     measure.setAttribute("aria-pressed", String(app.tools.measuring));
-    setText(three, map.is3d ? "2D" : "3D");
   });
   return {
     element: h("div", { class: "map-controls" },
       h("div", { class: "button-group", role: "group", "aria-label": T.map.zoomIn }, iconButton("plus", T.map.zoomIn, () => gl.zoomIn()),
         iconButton("minus", T.map.zoomOut, () => gl.zoomOut()), north, iconButton("fit", T.map.fit, () => map.fit())),
-      h("div", { class: "button-group", role: "group", "aria-label": T.map.follow }, three, follow, measure),
+      h("div", { class: "button-group", role: "group", "aria-label": T.map.follow }, follow, measure),
       h("div", { class: "button-group popover-holder" }, layersButton, panel)),
     layers: toggle,
   };

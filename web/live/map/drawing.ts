@@ -49,9 +49,11 @@ export class Drawing {
       ],
     });
     draw.start();
-    draw.on("finish", (id) => {
+    draw.on("finish", (id, { action, mode }) => {
       this.chosen = id;
       this.onChange();
+      // What was drawn is chosen, so that it can be corrected at once; points often come in numbers.
+      if (action === "draw" && mode !== "point") window.setTimeout(() => this.choose(id));
     });
     draw.on("change", () => this.onChange());
     draw.on("select", (id) => { this.chosen = id; this.onChange(); });

@@ -22,6 +22,7 @@ export interface FieldView {
   layers: Layers;
   time: number;
   selected: ReadonlySet<number>;
+  grid: { north_m: number; east_m: number; half_m: number } | null; // where there is no relief to see
 }
 
 /** Boxes of labels that stand already: others keep off. */
@@ -42,6 +43,7 @@ export class Boxes {
 }
 
 export function writeLabel(c: CanvasRenderingContext2D, text: string, x: number, y: number, colour: string, paper: string): void {
+  c.save();
   c.font = kFont;
   c.lineWidth = 3.5;
   c.lineJoin = "round";
@@ -49,6 +51,7 @@ export function writeLabel(c: CanvasRenderingContext2D, text: string, x: number,
   c.strokeText(text, x, y);
   c.fillStyle = colour;
   c.fillText(text, x, y);
+  c.restore();
 }
 
 const place = new Float64Array(3);
@@ -63,12 +66,29 @@ function spot(v: FieldView, north: number | null, east: number | null): boolean 
 function put(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes, text: string, x: number, y: number, colour: string): void {
   c.font = kFont;
   const width = c.measureText(text).width;
-  for (const [dx, dy] of [[8, 4], [-8 - width, 4], [-width / 2, -10], [-width / 2, 18]]) {
+  for (const [dx, dy] of [[11, 4], [-11 - width, 4], [-width / 2, -12], [-width / 2, 20]]) {
     if (!boxes.free(x + dx - 3, y + dy - 12, width + 6, 16)) continue;
     boxes.add(x + dx - 3, y + dy - 12, width + 6, 16);
     writeLabel(c, text, x + dx, y + dy, colour, v.theme.paper);
     return;
   }
+}
+
+/** Lines of the local frame. */
+function drawGrid(c: CanvasRenderingContext2D, v: FieldView, grid: NonNullable<FieldView["grid"]>): void {
+  const power = Math.pow(10, Math.floor(Math.log10(110 / v.camera.scale)));
+  const step = ([1, 2, 5].find((k) => k * power * v.camera.scale >= 80) ?? 10) * power;
+  const n = Math.min(60, Math.ceil(grid.half_m / step)), north = Math.round(grid.north_m / step) * step, east = Math.round(grid.east_m / step) * step, reach = n * step;
+  c.strokeStyle = v.theme.muted;
+  c.globalAlpha = 0.3;
+  c.lineWidth = 1;
+  c.beginPath();
+  for (let k = -n; k <= n; ++k) {
+    trace(c, v.camera, v.shaper.points([[north - reach, east + k * step], [north + reach, east + k * step]]), false);
+    trace(c, v.camera, v.shaper.points([[north + k * step, east - reach], [north + k * step, east + reach]]), false);
+  }
+  c.stroke();
+  c.globalAlpha = 1;
 }
 
 function drawMissions(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): void {
@@ -230,9 +250,9 @@ function drawReadings(c: CanvasRenderingContext2D, v: FieldView): void {
     for (let i = world.readings.length - 1; i >= 0; --i) {
       const reading = world.readings[i], age = v.time - reading.time_s;
       if (age < 0 || age > kReadingShown || !spot(v, reading.north_m, reading.east_m)) continue;
-      c.globalAlpha = 1 - age / kReadingShown;
+      c.globalAlpha = 0.9 * (1 - age / kReadingShown);
       c.beginPath();
-      c.arc(v.camera.x, v.camera.y, 3, 0, 7);
+      c.arc(v.camera.x, v.camera.y, 2.4, 0, 7);
       // Inside: filled; outside: hollow.
       c.fillStyle = reading.inside ? theme.truth : theme.paper;
       c.strokeStyle = reading.inside ? theme.truth : theme.ink;
@@ -242,16 +262,17 @@ function drawReadings(c: CanvasRenderingContext2D, v: FieldView): void {
   }
   if (v.layers.crossings) {
     c.strokeStyle = theme.crossing;
-    c.lineWidth = 1.6;
+    c.lineWidth = 1.3;
     for (const crossing of world.crossings) {
       const age = v.time - crossing.time_s;
       if (age < 0 || age > kCrossingShown || !spot(v, crossing.north_m, crossing.east_m)) continue;
-      c.globalAlpha = 0.2 + 0.8 * (1 - age / kCrossingShown);
+      c.globalAlpha = 0.1 + 0.7 * (1 - age / kCrossingShown);
+      const { x, y } = v.camera, r = 3;
       c.beginPath();
-      c.moveTo(v.camera.x - 4, v.camera.y - 4);
-      c.lineTo(v.camera.x + 4, v.camera.y + 4);
-      c.moveTo(v.camera.x - 4, v.camera.y + 4);
-      c.lineTo(v.camera.x + 4, v.camera.y - 4);
+      c.moveTo(x - r, y - r);
+      c.lineTo(x + r, y + r);
+      c.moveTo(x - r, y + r);
+      c.lineTo(x + r, y - r);
       c.stroke();
     }
   }
@@ -440,6 +461,7 @@ function drawZoneNames(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes):
 export function drawField(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): void {
   boxes.clear();
   c.clearRect(0, 0, v.camera.width, v.camera.height);
+  if (v.grid) drawGrid(c, v, v.grid);
   if (v.layers.missions) drawMissions(c, v, boxes);
   if (v.layers.forecasts) drawForecasts(c, v, boxes);
   drawFire(c, v);

@@ -12,6 +12,7 @@ const kMost = kColumns * kRows - 1; // the last slot is the ring of who is chose
 const kName = "600 12px system-ui, 'Segoe UI', Roboto, sans-serif";
 const kLine = "11px system-ui, 'Segoe UI', Roboto, sans-serif";
 const kPad = 4, kHigh = 15;
+const kCrowd = 150; // aircraft that are seen
 const kInstance = 16; // floats: before, now, rectangle on the screen, place in the texture
 const kRing = 50; // width of the ring's picture
 
@@ -186,7 +187,9 @@ export class Labels {
       else if (later.length < 400) later.push(row);
       if (!many) this.taken.push(camera.x - 9, camera.y - 9, camera.x + 9, camera.y + 9); // no label on an aircraft
     }
-    for (const row of order.concat(later)) {
+    // Where more are seen than could be told apart, only the chosen and the warned are named.
+    const rest = later.length > kCrowd ? [] : later;
+    for (const row of order.concat(rest)) {
       if (this.count - rings >= (many ? 40 : kMost)) break;
       const chosen = selected.has(fleet.ids[row]);
       this.locate(fleet, camera, time, row);

@@ -30,6 +30,7 @@ export type ClickTaker = (here: Here, double: boolean) => boolean;
 export type Extra = (c: CanvasRenderingContext2D, view: MapView) => void;
 
 const kLabelsEvery = 0.33, kFieldEvery = 0.5; // [s]
+const kMany = 100; // from so many aircraft on what is slow may be slower
 
 export class MapView {
   readonly element: HTMLElement;
@@ -61,6 +62,7 @@ export class MapView {
   private zonesShown = -1;
   private dirty = true;
   private fresh = true;
+  private sized = false;
 
   constructor(private readonly run: RunDescription, private readonly world: World, readonly terrain: Terrain | null,
     private readonly settings: Settings) {
@@ -72,9 +74,8 @@ export class MapView {
     this.shaper = new Shaper(world.frame, (north, east) => terrain?.at(north, east) ?? 0);
     if (terrain) world.fleet.groundAt = (north, east) => terrain.at(north, east);
     terrain?.serve();
-    const [lng, lat] = world.frame.toLngLat(run.centre.north_m, run.centre.east_m);
     this.map = new MapLibre({
-      container: holder, style: mapStyle(terrain, theme().dark, theme().zone), center: [lng, lat], zoom: 13,
+      container: holder, style: mapStyle(terrain, theme().dark, theme().zone), bounds: this.whole(), fitBoundsOptions: { padding: 12 },
       attributionControl: false, maplibreLogo: false, fadeDuration: 0, maxPitch: 75, dragRotate: true, pitchWithRotate: true,
       keyboard: true, doubleClickZoom: true, renderWorldCopies: false, validateStyle: false,
     });
@@ -89,10 +90,12 @@ export class MapView {
         this.camera.set(defaultProjectionData.mainMatrix as unknown as ArrayLike<number>, frame.mercatorX, frame.mercatorY, frame.mercatorPerMetre);
       },
     };
-    this.map.on("load", () => {
-      this.map.addLayer(probe);
+    // Aircraft and fire are drawn at once, before the ground has come.
+    this.map.on("style.load", () => {
+      if (!this.map.getLayer(probe.id)) this.map.addLayer(probe);
       this.paint();
-      this.fit(false);
+      this.applyLayers();
+      this.setTiles(this.settings.tiles);
     });
     this.map.on("render", () => { if (this.camera.version !== this.cameraShown) this.draw(performance.now() / 1000); });
     this.listen();
@@ -183,6 +186,8 @@ export class MapView {
     }
     this.field.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.map.resize();
+    if (!this.sized) this.map.fitBounds(this.whole(), { padding: 12, duration: 0 });
+    this.sized = true;
     this.camera.version++;
     this.redraw();
   }
@@ -250,12 +255,26 @@ export class MapView {
     this.map.triggerRepaint();
   }
 
-  /** The whole of where things happen. */
-  fit(smooth = true): void {
-    const { centre, extent_m } = this.run, r = extent_m / 2;
-    const west = this.world.frame.toLngLat(centre.north_m - r, centre.east_m - r), east = this.world.frame.toLngLat(centre.north_m + r, centre.east_m + r);
+  /** South-west and north-east of where things happen. */
+  private whole(): [[number, number], [number, number]] {
+    const { centre, extent_m } = this.run, r = extent_m / 2, { frame } = this.world;
+    return [frame.toLngLat(centre.north_m - r, centre.east_m - r), frame.toLngLat(centre.north_m + r, centre.east_m + r)];
+  }
+
+  /** Shows the whole of it. */
+  fit(): void {
     this.follow = false;
-    this.map.fitBounds([west, east], { padding: 12, bearing: this.map.getBearing(), pitch: this.map.getPitch(), duration: smooth ? 500 : 0 });
+    this.map.fitBounds(this.whole(), { padding: 12, bearing: this.map.getBearing(), pitch: this.map.getPitch(), duration: 500 });
+  }
+
+  // Around the middle of the map, where there is no relief.
+  private grid() {
+    if (this.terrain && this.settings.layers.terrain) return null;
+    const { lng, lat } = this.map.getCenter(), { north_m, east_m } = this.place(lng, lat);
+    const edge = this.map.unproject([0, this.camera.height / 2]), side = this.place(edge.lng, edge.lat);
+    const half = Math.max(1, Math.hypot(side.north_m - north_m, side.east_m - east_m));
+    this.camera.scale = this.camera.width / 2 / half;
+    return { north_m, east_m, half_m: (this.is3d ? 3 : 1.5) * half };
   }
 
   goTo(north: number, east: number): void {
@@ -307,11 +326,11 @@ export class MapView {
     const moved = camera.version !== this.cameraShown;
     const airChanged = moved || this.dirty || Math.abs(time - this.timeShown) > 0.004 || world.fleet.version !== this.fleetShown;
     const v = world.version;
-    const due = wall - this.fieldAt > kFieldEvery;
+    const due = wall - this.fieldAt > (world.fleet.count > kMany ? 2 * kFieldEvery : kFieldEvery);
     const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.paths} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
     if (!airChanged && !(due && key !== this.fieldKey)) return;
     if (moved || this.dirty || (due && key !== this.fieldKey)) {
-      drawField(this.field, { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected }, this.boxes);
+      drawField(this.field, { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected, grid: this.grid() }, this.boxes);
       for (const extra of this.extras) extra(this.field, this);
       this.fieldKey = key;
       this.fieldAt = wall;

@@ -12,6 +12,8 @@ export class MapTools {
   readonly hint = h("div", { class: "map-hint", role: "status", hidden: true });
   measuring = false;
   onChange: () => void = () => undefined;
+  /** What a form has chosen: shown until the form is closed. */
+  preview: { points: [number, number][]; area: boolean } | null = null;
   chosenDrawing: () => [number, number][] | null = () => null;
   private readonly text = h("span", {});
   private points: [number, number][] = [];
@@ -115,29 +117,38 @@ export class MapTools {
     return true;
   }
 
+  show(points: [number, number][] | null, area = false): void {
+    this.preview = points ? { points, area } : null;
+    this.view.redraw();
+  }
+
   private draw(c: CanvasRenderingContext2D): void {
-    if (this.points.length === 0) return;
-    const { camera, shaper } = this.view, colours = theme(), line = shaper.points(this.points);
-    c.strokeStyle = colours.ink;
-    c.lineWidth = 2;
+    if (this.points.length > 0) this.drawPoints(c, this.points, this.area, theme().ink);
+    else if (this.preview) this.drawPoints(c, this.preview.points, this.preview.area, theme().mission);
+  }
+
+  private drawPoints(c: CanvasRenderingContext2D, points: [number, number][], area: boolean, colour: string): void {
+    const { camera, shaper } = this.view, { ink, paper } = theme(), line = shaper.points(points);
+    c.strokeStyle = colour;
+    c.lineWidth = 2.5;
     c.beginPath();
     const screen: [number, number][] = [];
     for (let i = 0; i < line.length; i += 3)
       if (camera.project(line[i], line[i + 1], line[i + 2])) screen.push([camera.x, camera.y]);
     screen.forEach(([x, y], k) => (k === 0 ? c.moveTo(x, y) : c.lineTo(x, y)));
-    if (this.area && screen.length > 2) c.closePath();
+    if (area && screen.length > 2) c.closePath();
     c.stroke();
+    c.fillStyle = paper;
     for (const [x, y] of screen) {
       c.beginPath();
       c.arc(x, y, 4.5, 0, 7);
-      c.fillStyle = colours.paper;
       c.fill();
       c.stroke();
     }
     if (!this.measuring) return;
     for (let i = 1; i < screen.length; ++i) {
-      const length = Math.hypot(this.points[i][0] - this.points[i - 1][0], this.points[i][1] - this.points[i - 1][1]);
-      writeLabel(c, this.app.units.distance(length), (screen[i][0] + screen[i - 1][0]) / 2 + 6, (screen[i][1] + screen[i - 1][1]) / 2 - 6, colours.ink, colours.paper);
+      const length = Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
+      writeLabel(c, this.app.units.distance(length), (screen[i][0] + screen[i - 1][0]) / 2 + 6, (screen[i][1] + screen[i - 1][1]) / 2 - 6, ink, paper);
     }
   }
 }

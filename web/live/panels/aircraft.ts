@@ -3,7 +3,7 @@ import { clock, h } from "../../report/dom";
 import type { App } from "../app";
 import { latLonText } from "../frames";
 import { T } from "../texts";
-import { button, Facts, icon, iconButton, setText } from "../ui";
+import { button, Facts, icon, iconButton, option, setText } from "../ui";
 import { TaskFormView } from "./task_form";
 
 export class AircraftDetail {
@@ -13,6 +13,7 @@ export class AircraftDetail {
   private readonly why = h("div", { class: "why" });
   private readonly facts = new Facts();
   private readonly actions = h("div", { class: "actions" });
+  private readonly heir = h("select", { "aria-label": T.task.giveTo, onchange: () => this.give() });
   private readonly form: TaskFormView;
   private readonly hint = h("p", { class: "hint" }, T.fleet.selectHint);
   private readonly content: HTMLElement;
@@ -26,7 +27,7 @@ export class AircraftDetail {
       button(T.task.return, () => this.each((name) => app.giveTask(name, { kind: "return" }))),
       button(T.task.land, () => this.each((name) => app.giveTask(name, { kind: "land", at_home: true } as never))),
       button(T.task.pauseTask, () => this.change("pause")), button(T.task.resumeTask, () => this.change("resume")),
-      button(T.task.cancelTask, () => this.change("cancel")));
+      button(T.task.cancelTask, () => this.change("cancel")), this.heir);
     this.content = h("div", { class: "detail-content" },
       h("header", {}, this.title,
         iconButton("follow", T.aircraft.follow, () => { app.map.follow = !app.map.follow; }, { "data-follow": "" }),
@@ -42,6 +43,13 @@ export class AircraftDetail {
 
   private change(action: "pause" | "resume" | "cancel"): void {
     this.each((aircraft) => this.app.command({ kind: "change_task", aircraft, action }, T.commands.task(aircraft, action)));
+  }
+
+  /** Another goes on with what is left of the task. */
+  private give(): void {
+    const to = this.heir.value;
+    this.heir.value = "";
+    if (to) this.each((name) => this.app.connection.send({ line: `task ${name} give ${to}` }, T.commands.task(name, `${T.task.giveTo} ${to}`)));
   }
 
   private showWhy(id: number): void {
@@ -68,8 +76,9 @@ export class AircraftDetail {
     const id = ids[0], row = fleet.row(id);
     setText(this.title, ids.length === 1 ? world.name(id) : T.aircraft.several(ids.length));
     this.content.querySelector("[data-follow]")?.setAttribute("aria-pressed", String(app.map.follow));
-    for (const control of this.actions.querySelectorAll("button")) control.disabled = !app.mayCommand;
-    this.form.update();
+    for (const control of this.actions.querySelectorAll<HTMLButtonElement | HTMLSelectElement>("button, select")) control.disabled = !app.mayCommand;
+    if (this.heir.options.length !== app.run.aircraft.length + 1)
+      this.heir.replaceChildren(option("", T.task.giveTo), ...app.run.aircraft.map(({ name }) => option(name, name)));
     if (row < 0) return;
     const get = (name: string) => fleet.get(row, name), f = this.facts;
     const warned = get("failsafe") > 0;

@@ -31,6 +31,7 @@ export class FirePanel implements Panel {
   private readonly beliefs = h("div", { class: "beliefs" });
   private readonly facts = new Map<string, Facts>();
   private readonly forecasts = h("table", { class: "table" });
+  private readonly made = h("h3", {}, T.fire.forecasts);
   private readonly arrivals = h("table", { class: "table" });
   private readonly empty = h("p", { class: "hint" }, T.fire.noBelief);
   private shown = "";
@@ -40,7 +41,7 @@ export class FirePanel implements Panel {
     this.element.append(
       h("section", {}, h("h3", {}, T.fire.headline), this.headline),
       h("section", {}, this.empty, this.beliefs),
-      h("section", {}, h("h3", {}, T.fire.forecasts), this.forecasts),
+      h("section", {}, this.made, this.forecasts),
       h("section", {}, h("h3", {}, T.fire.arrivals), this.arrivals, h("p", { class: "hint" }, T.fire.arrivalHint)),
       h("section", {}, h("h3", {}, T.fire.export), h("div", { class: "actions" },
         button(T.fire.exportGeojson, () => saveGeoJson(all(), app.frame, `${app.run.name}-fire`)),
@@ -78,6 +79,7 @@ export class FirePanel implements Panel {
   private showForecasts(): void {
     const { world, units } = this.app;
     const rows = [...world.forecasts.values()].flatMap((all) => [...all.values()].sort((a, b) => a.boundary_time_s - b.boundary_time_s));
+    setText(this.made, rows.length > 0 ? T.fire.made(clock(rows[0].made_s)) : T.fire.forecasts);
     this.forecasts.replaceChildren(
       h("thead", {}, h("tr", {}, ...[T.fire.horizon, T.fire.area, T.fire.length, T.fire.sigma].map((text, k) => h("th", { scope: "col", class: k > 0 ? "number" : undefined }, text)))),
       h("tbody", {}, ...rows.map((forecast) => {

@@ -36,7 +36,7 @@ export class MissionPanel implements Panel {
     this.undo = iconButton("undo", T.mission.undo, () => drawing.undo());
     this.redo = iconButton("redo", T.mission.redo, () => drawing.redo());
     this.removes = iconButton("trash", T.mission.remove, () => drawing.remove());
-    const file = h("input", { type: "file", accept: ".geojson,.json,.kml", hidden: true, "aria-label": T.mission.load, onchange: () => void this.load(file) });
+    const file = h("input", { type: "file", accept: ".geojson,.json,.kml,.plan", hidden: true, "aria-label": T.mission.load, onchange: () => void this.load(file) });
     const titles = [T.mission.floor, T.mission.ceiling, T.mission.from, T.mission.until], unitsOf = ["m", "m", "s", "s"];
     this.zoneForm = h("form", { class: "task-form", hidden: true, onsubmit: (event) => { event.preventDefault(); this.newZone(); } },
       labelledField(T.mission.zoneName, this.zoneName),
@@ -93,6 +93,7 @@ export class MissionPanel implements Panel {
     const limits = Object.fromEntries(this.limits.filter(({ input }) => input.value !== "").map(({ name: key, input }) => [key, Number(input.value)]));
     this.app.command({ kind: "zone", in_force: true, name, area, ...limits }, T.commands.zoneOn(name));
     this.app.drawing.remove();
+    this.app.drawing.set(null);
     this.zoneForm.hidden = true;
   }
 

@@ -1,5 +1,5 @@
 /** Live plots: how well the missions do, and one aircraft over the last minutes. */
-import { h } from "../../report/dom";
+import { h, number } from "../../report/dom";
 import { chart, type Chart, type Line } from "../../report/chart";
 import type { App } from "../app";
 import { T } from "../texts";
@@ -60,8 +60,15 @@ export class PlotsPanel implements Panel {
 
   private add(list: typeof this.charts, holder: HTMLElement, title: string, unit: string, lines: () => Line[], range?: [number | null, number | null]): void {
     const made = chart({ title, unit, lines: lines(), height: kHigh, live: true, sync: "live", range });
+    made.element.classList.toggle("single", lines().length === 1);
+    const latest = h("span", { class: "latest" });
+    made.element.querySelector("figcaption")?.append(latest);
     holder.append(made.element);
-    list.push({ chart: made, lines });
+    list.push({ chart: made, lines: () => {
+      const now = lines();
+      setText(latest, now.map(({ y }) => number(y[y.length - 1], 3)).join(" / "));
+      return now;
+    } });
   }
 
   private build(names: string[]): void {

@@ -1,5 +1,5 @@
 /** A form for any kind of task, made from its description: a plugin's kind has one too. */
-import { h } from "../../report/dom";
+import { clock, h } from "../../report/dom";
 import type { App } from "../app";
 import type { TaskField, TaskForm } from "../protocol";
 import { T } from "../texts";
@@ -23,13 +23,14 @@ export class TaskFormView {
   private readonly kind: HTMLSelectElement;
   private readonly fields = h("div", { class: "fields" });
   private readonly help = h("p", { class: "hint" });
+  private readonly estimate = h("p", { class: "hint", role: "status" });
   private readonly problem = h("p", { class: "problem", role: "alert" });
   private inputs: Input[] = [];
 
   constructor(private readonly app: App) {
     this.kind = h("select", { onchange: () => this.build() },
       ...app.run.task_kinds.map(({ kind }) => option(kind, T.task.names[kind] ?? kind)));
-    this.element.append(labelledField(T.task.kind, this.kind), this.help, this.fields, this.problem,
+    this.element.append(labelledField(T.task.kind, this.kind), this.help, this.fields, this.estimate, this.problem,
       h("div", { class: "actions" }, h("button", { type: "submit", class: "primary" }, T.task.send),
         button(T.cancel, () => this.toggle(false))));
     if (app.run.task_kinds.length > 0) this.build();
@@ -38,11 +39,24 @@ export class TaskFormView {
   toggle(open = this.element.hidden): void {
     this.element.hidden = !open;
     if (open) this.kind.focus();
-    else this.app.tools.stop();
+    else {
+      this.app.tools.stop();
+      this.chosen(null);
+    }
   }
 
-  update(): void {
-    // The form stays as it is: what was entered is kept.
+  /** Shows on the map what was chosen, and how far it is from the aircraft as the crow flies. */
+  private chosen(points: [number, number][] | null, area = false): void {
+    this.app.tools.show(points, area);
+    const id = this.app.map.selected.values().next().value, { fleet } = this.app.world, row = id === undefined ? -1 : fleet.row(id);
+    if (!points?.length || row < 0) return setText(this.estimate, "");
+    let [north, east] = [fleet.get(row, "north_m"), fleet.get(row, "east_m")], length = 0;
+    for (const [n, e] of points) {
+      length += Math.hypot(n - north, e - east);
+      [north, east] = [n, e];
+    }
+    const speed = Math.hypot(fleet.get(row, "velocity_north_mps"), fleet.get(row, "velocity_east_mps"));
+    setText(this.estimate, T.task.estimate(this.app.units.distance(length), speed > 1 ? clock(length / speed) : T.none));
   }
 
   private get form(): TaskForm | undefined {
@@ -50,7 +64,8 @@ export class TaskFormView {
   }
 
   private build(): void {
-    this.app.tools?.stop();
+    this.app.tools.stop();
+    this.chosen(null);
     setText(this.problem, "");
     setText(this.help, this.form?.help ?? "");
     this.inputs = (this.form?.fields ?? []).map((field) => this.input(field));
@@ -105,6 +120,7 @@ export class TaskFormView {
     const pick = button(T.task.pick, () => this.app.tools.pickPlace(T.task.picking, (at) => {
       north.value = at.north_m.toFixed(1);
       east.value = at.east_m.toFixed(1);
+      this.chosen([[at.north_m, at.east_m]]);
     }));
     return { field, element: h("fieldset", { class: "place" }, h("legend", {}, title(field), h("span", { class: "unit" }, " m")), north, east, pick,
       h("span", { class: "help" }, field.help)),
@@ -123,6 +139,7 @@ export class TaskFormView {
     const take = (next: [number, number][]) => {
       points = next;
       setText(count, T.task.points(points.length));
+      this.chosen(points, area);
     };
     return { field, element: h("fieldset", { class: "place" }, h("legend", {}, title(field)), count,
       button(T.task.pick, () => this.app.tools.drawPlaces(area, T.task.drawing, take)),
