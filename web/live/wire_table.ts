@@ -31,7 +31,7 @@ export const kTable: Table = {
       ["charge", "f32"],
       ["endurance", "f64?", "_s"],
       ["age", "f32", "_s"],
-      ["heard", "f64?", "_s"],
+      ["heard", "time?"],
       ["mode", "#Enum"],
       ["failsafe", "#Enum2"],
       ["reaction", "#Enum3"],

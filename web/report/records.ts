@@ -1519,7 +1519,7 @@ export interface VehicleView {
   charge: number; // left, from 0 to 1
   endurance_s: number | null; // flight time left at the present power; null while not known
   age_s: number; // of this estimate
-  heard_s: number | null; // since a ground station heard of it last; null: never yet
+  heard_s: number | null; // when a ground station heard of it last; null: never yet
   mode: "manual" | "stabilized" | "auto" | "guided"; // who flies
   failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu"; // what has gone wrong
   reaction: "none" | "hold" | "return" | "land" | "descend"; // what is done about it

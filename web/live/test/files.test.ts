@@ -4,7 +4,7 @@ import { Frame } from "../frames";
 import type { Feature } from "../geo/features";
 import { readFeatures, toGeoJson, toKml } from "../geo/files";
 
-const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, altitude_m: 0 });
+const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, height_m: 0 });
 const features: Feature[] = [
   { name: "a <b> & \"c\"", geometry: { kind: "area", rings: [[[0, 0], [100, 0], [100, 100], [0, 100]]] }, properties: { prob: 0.5 } },
   { name: "line", geometry: { kind: "line", points: [[0, 0], [50, 80]] }, properties: {} },

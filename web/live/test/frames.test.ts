@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Frame, latitudeOfMercator, mercatorY, mgrsText, toUtm } from "../frames";
 
-const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, altitude_m: 25 });
+const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, height_m: 25 });
 
 test("places come back through latitude and longitude", () => {
   for (const [north, east] of [[0, 0], [5000, -3000], [-12000, 9000], [1, 1]]) {

@@ -13,7 +13,7 @@ const vehicle = (entity_id: number, north_m: number, heading_deg = 0) => ({ enti
   failsafe: "none", reaction: "none", on_ground: false });
 
 function make() {
-  const decoder = new Decoder(kTable), world = new World(new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, altitude_m: 0 }), decoder, kTable);
+  const decoder = new Decoder(kTable), world = new World(new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, height_m: 0 }), decoder, kTable);
   const encoder = new Encoder(kTable);
   return { world, say: (...items: object[]) => decoder.decode(encoder.message(items).buffer as ArrayBuffer, (kind, value) => world.take(kind, value)) };
 }
