@@ -1,0 +1,141 @@
+// Drives the operator's page of a run, of two clients, of tokens and of a recorded run:
+//   run page.mjs PROGRAM SCENARIO FOLDER      pictures go to the folder
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { check, openBrowser, serve, until } from "./program.mjs";
+
+const [program, scenario, folder] = process.argv.slice(2);
+if (!folder) throw new Error("usage: page.mjs PROGRAM SCENARIO FOLDER");
+const browser = await openBrowser();
+if (!browser) {
+  console.log("skipped: no chromium");
+  process.exit(77);
+}
+mkdirSync(folder, { recursive: true });
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const kTabs = ["fleet", "fire", "mission", "events", "plots", "links", "instructor"];
+const faults = [];
+
+async function open(place, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  page.on("pageerror", (error) => faults.push(error.message));
+  await page.goto(place);
+  return page;
+}
+const time = () => window.skein.world.time;
+const complete = (page) => until(page, "the full state", () => Boolean(window.skein?.world.complete));
+const newest = () => { const [sent] = window.skein.connection.sent; return { state: sent?.state, reason: sent?.reason }; };
+
+async function steersARun() {
+  const run = await serve(program, "run", scenario, "--serve", "0", "--speed", "4", "--overwrite", "--out", join(folder, "run"));
+  const page = await open(run.place);
+  await complete(page);
+  await until(page, "four aircraft", () => window.skein.world.fleet.count, (count) => count === 4);
+  check((await page.locator(".fleet-row").count()) === 4, "the fleet is listed");
+  const before = await page.evaluate(time);
+  await until(page, "simulated time", time, (now) => now > before + 2);
+
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => window.skein.command({ kind: "pause", paused: true }, "pause"));
+  await until(page, "pause", newest, ({ state }) => state === "accepted");
+  await page.waitForTimeout(500);
+  const stands = await page.evaluate(time);
+  await page.waitForTimeout(700);
+  check((await page.evaluate(time)) === stands, "time stands still while the run is paused");
+  await page.evaluate(() => window.skein.command({ kind: "pause", paused: false }, "go on"));
+  await until(page, "going on", time, (now) => now > stands + 1);
+
+  await page.evaluate(() => window.skein.giveTask("scout-2", { kind: "survey", area: [[0, 0], [900, 0], [900, 900]], swath_m: 150 }));
+  await until(page, "an accepted survey", newest, ({ state }) => state === "accepted");
+  const task = await until(page, "the task", () => [...window.skein.world.tasks.values()].find(({ entity_id }) => entity_id === 2)?.what.kind,
+    (kind) => kind === "survey");
+  check(task === "survey", "a survey that is assigned becomes the aircraft's task");
+
+  await page.evaluate(() => window.skein.command({ kind: "zone", in_force: true, name: "wood",
+    area: { kind: "ring", points: [[300, 300], [300, 600], [600, 600], [600, 300]] } }, "zone"));
+  await until(page, "the zone", () => [...window.skein.world.zones.keys()].includes("wood"));
+  check(true, "a zone that is drawn comes into force");
+
+  await page.evaluate(() => window.skein.command({ kind: "add", aircraft: "scout-9" }, "add"));
+  const refused = await until(page, "a refusal", newest, ({ state }) => state === "refused");
+  check(/scout-9/.test(refused.reason), `what cannot be done is refused with the reason: ${refused.reason}`);
+
+  const other = await open(run.place);
+  await complete(other);
+  await other.evaluate(() => window.skein.command({ kind: "pause", paused: true }, "pause"));
+  const denied = await until(other, "a refusal", newest, ({ state }) => state === "refused");
+  check(/holds control/.test(denied.reason), "one client holds control");
+  await other.context().close();
+
+  await page.evaluate(() => window.skein.command({ kind: "fault", aircraft: "scout-1", part: "link", fails: true }, "fault"));
+  await until(page, "the fault", newest, ({ state }) => state === "accepted");
+
+  for (const scheme of ["light", "dark"]) {
+    const shown = await open(run.place, { colorScheme: scheme, bypassCSP: true });
+    await complete(shown);
+    await shown.evaluate(axe);
+    for (const tab of kTabs) {
+      await shown.click(`#tab-${tab}`);
+      await shown.waitForTimeout(600);
+      await shown.screenshot({ path: join(folder, `${tab}-${scheme}.png`) });
+      const { violations } = await shown.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
+      check(violations.length === 0, `${tab} in ${scheme}: no violations of accessibility ${violations.map(({ id }) => id)}`);
+    }
+    await shown.context().close();
+  }
+  await run.stop();
+  await until(page, "a lost connection", () => window.skein.connection.state, (state) => state !== "open");
+
+  // The same port again, with another run.
+  const again = await serve(program, "run", scenario, "--serve", new URL(run.place).port, "--speed", "4", "--overwrite",
+    "--out", join(folder, "again"));
+  await page.waitForFunction(() => window.skein?.world.complete && window.skein.world.time < 30, null, { timeout: 30000 });
+  check(true, "the page is back after the server has restarted");
+  await again.stop();
+  await page.context().close();
+}
+
+async function asksForATokens() {
+  const tokens = join(folder, "tokens");
+  writeFileSync(tokens, "viewer-viewer-viewer viewer Vera\noperator-operator-1 operator Anna\n");
+  const run = await serve(program, "run", scenario, "--serve", "0", "--tokens", tokens, "--overwrite", "--out", join(folder, "tokens-run"));
+  const page = await open(run.place);
+  const field = page.locator("input[type=password]");
+  await field.waitFor();
+  await field.fill("wrong-wrong-wrong-wrong");
+  await page.keyboard.press("Enter");
+  await page.waitForTimeout(700);
+  check(await field.isVisible(), "a wrong token is refused");
+  await field.fill("viewer-viewer-viewer");
+  await page.keyboard.press("Enter");
+  await complete(page);
+  check(!page.url().includes("viewer-viewer"), "the token is in no address");
+  await page.evaluate(() => window.skein.command({ kind: "pause", paused: true }, "pause"));
+  const { reason } = await until(page, "a refusal", newest, ({ state }) => state === "refused");
+  check(/viewers only see|control|may/.test(reason), `viewers give no commands: ${reason}`);
+  await page.context().close();
+  await run.stop();
+}
+
+async function showsARecordedRun() {
+  const run = await serve(program, "replay", join(folder, "run"), "--serve", "0");
+  const page = await open(run.place);
+  await complete(page);
+  await page.evaluate(() => window.skein.seek(10));
+  await until(page, "another time", time, (now) => now >= 10 && now < 20);
+  await page.screenshot({ path: join(folder, "replay.png") });
+  check(true, "a recorded run is shown at any time");
+  await page.context().close();
+  await run.stop();
+}
+
+try {
+  await steersARun();
+  await asksForATokens();
+  await showsARecordedRun();
+  check(faults.length === 0, `no errors in the pages ${faults}`);
+} finally {
+  await browser.close();
+}
