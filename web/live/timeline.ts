@@ -76,7 +76,7 @@ export class Timeline {
     this.tip.hidden = !found;
     this.canvas.style.cursor = found || this.app.run.replay ? "pointer" : "default";
     if (!found) return;
-    this.tip.textContent = T.timeline.event(clock(found.time_s), `${this.app.world.name(found.entity_id)}: ${found.kind}. ${found.text}`);
+    this.tip.textContent = T.timeline.event(clock(found.time_s), `${this.app.world.whose(found)}: ${found.kind}. ${found.text}`);
     this.tip.style.left = `${Math.min(event.offsetX, this.canvas.clientWidth - this.tip.offsetWidth - 6)}px`;
   }
 

@@ -30,6 +30,14 @@ export interface Link {
 
 export interface KeptEvent extends Event {
   number: number;
+  sender: string; // of a command; else empty
+}
+
+/** A command in a few words: its kind and the words among its fields. */
+function commandText(command: Record<string, unknown>): string {
+  const what = command.what as { kind?: string } | undefined;
+  const words = ["action", "aircraft", "name", "mission", "part", "to", "factor", "steps", "number"].map((key) => command[key]);
+  return [command.kind, ...words, what?.kind].filter((word) => typeof word === "string" ? word !== "" : typeof word === "number").join(" ");
 }
 
 export class World {
@@ -68,7 +76,6 @@ export class World {
   readonly conflicts: Conflict[] = [];
   readonly version: Record<Topic, number> = {} as Record<Topic, number>;
   onReply: (reply: CommandReply) => void = () => undefined;
-  onEvent: (event: KeptEvent, old: boolean) => void = () => undefined;
   private readonly ids = new Map<string, number>();
   private eventNumber = 0;
 
@@ -139,13 +146,9 @@ export class World {
       this.ids.set(entity.name, entity.entity_id);
       this.touch("entities");
     },
-    event: (event: Event) => {
-      const kept = { ...event, number: ++this.eventNumber };
-      this.events.push(kept);
-      if (this.events.length > kEventsKept) this.events.splice(0, this.events.length - kEventsKept);
-      this.touch("events");
-      this.onEvent(kept, !this.complete);
-    },
+    event: (event: Event) => this.addEvent(event, ""),
+    command: (command: { time_s: number; sender: string; kind: string }) =>
+      this.addEvent({ time_s: command.time_s, entity_id: -1, kind: "command", text: commandText(command as never) }, command.sender),
     crossing: (crossing: Crossing) => this.keep(this.crossings, crossing, kCrossingsKept, "tracks"),
     reading: (reading: Reading) => this.keep(this.readings, reading, kReadingsKept, "tracks"),
     detection: (detection: Detection) => this.keep(this.detections, detection, kCrossingsKept, "objects"),
@@ -185,6 +188,17 @@ export class World {
     list.push(value);
     if (list.length > 1.25 * most) list.splice(0, list.length - most);
     this.touch(topic);
+  }
+
+  private addEvent(event: Event, sender: string): void {
+    this.events.push({ ...event, number: ++this.eventNumber, sender });
+    if (this.events.length > kEventsKept) this.events.splice(0, this.events.length - kEventsKept);
+    this.touch("events");
+  }
+
+  /** To whom an event happened, or who gave a command. */
+  whose(event: KeptEvent): string {
+    return event.sender || this.name(event.entity_id);
   }
 
   private addMetric(sample: MetricSample): void {

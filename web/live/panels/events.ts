@@ -57,7 +57,7 @@ export class EventsPanel implements Panel {
     this.shown = key;
     this.fillChoices();
     this.list = world.events.filter((e) => (!this.kind.value || e.kind === this.kind.value) && (!this.who.value || String(e.entity_id) === this.who.value) &&
-      (!wanted || `${e.kind} ${e.text} ${world.name(e.entity_id)}`.toLowerCase().includes(wanted))).reverse();
+      (!wanted || `${e.kind} ${e.text} ${world.whose(e)}`.toLowerCase().includes(wanted))).reverse();
     setText(this.count, this.list.length === 0 ? T.events.none : T.events.more(this.list.length));
     this.body.style.height = `${this.list.length * kRow}px`;
     this.fill();
@@ -84,7 +84,7 @@ export class EventsPanel implements Panel {
       const top = `translateY(${i * kRow}px)`;
       if (line.element.style.transform !== top) line.element.style.transform = top;
       setText(line.time, clock(event.time_s));
-      setText(line.who, this.app.world.name(event.entity_id));
+      setText(line.who, this.app.world.whose(event));
       setText(line.what, `${event.kind}: ${event.text}`);
       line.what.title = event.text;
     }

@@ -98,3 +98,10 @@ test("a link's quality follows what arrives", () => {
   for (let k = 0; k < 30; ++k) say(link(5, 5));
   assert.ok(Math.abs(world.links.get("1 2")!.quality - 0.5) < 0.01);
 });
+
+test("commands of everybody stand among the events, with who gave them", () => {
+  const { world, say } = make();
+  say({ kind: "command", value: { time_s: 3, sender: "client 2", kind: "fault", aircraft: "scout-1", part: "link", fails: true } });
+  assert.equal(world.whose(world.events[0]), "client 2");
+  assert.equal(world.events[0].text, "fault scout-1 link");
+});
