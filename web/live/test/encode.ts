@@ -20,6 +20,9 @@ class Writer {
   f64(value: number | null | undefined): void {
     this.raw(8, (v) => v.setFloat64(0, value ?? NaN, true));
   }
+  f32(value: number | null | undefined): void {
+    this.raw(4, (v) => v.setFloat32(0, value ?? NaN, true));
+  }
   part(inner: Writer): void {
     this.uint(inner.bytes.length);
     for (const b of inner.bytes) this.bytes.push(b);
@@ -34,7 +37,9 @@ export class Encoder {
     const w = new Writer();
     w.bytes.push(this.table.version);
     w.uint(items.length);
-    for (const item of items) this.choice(w, this.table.items, item);
+    const own = this.table.choices[this.table.items];
+    for (const item of items) // what is no item of its own is a record
+      this.choice(w, this.table.items, own.some(([kind]) => kind === item.kind) ? item : { kind: "live_record", record: item });
     return Uint8Array.from(w.bytes);
   }
 
@@ -112,6 +117,8 @@ export class Encoder {
       w.bytes.push(value ?? 0);
     } else if (type === "f64") {
       w.f64(value);
+    } else if (type === "f32") {
+      w.f32(value);
     } else if (type === "time") {
       w.raw(8, (v) => v.setBigInt64(0, BigInt(Math.round((value ?? 0) * 1e9)), true));
     } else if (type === "uint") {

@@ -13,7 +13,7 @@ function decode(items: object[], table: Table = kTable): [string, any][] { // es
 }
 
 test("values come back as they were written", () => {
-  const clock = { kind: "run_clock", time_s: 12.5, duration_s: 3600, speed: 0.998, wanted_speed: 1, paused: false, misses: 300, headline: "über 24 m" };
+  const clock = { kind: "run_clock", time_s: 12.5, duration_s: 3600, speed: 0.998, wanted_speed: 1, paused: false, over: false, misses: 300, headline: "über 24 m" };
   const { kind, ...fields } = clock;
   assert.deepEqual(decode([clock]), [[kind, fields]]);
 });
@@ -36,11 +36,12 @@ test("degrees, heights and nested structs have the names and signs of their desc
 
 test("choices carry their kind; a struct with a kind of its own stands under value", () => {
   const [[, order], [, zone], [, command]] = decode([
-    { kind: "task_order", time_s: 1, entity_id: 2, number: 3, what: { kind: "fly_to", north_m: 500, east_m: -200, altitude_msl_m: null }, why: [{ name: "gain", value: 0.5 }] },
+    { kind: "message", from_id: 0, to_id: 2, number: 3, sent_s: 1, arrived_s: 1,
+      content: { kind: "task", task_number: 3, what: { kind: "fly_to", north_m: 500, east_m: -200, altitude_msl_m: null } } },
     { kind: "zone", time_s: 1, number: 1, in_force: true, name: "z", area: { kind: "ring", points: [[0, 0], [1, 0], [0, 1]] }, floor_msl_m: null, ceiling_msl_m: 700, from_s: null, until_s: 9 },
     { kind: "command", value: { time_s: 1, sender: "client 1", kind: "speed", factor: 10 } },
   ]);
-  assert.deepEqual(order.what, { kind: "fly_to", north_m: 500, east_m: -200, altitude_msl_m: null });
+  assert.deepEqual(order.content.what, { kind: "fly_to", north_m: 500, east_m: -200, altitude_msl_m: null });
   assert.deepEqual(zone.area, { kind: "ring", points: [[0, 0], [1, 0], [0, 1]] });
   assert.equal(zone.until_s, 9);
   assert.deepEqual({ sender: command.sender, kind: command.kind, factor: command.factor }, { sender: "client 1", kind: "speed", factor: 10 });
