@@ -9,6 +9,7 @@ const kFiles = [
   ["/page.js", "page.js", "text/javascript; charset=utf-8"],
   ["/worker.js", "worker.js", "text/javascript; charset=utf-8"],
   ["/page.css", "page.css", "text/css; charset=utf-8"],
+  ["/licenses.txt", "licenses.txt", "text/plain; charset=utf-8"],
 ];
 
 const [folder, output] = process.argv.slice(2);
