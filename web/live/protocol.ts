@@ -45,6 +45,7 @@ export interface RunDescription {
   missions: { name: string; kind: string }[];
   aircraft: RunAircraft[];
   task_kinds: TaskForm[];
+  imagery?: string; // address of pictures of the ground, with {z}, {x}, {y}; empty: none
   you: { role: Role; name: string };
 }
 
@@ -54,6 +55,7 @@ export interface RunClock {
   speed: number;
   wanted_speed: number;
   paused: boolean;
+  over: boolean;
   misses: number;
   headline: string;
 }

@@ -28,7 +28,7 @@ export interface Settings {
   units: "metric" | "aviation"; // m and m/s, or ft and kt
   sound: boolean;
   tail: number; // [s]
-  tiles: string; // address of a tile server, typed by the user
+  imagery: boolean; // pictures of the ground are shown, where the server has any
   layers: Layers;
   position: "latlon" | "utm" | "mgrs" | "local";
 }
@@ -36,7 +36,7 @@ export interface Settings {
 const kKey = "skein.page";
 
 const kDefaults: Settings = {
-  theme: "auto", units: "metric", sound: true, tail: 120, tiles: "", position: "latlon",
+  theme: "auto", units: "metric", sound: true, tail: 120, imagery: true, position: "latlon",
   layers: {
     terrain: true, truth: true, belief: true, band: true, sigmas: true, forecasts: true, forecastBands: false, horizon: 0,
     crossings: true, readings: true, tails: true, plans: true, safety: true, footprints: true, objects: true, traffic: true,

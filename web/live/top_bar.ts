@@ -44,9 +44,9 @@ function timeControls(app: App): HTMLElement {
       if (![...speed.options].some(({ value }) => value === wanted)) speed.prepend(option(wanted, `${wanted}×`));
       speed.value = wanted;
     }
-    const late = !c.paused && c.wanted_speed > 0 && c.speed < 0.9 * c.wanted_speed;
+    const late = !c.paused && !c.over && c.wanted_speed > 0 && c.speed < 0.9 * c.wanted_speed;
     rate.className = c.paused ? "rate" : late || c.misses > 0 ? "rate warn" : "rate good";
-    setText(rate, c.paused ? T.top.paused : T.top.realTime(c.speed >= 10 ? c.speed.toFixed(0) : c.speed.toFixed(c.speed < 2 ? 2 : 1)));
+    setText(rate, c.over ? T.top.over : c.paused ? T.top.paused : T.top.realTime(c.speed >= 10 ? c.speed.toFixed(0) : c.speed.toFixed(c.speed < 2 ? 2 : 1)));
     rate.title = `${late ? T.top.clockLate : T.top.clockGood}. ${T.top.misses(c.misses)}.`;
     for (const control of [play, step, speed]) control.disabled = !app.mayCommand;
     step.disabled ||= !c.paused;

@@ -44,7 +44,7 @@ export class World {
   readonly fleet: Fleet;
   readonly truth: Fleet;
   readonly play = new PlayTime();
-  clock: RunClock = { time_s: 0, duration_s: 0, speed: 0, wanted_speed: 1, paused: false, misses: 0, headline: "" };
+  clock: RunClock = { time_s: 0, duration_s: 0, speed: 0, wanted_speed: 1, paused: false, over: false, misses: 0, headline: "" };
   clients: Clients = { clients: [], holder: 0, you: 0 };
   /** False while the first full state is on its way. */
   complete = false;

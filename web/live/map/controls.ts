@@ -29,17 +29,17 @@ function layersPanel(app: App): HTMLElement {
     ...[15, 30, 60, 120, 300].map((s) => option(String(s), app.units.seconds(s), s === settings.tail)));
   const horizon = h("select", { onchange: () => { settings.layers.horizon = Number(horizon.value); app.saveSettings(); map.applyLayers(); } },
     option("0", T.layers.allHorizons), ...[10, 30, 60].map((m) => option(String(m), T.layers.minutes(m), m === settings.layers.horizon)));
-  const tiles = h("input", { type: "url", value: settings.tiles, placeholder: "https://…/{z}/{x}/{y}.png", spellcheck: "false", onchange: () => {
-    settings.tiles = tiles.value.trim();
+  const imagery = h("input", { type: "checkbox", checked: settings.imagery, onchange: () => {
+    settings.imagery = imagery.checked;
     app.saveSettings();
-    map.setTiles(settings.tiles);
+    map.showImagery();
   } });
   return h("div", { class: "popover layers-panel", role: "group", "aria-label": T.map.layers },
     h("div", { class: "layer-groups" }, ...kGroups.map(([title, layers]) => h("fieldset", {}, h("legend", {}, title), ...layers.map(([layer, key]) => check(layer, key)))),
       h("fieldset", {}, h("legend", {}, T.layers.icons), h("ul", { class: "icon-legend" }, ...Object.entries(T.layers.iconNames).map(([name, text]) =>
         h("li", {}, h("span", { class: `craft ${name}`, "aria-hidden": "true" }), text))))),
     h("div", { class: "row" }, labelledField(T.layers.tail, tail), labelledField(T.layers.horizon, horizon)),
-    labelledField(T.layers.tiles, tiles, "", T.layers.tilesHint));
+    app.run.imagery ? h("label", { class: "check" }, imagery, T.layers.imagery) : h("p", { class: "hint" }, T.layers.imageryHint));
 }
 
 /** The buttons; `keys` are what shortcuts do with them. */

@@ -95,7 +95,7 @@ export class MapView {
       if (!this.map.getLayer(probe.id)) this.map.addLayer(probe);
       this.paint();
       this.applyLayers();
-      this.setTiles(this.settings.tiles);
+      this.showImagery();
     });
     this.map.on("render", () => { if (this.camera.version !== this.cameraShown) this.draw(performance.now() / 1000); });
     this.listen();
@@ -233,8 +233,9 @@ export class MapView {
     show("zones-walls", layers.zones && !this.camera.flat);
   }
 
-  /** Tiles from a server that the user has named; an empty address takes them away. */
-  setTiles(address: string): void {
+  /** Pictures of the ground from where the server's user has said, or none. */
+  showImagery(): void {
+    const address = this.settings.imagery ? this.run.imagery : "";
     if (this.map.getLayer("tiles")) this.map.removeLayer("tiles");
     if (this.map.getSource("tiles")) this.map.removeSource("tiles");
     if (!address) return;
