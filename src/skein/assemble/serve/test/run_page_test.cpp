@@ -186,8 +186,6 @@ TEST(Replay, ShowsTheRunAtAnyTime) {
   for (const double time : {500.0, 200.0}) {
     client.say(R"({"number":2,"seek_s":)" + std::to_string(time) + "}");
     EXPECT_EQ(client.wait_for_reply(2)->state, RequestState::kAccepted);
-    ASSERT_TRUE(client.wait_for<SnapshotMark>());
-    std::vector<PerimeterRecord> perimeters;
     const auto frame = client.wait_for<FleetFrame>([time](const FleetFrame& each) {
       return std::abs(each.time.seconds() - time) < 1;
     });
@@ -206,7 +204,7 @@ TEST(TaskForms, FilledInWithDefaultsMakeCommands) {
   const auto forms = task_forms();
   EXPECT_GE(forms.size(), 17U);
   for (const auto& form : forms) {
-    Json what = {{"kind", form["kind"]}};
+    Json what = {{"kind", form["kind"]}}, others = Json::array();
     for (const auto& field : form["fields"]) {
       const std::string name = field["name"], type = field["type"];
       if (type == "place") {
@@ -214,15 +212,14 @@ TEST(TaskForms, FilledInWithDefaultsMakeCommands) {
         what[json::joined(name, "east_m")] = 200;
       } else if (type == "places") {
         what[name] = {{0, 0}, {0, 500}, {500, 500}};
-      } else if (type == "aircraft") {
-        what[name] = 1;
-      } else if (type == "aircraft_list") {
-        what[name] = Json::array({1});
+      } else if (type == "aircraft" || type == "aircraft_list") {
+        others.push_back("scout-" + std::to_string(others.size() + 2));  // as pages do
       } else {
         what[name] = field["default"];
       }
     }
-    const Json command = {{"kind", "task"}, {"aircraft", "scout-1"}, {"what", what}};
+    const Json command = {
+        {"kind", "task"}, {"aircraft", "scout-1"}, {"what", what}, {"others", others}};
     const auto parsed = parse_command(command.dump());
     EXPECT_TRUE(parsed) << command.dump() << "\n" << parsed.error().text();
   }
