@@ -33,9 +33,8 @@ RunRecorder::RunRecorder(std::unique_ptr<Parts> parts) : parts_(std::move(parts)
 
 RunRecorder::~RunRecorder() = default;
 
-Result<std::unique_ptr<RunRecorder>> RunRecorder::create(const fs::path& directory,
-                                                         RunInfo info,
-                                                         RunRecorderOptions options) {
+Result<std::unique_ptr<RunRecorder>> RunRecorder::create(
+    const fs::path& directory, RunInfo info, const RunRecorderOptions& options) {
   std::error_code failed;
   fs::create_directories(directory, failed);
   if (failed)

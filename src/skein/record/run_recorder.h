@@ -41,7 +41,7 @@ class RunRecorder final : public Recorder {
   /// when the place cannot be written.
   static Result<std::unique_ptr<RunRecorder>> create(
       const std::filesystem::path& directory, RunInfo info,
-      RunRecorderOptions options = {});
+      const RunRecorderOptions& options = {});
 
   /// Finishes what was given so far, without a summary, when close() was not called.
   ~RunRecorder() override;
