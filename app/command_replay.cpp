@@ -25,7 +25,7 @@ struct ReplayArguments {
 
 assemble::TerrainPatch patch_of(const record::TerrainRow* stored) {
   assemble::TerrainPatch patch;
-  if (!stored) return patch;
+  if (!stored || stored->rows != stored->columns) return patch;
   patch.rows = stored->rows;
   patch.low = stored->low;
   patch.spacing = stored->spacing;

@@ -7,6 +7,7 @@
 #include "skein/record/metrics.h"
 #include "skein/record/record_table.h"
 #include "skein/record/run_database.h"
+#include "skein/record/run_facts.h"
 
 namespace skein::record {
 namespace {
@@ -287,18 +288,6 @@ class MetricsCursor final : public PieceCursor<MetricSample> {
 struct RecordStream::Parts {
   explicit Parts(Sqlite of) : database(std::move(of)) {}
 
-  Result<void> read_info() {
-    return for_each_row(database, "SELECT name, value FROM meta",
-                        [this](const Statement& row) {
-                          const std::string name = row.text(0), value = row.text(1);
-                          if (name == "version") info.version = value;
-                          if (name == "name") info.name = value;
-                          if (name == "start_utc") info.start_utc = value;
-                          if (name == "scenario") info.scenario_text = value;
-                          if (name == "seed")
-                            info.seed = std::strtoull(value.c_str(), nullptr, 10);
-                        });
-  }
   Result<void> read_end() {
     return for_each_row(
         database,
@@ -306,19 +295,6 @@ struct RecordStream::Parts {
         " coalesce((SELECT time_s FROM metrics ORDER BY rowid DESC LIMIT 1), 0),"
         " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0))",
         [this](const Statement& row) { end = Time::from_seconds(row.real(0)); });
-  }
-  Result<void> read_terrain() {
-    return for_each_row(database,
-                        "SELECT rows, columns, low_north_m, low_east_m, spacing_m, "
-                        "heights_msl_m FROM terrain",
-                        [this](const Statement& row) {
-                          terrain = std::make_unique<TerrainRow>();
-                          terrain->rows = static_cast<int>(row.integer(0));
-                          terrain->columns = static_cast<int>(row.integer(1));
-                          terrain->low = Vec2(row.real(2), row.real(3));
-                          terrain->spacing = row.real(4);
-                          terrain->heights = float_blob(row, 5);
-                        });
   }
   void make_cursors() {
     type_traits::for_each_alternative(
@@ -349,9 +325,13 @@ Result<RecordStream> RecordStream::open(const std::filesystem::path& directory) 
   if (!database) return database.error();
   auto parts = std::make_unique<Parts>(std::move(database).value());
   if (auto good = check_schema(parts->database); !good) return good.error();
-  if (auto read = parts->read_info(); !read) return read.error();
+  auto info = read_info(parts->database);
+  if (!info) return info.error();
+  parts->info = std::move(info).value();
   if (auto read = parts->read_end(); !read) return read.error();
-  if (auto read = parts->read_terrain(); !read) return read.error();
+  auto terrain = read_terrain(parts->database);
+  if (!terrain) return terrain.error();
+  parts->terrain = std::move(terrain).value();
   parts->make_cursors();
   return RecordStream(std::move(parts));
 }

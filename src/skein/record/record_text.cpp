@@ -5,26 +5,12 @@
 #include "skein/data/columns.h"
 #include "skein/data/live.h"
 #include "skein/record/rows.h"
+#include "skein/record/type_name.h"
 
 namespace skein::record {
 namespace {
 
 using namespace type_traits;  // NOLINT: the traits are ours
-
-// "range_scan" becomes RangeScan.
-std::string type_name(std::string_view kind) {
-  std::string name;
-  bool capital = true;
-  for (const char c : kind) {
-    if (c == '_') {
-      capital = true;
-      continue;
-    }
-    name += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    capital = false;
-  }
-  return name;
-}
 
 // Names of TypeScript's own, and kinds that several structs have.
 template <class T>

@@ -13,6 +13,7 @@
 #include "skein/record/read_radio.h"
 #include "skein/record/record_table.h"
 #include "skein/record/run_database.h"
+#include "skein/record/run_facts.h"
 #include "skein/record/statistics.h"
 #include "skein/record/track_builder.h"
 
@@ -107,14 +108,10 @@ class Reader {
   Result<void> schema() { return check_schema(database_); }
 
   Result<void> meta() {
-    return rows("SELECT name, value FROM meta", [this](const Statement& row) {
-      const std::string name = row.text(0), value = row.text(1);
-      if (name == "version") run_.info.version = value;
-      if (name == "name") run_.info.name = value;
-      if (name == "start_utc") run_.info.start_utc = value;
-      if (name == "scenario") run_.info.scenario_text = value;
-      if (name == "seed") run_.info.seed = std::strtoull(value.c_str(), nullptr, 10);
-    });
+    auto info = read_info(database_);
+    if (!info) return info.error();
+    run_.info = std::move(info).value();
+    return {};
   }
 
   Result<void> entities() {
@@ -509,19 +506,10 @@ class Reader {
   }
 
   Result<void> terrain() {
-    return rows(
-        "SELECT rows, columns, low_north_m, low_east_m, spacing_m, heights_msl_m"
-        " FROM terrain LIMIT 1",
-        [this](const Statement& row) {
-          auto terrain = std::make_unique<TerrainRow>(TerrainRow{
-              static_cast<int>(row.integer(0)), static_cast<int>(row.integer(1)),
-              Vec2(row.real(2), row.real(3)), row.real(4), float_blob(row, 5)});
-          const bool fits =
-              terrain->rows > 0 && terrain->columns > 0 &&
-              terrain->heights.size() == static_cast<std::size_t>(terrain->rows) *
-                                             static_cast<std::size_t>(terrain->columns);
-          if (fits) run_.terrain = std::move(terrain);
-        });
+    auto terrain = read_terrain(database_);
+    if (!terrain) return terrain.error();
+    run_.terrain = std::move(terrain).value();
+    return {};
   }
 
   Result<void> summary() {

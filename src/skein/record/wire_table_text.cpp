@@ -7,26 +7,12 @@
 
 #include "skein/data/json.h"
 #include "skein/data/live.h"
+#include "skein/record/type_name.h"
 
 namespace skein::record {
 namespace {
 
 using namespace type_traits;  // NOLINT: the traits are ours
-
-// "range_scan" becomes RangeScan.
-std::string in_capitals(std::string_view kind) {
-  std::string name;
-  bool capital = true;
-  for (const char c : kind) {
-    if (c == '_') {
-      capital = true;
-      continue;
-    }
-    name += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    capital = false;
-  }
-  return name;
-}
 
 // Something of type T that has an address of its own.
 template <class T>
@@ -114,7 +100,7 @@ class Table {
   template <Described T>
   std::string struct_name() {
     std::string name;
-    if (!give_name<T>(in_capitals(kind_of<T>()), name)) return name;
+    if (!give_name<T>(type_name(kind_of<T>()), name)) return name;
     std::string fields;
     for_each_field<T>([&]<class O, class M, class F>(const Field<O, M, F>& f) {
       fields += fmt::format("      [\"{}\", \"{}\"{}],\n", f.name, type_of<M>(),

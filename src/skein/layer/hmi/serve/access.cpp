@@ -9,7 +9,7 @@
 namespace skein::hmi {
 namespace {
 
-constexpr std::size_t kShortestToken = 16;
+constexpr std::size_t kMinTokenLength = 16;
 constexpr std::string_view kCookie = "skein_token";
 constexpr std::string_view kBlanks = " \t\r";
 
@@ -61,7 +61,7 @@ Result<AccessTable> AccessTable::parse(std::string_view text, const std::string&
     const std::string where = fmt::format("{}:{}", place, number);
     const std::string_view token = take_word(line);
     if (token.empty() || token.front() == '#') continue;
-    if (token.size() < kShortestToken || !std::ranges::all_of(token, may_be_in_token))
+    if (token.size() < kMinTokenLength || !std::ranges::all_of(token, may_be_in_token))
       return Error{ErrorCode::kBadInput, where,
                    "a token has 16 characters at least, of letters, digits, - and _.",
                    "Make one with: openssl rand -hex 16"};

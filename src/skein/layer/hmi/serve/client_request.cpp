@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kLongestName = 64;
-constexpr int kDeepest = 32;
+constexpr std::size_t kMaxNameLength = 64;
+constexpr int kMaxDepth = 32;
 
 Error bad(const std::string& what) {
   return {ErrorCode::kBadInput, "request", what, ""};
@@ -24,7 +24,7 @@ bool is_count(const Json& value) {
 }
 
 Result<ClientRequest> named(ClientRequest request, const std::string& name) {
-  if (name.size() > kLongestName) return bad("a name has 64 bytes at most.");
+  if (name.size() > kMaxNameLength) return bad("a name has 64 bytes at most.");
   request.what = NameRequest{shown(name)};
   return request;
 }
@@ -33,7 +33,7 @@ Result<ClientRequest> named(ClientRequest request, const std::string& name) {
 
 Result<ClientRequest> parse_client_request(std::string_view text) {
   const Json said = Json::parse(
-      text, [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; },
+      text, [](int depth, Json::parse_event_t, Json&) { return depth <= kMaxDepth; },
       false);
   if (!said.is_object() || said.size() != 2 || !said.contains("number"))
     return bad("it is an object with \"number\" and what is asked for.");

@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(100);
 // More than this between two publications is told as a new state.
-constexpr std::size_t kMostItems = 20000;
+constexpr std::size_t kMaxItems = 20000;
 constexpr std::size_t kMetricsKept = 3000;
 // So long a task or zone may be refused by those whom it concerns.
 constexpr double kMayBeRefused = 120;
@@ -53,7 +53,7 @@ void LiveFeed::take_given(const CommandRecord& given) {
 }
 
 void LiveFeed::add(LiveItem item) {
-  if (items_.size() < kMostItems) {
+  if (items_.size() < kMaxItems) {
     items_.push_back(std::move(item));
   } else {
     items_.clear();

@@ -9,7 +9,7 @@ namespace skein::hmi {
 namespace {
 
 // Commands that wait for the next step of the run.
-constexpr std::size_t kMostCommands = 1000;
+constexpr std::size_t kMaxCommands = 1000;
 
 // What only instructors do: it is not part of flying.
 bool is_of_instructors(const Command& command) {
@@ -59,7 +59,7 @@ std::vector<ClientCommand> LiveHub::take_commands() {
 void LiveHub::deliver(const LiveBatch& batch) {
   for (auto& [number, watcher] : watchers_) {
     const std::size_t waiting = server_->waiting(number);
-    if (waiting > kMostWaiting) watcher.behind = true;
+    if (waiting > kMaxWaiting) watcher.behind = true;
     if (!watcher.behind) {
       if (const SharedBytes& news = watcher.sees_truth ? batch.whole : batch.open)
         server_->send(number, news);
@@ -163,8 +163,8 @@ void LiveHub::obey(ClientNumber client, const ClientRequest& request) {
   }
   if (watchers_[client].access.role == AccessRole::kViewer)
     return answer_to(client, number, RequestState::kRefused, "viewers only see.");
-  if (const auto* wish = std::get_if<HoldRequest>(&request.what)) {
-    hold(client, number, wish->hold);
+  if (const auto* held = std::get_if<HoldRequest>(&request.what)) {
+    hold(client, number, held->hold);
   } else if (const auto* to = std::get_if<HandOverRequest>(&request.what)) {
     hand_over(client, number, to->client);
   } else if (const auto* truth = std::get_if<TruthRequest>(&request.what)) {
@@ -208,7 +208,7 @@ void LiveHub::hand_to_run(ClientNumber client, std::uint32_t number,
   // Given before it can be obeyed: replies of the run come behind this one.
   answer_to(client, number, RequestState::kGiven);
   const std::lock_guard guard(lock_);
-  if (commands_.size() < kMostCommands)
+  if (commands_.size() < kMaxCommands)
     commands_.push_back({client, number, sender_of(client), std::move(what)});
   else
     answer_to(client, number, RequestState::kRefused, "too many commands wait already.");

@@ -24,7 +24,7 @@ struct LiveBatch {
   SharedBytes open_state, whole_state;
 };
 
-/// A command of a client, or a wish for another time of a recorded run.
+/// A command of a client, or its request to go to another time of a recorded run.
 struct ClientCommand {
   ClientNumber client = 0;
   std::uint32_t number = 0;  ///< of the client's requests
@@ -45,7 +45,7 @@ class LiveHub final : public WebListener {
   /// As WebSocket protocol.
   static constexpr std::string_view kProtocol = "skein.live.v1";
   /// What may wait for a client.
-  static constexpr std::size_t kMostWaiting = 8 << 20;
+  static constexpr std::size_t kMaxWaiting = 8 << 20;
 
   /// @param answer  by the server's thread.
   explicit LiveHub(Answerer answer) : answer_(std::move(answer)) {}

@@ -8,7 +8,7 @@ namespace {
 // The last of what has happened that is kept, of each kind.
 constexpr std::size_t kKept = 1000;
 // Entities have numbers from 0 on without gaps; more than this are a mistake.
-constexpr std::uint32_t kMostEntities = 1'000'000;
+constexpr std::uint32_t kMaxEntities = 1'000'000;
 
 float narrow(double value) {
   return static_cast<float>(value);
@@ -124,7 +124,7 @@ LiveState::Seen& LiveState::seen(EntityId id) {
 
 void LiveState::take_message(const MessageRecord& message) {
   const Message& said = message.message;
-  if (message.lost || !stations_.contains(said.to) || said.from.value >= kMostEntities)
+  if (message.lost || !stations_.contains(said.to) || said.from.value >= kMaxEntities)
     return;
   Seen& by = seen(said.from);
   by.heard = message.arrived;
@@ -138,7 +138,7 @@ void LiveState::take_message(const MessageRecord& message) {
 
 void LiveState::take(const Record& record) {
   if (const auto* truth = std::get_if<TruthRecord>(&record)) {
-    if (truth->id.value >= kMostEntities) return;
+    if (truth->id.value >= kMaxEntities) return;
     const VehicleState& s = truth->state;
     now_ = truth->time;
     seen(truth->id).truth = {
@@ -147,7 +147,7 @@ void LiveState::take(const Record& record) {
     return;
   }
   if (const auto* estimate = std::get_if<EstimateRecord>(&record)) {
-    if (estimate->id.value >= kMostEntities) return;
+    if (estimate->id.value >= kMaxEntities) return;
     Seen& by = seen(estimate->id);
     by.estimate = *estimate;
     by.estimate.status.refused = {};  // its text lives only until the next command

@@ -68,9 +68,9 @@ struct WebOptions {
 /// server are refused, and without tokens those that do not name this machine too.
 class WebServer {
  public:
-  static constexpr std::size_t kLargestMessage = 65536;
+  static constexpr std::size_t kMaxMessage = 65536;
   static constexpr double kMessagesPerSecond = 100;
-  static constexpr std::size_t kLargestBody = 4 << 20;
+  static constexpr std::size_t kMaxBody = 4 << 20;
 
   /// @param listener  outlives the server.
   /// Fails: kUnavailable for an address or port that cannot be had; kNotFound or

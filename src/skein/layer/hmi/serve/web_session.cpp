@@ -28,7 +28,7 @@ using Plain = beast::tcp_stream;
 using Tls = beast::ssl_stream<beast::tcp_stream>;
 
 constexpr auto kRequestTime = std::chrono::seconds(30);
-constexpr std::uint32_t kLargestHeader = 16384;
+constexpr std::uint32_t kMaxHeader = 16384;
 
 std::string_view view(beast::string_view text) {
   return {text.data(), text.size()};
@@ -89,7 +89,7 @@ class WebSocket final : public Client,
           if (!protocol.empty())
             response.set(http::field::sec_websocket_protocol, protocol);
         }));
-    socket_.read_message_max(WebServer::kLargestMessage);
+    socket_.read_message_max(WebServer::kMaxMessage);
     socket_.auto_fragment(false);
     socket_.async_accept(request, [self = this->shared_from_this()](Failure failure) {
       if (!failure) self->begin();
@@ -197,8 +197,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
  private:
   void read() {
     parser_.emplace();
-    parser_->body_limit(WebServer::kLargestBody);
-    parser_->header_limit(kLargestHeader);
+    parser_->body_limit(WebServer::kMaxBody);
+    parser_->header_limit(kMaxHeader);
     beast::get_lowest_layer(stream_).expires_after(kRequestTime);
     http::async_read(stream_, buffer_, *parser_,
                      [self = this->shared_from_this()](Failure failure, std::size_t) {
@@ -280,9 +280,12 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
                     "attachment; filename=\"" + answer.file + "\"");
     if (!cookie.empty()) response_.set(http::field::set_cookie, cookie);
     response_.keep_alive(request.keep_alive());
-    if (answer.body && request.method() != http::verb::head)
-      response_.body() = *answer.body;
-    if (answer.status != 204) response_.prepare_payload();
+    const bool is_head = request.method() == http::verb::head;
+    if (answer.body && !is_head) response_.body() = *answer.body;
+    if (is_head)
+      response_.content_length(answer.body ? answer.body->size() : 0);
+    else if (answer.status != 204)
+      response_.prepare_payload();
     http::async_write(stream_, response_,
                       [self = this->shared_from_this()](Failure failure, std::size_t) {
                         self->sent(failure);
@@ -299,7 +302,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
 
   Stream stream_;
   Server& server_;
-  beast::flat_buffer buffer_{kLargestHeader + WebServer::kLargestBody};
+  beast::flat_buffer buffer_{kMaxHeader + WebServer::kMaxBody};
   std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
 };

@@ -252,13 +252,13 @@ TEST(LiveFeed, WhoReadsNothingHoldsUpNobodyAndIsToldAllLater) {
   run.say_much(1 << 20);
   LiveClient quick(run.port());
   // Far more than may wait for a client.
-  while (quick.is_open() && quick.bytes_heard() < 6 * LiveHub::kMostWaiting) quick.hear();
+  while (quick.is_open() && quick.bytes_heard() < 6 * LiveHub::kMaxWaiting) quick.hear();
   ASSERT_TRUE(quick.is_open());
   run.say_much(0);
   std::size_t before = slow.bytes_heard();
   EXPECT_TRUE(slow.wait_for<SnapshotMark>());
   // What the system buffers besides is a few megabytes.
-  EXPECT_LT(slow.bytes_heard() - before, 2 * LiveHub::kMostWaiting + (16 << 20));
+  EXPECT_LT(slow.bytes_heard() - before, 2 * LiveHub::kMaxWaiting + (16 << 20));
 }
 
 TEST(LiveFeed, WhoSaysTooMuchOrTooOftenIsDisconnected) {

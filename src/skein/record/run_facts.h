@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+
+#include "skein/base/result.h"
+#include "skein/record/rows.h"
+#include "skein/record/sqlite.h"
+#include "skein/record/summary.h"
+
+namespace skein::record {
+
+/// What a run database says of its run as a whole.
+/// Fails: what the database says.
+Result<RunInfo> read_info(Sqlite& database);
+
+/// The ground as it was stored for maps; null: it was not, or makes no sense.
+/// Fails: what the database says.
+Result<std::unique_ptr<TerrainRow>> read_terrain(Sqlite& database);
+
+}  // namespace skein::record
