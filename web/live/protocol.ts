@@ -89,13 +89,6 @@ export interface MetricSample {
   values: NamedValue[];
 }
 
-export interface FlightPath {
-  time_s: number;
-  entity_id: number;
-  planner: string;
-  points: { north_m: number; east_m: number; altitude_msl_m: number; time_s: number }[];
-}
-
 export type What = TaskCommand["what"];
 
 export interface TaskOrder {
@@ -103,7 +96,6 @@ export interface TaskOrder {
   entity_id: number;
   number: number;
   what: What;
-  why: NamedValue[];
 }
 
 /** A message with an order: the only ones that the feed has. */

@@ -90,7 +90,7 @@ export const T = {
     crossings: "Crossings of the perimeter",
     readings: "Readings: burns, or not",
     tails: "Tracks flown",
-    plans: "Planned flight",
+    tasks: "Where tasks lead",
     safety: "Safety zones",
     footprints: "Camera footprints",
     objects: "Objects and places",
@@ -157,10 +157,6 @@ export const T = {
     empty: "No aircraft yet.",
   },
   aircraft: {
-    why: "Why: utility of this task, part by part",
-    noWhy: "No reasons were given for it.",
-    plan: "Plan",
-    planUntil: (length: string, time: string) => `${length}, ${time} to fly`,
     planner: (link: string, verdict: string, reason: string) => `${link}: ${verdict}${reason ? ` (${reason})` : ""}`,
     mode: "Mode",
     failsafe: "Failsafe",
@@ -304,7 +300,7 @@ export const T = {
   links: {
     graph: "Share of messages that arrived, between entities",
     matrix: "From row to column",
-    none: "No links reported yet.",
+    none: "No links reported yet. An ideal radio reports none: radio: {kind: medium} does, every ten seconds.",
     cell: (from: string, to: string, share: string, rssi: string, delay: string) => `${from} to ${to}: ${share} arrived, ${rssi}, delay ${delay}`,
     worst: "Weakest links",
     many: (n: number) => `The ${n} entities with the most traffic are shown.`,

@@ -4,12 +4,12 @@ import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Foo
   ZoneRecord, Detection } from "../report/records";
 import { Fleet, PlayTime } from "./fleet";
 import type { Frame } from "./frames";
-import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder } from "./protocol";
+import type { Clients, CommandReply, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder } from "./protocol";
 import type { Decoder, Table } from "./wire";
 
 /** What may change; panels compare the counts with those that they have shown. */
 export type Topic = "clock" | "entities" | "fire" | "forecast" | "arrival" | "zones" | "missions" | "events" | "metrics" | "links" |
-  "clients" | "tasks" | "paths" | "objects" | "traffic" | "alerts" | "allocations" | "planners" | "snapshot" | "tracks";
+  "clients" | "tasks" | "objects" | "traffic" | "alerts" | "allocations" | "planners" | "snapshot" | "tracks";
 
 const kEventsKept = 5000, kReadingsKept = 1500, kCrossingsKept = 600, kMetricsKept = 8000;
 
@@ -63,7 +63,6 @@ export class World {
   readonly missions = new Map<string, MissionState>();
   readonly metrics = new Map<string, Map<string, Series>>(); // by mission and name
   readonly tasks = new Map<number, TaskOrder>();
-  readonly paths = new Map<number, FlightPath>();
   readonly planners = new Map<number, Planner>();
   readonly footprints = new Map<number, Footprint>();
   readonly allocations = new Map<string, TeamAllocation>();
@@ -81,7 +80,7 @@ export class World {
 
   constructor(readonly frame: Frame, decoder: Decoder, table: Table) {
     for (const topic of ["clock", "entities", "fire", "forecast", "arrival", "zones", "missions", "events", "metrics", "links",
-      "clients", "tasks", "paths", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks"] as Topic[])
+      "clients", "tasks", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks"] as Topic[])
       this.version[topic] = 0;
     this.fleet = new Fleet(decoder, "fleet_frame", "FleetFrame", table, frame);
     this.truth = new Fleet(decoder, "truth_frame", "TruthFrame", table, frame, false);
@@ -102,7 +101,7 @@ export class World {
     this.fleet.clear();
     this.truth.clear();
     for (const map of [this.entities, this.perimeters, this.forecasts, this.arrivals, this.zones, this.objects, this.objectMotions,
-      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.planners, this.footprints,
+      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.planners, this.footprints,
       this.allocations, this.leads, this.alerts, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
       (map as Map<unknown, unknown>).clear();
     for (const list of [this.events, this.crossings, this.readings, this.detections, this.conflicts]) list.length = 0;
@@ -132,15 +131,13 @@ export class World {
     clients: (clients: Clients) => { this.clients = clients; this.touch("clients"); },
     command_reply: (reply: CommandReply) => this.onReply(reply),
     metric_sample: (sample: MetricSample) => this.addMetric(sample),
-    flight_path: (path: FlightPath) => { this.paths.set(path.entity_id, path); this.touch("paths"); },
     message: (message: OrderMessage) => {
       const { task_number, what } = message.content;
       if (!what) return;
-      const order: TaskOrder = { time_s: message.arrived_s, entity_id: message.to_id, number: task_number, what, why: [] };
+      const order: TaskOrder = { time_s: message.arrived_s, entity_id: message.to_id, number: task_number, what };
       this.tasks.set(order.entity_id, order);
       this.touch("tasks");
     },
-    task_order: (order: TaskOrder) => { this.tasks.set(order.entity_id, order); this.touch("tasks"); },
     entity: (entity: Entity) => {
       this.entities.set(entity.entity_id, entity);
       this.ids.set(entity.name, entity.entity_id);

@@ -11,7 +11,7 @@ type Group = [title: string, layers: [keyof Layers, string][]];
 
 const kGroups: Group[] = [
   [T.layers.groups.fire, [["belief", "belief"], ["band", "band"], ["sigmas", "sigma"], ["forecasts", "ahead"], ["forecastBands", "aheadband"], ["crossings", "crossing"], ["readings", "reading"], ["truth", "truth"]]],
-  [T.layers.groups.air, [["tails", "track"], ["plans", "plan"], ["safety", "safety"], ["footprints", "footprint"], ["traffic", "traffic"], ["names", ""]]],
+  [T.layers.groups.air, [["tails", "track"], ["tasks", "plan"], ["safety", "safety"], ["footprints", "footprint"], ["traffic", "traffic"], ["names", ""]]],
   [T.layers.groups.ground, [["terrain", ""], ["zones", "zone"], ["missions", "mission"], ["objects", "object"]]],
 ];
 

@@ -1,6 +1,6 @@
 /**
  * What changes slowly: the fire as it is believed, its bands and forecasts, zones' names, missions'
- * goals, objects, plans, other traffic. Drawn on a canvas of its own, again only when the camera
+ * goals, objects, tasks, other traffic. Drawn on a canvas of its own, again only when the camera
  * moves or something of it changes.
  */
 import { alertColour, type Theme } from "../../report/theme";
@@ -11,7 +11,7 @@ import type { Projector } from "./projector";
 import { trace, traceBand, type Points, type Shaper } from "./shapes";
 
 const kCrossingShown = 300, kReadingShown = 60, kDetectionShown = 300; // they fade over this time [s]
-const kMany = 40; // from so many aircraft on, only chosen ones show their plan
+const kMany = 40; // from so many aircraft on, only chosen ones show where their tasks lead
 const kFont = "12px system-ui, 'Segoe UI', Roboto, sans-serif";
 
 export interface FieldView {
@@ -343,45 +343,44 @@ function drawFootprints(c: CanvasRenderingContext2D, v: FieldView): void {
 }
 
 const plane = new Float64Array(2);
-const planes = new WeakMap<object, Points>();
 
-function drawPlans(c: CanvasRenderingContext2D, v: FieldView): void {
-  const all = v.world.fleet.count <= kMany;
-  for (const path of v.world.paths.values()) {
-    const chosen = v.selected.has(path.entity_id);
-    if (!all && !chosen) continue;
-    let points = planes.get(path);
-    if (!points) {
-      points = new Float64Array(3 * path.points.length);
-      path.points.forEach((p, i) => {
-        v.world.frame.toPlane(p.north_m, p.east_m, plane, 0);
-        points!.set([plane[0], plane[1], p.altitude_msl_m], 3 * i);
-      });
-      planes.set(path, points);
-    }
-    // What has been flown of it is behind the aircraft.
-    let first = path.points.findIndex((p) => p.time_s > v.time);
-    if (first < 0) continue;
-    first = Math.max(0, first);
-    const row = v.world.fleet.row(path.entity_id);
-    const tint = row >= 0 && v.world.fleet.count <= 8 ? v.theme.series[row % 8] : v.theme.belief;
+/** The points of a task, in the order in which they are flown; an area's corners. */
+function pointsOf(what: Record<string, unknown>): [number, number][] {
+  const list = (what.points ?? what.line ?? what.area) as [number, number][] | undefined;
+  if (Array.isArray(list) && list.length > 0) return what.area || what.closed ? [...list, list[0]] : list;
+  const { north_m, east_m } = what as { north_m?: number; east_m?: number };
+  // An edge is followed from where it is found, home is where the aircraft knows it.
+  if (what.kind === "follow_edge" || what.at_home === true || north_m == null || east_m == null) return [];
+  return [[north_m, east_m]];
+}
+
+function drawTasks(c: CanvasRenderingContext2D, v: FieldView): void {
+  const { fleet, frame, tasks } = v.world;
+  for (const { entity_id, what } of tasks.values()) {
+    const chosen = v.selected.has(entity_id), row = fleet.row(entity_id);
+    if (row < 0 || (fleet.count > kMany && !chosen)) continue;
+    const places = pointsOf(what as unknown as Record<string, unknown>);
+    if (places.length === 0) continue;
+    const height = fleet.get(row, "altitude_msl_m");
+    const points = new Float64Array(3 * places.length);
+    places.forEach(([north, east], i) => {
+      frame.toPlane(north, east, plane, 0);
+      points.set([plane[0], plane[1], height], 3 * i);
+    });
     c.beginPath();
-    trace(c, v.camera, points.subarray(3 * first), false);
-    c.strokeStyle = tint;
+    trace(c, v.camera, points, false);
+    c.strokeStyle = fleet.count <= 8 ? v.theme.series[row % 8] : v.theme.belief;
     c.lineWidth = chosen ? 2.6 : 1.5;
     c.globalAlpha = chosen ? 1 : 0.75;
     c.setLineDash([6, 4]);
     c.stroke();
     c.setLineDash([]);
-    if (chosen) {
-      const end = points.length - 3;
-      if (v.camera.project(points[end], points[end + 1], points[end + 2])) {
-        c.beginPath();
-        c.arc(v.camera.x, v.camera.y, 4, 0, 7);
-        c.fillStyle = v.theme.paper;
-        c.fill();
-        c.stroke();
-      }
+    if (v.camera.project(points[0], points[1], points[2])) {
+      c.beginPath();
+      c.arc(v.camera.x, v.camera.y, 4, 0, 7);
+      c.fillStyle = v.theme.paper;
+      c.fill();
+      c.stroke();
     }
   }
   c.globalAlpha = 1;
@@ -469,6 +468,6 @@ export function drawField(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxe
   if (v.layers.footprints) drawFootprints(c, v);
   if (v.layers.zones && v.layers.names) drawZoneNames(c, v, boxes);
   if (v.layers.objects) drawObjects(c, v, boxes);
-  if (v.layers.plans) drawPlans(c, v);
+  if (v.layers.tasks) drawTasks(c, v);
   if (v.layers.traffic) drawTraffic(c, v, boxes);
 }

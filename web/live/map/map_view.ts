@@ -328,7 +328,7 @@ export class MapView {
     const airChanged = moved || this.dirty || Math.abs(time - this.timeShown) > 0.004 || world.fleet.version !== this.fleetShown;
     const v = world.version;
     const due = wall - this.fieldAt > (world.fleet.count > kMany ? 2 * kFieldEvery : kFieldEvery);
-    const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.paths} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
+    const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.tasks} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
     if (!airChanged && !(due && key !== this.fieldKey)) return;
     if (moved || this.dirty || (due && key !== this.fieldKey)) {
       drawField(this.field, { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected, grid: this.grid() }, this.boxes);

@@ -1,5 +1,5 @@
-/** One aircraft: what it does and why, its plan, its state, and what it may be told to do. */
-import { clock, h } from "../../report/dom";
+/** One aircraft: what it does, its state, and what it may be told to do. */
+import { h } from "../../report/dom";
 import type { App } from "../app";
 import { latLonText } from "../frames";
 import { T } from "../texts";
@@ -10,14 +10,12 @@ export class AircraftDetail {
   readonly element = h("section", { class: "detail", "aria-labelledby": "detail-name" });
   private readonly title = h("h2", { id: "detail-name" });
   private readonly does = h("p", { class: "does" });
-  private readonly why = h("div", { class: "why" });
   private readonly facts = new Facts();
   private readonly actions = h("div", { class: "actions" });
   private readonly heir = h("select", { "aria-label": T.task.giveTo, onchange: () => this.give() });
   private readonly form: TaskFormView;
   private readonly hint = h("p", { class: "hint" }, T.fleet.selectHint);
   private readonly content: HTMLElement;
-  private shown = "";
 
   constructor(private readonly app: App) {
     this.form = new TaskFormView(app);
@@ -33,7 +31,7 @@ export class AircraftDetail {
         iconButton("follow", T.aircraft.follow, () => { app.map.follow = !app.map.follow; }, { "data-follow": "" }),
         iconButton("target", T.aircraft.center, () => { for (const id of app.map.selected) { app.map.centreOn(id); break; } }),
         iconButton("close", T.aircraft.close, () => app.map.select([]))),
-      this.does, this.actions, this.form.element, this.why, this.facts.element);
+      this.does, this.actions, this.form.element, this.facts.element);
     this.element.append(this.hint, this.content);
   }
 
@@ -50,21 +48,6 @@ export class AircraftDetail {
     const to = this.heir.value;
     this.heir.value = "";
     if (to) this.each((name) => this.app.connection.send({ line: `task ${name} give ${to}` }, T.commands.task(name, `${T.task.giveTo} ${to}`)));
-  }
-
-  private showWhy(id: number): void {
-    const task = this.app.world.tasks.get(id), key = `${id} ${task?.number}`;
-    if (key === this.shown) return;
-    this.shown = key;
-    const terms = task?.why ?? [];
-    const most = Math.max(1e-9, ...terms.map(({ value }) => Math.abs(value ?? 0)));
-    this.why.replaceChildren(h("h3", {}, T.aircraft.why), terms.length === 0 ? h("p", { class: "hint" }, T.aircraft.noWhy)
-      : h("table", { class: "terms" }, h("tbody", {}, ...terms.map(({ name, value }) => {
-        const v = value ?? 0;
-        return h("tr", {}, h("th", { scope: "row" }, name),
-          h("td", { class: "term-bar" }, h("span", { class: v < 0 ? "minus" : "plus", style: `width:${(50 * Math.abs(v)) / most}%;${v < 0 ? "right" : "left"}:50%` })),
-          h("td", { class: "number" }, `${v < 0 ? "−" : "+"}${Math.abs(v).toFixed(2)}`));
-      }))));
   }
 
   update(): void {
@@ -87,14 +70,6 @@ export class AircraftDetail {
     if (this.does.dataset.text !== doing) {
       this.does.dataset.text = doing;
       this.does.replaceChildren(...(warned ? [icon("warning")] : []), doing);
-    }
-    this.showWhy(id);
-    const path = world.paths.get(id);
-    if (path && path.points.length > 1) {
-      let length = 0;
-      for (let i = 1; i < path.points.length; ++i)
-        length += Math.hypot(path.points[i].north_m - path.points[i - 1].north_m, path.points[i].east_m - path.points[i - 1].east_m);
-      f.set(T.aircraft.plan, T.aircraft.planUntil(units.distance(length), clock(Math.max(0, path.points[path.points.length - 1].time_s - world.time))));
     }
     f.set(T.aircraft.altitude, units.height(get("altitude_msl_m")));
     if (app.terrain) f.set(T.aircraft.overGround, units.height(get("altitude_msl_m") - app.terrain.at(get("north_m"), get("east_m"))));
