@@ -174,7 +174,8 @@ Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
   auto server = hmi::WebServer::open(web.value(), *page->hub_);
   if (!server) return server.error();
   page->server_ = std::move(server).value();
-  page->hub_->attach(page->server_.get());
+  page->hub_->attach(*page->server_);
+  page->server_->start();
   return page;
 }
 

@@ -34,11 +34,10 @@ SharedBytes coded(const std::vector<LiveItem>& items) {
 }
 
 void LiveHub::publish(LiveBatch batch) {
-  if (server_) server_->post([this, batch = std::move(batch)] { deliver(batch); });
+  server_->post([this, batch = std::move(batch)] { deliver(batch); });
 }
 
 void LiveHub::all_behind() {
-  if (!server_) return;
   server_->post([this] {
     for (auto& [number, watcher] : watchers_) watcher.behind = true;
     if (!watchers_.empty()) state_wanted_ = true;
@@ -46,7 +45,6 @@ void LiveHub::all_behind() {
 }
 
 void LiveHub::reply(ClientNumber client, const RequestReply& reply) {
-  if (!server_) return;
   server_->post(
       [this, client, reply] { server_->send(client, coded({LiveItem(reply)})); });
 }

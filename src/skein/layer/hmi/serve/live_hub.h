@@ -50,8 +50,8 @@ class LiveHub final : public WebListener {
   /// @param answer  by the server's thread.
   explicit LiveHub(Answerer answer) : answer_(std::move(answer)) {}
 
-  /// Before anything else; null when the server is gone.
-  void attach(WebServer* server) { server_ = server; }
+  /// Once, before anything else, and before the server is started.
+  void attach(WebServer& server) { server_ = &server; }
 
   // By the thread of the run.
 

@@ -154,8 +154,11 @@ Result<std::unique_ptr<WebServer>> WebServer::open(const WebOptions& options,
   auto impl = std::make_unique<Impl>(options, listener);
   if (auto loaded = impl->load_certificate(); !loaded) return loaded.error();
   if (auto listens = impl->listen(); !listens) return listens.error();
-  impl->thread = std::thread([io = &impl->io] { io->run(); });
   return std::unique_ptr<WebServer>(new WebServer(std::move(impl)));
+}
+
+void WebServer::start() {
+  impl_->thread = std::thread([io = &impl_->io] { io->run(); });
 }
 
 std::string WebServer::place() const {

@@ -63,15 +63,17 @@ struct WebOptions {
 
 /// One port for pages, an HTTP interface and WebSockets.
 ///
-/// Has a thread of its own. Messages of clients are limited in size and rate; who is too
-/// slow, too fast or too large is disconnected. Requests of pages that come from another
-/// server are refused, and without tokens those that do not name this machine too.
+/// Has a thread of its own once it is started. Messages of clients are limited in size
+/// and rate; who is too slow, too fast or too large is disconnected. Requests of pages
+/// that come from another server are refused, and without tokens those that do not name
+/// this machine too.
 class WebServer {
  public:
   static constexpr std::size_t kMaxMessage = 65536;
   static constexpr double kMessagesPerSecond = 100;
   static constexpr std::size_t kMaxBody = 4 << 20;
 
+  /// Takes the port; who comes waits until start().
   /// @param listener  outlives the server.
   /// Fails: kUnavailable for an address or port that cannot be had; kNotFound or
   /// kBadInput for files that hold no certificate or key; kBadInput for an address that
@@ -81,6 +83,9 @@ class WebServer {
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
+
+  /// Answers from now on, whoever has come and comes. Once.
+  void start();
 
   /// Where a browser finds it: "http://127.0.0.1:8080/".
   std::string place() const;

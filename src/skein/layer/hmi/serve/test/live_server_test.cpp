@@ -26,7 +26,8 @@ class ServedRun {
     auto opened = WebServer::open(options, hub_);
     EXPECT_TRUE(opened) << opened.error().text();
     server_ = std::move(opened).value();
-    hub_.attach(server_.get());
+    hub_.attach(*server_);
+    server_->start();
     const std::string place = server_->place();
     port_ = static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1)));
     EntityRecord station, aircraft;
