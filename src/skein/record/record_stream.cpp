@@ -10,7 +10,28 @@
 #include "skein/record/run_facts.h"
 
 namespace skein::record {
+namespace stream {
+
+struct Timed {
+  Time time;
+  std::variant<Record, MetricSample> what;
+};
+
+// A table that is read from its begin to its end, piece by piece.
+class Cursor {
+ public:
+  virtual ~Cursor() = default;
+  // Goes to the first row, or near the last one before a time.
+  virtual Result<void> seek(Sqlite& database, Time time) = 0;
+  // Appends all rows up to a time.
+  virtual Result<void> take(Sqlite& database, Time until, std::vector<Timed>& out) = 0;
+};
+
+}  // namespace stream
+
 namespace {
+
+using stream::Cursor, stream::Timed;
 
 constexpr std::int64_t kPiece = 1000;  // rows that are read at once
 constexpr double kMotionBefore = 2;    // of vehicles, before the time that is gone to [s]
@@ -29,21 +50,6 @@ Time time_of(const T& record) {
   else
     return Time::from_ns(-1);
 }
-
-struct Timed {
-  Time time;
-  std::variant<Record, MetricSample> what;
-};
-
-// A table that is read from its begin to its end, piece by piece.
-class Cursor {
- public:
-  virtual ~Cursor() = default;
-  // Goes to the first row, or near the last one before a time.
-  virtual Result<void> seek(Sqlite& database, Time time) = 0;
-  // Appends all rows up to a time.
-  virtual Result<void> take(Sqlite& database, Time until, std::vector<Timed>& out) = 0;
-};
 
 std::string piece_after(std::int64_t row) {
   return "WHERE rowid > " + std::to_string(row) + " ORDER BY rowid LIMIT " +
@@ -311,8 +317,8 @@ struct RecordStream::Parts {
   RunInfo info;
   Time end;
   std::unique_ptr<TerrainRow> terrain;
-  std::vector<std::unique_ptr<Cursor>> cursors;
-  std::vector<Timed> gathered;
+  std::vector<std::unique_ptr<stream::Cursor>> cursors;
+  std::vector<stream::Timed> gathered;
 };
 
 RecordStream::RecordStream(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
