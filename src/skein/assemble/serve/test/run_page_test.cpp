@@ -4,11 +4,15 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cctype>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
+#include <utility>
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/run.h"
@@ -129,6 +133,50 @@ TEST(RunPage, SaysWhatThereIsToKnowOfTheRun) {
   EXPECT_EQ(hmi::ask(port, {.target = "/../etc/passwd"}).result_int(), 404U);
   EXPECT_EQ(hmi::ask(port, {.method = hmi::http::verb::put, .target = "/"}).result_int(),
             405U);
+}
+
+// docs/openapi.yaml, as far as lines say what is answered.
+TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
+  std::ifstream in(SKEIN_SOURCE_DIR "/docs/openapi.yaml");
+  ASSERT_TRUE(in.good());
+  const scenario::Scenario scenario = read();
+  auto built = build(scenario, KindRegistry());
+  ASSERT_TRUE(built) << built.error().text();
+  auto page = RunPage::open(any_port(), facts_of(scenario, built.value(), "test"));
+  ASSERT_TRUE(page) << page.error().text();
+  std::string line, path, type, schema;
+  int answered = 0;
+  while (std::getline(in, line)) {
+    if (line.rfind("  /", 0) == 0) path = line.substr(2, line.find(':') - 2);
+    if (line.rfind("    post:", 0) == 0) path.clear();
+    if (line.rfind("            application/", 0) == 0 && !path.empty()) {
+      type = line.substr(12, line.find(':') - 12);
+      const auto answer = hmi::ask(port_of(*page.value()), {.target = path});
+      EXPECT_EQ(answer.result_int(), 200U) << path;
+      EXPECT_EQ(answer[hmi::http::field::content_type], type) << path;
+      ++answered;
+    }
+    if (line == "    Run:") schema = "Run";
+    if (schema == "Run" && line.find("required: [") != std::string::npos) {
+      std::string names = line.substr(line.find('[') + 1), more;
+      while (names.find(']') == std::string::npos && std::getline(in, more))
+        names += more;
+      const Json run =
+          Json::parse(hmi::ask(port_of(*page.value()), {.target = "/api/run"}).body());
+      std::set<std::string> said, has;
+      std::string name;
+      for (const char c : names) {
+        if (c == ',' || c == ']') said.insert(std::exchange(name, {}));
+        if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') name += c;
+        if (c == ']') break;
+      }
+      for (const auto& [key, value] : run.items()) has.insert(key);
+      EXPECT_EQ(said, has);
+      schema.clear();
+      ++answered;
+    }
+  }
+  EXPECT_EQ(answered, 4);
 }
 
 TEST(RunPage, RunIsTheSameWithAndWithoutThoseWhoWatch) {
