@@ -185,6 +185,19 @@ std::string RunPage::place() const {
   return server_->place();
 }
 
+Json RunPage::health() const {
+  const RunClock clock = feed_ ? feed_->clock() : RunClock();
+  return {{"status", "ok"},
+          {"time_s", clock.time.seconds()},
+          {"duration_s", clock.duration.seconds()},
+          {"speed", clock.speed},
+          {"wanted_speed", clock.wanted_speed},
+          {"paused", clock.paused},
+          {"over", clock.over},
+          {"misses", clock.misses},
+          {"clients", hub_->clients()}};
+}
+
 hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
   if (request.method != "GET" && request.method != "HEAD") {
     hmi::HttpAnswer answer = with_json({{"error", "only GET is answered here."}});
@@ -198,7 +211,7 @@ hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
   }
   if (request.path == "/api/terrain")
     return with_body("application/octet-stream", terrain_);
-  if (request.path == "/api/health") return with_json({{"status", "ok"}});
+  if (request.path == "/api/health") return with_json(health());
   if (auto file = hmi::page_file(request.path)) return *std::move(file);
   hmi::HttpAnswer answer = with_json({{"error", "there is nothing of this name."}});
   answer.status = 404;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "skein/assemble/build.h"
@@ -48,6 +49,7 @@ class RunPage {
  private:
   RunPage() = default;
   hmi::HttpAnswer answer(const hmi::HttpRequest& request) const;
+  nlohmann::ordered_json health() const;
 
   std::string description_;  // JSON, but for whom it is said to
   std::shared_ptr<const std::string> terrain_;

@@ -156,13 +156,14 @@ TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
       EXPECT_EQ(answer[hmi::http::field::content_type], type) << path;
       ++answered;
     }
-    if (line == "    Run:") schema = "Run";
-    if (schema == "Run" && line.find("required: [") != std::string::npos) {
+    if (line == "    Run:") schema = "/api/run";
+    if (line == "    Health:") schema = "/api/health";
+    if (!schema.empty() && line.find("required: [") != std::string::npos) {
       std::string names = line.substr(line.find('[') + 1), more;
       while (names.find(']') == std::string::npos && std::getline(in, more))
         names += more;
-      const Json run =
-          Json::parse(hmi::ask(port_of(*page.value()), {.target = "/api/run"}).body());
+      const Json answer =
+          Json::parse(hmi::ask(port_of(*page.value()), {.target = schema}).body());
       std::set<std::string> said, has;
       std::string name;
       for (const char c : names) {
@@ -170,13 +171,13 @@ TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
         if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') name += c;
         if (c == ']') break;
       }
-      for (const auto& [key, value] : run.items()) has.insert(key);
-      EXPECT_EQ(said, has);
+      for (const auto& [key, value] : answer.items()) has.insert(key);
+      EXPECT_EQ(said, has) << schema;
       schema.clear();
       ++answered;
     }
   }
-  EXPECT_EQ(answered, 4);
+  EXPECT_EQ(answered, 5);
 }
 
 TEST(RunPage, RunIsTheSameWithAndWithoutThoseWhoWatch) {
@@ -240,6 +241,11 @@ TEST(Replay, ShowsTheRunAtAnyTime) {
     ASSERT_TRUE(frame) << time;
     EXPECT_EQ(frame->vehicles.size(), 2U);
   }
+  const Json health =
+      Json::parse(hmi::ask(port_of(*page.value()), {.target = "/api/health"}).body());
+  EXPECT_EQ(health["paused"], true);
+  EXPECT_EQ(health["clients"], 1);
+  EXPECT_NEAR(health["time_s"].get<double>(), 200, 1);
   client.say(R"({"number":3,"line":"task scout-1 hold"})");
   EXPECT_EQ(client.wait_for_reply(3)->state, RequestState::kRefused);
   stop = true;

@@ -208,8 +208,17 @@ SharedBytes LiveFeed::batch(bool with_truth, bool state) const {
   return coded(all);
 }
 
+RunClock LiveFeed::clock() const {
+  const std::lock_guard guard(lock_);
+  return told_clock_;
+}
+
 void LiveFeed::publish() {
   take_metrics();
+  {
+    const std::lock_guard guard(lock_);
+    told_clock_ = clock_;
+  }
   if (!hub_.is_watched()) {
     items_.clear();
     return;

@@ -48,6 +48,9 @@ class LiveFeed final : public Recorder {
   /// Tells what has gathered, when it is time.
   void pump();
 
+  /// How far the run was when it was told last. By any thread.
+  RunClock clock() const;
+
   /// Of a run that is shown again: how its clock goes.
   void set_clock(bool paused, double wanted_speed);
   /// Forgets everything: another time of a run that is shown again comes.
@@ -78,8 +81,9 @@ class LiveFeed final : public Recorder {
   LiveState state_;
   std::vector<LiveItem> items_;
   std::deque<MetricSample> metrics_;
-  std::mutex lock_;
+  mutable std::mutex lock_;
   std::vector<MetricSample> new_metrics_;  // under the lock
+  RunClock told_clock_;                    // under the lock
   RunClock clock_;
   Moment next_{};
   Moment measured_at_{};  // where the measured speed counts from

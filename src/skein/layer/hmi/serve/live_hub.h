@@ -68,6 +68,7 @@ class LiveHub final : public WebListener {
 
   // By the server's thread.
 
+  std::size_t clients() const { return watchers_.size(); }
   HttpAnswer answer(const HttpRequest& request) override;
   void joined(ClientNumber client, const Access& access,
               std::string_view protocol) override;
