@@ -186,7 +186,7 @@ std::string RunPage::place() const {
 }
 
 Json RunPage::health() const {
-  const RunClock clock = feed_ ? feed_->clock() : RunClock();
+  const RunClock clock = feed_->clock();
   return {{"status", "ok"},
           {"time_s", clock.time.seconds()},
           {"duration_s", clock.duration.seconds()},

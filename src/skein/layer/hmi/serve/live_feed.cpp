@@ -27,6 +27,7 @@ LiveFeed::LiveFeed(LiveHub& hub, Time duration, double speed, bool recorded)
     : hub_(hub), recorded_(recorded) {
   clock_.duration = duration;
   clock_.wanted_speed = speed;
+  told_clock_ = clock_;
 }
 
 void LiveFeed::record(const Record& record) {

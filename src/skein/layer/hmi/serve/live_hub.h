@@ -68,6 +68,7 @@ class LiveHub final : public WebListener {
 
   // By the server's thread.
 
+  /// How many watch.
   std::size_t clients() const { return watchers_.size(); }
   HttpAnswer answer(const HttpRequest& request) override;
   void joined(ClientNumber client, const Access& access,
