@@ -62,7 +62,7 @@ class ReplayPlayer {
   // All that had happened by then, anew.
   Result<void> go_to(double time) {
     now_ = std::clamp(time, 0.0, recorded_.end().seconds());
-    feed_.restart();
+    feed_.restart(Time::from_seconds(now_));
     feed_.set_clock(paused_, speed_);
     if (auto done = recorded_.seek(Time::from_seconds(now_)); !done) return done.error();
     return advance(now_);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <yaml-cpp/yaml.h>
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <filesystem>
@@ -232,6 +233,21 @@ TEST(Replay, ShowsTheRunAtAnyTime) {
   EXPECT_EQ(health["paused"], true);
   EXPECT_EQ(health["clients"], 1);
   EXPECT_NEAR(health["time_s"].get<double>(), 200, 1);
+  // It goes on at its own pace; the way to another time is no speed.
+  client.say(R"({"number":4,"line":"resume"})");
+  EXPECT_TRUE(client.wait_for_reply(4));
+  const auto begun = client.wait_for<RunClock>(
+      [](const RunClock& each) { return each.time.seconds() > 200.5; });
+  ASSERT_TRUE(begun);
+  client.say(R"({"number":5,"seek_s":500})");
+  double fastest = 0;
+  const auto gone_on = client.wait_for<RunClock>([&fastest](const RunClock& each) {
+    fastest = std::max(fastest, each.speed);
+    return each.time.seconds() > 501.5;
+  });
+  ASSERT_TRUE(gone_on);
+  EXPECT_GT(gone_on->speed, 0.3);
+  EXPECT_LT(fastest, 3);
   client.say(R"({"number":3,"line":"task scout-1 hold"})");
   EXPECT_EQ(client.wait_for_reply(3)->state, RequestState::kRefused);
   stop = true;

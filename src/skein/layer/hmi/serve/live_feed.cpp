@@ -135,8 +135,11 @@ void LiveFeed::set_clock(bool paused, double wanted_speed) {
   clock_.wanted_speed = wanted_speed;
 }
 
-void LiveFeed::restart() {
+void LiveFeed::restart(Time at) {
   state_ = LiveState();
+  // A jump is no speed.
+  measured_at_ = std::chrono::steady_clock::now();
+  clock_.time = measured_from_ = at;
   items_.clear();
   take_metrics();
   metrics_.clear();

@@ -53,8 +53,9 @@ class LiveFeed final : public Recorder {
 
   /// Of a run that is shown again: how its clock goes.
   void set_clock(bool paused, double wanted_speed);
-  /// Forgets everything: another time of a run that is shown again comes.
-  void restart();
+  /// Forgets everything: what had happened by another time of a run that is shown again
+  /// comes.
+  void restart(Time at);
 
   /// The run is over: tells that, and what is left.
   void finish();
