@@ -73,8 +73,11 @@ void list(const std::string& name, const Form& form, std::string_view help,
     out.push_back({joined(name, "json"), "TEXT", help});
     if (form == Storage::kCoded) out.push_back({joined(name, "coded"), "BLOB", help});
   } else if constexpr (kIsVector<T>) {
-    const bool text = form == Storage::kJson;
-    out.push_back({text ? joined(name, "json") : name, text ? "TEXT" : "BLOB", help});
+    const bool text = form == Storage::kJson, coded = form == Storage::kCoded;
+    out.push_back({text    ? joined(name, "json")
+                   : coded ? joined(name, "coded")
+                           : name,
+                   text ? "TEXT" : "BLOB", help});
   } else {
     out.push_back(
         {name + std::string(json::detail::suffix_of(form)), sql_type<T>(), help});
@@ -104,6 +107,10 @@ void put_list(Storage storage, const T& list, Sink& sink) {
   constexpr bool kOfIds = kIsId<typename T::value_type>;
   if constexpr (std::is_same_v<T, std::vector<std::uint8_t>>) {
     sink.put(std::as_bytes(std::span(list)));
+  } else if (storage == Storage::kCoded) {
+    std::vector<std::byte> coded;
+    wire::encode(list, coded);
+    sink.put(std::move(coded));
   } else if (kOfIds || storage == Storage::kJson) {
     sink.put(json::detail::item(list).dump());
   } else if constexpr (!kOfIds) {
@@ -246,7 +253,12 @@ void take(const Form& form, T& value, Source& source) {
   } else if constexpr (kIsVariant<T>) {
     take_choice(form, value, source);
   } else if constexpr (kIsVector<T>) {
-    source.skip();
+    if (form != Storage::kCoded) return void(source.skip());
+    std::vector<std::byte> coded;
+    source.take(coded);
+    auto decoded = wire::decode<T>(coded);
+    source.check(decoded.ok());
+    if (decoded) value = std::move(decoded).value();
   } else if constexpr (std::is_same_v<T, double>) {
     double written = 0;
     if (source.take(written)) value = written / json::detail::factor_of(form);

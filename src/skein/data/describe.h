@@ -69,7 +69,8 @@ enum class Storage : std::uint8_t {
   kJson,      ///< as text
   kFloats,    ///< little-endian 32-bit floats, number after number
   kKindOnly,  ///< of a choice the name of what was chosen, nothing more
-  kCoded,     ///< as text, and beside it in its wire form, which loses nothing
+  kCoded,     ///< a choice as text, and beside it in its wire form, which loses nothing;
+              ///< a list in its wire form alone
   kBytes,     ///< a list of bytes as it is
 };
 

@@ -10,6 +10,8 @@
 #include "skein/base/time.h"
 #include "skein/data/autopilot.h"
 #include "skein/data/describe.h"
+#include "skein/data/flight_path.h"
+#include "skein/data/named_value.h"
 #include "skein/data/record.h"
 
 // What the live feed sends to those who watch a run, besides its records
@@ -214,19 +216,6 @@ constexpr auto describe(const RequestReply*) {
                       field("text", &T::text, "why it is refused, for people"));
 }
 
-/// A number with a name.
-struct NamedValue {
-  std::string name;  ///< with its unit
-  double value = 0;
-};
-
-constexpr auto describe(const NamedValue*) {
-  using T = NamedValue;
-  return described<T>({"named_value"}, "A number with a name.",
-                      field("name", &T::name, "with its unit"),
-                      field("value", &T::value, "in that unit; null: not known"));
-}
-
 /// How well a mission goes, measured against the truth.
 struct MetricSample {
   Time time;
@@ -253,6 +242,33 @@ constexpr auto describe(const SnapshotMark*) {
       field("begins", &SnapshotMark::begins, "all that was said before is void"));
 }
 
+/// What an aircraft would do with a task: flown ahead in a world of its own, as whoever
+/// asked for it is told before the task is given.
+struct TaskPreview {
+  std::uint32_t number = 0;  ///< of the client's request
+  std::string problem;       ///< why the task cannot be flown, for people; empty: it can
+  FlightPath path;
+  bool done = false;       ///< the task is done within the time that is looked ahead
+  double duration = 0;     ///< until then, or that is looked ahead [s]
+  double length = 0;       ///< of the path over ground [m]
+  double charge = 0;       ///< that it takes, of 1
+  double charge_left = 0;  ///< after it
+};
+
+constexpr auto describe(const TaskPreview*) {
+  using T = TaskPreview;
+  return described<T>(
+      {"task_preview"}, "What an aircraft would do with a task.",
+      field("number", &T::number, "of the client's request"),
+      field("problem", &T::problem, "why it cannot be flown; empty: it can"),
+      field("", &T::path, "that would be flown"),
+      field("done", &T::done, "the task is done within the time looked ahead"),
+      field("duration", &T::duration, unit::kSecond, "until then, or looked ahead"),
+      field("length", &T::length, unit::kMetre, "of the path over ground"),
+      field("charge", &T::charge, "that it takes, from 0 to 1"),
+      field("charge_left", &T::charge_left, "after it, from 0 to 1"));
+}
+
 /// A record of the run.
 struct LiveRecord {
   Record record;
@@ -266,6 +282,6 @@ constexpr auto describe(const LiveRecord*) {
 /// What a live feed says. New kinds go to the end: the place in this list is part of the
 /// wire form.
 using LiveItem = std::variant<RunClock, FleetFrame, TruthFrame, ClientList, RequestReply,
-                              MetricSample, SnapshotMark, LiveRecord>;
+                              MetricSample, SnapshotMark, LiveRecord, TaskPreview>;
 
 }  // namespace skein

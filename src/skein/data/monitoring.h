@@ -8,6 +8,7 @@
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/fire.h"
+#include "skein/data/named_value.h"
 #include "skein/data/task.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/zone.h"
@@ -39,6 +40,7 @@ struct MonitoringSituation {
 struct Assignment {
   EntityId aircraft;
   TaskKind what;
+  std::vector<NamedValue> why = {};  ///< the terms that have decided; empty: none
 };
 
 }  // namespace skein

@@ -11,6 +11,7 @@
 #include "skein/data/describe.h"
 #include "skein/data/event.h"
 #include "skein/data/fire.h"
+#include "skein/data/flight_path.h"
 #include "skein/data/message.h"
 #include "skein/data/mission.h"
 #include "skein/data/object.h"
@@ -20,6 +21,7 @@
 #include "skein/data/plugin_record.h"
 #include "skein/data/radio.h"
 #include "skein/data/separation_message.h"
+#include "skein/data/task_reason.h"
 #include "skein/data/traffic.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/vehicle_report.h"
@@ -409,15 +411,49 @@ constexpr auto describe(const LinkUseRecord*) {
       field("time", &T::time, "the end"), field("", &T::use, "who heard whom, and how"));
 }
 
+/// How an aircraft expects to fly: recorded when that changes.
+struct FlightPathRecord {
+  Time time;
+  EntityId id;
+  FlightPath path;
+};
+
+constexpr auto describe(const FlightPathRecord*) {
+  using T = FlightPathRecord;
+  return described<T>({"flight_path", "flight_paths"},
+                      "How an aircraft expects to fly: said when that changes.",
+                      field("time", &T::time, "when it was planned"),
+                      field("entity_id", &T::id, "which aircraft"),
+                      field("", &T::path, "where it leads"));
+}
+
+/// Why an aircraft has its task, as who gave it says.
+struct TaskReasonRecord {
+  Time time;
+  EntityId by;
+  TaskReason reason;
+};
+
+constexpr auto describe(const TaskReasonRecord*) {
+  using T = TaskReasonRecord;
+  return described<T>({"task_reason", "task_reasons"},
+                      "Why an aircraft was given its task: the terms that have decided.",
+                      field("time", &T::time, "when"),
+                      field("entity_id", &T::by, "who has given it"),
+                      field("", &T::reason, "to whom, and why"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record = std::variant<
-    EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing, MessageRecord,
-    PerimeterRecord, Event, ZoneRecord, GroundObject, Detection, Footprint, RangeScan,
-    CommandRecord, PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
-    MissionRecord, ForecastRecord, ArrivalRecord, VehicleReportRecord,
-    MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord, AirTraffic,
-    TrafficMotion, TrafficBeliefRecord, TeamLeadRecord, AlertRecord, BandRecord,
-    RecommendationRecord, TeamAllocationRecord, RadioUseRecord, LinkUseRecord>;
+using Record =
+    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
+                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
+                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
+                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
+                 ForecastRecord, ArrivalRecord, VehicleReportRecord,
+                 MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
+                 AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord,
+                 AlertRecord, BandRecord, RecommendationRecord, TeamAllocationRecord,
+                 RadioUseRecord, LinkUseRecord, FlightPathRecord, TaskReasonRecord>;
 
 }  // namespace skein

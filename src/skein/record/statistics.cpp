@@ -73,6 +73,8 @@ struct Taker {
   void operator()(const PluginRecord&) {}
   void operator()(const PlannerRecord&) {}
   void operator()(const BandRecord&) {}
+  void operator()(const FlightPathRecord&) {}
+  void operator()(const TaskReasonRecord&) {}
   void operator()(const TeamLeadRecord& r) { statistics.team().lead(r); }
   void operator()(const TeamAllocationRecord& r) {
     statistics.team().allocation(r.report);

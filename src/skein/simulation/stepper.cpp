@@ -285,8 +285,11 @@ void Stepper::think(Time now, std::size_t i) {
   in.commands = state.commands;
   in.radio = world_.radio->status(id_of(i));
   entity.agent->step(in, state.output);
-  if (state.output.command && entity.vehicle)
-    entity.vehicle->command(*state.output.command);
+  if (entity.vehicle) {
+    const auto& command = state.output.command;
+    state.path = state.ahead.step(command ? &*command : nullptr, nav, now);
+    if (command) entity.vehicle->command(*command);
+  }
   if (state.output.return_route && entity.vehicle)
     entity.vehicle->set_return(*state.output.return_route);
   if (state.output.region_of_interest && entity.vehicle)
@@ -310,6 +313,8 @@ void Stepper::exchange(Time now) {
     send(now, i);
     for (const Event& event : output.events) record_event(event);
     for (const AgentRecord& said : output.records) record_agent(now, i, said);
+    if (auto path = std::exchange(states_[i].path, std::nullopt))
+      recorder_.record(FlightPathRecord{now, id_of(i), *std::move(path)});
     output.outbox.clear();
     output.events.clear();
     output.records.clear();
@@ -534,6 +539,9 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     }
     Record operator()(const PlannerChange& change) {
       return PlannerRecord{now, agent, change};
+    }
+    Record operator()(const TaskReason& reason) {
+      return TaskReasonRecord{now, agent, reason};
     }
   };
   recorder_.record(std::visit(Maker{*this, now, id_of(i)}, said));

@@ -13,6 +13,7 @@
 #include "skein/role/radio.h"
 #include "skein/role/recorder.h"
 #include "skein/role/vehicle.h"
+#include "skein/simulation/flight_ahead.h"
 #include "skein/simulation/object_motions.h"
 #include "skein/simulation/payload_tap.h"
 #include "skein/simulation/refusals.h"
@@ -31,12 +32,14 @@ struct EntityState {
   std::vector<Message> inbox;
   std::vector<Command> commands;
   AgentOutput output;
-  std::uint64_t sent = 0;       ///< messages
-  AutopilotStatus status;       ///< at the end of the last step
-  bool lost = false;            ///< the same
-  AutopilotStatus last_status;  ///< whose changes have been recorded
-  bool was_on_ground = false;   ///< the same
-  Refusals refusals;            ///< the same
+  std::uint64_t sent = 0;          ///< messages
+  AutopilotStatus status;          ///< at the end of the last step
+  bool lost = false;               ///< the same
+  AutopilotStatus last_status;     ///< whose changes have been recorded
+  bool was_on_ground = false;      ///< the same
+  Refusals refusals;               ///< the same
+  FlightAhead ahead;               ///< as its agent has commanded it
+  std::optional<FlightPath> path;  ///< to be recorded
 };
 
 /// One run: the world, what is between the phases of a step, and where it is recorded.

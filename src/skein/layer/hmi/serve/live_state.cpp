@@ -57,6 +57,8 @@ struct KeyFinder {
   Key operator()(const LinkUseRecord& r) const {
     return key(r.use.from.value, r.use.to.value);
   }
+  Key operator()(const FlightPathRecord& r) const { return key(r.id.value); }
+  Key operator()(const TaskReasonRecord& r) const { return key(r.reason.aircraft.value); }
   Key operator()(const Footprint& r) const { return key(r.aircraft.value, r.sensor); }
   // An order: the newest to each aircraft is its task.
   Key operator()(const MessageRecord& r) const { return key(r.message.to.value); }

@@ -338,9 +338,14 @@ void Coordinator::allocate(Time now, AgentOutput& out) {
   if (ready.empty()) return;
   const std::vector<Zone> zones = zones_in_force(now);
   const MonitoringSituation situation{now, &boundary_, ready, options_.origin, zones};
-  for (Assignment& assignment : strategy_->assign(situation))
-    if (Member* member = roster_.find(assignment.aircraft))
-      order(*member, std::move(assignment.what), now, out);
+  for (Assignment& assignment : strategy_->assign(situation)) {
+    Member* member = roster_.find(assignment.aircraft);
+    if (!member) continue;
+    order(*member, std::move(assignment.what), now, out);
+    if (!assignment.why.empty())
+      out.records.emplace_back(
+          TaskReason{assignment.aircraft, std::move(assignment.why)});
+  }
 }
 
 // Orders that its radio has not sent yet are not lost; a few at once leave it room.

@@ -46,8 +46,11 @@ std::vector<Assignment> EllipseStrategy::assign(const MonitoringSituation& situa
       if ((line[*longest].position - *place).norm() < options_.separation) continue;
     }
     orders_.give(aircraft.id, line[*longest].position, situation.now);
-    assignments.push_back({aircraft.id, FlyTo{tip(meet(aircraft, line[*longest]).point,
-                                                  geo::horizontal(aircraft.nav.p_N))}});
+    const Meeting meeting = meet(aircraft, line[*longest]);
+    assignments.push_back({aircraft.id,
+                           FlyTo{tip(meeting.point, geo::horizontal(aircraft.nav.p_N))},
+                           {{"major_axis_m", major_axis(line[*longest]).norm()},
+                            {"time_to_go_s", meeting.t_go}}});
   }
   return assignments;
 }

@@ -12,6 +12,15 @@ double target_value(const Meeting& meeting, std::optional<double> settle_time) {
   return settle_time ? j / (meeting.t_go + *settle_time) : j;
 }
 
+std::vector<NamedValue> reasons(const Meeting& meeting,
+                                std::optional<double> settle_time) {
+  std::vector<NamedValue> all{{"uncertainty_on_arrival_m", meeting.point.sigma},
+                              {"time_to_go_s", meeting.t_go}};
+  if (settle_time)
+    all.push_back({"uncertainty_per_second_m_s", target_value(meeting, settle_time)});
+  return all;
+}
+
 FlyTo order_across(const AircraftStatus& aircraft, const Meeting& meeting,
                    const GusOptions& options) {
   const double reach =
@@ -50,7 +59,10 @@ std::vector<Assignment> GusStrategy::assign(const MonitoringSituation& situation
     const auto target = choose(line, aircraft, situation.zones);
     if (!target) continue;  // every place is taken or forbidden: keeps its last order
     orders_.give(aircraft.id, target->point.position, situation.now);
-    assignments.push_back({aircraft.id, order_across(aircraft, *target, options_)});
+    assignments.push_back(
+        {aircraft.id, order_across(aircraft, *target, options_),
+         reasons(*target,
+                 per_second_ ? std::optional(options_.settle_time) : std::nullopt)});
   }
   return assignments;
 }

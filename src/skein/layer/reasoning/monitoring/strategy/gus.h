@@ -44,6 +44,11 @@ class GusStrategy : public MonitoringStrategy {
 /// [s] J per second of flight.
 double target_value(const Meeting& meeting, std::optional<double> settle_time);
 
+/// Why a target was chosen: its uncertainty on arrival, the time to go, and with a settle
+/// time what it is worth per second.
+std::vector<NamedValue> reasons(const Meeting& meeting,
+                                std::optional<double> settle_time);
+
 /// The order to cross the boundary where the aircraft meets it.
 FlyTo order_across(const AircraftStatus& aircraft, const Meeting& meeting,
                    const GusOptions& options);

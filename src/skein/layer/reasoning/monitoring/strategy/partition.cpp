@@ -40,7 +40,8 @@ std::vector<Assignment> PartitionStrategy::assign(const MonitoringSituation& sit
     }
     if (!best) continue;
     orders_.give(aircraft.id, best->point.position, situation.now);
-    assignments.push_back({aircraft.id, order_across(aircraft, *best, options_)});
+    assignments.push_back({aircraft.id, order_across(aircraft, *best, options_),
+                           reasons(*best, options_.settle_time)});
   }
   return assignments;
 }

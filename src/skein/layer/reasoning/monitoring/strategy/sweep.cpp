@@ -104,12 +104,16 @@ std::vector<Assignment> SweepStrategy::assign(const MonitoringSituation& situati
     count_seen(line, aircraft, now, -1, seen);  // by the others
     const Arc best = best_arc(line, aircraft, situation.zones, seen);
     bool leaves = best.value > 0;  // else no place is worth a flight, or allowed
+    // Both are uncertainty seen, times length, per second of flight.
+    std::vector<NamedValue> why{{"gain_there_m2_s", best.value},
+                                {"time_to_go_s", best.t_go}};
     if (!fresh) {
       Sweep& sweep = found->second;
       sweep.decided = now;
       const double stay =
           gain(line, place_of(line, aircraft, sweep, now), sweep.clockwise, 0, seen);
       leaves = best.value > options_.leave_ratio * stay;
+      why.push_back({"gain_here_m2_s", stay});
     }
     if (!leaves) {
       count_seen(line, aircraft, now, 1, seen);
@@ -121,7 +125,8 @@ std::vector<Assignment> SweepStrategy::assign(const MonitoringSituation& situati
     assignments.push_back(
         {aircraft.id,
          FollowEdge{best.clockwise, meet(aircraft, line[best.start]).point.position,
-                    line.tangent(best.start), options_.edge_angle}});
+                    line.tangent(best.start), options_.edge_angle},
+         std::move(why)});
   }
   return assignments;
 }

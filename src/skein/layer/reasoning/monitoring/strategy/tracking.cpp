@@ -86,9 +86,10 @@ std::vector<Assignment> TrackingStrategy::assign(const MonitoringSituation& situ
           {aircraft.id, line_ahead(line, from, options_.clockwise, options_.look_ahead)});
     } else {
       const Meeting meeting = meet(aircraft, line[starts[k]]);
-      assignments.push_back(
-          {aircraft.id, FollowEdge{options_.clockwise, meeting.point.position,
-                                   line.tangent(starts[k]), options_.edge_angle}});
+      assignments.push_back({aircraft.id,
+                             FollowEdge{options_.clockwise, meeting.point.position,
+                                        line.tangent(starts[k]), options_.edge_angle},
+                             {{"time_to_go_s", meeting.t_go}}});
     }
   }
   return assignments;
