@@ -2,14 +2,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <span>
 #include <thread>
 
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "skein/exchange/boundary_features.h"
 #include "skein/exchange/gis_writing.h"
-#include "skein/geo/clip.h"
 #include "skein/record/run_views.h"
 #include "skein/scenario/utc.h"
 
@@ -20,60 +19,11 @@ using exchange::GisFeature;
 using record::RunViews;
 using record::StoredBelief;
 
-// A place in the area burns with this probability or more: the believed boundary, moved
-// outward by so many standard deviations.
-struct Level {
-  double probability, deviations;
-};
-constexpr Level kBoundary{0.5, 0};
-constexpr Level kBands[] = {
-    {0.975, -1.96}, {0.75, -0.6745}, kBoundary, {0.25, 0.6745}, {0.025, 1.96}};
-constexpr Level kPredictions[] = {{0.95, -1.645}, kBoundary, {0.05, 1.645}};
-
 std::string utc_at(const std::string& start, Time time) {
   const auto begin = scenario::parse_utc(start);
   if (!begin) return {};
   return scenario::utc_text(*begin +
                             static_cast<std::int64_t>(std::floor(time.seconds())));
-}
-
-// The boundary moved outward by `deviations` standard deviations.
-geo::Region moved(const BoundaryEstimate& boundary, double deviations) {
-  geo::Region region;
-  for (const auto& points : boundary.rings) {
-    if (points.size() < 3) continue;
-    region.emplace_back();
-    for (const BoundaryPoint& point : points)
-      region.back().push_back(point.position + deviations * point.sigma * point.normal);
-  }
-  return geo::clean(region, geo::FillRule::kPositive);
-}
-
-double mean_sigma(const BoundaryEstimate& boundary) {
-  double sum = 0;
-  int count = 0;
-  for (const auto& ring : boundary.rings)
-    for (const BoundaryPoint& point : ring) {
-      sum += point.sigma;
-      ++count;
-    }
-  return count > 0 ? sum / count : 0;
-}
-
-GisFeature area_of(const StoredBelief& belief, const std::string& start,
-                   const Level& level) {
-  GisFeature feature;
-  feature.rings = moved(belief.boundary, level.deviations);
-  const Time time = belief.boundary.time;
-  feature.fields = {{"mission", belief.who.mission},
-                    {"time_utc", utc_at(start, time)},
-                    {"time_s", time.seconds()},
-                    {"made_utc", utc_at(start, belief.made.value_or(time))},
-                    {"ahead_min", (time - belief.made.value_or(time)).seconds() / 60},
-                    {"prob", level.probability},
-                    {"area_ha", geo::area(feature.rings) / 1e4},
-                    {"sigma_m", mean_sigma(belief.boundary)}};
-  return feature;
 }
 
 Result<std::vector<GisFeature>> believed_areas(const RunViews& run, Time at,
@@ -84,11 +34,13 @@ Result<std::vector<GisFeature>> believed_areas(const RunViews& run, Time at,
   if (!beliefs) return beliefs.error();
   std::vector<GisFeature> features;
   for (const StoredBelief& belief : beliefs.value()) {
-    const std::span<const Level> levels =
-        prediction        ? std::span<const Level>(kPredictions)
-        : what == "bands" ? std::span<const Level>(kBands)
-                          : std::span(&kBoundary, 1);
-    for (const Level& level : levels) features.push_back(area_of(belief, start, level));
+    const auto levels = prediction        ? exchange::prediction_levels()
+                        : what == "bands" ? exchange::band_levels()
+                                          : exchange::boundary_level();
+    for (const exchange::BoundaryLevel& level : levels)
+      features.push_back(exchange::boundary_feature(
+          {belief.who.mission, belief.boundary, belief.made}, level,
+          [&start](Time time) { return utc_at(start, time); }));
   }
   return features;
 }

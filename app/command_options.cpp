@@ -47,6 +47,12 @@ void add_serve_options(CLI::App& command, std::optional<std::string>& serve,
                   "PEM file of its key; default: the certificate's file.")
       ->needs(certificate);
   command
+      .add_option("--viewer-origin", page.viewer_origins,
+                  "A page of another server that may watch by Foxglove's protocol, by "
+                  "its origin, such as https://app.foxglove.dev; may be repeated.")
+      ->type_name("ORIGIN")
+      ->needs(wanted);
+  command
       .add_option("--imagery", page.imagery,
                   "Address of pictures of the ground, with {z}, {x} and {y}, for the "
                   "page's map.")

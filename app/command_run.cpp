@@ -206,14 +206,15 @@ void set_figures(const modem::ModemStatistics& modem, record::RunRecorder& recor
 // The page that the arguments ask for, where the browser finds it said; null: none.
 Result<std::unique_ptr<assemble::RunPage>> open_page(const RunArguments& arguments,
                                                      const scenario::Scenario& scenario,
+                                                     const assemble::KindRegistry& kinds,
                                                      const assemble::Build& ready) {
   if (!arguments.serve) return std::unique_ptr<assemble::RunPage>();
   assemble::ServeOptions options = arguments.page;
   if (!arguments.serve->empty())
     if (auto read = assemble::read_place(*arguments.serve, options); !read)
       return read.error();
-  auto page =
-      assemble::RunPage::open(options, assemble::facts_of(scenario, ready, kVersion));
+  auto page = assemble::RunPage::open(
+      options, assemble::facts_of(scenario, kinds, ready, kVersion));
   if (page) complain("The page: {}\n", page.value()->place());
   return page;
 }
@@ -346,7 +347,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
     ready.feed.reset();  // what ground stations asked for is among the commands
   }
 
-  const auto page = open_page(arguments, scenario, ready);  // outlives its recorder
+  const auto page =
+      open_page(arguments, scenario, order.kinds, ready);  // outlives its recorder
   if (!page) return say_error(page.error());
   const fs::path folder =
       arguments.out.empty() ? free_folder(scenario.name) : arguments.out;

@@ -97,6 +97,112 @@ async function steersARun() {
   await page.context().close();
 }
 
+// What an aircraft of a run expects to fly: no place of it lies in the zone.
+const keepsOut = ([id, zone]) => {
+  const path = window.skein.world.paths.get(id)?.points ?? [];
+  return path.length > 1 && path.every(({ north_m, east_m }, i) => {
+    const to = path[i + 1] ?? path[i];
+    return Array.from({ length: 20 }, (_, k) => k / 20).every((share) =>
+      Math.hypot(north_m + share * (to.north_m - north_m) - zone.north_m, east_m + share * (to.east_m - east_m) - zone.east_m) > zone.radius_m);
+  });
+};
+
+/** Waits for `good(value, argument)`, where the value is read in the page with an argument. */
+async function untilWith(page, what, read, argument, good = Boolean, patience = 60000) {
+  const begin = Date.now();
+  for (;;) {
+    const value = await page.evaluate(read, argument);
+    if (good(value)) return value;
+    if (Date.now() - begin > patience) throw new Error(`${what}: still ${JSON.stringify(value)}`);
+    await page.waitForTimeout(100);
+  }
+}
+
+async function plansAhead() {
+  const file = join(folder, "plain.yaml");
+  writeFileSync(file, `name: plain
+duration_s: 3600
+environment: {terrain: flat, phenomena: [], wind: {kind: uniform, speed_mps: 4, from_deg: 300}}
+missions: []
+aircraft: [{name: scout, count: 2, start: {placement: line, centre_m: [0, 0], spacing_m: 300, heading_deg: 0}}]
+`);
+  const run = await serve(program, "run", file, "--serve", "0", "--speed", "4", "--overwrite", "--out", join(folder, "plain-run"));
+  const page = await open(run.place);
+  await complete(page);
+  await until(page, "two aircraft", () => window.skein.world.fleet.count, (count) => count === 2);
+
+  // Before a task is given: its form, what it would become, and only then the order.
+  await page.evaluate(() => window.skein.map.select([1]));
+  await page.getByRole("button", { name: "Give a task" }).click();
+  const form = page.locator(".detail .task-form").first();
+  await form.getByLabel("Task").selectOption("fly_to");
+  await form.getByPlaceholder("north").fill("3000");
+  await form.getByPlaceholder("east").fill("0");
+  await form.getByRole("button", { name: "Fly ahead" }).click();
+  const said = await until(page, "what a task would become", () => document.querySelector(".previews li")?.textContent ?? "",
+    (text) => /done after/.test(text));
+  check(/battery/.test(said), `a task says what it takes before it is given: ${said}`);
+  check(await page.evaluate(() => window.skein.world.tasks.get(1) === undefined), "nothing was given");
+  await page.screenshot({ path: join(folder, "fly-ahead.png") });
+  await form.getByRole("button", { name: "Send" }).click();
+  await until(page, "the task", () => window.skein.world.tasks.get(1)?.what.kind, (kind) => kind === "fly_to");
+
+  // A zone across the plan.
+  const zone = { north_m: 1600, east_m: 60, radius_m: 250 };
+  await untilWith(page, "a path through where the zone will be", keepsOut, [1, zone], (out) => !out);
+  await page.evaluate(({ north_m, east_m, radius_m }) => window.skein.command({ kind: "zone", in_force: true, name: "wood",
+    area: { kind: "disc", centre_north_m: north_m, centre_east_m: east_m, radius_m } }, "zone"), zone);
+  await untilWith(page, "a path around the zone", keepsOut, [1, zone]);
+  await page.screenshot({ path: join(folder, "re-plan.png") });
+  check(true, "a zone that is drawn across a plan leads the plan around it");
+
+  await page.getByRole("button", { name: "Height, speed" }).click();
+  await page.getByLabel("Above ground").fill("200");
+  await page.locator(".task-form:visible").getByRole("button", { name: "Send" }).click();
+  await until(page, "another height", () => window.skein.world.fleet.get(window.skein.world.fleet.row(1), "altitude_msl_m"),
+    (height) => height > 185);
+  check(true, "an aircraft flies higher when it is told to");
+  await page.context().close();
+  await run.stop();
+}
+
+async function approvesAndTakesOver() {
+  const file = join(folder, "team.yaml");
+  writeFileSync(file, `name: team
+duration_s: 3600
+environment: {terrain: flat, phenomena: [], wind: {kind: uniform, speed_mps: 4, from_deg: 300}}
+radio: {kind: ideal, loss: 0.2, delay_s: 0.2, jitter_s: 0.2}
+stations: [{position_m: [-600, 0], team: {structure: master, approval: true}}]
+aircraft: [{name: scout, count: 5, altitude_agl_m: 100, sensors: [gnss, air-data], start: {placement: line, centre_m: [-300, 0], spacing_m: 150}}]
+missions:
+  - kind: team
+    name: valley
+    tasks: [{task: "measure -300,-400 stay 2000"}, {task: "measure 300,0 stay 2000"}, {task: "measure 200,500 stay 2000"}]
+`);
+  const run = await serve(program, "run", file, "--serve", "0", "--speed", "8", "--overwrite", "--out", join(folder, "team-run"));
+  const page = await open(run.place);
+  await complete(page);
+  await page.click("#tab-mission");
+  await page.getByRole("button", { name: "Approve" }).first().click({ timeout: 60000 });
+  const flown = () => {
+    const all = [...window.skein.world.allocations.values()].filter(({ state }) => state === "approved" || state === "taken-over");
+    return all.at(-1);
+  };
+  const approved = await until(page, "an approved allocation", flown, (each) => each?.state === "approved", 60000);
+  check(approved.shares.length === 3, "a proposal is approved by its button");
+  await page.screenshot({ path: join(folder, "approved.png") });
+
+  // One of those that fly a task fails: another takes it over without asking.
+  const lost = approved.shares.find(({ aircraft_id }) => aircraft_id !== approved.proposer_id);
+  await page.evaluate((id) => window.skein.command({ kind: "fault", aircraft: window.skein.world.name(id), part: "link", fails: true }, "fault"),
+    lost.aircraft_id);
+  const after = await until(page, "a takeover", flown, (each) => each?.state === "taken-over", 90000);
+  check(after.shares.some(({ aircraft_id, task }) => task === lost.task && aircraft_id !== lost.aircraft_id),
+    "another aircraft goes on with the task of one that fails");
+  await page.context().close();
+  await run.stop();
+}
+
 async function asksForATokens() {
   const tokens = join(folder, "tokens");
   writeFileSync(tokens, "viewer-viewer-viewer viewer Vera\noperator-operator-1 operator Anna\n");
@@ -133,6 +239,8 @@ async function showsARecordedRun() {
 
 try {
   await steersARun();
+  await plansAhead();
+  await approvesAndTakesOver();
   await asksForATokens();
   await showsARecordedRun();
   check(faults.length === 0, `no errors in the pages ${faults}`);

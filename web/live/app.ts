@@ -3,8 +3,10 @@ import { Connection, type Sent } from "./connection";
 import { Frame } from "./frames";
 import { Drawing } from "./map/drawing";
 import { MapView } from "./map/map_view";
+import { drawPreview } from "./map/paths";
 import { MapTools } from "./map/tools";
 import { Terrain } from "./map/terrain";
+import { Previews } from "./previews";
 import type { RunDescription, What } from "./protocol";
 import { loadSettings, saveSettings, type Settings } from "./settings";
 import { T } from "./texts";
@@ -22,6 +24,7 @@ export class App {
   readonly map: MapView;
   readonly tools: MapTools;
   readonly drawing: Drawing;
+  readonly previews: Previews;
   showPanel: (name: string) => void = () => undefined;
   /** Called a few times a second for parts that show numbers. */
   private readonly tickers: ((wall: number) => void)[] = [];
@@ -41,6 +44,10 @@ export class App {
     this.map = new MapView(run, this.world, terrain, this.settings);
     this.tools = new MapTools(this, this.map);
     this.drawing = new Drawing(this);
+    this.previews = new Previews(this);
+    this.map.extras.push((c, view) => {
+      for (const { path } of this.previews.shown.values()) drawPreview(c, view, path);
+    });
     this.tools.chosenDrawing = () => {
       const drawn = this.drawing.drawn()?.geometry;
       return drawn?.kind === "line" ? drawn.points : drawn?.kind === "area" ? drawn.rings[0] : null;

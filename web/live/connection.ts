@@ -10,6 +10,7 @@ export interface Sent {
   state: "pending" | "given" | "accepted" | "refused" | "lost";
   reason: string;
   since: number; // wall clock [s]
+  settled?: (sent: Sent) => void; // told whenever its state changes
 }
 
 const kFirstWait = 0.5, kLongestWait = 10; // [s]
@@ -84,12 +85,13 @@ export class Connection {
   private settle(each: Sent, state: Sent["state"], reason: string): void {
     each.state = state;
     each.reason = reason;
+    each.settled?.(each);
     this.onSent(each);
   }
 
   /** Sends a message (without its number); `text` says to people what it asks for. */
-  send(message: Record<string, unknown>, text: string): Sent {
-    const each: Sent = { number: ++this.lastNumber, text, state: "pending", reason: "", since: performance.now() / 1000 };
+  send(message: Record<string, unknown>, text: string, settled?: (sent: Sent) => void): Sent {
+    const each: Sent = { number: ++this.lastNumber, text, state: "pending", reason: "", since: performance.now() / 1000, settled };
     this.sent.unshift(each);
     if (this.sent.length > 100) this.sent.pop();
     if (this.socket?.readyState === WebSocket.OPEN) {

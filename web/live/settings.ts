@@ -14,6 +14,7 @@ export interface Layers {
   readings: boolean;
   tails: boolean;
   tasks: boolean;
+  paths: boolean;
   safety: boolean;
   footprints: boolean;
   objects: boolean;
@@ -39,7 +40,7 @@ const kDefaults: Settings = {
   theme: "auto", units: "metric", sound: true, tail: 120, imagery: true, position: "latlon",
   layers: {
     terrain: true, truth: true, belief: true, band: true, sigmas: true, forecasts: true, forecastBands: false, horizon: 0,
-    crossings: true, readings: true, tails: true, tasks: true, safety: true, footprints: true, objects: true, traffic: true,
+    crossings: true, readings: true, tails: true, tasks: true, paths: true, safety: true, footprints: true, objects: true, traffic: true,
     missions: true, zones: true, names: true,
   },
 };

@@ -4,12 +4,13 @@ import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Foo
   ZoneRecord, Detection } from "../report/records";
 import { Fleet, PlayTime } from "./fleet";
 import type { Frame } from "./frames";
-import type { Clients, CommandReply, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder } from "./protocol";
+import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder, TaskPreview, TaskReason } from "./protocol";
 import type { Decoder, Table } from "./wire";
 
 /** What may change; panels compare the counts with those that they have shown. */
 export type Topic = "clock" | "entities" | "fire" | "forecast" | "arrival" | "zones" | "missions" | "events" | "metrics" | "links" |
-  "clients" | "tasks" | "objects" | "traffic" | "alerts" | "allocations" | "planners" | "snapshot" | "tracks";
+  "clients" | "tasks" | "objects" | "traffic" | "alerts" | "allocations" | "planners" | "snapshot" | "tracks" |
+  "paths";
 
 const kEventsKept = 5000, kReadingsKept = 1500, kCrossingsKept = 600, kMetricsKept = 8000;
 
@@ -63,6 +64,8 @@ export class World {
   readonly missions = new Map<string, MissionState>();
   readonly metrics = new Map<string, Map<string, Series>>(); // by mission and name
   readonly tasks = new Map<number, TaskOrder>();
+  readonly paths = new Map<number, FlightPath>(); // how aircraft expect to fly
+  readonly reasons = new Map<number, TaskReason>(); // why they have their tasks
   readonly planners = new Map<number, Planner>();
   readonly footprints = new Map<number, Footprint>();
   readonly allocations = new Map<string, TeamAllocation>();
@@ -75,12 +78,13 @@ export class World {
   readonly conflicts: Conflict[] = [];
   readonly version: Record<Topic, number> = {} as Record<Topic, number>;
   onReply: (reply: CommandReply) => void = () => undefined;
+  onPreview: (preview: TaskPreview) => void = () => undefined;
   private readonly ids = new Map<string, number>();
   private eventNumber = 0;
 
   constructor(readonly frame: Frame, decoder: Decoder, table: Table) {
     for (const topic of ["clock", "entities", "fire", "forecast", "arrival", "zones", "missions", "events", "metrics", "links",
-      "clients", "tasks", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks"] as Topic[])
+      "clients", "tasks", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks", "paths"] as Topic[])
       this.version[topic] = 0;
     this.fleet = new Fleet(decoder, "fleet_frame", "FleetFrame", table, frame);
     this.truth = new Fleet(decoder, "truth_frame", "TruthFrame", table, frame, false);
@@ -101,7 +105,7 @@ export class World {
     this.fleet.clear();
     this.truth.clear();
     for (const map of [this.entities, this.perimeters, this.forecasts, this.arrivals, this.zones, this.objects, this.objectMotions,
-      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.planners, this.footprints,
+      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.reasons, this.planners, this.footprints,
       this.allocations, this.leads, this.alerts, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
       (map as Map<unknown, unknown>).clear();
     for (const list of [this.events, this.crossings, this.readings, this.detections, this.conflicts]) list.length = 0;
@@ -130,6 +134,7 @@ export class World {
     },
     clients: (clients: Clients) => { this.clients = clients; this.touch("clients"); },
     command_reply: (reply: CommandReply) => this.onReply(reply),
+    task_preview: (preview: TaskPreview) => this.onPreview(preview),
     metric_sample: (sample: MetricSample) => this.addMetric(sample),
     message: (message: OrderMessage) => {
       const { task_number, what } = message.content;
@@ -177,6 +182,8 @@ export class World {
     traffic: (traffic: AirTraffic) => { this.traffic.set(traffic.traffic_id, traffic); this.touch("traffic"); },
     traffic_motion: (motion: TrafficMotion) => { this.trafficMotions.set(motion.traffic_id, motion); this.touch("traffic"); },
     traffic_track: (track: TrafficTrack) => { this.trafficTracks.set(`${track.believer_id} ${track.track}`, track); this.touch("traffic"); },
+    flight_path: (path: FlightPath) => { this.paths.set(path.entity_id, path); this.touch("paths"); },
+    task_reason: (reason: TaskReason) => { this.reasons.set(reason.aircraft_id, reason); this.touch("tasks"); },
     planner: (planner: Planner) => { this.planners.set(planner.entity_id, planner); this.touch("planners"); },
     footprint: (footprint: Footprint) => { this.footprints.set(footprint.entity_id, footprint); this.touch("tracks"); },
   };

@@ -339,8 +339,9 @@ Result<std::unique_ptr<Agent>> make_agent(const AgentChoice& choice,
   TaskOptions tasks = choice.tasks;
   tasks.has_camera = c.has_camera;
   return std::unique_ptr<Agent>(std::make_unique<reasoning::OnboardAgent>(
-      options, c.station, context, c.zones, [context, tasks](const TaskKind& task) {
-        return make_task(task, context, tasks);
+      options, c.station, context, c.zones,
+      [tasks](const TaskKind& task, const reasoning::FlightContext& flown) {
+        return make_task(task, flown, tasks);
       }));
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -201,11 +202,29 @@ constexpr auto describe(const AllocationCommand*) {
                       field("station", &T::station, "whose team; empty: of all"));
 }
 
+/// How high and how fast an aircraft flies whatever it is given, from now on.
+struct FlightChangeCommand {
+  std::string aircraft;
+  std::optional<double> altitude_agl = std::nullopt;  ///< [m]; none: as before
+  std::optional<double> airspeed = std::nullopt;      ///< [m/s]; none: as before
+};
+
+constexpr auto describe(const FlightChangeCommand*) {
+  using T = FlightChangeCommand;
+  return described<T>({"change_flight"},
+                      "How high and how fast an aircraft flies from now on.",
+                      field("aircraft", &T::aircraft, "who"),
+                      field("altitude_agl", &T::altitude_agl, unit::kMetre,
+                            "above the ground; null: as before"),
+                      field("airspeed", &T::airspeed, unit::kMetrePerSecond,
+                            "at cruise; null: as before"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
-using Command =
-    std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
-                 SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand,
-                 TaskChangeCommand, VehicleCommand, AllocationCommand>;
+using Command = std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand,
+                             StepCommand, SpeedCommand, FaultCommand, WindCommand,
+                             AddCommand, RemoveCommand, TaskChangeCommand, VehicleCommand,
+                             AllocationCommand, FlightChangeCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

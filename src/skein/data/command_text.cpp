@@ -17,7 +17,9 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr double kMaxSpeedFactor = 1e9;
-constexpr double kMaxWind = 100;  // [m/s]
+constexpr double kMaxWind = 100;       // [m/s]
+constexpr double kMaxHeight = 20000;   // [m]
+constexpr double kMaxAirspeed = 1000;  // [m/s]
 constexpr double kMaxCount = 1e6;
 
 Error wrong(std::string message, std::string usage) {
@@ -25,8 +27,8 @@ Error wrong(std::string message, std::string usage) {
 }
 
 constexpr const char* kUsage =
-    "Commands: zone, task, mission, allocation, pause, resume, step, speed, fault, "
-    "repair, wind, add, remove.";
+    "Commands: zone, task, flight, mission, allocation, pause, resume, step, speed, "
+    "fault, repair, wind, add, remove.";
 std::string task_hint() {
   std::string hint = "Say: task AIRCRAFT pause, resume, cancel, give AIRCRAFT";
   for (const auto& [usage, help] : task_usage()) hint += "; " + usage;
@@ -66,6 +68,36 @@ Result<Command> task(Words given) {
   TaskText& said = text.value();
   return Command(TaskCommand{std::string(given[0]), std::move(said.what),
                              std::move(said.others), std::move(said.file)});
+}
+
+std::string flight_error(const FlightChangeCommand& command) {
+  const auto within = [](std::optional<double> value, double max) {
+    return !value || (*value > 0 && *value <= max);
+  };
+  if (!command.altitude_agl && !command.airspeed) return "how high, or how fast?";
+  if (!within(command.altitude_agl, kMaxHeight))
+    return fmt::format("a height is above 0 and at most {} m.", kMaxHeight);
+  if (!within(command.airspeed, kMaxAirspeed))
+    return fmt::format("an airspeed is above 0 and at most {} m/s.", kMaxAirspeed);
+  return "";
+}
+
+Result<Command> flight(Words given) {
+  const std::string usage = "Say: flight AIRCRAFT height 150, or speed 18, or both";
+  if (given.size() != 3 && given.size() != 5)
+    return wrong("how high, or how fast, shall which aircraft fly?", usage);
+  FlightChangeCommand command{std::string(given[0])};
+  for (std::size_t k = 1; k < given.size(); k += 2) {
+    const bool is_height = given[k] == "height";
+    std::optional<double>& value = is_height ? command.altitude_agl : command.airspeed;
+    if ((!is_height && given[k] != "speed") || value)
+      return wrong("a height and a speed can be given.", usage);
+    value = finite_number(given[k + 1]);
+    if (!value) return wrong(fmt::format("\"{}\" is no number.", given[k + 1]), usage);
+  }
+  if (std::string error = flight_error(command); !error.empty())
+    return wrong(std::move(error), usage);
+  return Command(std::move(command));
 }
 
 Result<Command> speed(Words given) {
@@ -159,6 +191,7 @@ struct ValueCheck {
   std::string operator()(const ZoneChange& c) {
     return c.number == 0 ? "" : "the ground station numbers changes, not the operator.";
   }
+  std::string operator()(const FlightChangeCommand& c) { return flight_error(c); }
   std::string operator()(const auto&) { return ""; }
 };
 
@@ -186,6 +219,7 @@ Result<Command> parse_command(std::string_view line) {
     return Command(std::move(change).value());
   }
   if (verb == "task") return task(given);
+  if (verb == "flight") return flight(given);
   if (verb == "mission") return mission(given);
   if (verb == "allocation") return allocation(given);
   if (verb == "speed") return speed(given);

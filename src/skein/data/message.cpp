@@ -26,6 +26,7 @@ Urgency urgency_of(const MessageContent& content) {
     Urgency operator()(const Heartbeat&) { return Urgency::kCommand; }
     Urgency operator()(const Task&) { return Urgency::kCommand; }
     Urgency operator()(const TaskChange&) { return Urgency::kCommand; }
+    Urgency operator()(const FlightChange&) { return Urgency::kCommand; }
     Urgency operator()(const TaskReport&) { return Urgency::kCommand; }
     Urgency operator()(const ZoneChange&) { return Urgency::kCommand; }
     Urgency operator()(const TeamMessage&) { return Urgency::kCommand; }

@@ -105,7 +105,7 @@ using MessageContent =
                  PluginPayload, TaskChange, TaskReport, ObjectSighting, PlanReport,
                  PlaceReport, ConflictNotice, Offers, Acceptance, Busy, GroupInvitation,
                  GroupJoining, GroupPlan, GroupAcceptance, TeamMessage, LandingReport,
-                 FireReport, YieldRequest, YieldAnswer>;
+                 FireReport, YieldRequest, YieldAnswer, FlightChange>;
 
 /// As `to` of a message: all entities but the sender.
 inline constexpr EntityId kEveryone{0xFFFFFFFFu};

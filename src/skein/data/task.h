@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,6 +60,24 @@ constexpr auto describe(const TaskChange*) {
   return described<T>({"task_change"}, "An order about the task that an aircraft has.",
                       field("task_number", &T::number, "the newest counts"),
                       field("action", &T::action, "pause, resume or cancel"));
+}
+
+/// How high and how fast an aircraft is to fly its tasks from now on. Its numbers are a
+/// row of their own. An aircraft says it back, with all that it flies by then.
+struct FlightChange {
+  std::uint32_t number = 0;
+  std::optional<double> altitude_agl = std::nullopt;  ///< [m]; none: as before
+  std::optional<double> airspeed = std::nullopt;      ///< [m/s]; none: as before
+};
+
+constexpr auto describe(const FlightChange*) {
+  using T = FlightChange;
+  return described<T>({"flight_change"}, "How high and how fast an aircraft flies.",
+                      field("number", &T::number, "the newest counts"),
+                      field("altitude_agl", &T::altitude_agl, unit::kMetre,
+                            "above the ground; null: as before"),
+                      field("airspeed", &T::airspeed, unit::kMetrePerSecond,
+                            "at cruise; null: as before"));
 }
 
 /// How far an aircraft is with its task.

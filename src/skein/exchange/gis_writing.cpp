@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <system_error>
 
@@ -169,7 +172,49 @@ Result<void> move_all(const fs::path& from, const fs::path& to) {
   return {};
 }
 
+constexpr GisFormat kPackedShapefile{".shp.zip", "ESRI Shapefile"};
+
+// A folder that nobody else has, gone with this.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::string name = (fs::temp_directory_path() / "skein-gis-XXXXXX").string();
+    if (::mkdtemp(name.data())) path_ = name;
+  }
+  ~PrivateFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 }  // namespace
+
+Result<std::string> gis_bytes(const std::vector<GisFeature>& features,
+                              const std::string& layer, const geo::LocalFrame& frame,
+                              const std::string& ending) {
+  const GisFormat* format =
+      ending == kPackedShapefile.ending ? &kPackedShapefile : nullptr;
+  for (const GisFormat& each : kGisFormats)
+    if (ending == each.ending && ending != ".shp") format = &each;
+  if (!format)
+    return Error{ErrorCode::kBadInput, ending, "is no ending that is known.",
+                 "Allowed: .geojson, .kml, .gpkg, .shp.zip."};
+  const PrivateFolder folder;
+  const fs::path file = folder.path() / (layer + ending);
+  if (auto done = GisWriter(frame, *format).write(features, layer, file); !done)
+    return done.error();
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  if (bytes.empty())
+    return Error{ErrorCode::kUnavailable, file.string(), "cannot be read again.", ""};
+  return bytes;
+}
 
 Result<void> write_gis(const std::vector<GisFeature>& features, const std::string& layer,
                        const geo::LocalFrame& frame, const fs::path& file) {

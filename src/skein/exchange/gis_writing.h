@@ -34,4 +34,12 @@ struct GisFeature {
 Result<void> write_gis(const std::vector<GisFeature>& features, const std::string& layer,
                        const geo::LocalFrame& frame, const std::filesystem::path& file);
 
+/// The same, not written but as the bytes of the file.
+/// @param ending  .geojson, .kml, .gpkg, or .shp.zip: a shapefile packed with its
+///                companions.
+/// Fails: as write_gis().
+Result<std::string> gis_bytes(const std::vector<GisFeature>& features,
+                              const std::string& layer, const geo::LocalFrame& frame,
+                              const std::string& ending);
+
 }  // namespace skein::exchange

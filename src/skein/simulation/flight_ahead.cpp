@@ -9,7 +9,7 @@
 namespace skein::simulation {
 namespace {
 
-constexpr double kLeast = 2;        // between two paths [s]
+constexpr double kMinBetween = 2;   // between two paths [s]
 constexpr double kAgain = 10;       // of what is commanded at each step [s]
 constexpr double kTurned = 0.26;    // of a course: another flight [rad]
 constexpr double kStraightOn = 30;  // of a course [s]
@@ -200,7 +200,7 @@ std::optional<FlightPath> FlightAhead::step(const AutopilotCommand* command,
     return std::nullopt;
   const Mark mark = mark_of(*command);
   if (!is_another(*command, mark, now)) return std::nullopt;
-  if (said_ && (now - said_at_).seconds() < kLeast) {
+  if (said_ && (now - said_at_).seconds() < kMinBetween) {
     // Who steers says it again.
     if (!waiting_ && !steers(*command)) waiting_ = *command;
     return std::nullopt;

@@ -59,6 +59,9 @@ void Stepper::obey(Time now, const Command& command) {
         pass_on_to_stations();
       });
     }
+    void operator()(const FlightChangeCommand& c) const {
+      with_aircraft(c.aircraft, [&](std::size_t) { pass_on_to_stations(); });
+    }
     void operator()(const MissionCommand&) const { pass_on_to_stations(); }
     void operator()(const AllocationCommand& c) const {
       if (!c.station.empty() && !run.is_station(c.station))

@@ -1,4 +1,4 @@
-/** GeoJSON (RFC 7946) and KML (2.2), written and read; .plan of QGroundControl, read. */
+/** GeoJSON (RFC 7946), KML (2.2) and .plan of QGroundControl, written and read. */
 import type { Frame } from "../frames";
 import type { Feature, Ring } from "./features";
 
@@ -159,6 +159,31 @@ function fromPlan(plan: PlanFile, frame: Frame): Loaded {
   return loaded;
 }
 
+const toLatLng = (frame: Frame, place: [number, number]): LatLng => {
+  const [lng, lat] = toPosition(frame, place);
+  return [lat, lng];
+};
+
+const kRelativeAltitude = 1, kGlobalRelativeAlt = 3; // heights count from home: of the plan, of MAV_FRAME
+
+/** A mission of QGroundControl: lines and points are flown in their order, at one height over home; areas become fences to stay in. */
+export function toPlan(features: Feature[], frame: Frame, height_m: number): string {
+  const route = features.flatMap(({ geometry }) => (geometry.kind === "point" ? [geometry.at] : geometry.kind === "line" ? geometry.points : []));
+  const areas = features.flatMap(({ geometry }) => (geometry.kind === "area" ? [geometry.rings[0]] : []));
+  const home = toLatLng(frame, route[0] ?? areas[0]?.[0] ?? [0, 0]);
+  return JSON.stringify({
+    fileType: "Plan", groundStation: "Skein", version: 1,
+    mission: {
+      version: 2, firmwareType: 0, vehicleType: 0, cruiseSpeed: 15, hoverSpeed: 5, globalPlanAltitudeMode: kRelativeAltitude,
+      plannedHomePosition: [...home, 0],
+      items: route.map((place, i) => ({ type: "SimpleItem", command: kWaypoint, frame: kGlobalRelativeAlt, autoContinue: true, doJumpId: i + 1,
+        Altitude: height_m, AltitudeMode: kRelativeAltitude, AMSLAltAboveTerrain: null, params: [0, 0, 0, null, ...toLatLng(frame, place), height_m] })),
+    },
+    geoFence: { version: 2, circles: [], polygons: areas.map((ring) => ({ version: 1, inclusion: true, polygon: ring.map((place) => toLatLng(frame, place)) })) },
+    rallyPoints: { version: 2, points: [] },
+  }, null, 1);
+}
+
 function fromJson(text: string, frame: Frame): Loaded {
   return (JSON.parse(text) as { fileType?: string }).fileType === "Plan" ? fromPlan(JSON.parse(text) as PlanFile, frame) : fromGeoJson(text, frame);
 }
@@ -181,4 +206,6 @@ function save(text: string, type: string, name: string): void {
 }
 
 export const saveGeoJson = (features: Feature[], frame: Frame, name: string) => save(toGeoJson(features, frame), "application/geo+json", `${name}.geojson`);
+export const savePlan = (features: Feature[], frame: Frame, height_m: number, name: string) =>
+  save(toPlan(features, frame, height_m), "application/json", `${name}.plan`);
 export const saveKml = (features: Feature[], frame: Frame, name: string) => save(toKml(features, frame), "application/vnd.google-earth.kml+xml", `${name}.kml`);

@@ -7,6 +7,7 @@ import { alertColour, type Theme } from "../../report/theme";
 import type { Layers } from "../settings";
 import { T } from "../texts";
 import type { World } from "../world";
+import { drawPaths } from "./paths";
 import type { Projector } from "./projector";
 import { trace, traceBand, type Points, type Shaper } from "./shapes";
 
@@ -469,5 +470,6 @@ export function drawField(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxe
   if (v.layers.zones && v.layers.names) drawZoneNames(c, v, boxes);
   if (v.layers.objects) drawObjects(c, v, boxes);
   if (v.layers.tasks) drawTasks(c, v);
+  if (v.layers.paths) drawPaths(c, v);
   if (v.layers.traffic) drawTraffic(c, v, boxes);
 }

@@ -7,7 +7,7 @@ import type { Settings } from "../settings";
 import { T } from "../texts";
 import type { World } from "../world";
 import { AirLayer } from "./air_layer";
-import { Boxes, drawField } from "./field";
+import { Boxes, drawField, type FieldView } from "./field";
 import { Labels, type LabelText } from "./labels";
 import { Projector } from "./projector";
 import { Shaper } from "./shapes";
@@ -27,7 +27,7 @@ export interface Here {
 export type ClickTaker = (here: Here, double: boolean) => boolean;
 
 /** Something that draws on the canvas of what changes slowly. */
-export type Extra = (c: CanvasRenderingContext2D, view: MapView) => void;
+export type Extra = (c: CanvasRenderingContext2D, view: FieldView) => void;
 
 const kLabelsEvery = 0.33, kFieldEvery = 0.5; // [s]
 const kMany = 100; // from so many aircraft on what is slow may be slower
@@ -328,11 +328,12 @@ export class MapView {
     const airChanged = moved || this.dirty || Math.abs(time - this.timeShown) > 0.004 || world.fleet.version !== this.fleetShown;
     const v = world.version;
     const due = wall - this.fieldAt > (world.fleet.count > kMany ? 2 * kFieldEvery : kFieldEvery);
-    const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.tasks} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
+    const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.tasks} ${v.paths} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
     if (!airChanged && !(due && key !== this.fieldKey)) return;
     if (moved || this.dirty || (due && key !== this.fieldKey)) {
-      drawField(this.field, { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected, grid: this.grid() }, this.boxes);
-      for (const extra of this.extras) extra(this.field, this);
+      const shown = { world, camera, shaper: this.shaper, theme: theme(), layers: this.settings.layers, time, selected: this.selected, grid: this.grid() };
+      drawField(this.field, shown, this.boxes);
+      for (const extra of this.extras) extra(this.field, shown);
       this.fieldKey = key;
       this.fieldAt = wall;
     }

@@ -4,7 +4,12 @@ import type { App } from "../app";
 import { latLonText } from "../frames";
 import { T } from "../texts";
 import { button, Facts, icon, iconButton, option, setText } from "../ui";
+import { FlightChangeForm } from "./flight_change";
 import { TaskFormView } from "./task_form";
+
+/** A term of a decision, for people: "travel_time_s" is "travel time s". */
+const reasonName = (name: string) => name.replace(/_/g, " ");
+const shortNumber = (value: number) => (Number.isInteger(value) ? String(value) : value.toPrecision(3));
 
 export class AircraftDetail {
   readonly element = h("section", { class: "detail", "aria-labelledby": "detail-name" });
@@ -14,24 +19,27 @@ export class AircraftDetail {
   private readonly actions = h("div", { class: "actions" });
   private readonly heir = h("select", { "aria-label": T.task.giveTo, onchange: () => this.give() });
   private readonly form: TaskFormView;
+  private readonly flight: FlightChangeForm;
   private readonly hint = h("p", { class: "hint" }, T.fleet.selectHint);
   private readonly content: HTMLElement;
 
   constructor(private readonly app: App) {
     this.form = new TaskFormView(app);
+    this.flight = new FlightChangeForm(app);
     this.actions.append(
       h("button", { type: "button", class: "primary", onclick: () => this.form.toggle() }, T.task.give),
       button(T.task.hold, () => this.each((name) => app.giveTask(name, { kind: "hold" }))),
       button(T.task.return, () => this.each((name) => app.giveTask(name, { kind: "return" }))),
       button(T.task.land, () => this.each((name) => app.giveTask(name, { kind: "land", at_home: true } as never))),
       button(T.task.pauseTask, () => this.change("pause")), button(T.task.resumeTask, () => this.change("resume")),
-      button(T.task.cancelTask, () => this.change("cancel")), this.heir);
+      button(T.task.cancelTask, () => this.change("cancel")),
+      button(T.task.heightSpeed, () => this.flight.toggle()), this.heir);
     this.content = h("div", { class: "detail-content" },
       h("header", {}, this.title,
         iconButton("follow", T.aircraft.follow, () => { app.map.follow = !app.map.follow; }, { "data-follow": "" }),
         iconButton("target", T.aircraft.center, () => { for (const id of app.map.selected) { app.map.centreOn(id); break; } }),
         iconButton("close", T.aircraft.close, () => app.map.select([]))),
-      this.does, this.actions, this.form.element, this.facts.element);
+      this.does, this.actions, this.form.element, this.flight.element, this.facts.element);
     this.element.append(this.hint, this.content);
   }
 
@@ -87,6 +95,8 @@ export class AircraftDetail {
     f.set(T.aircraft.failsafe, warned ? T.task.failsafes[fleet.word(row, "failsafe")] ?? fleet.word(row, "failsafe") : T.aircraft.allOk, warned ? "warned" : "");
     const planner = world.planners.get(id);
     if (planner) f.set("Planner", T.aircraft.planner(planner.link, planner.verdict, planner.reason));
+    const reason = world.reasons.get(id);
+    if (reason) f.set(T.aircraft.why, reason.terms.map(({ name, value }) => `${reasonName(name)} ${value === null ? T.none : shortNumber(value)}`).join(", "));
     const lead = world.leads.get(id);
     if (lead?.master_id != null) f.set(T.aircraft.leads, T.aircraft.master(world.name(lead.master_id)));
     f.set(T.aircraft.position, latLonText(world.frame.toLatLon(get("north_m"), get("east_m"), get("altitude_msl_m"))));

@@ -45,7 +45,10 @@ export class FirePanel implements Panel {
       h("section", {}, h("h3", {}, T.fire.arrivals), this.arrivals, h("p", { class: "hint" }, T.fire.arrivalHint)),
       h("section", {}, h("h3", {}, T.fire.export), h("div", { class: "actions" },
         button(T.fire.exportGeojson, () => saveGeoJson(all(), app.frame, `${app.run.name}-fire`)),
-        button(T.fire.exportKml, () => saveKml(all(), app.frame, `${app.run.name}-fire`)))));
+        button(T.fire.exportKml, () => saveKml(all(), app.frame, `${app.run.name}-fire`)),
+        // The server makes these.
+        h("a", { class: "button", href: "api/fire.gpkg", download: "" }, T.fire.exportGpkg),
+        h("a", { class: "button", href: "api/fire.shp.zip", download: "" }, T.fire.exportShp))));
   }
 
   update(): void {

@@ -2,13 +2,15 @@
 import { clock, h } from "../../report/dom";
 import type { ZoneRecord } from "../../report/records";
 import type { App } from "../app";
-import { readFeatures, saveGeoJson, saveKml } from "../geo/files";
+import { readFeatures, saveGeoJson, saveKml, savePlan } from "../geo/files";
 import type { DrawMode } from "../map/drawing";
 import { T } from "../texts";
 import { button, iconButton, labelledField, setText } from "../ui";
 import type { Panel } from "./panel";
 
 const kModes: DrawMode[] = ["select", "point", "linestring", "polygon", "circle"];
+
+const kPlanHeight = 120; // of drawings that become waypoints, over home [m]
 
 export class MissionPanel implements Panel {
   readonly element = h("div", { class: "panel" });
@@ -51,7 +53,8 @@ export class MissionPanel implements Panel {
         this.drawings,
         h("div", { class: "actions" }, button(T.mission.newZone, () => this.openZone()), button(T.mission.load, () => file.click()), file,
           button(T.mission.saveGeojson, () => saveGeoJson(drawing.all(), app.frame, `${app.run.name}-drawings`)),
-          button(T.mission.saveKml, () => saveKml(drawing.all(), app.frame, `${app.run.name}-drawings`))),
+          button(T.mission.saveKml, () => saveKml(drawing.all(), app.frame, `${app.run.name}-drawings`)),
+          button(T.mission.savePlan, () => savePlan(drawing.all(), app.frame, kPlanHeight, `${app.run.name}-drawings`))),
         this.zoneForm, this.said, h("p", { class: "hint" }, T.mission.drawHint)),
       h("section", {}, h("h3", {}, T.mission.zones), this.zones));
   }

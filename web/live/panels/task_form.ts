@@ -24,16 +24,19 @@ export class TaskFormView {
   private readonly fields = h("div", { class: "fields" });
   private readonly help = h("p", { class: "hint" });
   private readonly estimate = h("p", { class: "hint", role: "status" });
+  private readonly previews = h("ul", { class: "previews", role: "status" });
   private readonly problem = h("p", { class: "problem", role: "alert" });
   private inputs: Input[] = [];
 
   constructor(private readonly app: App) {
     this.kind = h("select", { onchange: () => this.build() },
       ...app.run.task_kinds.map(({ kind }) => option(kind, T.task.names[kind] ?? kind)));
-    this.element.append(labelledField(T.task.kind, this.kind), this.help, this.fields, this.estimate, this.problem,
+    this.element.append(labelledField(T.task.kind, this.kind), this.help, this.fields, this.estimate, this.previews, this.problem,
       h("div", { class: "actions" }, h("button", { type: "submit", class: "primary" }, T.task.send),
-        button(T.cancel, () => this.toggle(false))));
+        button(T.task.preview, () => this.preview()), button(T.cancel, () => this.toggle(false))));
     if (app.run.task_kinds.length > 0) this.build();
+    app.previews.onChange = () => this.previews.replaceChildren(
+      ...[...app.previews.shown.values()].map(({ state, text }) => h("li", { class: state === "refused" ? "problem" : "" }, text)));
   }
 
   toggle(open = this.element.hidden): void {
@@ -42,6 +45,7 @@ export class TaskFormView {
     else {
       this.app.tools.stop();
       this.chosen(null);
+      this.app.previews.clear();
     }
   }
 
@@ -66,6 +70,7 @@ export class TaskFormView {
   private build(): void {
     this.app.tools.stop();
     this.chosen(null);
+    this.app.previews.clear();
     setText(this.problem, "");
     setText(this.help, this.form?.help ?? "");
     this.inputs = (this.form?.fields ?? []).map((field) => this.input(field));
@@ -152,16 +157,34 @@ export class TaskFormView {
       } };
   }
 
-  private send(): void {
+  /** The task as it was entered; null where something is missing, which is said. */
+  private read(): { what: { kind: string; [name: string]: unknown }; others: string[] } | null {
     const form = this.form;
-    if (!form) return;
+    if (!form) return null;
     const what: { kind: string; [name: string]: unknown } = { kind: form.kind }, others: string[] = [];
     for (const input of this.inputs) {
       const missing = input.read(what, others);
-      if (missing) return setText(this.problem, T.task.missing(missing));
+      if (!missing) continue;
+      setText(this.problem, T.task.missing(missing));
+      return null;
     }
     setText(this.problem, "");
-    for (const id of this.app.map.selected) this.app.giveTask(this.app.world.name(id), what as never, others);
+    return { what, others };
+  }
+
+  private get names(): string[] {
+    return [...this.app.map.selected].map((id) => this.app.world.name(id));
+  }
+
+  private preview(): void {
+    const task = this.read();
+    if (task) this.app.previews.ask(this.names, task.what as never, task.others);
+  }
+
+  private send(): void {
+    const task = this.read();
+    if (!task) return;
+    for (const name of this.names) this.app.giveTask(name, task.what as never, task.others);
     this.toggle(false);
   }
 }

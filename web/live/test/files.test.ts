@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Frame } from "../frames";
 import type { Feature } from "../geo/features";
-import { readFeatures, toGeoJson, toKml } from "../geo/files";
+import { readFeatures, toGeoJson, toKml, toPlan } from "../geo/files";
 
 const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, height_m: 0 });
 const features: Feature[] = [
@@ -26,6 +26,17 @@ test("outer rings run against the clock, as RFC 7946 wants", () => {
   for (let i = 0; i + 1 < ring.length; ++i) area += ring[i][0] * ring[i + 1][1] - ring[i + 1][0] * ring[i][1];
   assert.ok(area > 0);
   assert.deepEqual(ring[0], ring[ring.length - 1]);
+});
+
+test("a .plan comes back: lines and points as one route, areas as fences", () => {
+  const { features: read, left } = readFeatures(toPlan(features, frame, 80), frame);
+  assert.equal(left, 0);
+  const route = read.find(({ geometry }) => geometry.kind === "line")!.geometry, fence = read.find(({ geometry }) => geometry.kind === "area")!.geometry;
+  const expected = [[0, 0], [50, 80], [-20, 30]];
+  (route.kind === "line" ? route.points : []).forEach(([north, east], i) => assert.ok(Math.hypot(north - expected[i][0], east - expected[i][1]) < 0.01));
+  assert.equal(fence.kind === "area" ? fence.rings[0].length : 0, 4);
+  const item = (JSON.parse(toPlan(features, frame, 80)) as { mission: { items: { params: number[] }[] } }).mission.items[0];
+  assert.equal(item.params[6], 80);
 });
 
 test("what was typed is escaped in KML", () => {

@@ -40,6 +40,10 @@ class ReplayPlayer {
     Result<void> done;
     if (const auto* seek = std::get_if<hmi::SeekRequest>(&request.what)) {
       done = go_to(seek->time);
+    } else if (std::holds_alternative<hmi::PreviewQuestion>(request.what)) {
+      feed_.reply(request, RequestState::kRefused,
+                  "this run is recorded: nothing can be flown in it.");
+      return {};
     } else {
       const auto& command = std::get<Command>(request.what);
       if (const auto* pause = std::get_if<PauseCommand>(&command)) {

@@ -8,8 +8,10 @@
 #include <random>
 
 #include "skein/assemble/aircraft_builder.h"
+#include "skein/assemble/serve/fire_files.h"
 #include "skein/assemble/serve/task_forms.h"
 #include "skein/layer/hmi/serve/page_files.h"
+#include "skein/scenario/utc.h"
 
 namespace skein::assemble {
 namespace {
@@ -106,6 +108,11 @@ Result<hmi::WebOptions> web_options(const ServeOptions& options) {
   web.address = options.address;
   web.port = options.port;
   web.protocols = {std::string(hmi::LiveHub::kProtocol)};
+  for (const std::string_view name : hmi::foxglove::kProtocols) {
+    web.protocols.emplace_back(name);
+    web.guest_protocols.emplace_back(name);
+  }
+  web.guest_origins = options.viewer_origins;
   web.certificate_file = options.certificate_file;
   web.key_file = options.key_file.empty() ? options.certificate_file : options.key_file;
   auto origin = origin_of(options.imagery);
@@ -132,15 +139,38 @@ hmi::HttpAnswer with_json(const Json& value) {
 
 }  // namespace
 
-RunFacts facts_of(const scenario::Scenario& scenario, const Build& ready,
-                  const std::string& version) {
+namespace {
+
+void name_run(const scenario::Scenario& scenario, RunFacts& facts) {
+  facts.name = scenario.name;
+  facts.start_s = scenario::parse_utc(scenario.start_utc).value_or(0);
+  facts.origin = scenario.origin;
+}
+
+hmi::foxglove::Facts viewer_facts(const RunFacts& facts, const std::string& session,
+                                  const std::optional<geo::LocalFrame>& frame) {
+  return {"Skein: " + facts.name, session, facts.start_s, frame};
+}
+
+}  // namespace
+
+RunFacts facts_of(const scenario::Scenario& scenario, const KindRegistry& kinds,
+                  const Build& ready, const std::string& version) {
   Json run = describe_run(scenario);
   run["version"] = version;
   run["duration_s"] = ready.options.duration.seconds();
   run["centre"] = place(ready.map_centre);
   run["extent_m"] = kExtent;
-  return {run.dump(), sample_terrain(*ready.world.terrain, ready.map_centre, kHalfSize),
-          ready.options.duration, ready.options.speed};
+  RunFacts facts;
+  facts.description = run.dump();
+  facts.terrain = sample_terrain(*ready.world.terrain, ready.map_centre, kHalfSize);
+  facts.duration = ready.options.duration;
+  facts.speed = ready.options.speed;
+  facts.previewer = [scenario, &kinds](TaskPreviewer::Answer answer) {
+    return std::make_unique<TaskPreviewer>(scenario, kinds, std::move(answer));
+  };
+  name_run(scenario, facts);
+  return facts;
 }
 
 RunFacts facts_of(const scenario::Scenario& scenario,
@@ -152,7 +182,14 @@ RunFacts facts_of(const scenario::Scenario& scenario,
   const double half = terrain.spacing * (terrain.rows - 1) / 2;
   run["centre"] = place(terrain.low + Vec2::Constant(half));
   run["extent_m"] = kExtent;
-  return {run.dump(), std::move(terrain), recorded.end(), 1, true};
+  RunFacts facts;
+  facts.description = run.dump();
+  facts.terrain = std::move(terrain);
+  facts.duration = recorded.end();
+  facts.speed = 1;
+  facts.recorded = true;
+  name_run(scenario, facts);
+  return facts;
 }
 
 Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
@@ -162,24 +199,42 @@ Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
   std::unique_ptr<RunPage> page(new RunPage);
   Json run = Json::parse(facts.description);
   run["imagery"] = options.imagery;
-  run["run"] = fmt::format("{:016x}", random_mark());
+  const std::string mark = fmt::format("{:016x}", random_mark());
+  run["run"] = mark;
   page->description_ = run.dump();
+  if (auto frame = geo::LocalFrame::at(facts.origin)) page->frame_ = frame.value();
+  page->start_s_ = facts.start_s;
   page->terrain_ = std::make_shared<const std::string>(coded(facts.terrain));
   page->hub_ = std::make_unique<hmi::LiveHub>(
       [page = page.get()](const hmi::HttpRequest& request) {
         return page->answer(request);
-      });
+      },
+      viewer_facts(facts, mark, page->frame_));
   page->feed_ = std::make_unique<hmi::LiveFeed>(*page->hub_, facts.duration, facts.speed,
                                                 facts.recorded);
   auto server = hmi::WebServer::open(web.value(), *page->hub_);
   if (!server) return server.error();
   page->server_ = std::move(server).value();
   page->hub_->attach(*page->server_);
+  if (facts.previewer) {
+    page->previewer_ = facts.previewer(
+        [hub = page->hub_.get()](hmi::ClientNumber client, const TaskPreview& preview) {
+          hub->reply(client, preview);
+        });
+    page->feed_->set_previewer(
+        [previewer = page->previewer_.get()](
+            hmi::ClientNumber client, std::uint32_t number, hmi::PreviewOrder order) {
+          previewer->ask(client, number, std::move(order));
+        });
+  }
   page->server_->start();
   return page;
 }
 
-RunPage::~RunPage() = default;
+RunPage::~RunPage() {
+  // What flies ahead answers by the server.
+  previewer_.reset();
+}
 
 std::string RunPage::place() const {
   return server_->place();
@@ -212,6 +267,9 @@ hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
   if (request.path == "/api/terrain")
     return with_body("application/octet-stream", terrain_);
   if (request.path == "/api/health") return with_json(health());
+  if (frame_)
+    if (auto file = fire_file(request.path, feed_->fire(), *frame_, start_s_))
+      return *std::move(file);
   if (auto file = hmi::page_file(request.path)) return *std::move(file);
   hmi::HttpAnswer answer = with_json({{"error", "there is nothing of this name."}});
   answer.status = 404;

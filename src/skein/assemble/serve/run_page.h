@@ -1,12 +1,17 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "skein/assemble/build.h"
 #include "skein/assemble/serve/serve_options.h"
+#include "skein/assemble/serve/task_preview.h"
 #include "skein/base/result.h"
+#include "skein/geo/local_frame.h"
 #include "skein/layer/hmi/serve/live_feed.h"
 #include "skein/record/record_stream.h"
 #include "skein/scenario/scenario.h"
@@ -18,13 +23,19 @@ struct RunFacts {
   std::string description;  ///< JSON, as /api/run has it but for who asks
   TerrainPatch terrain;
   Time duration;
-  double speed = 0;       ///< that it is to have; 0: as fast as it can
-  bool recorded = false;  ///< it is over, and is shown again
+  double speed = 0;          ///< that it is to have; 0: as fast as it can
+  bool recorded = false;     ///< it is over, and is shown again
+  std::string name;          ///< of the run
+  std::int64_t start_s = 0;  ///< since 1970 [s]
+  geo::Geodetic origin;
+  /// Flies tasks ahead for the page; empty: nobody does.
+  std::function<std::unique_ptr<TaskPreviewer>(TaskPreviewer::Answer)> previewer = {};
 };
 
 /// @param version  of the program.
-RunFacts facts_of(const scenario::Scenario& scenario, const Build& ready,
-                  const std::string& version);
+/// @param kinds  that the scenario was read with; outlive the page.
+RunFacts facts_of(const scenario::Scenario& scenario, const KindRegistry& kinds,
+                  const Build& ready, const std::string& version);
 /// Of a run that is shown again.
 /// @param terrain  as it was stored.
 RunFacts facts_of(const scenario::Scenario& scenario,
@@ -53,8 +64,11 @@ class RunPage {
 
   std::string description_;  // JSON, but for whom it is said to
   std::shared_ptr<const std::string> terrain_;
+  std::optional<geo::LocalFrame> frame_;
+  std::int64_t start_s_ = 0;
   std::unique_ptr<hmi::LiveHub> hub_;
   std::unique_ptr<hmi::LiveFeed> feed_;
+  std::unique_ptr<TaskPreviewer> previewer_;
   std::unique_ptr<hmi::WebServer> server_;
 };
 

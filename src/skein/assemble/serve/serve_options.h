@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "skein/base/result.h"
 
@@ -14,6 +15,9 @@ struct ServeOptions {
   std::string tokens_file;       ///< empty: everybody on this machine may do everything
   std::string certificate_file;  ///< empty: without TLS
   std::string key_file;
+  /// Pages of other servers that may watch by Foxglove's protocol, by their origins:
+  /// "https://app.example.org".
+  std::vector<std::string> viewer_origins;
   std::string imagery;  ///< address of pictures of the ground, {z} {x} {y}; empty: none
 };
 

@@ -387,6 +387,59 @@ TEST(AnyTask, IsPausedResumedCancelledAndHandedOver) {
   }
 }
 
+// Of the flight between two times: above the flat ground, and through the air.
+double mean_height(const FlightLog& log, double from, double until) {
+  double sum = 0, count = 0;
+  for (const FlightRow& row : log.rows.at(1))
+    if (row.time.seconds() >= from && row.time.seconds() <= until) {
+      sum -= row.truth.p_N.z();
+      ++count;
+    }
+  return sum / count;
+}
+double mean_airspeed(const FlightLog& log, double from, double until) {
+  const Vec2 wind = -4 * geo::unit(geo::radians(250));
+  double sum = 0, count = 0;
+  for (const FlightRow& row : log.rows.at(1))
+    if (row.time.seconds() >= from && row.time.seconds() <= until) {
+      sum += (geo::horizontal(row.truth.v_N) - wind).norm();
+      ++count;
+    }
+  return sum / count;
+}
+
+TEST(AnyTask, IsFlownHigherAndFasterWhenTheOperatorSaysSo) {
+  for (const char* plant : kPlants) {
+    const bool hovers = std::string_view(plant).find("multirotor") == 0;
+    for (const char* task :
+         {"survey 100,100 500,100 500,500 100,500 swath 100 overlap 0.1",
+          "fly_to 5000,3000 altitude_msl 90", "patrol -600,0 600,0 0,700 closed",
+          "course 60"}) {
+      SCOPED_TRACE(fmt::format("{} {}", plant, task));
+      const double speed = hovers ? 9 : 17;
+      const FlightLog log = fly_task(
+          plant, task, 260,
+          fmt::format("  - {{at_s: 120, do: \"flight a-1 height 140 speed {}\"}}\n",
+                      speed));
+      EXPECT_TRUE(says(log, "flight-changed")) << log.story();
+      EXPECT_FALSE(says(log, "task-refused")) << log.story();
+      EXPECT_NEAR(mean_height(log, 90, 118), 85, 9) << log.story();
+      EXPECT_NEAR(mean_height(log, 200, 260), 140, 9) << log.story();
+      EXPECT_GT(std::abs(mean_airspeed(log, 90, 118) - speed), 0.8);
+      EXPECT_NEAR(mean_airspeed(log, 200, 260), speed, 1) << log.story();
+    }
+  }
+}
+
+TEST(AnyTask, SpeedsThatAreNotFlownAreRefused) {
+  const FlightLog log = fly_task(kPlants[2], "hold", 100,
+                                 "  - {at_s: 50, do: \"flight a-1 speed 200\"}\n"
+                                 "  - {at_s: 60, do: \"flight nobody height 30\"}\n");
+  EXPECT_TRUE(says(log, "flight-refused")) << log.story();
+  EXPECT_TRUE(says(log, "command-refused")) << log.story();
+  EXPECT_FALSE(says(log, "flight-changed")) << log.story();
+}
+
 TEST(AnyTask, ThatAnotherHasBegunIsFinishedNotRepeated) {
   const FlightLog log = fly(R"(
 duration_s: 900

@@ -22,16 +22,19 @@ class Walk {
  public:
   explicit Walk(std::uint64_t seed)
       : random_(seed, 0, Purpose::kTest, 0),
-        agent_({}, kStation, context_, {}, [this](const TaskKind& task) {
-          TaskOptions options;
-          options.has_camera = true;
-          return make_task(task, context_, options);
-        }) {}
+        agent_({}, kStation, context_, {},
+               [](const TaskKind& task, const reasoning::FlightContext& context) {
+                 TaskOptions options;
+                 options.has_camera = true;
+                 return make_task(task, context, options);
+               }) {}
 
   // Half a second.
   void step() {
     if (uniform() < 0.03) order();
     if (uniform() < 0.02) change();
+    if (uniform() < 0.02)
+      send(FlightChange{++flight_number_, 30 + 200 * uniform(), 12 + 16 * uniform()});
     if (uniform() < 0.01) zone();
     if (uniform() < 0.01) aircraft_.wind = 9 * uniform() * geo::unit(7 * uniform());
     if (uniform() < 0.005) refuses_ = !refuses_;
@@ -222,7 +225,7 @@ class Walk {
   OnboardAgent agent_;
   std::vector<Message> inbox_;
   std::vector<std::string> zones_;
-  std::uint32_t number_ = 0, zone_number_ = 0;
+  std::uint32_t number_ = 0, zone_number_ = 0, flight_number_ = 0;
   int named_ = 0;
   bool refuses_ = false, has_flown_ = false;
   CommandFate fate_;

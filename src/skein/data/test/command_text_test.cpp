@@ -52,6 +52,11 @@ TEST(CommandText, SaysEveryCommand) {
   EXPECT_EQ(rejected.number, 3u);
   EXPECT_EQ(rejected.station, "base");
   EXPECT_EQ(parsed<RemoveCommand>("remove b").aircraft, "b");
+  const auto both = parsed<FlightChangeCommand>("flight a speed 18 height 150");
+  EXPECT_EQ(both.aircraft, "a");
+  EXPECT_EQ(both.altitude_agl, 150);
+  EXPECT_EQ(both.airspeed, 18);
+  EXPECT_FALSE(parsed<FlightChangeCommand>("flight a height 90").airspeed);
 }
 
 TEST(CommandText, RefusesEverythingElseAndSaysWhy) {
@@ -75,6 +80,16 @@ TEST(CommandText, RefusesEverythingElseAndSaysWhy) {
                            "task a tour 0,0 5,5 laps 0",
                            "task a follow_edge 0,0 left",
                            "task a loiter inf,0",
+                           "flight",
+                           "flight a",
+                           "flight a height",
+                           "flight a height x",
+                           "flight a height 0",
+                           "flight a speed -3",
+                           "flight a speed nan",
+                           "flight a depth 3",
+                           "flight a speed 3 speed 4",
+                           "flight a height 3 speed 4 now",
                            "mission",
                            "mission stop",
                            "pause now",
@@ -122,6 +137,8 @@ TEST(CommandText, RefusesJsonThatIsNoCommandOrOutOfRange) {
         R"({"kind": "task", "aircraft": "a", "what": {"kind": "fly_route"}})",
         R"({"kind": "task", "aircraft": "a", "what": {"kind": "fly_tour"}})",
         R"({"kind": "task", "aircraft": "a", "what": {"kind": "follow_line"}})",
+        R"({"kind": "change_flight", "aircraft": "a"})",
+        R"({"kind": "change_flight", "aircraft": "a", "airspeed_mps": -1})",
         R"({"kind": "zone_change", "number": 3})"}) {
     const auto command = parse_command(line);
     EXPECT_FALSE(command.ok()) << line;

@@ -64,14 +64,43 @@ class Silent final : public OperatorConsole {
   const std::atomic<bool>& stop_;
 };
 
-// The run with `watchers` clients, recorded in a folder; its summary.
+// Watches all that there is, by Foxglove's protocol, until the run is over.
+bool watches_to_the_end(LiveClient& viewer) {
+  bool over = false;
+  while (viewer.is_open() && !over) {
+    const std::string message = viewer.read();
+    if (!viewer.read_text()) {
+      over = message.find("\"over\":true") != std::string::npos;
+      continue;
+    }
+    const Json said = Json::parse(message);
+    if (said["op"] != "advertise") continue;
+    Json all = Json::array();
+    for (const Json& channel : said["channels"])
+      all.push_back({{"id", channel["id"]}, {"channelId", channel["id"]}});
+    viewer.say(Json{{"op", "subscribe"}, {"subscriptions", all}}.dump());
+  }
+  return over;
+}
+
+// Asks what a task would become, and watches until the run is over.
+bool asks_and_watches(LiveClient& client) {
+  client.say(R"({"number": 1, "preview": {"kind": "task", "aircraft": "scout-1",)"
+             R"( "what": {"kind": "fly_to", "north_m": 900, "east_m": 0}}})");
+  return client.wait_for<RunClock>([](const RunClock& clock) { return clock.over; })
+      .has_value();
+}
+
+// The run with `watchers` clients, every fourth by Foxglove's protocol, recorded in a
+// folder; its summary.
 record::RunSummary run_watched(const std::filesystem::path& folder, int watchers) {
   const scenario::Scenario scenario = read();
-  auto built = build(scenario, KindRegistry());
+  const KindRegistry kinds;
+  auto built = build(scenario, kinds);
   EXPECT_TRUE(built) << built.error().text();
   Build& ready = built.value();
   ready.options.speed = 0;
-  auto page = RunPage::open(any_port(), facts_of(scenario, ready, "test"));
+  auto page = RunPage::open(any_port(), facts_of(scenario, kinds, ready, "test"));
   EXPECT_TRUE(page) << page.error().text();
   hmi::LiveFeed& feed = page.value()->feed();
   record::RunRecorderOptions options;
@@ -84,10 +113,12 @@ record::RunSummary run_watched(const std::filesystem::path& folder, int watchers
   std::vector<std::thread> readers;
   std::atomic<int> told = 0;
   for (int k = 0; k < watchers; ++k) {
-    clients.push_back(std::make_unique<LiveClient>(port_of(*page.value())));
-    readers.emplace_back([client = clients.back().get(), &told] {
-      told += client->wait_for<RunClock>([](const RunClock& clock) { return clock.over; })
-                  .has_value();
+    const bool is_viewer = k % 4 == 3;
+    clients.push_back(std::make_unique<LiveClient>(
+        port_of(*page.value()), std::vector<std::pair<std::string, std::string>>(),
+        is_viewer ? "foxglove.websocket.v1" : "skein.live.v1"));
+    readers.emplace_back([client = clients.back().get(), is_viewer, &told] {
+      told += is_viewer ? watches_to_the_end(*client) : asks_and_watches(*client);
     });
   }
   record::FanOut all({recorder.value().get(), &feed});
@@ -110,9 +141,11 @@ std::filesystem::path folder_for(const char* name) {
 
 TEST(RunPage, SaysWhatThereIsToKnowOfTheRun) {
   const scenario::Scenario scenario = read();
-  const auto built = build(scenario, KindRegistry());
+  const KindRegistry kinds;
+  const auto built = build(scenario, kinds);
   ASSERT_TRUE(built);
-  const auto page = RunPage::open(any_port(), facts_of(scenario, built.value(), "1.2.3"));
+  const auto page =
+      RunPage::open(any_port(), facts_of(scenario, kinds, built.value(), "1.2.3"));
   ASSERT_TRUE(page) << page.error().text();
   const std::uint16_t port = port_of(*page.value());
   const Json run = Json::parse(hmi::ask(port, {.target = "/api/run"}).body());
@@ -137,15 +170,16 @@ TEST(RunPage, SaysWhatThereIsToKnowOfTheRun) {
 TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
   const YAML::Node described = YAML::LoadFile(SKEIN_SOURCE_DIR "/docs/openapi.yaml");
   const scenario::Scenario scenario = read();
-  auto built = build(scenario, KindRegistry());
+  const KindRegistry kinds;
+  auto built = build(scenario, kinds);
   ASSERT_TRUE(built) << built.error().text();
-  auto page = RunPage::open(any_port(), facts_of(scenario, built.value(), "test"));
+  auto page = RunPage::open(any_port(), facts_of(scenario, kinds, built.value(), "test"));
   ASSERT_TRUE(page) << page.error().text();
   std::set<std::string> paths;
   for (const auto& path : described["paths"]) {
     const std::string target = path.first.as<std::string>();
     paths.insert(target);
-    if (!path.second["get"]) continue;
+    if (!path.second["get"] || target.find('{') != std::string::npos) continue;
     const auto answer = hmi::ask(port_of(*page.value()), {.target = target});
     EXPECT_EQ(answer.result_int(), 200U) << target;
     const auto content = *path.second["get"]["responses"]["200"]["content"].begin();
@@ -160,8 +194,15 @@ TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
     for (const auto& [key, value] : body.items()) said.insert(key);
     EXPECT_EQ(said, required) << target;
   }
-  EXPECT_EQ(paths,
-            (std::set<std::string>{"/api/health", "/api/run", "/api/terrain", "/login"}));
+  EXPECT_EQ(paths, (std::set<std::string>{"/api/fire.{format}", "/api/health", "/api/run",
+                                          "/api/terrain", "/login"}));
+  // Of a run that has not begun.
+  for (const auto& format :
+       described["paths"]["/api/fire.{format}"]["get"]["parameters"][0]["schema"]["enum"])
+    EXPECT_EQ(hmi::ask(port_of(*page.value()),
+                       {.target = "/api/fire." + format.as<std::string>()})
+                  .result_int(),
+              404U);
   const Json health =
       Json::parse(hmi::ask(port_of(*page.value()), {.target = "/api/health"}).body());
   EXPECT_EQ(health["duration_s"], 600);  // before the first step too
@@ -186,8 +227,9 @@ TEST(RunPage, BadPlacesAndFilesAreRefused) {
     EXPECT_FALSE(read_place(bad, options)) << bad;
 
   const scenario::Scenario scenario = read();
-  const auto built = build(scenario, KindRegistry());
-  const RunFacts facts = facts_of(scenario, built.value(), "test");
+  const KindRegistry kinds;
+  const auto built = build(scenario, kinds);
+  const RunFacts facts = facts_of(scenario, kinds, built.value(), "test");
   ServeOptions open = any_port();
   open.address = "0.0.0.0";
   const auto page = RunPage::open(open, facts);
@@ -202,6 +244,44 @@ TEST(RunPage, BadPlacesAndFilesAreRefused) {
   open = any_port();
   open.certificate_file = "/nowhere/certificate.pem";
   EXPECT_FALSE(RunPage::open(open, facts));
+}
+
+TEST(RunPage, SaysWhatATaskWouldBecomeBeforeItIsGiven) {
+  const scenario::Scenario scenario = read();
+  const KindRegistry kinds;
+  auto built = build(scenario, kinds);
+  ASSERT_TRUE(built) << built.error().text();
+  built.value().options.speed = 5;
+  auto page = RunPage::open(any_port(), facts_of(scenario, kinds, built.value(), "test"));
+  ASSERT_TRUE(page) << page.error().text();
+  std::atomic<bool> stop = false;
+  std::thread run([&] {
+    Silent silent(stop);
+    hmi::LiveConsole console(silent, page.value()->feed());
+    EXPECT_TRUE(run_linked(built.value(), &page.value()->feed(), console));
+  });
+  LiveClient client(port_of(*page.value()));
+  ASSERT_TRUE(client.wait_for<FleetFrame>(
+      [](const FleetFrame& fleet) { return fleet.vehicles.size() == 2; }));
+  client.say(R"({"number": 3, "preview": {"kind": "task", "aircraft": "scout-1",)"
+             R"( "what": {"kind": "fly_to", "north_m": 900, "east_m": 0}}})");
+  const auto preview = client.wait_for<TaskPreview>();
+  ASSERT_TRUE(preview);
+  EXPECT_EQ(preview->number, 3u);
+  EXPECT_EQ(preview->problem, "");
+  EXPECT_TRUE(preview->done);
+  EXPECT_GT(preview->path.points.size(), 5u);
+  client.say(R"({"number": 4, "preview": {"kind": "task", "aircraft": "nobody",)"
+             R"( "what": {"kind": "hold"}}})");
+  const auto refused = client.wait_for_reply(4);
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->state, RequestState::kRefused);
+  client.say(R"({"number": 5, "preview": {"kind": "pause", "paused": true}})");
+  const auto no_task = client.wait_for_reply(5);
+  ASSERT_TRUE(no_task);
+  EXPECT_EQ(no_task->state, RequestState::kRefused);
+  stop = true;
+  run.join();
 }
 
 // What is seen when a recorded run is shown again, at a time that is gone to.

@@ -23,6 +23,10 @@ bool is_count(const Json& value) {
   return value.is_number_unsigned() && value.get<std::uint64_t>() <= 0xFFFFFFFFu;
 }
 
+std::string text_of(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 Result<ClientRequest> named(ClientRequest request, const std::string& name) {
   if (name.size() > kMaxNameLength) return bad("a name has 64 bytes at most.");
   request.what = NameRequest{shown(name)};
@@ -45,8 +49,9 @@ Result<ClientRequest> parse_client_request(std::string_view text) {
     if (key == "line" && value.is_string()) {
       request.what = CommandRequest{value.get<std::string>()};
     } else if (key == "command" && value.is_object()) {
-      request.what =
-          CommandRequest{value.dump(-1, ' ', false, Json::error_handler_t::replace)};
+      request.what = CommandRequest{text_of(value)};
+    } else if (key == "preview" && value.is_object()) {
+      request.what = PreviewRequest{text_of(value)};
     } else if (key == "hold" && value.is_boolean()) {
       request.what = HoldRequest{value.get<bool>()};
     } else if (key == "hand_over" && is_count(value)) {
@@ -61,8 +66,8 @@ Result<ClientRequest> parse_client_request(std::string_view text) {
     } else {
       return bad(fmt::format(
           "\"{}\" cannot be asked for so: command (object), line (text), hold (true, "
-          "false), hand_over (client), name (text), truth (true, false) or seek_s "
-          "(number).",
+          "false), hand_over (client), name (text), truth (true, false), seek_s "
+          "(number) or preview (object).",
           shown(key)));
     }
   }

@@ -34,16 +34,21 @@ struct SeekRequest {
   double time = 0;  ///< [s]
 };
 
+/// What an aircraft would do with a task. Nothing is given to it.
+struct PreviewRequest {
+  std::string line;  ///< the command that would give it, in its JSON form
+};
+
 /// What a client of the live feed asks for.
 struct ClientRequest {
   std::uint32_t number = 0;  ///< counts the client's requests; for the reply
   std::variant<CommandRequest, HoldRequest, HandOverRequest, NameRequest, TruthRequest,
-               SeekRequest>
+               SeekRequest, PreviewRequest>
       what;
 };
 
 /// Reads a request: a JSON object with its "number" and one of "command", "line", "hold",
-/// "hand_over", "name", "truth", "seek_s" (docs/live-feed.md).
+/// "hand_over", "name", "truth", "seek_s", "preview" (docs/live-feed.md).
 /// Fails: kBadInput for anything else.
 Result<ClientRequest> parse_client_request(std::string_view text);
 

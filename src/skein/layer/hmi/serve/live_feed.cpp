@@ -17,6 +17,8 @@ constexpr std::string_view kPage = "page: ";  // that senders begin with
 
 std::string about(const Command& command) {
   if (const auto* task = std::get_if<TaskCommand>(&command)) return task->aircraft;
+  if (const auto* flight = std::get_if<FlightChangeCommand>(&command))
+    return flight->aircraft;
   if (std::holds_alternative<ZoneChange>(command)) return "zone";
   return {};
 }
@@ -35,6 +37,8 @@ void LiveFeed::record(const Record& record) {
   if (const auto* entity = std::get_if<EntityRecord>(&record))
     names_[entity->id] = entity->name;
   if (const auto* given = std::get_if<CommandRecord>(&record)) take_given(*given);
+  if (const auto* boundary = std::get_if<PerimeterRecord>(&record)) fire_.take(*boundary);
+  if (const auto* forecast = std::get_if<ForecastRecord>(&record)) fire_.take(*forecast);
   if (const auto* event = std::get_if<Event>(&record)) take_fate(*event);
   if (hub_.is_watched() && is_streamed(record)) add(LiveRecord{record});
 }
@@ -43,6 +47,7 @@ void LiveFeed::record(const Record& record) {
 void LiveFeed::take_given(const CommandRecord& given) {
   if (recorded_) return;
   settle(RequestState::kAccepted);
+  if (const auto* wind = std::get_if<WindCommand>(&given.command)) wind_ = *wind;
   if (const auto* pause = std::get_if<PauseCommand>(&given.command))
     clock_.paused = pause->paused;
   if (const auto* speed = std::get_if<SpeedCommand>(&given.command))
@@ -67,7 +72,8 @@ void LiveFeed::take_fate(const Event& event) {
   if (event.kind == "command-refused") return settle(RequestState::kRefused, event.text);
   const auto name = names_.find(event.entity);
   const bool is_zone = event.kind == "zone-refused";
-  if (!is_zone && (event.kind != "task-refused" || name == names_.end())) return;
+  const bool is_aircraft = event.kind == "task-refused" || event.kind == "flight-refused";
+  if (!is_zone && (!is_aircraft || name == names_.end())) return;
   const std::string whose = is_zone ? "zone" : name->second;
   if (current_ && current_->about == whose)
     return settle(RequestState::kRefused, event.text);
@@ -137,6 +143,7 @@ void LiveFeed::set_clock(bool paused, double wanted_speed) {
 
 void LiveFeed::restart(Time at) {
   state_ = LiveState();
+  fire_.clear();
   // A jump is no speed.
   measured_at_ = std::chrono::steady_clock::now();
   clock_.time = measured_from_ = at;
@@ -150,6 +157,10 @@ std::vector<CommandRecord> LiveFeed::take_commands() {
   settle(RequestState::kAccepted);
   std::vector<CommandRecord> all;
   for (ClientCommand& asked : take_requests()) {
+    if (const auto* question = std::get_if<PreviewQuestion>(&asked.what)) {
+      preview(asked, question->task);
+      continue;
+    }
     auto* command = std::get_if<Command>(&asked.what);
     if (!command || clock_.over) {
       reply(asked, RequestState::kRefused,
@@ -160,6 +171,25 @@ std::vector<CommandRecord> LiveFeed::take_commands() {
     all.push_back({Time(), std::move(asked.sender), std::move(*command)});
   }
   return all;
+}
+
+void LiveFeed::preview(const ClientCommand& asked, const TaskCommand& task) {
+  const FleetFrame fleet = state_.fleet();
+  const auto view = std::find_if(
+      fleet.vehicles.begin(), fleet.vehicles.end(), [&](const VehicleView& each) {
+        const auto name = names_.find(each.id);
+        return name != names_.end() && name->second == task.aircraft;
+      });
+  if (!previewer_ || clock_.over || view == fleet.vehicles.end())
+    return reply(asked, RequestState::kRefused,
+                 view == fleet.vehicles.end() ? "no such aircraft takes part."
+                                              : "the run is over.");
+  PreviewOrder order{task.aircraft, task.what, clock_.time, *view, {}, wind_};
+  state_.for_each([&](const Record& record) {
+    if (const auto* zone = std::get_if<ZoneRecord>(&record); zone && zone->change.on)
+      order.zones.push_back(zone->change.zone);
+  });
+  previewer_(asked.client, asked.number, std::move(order));
 }
 
 void LiveFeed::pump() {

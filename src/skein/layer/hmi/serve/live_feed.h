@@ -2,18 +2,33 @@
 
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "skein/layer/hmi/serve/fire_state.h"
 #include "skein/layer/hmi/serve/live_hub.h"
 #include "skein/layer/hmi/serve/live_state.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/recorder.h"
 
 namespace skein::hmi {
+
+/// A task that somebody thinks of giving, and how things are.
+struct PreviewOrder {
+  std::string aircraft;
+  TaskKind what;
+  Time time;
+  VehicleView now;                       ///< of the aircraft
+  std::vector<Zone> zones;               ///< in force
+  std::optional<WindCommand> wind = {};  ///< that was commanded last
+};
+
+/// Finds out what an aircraft would do, and answers by LiveHub::reply().
+using Previewer = std::function<void(ClientNumber, std::uint32_t number, PreviewOrder)>;
 
 /// Tells those who watch what a run records, some ten times a second of wall time, and
 /// them alone: nothing of what is simulated depends on it.
@@ -28,6 +43,9 @@ class LiveFeed final : public Recorder {
   /// @param speed     that was asked for; 0: as fast as it can.
   /// @param recorded  the run is only shown again: what steered its clock does not now.
   LiveFeed(LiveHub& hub, Time duration, double speed, bool recorded = false);
+
+  /// Without, nothing is flown ahead. Before anybody watches.
+  void set_previewer(Previewer previewer) { previewer_ = std::move(previewer); }
 
   void record(const Record& record) override;
   Result<void> step_done(Time time) override;
@@ -47,6 +65,9 @@ class LiveFeed final : public Recorder {
 
   /// Tells what has gathered, when it is time.
   void pump();
+
+  /// What is believed of fires. By any thread.
+  const FireState& fire() const { return fire_; }
 
   /// How far the run was when it was told last. By any thread.
   RunClock clock() const;
@@ -73,6 +94,7 @@ class LiveFeed final : public Recorder {
   void measure_speed(Moment now);
   SharedBytes batch(bool with_truth, bool state) const;
   void add(LiveItem item);
+  void preview(const ClientCommand& asked, const TaskCommand& task);
   void take_given(const CommandRecord& given);
   void settle(RequestState state, const std::string& text = {});
   void take_fate(const Event& event);
@@ -80,6 +102,7 @@ class LiveFeed final : public Recorder {
   LiveHub& hub_;
   bool recorded_;
   LiveState state_;
+  FireState fire_;
   std::vector<LiveItem> items_;
   std::deque<MetricSample> metrics_;
   mutable std::mutex lock_;
@@ -90,8 +113,10 @@ class LiveFeed final : public Recorder {
   Moment measured_at_{};  // where the measured speed counts from
   Time measured_from_;
   std::map<EntityId, std::string> names_;
-  std::deque<Request> awaited_;     // given to the run, not obeyed yet
-  std::optional<Request> current_;  // being obeyed
+  Previewer previewer_;
+  std::optional<WindCommand> wind_;  // commanded last
+  std::deque<Request> awaited_;      // given to the run, not obeyed yet
+  std::optional<Request> current_;   // being obeyed
   std::deque<Request> obeyed_;  // that may still be refused by those whom they concern
 };
 

@@ -49,6 +49,16 @@ void LiveHub::reply(ClientNumber client, const RequestReply& reply) {
       [this, client, reply] { server_->send(client, coded({LiveItem(reply)})); });
 }
 
+void LiveHub::reply(ClientNumber client, const TaskPreview& preview) {
+  const bool can = preview.problem.empty();
+  const RequestReply fate{preview.number,
+                          can ? RequestState::kAccepted : RequestState::kRefused,
+                          preview.problem};
+  server_->post([this, client, preview, fate] {
+    server_->send(client, coded({LiveItem(preview), LiveItem(fate)}));
+  });
+}
+
 std::vector<ClientCommand> LiveHub::take_commands() {
   const std::lock_guard guard(lock_);
   return std::exchange(commands_, {});
@@ -56,6 +66,7 @@ std::vector<ClientCommand> LiveHub::take_commands() {
 
 void LiveHub::deliver(const LiveBatch& batch) {
   for (auto& [number, watcher] : watchers_) {
+    if (watcher.is_viewer) continue;
     const std::size_t waiting = server_->waiting(number);
     if (waiting > kMaxWaiting) watcher.behind = true;
     if (!watcher.behind) {
@@ -72,17 +83,29 @@ void LiveHub::deliver(const LiveBatch& batch) {
       state_wanted_ = true;
     }
   }
+  if (viewers_.deliver(false, batch.open, batch.open_state)) state_wanted_ = true;
+  if (viewers_.deliver(true, batch.whole, batch.whole_state)) state_wanted_ = true;
 }
 
 HttpAnswer LiveHub::answer(const HttpRequest& request) {
   return answer_(request);
 }
 
-void LiveHub::joined(ClientNumber client, const Access& access, std::string_view) {
+void LiveHub::joined(ClientNumber client, const Access& access,
+                     std::string_view protocol) {
   Watcher& watcher = watchers_[client];
   watcher.access = access;
   watcher.name = access.name;
-  if (holder_ == 0 && access.role != AccessRole::kViewer) holder_ = client;
+  watcher.may_see_truth = access.role == AccessRole::kInstructor;
+  watcher.is_viewer = foxglove::is_protocol(protocol);
+  if (watcher.is_viewer) {
+    watcher.access.role = AccessRole::kViewer;
+    watcher.sees_truth = truth_shown_ && watcher.may_see_truth;
+    if (watcher.name.empty()) watcher.name = fmt::format("Foxglove {}", client);
+    viewers_.join(client, watcher.sees_truth);
+  } else if (holder_ == 0 && access.role != AccessRole::kViewer) {
+    holder_ = client;
+  }
   state_wanted_ = true;
   count_watchers();
   tell_clients();
@@ -90,6 +113,7 @@ void LiveHub::joined(ClientNumber client, const Access& access, std::string_view
 
 void LiveHub::left(ClientNumber client) {
   watchers_.erase(client);
+  viewers_.leave(client);
   if (holder_ == client) holder_ = 0;
   count_watchers();
   tell_clients();
@@ -99,8 +123,9 @@ void LiveHub::left(ClientNumber client) {
 void LiveHub::count_watchers() {
   std::size_t whole = 0;
   for (auto& [number, watcher] : watchers_) {
-    const bool sees = truth_shown_ && watcher.access.role == AccessRole::kInstructor;
+    const bool sees = truth_shown_ && watcher.may_see_truth;
     if (sees != watcher.sees_truth) {
+      if (watcher.is_viewer) viewers_.set_sees_truth(number, sees);
       watcher.sees_truth = sees;
       watcher.behind = true;
       state_wanted_ = true;
@@ -129,6 +154,7 @@ void LiveHub::tell_clients() {
   list.holder = holder_;
   list.truth_shown = truth_shown_;
   for (const auto& [number, watcher] : watchers_) {
+    if (watcher.is_viewer) continue;
     list.you = number;
     server_->send(number, coded({LiveItem(list)}));
   }
@@ -140,6 +166,7 @@ void LiveHub::answer_to(ClientNumber client, std::uint32_t number, RequestState 
 }
 
 void LiveHub::said(ClientNumber client, std::string_view message, bool is_text) {
+  if (watchers_[client].is_viewer) return viewers_.said(client, message, is_text);
   if (!is_text) return answer_to(client, 0, RequestState::kRefused, "requests are text.");
   const auto request = parse_client_request(message);
   if (!request)
@@ -175,6 +202,8 @@ void LiveHub::obey(ClientNumber client, const ClientRequest& request) {
     tell_clients();
   } else if (const auto* seek = std::get_if<SeekRequest>(&request.what)) {
     hand_to_run(client, number, *seek);
+  } else if (const auto* asked = std::get_if<PreviewRequest>(&request.what)) {
+    preview(client, number, asked->line);
   } else {
     command(client, number, std::get<CommandRequest>(request.what).line);
   }
@@ -203,13 +232,33 @@ void LiveHub::hand_to_run(ClientNumber client, std::uint32_t number,
   if (holder_ != client)
     return answer_to(client, number, RequestState::kRefused,
                      fmt::format("{} holds control.", name_of(holder_)));
+  ClientCommand asked{client, number, sender_of(client), {}};
+  std::visit([&](auto& one) { asked.what = std::move(one); }, what);
+  put(std::move(asked));
+}
+
+// Who only asks needs no control.
+void LiveHub::preview(ClientNumber client, std::uint32_t number,
+                      const std::string& line) {
+  auto parsed = parse_command(line);
+  if (!parsed)
+    return answer_to(client, number, RequestState::kRefused, parsed.error().text());
+  auto* task = std::get_if<TaskCommand>(&parsed.value());
+  if (!task || !task->file.empty())
+    return answer_to(client, number, RequestState::kRefused,
+                     "only tasks are flown ahead, and no files are read for a page.");
+  put({client, number, {}, PreviewQuestion{std::move(*task)}});
+}
+
+void LiveHub::put(ClientCommand asked) {
   // Given before it can be obeyed: replies of the run come behind this one.
-  answer_to(client, number, RequestState::kGiven);
+  answer_to(asked.client, asked.number, RequestState::kGiven);
   const std::lock_guard guard(lock_);
   if (commands_.size() < kMaxCommands)
-    commands_.push_back({client, number, sender_of(client), std::move(what)});
+    commands_.push_back(std::move(asked));
   else
-    answer_to(client, number, RequestState::kRefused, "too many commands wait already.");
+    answer_to(asked.client, asked.number, RequestState::kRefused,
+              "too many commands wait already.");
 }
 
 void LiveHub::hold(ClientNumber client, std::uint32_t number, bool wanted) {

@@ -12,6 +12,7 @@
 #include "skein/data/command.h"
 #include "skein/data/live.h"
 #include "skein/layer/hmi/serve/client_request.h"
+#include "skein/layer/hmi/serve/foxglove/viewers.h"
 #include "skein/layer/hmi/serve/web_server.h"
 
 namespace skein::hmi {
@@ -24,12 +25,18 @@ struct LiveBatch {
   SharedBytes open_state, whole_state;
 };
 
-/// A command of a client, or its request to go to another time of a recorded run.
+/// What a task would become of which a client thinks.
+struct PreviewQuestion {
+  TaskCommand task;
+};
+
+/// A command of a client, its request to go to another time of a recorded run, or what
+/// it wants to know before it gives a task.
 struct ClientCommand {
   ClientNumber client = 0;
   std::uint32_t number = 0;  ///< of the client's requests
   std::string sender;        ///< for the records
-  std::variant<Command, SeekRequest> what;
+  std::variant<Command, SeekRequest, PreviewQuestion> what;
 };
 
 /// What is served besides the feed: pages, and data of a run by their names.
@@ -39,7 +46,7 @@ using Answerer = std::function<HttpAnswer(const HttpRequest&)>;
 ///
 /// Clients that read too slowly miss frames: what waits for them is bounded, and when
 /// they have caught up they are told the full state. Commands are taken from who holds
-/// control, as far as their role allows.
+/// control, as far as their role allows. Viewers of Foxglove's protocol only see.
 class LiveHub final : public WebListener {
  public:
   /// As WebSocket protocol.
@@ -48,10 +55,15 @@ class LiveHub final : public WebListener {
   static constexpr std::size_t kMaxWaiting = 8 << 20;
 
   /// @param answer  by the server's thread.
-  explicit LiveHub(Answerer answer) : answer_(std::move(answer)) {}
+  /// @param facts   for viewers that speak Foxglove's protocol.
+  LiveHub(Answerer answer, const foxglove::Facts& facts)
+      : answer_(std::move(answer)), viewers_(facts) {}
 
   /// Once, before anything else, and before the server is started.
-  void attach(WebServer& server) { server_ = &server; }
+  void attach(WebServer& server) {
+    server_ = &server;
+    viewers_.attach(server);
+  }
 
   // By the thread of the run.
 
@@ -64,6 +76,8 @@ class LiveHub final : public WebListener {
   /// Everybody has missed something.
   void all_behind();
   void reply(ClientNumber client, const RequestReply& reply);
+  /// Answers a PreviewQuestion. By any thread.
+  void reply(ClientNumber client, const TaskPreview& preview);
   std::vector<ClientCommand> take_commands();
 
   // By the server's thread.
@@ -81,13 +95,17 @@ class LiveHub final : public WebListener {
     Access access;
     std::string name;
     bool behind = true;  // is told the full state as soon as it has read what waits
+    bool may_see_truth = false;
     bool sees_truth = false;
+    bool is_viewer = false;  // is served by viewers_
   };
 
   void obey(ClientNumber client, const ClientRequest& request);
   void command(ClientNumber client, std::uint32_t number, const std::string& line);
   void hand_to_run(ClientNumber client, std::uint32_t number,
                    std::variant<Command, SeekRequest> what);
+  void preview(ClientNumber client, std::uint32_t number, const std::string& line);
+  void put(ClientCommand asked);
   void hold(ClientNumber client, std::uint32_t number, bool wanted);
   void hand_over(ClientNumber client, std::uint32_t number, ClientNumber to);
   void answer_to(ClientNumber client, std::uint32_t number, RequestState state,
@@ -99,6 +117,7 @@ class LiveHub final : public WebListener {
   std::string sender_of(ClientNumber client) const;
 
   Answerer answer_;
+  foxglove::Viewers viewers_;
   WebServer* server_ = nullptr;
   std::atomic<std::size_t> open_ = 0, whole_ = 0;  // watchers without and with the truth
   std::atomic<bool> state_wanted_ = false;

@@ -57,7 +57,10 @@ struct WebOptions {
   std::vector<std::string> protocols;
   std::string certificate_file;  ///< PEM, with its chain; empty: without TLS
   std::string key_file;          ///< PEM
-  std::string imagery_origin;    ///< pages may load pictures from there; empty: none
+  /// Pages of other servers, by their origins ("https://app.example.org"), that may watch
+  /// by `guest_protocols`.
+  std::vector<std::string> guest_origins, guest_protocols;
+  std::string imagery_origin;  ///< pages may load pictures from there; empty: none
   std::size_t most_clients = 256;
 };
 

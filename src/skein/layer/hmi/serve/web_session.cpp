@@ -2,6 +2,7 @@
 
 #include <utility>  // before Asio, which lacks it in C++20
 
+#include <algorithm>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/ssl.hpp>
@@ -59,6 +60,16 @@ std::optional<Access> access_of(const Request& request, const WebOptions& option
 bool comes_from_here(const Request& request) {
   return is_same_origin(view(request[http::field::origin]),
                         view(request[http::field::host]));
+}
+
+// Whether a page of another server may watch by a protocol.
+bool is_guest(const Request& request, const std::string& protocol,
+              const WebOptions& options) {
+  const auto has = [](const std::vector<std::string>& list, std::string_view text) {
+    return std::find(list.begin(), list.end(), text) != list.end();
+  };
+  return has(options.guest_origins, view(request[http::field::origin])) &&
+         has(options.guest_protocols, protocol);
 }
 
 // The best of the server's protocols that the client knows; empty: none.
@@ -252,9 +263,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
 
   void upgrade(const Request& request, const std::optional<Access>& access) {
     if (!access) return send(request, plain(401, "A token is needed.\n"));
-    if (!comes_from_here(request))
-      return send(request, plain(403, "This page comes from another server.\n"));
     const std::string protocol = protocol_of(request, server_.options());
+    if (!comes_from_here(request) && !is_guest(request, protocol, server_.options()))
+      return send(request, plain(403, "This page comes from another server.\n"));
     if (protocol.empty())
       return send(request, plain(400, "None of these protocols is spoken here.\n"));
     if (server_.is_full()) return send(request, plain(503, "Too many watch already.\n"));

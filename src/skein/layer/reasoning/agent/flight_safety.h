@@ -28,6 +28,12 @@ class FlightSafety {
         execution_(safety_zone),
         self_(self) {}
 
+  /// How fast it flies and turns from now on.
+  void set_limits(const FlightLimits& limits) {
+    zones_.set_limits(limits);
+    returns_.set_limits(limits);
+  }
+
   /// Takes in changes of zones. Works without a navigation estimate too.
   void listen(const AgentInput& in, AgentOutput& out) { news_ = zones_.listen(in, out); }
 

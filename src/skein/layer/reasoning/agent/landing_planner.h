@@ -24,6 +24,7 @@ struct RadioQuality {
 /// a failsafe lands is said to the others, who leave the place to it.
 class LandingPlanner {
  public:
+  /// @param context      outlives it.
   /// @param horizontal   separation that is kept [m].
   /// @param level_step   between the heights of two that wait [m].
   LandingPlanner(const FlightContext& context, double horizontal, double level_step)
@@ -56,7 +57,7 @@ class LandingPlanner {
   double time_needed(const LandingTurn& turn, const NavEstimate& nav) const;
   void send(AgentOutput& out);
 
-  FlightContext context_;
+  const FlightContext& context_;
   double horizontal_;
   LandingQueue queue_;
   Leg leg_ = Leg::kNone;

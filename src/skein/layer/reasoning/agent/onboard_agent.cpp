@@ -18,8 +18,8 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
       rate_(options.report_rate),
       readings_(context.self, station),
       report_(context.self, station, options.report_period),
-      tasks_(context.self, station, std::move(make)),
-      chain_(context, options.separation, options.pilot, loiter_, tasks_),
+      tasks_(context_, station, std::move(make)),
+      chain_(context_, options.separation, options.pilot, loiter_, tasks_),
       alerting_(options.separation.well_clear) {
   if (options_.first_task) tasks_.begin(*options_.first_task);
   if (options_.team) team_ = std::make_unique<OnboardTeam>(context_.self, *options_.team);
@@ -27,6 +27,7 @@ OnboardAgent::OnboardAgent(const OnboardAgentOptions& options, EntityId station,
 
 void OnboardAgent::step(const AgentInput& in, AgentOutput& out) {
   if (options_.takes_orders && tasks_.receive(in, out)) safety_.allow_launch(in);
+  safety_.set_limits(context_.limits);  // an order may have changed its speed
   if (team_) follow_team(in, out);
   safety_.listen(in, out);
   chain_.listen(in, out);

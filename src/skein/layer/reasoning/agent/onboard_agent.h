@@ -67,7 +67,7 @@ class OnboardAgent final : public Agent {
   double altitude_to_take_off_to(const NavEstimate& nav) const;
 
   OnboardAgentOptions options_;
-  FlightContext context_;
+  FlightContext context_;  // height and speed as last ordered
   FlightSafety safety_;
   Beliefs beliefs_;
   ReportRate rate_;

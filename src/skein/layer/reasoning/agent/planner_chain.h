@@ -37,7 +37,7 @@ class PlannerOfChain {
 class PlannerChain {
  public:
   /// @param pilot  who is shown what keeps apart from others; none: that is flown.
-  /// @param loiter, task  outlive it.
+  /// @param context, loiter, task  outlive it.
   PlannerChain(const FlightContext& context, const SeparationOptions& separation,
                const std::optional<AdvisedPilotOptions>& pilot, PlannerOfChain& loiter,
                PlannerOfChain& task)

@@ -24,6 +24,7 @@ namespace skein::reasoning {
 /// nothing.
 class SeparationPlanner {
  public:
+  /// @param context  outlives it.
   SeparationPlanner(const FlightContext& context, const SeparationOptions& options)
       : context_(context),
         options_(options),
@@ -70,7 +71,7 @@ class SeparationPlanner {
   void say(AgentOutput& out);
   void list_strangers(const TaskStep& step);
 
-  FlightContext context_;
+  const FlightContext& context_;
   SeparationOptions options_;
   LandingPlanner landing_;
   Separator separator_;

@@ -78,8 +78,9 @@ class TaskExecutor {
   virtual bool may_stand() const { return false; }
 };
 
-/// Makes the executor of a task.
+/// Makes the executor of a task, flown as the context says.
 /// Fails: kUnavailable with the reason when this aircraft cannot fly it.
-using MakeTask = std::function<Result<std::unique_ptr<TaskExecutor>>(const TaskKind&)>;
+using MakeTask = std::function<Result<std::unique_ptr<TaskExecutor>>(
+    const TaskKind&, const FlightContext&)>;
 
 }  // namespace skein::reasoning

@@ -9,10 +9,28 @@ namespace {
 
 constexpr double kRestAgain = 20;  // what is left, unchanged [s]
 
+// @returns  why the aircraft cannot fly so; empty: it does from now on.
+std::string set_flight(FlightContext& context, const FlightChange& change) {
+  FlightLimits& limits = context.limits;
+  if (change.airspeed && !(*change.airspeed >= limits.slowest &&
+                           *change.airspeed <= limits.fastest && *change.airspeed > 0))
+    return fmt::format("{:.1f} m/s is not flown by this aircraft, but {:.1f} to {:.1f}",
+                       *change.airspeed, limits.slowest, limits.fastest);
+  if (change.altitude_agl && !(*change.altitude_agl > 0))
+    return fmt::format("{:.1f} m is not above the ground", *change.altitude_agl);
+  if (change.altitude_agl) context.altitude_agl = *change.altitude_agl;
+  if (change.airspeed) {
+    const double ratio = *change.airspeed / limits.airspeed;
+    limits.turn_radius *= ratio * ratio;  // with the same bank
+    limits.airspeed = *change.airspeed;
+  }
+  return {};
+}
+
 }  // namespace
 
 void TaskPlanner::begin(const TaskKind& task) {
-  auto made = make_(task);
+  auto made = make_(task, context_);
   if (!made) return;
   executor_ = std::move(made).value();
   kind_ = kind_of(task);
@@ -26,6 +44,8 @@ bool TaskPlanner::receive(const AgentInput& in, AgentOutput& out) {
       other = take(*task, in.now, out) || other;
     else if (const auto* change = std::get_if<TaskChange>(&message.content))
       obey(*change, in.now, out);
+    else if (const auto* flight = std::get_if<FlightChange>(&message.content))
+      obey(*flight, in.now, out);
   }
   return other;
 }
@@ -60,18 +80,18 @@ bool TaskPlanner::assign(std::optional<std::uint32_t> number,
 // @returns  whether this aircraft is able to.
 bool TaskPlanner::fly(const TaskKind& what, Time now, AgentOutput& out) {
   kind_ = kind_of(what);
-  auto made = make_(what);
+  auto made = make_(what, context_);
   if (!made) {
     executor_.reset();
     state_ = TaskState::kImpossible;
     refused_ = made.error().message;
     out.events.push_back(
-        {now, self_, "task-refused", fmt::format("{}: {}", kind_, refused_)});
+        {now, context_.self, "task-refused", fmt::format("{}: {}", kind_, refused_)});
     return false;
   }
   executor_ = std::move(made).value();
   state_ = TaskState::kFlying;
-  out.events.push_back({now, self_, "task", named()});
+  out.events.push_back({now, context_.self, "task", named()});
   return true;
 }
 
@@ -98,12 +118,49 @@ void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
   }
 }
 
+void TaskPlanner::obey(const FlightChange& change, Time now, AgentOutput& out) {
+  if (change.number > flight_change_) {
+    flight_change_ = change.number;
+    if (const std::string why = set_flight(context_, change); !why.empty()) {
+      out.events.push_back({now, context_.self, "flight-refused", why});
+    } else {
+      out.events.push_back(
+          {now, context_.self, "flight-changed",
+           fmt::format("{:.0f} m above ground at {:.1f} m/s", context_.altitude_agl,
+                       context_.limits.airspeed)});
+      begin_again(change, now, out);
+    }
+  }
+  Message known;
+  known.to = station_;
+  known.content =
+      FlightChange{flight_change_, context_.altitude_agl, context_.limits.airspeed};
+  out.outbox.push_back(std::move(known));
+}
+
+// What is left of the task is flown as the context says now.
+void TaskPlanner::begin_again(const FlightChange& change, Time now, AgentOutput& out) {
+  if (!executor_) return;
+  TaskKind rest = executor_->rest();
+  if (auto* to = std::get_if<FlyTo>(&rest); to && change.altitude_agl)
+    to->altitude_msl.reset();
+  executor_->interrupt();
+  auto made = make_(rest, context_);
+  if (made) {
+    executor_ = std::move(made).value();
+    return;
+  }
+  executor_.reset();
+  refused_ = made.error().message;
+  set(TaskState::kImpossible, now, "task-impossible", refused_, out);
+}
+
 void TaskPlanner::set(TaskState state, Time now, const char* event, std::string_view why,
                       AgentOutput& out) {
   state_ = state;
   std::string text = named();
   if (!why.empty()) text.append(": ").append(why);
-  out.events.push_back({now, self_, event, std::move(text)});
+  out.events.push_back({now, context_.self, event, std::move(text)});
 }
 
 void TaskPlanner::listen(const TaskStep& step) {

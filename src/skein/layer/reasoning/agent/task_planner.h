@@ -14,8 +14,10 @@ namespace skein::reasoning {
 /// passes on what it is given.
 class TaskPlanner final : public PlannerOfChain {
  public:
-  TaskPlanner(EntityId self, EntityId station, MakeTask make)
-      : self_(self), station_(station), make_(std::move(make)) {}
+  /// @param context  of the aircraft; outlives this, which changes height and speed as
+  ///                 it is ordered to (FlightChange).
+  TaskPlanner(FlightContext& context, EntityId station, MakeTask make)
+      : context_(context), station_(station), make_(std::move(make)) {}
 
   /// What is flown until an order comes.
   void begin(const TaskKind& task);
@@ -66,15 +68,19 @@ class TaskPlanner final : public PlannerOfChain {
   bool fly(const TaskKind& what, Time now, AgentOutput& out);
   std::string named() const;
   void obey(const TaskChange& change, Time now, AgentOutput& out);
+  void obey(const FlightChange& change, Time now, AgentOutput& out);
+  void begin_again(const FlightChange& change, Time now, AgentOutput& out);
   void set(TaskState state, Time now, const char* event, std::string_view why,
            AgentOutput& out);
 
-  EntityId self_, station_;
+  FlightContext& context_;
+  EntityId station_;
   MakeTask make_;
   std::unique_ptr<TaskExecutor> executor_;
   std::string_view kind_;                  // of the present task
   std::string refused_;                    // why the last one could not be flown
   std::uint32_t order_ = 0;                // newest
+  std::uint32_t flight_change_ = 0;        // newest
   std::uint32_t number_ = 0;               // of the present task; 0: of no order
   std::optional<std::uint32_t> assigned_;  // by the team
   TaskState state_ = TaskState::kNone;

@@ -199,6 +199,8 @@ void MissionControl::obey(const Command& command, Time now, OrderServer& orders,
     obey(*task, now, orders, out);
   else if (const auto* change = std::get_if<TaskChangeCommand>(&command))
     obey(*change, now, orders, out);
+  else if (const auto* flight = std::get_if<FlightChangeCommand>(&command))
+    obey(*flight, now, orders, out);
   else if (const auto* mission = std::get_if<MissionCommand>(&command))
     obey(*mission, now, orders, out);
 }
@@ -226,6 +228,13 @@ void MissionControl::obey(const TaskChangeCommand& command, Time now, OrderServe
   TaskKind rest = orders.rest_of_task(*who);
   orders.order(*who, TaskAction::kCancel, now, out);
   orders.order(*to, std::move(rest), Holder::kOperator, now, out);
+}
+
+// Whoever has the aircraft keeps it.
+void MissionControl::obey(const FlightChangeCommand& command, Time now,
+                          OrderServer& orders, AgentOutput& out) {
+  if (const auto who = find_member(orders, command.aircraft))
+    orders.order(*who, FlightChange{0, command.altitude_agl, command.airspeed}, now, out);
 }
 
 void MissionControl::obey(const MissionCommand& command, Time now, OrderServer& orders,

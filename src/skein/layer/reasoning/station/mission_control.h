@@ -58,6 +58,8 @@ class MissionControl {
   void record_states(AgentOutput& out);
   void obey(const Command& command, Time now, OrderServer& orders, AgentOutput& out);
   void obey(const TaskCommand& command, Time now, OrderServer& orders, AgentOutput& out);
+  void obey(const FlightChangeCommand& command, Time now, OrderServer& orders,
+            AgentOutput& out);
   void obey(const TaskChangeCommand& command, Time now, OrderServer& orders,
             AgentOutput& out);
   void obey(const MissionCommand& command, Time now, OrderServer& orders,

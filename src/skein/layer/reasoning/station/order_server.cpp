@@ -80,6 +80,8 @@ void OrderServer::listen(const AgentInput& in, AgentOutput& out) {
       }
     } else if (const auto* left = std::get_if<TaskReport>(&message.content)) {
       member->reported = *left;
+    } else if (const auto* flies = std::get_if<FlightChange>(&message.content)) {
+      flights_.confirm(message.from, *flies);
     }
   }
   if (in.now < next_position_) return;
@@ -148,6 +150,13 @@ void OrderServer::order(std::size_t index, TaskAction action, Time now,
         out);
 }
 
+void OrderServer::order(std::size_t index, const FlightChange& change, Time now,
+                        AgentOutput& out) {
+  const EntityId aircraft = members_[index].who.id;
+  out.events.push_back({now, aircraft, "ordered", "height or speed by the operator"});
+  flights_.order(aircraft, change, now, out);
+}
+
 // One after the other: an order about a task must not overtake the task.
 void OrderServer::queue(Member& member, Message message, Time now, AgentOutput& out) {
   member.open.push_back(std::move(message));
@@ -163,6 +172,7 @@ void OrderServer::send_next(Member& member, Time now, AgentOutput& out) {
 void OrderServer::resend(Time now, AgentOutput& out) {
   for (Member& member : members_)
     if ((now - member.sent).seconds() >= kResendAfter) send_next(member, now, out);
+  flights_.resend(now, out);
 }
 
 TaskKind OrderServer::rest_of_task(std::size_t index) const {

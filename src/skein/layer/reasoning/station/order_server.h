@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "skein/layer/reasoning/station/flight_changes.h"
 #include "skein/layer/reasoning/station/reading_router.h"
 #include "skein/role/mission.h"
 
@@ -80,6 +81,8 @@ class OrderServer {
   void order(std::size_t member, TaskKind what, Holder holder, Time now,
              AgentOutput& out);
   void order(std::size_t member, TaskAction action, Time now, AgentOutput& out);
+  /// How it flies what it is given, by whomever.
+  void order(std::size_t member, const FlightChange& change, Time now, AgentOutput& out);
 
   /// What the aircraft still has to do.
   TaskKind rest_of_task(std::size_t member) const;
@@ -108,6 +111,7 @@ class OrderServer {
   std::vector<Member> members_;
   std::vector<std::pair<EntityId, std::size_t>> places_;    // of members_, by id
   std::map<EntityId, std::vector<std::size_t>> listeners_;  // whose tasks are about one
+  FlightChanges flights_;
   EntityId station_;
   NavEstimate position_;
   Time next_position_;

@@ -29,6 +29,9 @@ class ReturnPlanner {
                 EntityId self, const Terrain& map)
       : options_(options), avoidance_(options, limits, {}), self_(self), map_(map) {}
 
+  /// It flies and turns so from now on.
+  void set_limits(const FlightLimits& limits) { avoidance_.set_limits(limits); }
+
   /// To be called at each step; works once a second, and at once when zones come and go.
   /// Needs in.nav.
   ///

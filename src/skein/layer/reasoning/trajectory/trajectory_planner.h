@@ -16,6 +16,7 @@ namespace skein::reasoning {
 /// that keeps out of no-fly zones, above the ground and within what the aircraft can do.
 class TrajectoryPlanner {
  public:
+  /// @param context  outlives it.
   explicit TrajectoryPlanner(const FlightContext& context) : context_(context) {}
 
   /// To be called at each step in which the aircraft may fly. May command.
@@ -33,7 +34,7 @@ class TrajectoryPlanner {
   };
   void begin(const FlightIntent& intent);
 
-  FlightContext context_;
+  const FlightContext& context_;
   std::variant<std::monostate, CirclingFlight, RouteFlight, PlanFlight, LandingFlight,
                ReturnFlight>
       flight_;

@@ -39,6 +39,9 @@ class ZoneAvoidance {
   ZoneAvoidance(const ZoneAvoidanceOptions& options, const FlightLimits& limits,
                 std::span<const Zone> zones);
 
+  /// It flies and turns so from now on.
+  void set_limits(const FlightLimits& limits) { limits_ = limits; }
+
   /// Other zones from now on.
   void set_zones(std::span<const Zone> zones);
 

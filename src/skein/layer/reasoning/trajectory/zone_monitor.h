@@ -25,6 +25,9 @@ class ZoneMonitor {
         avoidance_(options, limits, zones),
         self_(self) {}
 
+  /// It flies and turns so from now on.
+  void set_limits(const FlightLimits& limits) { avoidance_.set_limits(limits); }
+
   /// Takes in the changes that have been received, with events "zone-on" and "zone-off",
   /// and says which zones are in force then.
   /// They count from this step on.

@@ -6,6 +6,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,14 +69,23 @@ class LiveClient {
     socket_.write(boost::asio::buffer(text), failure_);
   }
 
-  /// The items of the next message; empty when the connection has ended.
-  std::vector<LiveItem> hear() {
+  /// The next message; empty when the connection has ended.
+  std::string read() {
     beast::flat_buffer buffer;
     socket_.read(buffer, failure_);
     if (failure_) return {};
     bytes_heard_ += buffer.size();
+    return {static_cast<const char*>(buffer.cdata().data()), buffer.size()};
+  }
+  /// It was text.
+  bool read_text() const { return socket_.got_text(); }
+
+  /// Its items.
+  std::vector<LiveItem> hear() {
+    const std::string message = read();
+    if (failure_) return {};
     auto items = wire::decode<std::vector<LiveItem>>(
-        {static_cast<const std::byte*>(buffer.cdata().data()), buffer.size()});
+        std::as_bytes(std::span(message.data(), message.size())));
     return items ? std::move(items).value() : std::vector<LiveItem>();
   }
 

@@ -22,6 +22,11 @@ class ServedRun {
     WebOptions options;
     options.port = 0;
     options.protocols = {std::string(LiveHub::kProtocol)};
+    for (const std::string_view name : foxglove::kProtocols) {
+      options.protocols.emplace_back(name);
+      options.guest_protocols.emplace_back(name);
+    }
+    options.guest_origins = {"https://viewer.example"};
     if (tokens) options.access = AccessTable::parse(tokens, "tokens").value();
     auto opened = WebServer::open(options, hub_);
     EXPECT_TRUE(opened) << opened.error().text();
@@ -86,12 +91,14 @@ class ServedRun {
       feed_.record(Event{now, EntityId{1}, "task-refused", "no fire sensor"});
   }
 
-  LiveHub hub_{[](const HttpRequest& request) {
-    HttpAnswer answer;
-    answer.status = request.path == "/api/run" || request.path == "/" ? 200 : 404;
-    answer.body = std::make_shared<const std::string>(name_of(request.access.role));
-    return answer;
-  }};
+  LiveHub hub_{
+      [](const HttpRequest& request) {
+        HttpAnswer answer;
+        answer.status = request.path == "/api/run" || request.path == "/" ? 200 : 404;
+        answer.body = std::make_shared<const std::string>(name_of(request.access.role));
+        return answer;
+      },
+      {"a run", "session", 0, {}}};
   LiveFeed feed_{hub_, Time::from_seconds(3600), 1};
   std::unique_ptr<WebServer> server_;
   std::uint16_t port_ = 0;
@@ -280,6 +287,76 @@ TEST(LiveFeed, HundredWatchAtOnce) {
   std::vector<std::unique_ptr<LiveClient>> all;
   for (int k = 0; k < 100; ++k) all.push_back(std::make_unique<LiveClient>(run.port()));
   for (const auto& client : all) EXPECT_TRUE(client->wait_for<FleetFrame>());
+}
+
+// Waits for a text message that `is_right` accepts; says whether there was one.
+template <class Right>
+bool reads_text(LiveClient& client, Right is_right) {
+  while (client.is_open())
+    if (const auto bytes = client.read(); client.read_text() && is_right(bytes))
+      return true;
+  return false;
+}
+// Of a subscription.
+std::string read_data(LiveClient& client) {
+  while (client.is_open())
+    if (const auto bytes = client.read(); !client.read_text() && bytes.size() > 13)
+      return bytes;
+  return {};
+}
+bool has(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Foxglove, ViewersAreSentWhatTheySubscribeTo) {
+  for (const std::string_view protocol : foxglove::kProtocols) {
+    ServedRun run;
+    LiveClient viewer(run.port(), {}, std::string(protocol));
+    ASSERT_TRUE(viewer.is_open());
+    EXPECT_TRUE(reads_text(viewer, [](const auto& t) { return has(t, "serverInfo"); }));
+    EXPECT_TRUE(reads_text(
+        viewer, [](const auto& t) { return has(t, "/aircraft/scout-1/state"); }));
+    viewer.say(R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":1}]})");
+    for (int k = 0; k < 3; ++k) {
+      const std::string data = read_data(viewer);
+      ASSERT_GT(data.size(), 13u);
+      EXPECT_EQ(data[0], 1);
+      EXPECT_EQ(data[1], 9);
+      EXPECT_TRUE(has(data, "transforms")) << data;
+    }
+    viewer.say("nonsense");
+    EXPECT_TRUE(reads_text(viewer, [](const auto& t) { return has(t, "status"); }));
+  }
+}
+
+TEST(Foxglove, ViewersHoldNoControlAndSeeNoTruthThatIsHidden) {
+  ServedRun run;
+  LiveClient viewer(run.port(), {}, "foxglove.websocket.v1");
+  LiveClient page(run.port());
+  const auto list = page.wait_for<ClientList>();
+  ASSERT_TRUE(list);
+  EXPECT_EQ(list->holder, list->you);
+  ASSERT_EQ(list->clients.size(), 2u);
+  EXPECT_EQ(list->clients[0].role, AccessRole::kViewer);
+  run.say_much(1600);  // a true boundary
+  viewer.say(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":3}]})");
+  while (!has(read_data(viewer), "true ")) ASSERT_TRUE(viewer.is_open());
+  page.say(R"({"number":1,"truth":false})");
+  EXPECT_TRUE(reads_text(viewer, [](const auto& t) { return has(t, "unadvertise"); }));
+  viewer.say(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":3}]})");
+  // The first is empty: nothing of the other side is kept. Then there is a boundary.
+  while (!has(read_data(viewer), "believed")) ASSERT_TRUE(viewer.is_open());
+  for (int k = 0; k < 3; ++k) EXPECT_FALSE(has(read_data(viewer), "true "));
+}
+
+TEST(Foxglove, PagesOfOthersOnlyWatchAndOnlyWhereTheUserSaysSo) {
+  ServedRun run;
+  const auto joins = [&](const char* origin, const char* protocol) {
+    return LiveClient(run.port(), {{"Origin", origin}}, protocol).is_open();
+  };
+  EXPECT_TRUE(joins("https://viewer.example", "foxglove.websocket.v1"));
+  EXPECT_FALSE(joins("https://viewer.example", "skein.live.v1"));
+  EXPECT_FALSE(joins("https://evil.example", "foxglove.websocket.v1"));
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ struct Fleet {
       report.task_state = confirmed[k] > 0 ? TaskState::kFlying : TaskState::kNone;
       inbox.push_back({EntityId{k + 1}, {}, 0, Time(), report});
     }
+    if (answers) inbox.push_back(*answers);
     AgentInput in;
     in.now = now += Time::from_seconds(1);
     in.inbox = inbox;
@@ -91,6 +92,7 @@ struct Fleet {
   std::vector<TaskKind> tasks;
   std::vector<std::uint32_t> confirmed;
   std::vector<bool> silent;
+  std::optional<Message> answers;  // besides reports
   std::vector<Event> events;
   Time now;
 };
@@ -192,6 +194,35 @@ TEST_F(Control, WhatOneHasNotDoneIsGivenToAnother) {
   fleet.second(station);
   EXPECT_TRUE(std::holds_alternative<Hold>(fleet.tasks[0]));
   EXPECT_EQ(std::get<FlyRoute>(fleet.tasks[1]).laps, 4);
+}
+
+TEST_F(Control, HeightAndSpeedAreSaidAgainUntilTheAircraftKnowsThem) {
+  GroundStation station = make({});
+  const auto said = [](const AgentOutput& out) -> std::optional<FlightChange> {
+    for (const Message& message : out.outbox)
+      if (const auto* change = std::get_if<FlightChange>(&message.content)) {
+        EXPECT_EQ(message.to, EntityId{2});
+        return *change;
+      }
+    return std::nullopt;
+  };
+  const auto first = said(fleet.second(station, {FlightChangeCommand{"b", 150, {}}}));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->altitude_agl, 150);
+  EXPECT_FALSE(first->airspeed);
+  // Lost: what is said next has both.
+  const auto second = said(fleet.second(station, {FlightChangeCommand{"b", {}, 22}}));
+  ASSERT_TRUE(second);
+  EXPECT_GT(second->number, first->number);
+  EXPECT_EQ(second->altitude_agl, 150);
+  EXPECT_EQ(second->airspeed, 22);
+  int again = 0;
+  for (int k = 0; k < 10; ++k) again += said(fleet.second(station)).has_value();
+  EXPECT_GE(again, 2);
+  fleet.answers = {EntityId{2}, {}, 0, Time(), *second};
+  fleet.second(station);
+  fleet.answers.reset();
+  for (int k = 0; k < 10; ++k) EXPECT_FALSE(said(fleet.second(station)));
 }
 
 TEST_F(Control, NamesOfOthersBecomeTheirNumbers) {

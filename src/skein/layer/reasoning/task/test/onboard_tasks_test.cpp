@@ -25,12 +25,15 @@ class Mission {
                    std::optional<double> edge_angle = {})
       : context{kSelf, FlightLimits{}, &ground, nullptr, 120},
         agent({}, kStation, context, zones,
-              [this](const TaskKind& task) { return make(task); }),
+              [](const TaskKind& task, const FlightContext& flown) {
+                return make(task, flown);
+              }),
         own_angle(edge_angle) {
     aircraft.wind = wind;
   }
 
-  Result<std::unique_ptr<TaskExecutor>> make(const TaskKind& task) const {
+  static Result<std::unique_ptr<TaskExecutor>> make(const TaskKind& task,
+                                                    const FlightContext& context) {
     using Made = std::unique_ptr<TaskExecutor>;
     if (const auto* order = std::get_if<Loiter>(&task))
       return Made(std::make_unique<StayTask>(*order));

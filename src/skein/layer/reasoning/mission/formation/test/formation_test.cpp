@@ -188,12 +188,14 @@ class FormationTasks : public testing::Test {
   FailsafeReaction reaction = FailsafeReaction::kNone;
   FailsafeTrigger trigger = FailsafeTrigger::kNone;
   FlightContext context{EntityId{2}, FlightLimits{}, &ground, nullptr, 120};
-  MakeTask make = [this](const TaskKind& task) -> Result<std::unique_ptr<TaskExecutor>> {
+  MakeTask make =
+      [](const TaskKind& task,
+         const FlightContext& flown) -> Result<std::unique_ptr<TaskExecutor>> {
     using Made = std::unique_ptr<TaskExecutor>;
     if (const auto* route = std::get_if<FlyRoute>(&task))
-      return Made(std::make_unique<RouteTask>(context, *route, false));
+      return Made(std::make_unique<RouteTask>(flown, *route, false));
     if (const auto* order = std::get_if<FollowLeader>(&task))
-      return Made(std::make_unique<FollowTask>(context, *order, 8));
+      return Made(std::make_unique<FollowTask>(flown, *order, 8));
     return Error{ErrorCode::kBadInput, "", "it cannot.", ""};
   };
   std::optional<OnboardAgent> wingman{

@@ -21,9 +21,10 @@ class Hill final : public Terrain {
 struct Harness {
   explicit Harness(bool lands = false)
       : agent({.first_task = FlyRoute{{{400, 400}, {400, 0}, {0, 400}}, 5, {}}},
-              EntityId{7}, context, {}, [this, lands](const TaskKind& task) {
-                return Result<std::unique_ptr<TaskExecutor>>(std::make_unique<RouteTask>(
-                    context, std::get<FlyRoute>(task), lands));
+              EntityId{7}, context, {},
+              [lands](const TaskKind& task, const FlightContext& flown) {
+                return Result<std::unique_ptr<TaskExecutor>>(
+                    std::make_unique<RouteTask>(flown, std::get<FlyRoute>(task), lands));
               }) {}
   AgentOutput at(double time, bool done = false) {
     nav.time = Time::from_seconds(time);

@@ -59,9 +59,9 @@ class Flat final : public Terrain {
 struct Flight {
   explicit Flight(const TourOptions& options, int laps = 2)
       : agent({.first_task = FlyTour{kTriangle, laps}}, EntityId{0}, context, {},
-              [this, options](const TaskKind& task) {
-                return Result<std::unique_ptr<TaskExecutor>>(std::make_unique<TourTask>(
-                    context, std::get<FlyTour>(task), options));
+              [options](const TaskKind& task, const FlightContext& flown) {
+                return Result<std::unique_ptr<TaskExecutor>>(
+                    std::make_unique<TourTask>(flown, std::get<FlyTour>(task), options));
               }) {
     nav.p_N = {-200, 50, -150};
     nav.heading = 0.4;

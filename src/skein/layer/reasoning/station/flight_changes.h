@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "skein/data/agent_step.h"
+#include "skein/data/task.h"
+
+namespace skein::reasoning {
+
+/// Says to aircraft how high and how fast to fly, again until each says that it knows.
+class FlightChanges {
+ public:
+  /// What is not said anew stays as it was said last.
+  void order(EntityId aircraft, const FlightChange& change, Time now, AgentOutput& out);
+  void confirm(EntityId aircraft, const FlightChange& flown);
+  void resend(Time now, AgentOutput& out);
+
+ private:
+  struct Order {
+    FlightChange change;
+    bool confirmed = false;
+    Time sent;
+  };
+  static void send(EntityId aircraft, Order& order, Time now, AgentOutput& out);
+
+  std::map<EntityId, Order> orders_;
+};
+
+}  // namespace skein::reasoning
