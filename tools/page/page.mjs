@@ -193,11 +193,11 @@ missions:
   await page.screenshot({ path: join(folder, "approved.png") });
 
   // One of those that fly a task fails: another takes it over without asking.
-  const lost = approved.shares.find(({ aircraft_id }) => aircraft_id !== approved.proposer_id);
+  const lost = approved.shares.find(({ entity_id }) => entity_id !== approved.proposer_id);
   await page.evaluate((id) => window.skein.command({ kind: "fault", aircraft: window.skein.world.name(id), part: "link", fails: true }, "fault"),
-    lost.aircraft_id);
+    lost.entity_id);
   const after = await until(page, "a takeover", flown, (each) => each?.state === "taken-over", 90000);
-  check(after.shares.some(({ aircraft_id, task }) => task === lost.task && aircraft_id !== lost.aircraft_id),
+  check(after.shares.some(({ entity_id, task }) => task === lost.task && entity_id !== lost.entity_id),
     "another aircraft goes on with the task of one that fails");
   await page.context().close();
   await run.stop();

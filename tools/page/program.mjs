@@ -16,7 +16,7 @@ export async function serve(program, ...args) {
     child.on("exit", (status) => reject(new Error(`the program ended (${status}): ${said}`)));
   });
   const ended = new Promise((resolve) => child.on("exit", resolve));
-  return { place, said: () => said, stop: async () => { child.kill("SIGINT"); await ended; } };
+  return { place, pid: child.pid, said: () => said, stop: async () => { child.kill("SIGINT"); await ended; } };
 }
 
 const kBrowsers = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];

@@ -5,7 +5,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kResendAfter = 3;  // what is not confirmed [s]
+constexpr double kFlightResendAfter = 3;  // what is not confirmed [s]
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void FlightChanges::confirm(EntityId aircraft, const FlightChange& flown) {
 
 void FlightChanges::resend(Time now, AgentOutput& out) {
   for (auto& [aircraft, order] : orders_)
-    if (!order.confirmed && (now - order.sent).seconds() >= kResendAfter)
+    if (!order.confirmed && (now - order.sent).seconds() >= kFlightResendAfter)
       send(aircraft, order, now, out);
 }
 

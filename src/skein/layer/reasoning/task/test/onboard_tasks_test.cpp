@@ -25,27 +25,27 @@ class Mission {
                    std::optional<double> edge_angle = {})
       : context{kSelf, FlightLimits{}, &ground, nullptr, 120},
         agent({}, kStation, context, zones,
-              [](const TaskKind& task, const FlightContext& flown) {
+              [this](const TaskKind& task, const FlightContext& flown) {
                 return make(task, flown);
               }),
         own_angle(edge_angle) {
     aircraft.wind = wind;
   }
 
-  static Result<std::unique_ptr<TaskExecutor>> make(const TaskKind& task,
-                                                    const FlightContext& context) {
+  Result<std::unique_ptr<TaskExecutor>> make(const TaskKind& task,
+                                             const FlightContext& flown) const {
     using Made = std::unique_ptr<TaskExecutor>;
     if (const auto* order = std::get_if<Loiter>(&task))
       return Made(std::make_unique<StayTask>(*order));
     if (const auto* order = std::get_if<FlyTo>(&task))
-      return Made(std::make_unique<GoToTask>(context, *order));
+      return Made(std::make_unique<GoToTask>(flown, *order));
     if (const auto* order = std::get_if<FlyCourse>(&task))
-      return Made(std::make_unique<CourseTask>(context, *order));
+      return Made(std::make_unique<CourseTask>(flown, *order));
     if (const auto* order = std::get_if<FollowLine>(&task))
-      return Made(std::make_unique<LineTask>(context, *order));
+      return Made(std::make_unique<LineTask>(flown, *order));
     FollowEdge order = std::get<FollowEdge>(task);
     order.angle = own_angle.value_or(order.angle);
-    return Made(std::make_unique<EdgeTask>(context, EdgeFollowerOptions{}, order));
+    return Made(std::make_unique<EdgeTask>(flown, EdgeFollowerOptions{}, order));
   }
 
   void send(std::uint32_t number, decltype(Task::what) what) {
